@@ -93,17 +93,45 @@ architecture rtl of stereo_core_ambrosch2007 is
     return (value / 2 ** place) mod 2 = 1;
   end function;
 
+  function choice(test : boolean; yes : boolean; no : boolean) return boolean is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
+  function choice(test : boolean; yes : integer; no : integer) return integer is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
   type boolean_1d is array (natural range <>) of boolean;
   type boolean_2d is array (natural range <>, natural range <>) of boolean;
   type integer_minus_255_to_255_1d is array (natural range <>) of integer range -255 to 255;
   type natural_1532_1d is array (natural range <>) of natural range 0 to 1532;
   type natural_2298_1d is array (natural range <>) of natural range 0 to 2298;
+  type natural_23_1d is array (natural range <>) of natural range 0 to 23;
+  type natural_24_1d is array (natural range <>) of natural range 0 to 24;
   type natural_255_1d is array (natural range <>) of natural range 0 to 255;
   type natural_255_2d is array (natural range <>, natural range <>) of natural range 0 to 255;
+  type natural_255_3d is array (natural range <>, natural range <>, natural range <>) of natural range 0 to 255;
   type natural_33554431_1d is array (natural range <>) of natural range 0 to 33554431;
   type natural_511_1d is array (natural range <>) of natural range 0 to 511;
   type natural_766_1d is array (natural range <>) of natural range 0 to 766;
   type unsigned_25_1d is array (natural range <>) of unsigned(24 downto 0);
+  type tag_5 is record
+    valid, border_column, output_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_6 is record
+    valid, newest_inside, border_column, output_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_4 is record
+    valid, output_column, start_of_frame, end_of_line : boolean;
+  end record;
   signal in_start_of_frame, in_valid : boolean;
   signal in_left_pixel, in_right_pixel : natural range 0 to 255;
   -- raster
@@ -116,30 +144,25 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal delay_delayed_0 : unsigned(7 downto 0);
   signal delay_column : natural range 0 to 511;
   signal delay_row_inside : boolean_1d(0 to 2);
-  signal delay_tag_valid, delay_tag_border_column, delay_tag_output_column, delay_tag_start_of_frame : boolean;
-  signal delay_tag_end_of_line : boolean;
+  signal delay_tag : tag_5;
   -- rows
   signal rows_search_rows_read_words_0, rows_reference_rows_read_words_0 : unsigned(15 downto 0);
   signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 255;
   signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0 : natural range 0 to 255;
-  signal rows_search : natural_255_1d(0 to 2);
-  signal rows_reference : natural_255_1d(0 to 2);
+  signal rows_search, rows_reference : natural_255_1d(0 to 2);
   signal rows_search_rows_ready_words_0, rows_search_rows_write_words_0 : natural range 0 to 65535;
   signal rows_reference_rows_ready_words_0, rows_reference_rows_write_words_0 : natural range 0 to 65535;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
   signal rows_read_inside : boolean_1d(0 to 2);
-  signal rows_read_tag_valid, rows_read_tag_border_column, rows_read_tag_output_column : boolean;
-  signal rows_read_tag_start_of_frame, rows_read_tag_end_of_line : boolean;
+  signal rows_read_tag : tag_5;
   signal rows_ready_inside : boolean_1d(0 to 2);
-  signal rows_ready_tag_valid, rows_ready_tag_border_column, rows_ready_tag_output_column : boolean;
-  signal rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line, rows_inside_2, rows_tag_valid : boolean;
-  signal rows_tag_border_column, rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  signal rows_ready_tag : tag_5;
+  signal rows_inside_2 : boolean;
+  signal rows_tag : tag_5;
   -- slice0shift
   signal slice0shift_search : natural_255_2d(0 to 2, 0 to 24);
-  signal slice0shift_reference : natural_255_1d(0 to 2);
-  signal slice0shift_search_out : natural_255_1d(0 to 2);
-  signal slice0shift_tag_valid, slice0shift_tag_newest_inside, slice0shift_tag_border_column : boolean;
-  signal slice0shift_tag_output_column, slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
+  signal slice0shift_reference, slice0shift_search_out : natural_255_1d(0 to 2);
+  signal slice0shift_tag : tag_6;
   -- slice0cost
   signal slice0cost_signs_column, slice0cost_signs_next_column : natural range 0 to 511;
   signal slice0cost_signs_difference_column, slice0cost_signs_write_column : natural range 0 to 511;
@@ -152,77 +175,43 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal slice0cost_single_0 : natural_255_1d(0 to 24);
   signal slice0cost_difference_2 : integer_minus_255_to_255_1d(0 to 24);
   signal slice0cost_newest_negative_0 : boolean_1d(0 to 24);
-  signal slice0cost_difference_tag_valid, slice0cost_difference_tag_newest_inside : boolean;
-  signal slice0cost_difference_tag_border_column, slice0cost_difference_tag_output_column : boolean;
-  signal slice0cost_difference_tag_start_of_frame, slice0cost_difference_tag_end_of_line : boolean;
-  signal slice0cost_pair_tag_valid, slice0cost_pair_tag_newest_inside, slice0cost_pair_tag_border_column : boolean;
-  signal slice0cost_pair_tag_output_column, slice0cost_pair_tag_start_of_frame : boolean;
-  signal slice0cost_pair_tag_end_of_line, slice0cost_tag_valid, slice0cost_tag_newest_inside : boolean;
-  signal slice0cost_tag_border_column, slice0cost_tag_output_column, slice0cost_tag_start_of_frame : boolean;
-  signal slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_difference_tag, slice0cost_pair_tag, slice0cost_tag : tag_6;
   signal slice0cost_column_0 : natural_766_1d(0 to 24);
   -- slice0window
   signal slice0window_partial_0_0 : natural_766_1d(0 to 24);
   signal slice0window_partial_0_1 : natural_1532_1d(0 to 24);
   signal slice0window_centre_output_column_0, slice0window_centre_start_of_frame_0 : boolean;
-  signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_output_column : boolean;
-  signal slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
+  signal slice0window_centre_end_of_line_0 : boolean;
+  signal slice0window_tag : tag_4;
   signal slice0window_sum_0 : natural_2298_1d(0 to 24);
   -- slice0winner1
   signal slice0winner1_best_cost_0 : natural_2298_1d(0 to 12);
-  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
-  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice0winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice0winner1_best_index_0_3 : natural range 0 to 7;
-  signal slice0winner1_best_index_0_4 : natural range 0 to 9;
-  signal slice0winner1_best_index_0_5 : natural range 0 to 11;
-  signal slice0winner1_best_index_0_6 : natural range 0 to 13;
-  signal slice0winner1_best_index_0_7 : natural range 0 to 15;
-  signal slice0winner1_best_index_0_8 : natural range 0 to 17;
-  signal slice0winner1_best_index_0_9 : natural range 0 to 19;
-  signal slice0winner1_best_index_0_10 : natural range 0 to 21;
-  signal slice0winner1_best_index_0_11 : natural range 0 to 23;
-  signal slice0winner1_best_index_0_12 : natural range 0 to 24;
+  signal slice0winner1_best_index_0_0 : boolean;
+  signal slice0winner1_tag : tag_4;
+  signal slice0winner1_best_index_0 : natural_24_1d(1 to 12);  -- slice0winner1_best_index_0_# up to 3, 5 .. 23, 24
   -- slice0winner2
   signal slice0winner2_best_cost_0 : natural_2298_1d(0 to 6);
-  signal slice0winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice0winner2_best_index_0_1 : natural range 0 to 7;
-  signal slice0winner2_best_index_0_2 : natural range 0 to 11;
-  signal slice0winner2_best_index_0_3 : natural range 0 to 15;
-  signal slice0winner2_best_index_0_4 : natural range 0 to 19;
-  signal slice0winner2_best_index_0_5 : natural range 0 to 23;
-  signal slice0winner2_best_index_0_6 : natural range 0 to 24;
-  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
-  signal slice0winner2_tag_end_of_line : boolean;
+  signal slice0winner2_best_index_0 : natural_24_1d(0 to 6);  -- slice0winner2_best_index_0_# up to 3, 7 .. 23, 24
+  signal slice0winner2_tag : tag_4;
   -- slice0winner3
   signal slice0winner3_best_cost_0 : natural_2298_1d(0 to 3);
-  signal slice0winner3_best_index_0_0 : natural range 0 to 7;
-  signal slice0winner3_best_index_0_1 : natural range 0 to 15;
-  signal slice0winner3_best_index_0_2 : natural range 0 to 23;
-  signal slice0winner3_best_index_0_3 : natural range 0 to 24;
-  signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
-  signal slice0winner3_tag_end_of_line : boolean;
+  signal slice0winner3_best_index_0 : natural_24_1d(0 to 3);  -- slice0winner3_best_index_0_# up to 7, 15, 23, 24
+  signal slice0winner3_tag : tag_4;
   -- slice0winner4
   signal slice0winner4_best_cost_0 : natural_2298_1d(0 to 1);
-  signal slice0winner4_best_index_0_0 : natural range 0 to 15;
-  signal slice0winner4_best_index_0_1 : natural range 0 to 24;
-  signal slice0winner4_tag_valid, slice0winner4_tag_output_column, slice0winner4_tag_start_of_frame : boolean;
-  signal slice0winner4_tag_end_of_line : boolean;
+  signal slice0winner4_best_index_0 : natural_24_1d(0 to 1);  -- slice0winner4_best_index_0_# up to 15, 24
+  signal slice0winner4_tag : tag_4;
   -- slice0winner5
   signal slice0winner5_best_cost_0_0 : natural range 0 to 2298;
   signal slice0winner5_best_index_0_0 : natural range 0 to 24;
-  signal slice0winner5_tag_valid, slice0winner5_tag_output_column, slice0winner5_tag_start_of_frame : boolean;
-  signal slice0winner5_tag_end_of_line : boolean;
+  signal slice0winner5_tag : tag_4;
   -- slice0
   signal slice0_best_cost_0_0 : natural range 0 to 2298;
   signal slice0_best_index_0_0 : natural range 0 to 99;
-  signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
-  signal slice0_best_tag_end_of_line : boolean;
+  signal slice0_best_tag : tag_4;
   -- slice1shift
   signal slice1shift_search : natural_255_2d(0 to 2, 0 to 24);
-  signal slice1shift_reference : natural_255_1d(0 to 2);
-  signal slice1shift_search_out : natural_255_1d(0 to 2);
+  signal slice1shift_reference, slice1shift_search_out : natural_255_1d(0 to 2);
   -- slice1cost
   signal slice1cost_signs_difference_column, slice1cost_signs_write_column : natural range 0 to 511;
   signal slice1cost_pair_0 : natural_511_1d(0 to 24);
@@ -243,46 +232,26 @@ architecture rtl of stereo_core_ambrosch2007 is
   -- slice1winner1
   signal slice1winner1_best_cost_0 : natural_2298_1d(0 to 12);
   signal slice1winner1_best_index_0_0 : boolean;
-  signal slice1winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice1winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice1winner1_best_index_0_3 : natural range 0 to 7;
-  signal slice1winner1_best_index_0_4 : natural range 0 to 9;
-  signal slice1winner1_best_index_0_5 : natural range 0 to 11;
-  signal slice1winner1_best_index_0_6 : natural range 0 to 13;
-  signal slice1winner1_best_index_0_7 : natural range 0 to 15;
-  signal slice1winner1_best_index_0_8 : natural range 0 to 17;
-  signal slice1winner1_best_index_0_9 : natural range 0 to 19;
-  signal slice1winner1_best_index_0_10 : natural range 0 to 21;
-  signal slice1winner1_best_index_0_11 : natural range 0 to 23;
+  signal slice1winner1_best_index_0 : natural_23_1d(1 to 11);  -- slice1winner1_best_index_0_# up to 3, 5 .. 23
   -- slice1winner2
   signal slice1winner2_best_cost_0 : natural_2298_1d(0 to 6);
-  signal slice1winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice1winner2_best_index_0_1 : natural range 0 to 7;
-  signal slice1winner2_best_index_0_2 : natural range 0 to 11;
-  signal slice1winner2_best_index_0_3 : natural range 0 to 15;
-  signal slice1winner2_best_index_0_4 : natural range 0 to 19;
-  signal slice1winner2_best_index_0_5 : natural range 0 to 23;
+  signal slice1winner2_best_index_0 : natural_23_1d(0 to 5);  -- slice1winner2_best_index_0_# up to 3, 7 .. 23
   -- slice1winner3
   signal slice1winner3_best_cost_0 : natural_2298_1d(0 to 3);
-  signal slice1winner3_best_index_0_0 : natural range 0 to 7;
-  signal slice1winner3_best_index_0_1 : natural range 0 to 15;
-  signal slice1winner3_best_index_0_2 : natural range 0 to 23;
+  signal slice1winner3_best_index_0 : natural_23_1d(0 to 2);  -- slice1winner3_best_index_0_# up to 7, 15, 23
   -- slice1winner4
   signal slice1winner4_best_cost_0 : natural_2298_1d(0 to 1);
-  signal slice1winner4_best_index_0_0 : natural range 0 to 15;
-  signal slice1winner4_best_index_0_1 : natural range 0 to 24;
+  signal slice1winner4_best_index_0 : natural_24_1d(0 to 1);  -- slice1winner4_best_index_0_# up to 15, 24
   -- slice1winner5
   signal slice1winner5_best_cost_0_0 : natural range 0 to 2298;
   signal slice1winner5_best_index_0_0 : natural range 0 to 24;
   -- slice1
   signal slice1_best_cost_0_0 : natural range 0 to 2298;
   signal slice1_best_index_0_0 : natural range 0 to 99;
-  signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
-  signal slice1_best_tag_end_of_line : boolean;
+  signal slice1_best_tag : tag_4;
   -- slice2shift
   signal slice2shift_search : natural_255_2d(0 to 2, 0 to 24);
-  signal slice2shift_reference : natural_255_1d(0 to 2);
-  signal slice2shift_search_out : natural_255_1d(0 to 2);
+  signal slice2shift_reference, slice2shift_search_out : natural_255_1d(0 to 2);
   -- slice2cost
   signal slice2cost_signs_difference_column, slice2cost_signs_write_column : natural range 0 to 511;
   signal slice2cost_pair_0 : natural_511_1d(0 to 24);
@@ -303,42 +272,23 @@ architecture rtl of stereo_core_ambrosch2007 is
   -- slice2winner1
   signal slice2winner1_best_cost_0 : natural_2298_1d(0 to 12);
   signal slice2winner1_best_index_0_0 : boolean;
-  signal slice2winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice2winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice2winner1_best_index_0_3 : natural range 0 to 7;
-  signal slice2winner1_best_index_0_4 : natural range 0 to 9;
-  signal slice2winner1_best_index_0_5 : natural range 0 to 11;
-  signal slice2winner1_best_index_0_6 : natural range 0 to 13;
-  signal slice2winner1_best_index_0_7 : natural range 0 to 15;
-  signal slice2winner1_best_index_0_8 : natural range 0 to 17;
-  signal slice2winner1_best_index_0_9 : natural range 0 to 19;
-  signal slice2winner1_best_index_0_10 : natural range 0 to 21;
-  signal slice2winner1_best_index_0_11 : natural range 0 to 23;
+  signal slice2winner1_best_index_0 : natural_23_1d(1 to 11);  -- slice2winner1_best_index_0_# up to 3, 5 .. 23
   -- slice2winner2
   signal slice2winner2_best_cost_0 : natural_2298_1d(0 to 6);
-  signal slice2winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice2winner2_best_index_0_1 : natural range 0 to 7;
-  signal slice2winner2_best_index_0_2 : natural range 0 to 11;
-  signal slice2winner2_best_index_0_3 : natural range 0 to 15;
-  signal slice2winner2_best_index_0_4 : natural range 0 to 19;
-  signal slice2winner2_best_index_0_5 : natural range 0 to 23;
+  signal slice2winner2_best_index_0 : natural_23_1d(0 to 5);  -- slice2winner2_best_index_0_# up to 3, 7 .. 23
   -- slice2winner3
   signal slice2winner3_best_cost_0 : natural_2298_1d(0 to 3);
-  signal slice2winner3_best_index_0_0 : natural range 0 to 7;
-  signal slice2winner3_best_index_0_1 : natural range 0 to 15;
-  signal slice2winner3_best_index_0_2 : natural range 0 to 23;
+  signal slice2winner3_best_index_0 : natural_23_1d(0 to 2);  -- slice2winner3_best_index_0_# up to 7, 15, 23
   -- slice2winner4
   signal slice2winner4_best_cost_0 : natural_2298_1d(0 to 1);
-  signal slice2winner4_best_index_0_0 : natural range 0 to 15;
-  signal slice2winner4_best_index_0_1 : natural range 0 to 24;
+  signal slice2winner4_best_index_0 : natural_24_1d(0 to 1);  -- slice2winner4_best_index_0_# up to 15, 24
   -- slice2winner5
   signal slice2winner5_best_cost_0_0 : natural range 0 to 2298;
   signal slice2winner5_best_index_0_0 : natural range 0 to 24;
   -- slice2
   signal slice2_best_cost_0_0 : natural range 0 to 2298;
   signal slice2_best_index_0_0 : natural range 0 to 99;
-  signal slice2_best_tag_valid, slice2_best_tag_output_column, slice2_best_tag_start_of_frame : boolean;
-  signal slice2_best_tag_end_of_line : boolean;
+  signal slice2_best_tag : tag_4;
   -- slice3shift
   signal slice3shift_search : natural_255_2d(0 to 2, 0 to 24);
   signal slice3shift_reference : natural_255_1d(0 to 2);
@@ -361,83 +311,22 @@ architecture rtl of stereo_core_ambrosch2007 is
   -- slice3winner1
   signal slice3winner1_best_cost_0 : natural_2298_1d(0 to 12);
   signal slice3winner1_best_index_0_0 : boolean;
-  signal slice3winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice3winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice3winner1_best_index_0_3 : natural range 0 to 7;
-  signal slice3winner1_best_index_0_4 : natural range 0 to 9;
-  signal slice3winner1_best_index_0_5 : natural range 0 to 11;
-  signal slice3winner1_best_index_0_6 : natural range 0 to 13;
-  signal slice3winner1_best_index_0_7 : natural range 0 to 15;
-  signal slice3winner1_best_index_0_8 : natural range 0 to 17;
-  signal slice3winner1_best_index_0_9 : natural range 0 to 19;
-  signal slice3winner1_best_index_0_10 : natural range 0 to 21;
-  signal slice3winner1_best_index_0_11 : natural range 0 to 23;
+  signal slice3winner1_best_index_0 : natural_23_1d(1 to 11);  -- slice3winner1_best_index_0_# up to 3, 5 .. 23
   -- slice3winner2
   signal slice3winner2_best_cost_0 : natural_2298_1d(0 to 6);
-  signal slice3winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice3winner2_best_index_0_1 : natural range 0 to 7;
-  signal slice3winner2_best_index_0_2 : natural range 0 to 11;
-  signal slice3winner2_best_index_0_3 : natural range 0 to 15;
-  signal slice3winner2_best_index_0_4 : natural range 0 to 19;
-  signal slice3winner2_best_index_0_5 : natural range 0 to 23;
+  signal slice3winner2_best_index_0 : natural_23_1d(0 to 5);  -- slice3winner2_best_index_0_# up to 3, 7 .. 23
   -- slice3winner3
   signal slice3winner3_best_cost_0 : natural_2298_1d(0 to 3);
-  signal slice3winner3_best_index_0_0 : natural range 0 to 7;
-  signal slice3winner3_best_index_0_1 : natural range 0 to 15;
-  signal slice3winner3_best_index_0_2 : natural range 0 to 23;
+  signal slice3winner3_best_index_0 : natural_23_1d(0 to 2);  -- slice3winner3_best_index_0_# up to 7, 15, 23
   -- slice3winner4
   signal slice3winner4_best_cost_0 : natural_2298_1d(0 to 1);
-  signal slice3winner4_best_index_0_0 : natural range 0 to 15;
-  signal slice3winner4_best_index_0_1 : natural range 0 to 24;
+  signal slice3winner4_best_index_0 : natural_24_1d(0 to 1);  -- slice3winner4_best_index_0_# up to 15, 24
   -- slice3winner5
   signal slice3winner5_best_cost_0_0 : natural range 0 to 2298;
   signal slice3winner5_best_index_0_0 : natural range 0 to 24;
   -- slice3
   signal slice3_best_index_0_0 : natural range 0 to 99;
-  signal slice3_best_tag_valid, slice3_best_tag_output_column, slice3_best_tag_start_of_frame : boolean;
-  signal slice3_best_tag_end_of_line, slice3cost_signs_read_words_1_memory_read_enable : boolean;
-  signal slice3cost_signs_read_words_1_memory_read_address : unsigned(8 downto 0);
-  signal slice3cost_signs_read_words_1_memory_write_address : unsigned(8 downto 0);
-  signal slice3cost_signs_read_words_1_memory_write_data : unsigned(24 downto 0);
-  signal slice3cost_signs_read_words_0_memory_read_enable : boolean;
-  signal slice3cost_signs_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal slice3cost_signs_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal slice3cost_signs_read_words_0_memory_write_data : unsigned(24 downto 0);
-  signal slice2cost_signs_read_words_1_memory_read_enable : boolean;
-  signal slice2cost_signs_read_words_1_memory_read_address : unsigned(8 downto 0);
-  signal slice2cost_signs_read_words_1_memory_write_address : unsigned(8 downto 0);
-  signal slice2cost_signs_read_words_1_memory_write_data : unsigned(24 downto 0);
-  signal slice2cost_signs_read_words_0_memory_read_enable : boolean;
-  signal slice2cost_signs_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal slice2cost_signs_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal slice2cost_signs_read_words_0_memory_write_data : unsigned(24 downto 0);
-  signal slice1cost_signs_read_words_1_memory_read_enable : boolean;
-  signal slice1cost_signs_read_words_1_memory_read_address : unsigned(8 downto 0);
-  signal slice1cost_signs_read_words_1_memory_write_address : unsigned(8 downto 0);
-  signal slice1cost_signs_read_words_1_memory_write_data : unsigned(24 downto 0);
-  signal slice1cost_signs_read_words_0_memory_read_enable : boolean;
-  signal slice1cost_signs_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal slice1cost_signs_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal slice1cost_signs_read_words_0_memory_write_data : unsigned(24 downto 0);
-  signal slice0cost_signs_read_words_1_memory_read_enable : boolean;
-  signal slice0cost_signs_read_words_1_memory_read_address : unsigned(8 downto 0);
-  signal slice0cost_signs_read_words_1_memory_write_address : unsigned(8 downto 0);
-  signal slice0cost_signs_read_words_1_memory_write_data : unsigned(24 downto 0);
-  signal slice0cost_signs_read_words_0_memory_read_enable : boolean;
-  signal slice0cost_signs_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal slice0cost_signs_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal slice0cost_signs_read_words_0_memory_write_data : unsigned(24 downto 0);
-  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
-  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
-  signal delay_delayed_0_memory_read_enable : boolean;
-  signal delay_delayed_0_memory_read_address, delay_delayed_0_memory_write_address : unsigned(6 downto 0);
-  signal delay_delayed_0_memory_write_data : unsigned(7 downto 0);
+  signal slice3_best_tag : tag_4;
 
 begin
   in_start_of_frame <= start_of_frame = '1';
@@ -446,134 +335,103 @@ begin
   in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
   disparity <= std_logic_vector(to_unsigned(slice3_best_index_0_0, 8));
   pixel_valid <= std_logic_vector(to_unsigned(1, 1));
-  disparity_valid <= as_bit(slice3_best_tag_valid and slice3_best_tag_output_column);
-  disparity_start_of_frame <= as_bit(slice3_best_tag_start_of_frame and slice3_best_tag_valid and slice3_best_tag_output_column);
-  disparity_end_of_line <= as_bit(slice3_best_tag_end_of_line and slice3_best_tag_valid and slice3_best_tag_output_column);
+  disparity_valid <= as_bit(slice3_best_tag.valid and slice3_best_tag.output_column);
+  disparity_start_of_frame <= as_bit(slice3_best_tag.start_of_frame and slice3_best_tag.valid and slice3_best_tag.output_column);
+  disparity_end_of_line <= as_bit(slice3_best_tag.end_of_line and slice3_best_tag.valid and slice3_best_tag.output_column);
 
-  slice3cost_signs_read_words_1_memory_read_enable <= true;
-  slice3cost_signs_read_words_1_memory_read_address <= to_unsigned(slice0cost_signs_difference_column, 9);
-  slice3cost_signs_read_words_1_memory_write_address <= to_unsigned(slice3cost_signs_write_column, 9);
-  slice3cost_signs_read_words_1_memory_write_data <= to_unsigned(slice3cost_signs_write_words(1), 25);
-  slice3cost_signs_read_words_1_memory : entity work.line_memory
-    generic map (depth => 320, width => 25, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice3cost_signs_read_words_1_memory_read_enable,
-      read_address => slice3cost_signs_read_words_1_memory_read_address, read_data => slice3cost_signs_read_words(1),
-      write_address => slice3cost_signs_read_words_1_memory_write_address, write_data => slice3cost_signs_read_words_1_memory_write_data);
+  slice3cost_signs_read_words_memory : for i in 1 downto 0 generate
+    signal read_address, write_address : unsigned(8 downto 0);
+    signal write_data : unsigned(24 downto 0);
+  begin
+    read_address <= to_unsigned(slice0cost_signs_difference_column, 9);
+    write_address <= to_unsigned(slice3cost_signs_write_column, 9);
+    write_data <= to_unsigned(slice3cost_signs_write_words(i), 25);
+    cell : entity work.line_memory
+      generic map (depth => 320, width => 25, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice3cost_signs_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  slice3cost_signs_read_words_0_memory_read_enable <= true;
-  slice3cost_signs_read_words_0_memory_read_address <= to_unsigned(slice0cost_signs_difference_column, 9);
-  slice3cost_signs_read_words_0_memory_write_address <= to_unsigned(slice3cost_signs_write_column, 9);
-  slice3cost_signs_read_words_0_memory_write_data <= to_unsigned(slice3cost_signs_write_words(0), 25);
-  slice3cost_signs_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 25, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice3cost_signs_read_words_0_memory_read_enable,
-      read_address => slice3cost_signs_read_words_0_memory_read_address, read_data => slice3cost_signs_read_words(0),
-      write_address => slice3cost_signs_read_words_0_memory_write_address, write_data => slice3cost_signs_read_words_0_memory_write_data);
+  slice2cost_signs_read_words_memory : for i in 1 downto 0 generate
+    signal read_address, write_address : unsigned(8 downto 0);
+    signal write_data : unsigned(24 downto 0);
+  begin
+    read_address <= to_unsigned(slice0cost_signs_next_column, 9);
+    write_address <= to_unsigned(slice3cost_signs_difference_column, 9);
+    write_data <= to_unsigned(slice2cost_signs_write_words(i), 25);
+    cell : entity work.line_memory
+      generic map (depth => 320, width => 25, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice2cost_signs_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  slice2cost_signs_read_words_1_memory_read_enable <= true;
-  slice2cost_signs_read_words_1_memory_read_address <= to_unsigned(slice0cost_signs_next_column, 9);
-  slice2cost_signs_read_words_1_memory_write_address <= to_unsigned(slice3cost_signs_difference_column, 9);
-  slice2cost_signs_read_words_1_memory_write_data <= to_unsigned(slice2cost_signs_write_words(1), 25);
-  slice2cost_signs_read_words_1_memory : entity work.line_memory
-    generic map (depth => 320, width => 25, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice2cost_signs_read_words_1_memory_read_enable,
-      read_address => slice2cost_signs_read_words_1_memory_read_address, read_data => slice2cost_signs_read_words(1),
-      write_address => slice2cost_signs_read_words_1_memory_write_address, write_data => slice2cost_signs_read_words_1_memory_write_data);
+  slice1cost_signs_read_words_memory : for i in 1 downto 0 generate
+    signal read_address, write_address : unsigned(8 downto 0);
+    signal write_data : unsigned(24 downto 0);
+  begin
+    read_address <= to_unsigned(slice0cost_signs_column, 9);
+    write_address <= to_unsigned(slice2cost_signs_difference_column, 9);
+    write_data <= to_unsigned(slice1cost_signs_write_words(i), 25);
+    cell : entity work.line_memory
+      generic map (depth => 320, width => 25, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice1cost_signs_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  slice2cost_signs_read_words_0_memory_read_enable <= true;
-  slice2cost_signs_read_words_0_memory_read_address <= to_unsigned(slice0cost_signs_next_column, 9);
-  slice2cost_signs_read_words_0_memory_write_address <= to_unsigned(slice3cost_signs_difference_column, 9);
-  slice2cost_signs_read_words_0_memory_write_data <= to_unsigned(slice2cost_signs_write_words(0), 25);
-  slice2cost_signs_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 25, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice2cost_signs_read_words_0_memory_read_enable,
-      read_address => slice2cost_signs_read_words_0_memory_read_address, read_data => slice2cost_signs_read_words(0),
-      write_address => slice2cost_signs_read_words_0_memory_write_address, write_data => slice2cost_signs_read_words_0_memory_write_data);
+  slice0cost_signs_read_words_memory : for i in 1 downto 0 generate
+    signal read_address, write_address : unsigned(8 downto 0);
+    signal write_data : unsigned(24 downto 0);
+  begin
+    read_address <= to_unsigned(rows_ready_column, 9);
+    write_address <= to_unsigned(slice0cost_signs_write_column, 9);
+    write_data <= to_unsigned(slice0cost_signs_write_words(i), 25);
+    cell : entity work.line_memory
+      generic map (depth => 320, width => 25, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice0cost_signs_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  slice1cost_signs_read_words_1_memory_read_enable <= true;
-  slice1cost_signs_read_words_1_memory_read_address <= to_unsigned(slice0cost_signs_column, 9);
-  slice1cost_signs_read_words_1_memory_write_address <= to_unsigned(slice2cost_signs_difference_column, 9);
-  slice1cost_signs_read_words_1_memory_write_data <= to_unsigned(slice1cost_signs_write_words(1), 25);
-  slice1cost_signs_read_words_1_memory : entity work.line_memory
-    generic map (depth => 320, width => 25, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice1cost_signs_read_words_1_memory_read_enable,
-      read_address => slice1cost_signs_read_words_1_memory_read_address, read_data => slice1cost_signs_read_words(1),
-      write_address => slice1cost_signs_read_words_1_memory_write_address, write_data => slice1cost_signs_read_words_1_memory_write_data);
+  rows_search_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(8 downto 0);
+    signal write_data : unsigned(15 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 9);
+    write_address <= to_unsigned(rows_write_column, 9);
+    write_data <= to_unsigned(rows_search_rows_write_words_0, 16);
+    cell : entity work.line_memory
+      generic map (depth => 320, width => 16, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_search_rows_read_words_0, write_address => write_address, write_data => write_data);
+  end block;
 
-  slice1cost_signs_read_words_0_memory_read_enable <= true;
-  slice1cost_signs_read_words_0_memory_read_address <= to_unsigned(slice0cost_signs_column, 9);
-  slice1cost_signs_read_words_0_memory_write_address <= to_unsigned(slice2cost_signs_difference_column, 9);
-  slice1cost_signs_read_words_0_memory_write_data <= to_unsigned(slice1cost_signs_write_words(0), 25);
-  slice1cost_signs_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 25, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice1cost_signs_read_words_0_memory_read_enable,
-      read_address => slice1cost_signs_read_words_0_memory_read_address, read_data => slice1cost_signs_read_words(0),
-      write_address => slice1cost_signs_read_words_0_memory_write_address, write_data => slice1cost_signs_read_words_0_memory_write_data);
+  rows_reference_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(8 downto 0);
+    signal write_data : unsigned(15 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 9);
+    write_address <= to_unsigned(rows_write_column, 9);
+    write_data <= to_unsigned(rows_reference_rows_write_words_0, 16);
+    cell : entity work.line_memory
+      generic map (depth => 320, width => 16, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_reference_rows_read_words_0, write_address => write_address, write_data => write_data);
+  end block;
 
-  slice0cost_signs_read_words_1_memory_read_enable <= true;
-  slice0cost_signs_read_words_1_memory_read_address <= to_unsigned(rows_ready_column, 9);
-  slice0cost_signs_read_words_1_memory_write_address <= to_unsigned(slice0cost_signs_write_column, 9);
-  slice0cost_signs_read_words_1_memory_write_data <= to_unsigned(slice0cost_signs_write_words(1), 25);
-  slice0cost_signs_read_words_1_memory : entity work.line_memory
-    generic map (depth => 320, width => 25, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice0cost_signs_read_words_1_memory_read_enable,
-      read_address => slice0cost_signs_read_words_1_memory_read_address, read_data => slice0cost_signs_read_words(1),
-      write_address => slice0cost_signs_read_words_1_memory_write_address, write_data => slice0cost_signs_read_words_1_memory_write_data);
-
-  slice0cost_signs_read_words_0_memory_read_enable <= true;
-  slice0cost_signs_read_words_0_memory_read_address <= to_unsigned(rows_ready_column, 9);
-  slice0cost_signs_read_words_0_memory_write_address <= to_unsigned(slice0cost_signs_write_column, 9);
-  slice0cost_signs_read_words_0_memory_write_data <= to_unsigned(slice0cost_signs_write_words(0), 25);
-  slice0cost_signs_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 25, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice0cost_signs_read_words_0_memory_read_enable,
-      read_address => slice0cost_signs_read_words_0_memory_read_address, read_data => slice0cost_signs_read_words(0),
-      write_address => slice0cost_signs_read_words_0_memory_write_address, write_data => slice0cost_signs_read_words_0_memory_write_data);
-
-  rows_search_rows_read_words_0_memory_read_enable <= true;
-  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 16);
-  rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 16, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
-      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
-      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
-
-  rows_reference_rows_read_words_0_memory_read_enable <= true;
-  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 16);
-  rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 16, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
-      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
-
-  delay_delayed_0_memory_read_enable <= true;
-  delay_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 7);
-  delay_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 7);
-  delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 8);
-  delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 100, width => 8, address_bits => 7)
-    port map (
-      clock => clock, read_enable => delay_delayed_0_memory_read_enable,
-      read_address => delay_delayed_0_memory_read_address, read_data => delay_delayed_0,
-      write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
+  delay_delayed_0_memory : block
+    signal read_address, write_address : unsigned(6 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(delay_ring_read_address, 7);
+    write_address <= to_unsigned(delay_ring_write_address, 7);
+    write_data <= to_unsigned(raster_features_reference_0, 8);
+    cell : entity work.line_memory
+      generic map (depth => 100, width => 8, address_bits => 7)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => delay_delayed_0,
+        write_address => write_address, write_data => write_data);
+  end block;
 
   process (clock)
-    variable raster_place_group_is_equal : boolean;
-    variable raster_place_group_is_equals : boolean_1d(2 to 3);  -- raster_place_group_is_equal_#
+    variable raster_place_group_is_equals : boolean_1d(1 to 3);  -- raster_place_group_is_equal_#
     variable raster_place_group_all, raster_place_group_choice_2, raster_place_next_frame_choice : boolean;
     variable delay_row_inside_1_is_not_less, delay_row_inside_1_is_less : boolean;
     variable slice0cost_difference_value : boolean_2d(0 to 1, 1 to 23);  -- slice0cost_difference_#_#_value
@@ -602,14 +460,10 @@ begin
     variable slice3winner5_best_cost_0_0_is_less : boolean;
     variable raster_place_group_choice : natural range 0 to 15;
     variable raster_place_group_choices : natural_255_1d(3 to 4);  -- raster_place_group_choice_#
-    variable slice0cost_difference_choice : natural_255_2d(0 to 1, 0 to 24);  -- slice0cost_difference_#_#_choice
-    variable slice0cost_difference_choice_2 : natural_255_2d(0 to 1, 0 to 24);  -- slice0cost_difference_#_#_choice_2
-    variable slice1cost_difference_choice : natural_255_2d(0 to 1, 0 to 24);  -- slice1cost_difference_#_#_choice
-    variable slice1cost_difference_choice_2 : natural_255_2d(0 to 1, 0 to 24);  -- slice1cost_difference_#_#_choice_2
-    variable slice2cost_difference_choice : natural_255_2d(0 to 1, 0 to 24);  -- slice2cost_difference_#_#_choice
-    variable slice2cost_difference_choice_2 : natural_255_2d(0 to 1, 0 to 24);  -- slice2cost_difference_#_#_choice_2
-    variable slice3cost_difference_choice : natural_255_2d(0 to 1, 0 to 24);  -- slice3cost_difference_#_#_choice
-    variable slice3cost_difference_choice_2 : natural_255_2d(0 to 1, 0 to 24);  -- slice3cost_difference_#_#_choice_2
+    variable slice0cost_difference_choice : natural_255_3d(0 to 1, 0 to 24, 1 to 2);  -- slice0cost_difference_#_#_choice_#
+    variable slice1cost_difference_choice : natural_255_3d(0 to 1, 0 to 24, 1 to 2);  -- slice1cost_difference_#_#_choice_#
+    variable slice2cost_difference_choice : natural_255_3d(0 to 1, 0 to 24, 1 to 2);  -- slice2cost_difference_#_#_choice_#
+    variable slice3cost_difference_choice : natural_255_3d(0 to 1, 0 to 24, 1 to 2);  -- slice3cost_difference_#_#_choice_#
     variable slice0cost_difference_2_difference : integer_minus_255_to_255_1d(0 to 24);  -- slice0cost_difference_2_#_difference
     variable slice1cost_difference_2_difference : integer_minus_255_to_255_1d(0 to 24);  -- slice1cost_difference_2_#_difference
     variable slice2cost_difference_2_difference : integer_minus_255_to_255_1d(0 to 24);  -- slice2cost_difference_2_#_difference
@@ -617,64 +471,35 @@ begin
   begin
     if rising_edge(clock) then
       -- raster
-      raster_place_group_is_equal := raster_place_column = 319;
+      raster_place_group_is_equals(1) := raster_place_column = 319;
       raster_place_group_is_equals(2) := raster_place_group = 239;
-      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equals(2);
-      if raster_place_group_all then
-        raster_place_group_choice := 15;
-      else
-        raster_place_group_choice := 0;
-      end if;
-      if (raster_place_group mod 16) = 1 then
-        raster_place_group_choice_2 := ((raster_place_group / 16) /= 15) and raster_place_group_is_equal and in_valid;
-      else
-        raster_place_group_choice_2 := raster_place_group_is_equal and in_valid;
-      end if;
+      raster_place_group_all := raster_place_group_is_equals(1) and raster_place_group_is_equals(2);
+      raster_place_group_choice := choice(raster_place_group_all, 15, 0);
+      raster_place_group_choice_2 := choice((raster_place_group mod 16) = 1, ((raster_place_group / 16) /= 15) and
+        raster_place_group_is_equals(1) and in_valid, raster_place_group_is_equals(1) and in_valid);
       raster_place_group_is_equals(3) := raster_place_group = 240;
-      if raster_place_group_is_equals(3) and raster_place_next_frame then
-        raster_place_group_choices(3) := 1;
-      else
-        raster_place_group_choices(3) := (raster_place_group + 1) mod 256;
-      end if;
-      if raster_place_group_choice_2 then
-        raster_place_group_choices(4) := raster_place_group_choices(3);
-      else
-        raster_place_group_choices(4) := raster_place_group;
-      end if;
+      raster_place_group_choices(3) := choice(raster_place_group_is_equals(3) and raster_place_next_frame, 1,
+        (raster_place_group + 1) mod 256);
+      raster_place_group_choices(4) := choice(raster_place_group_choice_2, raster_place_group_choices(3),
+        raster_place_group);
       raster_features_search_0 <= in_left_pixel;
       raster_features_reference_0 <= in_right_pixel;
       raster_features_valid <= in_valid;
-      if in_start_of_frame and in_valid then
-        raster_place_group <= raster_place_group_choice * 16;
-      else
-        raster_place_group <= raster_place_group_choices(4);
-      end if;
-      if raster_place_group_is_equals(3) then
-        raster_place_next_frame_choice := (raster_place_column /= 319) and raster_place_next_frame;
-      else
-        raster_place_next_frame_choice := raster_place_next_frame;
-      end if;
+      raster_place_group <= choice(in_start_of_frame and in_valid, raster_place_group_choice * 16,
+        raster_place_group_choices(4));
+      raster_place_next_frame_choice := choice(raster_place_group_is_equals(3), (raster_place_column /= 319) and
+        raster_place_next_frame, raster_place_next_frame);
       if in_valid then
-        if raster_place_group_is_equal or in_start_of_frame then
-          raster_place_column <= 0;
-        else
-          raster_place_column <= (raster_place_column + 1) mod 512;
-        end if;
-        if raster_place_next_frame_choice then
-          raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame);
-        else
-          raster_place_next_frame <= raster_place_group_is_equal and raster_place_group_is_equals(2) and
-            in_start_of_frame;
-        end if;
+        raster_place_column <= choice(raster_place_group_is_equals(1) or in_start_of_frame, 0, (raster_place_column +
+          1) mod 512);
+        raster_place_next_frame <= choice(raster_place_next_frame_choice, raster_place_group_all or (not
+          in_start_of_frame), raster_place_group_is_equals(1) and raster_place_group_is_equals(2) and
+          in_start_of_frame);
       end if;
       -- delay
       if raster_features_valid then
         delay_ring_write_address <= delay_ring_read_address;
-        if delay_ring_read_address = 99 then
-          delay_ring_read_address <= 0;
-        else
-          delay_ring_read_address <= (delay_ring_read_address + 1) mod 128;
-        end if;
+        delay_ring_read_address <= choice(delay_ring_read_address = 99, 0, (delay_ring_read_address + 1) mod 128);
       end if;
       delay_row_inside_1_is_not_less := raster_place_group >= 1;
       delay_row_inside_1_is_less := raster_place_group < 241;
@@ -684,12 +509,12 @@ begin
       delay_row_inside(1) <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
       delay_row_inside(2) <= (not is_set(raster_place_group, 7)) or (not is_set(raster_place_group, 6)) or (not
         is_set(raster_place_group, 5)) or (not is_set(raster_place_group, 4));
-      delay_tag_valid <= raster_features_valid;
-      delay_tag_border_column <= raster_place_column < 99;
-      delay_tag_output_column <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less and (raster_place_column
+      delay_tag.valid <= raster_features_valid;
+      delay_tag.border_column <= raster_place_column < 99;
+      delay_tag.output_column <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less and (raster_place_column
         >= 99) and (raster_place_column < 319);
-      delay_tag_start_of_frame <= (raster_place_column = 99) and (raster_place_group = 1);
-      delay_tag_end_of_line <= raster_place_column = 318;
+      delay_tag.start_of_frame <= (raster_place_column = 99) and (raster_place_group = 1);
+      delay_tag.end_of_line <= raster_place_column = 318;
       -- rows
       rows_search_rows_read_newest_0 <= delay_ahead_0;
       rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
@@ -698,46 +523,20 @@ begin
       rows_reference_rows_ready_words_0 <= to_integer(rows_reference_rows_read_words_0);
       rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
       rows_read_column <= delay_column;
-      rows_read_inside(0) <= delay_row_inside(0);
-      rows_read_inside(1) <= delay_row_inside(1);
-      rows_read_inside(2) <= delay_row_inside(2);
-      rows_read_tag_valid <= delay_tag_valid;
-      rows_read_tag_border_column <= delay_tag_border_column;
-      rows_read_tag_output_column <= delay_tag_output_column;
-      rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
-      rows_read_tag_end_of_line <= delay_tag_end_of_line;
+      rows_read_inside <= delay_row_inside;
+      rows_read_tag <= delay_tag;
       rows_ready_column <= rows_read_column;
-      rows_ready_inside(0) <= rows_read_inside(0);
-      rows_ready_inside(1) <= rows_read_inside(1);
-      rows_ready_inside(2) <= rows_read_inside(2);
-      rows_ready_tag_valid <= rows_read_tag_valid;
-      rows_ready_tag_border_column <= rows_read_tag_border_column;
-      rows_ready_tag_output_column <= rows_read_tag_output_column;
-      rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
-      rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
+      rows_ready_inside <= rows_read_inside;
+      rows_ready_tag <= rows_read_tag;
       rows_search(2) <= rows_search_rows_ready_newest_0;
       rows_reference(2) <= rows_reference_rows_ready_newest_0;
       rows_inside_2 <= rows_ready_inside(2);
-      rows_tag_valid <= rows_ready_tag_valid;
-      rows_tag_border_column <= rows_ready_tag_border_column;
-      rows_tag_output_column <= rows_ready_tag_output_column;
-      rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
-      rows_tag_end_of_line <= rows_ready_tag_end_of_line;
-      if rows_ready_inside(0) then
-        rows_search(0) <= rows_search_rows_ready_words_0 mod 256;
-        rows_reference(0) <= rows_reference_rows_ready_words_0 mod 256;
-      else
-        rows_search(0) <= 0;
-        rows_reference(0) <= 0;
-      end if;
-      if rows_ready_inside(1) then
-        rows_search(1) <= rows_search_rows_ready_words_0 / 256;
-        rows_reference(1) <= rows_reference_rows_ready_words_0 / 256;
-      else
-        rows_search(1) <= 0;
-        rows_reference(1) <= 0;
-      end if;
-      if rows_ready_tag_valid then
+      rows_tag <= rows_ready_tag;
+      rows_search(0) <= choice(rows_ready_inside(0), rows_search_rows_ready_words_0 mod 256, 0);
+      rows_reference(0) <= choice(rows_ready_inside(0), rows_reference_rows_ready_words_0 mod 256, 0);
+      rows_search(1) <= choice(rows_ready_inside(1), rows_search_rows_ready_words_0 / 256, 0);
+      rows_reference(1) <= choice(rows_ready_inside(1), rows_reference_rows_ready_words_0 / 256, 0);
+      if rows_ready_tag.valid then
         rows_search_rows_write_words_0 <= (rows_search_rows_ready_newest_0 * 256) + (rows_search_rows_ready_words_0 /
           256);
         rows_reference_rows_write_words_0 <= (rows_reference_rows_ready_newest_0 * 256) +
@@ -745,7 +544,7 @@ begin
         rows_write_column <= rows_ready_column;
       end if;
       -- slice0shift
-      if rows_tag_valid then
+      if rows_tag.valid then
         for i in 0 to 2 loop
           for j in 0 to 23 loop
             slice0shift_search(i, j) <= slice0shift_search(i, j + 1);
@@ -753,77 +552,34 @@ begin
           slice0shift_search(i, 24) <= rows_search(i);
         end loop;
       end if;
-      slice0shift_reference(0) <= rows_reference(0);
-      slice0shift_reference(1) <= rows_reference(1);
-      slice0shift_reference(2) <= rows_reference(2);
+      slice0shift_reference <= rows_reference;
       slice0shift_search_out(0) <= slice0shift_search(0, 0);
       slice0shift_search_out(1) <= slice0shift_search(1, 0);
       slice0shift_search_out(2) <= slice0shift_search(2, 0);
-      slice0shift_tag_valid <= rows_tag_valid;
-      slice0shift_tag_newest_inside <= rows_inside_2;
-      slice0shift_tag_border_column <= rows_tag_border_column;
-      slice0shift_tag_output_column <= rows_tag_output_column;
-      slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
-      slice0shift_tag_end_of_line <= rows_tag_end_of_line;
+      slice0shift_tag.valid <= rows_tag.valid;
+      slice0shift_tag.newest_inside <= rows_inside_2;
+      slice0shift_tag.border_column <= rows_tag.border_column;
+      slice0shift_tag.output_column <= rows_tag.output_column;
+      slice0shift_tag.start_of_frame <= rows_tag.start_of_frame;
+      slice0shift_tag.end_of_line <= rows_tag.end_of_line;
       -- slice0cost
-      if is_set(slice0cost_signs_ready_words(0), 0) then
-        slice0cost_difference_choice(0, 0) := slice0shift_reference(0);
-      else
-        slice0cost_difference_choice(0, 0) := slice0shift_search(0, 0);
-      end if;
-      if is_set(slice0cost_signs_ready_words(0), 0) then
-        slice0cost_difference_choice_2(0, 0) := slice0shift_search(0, 0);
-      else
-        slice0cost_difference_choice_2(0, 0) := slice0shift_reference(0);
-      end if;
-      for i in 1 to 23 loop
-        slice0cost_difference_value(0, i) := is_set(slice0cost_signs_ready_words(0), i);
-        if slice0cost_difference_value(0, i) then
-          slice0cost_difference_choice(0, i) := slice0shift_reference(0);
-        else
-          slice0cost_difference_choice(0, i) := slice0shift_search(0, i);
-        end if;
-        if slice0cost_difference_value(0, i) then
-          slice0cost_difference_choice_2(0, i) := slice0shift_search(0, i);
-        else
-          slice0cost_difference_choice_2(0, i) := slice0shift_reference(0);
-        end if;
-      end loop;
       for i in 0 to 1 loop
-        if is_set(slice0cost_signs_ready_words(i), 24 - 24 * i) then
-          slice0cost_difference_choice(i, 24 - 24 * i) := slice0shift_reference(i);
-        else
-          slice0cost_difference_choice(i, 24 - 24 * i) := slice0shift_search(i, 24 - 24 * i);
-        end if;
-        if is_set(slice0cost_signs_ready_words(i), 24 - 24 * i) then
-          slice0cost_difference_choice_2(i, 24 - 24 * i) := slice0shift_search(i, 24 - 24 * i);
-        else
-          slice0cost_difference_choice_2(i, 24 - 24 * i) := slice0shift_reference(i);
-        end if;
+        slice0cost_difference_choice(i, 0, 1) := choice(is_set(slice0cost_signs_ready_words(i), 0),
+          slice0shift_reference(i), slice0shift_search(i, 0));
+        slice0cost_difference_choice(i, 0, 2) := choice(is_set(slice0cost_signs_ready_words(i), 0),
+          slice0shift_search(i, 0), slice0shift_reference(i));
+        for j in 1 to 23 loop
+          slice0cost_difference_value(i, j) := is_set(slice0cost_signs_ready_words(i), j);
+          slice0cost_difference_choice(i, j, 1) := choice(slice0cost_difference_value(i, j), slice0shift_reference(i),
+            slice0shift_search(i, j));
+          slice0cost_difference_choice(i, j, 2) := choice(slice0cost_difference_value(i, j), slice0shift_search(i, j),
+            slice0shift_reference(i));
+        end loop;
+        slice0cost_difference_choice(i, 24, 1) := choice(is_set(slice0cost_signs_ready_words(i), 24),
+          slice0shift_reference(i), slice0shift_search(i, 24));
+        slice0cost_difference_choice(i, 24, 2) := choice(is_set(slice0cost_signs_ready_words(i), 24),
+          slice0shift_search(i, 24), slice0shift_reference(i));
       end loop;
-      for i in 1 to 23 loop
-        slice0cost_difference_value(1, i) := is_set(slice0cost_signs_ready_words(1), i);
-        if slice0cost_difference_value(1, i) then
-          slice0cost_difference_choice(1, i) := slice0shift_reference(1);
-        else
-          slice0cost_difference_choice(1, i) := slice0shift_search(1, i);
-        end if;
-        if slice0cost_difference_value(1, i) then
-          slice0cost_difference_choice_2(1, i) := slice0shift_search(1, i);
-        else
-          slice0cost_difference_choice_2(1, i) := slice0shift_reference(1);
-        end if;
-      end loop;
-      if is_set(slice0cost_signs_ready_words(1), 24) then
-        slice0cost_difference_choice(1, 24) := slice0shift_reference(1);
-      else
-        slice0cost_difference_choice(1, 24) := slice0shift_search(1, 24);
-      end if;
-      if is_set(slice0cost_signs_ready_words(1), 24) then
-        slice0cost_difference_choice_2(1, 24) := slice0shift_search(1, 24);
-      else
-        slice0cost_difference_choice_2(1, 24) := slice0shift_reference(1);
-      end if;
       for i in 0 to 24 loop
         slice0cost_difference_2_difference(i) := slice0shift_search(2, i) - slice0shift_reference(2);
       end loop;
@@ -835,19 +591,14 @@ begin
       slice0cost_signs_known_words_1 <= slice0cost_signs_ready_words(1);
       for i in 0 to 1 loop
         for j in 0 to 24 loop
-          slice0cost_difference(i, j) <= (slice0cost_difference_choice(i, j) - slice0cost_difference_choice_2(i, j))
-            mod 256;
+          slice0cost_difference(i, j) <= (slice0cost_difference_choice(i, j, 1) - slice0cost_difference_choice(i, j,
+            2)) mod 256;
         end loop;
       end loop;
       for i in 0 to 24 loop
         slice0cost_newest_negative_0(i) <= slice0cost_difference_2_difference(i) < 0;
       end loop;
-      slice0cost_difference_tag_valid <= slice0shift_tag_valid;
-      slice0cost_difference_tag_newest_inside <= slice0shift_tag_newest_inside;
-      slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
-      slice0cost_difference_tag_output_column <= slice0shift_tag_output_column;
-      slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
-      slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
+      slice0cost_difference_tag <= slice0shift_tag;
       for i in 0 to 24 loop
         slice0cost_pair_0(i) <= as_number((slice0cost_difference_2(i) < 0)) + slice0cost_difference(1, i) +
           folded(slice0cost_difference_2(i));
@@ -855,37 +606,16 @@ begin
       for i in 0 to 24 loop
         slice0cost_single_0(i) <= slice0cost_difference(0, i);
       end loop;
-      slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
-      slice0cost_pair_tag_newest_inside <= slice0cost_difference_tag_newest_inside;
-      slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
-      slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
-      slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
-      slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
-      slice0cost_tag_valid <= slice0cost_pair_tag_valid;
-      slice0cost_tag_newest_inside <= slice0cost_pair_tag_newest_inside;
-      slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
-      slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
-      slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
-      slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
-      if slice0shift_tag_newest_inside then
-        for i in 0 to 24 loop
-          slice0cost_difference_2(i) <= slice0cost_difference_2_difference(i);
-        end loop;
-      else
-        for i in 0 to 24 loop
-          slice0cost_difference_2(i) <= 0;
-        end loop;
-      end if;
-      if slice0cost_pair_tag_border_column then
-        for i in 0 to 24 loop
-          slice0cost_column_0(i) <= 0;
-        end loop;
-      else
-        for i in 0 to 24 loop
-          slice0cost_column_0(i) <= slice0cost_pair_0(i) + slice0cost_single_0(i);
-        end loop;
-      end if;
-      if slice0cost_difference_tag_valid then
+      slice0cost_pair_tag <= slice0cost_difference_tag;
+      slice0cost_tag <= slice0cost_pair_tag;
+      for i in 0 to 24 loop
+        slice0cost_difference_2(i) <= choice(slice0shift_tag.newest_inside, slice0cost_difference_2_difference(i), 0);
+      end loop;
+      for i in 0 to 24 loop
+        slice0cost_column_0(i) <= choice(slice0cost_pair_tag.border_column, 0, slice0cost_pair_0(i) +
+          slice0cost_single_0(i));
+      end loop;
+      if slice0cost_difference_tag.valid then
         slice0cost_signs_write_column <= slice0cost_signs_difference_column;
         slice0cost_signs_write_words(0) <= slice0cost_signs_known_words_1;
         slice0cost_signs_write_words(1) <= (as_number(slice0cost_newest_negative_0(23)) * 8388608) +
@@ -905,171 +635,59 @@ begin
           (as_number(slice0cost_newest_negative_0(1)) * 2);
       end if;
       -- slice0window
-      if slice0cost_tag_valid then
-        for i in 0 to 24 loop
-          slice0window_partial_0_0(i) <= slice0cost_column_0(i);
-        end loop;
+      if slice0cost_tag.valid then
+        slice0window_partial_0_0 <= slice0cost_column_0;
         for i in 0 to 24 loop
           slice0window_partial_0_1(i) <= slice0cost_column_0(i) + slice0window_partial_0_0(i);
         end loop;
       end if;
-      slice0window_centre_output_column_0 <= slice0cost_tag_output_column;
-      slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
-      slice0window_centre_end_of_line_0 <= slice0cost_tag_end_of_line;
+      slice0window_centre_output_column_0 <= slice0cost_tag.output_column;
+      slice0window_centre_start_of_frame_0 <= slice0cost_tag.start_of_frame;
+      slice0window_centre_end_of_line_0 <= slice0cost_tag.end_of_line;
       for i in 0 to 24 loop
         slice0window_sum_0(i) <= slice0cost_column_0(i) + slice0window_partial_0_1(i);
       end loop;
-      slice0window_tag_valid <= slice0cost_tag_valid;
-      slice0window_tag_output_column <= slice0window_centre_output_column_0;
-      slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
-      slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
+      slice0window_tag.valid <= slice0cost_tag.valid;
+      slice0window_tag.output_column <= slice0window_centre_output_column_0;
+      slice0window_tag.start_of_frame <= slice0window_centre_start_of_frame_0;
+      slice0window_tag.end_of_line <= slice0window_centre_end_of_line_0;
       -- slice0winner1
       for i in 0 to 11 loop
         slice0winner1_best_cost_0_is_less(i) := (slice0window_sum_0(2 * i + 1) - slice0window_sum_0(2 * i)) < 0;
       end loop;
       slice0winner1_best_cost_0(12) <= slice0window_sum_0(24);
       slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_is_less(0);
-      slice0winner1_best_index_0_12 <= 24;
-      slice0winner1_tag_valid <= slice0window_tag_valid;
-      slice0winner1_tag_output_column <= slice0window_tag_output_column;
-      slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
-      slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
-      if slice0winner1_best_cost_0_is_less(0) then
-        slice0winner1_best_cost_0(0) <= slice0window_sum_0(1);
-      else
-        slice0winner1_best_cost_0(0) <= slice0window_sum_0(0);
-      end if;
-      if slice0winner1_best_cost_0_is_less(1) then
-        slice0winner1_best_cost_0(1) <= slice0window_sum_0(3);
-        slice0winner1_best_index_0_1 <= 3;
-      else
-        slice0winner1_best_cost_0(1) <= slice0window_sum_0(2);
-        slice0winner1_best_index_0_1 <= 2;
-      end if;
-      if slice0winner1_best_cost_0_is_less(2) then
-        slice0winner1_best_cost_0(2) <= slice0window_sum_0(5);
-        slice0winner1_best_index_0_2 <= 5;
-      else
-        slice0winner1_best_cost_0(2) <= slice0window_sum_0(4);
-        slice0winner1_best_index_0_2 <= 4;
-      end if;
-      if slice0winner1_best_cost_0_is_less(3) then
-        slice0winner1_best_cost_0(3) <= slice0window_sum_0(7);
-        slice0winner1_best_index_0_3 <= 7;
-      else
-        slice0winner1_best_cost_0(3) <= slice0window_sum_0(6);
-        slice0winner1_best_index_0_3 <= 6;
-      end if;
-      if slice0winner1_best_cost_0_is_less(4) then
-        slice0winner1_best_cost_0(4) <= slice0window_sum_0(9);
-        slice0winner1_best_index_0_4 <= 9;
-      else
-        slice0winner1_best_cost_0(4) <= slice0window_sum_0(8);
-        slice0winner1_best_index_0_4 <= 8;
-      end if;
-      if slice0winner1_best_cost_0_is_less(5) then
-        slice0winner1_best_cost_0(5) <= slice0window_sum_0(11);
-        slice0winner1_best_index_0_5 <= 11;
-      else
-        slice0winner1_best_cost_0(5) <= slice0window_sum_0(10);
-        slice0winner1_best_index_0_5 <= 10;
-      end if;
-      if slice0winner1_best_cost_0_is_less(6) then
-        slice0winner1_best_cost_0(6) <= slice0window_sum_0(13);
-        slice0winner1_best_index_0_6 <= 13;
-      else
-        slice0winner1_best_cost_0(6) <= slice0window_sum_0(12);
-        slice0winner1_best_index_0_6 <= 12;
-      end if;
-      if slice0winner1_best_cost_0_is_less(7) then
-        slice0winner1_best_cost_0(7) <= slice0window_sum_0(15);
-        slice0winner1_best_index_0_7 <= 15;
-      else
-        slice0winner1_best_cost_0(7) <= slice0window_sum_0(14);
-        slice0winner1_best_index_0_7 <= 14;
-      end if;
-      if slice0winner1_best_cost_0_is_less(8) then
-        slice0winner1_best_cost_0(8) <= slice0window_sum_0(17);
-        slice0winner1_best_index_0_8 <= 17;
-      else
-        slice0winner1_best_cost_0(8) <= slice0window_sum_0(16);
-        slice0winner1_best_index_0_8 <= 16;
-      end if;
-      if slice0winner1_best_cost_0_is_less(9) then
-        slice0winner1_best_cost_0(9) <= slice0window_sum_0(19);
-        slice0winner1_best_index_0_9 <= 19;
-      else
-        slice0winner1_best_cost_0(9) <= slice0window_sum_0(18);
-        slice0winner1_best_index_0_9 <= 18;
-      end if;
-      if slice0winner1_best_cost_0_is_less(10) then
-        slice0winner1_best_cost_0(10) <= slice0window_sum_0(21);
-        slice0winner1_best_index_0_10 <= 21;
-      else
-        slice0winner1_best_cost_0(10) <= slice0window_sum_0(20);
-        slice0winner1_best_index_0_10 <= 20;
-      end if;
-      if slice0winner1_best_cost_0_is_less(11) then
-        slice0winner1_best_cost_0(11) <= slice0window_sum_0(23);
-        slice0winner1_best_index_0_11 <= 23;
-      else
-        slice0winner1_best_cost_0(11) <= slice0window_sum_0(22);
-        slice0winner1_best_index_0_11 <= 22;
-      end if;
+      slice0winner1_best_index_0(12) <= 24;
+      slice0winner1_tag <= slice0window_tag;
+      slice0winner1_best_cost_0(0) <= choice(slice0winner1_best_cost_0_is_less(0), slice0window_sum_0(1),
+        slice0window_sum_0(0));
+      for i in 1 to 11 loop
+        slice0winner1_best_cost_0(i) <= choice(slice0winner1_best_cost_0_is_less(i), slice0window_sum_0(2 * i + 1),
+          slice0window_sum_0(2 * i));
+        slice0winner1_best_index_0(i) <= choice(slice0winner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
+      end loop;
       -- slice0winner2
       for i in 0 to 5 loop
         slice0winner2_best_cost_0_is_less(i) := (slice0winner1_best_cost_0(2 * i + 1) - slice0winner1_best_cost_0(2 *
           i)) < 0;
       end loop;
       slice0winner2_best_cost_0(6) <= slice0winner1_best_cost_0(12);
-      slice0winner2_best_index_0_6 <= slice0winner1_best_index_0_12;
-      slice0winner2_tag_valid <= slice0winner1_tag_valid;
-      if slice0winner2_best_cost_0_is_less(0) then
-        slice0winner2_best_cost_0(0) <= slice0winner1_best_cost_0(1);
-        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
-      else
-        slice0winner2_best_cost_0(0) <= slice0winner1_best_cost_0(0);
-        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
-      end if;
-      if slice0winner2_best_cost_0_is_less(1) then
-        slice0winner2_best_cost_0(1) <= slice0winner1_best_cost_0(3);
-        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3;
-      else
-        slice0winner2_best_cost_0(1) <= slice0winner1_best_cost_0(2);
-        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2;
-      end if;
-      if slice0winner2_best_cost_0_is_less(2) then
-        slice0winner2_best_cost_0(2) <= slice0winner1_best_cost_0(5);
-        slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5;
-      else
-        slice0winner2_best_cost_0(2) <= slice0winner1_best_cost_0(4);
-        slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_4;
-      end if;
-      if slice0winner2_best_cost_0_is_less(3) then
-        slice0winner2_best_cost_0(3) <= slice0winner1_best_cost_0(7);
-        slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7;
-      else
-        slice0winner2_best_cost_0(3) <= slice0winner1_best_cost_0(6);
-        slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_6;
-      end if;
-      if slice0winner2_best_cost_0_is_less(4) then
-        slice0winner2_best_cost_0(4) <= slice0winner1_best_cost_0(9);
-        slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_9;
-      else
-        slice0winner2_best_cost_0(4) <= slice0winner1_best_cost_0(8);
-        slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_8;
-      end if;
-      if slice0winner2_best_cost_0_is_less(5) then
-        slice0winner2_best_cost_0(5) <= slice0winner1_best_cost_0(11);
-        slice0winner2_best_index_0_5 <= slice0winner1_best_index_0_11;
-      else
-        slice0winner2_best_cost_0(5) <= slice0winner1_best_cost_0(10);
-        slice0winner2_best_index_0_5 <= slice0winner1_best_index_0_10;
-      end if;
-      if slice0winner2_tag_valid then
-        slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
-        slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-        slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      slice0winner2_best_index_0(6) <= slice0winner1_best_index_0(12);
+      slice0winner2_tag.valid <= slice0winner1_tag.valid;
+      slice0winner2_best_cost_0(0) <= choice(slice0winner2_best_cost_0_is_less(0), slice0winner1_best_cost_0(1),
+        slice0winner1_best_cost_0(0));
+      slice0winner2_best_index_0(0) <= choice(slice0winner2_best_cost_0_is_less(0), slice0winner1_best_index_0(1),
+        as_number(slice0winner1_best_index_0_0));
+      for i in 1 to 5 loop
+        slice0winner2_best_cost_0(i) <= choice(slice0winner2_best_cost_0_is_less(i), slice0winner1_best_cost_0(2 * i +
+          1), slice0winner1_best_cost_0(2 * i));
+        slice0winner2_best_index_0(i) <= choice(slice0winner2_best_cost_0_is_less(i), slice0winner1_best_index_0(2 * i
+          + 1), slice0winner1_best_index_0(2 * i));
+      end loop;
+      if slice0winner2_tag.valid then
+        slice0winner2_tag.output_column <= slice0winner1_tag.output_column;
+        slice0winner2_tag.start_of_frame <= slice0winner1_tag.start_of_frame;
+        slice0winner2_tag.end_of_line <= slice0winner1_tag.end_of_line;
       end if;
       -- slice0winner3
       for i in 0 to 2 loop
@@ -1077,75 +695,37 @@ begin
           i)) < 0;
       end loop;
       slice0winner3_best_cost_0(3) <= slice0winner2_best_cost_0(6);
-      slice0winner3_best_index_0_3 <= slice0winner2_best_index_0_6;
-      slice0winner3_tag_valid <= slice0winner2_tag_valid;
-      slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
-      slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
-      if slice0winner3_best_cost_0_is_less(0) then
-        slice0winner3_best_cost_0(0) <= slice0winner2_best_cost_0(1);
-        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1;
-      else
-        slice0winner3_best_cost_0(0) <= slice0winner2_best_cost_0(0);
-        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_0;
-      end if;
-      if slice0winner3_best_cost_0_is_less(1) then
-        slice0winner3_best_cost_0(1) <= slice0winner2_best_cost_0(3);
-        slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3;
-      else
-        slice0winner3_best_cost_0(1) <= slice0winner2_best_cost_0(2);
-        slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_2;
-      end if;
-      if slice0winner3_best_cost_0_is_less(2) then
-        slice0winner3_best_cost_0(2) <= slice0winner2_best_cost_0(5);
-        slice0winner3_best_index_0_2 <= slice0winner2_best_index_0_5;
-      else
-        slice0winner3_best_cost_0(2) <= slice0winner2_best_cost_0(4);
-        slice0winner3_best_index_0_2 <= slice0winner2_best_index_0_4;
-      end if;
+      slice0winner3_best_index_0(3) <= slice0winner2_best_index_0(6);
+      slice0winner3_tag <= slice0winner2_tag;
+      for i in 0 to 2 loop
+        slice0winner3_best_cost_0(i) <= choice(slice0winner3_best_cost_0_is_less(i), slice0winner2_best_cost_0(2 * i +
+          1), slice0winner2_best_cost_0(2 * i));
+        slice0winner3_best_index_0(i) <= choice(slice0winner3_best_cost_0_is_less(i), slice0winner2_best_index_0(2 * i
+          + 1), slice0winner2_best_index_0(2 * i));
+      end loop;
       -- slice0winner4
       slice0winner4_best_cost_0_is_less(0) := (slice0winner3_best_cost_0(1) - slice0winner3_best_cost_0(0)) < 0;
       slice0winner4_best_cost_0_is_less(1) := (slice0winner3_best_cost_0(3) - slice0winner3_best_cost_0(2)) < 0;
-      slice0winner4_tag_valid <= slice0winner3_tag_valid;
-      slice0winner4_tag_output_column <= slice0winner3_tag_output_column;
-      slice0winner4_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
-      slice0winner4_tag_end_of_line <= slice0winner3_tag_end_of_line;
-      if slice0winner4_best_cost_0_is_less(0) then
-        slice0winner4_best_cost_0(0) <= slice0winner3_best_cost_0(1);
-        slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1;
-      else
-        slice0winner4_best_cost_0(0) <= slice0winner3_best_cost_0(0);
-        slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_0;
-      end if;
-      if slice0winner4_best_cost_0_is_less(1) then
-        slice0winner4_best_cost_0(1) <= slice0winner3_best_cost_0(3);
-        slice0winner4_best_index_0_1 <= slice0winner3_best_index_0_3;
-      else
-        slice0winner4_best_cost_0(1) <= slice0winner3_best_cost_0(2);
-        slice0winner4_best_index_0_1 <= slice0winner3_best_index_0_2;
-      end if;
+      slice0winner4_tag <= slice0winner3_tag;
+      for i in 0 to 1 loop
+        slice0winner4_best_cost_0(i) <= choice(slice0winner4_best_cost_0_is_less(i), slice0winner3_best_cost_0(2 * i +
+          1), slice0winner3_best_cost_0(2 * i));
+        slice0winner4_best_index_0(i) <= choice(slice0winner4_best_cost_0_is_less(i), slice0winner3_best_index_0(2 * i
+          + 1), slice0winner3_best_index_0(2 * i));
+      end loop;
       -- slice0winner5
       slice0winner5_best_cost_0_0_is_less := (slice0winner4_best_cost_0(1) - slice0winner4_best_cost_0(0)) < 0;
-      slice0winner5_tag_valid <= slice0winner4_tag_valid;
-      slice0winner5_tag_output_column <= slice0winner4_tag_output_column;
-      slice0winner5_tag_start_of_frame <= slice0winner4_tag_start_of_frame;
-      slice0winner5_tag_end_of_line <= slice0winner4_tag_end_of_line;
-      if slice0winner5_best_cost_0_0_is_less then
-        slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0(1);
-        slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_1;
-      else
-        slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0(0);
-        slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_0;
-      end if;
+      slice0winner5_tag <= slice0winner4_tag;
+      slice0winner5_best_cost_0_0 <= choice(slice0winner5_best_cost_0_0_is_less, slice0winner4_best_cost_0(1),
+        slice0winner4_best_cost_0(0));
+      slice0winner5_best_index_0_0 <= choice(slice0winner5_best_cost_0_0_is_less, slice0winner4_best_index_0(1),
+        slice0winner4_best_index_0(0));
       -- slice0
       slice0_best_cost_0_0 <= slice0winner5_best_cost_0_0;
       slice0_best_index_0_0 <= slice0winner5_best_index_0_0 + 75;
-      slice0_best_tag_valid <= slice0winner5_tag_valid;
-      slice0_best_tag_output_column <= slice0winner5_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner5_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner5_tag_end_of_line;
+      slice0_best_tag <= slice0winner5_tag;
       -- slice1shift
-      if slice0shift_tag_valid then
+      if slice0shift_tag.valid then
         for i in 0 to 2 loop
           for j in 0 to 23 loop
             slice1shift_search(i, j) <= slice1shift_search(i, j + 1);
@@ -1153,71 +733,28 @@ begin
           slice1shift_search(i, 24) <= slice0shift_search_out(i);
         end loop;
       end if;
-      slice1shift_reference(0) <= slice0shift_reference(0);
-      slice1shift_reference(1) <= slice0shift_reference(1);
-      slice1shift_reference(2) <= slice0shift_reference(2);
+      slice1shift_reference <= slice0shift_reference;
       slice1shift_search_out(0) <= slice1shift_search(0, 0);
       slice1shift_search_out(1) <= slice1shift_search(1, 0);
       slice1shift_search_out(2) <= slice1shift_search(2, 0);
       -- slice1cost
-      if is_set(slice1cost_signs_ready_words(0), 0) then
-        slice1cost_difference_choice(0, 0) := slice1shift_reference(0);
-      else
-        slice1cost_difference_choice(0, 0) := slice1shift_search(0, 0);
-      end if;
-      if is_set(slice1cost_signs_ready_words(0), 0) then
-        slice1cost_difference_choice_2(0, 0) := slice1shift_search(0, 0);
-      else
-        slice1cost_difference_choice_2(0, 0) := slice1shift_reference(0);
-      end if;
-      for i in 1 to 23 loop
-        slice1cost_difference_value(0, i) := is_set(slice1cost_signs_ready_words(0), i);
-        if slice1cost_difference_value(0, i) then
-          slice1cost_difference_choice(0, i) := slice1shift_reference(0);
-        else
-          slice1cost_difference_choice(0, i) := slice1shift_search(0, i);
-        end if;
-        if slice1cost_difference_value(0, i) then
-          slice1cost_difference_choice_2(0, i) := slice1shift_search(0, i);
-        else
-          slice1cost_difference_choice_2(0, i) := slice1shift_reference(0);
-        end if;
-      end loop;
       for i in 0 to 1 loop
-        if is_set(slice1cost_signs_ready_words(i), 24 - 24 * i) then
-          slice1cost_difference_choice(i, 24 - 24 * i) := slice1shift_reference(i);
-        else
-          slice1cost_difference_choice(i, 24 - 24 * i) := slice1shift_search(i, 24 - 24 * i);
-        end if;
-        if is_set(slice1cost_signs_ready_words(i), 24 - 24 * i) then
-          slice1cost_difference_choice_2(i, 24 - 24 * i) := slice1shift_search(i, 24 - 24 * i);
-        else
-          slice1cost_difference_choice_2(i, 24 - 24 * i) := slice1shift_reference(i);
-        end if;
+        slice1cost_difference_choice(i, 0, 1) := choice(is_set(slice1cost_signs_ready_words(i), 0),
+          slice1shift_reference(i), slice1shift_search(i, 0));
+        slice1cost_difference_choice(i, 0, 2) := choice(is_set(slice1cost_signs_ready_words(i), 0),
+          slice1shift_search(i, 0), slice1shift_reference(i));
+        for j in 1 to 23 loop
+          slice1cost_difference_value(i, j) := is_set(slice1cost_signs_ready_words(i), j);
+          slice1cost_difference_choice(i, j, 1) := choice(slice1cost_difference_value(i, j), slice1shift_reference(i),
+            slice1shift_search(i, j));
+          slice1cost_difference_choice(i, j, 2) := choice(slice1cost_difference_value(i, j), slice1shift_search(i, j),
+            slice1shift_reference(i));
+        end loop;
+        slice1cost_difference_choice(i, 24, 1) := choice(is_set(slice1cost_signs_ready_words(i), 24),
+          slice1shift_reference(i), slice1shift_search(i, 24));
+        slice1cost_difference_choice(i, 24, 2) := choice(is_set(slice1cost_signs_ready_words(i), 24),
+          slice1shift_search(i, 24), slice1shift_reference(i));
       end loop;
-      for i in 1 to 23 loop
-        slice1cost_difference_value(1, i) := is_set(slice1cost_signs_ready_words(1), i);
-        if slice1cost_difference_value(1, i) then
-          slice1cost_difference_choice(1, i) := slice1shift_reference(1);
-        else
-          slice1cost_difference_choice(1, i) := slice1shift_search(1, i);
-        end if;
-        if slice1cost_difference_value(1, i) then
-          slice1cost_difference_choice_2(1, i) := slice1shift_search(1, i);
-        else
-          slice1cost_difference_choice_2(1, i) := slice1shift_reference(1);
-        end if;
-      end loop;
-      if is_set(slice1cost_signs_ready_words(1), 24) then
-        slice1cost_difference_choice(1, 24) := slice1shift_reference(1);
-      else
-        slice1cost_difference_choice(1, 24) := slice1shift_search(1, 24);
-      end if;
-      if is_set(slice1cost_signs_ready_words(1), 24) then
-        slice1cost_difference_choice_2(1, 24) := slice1shift_search(1, 24);
-      else
-        slice1cost_difference_choice_2(1, 24) := slice1shift_reference(1);
-      end if;
       for i in 0 to 24 loop
         slice1cost_difference_2_difference(i) := slice1shift_search(2, i) - slice1shift_reference(2);
       end loop;
@@ -1228,8 +765,8 @@ begin
       slice1cost_signs_write_column <= slice1cost_signs_difference_column;
       for i in 0 to 1 loop
         for j in 0 to 24 loop
-          slice1cost_difference(i, j) <= (slice1cost_difference_choice(i, j) - slice1cost_difference_choice_2(i, j))
-            mod 256;
+          slice1cost_difference(i, j) <= (slice1cost_difference_choice(i, j, 1) - slice1cost_difference_choice(i, j,
+            2)) mod 256;
         end loop;
       end loop;
       for i in 0 to 24 loop
@@ -1242,26 +779,16 @@ begin
       for i in 0 to 24 loop
         slice1cost_single_0(i) <= slice1cost_difference(0, i);
       end loop;
-      slice1cost_tag_border_column <= slice0cost_tag_border_column;
-      if slice0cost_difference_tag_newest_inside then
-        for i in 0 to 24 loop
-          slice1cost_difference_2(i) <= slice1cost_difference_2_difference(i);
-        end loop;
-      else
-        for i in 0 to 24 loop
-          slice1cost_difference_2(i) <= 0;
-        end loop;
-      end if;
-      if slice0cost_tag_border_column then
-        for i in 0 to 24 loop
-          slice1cost_column_0(i) <= 0;
-        end loop;
-      else
-        for i in 0 to 24 loop
-          slice1cost_column_0(i) <= slice1cost_pair_0(i) + slice1cost_single_0(i);
-        end loop;
-      end if;
-      if slice0cost_pair_tag_valid then
+      slice1cost_tag_border_column <= slice0cost_tag.border_column;
+      for i in 0 to 24 loop
+        slice1cost_difference_2(i) <= choice(slice0cost_difference_tag.newest_inside,
+          slice1cost_difference_2_difference(i), 0);
+      end loop;
+      for i in 0 to 24 loop
+        slice1cost_column_0(i) <= choice(slice0cost_tag.border_column, 0, slice1cost_pair_0(i) +
+          slice1cost_single_0(i));
+      end loop;
+      if slice0cost_pair_tag.valid then
         slice1cost_signs_write_words(0) <= slice1cost_signs_known_words_1;
         slice1cost_signs_write_words(1) <= (as_number(slice1cost_newest_negative_0(23)) * 8388608) +
           (as_number(slice1cost_newest_negative_0(24)) * 16777216) + (as_number(slice1cost_newest_negative_0(22)) *
@@ -1280,10 +807,8 @@ begin
           (as_number(slice1cost_newest_negative_0(1)) * 2);
       end if;
       -- slice1window
-      if slice0window_tag_valid then
-        for i in 0 to 24 loop
-          slice1window_partial_0_0(i) <= slice1cost_column_0(i);
-        end loop;
+      if slice0window_tag.valid then
+        slice1window_partial_0_0 <= slice1cost_column_0;
         for i in 0 to 24 loop
           slice1window_partial_0_1(i) <= slice1cost_column_0(i) + slice1window_partial_0_0(i);
         end loop;
@@ -1297,204 +822,66 @@ begin
       end loop;
       slice1winner1_best_cost_0(12) <= slice1window_sum_0(24);
       slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_is_less(0);
-      if slice1winner1_best_cost_0_is_less(0) then
-        slice1winner1_best_cost_0(0) <= slice1window_sum_0(1);
-      else
-        slice1winner1_best_cost_0(0) <= slice1window_sum_0(0);
-      end if;
-      if slice1winner1_best_cost_0_is_less(1) then
-        slice1winner1_best_cost_0(1) <= slice1window_sum_0(3);
-        slice1winner1_best_index_0_1 <= 3;
-      else
-        slice1winner1_best_cost_0(1) <= slice1window_sum_0(2);
-        slice1winner1_best_index_0_1 <= 2;
-      end if;
-      if slice1winner1_best_cost_0_is_less(2) then
-        slice1winner1_best_cost_0(2) <= slice1window_sum_0(5);
-        slice1winner1_best_index_0_2 <= 5;
-      else
-        slice1winner1_best_cost_0(2) <= slice1window_sum_0(4);
-        slice1winner1_best_index_0_2 <= 4;
-      end if;
-      if slice1winner1_best_cost_0_is_less(3) then
-        slice1winner1_best_cost_0(3) <= slice1window_sum_0(7);
-        slice1winner1_best_index_0_3 <= 7;
-      else
-        slice1winner1_best_cost_0(3) <= slice1window_sum_0(6);
-        slice1winner1_best_index_0_3 <= 6;
-      end if;
-      if slice1winner1_best_cost_0_is_less(4) then
-        slice1winner1_best_cost_0(4) <= slice1window_sum_0(9);
-        slice1winner1_best_index_0_4 <= 9;
-      else
-        slice1winner1_best_cost_0(4) <= slice1window_sum_0(8);
-        slice1winner1_best_index_0_4 <= 8;
-      end if;
-      if slice1winner1_best_cost_0_is_less(5) then
-        slice1winner1_best_cost_0(5) <= slice1window_sum_0(11);
-        slice1winner1_best_index_0_5 <= 11;
-      else
-        slice1winner1_best_cost_0(5) <= slice1window_sum_0(10);
-        slice1winner1_best_index_0_5 <= 10;
-      end if;
-      if slice1winner1_best_cost_0_is_less(6) then
-        slice1winner1_best_cost_0(6) <= slice1window_sum_0(13);
-        slice1winner1_best_index_0_6 <= 13;
-      else
-        slice1winner1_best_cost_0(6) <= slice1window_sum_0(12);
-        slice1winner1_best_index_0_6 <= 12;
-      end if;
-      if slice1winner1_best_cost_0_is_less(7) then
-        slice1winner1_best_cost_0(7) <= slice1window_sum_0(15);
-        slice1winner1_best_index_0_7 <= 15;
-      else
-        slice1winner1_best_cost_0(7) <= slice1window_sum_0(14);
-        slice1winner1_best_index_0_7 <= 14;
-      end if;
-      if slice1winner1_best_cost_0_is_less(8) then
-        slice1winner1_best_cost_0(8) <= slice1window_sum_0(17);
-        slice1winner1_best_index_0_8 <= 17;
-      else
-        slice1winner1_best_cost_0(8) <= slice1window_sum_0(16);
-        slice1winner1_best_index_0_8 <= 16;
-      end if;
-      if slice1winner1_best_cost_0_is_less(9) then
-        slice1winner1_best_cost_0(9) <= slice1window_sum_0(19);
-        slice1winner1_best_index_0_9 <= 19;
-      else
-        slice1winner1_best_cost_0(9) <= slice1window_sum_0(18);
-        slice1winner1_best_index_0_9 <= 18;
-      end if;
-      if slice1winner1_best_cost_0_is_less(10) then
-        slice1winner1_best_cost_0(10) <= slice1window_sum_0(21);
-        slice1winner1_best_index_0_10 <= 21;
-      else
-        slice1winner1_best_cost_0(10) <= slice1window_sum_0(20);
-        slice1winner1_best_index_0_10 <= 20;
-      end if;
-      if slice1winner1_best_cost_0_is_less(11) then
-        slice1winner1_best_cost_0(11) <= slice1window_sum_0(23);
-        slice1winner1_best_index_0_11 <= 23;
-      else
-        slice1winner1_best_cost_0(11) <= slice1window_sum_0(22);
-        slice1winner1_best_index_0_11 <= 22;
-      end if;
+      slice1winner1_best_cost_0(0) <= choice(slice1winner1_best_cost_0_is_less(0), slice1window_sum_0(1),
+        slice1window_sum_0(0));
+      for i in 1 to 11 loop
+        slice1winner1_best_cost_0(i) <= choice(slice1winner1_best_cost_0_is_less(i), slice1window_sum_0(2 * i + 1),
+          slice1window_sum_0(2 * i));
+        slice1winner1_best_index_0(i) <= choice(slice1winner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
+      end loop;
       -- slice1winner2
       for i in 0 to 5 loop
         slice1winner2_best_cost_0_is_less(i) := (slice1winner1_best_cost_0(2 * i + 1) - slice1winner1_best_cost_0(2 *
           i)) < 0;
       end loop;
       slice1winner2_best_cost_0(6) <= slice1winner1_best_cost_0(12);
-      if slice1winner2_best_cost_0_is_less(0) then
-        slice1winner2_best_cost_0(0) <= slice1winner1_best_cost_0(1);
-        slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1;
-      else
-        slice1winner2_best_cost_0(0) <= slice1winner1_best_cost_0(0);
-        slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
-      end if;
-      if slice1winner2_best_cost_0_is_less(1) then
-        slice1winner2_best_cost_0(1) <= slice1winner1_best_cost_0(3);
-        slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3;
-      else
-        slice1winner2_best_cost_0(1) <= slice1winner1_best_cost_0(2);
-        slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_2;
-      end if;
-      if slice1winner2_best_cost_0_is_less(2) then
-        slice1winner2_best_cost_0(2) <= slice1winner1_best_cost_0(5);
-        slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5;
-      else
-        slice1winner2_best_cost_0(2) <= slice1winner1_best_cost_0(4);
-        slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_4;
-      end if;
-      if slice1winner2_best_cost_0_is_less(3) then
-        slice1winner2_best_cost_0(3) <= slice1winner1_best_cost_0(7);
-        slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_7;
-      else
-        slice1winner2_best_cost_0(3) <= slice1winner1_best_cost_0(6);
-        slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_6;
-      end if;
-      if slice1winner2_best_cost_0_is_less(4) then
-        slice1winner2_best_cost_0(4) <= slice1winner1_best_cost_0(9);
-        slice1winner2_best_index_0_4 <= slice1winner1_best_index_0_9;
-      else
-        slice1winner2_best_cost_0(4) <= slice1winner1_best_cost_0(8);
-        slice1winner2_best_index_0_4 <= slice1winner1_best_index_0_8;
-      end if;
-      if slice1winner2_best_cost_0_is_less(5) then
-        slice1winner2_best_cost_0(5) <= slice1winner1_best_cost_0(11);
-        slice1winner2_best_index_0_5 <= slice1winner1_best_index_0_11;
-      else
-        slice1winner2_best_cost_0(5) <= slice1winner1_best_cost_0(10);
-        slice1winner2_best_index_0_5 <= slice1winner1_best_index_0_10;
-      end if;
+      slice1winner2_best_cost_0(0) <= choice(slice1winner2_best_cost_0_is_less(0), slice1winner1_best_cost_0(1),
+        slice1winner1_best_cost_0(0));
+      slice1winner2_best_index_0(0) <= choice(slice1winner2_best_cost_0_is_less(0), slice1winner1_best_index_0(1),
+        as_number(slice1winner1_best_index_0_0));
+      for i in 1 to 5 loop
+        slice1winner2_best_cost_0(i) <= choice(slice1winner2_best_cost_0_is_less(i), slice1winner1_best_cost_0(2 * i +
+          1), slice1winner1_best_cost_0(2 * i));
+        slice1winner2_best_index_0(i) <= choice(slice1winner2_best_cost_0_is_less(i), slice1winner1_best_index_0(2 * i
+          + 1), slice1winner1_best_index_0(2 * i));
+      end loop;
       -- slice1winner3
       for i in 0 to 2 loop
         slice1winner3_best_cost_0_is_less(i) := (slice1winner2_best_cost_0(2 * i + 1) - slice1winner2_best_cost_0(2 *
           i)) < 0;
       end loop;
       slice1winner3_best_cost_0(3) <= slice1winner2_best_cost_0(6);
-      if slice1winner3_best_cost_0_is_less(0) then
-        slice1winner3_best_cost_0(0) <= slice1winner2_best_cost_0(1);
-        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1;
-      else
-        slice1winner3_best_cost_0(0) <= slice1winner2_best_cost_0(0);
-        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_0;
-      end if;
-      if slice1winner3_best_cost_0_is_less(1) then
-        slice1winner3_best_cost_0(1) <= slice1winner2_best_cost_0(3);
-        slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_3;
-      else
-        slice1winner3_best_cost_0(1) <= slice1winner2_best_cost_0(2);
-        slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_2;
-      end if;
-      if slice1winner3_best_cost_0_is_less(2) then
-        slice1winner3_best_cost_0(2) <= slice1winner2_best_cost_0(5);
-        slice1winner3_best_index_0_2 <= slice1winner2_best_index_0_5;
-      else
-        slice1winner3_best_cost_0(2) <= slice1winner2_best_cost_0(4);
-        slice1winner3_best_index_0_2 <= slice1winner2_best_index_0_4;
-      end if;
+      for i in 0 to 2 loop
+        slice1winner3_best_cost_0(i) <= choice(slice1winner3_best_cost_0_is_less(i), slice1winner2_best_cost_0(2 * i +
+          1), slice1winner2_best_cost_0(2 * i));
+        slice1winner3_best_index_0(i) <= choice(slice1winner3_best_cost_0_is_less(i), slice1winner2_best_index_0(2 * i
+          + 1), slice1winner2_best_index_0(2 * i));
+      end loop;
       -- slice1winner4
       slice1winner4_best_cost_0_is_less(0) := (slice1winner3_best_cost_0(1) - slice1winner3_best_cost_0(0)) < 0;
       slice1winner4_best_cost_0_is_less(1) := (slice1winner3_best_cost_0(3) - slice1winner3_best_cost_0(2)) < 0;
-      if slice1winner4_best_cost_0_is_less(0) then
-        slice1winner4_best_cost_0(0) <= slice1winner3_best_cost_0(1);
-        slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_1;
-      else
-        slice1winner4_best_cost_0(0) <= slice1winner3_best_cost_0(0);
-        slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_0;
-      end if;
-      if slice1winner4_best_cost_0_is_less(1) then
-        slice1winner4_best_cost_0(1) <= slice1winner3_best_cost_0(3);
-        slice1winner4_best_index_0_1 <= slice0winner3_best_index_0_3;
-      else
-        slice1winner4_best_cost_0(1) <= slice1winner3_best_cost_0(2);
-        slice1winner4_best_index_0_1 <= slice1winner3_best_index_0_2;
-      end if;
+      slice1winner4_best_cost_0(0) <= choice(slice1winner4_best_cost_0_is_less(0), slice1winner3_best_cost_0(1),
+        slice1winner3_best_cost_0(0));
+      slice1winner4_best_index_0(0) <= choice(slice1winner4_best_cost_0_is_less(0), slice1winner3_best_index_0(1),
+        slice1winner3_best_index_0(0));
+      slice1winner4_best_cost_0(1) <= choice(slice1winner4_best_cost_0_is_less(1), slice1winner3_best_cost_0(3),
+        slice1winner3_best_cost_0(2));
+      slice1winner4_best_index_0(1) <= choice(slice1winner4_best_cost_0_is_less(1), slice0winner3_best_index_0(3),
+        slice1winner3_best_index_0(2));
       -- slice1winner5
       slice1winner5_best_cost_0_0_is_less := (slice1winner4_best_cost_0(1) - slice1winner4_best_cost_0(0)) < 0;
-      if slice1winner5_best_cost_0_0_is_less then
-        slice1winner5_best_cost_0_0 <= slice1winner4_best_cost_0(1);
-        slice1winner5_best_index_0_0 <= slice1winner4_best_index_0_1;
-      else
-        slice1winner5_best_cost_0_0 <= slice1winner4_best_cost_0(0);
-        slice1winner5_best_index_0_0 <= slice1winner4_best_index_0_0;
-      end if;
+      slice1winner5_best_cost_0_0 <= choice(slice1winner5_best_cost_0_0_is_less, slice1winner4_best_cost_0(1),
+        slice1winner4_best_cost_0(0));
+      slice1winner5_best_index_0_0 <= choice(slice1winner5_best_cost_0_0_is_less, slice1winner4_best_index_0(1),
+        slice1winner4_best_index_0(0));
       -- slice1
       slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner5_best_cost_0_0) < 0;
-      slice1_best_tag_valid <= slice0_best_tag_valid;
-      slice1_best_tag_output_column <= slice0_best_tag_output_column;
-      slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
-      slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
-      if slice1_best_cost_0_0_is_less then
-        slice1_best_cost_0_0 <= slice0_best_cost_0_0;
-        slice1_best_index_0_0 <= slice0_best_index_0_0;
-      else
-        slice1_best_cost_0_0 <= slice1winner5_best_cost_0_0;
-        slice1_best_index_0_0 <= (((slice1winner5_best_index_0_0 / 2) + 25) * 2) + (slice1winner5_best_index_0_0 mod 2);
-      end if;
+      slice1_best_tag <= slice0_best_tag;
+      slice1_best_cost_0_0 <= choice(slice1_best_cost_0_0_is_less, slice0_best_cost_0_0, slice1winner5_best_cost_0_0);
+      slice1_best_index_0_0 <= choice(slice1_best_cost_0_0_is_less, slice0_best_index_0_0,
+        (((slice1winner5_best_index_0_0 / 2) + 25) * 2) + (slice1winner5_best_index_0_0 mod 2));
       -- slice2shift
-      if slice0cost_difference_tag_valid then
+      if slice0cost_difference_tag.valid then
         for i in 0 to 2 loop
           for j in 0 to 23 loop
             slice2shift_search(i, j) <= slice2shift_search(i, j + 1);
@@ -1502,74 +889,31 @@ begin
           slice2shift_search(i, 24) <= slice1shift_search_out(i);
         end loop;
       end if;
-      slice2shift_reference(0) <= slice1shift_reference(0);
-      slice2shift_reference(1) <= slice1shift_reference(1);
-      slice2shift_reference(2) <= slice1shift_reference(2);
+      slice2shift_reference <= slice1shift_reference;
       slice2shift_search_out(0) <= slice2shift_search(0, 0);
       slice2shift_search_out(1) <= slice2shift_search(1, 0);
       slice2shift_search_out(2) <= slice2shift_search(2, 0);
       -- slice2cost
-      if slice0cost_pair_tag_valid then
+      if slice0cost_pair_tag.valid then
         slice2cost_signs_difference_column <= slice1cost_signs_difference_column;
       end if;
-      if is_set(slice2cost_signs_ready_words(0), 0) then
-        slice2cost_difference_choice(0, 0) := slice2shift_reference(0);
-      else
-        slice2cost_difference_choice(0, 0) := slice2shift_search(0, 0);
-      end if;
-      if is_set(slice2cost_signs_ready_words(0), 0) then
-        slice2cost_difference_choice_2(0, 0) := slice2shift_search(0, 0);
-      else
-        slice2cost_difference_choice_2(0, 0) := slice2shift_reference(0);
-      end if;
-      for i in 1 to 23 loop
-        slice2cost_difference_value(0, i) := is_set(slice2cost_signs_ready_words(0), i);
-        if slice2cost_difference_value(0, i) then
-          slice2cost_difference_choice(0, i) := slice2shift_reference(0);
-        else
-          slice2cost_difference_choice(0, i) := slice2shift_search(0, i);
-        end if;
-        if slice2cost_difference_value(0, i) then
-          slice2cost_difference_choice_2(0, i) := slice2shift_search(0, i);
-        else
-          slice2cost_difference_choice_2(0, i) := slice2shift_reference(0);
-        end if;
-      end loop;
       for i in 0 to 1 loop
-        if is_set(slice2cost_signs_ready_words(i), 24 - 24 * i) then
-          slice2cost_difference_choice(i, 24 - 24 * i) := slice2shift_reference(i);
-        else
-          slice2cost_difference_choice(i, 24 - 24 * i) := slice2shift_search(i, 24 - 24 * i);
-        end if;
-        if is_set(slice2cost_signs_ready_words(i), 24 - 24 * i) then
-          slice2cost_difference_choice_2(i, 24 - 24 * i) := slice2shift_search(i, 24 - 24 * i);
-        else
-          slice2cost_difference_choice_2(i, 24 - 24 * i) := slice2shift_reference(i);
-        end if;
+        slice2cost_difference_choice(i, 0, 1) := choice(is_set(slice2cost_signs_ready_words(i), 0),
+          slice2shift_reference(i), slice2shift_search(i, 0));
+        slice2cost_difference_choice(i, 0, 2) := choice(is_set(slice2cost_signs_ready_words(i), 0),
+          slice2shift_search(i, 0), slice2shift_reference(i));
+        for j in 1 to 23 loop
+          slice2cost_difference_value(i, j) := is_set(slice2cost_signs_ready_words(i), j);
+          slice2cost_difference_choice(i, j, 1) := choice(slice2cost_difference_value(i, j), slice2shift_reference(i),
+            slice2shift_search(i, j));
+          slice2cost_difference_choice(i, j, 2) := choice(slice2cost_difference_value(i, j), slice2shift_search(i, j),
+            slice2shift_reference(i));
+        end loop;
+        slice2cost_difference_choice(i, 24, 1) := choice(is_set(slice2cost_signs_ready_words(i), 24),
+          slice2shift_reference(i), slice2shift_search(i, 24));
+        slice2cost_difference_choice(i, 24, 2) := choice(is_set(slice2cost_signs_ready_words(i), 24),
+          slice2shift_search(i, 24), slice2shift_reference(i));
       end loop;
-      for i in 1 to 23 loop
-        slice2cost_difference_value(1, i) := is_set(slice2cost_signs_ready_words(1), i);
-        if slice2cost_difference_value(1, i) then
-          slice2cost_difference_choice(1, i) := slice2shift_reference(1);
-        else
-          slice2cost_difference_choice(1, i) := slice2shift_search(1, i);
-        end if;
-        if slice2cost_difference_value(1, i) then
-          slice2cost_difference_choice_2(1, i) := slice2shift_search(1, i);
-        else
-          slice2cost_difference_choice_2(1, i) := slice2shift_reference(1);
-        end if;
-      end loop;
-      if is_set(slice2cost_signs_ready_words(1), 24) then
-        slice2cost_difference_choice(1, 24) := slice2shift_reference(1);
-      else
-        slice2cost_difference_choice(1, 24) := slice2shift_search(1, 24);
-      end if;
-      if is_set(slice2cost_signs_ready_words(1), 24) then
-        slice2cost_difference_choice_2(1, 24) := slice2shift_search(1, 24);
-      else
-        slice2cost_difference_choice_2(1, 24) := slice2shift_reference(1);
-      end if;
       for i in 0 to 24 loop
         slice2cost_difference_2_difference(i) := slice2shift_search(2, i) - slice2shift_reference(2);
       end loop;
@@ -1579,8 +923,8 @@ begin
       slice2cost_signs_write_column <= slice1cost_signs_write_column;
       for i in 0 to 1 loop
         for j in 0 to 24 loop
-          slice2cost_difference(i, j) <= (slice2cost_difference_choice(i, j) - slice2cost_difference_choice_2(i, j))
-            mod 256;
+          slice2cost_difference(i, j) <= (slice2cost_difference_choice(i, j, 1) - slice2cost_difference_choice(i, j,
+            2)) mod 256;
         end loop;
       end loop;
       for i in 0 to 24 loop
@@ -1594,25 +938,15 @@ begin
         slice2cost_single_0(i) <= slice2cost_difference(0, i);
       end loop;
       slice2cost_tag_border_column <= slice1cost_tag_border_column;
-      if slice0cost_pair_tag_newest_inside then
-        for i in 0 to 24 loop
-          slice2cost_difference_2(i) <= slice2cost_difference_2_difference(i);
-        end loop;
-      else
-        for i in 0 to 24 loop
-          slice2cost_difference_2(i) <= 0;
-        end loop;
-      end if;
-      if slice1cost_tag_border_column then
-        for i in 0 to 24 loop
-          slice2cost_column_0(i) <= 0;
-        end loop;
-      else
-        for i in 0 to 24 loop
-          slice2cost_column_0(i) <= slice2cost_pair_0(i) + slice2cost_single_0(i);
-        end loop;
-      end if;
-      if slice0cost_tag_valid then
+      for i in 0 to 24 loop
+        slice2cost_difference_2(i) <= choice(slice0cost_pair_tag.newest_inside, slice2cost_difference_2_difference(i),
+          0);
+      end loop;
+      for i in 0 to 24 loop
+        slice2cost_column_0(i) <= choice(slice1cost_tag_border_column, 0, slice2cost_pair_0(i) +
+          slice2cost_single_0(i));
+      end loop;
+      if slice0cost_tag.valid then
         slice2cost_signs_write_words(0) <= slice2cost_signs_known_words_1;
         slice2cost_signs_write_words(1) <= (as_number(slice2cost_newest_negative_0(23)) * 8388608) +
           (as_number(slice2cost_newest_negative_0(24)) * 16777216) + (as_number(slice2cost_newest_negative_0(22)) *
@@ -1631,10 +965,8 @@ begin
           (as_number(slice2cost_newest_negative_0(1)) * 2);
       end if;
       -- slice2window
-      if slice0winner1_tag_valid then
-        for i in 0 to 24 loop
-          slice2window_partial_0_0(i) <= slice2cost_column_0(i);
-        end loop;
+      if slice0winner1_tag.valid then
+        slice2window_partial_0_0 <= slice2cost_column_0;
         for i in 0 to 24 loop
           slice2window_partial_0_1(i) <= slice2cost_column_0(i) + slice2window_partial_0_0(i);
         end loop;
@@ -1648,204 +980,66 @@ begin
       end loop;
       slice2winner1_best_cost_0(12) <= slice2window_sum_0(24);
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_is_less(0);
-      if slice2winner1_best_cost_0_is_less(0) then
-        slice2winner1_best_cost_0(0) <= slice2window_sum_0(1);
-      else
-        slice2winner1_best_cost_0(0) <= slice2window_sum_0(0);
-      end if;
-      if slice2winner1_best_cost_0_is_less(1) then
-        slice2winner1_best_cost_0(1) <= slice2window_sum_0(3);
-        slice2winner1_best_index_0_1 <= 3;
-      else
-        slice2winner1_best_cost_0(1) <= slice2window_sum_0(2);
-        slice2winner1_best_index_0_1 <= 2;
-      end if;
-      if slice2winner1_best_cost_0_is_less(2) then
-        slice2winner1_best_cost_0(2) <= slice2window_sum_0(5);
-        slice2winner1_best_index_0_2 <= 5;
-      else
-        slice2winner1_best_cost_0(2) <= slice2window_sum_0(4);
-        slice2winner1_best_index_0_2 <= 4;
-      end if;
-      if slice2winner1_best_cost_0_is_less(3) then
-        slice2winner1_best_cost_0(3) <= slice2window_sum_0(7);
-        slice2winner1_best_index_0_3 <= 7;
-      else
-        slice2winner1_best_cost_0(3) <= slice2window_sum_0(6);
-        slice2winner1_best_index_0_3 <= 6;
-      end if;
-      if slice2winner1_best_cost_0_is_less(4) then
-        slice2winner1_best_cost_0(4) <= slice2window_sum_0(9);
-        slice2winner1_best_index_0_4 <= 9;
-      else
-        slice2winner1_best_cost_0(4) <= slice2window_sum_0(8);
-        slice2winner1_best_index_0_4 <= 8;
-      end if;
-      if slice2winner1_best_cost_0_is_less(5) then
-        slice2winner1_best_cost_0(5) <= slice2window_sum_0(11);
-        slice2winner1_best_index_0_5 <= 11;
-      else
-        slice2winner1_best_cost_0(5) <= slice2window_sum_0(10);
-        slice2winner1_best_index_0_5 <= 10;
-      end if;
-      if slice2winner1_best_cost_0_is_less(6) then
-        slice2winner1_best_cost_0(6) <= slice2window_sum_0(13);
-        slice2winner1_best_index_0_6 <= 13;
-      else
-        slice2winner1_best_cost_0(6) <= slice2window_sum_0(12);
-        slice2winner1_best_index_0_6 <= 12;
-      end if;
-      if slice2winner1_best_cost_0_is_less(7) then
-        slice2winner1_best_cost_0(7) <= slice2window_sum_0(15);
-        slice2winner1_best_index_0_7 <= 15;
-      else
-        slice2winner1_best_cost_0(7) <= slice2window_sum_0(14);
-        slice2winner1_best_index_0_7 <= 14;
-      end if;
-      if slice2winner1_best_cost_0_is_less(8) then
-        slice2winner1_best_cost_0(8) <= slice2window_sum_0(17);
-        slice2winner1_best_index_0_8 <= 17;
-      else
-        slice2winner1_best_cost_0(8) <= slice2window_sum_0(16);
-        slice2winner1_best_index_0_8 <= 16;
-      end if;
-      if slice2winner1_best_cost_0_is_less(9) then
-        slice2winner1_best_cost_0(9) <= slice2window_sum_0(19);
-        slice2winner1_best_index_0_9 <= 19;
-      else
-        slice2winner1_best_cost_0(9) <= slice2window_sum_0(18);
-        slice2winner1_best_index_0_9 <= 18;
-      end if;
-      if slice2winner1_best_cost_0_is_less(10) then
-        slice2winner1_best_cost_0(10) <= slice2window_sum_0(21);
-        slice2winner1_best_index_0_10 <= 21;
-      else
-        slice2winner1_best_cost_0(10) <= slice2window_sum_0(20);
-        slice2winner1_best_index_0_10 <= 20;
-      end if;
-      if slice2winner1_best_cost_0_is_less(11) then
-        slice2winner1_best_cost_0(11) <= slice2window_sum_0(23);
-        slice2winner1_best_index_0_11 <= 23;
-      else
-        slice2winner1_best_cost_0(11) <= slice2window_sum_0(22);
-        slice2winner1_best_index_0_11 <= 22;
-      end if;
+      slice2winner1_best_cost_0(0) <= choice(slice2winner1_best_cost_0_is_less(0), slice2window_sum_0(1),
+        slice2window_sum_0(0));
+      for i in 1 to 11 loop
+        slice2winner1_best_cost_0(i) <= choice(slice2winner1_best_cost_0_is_less(i), slice2window_sum_0(2 * i + 1),
+          slice2window_sum_0(2 * i));
+        slice2winner1_best_index_0(i) <= choice(slice2winner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
+      end loop;
       -- slice2winner2
       for i in 0 to 5 loop
         slice2winner2_best_cost_0_is_less(i) := (slice2winner1_best_cost_0(2 * i + 1) - slice2winner1_best_cost_0(2 *
           i)) < 0;
       end loop;
       slice2winner2_best_cost_0(6) <= slice2winner1_best_cost_0(12);
-      if slice2winner2_best_cost_0_is_less(0) then
-        slice2winner2_best_cost_0(0) <= slice2winner1_best_cost_0(1);
-        slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_1;
-      else
-        slice2winner2_best_cost_0(0) <= slice2winner1_best_cost_0(0);
-        slice2winner2_best_index_0_0 <= as_number(slice2winner1_best_index_0_0);
-      end if;
-      if slice2winner2_best_cost_0_is_less(1) then
-        slice2winner2_best_cost_0(1) <= slice2winner1_best_cost_0(3);
-        slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_3;
-      else
-        slice2winner2_best_cost_0(1) <= slice2winner1_best_cost_0(2);
-        slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_2;
-      end if;
-      if slice2winner2_best_cost_0_is_less(2) then
-        slice2winner2_best_cost_0(2) <= slice2winner1_best_cost_0(5);
-        slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_5;
-      else
-        slice2winner2_best_cost_0(2) <= slice2winner1_best_cost_0(4);
-        slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_4;
-      end if;
-      if slice2winner2_best_cost_0_is_less(3) then
-        slice2winner2_best_cost_0(3) <= slice2winner1_best_cost_0(7);
-        slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_7;
-      else
-        slice2winner2_best_cost_0(3) <= slice2winner1_best_cost_0(6);
-        slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_6;
-      end if;
-      if slice2winner2_best_cost_0_is_less(4) then
-        slice2winner2_best_cost_0(4) <= slice2winner1_best_cost_0(9);
-        slice2winner2_best_index_0_4 <= slice2winner1_best_index_0_9;
-      else
-        slice2winner2_best_cost_0(4) <= slice2winner1_best_cost_0(8);
-        slice2winner2_best_index_0_4 <= slice2winner1_best_index_0_8;
-      end if;
-      if slice2winner2_best_cost_0_is_less(5) then
-        slice2winner2_best_cost_0(5) <= slice2winner1_best_cost_0(11);
-        slice2winner2_best_index_0_5 <= slice2winner1_best_index_0_11;
-      else
-        slice2winner2_best_cost_0(5) <= slice2winner1_best_cost_0(10);
-        slice2winner2_best_index_0_5 <= slice2winner1_best_index_0_10;
-      end if;
+      slice2winner2_best_cost_0(0) <= choice(slice2winner2_best_cost_0_is_less(0), slice2winner1_best_cost_0(1),
+        slice2winner1_best_cost_0(0));
+      slice2winner2_best_index_0(0) <= choice(slice2winner2_best_cost_0_is_less(0), slice2winner1_best_index_0(1),
+        as_number(slice2winner1_best_index_0_0));
+      for i in 1 to 5 loop
+        slice2winner2_best_cost_0(i) <= choice(slice2winner2_best_cost_0_is_less(i), slice2winner1_best_cost_0(2 * i +
+          1), slice2winner1_best_cost_0(2 * i));
+        slice2winner2_best_index_0(i) <= choice(slice2winner2_best_cost_0_is_less(i), slice2winner1_best_index_0(2 * i
+          + 1), slice2winner1_best_index_0(2 * i));
+      end loop;
       -- slice2winner3
       for i in 0 to 2 loop
         slice2winner3_best_cost_0_is_less(i) := (slice2winner2_best_cost_0(2 * i + 1) - slice2winner2_best_cost_0(2 *
           i)) < 0;
       end loop;
       slice2winner3_best_cost_0(3) <= slice2winner2_best_cost_0(6);
-      if slice2winner3_best_cost_0_is_less(0) then
-        slice2winner3_best_cost_0(0) <= slice2winner2_best_cost_0(1);
-        slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_1;
-      else
-        slice2winner3_best_cost_0(0) <= slice2winner2_best_cost_0(0);
-        slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
-      end if;
-      if slice2winner3_best_cost_0_is_less(1) then
-        slice2winner3_best_cost_0(1) <= slice2winner2_best_cost_0(3);
-        slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_3;
-      else
-        slice2winner3_best_cost_0(1) <= slice2winner2_best_cost_0(2);
-        slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_2;
-      end if;
-      if slice2winner3_best_cost_0_is_less(2) then
-        slice2winner3_best_cost_0(2) <= slice2winner2_best_cost_0(5);
-        slice2winner3_best_index_0_2 <= slice2winner2_best_index_0_5;
-      else
-        slice2winner3_best_cost_0(2) <= slice2winner2_best_cost_0(4);
-        slice2winner3_best_index_0_2 <= slice2winner2_best_index_0_4;
-      end if;
+      for i in 0 to 2 loop
+        slice2winner3_best_cost_0(i) <= choice(slice2winner3_best_cost_0_is_less(i), slice2winner2_best_cost_0(2 * i +
+          1), slice2winner2_best_cost_0(2 * i));
+        slice2winner3_best_index_0(i) <= choice(slice2winner3_best_cost_0_is_less(i), slice2winner2_best_index_0(2 * i
+          + 1), slice2winner2_best_index_0(2 * i));
+      end loop;
       -- slice2winner4
       slice2winner4_best_cost_0_is_less(0) := (slice2winner3_best_cost_0(1) - slice2winner3_best_cost_0(0)) < 0;
       slice2winner4_best_cost_0_is_less(1) := (slice2winner3_best_cost_0(3) - slice2winner3_best_cost_0(2)) < 0;
-      if slice2winner4_best_cost_0_is_less(0) then
-        slice2winner4_best_cost_0(0) <= slice2winner3_best_cost_0(1);
-        slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_1;
-      else
-        slice2winner4_best_cost_0(0) <= slice2winner3_best_cost_0(0);
-        slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_0;
-      end if;
-      if slice2winner4_best_cost_0_is_less(1) then
-        slice2winner4_best_cost_0(1) <= slice2winner3_best_cost_0(3);
-        slice2winner4_best_index_0_1 <= slice0winner3_best_index_0_3;
-      else
-        slice2winner4_best_cost_0(1) <= slice2winner3_best_cost_0(2);
-        slice2winner4_best_index_0_1 <= slice2winner3_best_index_0_2;
-      end if;
+      slice2winner4_best_cost_0(0) <= choice(slice2winner4_best_cost_0_is_less(0), slice2winner3_best_cost_0(1),
+        slice2winner3_best_cost_0(0));
+      slice2winner4_best_index_0(0) <= choice(slice2winner4_best_cost_0_is_less(0), slice2winner3_best_index_0(1),
+        slice2winner3_best_index_0(0));
+      slice2winner4_best_cost_0(1) <= choice(slice2winner4_best_cost_0_is_less(1), slice2winner3_best_cost_0(3),
+        slice2winner3_best_cost_0(2));
+      slice2winner4_best_index_0(1) <= choice(slice2winner4_best_cost_0_is_less(1), slice0winner3_best_index_0(3),
+        slice2winner3_best_index_0(2));
       -- slice2winner5
       slice2winner5_best_cost_0_0_is_less := (slice2winner4_best_cost_0(1) - slice2winner4_best_cost_0(0)) < 0;
-      if slice2winner5_best_cost_0_0_is_less then
-        slice2winner5_best_cost_0_0 <= slice2winner4_best_cost_0(1);
-        slice2winner5_best_index_0_0 <= slice2winner4_best_index_0_1;
-      else
-        slice2winner5_best_cost_0_0 <= slice2winner4_best_cost_0(0);
-        slice2winner5_best_index_0_0 <= slice2winner4_best_index_0_0;
-      end if;
+      slice2winner5_best_cost_0_0 <= choice(slice2winner5_best_cost_0_0_is_less, slice2winner4_best_cost_0(1),
+        slice2winner4_best_cost_0(0));
+      slice2winner5_best_index_0_0 <= choice(slice2winner5_best_cost_0_0_is_less, slice2winner4_best_index_0(1),
+        slice2winner4_best_index_0(0));
       -- slice2
       slice2_best_cost_0_0_is_less := (slice1_best_cost_0_0 - slice2winner5_best_cost_0_0) < 0;
-      slice2_best_tag_valid <= slice1_best_tag_valid;
-      slice2_best_tag_output_column <= slice1_best_tag_output_column;
-      slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
-      slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
-      if slice2_best_cost_0_0_is_less then
-        slice2_best_cost_0_0 <= slice1_best_cost_0_0;
-        slice2_best_index_0_0 <= slice1_best_index_0_0;
-      else
-        slice2_best_cost_0_0 <= slice2winner5_best_cost_0_0;
-        slice2_best_index_0_0 <= slice2winner5_best_index_0_0 + 25;
-      end if;
+      slice2_best_tag <= slice1_best_tag;
+      slice2_best_cost_0_0 <= choice(slice2_best_cost_0_0_is_less, slice1_best_cost_0_0, slice2winner5_best_cost_0_0);
+      slice2_best_index_0_0 <= choice(slice2_best_cost_0_0_is_less, slice1_best_index_0_0, slice2winner5_best_index_0_0
+        + 25);
       -- slice3shift
-      if slice0cost_pair_tag_valid then
+      if slice0cost_pair_tag.valid then
         for i in 0 to 2 loop
           for j in 0 to 23 loop
             slice3shift_search(i, j) <= slice3shift_search(i, j + 1);
@@ -1853,71 +1047,28 @@ begin
           slice3shift_search(i, 24) <= slice2shift_search_out(i);
         end loop;
       end if;
-      slice3shift_reference(0) <= slice2shift_reference(0);
-      slice3shift_reference(1) <= slice2shift_reference(1);
-      slice3shift_reference(2) <= slice2shift_reference(2);
+      slice3shift_reference <= slice2shift_reference;
       -- slice3cost
-      if slice0cost_tag_valid then
+      if slice0cost_tag.valid then
         slice3cost_signs_difference_column <= slice1cost_signs_write_column;
       end if;
-      if is_set(slice3cost_signs_ready_words(0), 0) then
-        slice3cost_difference_choice(0, 0) := slice3shift_reference(0);
-      else
-        slice3cost_difference_choice(0, 0) := slice3shift_search(0, 0);
-      end if;
-      if is_set(slice3cost_signs_ready_words(0), 0) then
-        slice3cost_difference_choice_2(0, 0) := slice3shift_search(0, 0);
-      else
-        slice3cost_difference_choice_2(0, 0) := slice3shift_reference(0);
-      end if;
-      for i in 1 to 23 loop
-        slice3cost_difference_value(0, i) := is_set(slice3cost_signs_ready_words(0), i);
-        if slice3cost_difference_value(0, i) then
-          slice3cost_difference_choice(0, i) := slice3shift_reference(0);
-        else
-          slice3cost_difference_choice(0, i) := slice3shift_search(0, i);
-        end if;
-        if slice3cost_difference_value(0, i) then
-          slice3cost_difference_choice_2(0, i) := slice3shift_search(0, i);
-        else
-          slice3cost_difference_choice_2(0, i) := slice3shift_reference(0);
-        end if;
-      end loop;
       for i in 0 to 1 loop
-        if is_set(slice3cost_signs_ready_words(i), 24 - 24 * i) then
-          slice3cost_difference_choice(i, 24 - 24 * i) := slice3shift_reference(i);
-        else
-          slice3cost_difference_choice(i, 24 - 24 * i) := slice3shift_search(i, 24 - 24 * i);
-        end if;
-        if is_set(slice3cost_signs_ready_words(i), 24 - 24 * i) then
-          slice3cost_difference_choice_2(i, 24 - 24 * i) := slice3shift_search(i, 24 - 24 * i);
-        else
-          slice3cost_difference_choice_2(i, 24 - 24 * i) := slice3shift_reference(i);
-        end if;
+        slice3cost_difference_choice(i, 0, 1) := choice(is_set(slice3cost_signs_ready_words(i), 0),
+          slice3shift_reference(i), slice3shift_search(i, 0));
+        slice3cost_difference_choice(i, 0, 2) := choice(is_set(slice3cost_signs_ready_words(i), 0),
+          slice3shift_search(i, 0), slice3shift_reference(i));
+        for j in 1 to 23 loop
+          slice3cost_difference_value(i, j) := is_set(slice3cost_signs_ready_words(i), j);
+          slice3cost_difference_choice(i, j, 1) := choice(slice3cost_difference_value(i, j), slice3shift_reference(i),
+            slice3shift_search(i, j));
+          slice3cost_difference_choice(i, j, 2) := choice(slice3cost_difference_value(i, j), slice3shift_search(i, j),
+            slice3shift_reference(i));
+        end loop;
+        slice3cost_difference_choice(i, 24, 1) := choice(is_set(slice3cost_signs_ready_words(i), 24),
+          slice3shift_reference(i), slice3shift_search(i, 24));
+        slice3cost_difference_choice(i, 24, 2) := choice(is_set(slice3cost_signs_ready_words(i), 24),
+          slice3shift_search(i, 24), slice3shift_reference(i));
       end loop;
-      for i in 1 to 23 loop
-        slice3cost_difference_value(1, i) := is_set(slice3cost_signs_ready_words(1), i);
-        if slice3cost_difference_value(1, i) then
-          slice3cost_difference_choice(1, i) := slice3shift_reference(1);
-        else
-          slice3cost_difference_choice(1, i) := slice3shift_search(1, i);
-        end if;
-        if slice3cost_difference_value(1, i) then
-          slice3cost_difference_choice_2(1, i) := slice3shift_search(1, i);
-        else
-          slice3cost_difference_choice_2(1, i) := slice3shift_reference(1);
-        end if;
-      end loop;
-      if is_set(slice3cost_signs_ready_words(1), 24) then
-        slice3cost_difference_choice(1, 24) := slice3shift_reference(1);
-      else
-        slice3cost_difference_choice(1, 24) := slice3shift_search(1, 24);
-      end if;
-      if is_set(slice3cost_signs_ready_words(1), 24) then
-        slice3cost_difference_choice_2(1, 24) := slice3shift_search(1, 24);
-      else
-        slice3cost_difference_choice_2(1, 24) := slice3shift_reference(1);
-      end if;
       for i in 0 to 24 loop
         slice3cost_difference_2_difference(i) := slice3shift_search(2, i) - slice3shift_reference(2);
       end loop;
@@ -1926,8 +1077,8 @@ begin
       slice3cost_signs_known_words_1 <= slice3cost_signs_ready_words(1);
       for i in 0 to 1 loop
         for j in 0 to 24 loop
-          slice3cost_difference(i, j) <= (slice3cost_difference_choice(i, j) - slice3cost_difference_choice_2(i, j))
-            mod 256;
+          slice3cost_difference(i, j) <= (slice3cost_difference_choice(i, j, 1) - slice3cost_difference_choice(i, j,
+            2)) mod 256;
         end loop;
       end loop;
       for i in 0 to 24 loop
@@ -1940,25 +1091,14 @@ begin
       for i in 0 to 24 loop
         slice3cost_single_0(i) <= slice3cost_difference(0, i);
       end loop;
-      if slice0cost_tag_newest_inside then
-        for i in 0 to 24 loop
-          slice3cost_difference_2(i) <= slice3cost_difference_2_difference(i);
-        end loop;
-      else
-        for i in 0 to 24 loop
-          slice3cost_difference_2(i) <= 0;
-        end loop;
-      end if;
-      if slice2cost_tag_border_column then
-        for i in 0 to 24 loop
-          slice3cost_column_0(i) <= 0;
-        end loop;
-      else
-        for i in 0 to 24 loop
-          slice3cost_column_0(i) <= slice3cost_pair_0(i) + slice3cost_single_0(i);
-        end loop;
-      end if;
-      if slice0window_tag_valid then
+      for i in 0 to 24 loop
+        slice3cost_difference_2(i) <= choice(slice0cost_tag.newest_inside, slice3cost_difference_2_difference(i), 0);
+      end loop;
+      for i in 0 to 24 loop
+        slice3cost_column_0(i) <= choice(slice2cost_tag_border_column, 0, slice3cost_pair_0(i) +
+          slice3cost_single_0(i));
+      end loop;
+      if slice0window_tag.valid then
         slice3cost_signs_write_column <= slice2cost_signs_write_column;
         slice3cost_signs_write_words(0) <= slice3cost_signs_known_words_1;
         slice3cost_signs_write_words(1) <= (as_number(slice3cost_newest_negative_0(23)) * 8388608) +
@@ -1978,10 +1118,8 @@ begin
           (as_number(slice3cost_newest_negative_0(1)) * 2);
       end if;
       -- slice3window
-      if slice0winner2_tag_valid then
-        for i in 0 to 24 loop
-          slice3window_partial_0_0(i) <= slice3cost_column_0(i);
-        end loop;
+      if slice0winner2_tag.valid then
+        slice3window_partial_0_0 <= slice3cost_column_0;
         for i in 0 to 24 loop
           slice3window_partial_0_1(i) <= slice3cost_column_0(i) + slice3window_partial_0_0(i);
         end loop;
@@ -1995,199 +1133,62 @@ begin
       end loop;
       slice3winner1_best_cost_0(12) <= slice3window_sum_0(24);
       slice3winner1_best_index_0_0 <= slice3winner1_best_cost_0_is_less(0);
-      if slice3winner1_best_cost_0_is_less(0) then
-        slice3winner1_best_cost_0(0) <= slice3window_sum_0(1);
-      else
-        slice3winner1_best_cost_0(0) <= slice3window_sum_0(0);
-      end if;
-      if slice3winner1_best_cost_0_is_less(1) then
-        slice3winner1_best_cost_0(1) <= slice3window_sum_0(3);
-        slice3winner1_best_index_0_1 <= 3;
-      else
-        slice3winner1_best_cost_0(1) <= slice3window_sum_0(2);
-        slice3winner1_best_index_0_1 <= 2;
-      end if;
-      if slice3winner1_best_cost_0_is_less(2) then
-        slice3winner1_best_cost_0(2) <= slice3window_sum_0(5);
-        slice3winner1_best_index_0_2 <= 5;
-      else
-        slice3winner1_best_cost_0(2) <= slice3window_sum_0(4);
-        slice3winner1_best_index_0_2 <= 4;
-      end if;
-      if slice3winner1_best_cost_0_is_less(3) then
-        slice3winner1_best_cost_0(3) <= slice3window_sum_0(7);
-        slice3winner1_best_index_0_3 <= 7;
-      else
-        slice3winner1_best_cost_0(3) <= slice3window_sum_0(6);
-        slice3winner1_best_index_0_3 <= 6;
-      end if;
-      if slice3winner1_best_cost_0_is_less(4) then
-        slice3winner1_best_cost_0(4) <= slice3window_sum_0(9);
-        slice3winner1_best_index_0_4 <= 9;
-      else
-        slice3winner1_best_cost_0(4) <= slice3window_sum_0(8);
-        slice3winner1_best_index_0_4 <= 8;
-      end if;
-      if slice3winner1_best_cost_0_is_less(5) then
-        slice3winner1_best_cost_0(5) <= slice3window_sum_0(11);
-        slice3winner1_best_index_0_5 <= 11;
-      else
-        slice3winner1_best_cost_0(5) <= slice3window_sum_0(10);
-        slice3winner1_best_index_0_5 <= 10;
-      end if;
-      if slice3winner1_best_cost_0_is_less(6) then
-        slice3winner1_best_cost_0(6) <= slice3window_sum_0(13);
-        slice3winner1_best_index_0_6 <= 13;
-      else
-        slice3winner1_best_cost_0(6) <= slice3window_sum_0(12);
-        slice3winner1_best_index_0_6 <= 12;
-      end if;
-      if slice3winner1_best_cost_0_is_less(7) then
-        slice3winner1_best_cost_0(7) <= slice3window_sum_0(15);
-        slice3winner1_best_index_0_7 <= 15;
-      else
-        slice3winner1_best_cost_0(7) <= slice3window_sum_0(14);
-        slice3winner1_best_index_0_7 <= 14;
-      end if;
-      if slice3winner1_best_cost_0_is_less(8) then
-        slice3winner1_best_cost_0(8) <= slice3window_sum_0(17);
-        slice3winner1_best_index_0_8 <= 17;
-      else
-        slice3winner1_best_cost_0(8) <= slice3window_sum_0(16);
-        slice3winner1_best_index_0_8 <= 16;
-      end if;
-      if slice3winner1_best_cost_0_is_less(9) then
-        slice3winner1_best_cost_0(9) <= slice3window_sum_0(19);
-        slice3winner1_best_index_0_9 <= 19;
-      else
-        slice3winner1_best_cost_0(9) <= slice3window_sum_0(18);
-        slice3winner1_best_index_0_9 <= 18;
-      end if;
-      if slice3winner1_best_cost_0_is_less(10) then
-        slice3winner1_best_cost_0(10) <= slice3window_sum_0(21);
-        slice3winner1_best_index_0_10 <= 21;
-      else
-        slice3winner1_best_cost_0(10) <= slice3window_sum_0(20);
-        slice3winner1_best_index_0_10 <= 20;
-      end if;
-      if slice3winner1_best_cost_0_is_less(11) then
-        slice3winner1_best_cost_0(11) <= slice3window_sum_0(23);
-        slice3winner1_best_index_0_11 <= 23;
-      else
-        slice3winner1_best_cost_0(11) <= slice3window_sum_0(22);
-        slice3winner1_best_index_0_11 <= 22;
-      end if;
+      slice3winner1_best_cost_0(0) <= choice(slice3winner1_best_cost_0_is_less(0), slice3window_sum_0(1),
+        slice3window_sum_0(0));
+      for i in 1 to 11 loop
+        slice3winner1_best_cost_0(i) <= choice(slice3winner1_best_cost_0_is_less(i), slice3window_sum_0(2 * i + 1),
+          slice3window_sum_0(2 * i));
+        slice3winner1_best_index_0(i) <= choice(slice3winner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
+      end loop;
       -- slice3winner2
       for i in 0 to 5 loop
         slice3winner2_best_cost_0_is_less(i) := (slice3winner1_best_cost_0(2 * i + 1) - slice3winner1_best_cost_0(2 *
           i)) < 0;
       end loop;
       slice3winner2_best_cost_0(6) <= slice3winner1_best_cost_0(12);
-      if slice3winner2_best_cost_0_is_less(0) then
-        slice3winner2_best_cost_0(0) <= slice3winner1_best_cost_0(1);
-        slice3winner2_best_index_0_0 <= slice3winner1_best_index_0_1;
-      else
-        slice3winner2_best_cost_0(0) <= slice3winner1_best_cost_0(0);
-        slice3winner2_best_index_0_0 <= as_number(slice3winner1_best_index_0_0);
-      end if;
-      if slice3winner2_best_cost_0_is_less(1) then
-        slice3winner2_best_cost_0(1) <= slice3winner1_best_cost_0(3);
-        slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_3;
-      else
-        slice3winner2_best_cost_0(1) <= slice3winner1_best_cost_0(2);
-        slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_2;
-      end if;
-      if slice3winner2_best_cost_0_is_less(2) then
-        slice3winner2_best_cost_0(2) <= slice3winner1_best_cost_0(5);
-        slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_5;
-      else
-        slice3winner2_best_cost_0(2) <= slice3winner1_best_cost_0(4);
-        slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_4;
-      end if;
-      if slice3winner2_best_cost_0_is_less(3) then
-        slice3winner2_best_cost_0(3) <= slice3winner1_best_cost_0(7);
-        slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_7;
-      else
-        slice3winner2_best_cost_0(3) <= slice3winner1_best_cost_0(6);
-        slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_6;
-      end if;
-      if slice3winner2_best_cost_0_is_less(4) then
-        slice3winner2_best_cost_0(4) <= slice3winner1_best_cost_0(9);
-        slice3winner2_best_index_0_4 <= slice3winner1_best_index_0_9;
-      else
-        slice3winner2_best_cost_0(4) <= slice3winner1_best_cost_0(8);
-        slice3winner2_best_index_0_4 <= slice3winner1_best_index_0_8;
-      end if;
-      if slice3winner2_best_cost_0_is_less(5) then
-        slice3winner2_best_cost_0(5) <= slice3winner1_best_cost_0(11);
-        slice3winner2_best_index_0_5 <= slice3winner1_best_index_0_11;
-      else
-        slice3winner2_best_cost_0(5) <= slice3winner1_best_cost_0(10);
-        slice3winner2_best_index_0_5 <= slice3winner1_best_index_0_10;
-      end if;
+      slice3winner2_best_cost_0(0) <= choice(slice3winner2_best_cost_0_is_less(0), slice3winner1_best_cost_0(1),
+        slice3winner1_best_cost_0(0));
+      slice3winner2_best_index_0(0) <= choice(slice3winner2_best_cost_0_is_less(0), slice3winner1_best_index_0(1),
+        as_number(slice3winner1_best_index_0_0));
+      for i in 1 to 5 loop
+        slice3winner2_best_cost_0(i) <= choice(slice3winner2_best_cost_0_is_less(i), slice3winner1_best_cost_0(2 * i +
+          1), slice3winner1_best_cost_0(2 * i));
+        slice3winner2_best_index_0(i) <= choice(slice3winner2_best_cost_0_is_less(i), slice3winner1_best_index_0(2 * i
+          + 1), slice3winner1_best_index_0(2 * i));
+      end loop;
       -- slice3winner3
       for i in 0 to 2 loop
         slice3winner3_best_cost_0_is_less(i) := (slice3winner2_best_cost_0(2 * i + 1) - slice3winner2_best_cost_0(2 *
           i)) < 0;
       end loop;
       slice3winner3_best_cost_0(3) <= slice3winner2_best_cost_0(6);
-      if slice3winner3_best_cost_0_is_less(0) then
-        slice3winner3_best_cost_0(0) <= slice3winner2_best_cost_0(1);
-        slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_1;
-      else
-        slice3winner3_best_cost_0(0) <= slice3winner2_best_cost_0(0);
-        slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_0;
-      end if;
-      if slice3winner3_best_cost_0_is_less(1) then
-        slice3winner3_best_cost_0(1) <= slice3winner2_best_cost_0(3);
-        slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_3;
-      else
-        slice3winner3_best_cost_0(1) <= slice3winner2_best_cost_0(2);
-        slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_2;
-      end if;
-      if slice3winner3_best_cost_0_is_less(2) then
-        slice3winner3_best_cost_0(2) <= slice3winner2_best_cost_0(5);
-        slice3winner3_best_index_0_2 <= slice3winner2_best_index_0_5;
-      else
-        slice3winner3_best_cost_0(2) <= slice3winner2_best_cost_0(4);
-        slice3winner3_best_index_0_2 <= slice3winner2_best_index_0_4;
-      end if;
+      for i in 0 to 2 loop
+        slice3winner3_best_cost_0(i) <= choice(slice3winner3_best_cost_0_is_less(i), slice3winner2_best_cost_0(2 * i +
+          1), slice3winner2_best_cost_0(2 * i));
+        slice3winner3_best_index_0(i) <= choice(slice3winner3_best_cost_0_is_less(i), slice3winner2_best_index_0(2 * i
+          + 1), slice3winner2_best_index_0(2 * i));
+      end loop;
       -- slice3winner4
       slice3winner4_best_cost_0_is_less(0) := (slice3winner3_best_cost_0(1) - slice3winner3_best_cost_0(0)) < 0;
       slice3winner4_best_cost_0_is_less(1) := (slice3winner3_best_cost_0(3) - slice3winner3_best_cost_0(2)) < 0;
-      if slice3winner4_best_cost_0_is_less(0) then
-        slice3winner4_best_cost_0(0) <= slice3winner3_best_cost_0(1);
-        slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_1;
-      else
-        slice3winner4_best_cost_0(0) <= slice3winner3_best_cost_0(0);
-        slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_0;
-      end if;
-      if slice3winner4_best_cost_0_is_less(1) then
-        slice3winner4_best_cost_0(1) <= slice3winner3_best_cost_0(3);
-        slice3winner4_best_index_0_1 <= slice0winner3_best_index_0_3;
-      else
-        slice3winner4_best_cost_0(1) <= slice3winner3_best_cost_0(2);
-        slice3winner4_best_index_0_1 <= slice3winner3_best_index_0_2;
-      end if;
+      slice3winner4_best_cost_0(0) <= choice(slice3winner4_best_cost_0_is_less(0), slice3winner3_best_cost_0(1),
+        slice3winner3_best_cost_0(0));
+      slice3winner4_best_index_0(0) <= choice(slice3winner4_best_cost_0_is_less(0), slice3winner3_best_index_0(1),
+        slice3winner3_best_index_0(0));
+      slice3winner4_best_cost_0(1) <= choice(slice3winner4_best_cost_0_is_less(1), slice3winner3_best_cost_0(3),
+        slice3winner3_best_cost_0(2));
+      slice3winner4_best_index_0(1) <= choice(slice3winner4_best_cost_0_is_less(1), slice0winner3_best_index_0(3),
+        slice3winner3_best_index_0(2));
       -- slice3winner5
       slice3winner5_best_cost_0_0_is_less := (slice3winner4_best_cost_0(1) - slice3winner4_best_cost_0(0)) < 0;
-      if slice3winner5_best_cost_0_0_is_less then
-        slice3winner5_best_cost_0_0 <= slice3winner4_best_cost_0(1);
-        slice3winner5_best_index_0_0 <= slice3winner4_best_index_0_1;
-      else
-        slice3winner5_best_cost_0_0 <= slice3winner4_best_cost_0(0);
-        slice3winner5_best_index_0_0 <= slice3winner4_best_index_0_0;
-      end if;
+      slice3winner5_best_cost_0_0 <= choice(slice3winner5_best_cost_0_0_is_less, slice3winner4_best_cost_0(1),
+        slice3winner4_best_cost_0(0));
+      slice3winner5_best_index_0_0 <= choice(slice3winner5_best_cost_0_0_is_less, slice3winner4_best_index_0(1),
+        slice3winner4_best_index_0(0));
       -- slice3
-      slice3_best_tag_valid <= slice2_best_tag_valid;
-      slice3_best_tag_output_column <= slice2_best_tag_output_column;
-      slice3_best_tag_start_of_frame <= slice2_best_tag_start_of_frame;
-      slice3_best_tag_end_of_line <= slice2_best_tag_end_of_line;
-      if (slice2_best_cost_0_0 - slice3winner5_best_cost_0_0) < 0 then
-        slice3_best_index_0_0 <= slice2_best_index_0_0;
-      else
-        slice3_best_index_0_0 <= slice3winner5_best_index_0_0;
-      end if;
+      slice3_best_tag <= slice2_best_tag;
+      slice3_best_index_0_0 <= choice((slice2_best_cost_0_0 - slice3winner5_best_cost_0_0) < 0, slice2_best_index_0_0,
+        slice3winner5_best_index_0_0);
       if reset = '1' then
         raster_features_valid <= false;
         raster_place_column <= 0;
@@ -2196,94 +1197,64 @@ begin
         delay_ring_read_address <= 1;
         delay_ring_write_address <= 0;
         delay_column <= 0;
-        delay_tag_valid <= false;
-        delay_tag_output_column <= false;
-        delay_tag_start_of_frame <= false;
-        delay_tag_end_of_line <= false;
+        delay_tag.valid <= false;
+        delay_tag.output_column <= false;
+        delay_tag.start_of_frame <= false;
+        delay_tag.end_of_line <= false;
         rows_read_column <= 0;
-        rows_read_tag_valid <= false;
-        rows_read_tag_output_column <= false;
-        rows_read_tag_start_of_frame <= false;
-        rows_read_tag_end_of_line <= false;
+        rows_read_tag.valid <= false;
+        rows_read_tag.output_column <= false;
+        rows_read_tag.start_of_frame <= false;
+        rows_read_tag.end_of_line <= false;
         rows_ready_column <= 0;
-        rows_ready_tag_valid <= false;
-        rows_ready_tag_output_column <= false;
-        rows_ready_tag_start_of_frame <= false;
-        rows_ready_tag_end_of_line <= false;
+        rows_ready_tag.valid <= false;
+        rows_ready_tag.output_column <= false;
+        rows_ready_tag.start_of_frame <= false;
+        rows_ready_tag.end_of_line <= false;
         rows_write_column <= 0;
-        rows_tag_valid <= false;
-        rows_tag_output_column <= false;
-        rows_tag_start_of_frame <= false;
-        rows_tag_end_of_line <= false;
-        slice0shift_tag_valid <= false;
-        slice0shift_tag_output_column <= false;
-        slice0shift_tag_start_of_frame <= false;
-        slice0shift_tag_end_of_line <= false;
+        rows_tag.valid <= false;
+        rows_tag.output_column <= false;
+        rows_tag.start_of_frame <= false;
+        rows_tag.end_of_line <= false;
+        slice0shift_tag.valid <= false;
+        slice0shift_tag.output_column <= false;
+        slice0shift_tag.start_of_frame <= false;
+        slice0shift_tag.end_of_line <= false;
         slice0cost_signs_column <= 0;
         slice0cost_signs_next_column <= 0;
         slice0cost_signs_difference_column <= 0;
         slice0cost_signs_write_column <= 0;
-        slice0cost_difference_tag_valid <= false;
-        slice0cost_difference_tag_output_column <= false;
-        slice0cost_difference_tag_start_of_frame <= false;
-        slice0cost_difference_tag_end_of_line <= false;
-        slice0cost_pair_tag_valid <= false;
-        slice0cost_pair_tag_output_column <= false;
-        slice0cost_pair_tag_start_of_frame <= false;
-        slice0cost_pair_tag_end_of_line <= false;
-        slice0cost_tag_valid <= false;
-        slice0cost_tag_output_column <= false;
-        slice0cost_tag_start_of_frame <= false;
-        slice0cost_tag_end_of_line <= false;
+        slice0cost_difference_tag.valid <= false;
+        slice0cost_difference_tag.output_column <= false;
+        slice0cost_difference_tag.start_of_frame <= false;
+        slice0cost_difference_tag.end_of_line <= false;
+        slice0cost_pair_tag.valid <= false;
+        slice0cost_pair_tag.output_column <= false;
+        slice0cost_pair_tag.start_of_frame <= false;
+        slice0cost_pair_tag.end_of_line <= false;
+        slice0cost_tag.valid <= false;
+        slice0cost_tag.output_column <= false;
+        slice0cost_tag.start_of_frame <= false;
+        slice0cost_tag.end_of_line <= false;
         slice0window_centre_output_column_0 <= false;
         slice0window_centre_start_of_frame_0 <= false;
         slice0window_centre_end_of_line_0 <= false;
-        slice0window_tag_valid <= false;
-        slice0window_tag_output_column <= false;
-        slice0window_tag_start_of_frame <= false;
-        slice0window_tag_end_of_line <= false;
-        slice0winner1_tag_valid <= false;
-        slice0winner1_tag_output_column <= false;
-        slice0winner1_tag_start_of_frame <= false;
-        slice0winner1_tag_end_of_line <= false;
-        slice0winner2_tag_valid <= false;
-        slice0winner2_tag_output_column <= false;
-        slice0winner2_tag_start_of_frame <= false;
-        slice0winner2_tag_end_of_line <= false;
-        slice0winner3_tag_valid <= false;
-        slice0winner3_tag_output_column <= false;
-        slice0winner3_tag_start_of_frame <= false;
-        slice0winner3_tag_end_of_line <= false;
-        slice0winner4_tag_valid <= false;
-        slice0winner4_tag_output_column <= false;
-        slice0winner4_tag_start_of_frame <= false;
-        slice0winner4_tag_end_of_line <= false;
-        slice0winner5_tag_valid <= false;
-        slice0winner5_tag_output_column <= false;
-        slice0winner5_tag_start_of_frame <= false;
-        slice0winner5_tag_end_of_line <= false;
-        slice0_best_tag_valid <= false;
-        slice0_best_tag_output_column <= false;
-        slice0_best_tag_start_of_frame <= false;
-        slice0_best_tag_end_of_line <= false;
+        slice0window_tag <= (others => false);
+        slice0winner1_tag <= (others => false);
+        slice0winner2_tag <= (others => false);
+        slice0winner3_tag <= (others => false);
+        slice0winner4_tag <= (others => false);
+        slice0winner5_tag <= (others => false);
+        slice0_best_tag <= (others => false);
         slice1cost_signs_difference_column <= 0;
         slice1cost_signs_write_column <= 0;
-        slice1_best_tag_valid <= false;
-        slice1_best_tag_output_column <= false;
-        slice1_best_tag_start_of_frame <= false;
-        slice1_best_tag_end_of_line <= false;
+        slice1_best_tag <= (others => false);
         slice2cost_signs_difference_column <= 0;
         slice2cost_signs_write_column <= 0;
-        slice2_best_tag_valid <= false;
-        slice2_best_tag_output_column <= false;
-        slice2_best_tag_start_of_frame <= false;
-        slice2_best_tag_end_of_line <= false;
+        slice2_best_tag <= (others => false);
         slice3cost_signs_difference_column <= 0;
         slice3cost_signs_write_column <= 0;
-        slice3_best_tag_valid <= false;
-        slice3_best_tag_output_column <= false;
-        slice3_best_tag_start_of_frame <= false;
-        slice3_best_tag_end_of_line <= false;
+        slice3_best_tag <= (others => false);
       end if;
     end if;
   end process;

@@ -93,15 +93,52 @@ architecture rtl of stereo_core_ambrosch2007_f5 is
     return (value / 2 ** place) mod 2 = 1;
   end function;
 
+  function choice(test : boolean; yes : boolean; no : boolean) return boolean is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
+  function choice(test : boolean; yes : integer; no : integer) return integer is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
   type boolean_1d is array (natural range <>) of boolean;
   type integer_minus_255_to_255_2d is array (natural range <>, natural range <>) of integer range -255 to 255;
+  type natural_127_1d is array (natural range <>) of natural range 0 to 127;
   type natural_1534_1d is array (natural range <>) of natural range 0 to 1534;
+  type natural_19_1d is array (natural range <>) of natural range 0 to 19;
   type natural_2301_1d is array (natural range <>) of natural range 0 to 2301;
   type natural_255_1d is array (natural range <>) of natural range 0 to 255;
   type natural_255_2d is array (natural range <>, natural range <>) of natural range 0 to 255;
   type natural_511_1d is array (natural range <>) of natural range 0 to 511;
+  type natural_63_1d is array (natural range <>) of natural range 0 to 63;
   type natural_65535_1d is array (natural range <>) of natural range 0 to 65535;
   type natural_767_1d is array (natural range <>) of natural range 0 to 767;
+  type tag_4 is record
+    valid, row_start, output_column, start_of_frame : boolean;
+  end record;
+  type tag_5 is record
+    valid, border_column, first_cost, map_column, end_of_line : boolean;
+  end record;
+  type tag_4_b is record
+    valid, border_column, first_cost, map_column : boolean;
+  end record;
+  type tag_3 is record
+    valid, first_cost, map_column : boolean;
+  end record;
+  type tag_3_b is record
+    valid, map_column, first_column : boolean;
+  end record;
+  type tag_4_c is record
+    valid, output_column, start_of_frame, end_of_line : boolean;
+  end record;
   signal in_start_of_frame, in_valid : boolean;
   signal in_left_pixel, in_right_pixel : natural range 0 to 255;
   -- raster
@@ -112,7 +149,7 @@ architecture rtl of stereo_core_ambrosch2007_f5 is
   signal delay_ahead_0, delay_delayed_0 : natural range 0 to 255;
   signal delay_column : natural range 0 to 511;
   signal delay_row_inside : boolean_1d(0 to 2);
-  signal delay_tag_valid, delay_tag_row_start, delay_tag_output_column, delay_tag_start_of_frame : boolean;
+  signal delay_tag : tag_4;
   -- rows
   signal rows_search_rows_read_words_0, rows_reference_rows_read_words_0 : unsigned(15 downto 0);
   signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 255;
@@ -122,98 +159,73 @@ architecture rtl of stereo_core_ambrosch2007_f5 is
   signal rows_reference_rows_ready_words_0, rows_reference_rows_write_words_0 : natural range 0 to 65535;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
   signal rows_read_inside : boolean_1d(0 to 2);
-  signal rows_read_tag_valid, rows_read_tag_row_start, rows_read_tag_output_column : boolean;
-  signal rows_read_tag_start_of_frame : boolean;
+  signal rows_read_tag : tag_4;
   signal rows_ready_inside : boolean_1d(0 to 2);
-  signal rows_ready_tag_valid, rows_ready_tag_row_start, rows_ready_tag_output_column : boolean;
-  signal rows_ready_tag_start_of_frame, rows_tag_valid, rows_tag_row_start, rows_tag_output_column : boolean;
-  signal rows_tag_start_of_frame : boolean;
+  signal rows_ready_tag, rows_tag : tag_4;
   -- passes
   signal passes_row, passes_coming_output, passes_coming_starts, passes_row_ended, passes_ended_last : boolean;
   signal passes_arrived, passes_shows, passes_showing_output, passes_showing_starts, passes_inside_0 : boolean;
-  signal passes_pass_ends, passes_last_pass, passes_leaving_starts, passes_read_tag_valid : boolean;
-  signal passes_read_tag_border_column, passes_read_tag_first_cost, passes_read_tag_map_column : boolean;
-  signal passes_read_tag_end_of_line, passes_tag_valid, passes_tag_border_column, passes_tag_first_cost : boolean;
-  signal passes_tag_map_column : boolean;
+  signal passes_pass_ends, passes_last_pass, passes_leaving_starts : boolean;
+  signal passes_read_tag : tag_5;
+  signal passes_tag : tag_4_b;
   signal passes_write_address, passes_search_address, passes_reference_address : natural range 0 to 1023;
   signal passes_write_search_0, passes_write_reference_0 : natural range 0 to 16777215;
   signal passes_pass : natural range 0 to 7;
   signal passes_column : natural range 0 to 255;
-  signal passes_search : natural_255_1d(0 to 2);
-  signal passes_reference : natural_255_1d(0 to 2);
+  signal passes_search, passes_reference : natural_255_1d(0 to 2);
   signal passes_search_start : natural range 0 to 511;
   signal passes_read_search_0, passes_read_reference_0 : unsigned(23 downto 0);
   -- slice0shift
   signal slice0shift_search : natural_255_2d(0 to 2, 0 to 19);
   signal slice0shift_reference : natural_255_1d(0 to 2);
-  signal slice0shift_tag_valid, slice0shift_tag_border_column, slice0shift_tag_first_cost : boolean;
-  signal slice0shift_tag_map_column : boolean;
+  signal slice0shift_tag : tag_4_b;
   -- slice0cost
   signal slice0cost_difference : integer_minus_255_to_255_2d(0 to 2, 0 to 19);
-  signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
-  signal slice0cost_difference_tag_first_cost, slice0cost_difference_tag_map_column : boolean;
+  signal slice0cost_difference_tag : tag_4_b;
   signal slice0cost_negative_0 : boolean_1d(0 to 19);
-  signal slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column, slice0cost_pair_tag_first_cost : boolean;
-  signal slice0cost_pair_tag_map_column, slice0cost_tag_valid, slice0cost_tag_first_cost : boolean;
-  signal slice0cost_tag_map_column : boolean;
+  signal slice0cost_pair_tag : tag_4_b;
+  signal slice0cost_tag : tag_3;
   signal slice0cost_pair_0 : natural_511_1d(0 to 19);
   signal slice0cost_single_0 : natural_255_1d(0 to 19);
   signal slice0cost_column_0 : natural_767_1d(0 to 19);
   -- slice0window
   signal slice0window_partial_0_0 : natural_767_1d(0 to 19);
   signal slice0window_partial_0_1 : natural_1534_1d(0 to 19);
-  signal slice0window_centre_map_column_0, slice0window_centre_first_column_0, slice0window_tag_valid : boolean;
-  signal slice0window_tag_map_column, slice0window_tag_first_column : boolean;
+  signal slice0window_centre_map_column_0, slice0window_centre_first_column_0 : boolean;
+  signal slice0window_tag : tag_3_b;
   signal slice0window_sum_0 : natural_2301_1d(0 to 19);
   -- slice0winner1
   signal slice0winner1_best_cost_0 : natural_2301_1d(0 to 9);
-  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_map_column : boolean;
-  signal slice0winner1_tag_first_column : boolean;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice0winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice0winner1_best_index_0_3 : natural range 0 to 7;
-  signal slice0winner1_best_index_0_4 : natural range 0 to 9;
-  signal slice0winner1_best_index_0_5 : natural range 0 to 11;
-  signal slice0winner1_best_index_0_6 : natural range 0 to 13;
-  signal slice0winner1_best_index_0_7 : natural range 0 to 15;
-  signal slice0winner1_best_index_0_8 : natural range 0 to 17;
-  signal slice0winner1_best_index_0_9 : natural range 0 to 19;
+  signal slice0winner1_best_index_0_0 : boolean;
+  signal slice0winner1_tag : tag_3_b;
+  signal slice0winner1_best_index_0 : natural_19_1d(1 to 9);  -- slice0winner1_best_index_0_# up to 3, 5 .. 19
   -- slice0winner2
   signal slice0winner2_best_cost_0 : natural_2301_1d(0 to 4);
-  signal slice0winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice0winner2_best_index_0_1 : natural range 0 to 7;
-  signal slice0winner2_best_index_0_2 : natural range 0 to 11;
-  signal slice0winner2_best_index_0_3 : natural range 0 to 15;
-  signal slice0winner2_best_index_0_4 : natural range 0 to 19;
-  signal slice0winner2_tag_valid, slice0winner2_tag_map_column, slice0winner2_tag_first_column : boolean;
+  signal slice0winner2_best_index_0 : natural_19_1d(0 to 4);  -- slice0winner2_best_index_0_# up to 3, 7 .. 19
+  signal slice0winner2_tag : tag_3_b;
   -- slice0winner3
   signal slice0winner3_best_cost_0 : natural_2301_1d(0 to 2);
-  signal slice0winner3_best_index_0_0 : natural range 0 to 7;
-  signal slice0winner3_best_index_0_1 : natural range 0 to 15;
-  signal slice0winner3_best_index_0_2 : natural range 0 to 19;
-  signal slice0winner3_tag_valid, slice0winner3_tag_map_column, slice0winner3_tag_first_column : boolean;
+  signal slice0winner3_best_index_0 : natural_19_1d(0 to 2);  -- slice0winner3_best_index_0_# up to 7, 15, 19
+  signal slice0winner3_tag : tag_3_b;
   -- slice0winner4
   signal slice0winner4_best_cost_0 : natural_2301_1d(0 to 1);
-  signal slice0winner4_best_index_0_0 : natural range 0 to 15;
-  signal slice0winner4_best_index_0_1 : natural range 0 to 19;
-  signal slice0winner4_tag_valid, slice0winner4_tag_map_column, slice0winner4_tag_first_column : boolean;
+  signal slice0winner4_best_index_0 : natural_19_1d(0 to 1);  -- slice0winner4_best_index_0_# up to 15, 19
+  signal slice0winner4_tag : tag_3_b;
   -- slice0winner5
   signal slice0winner5_best_cost_0_0 : natural range 0 to 2301;
   signal slice0winner5_best_index_0_0 : natural range 0 to 19;
-  signal slice0winner5_tag_valid, slice0winner5_tag_map_column, slice0winner5_tag_first_column : boolean;
+  signal slice0winner5_tag : tag_3_b;
   -- slice0
   signal slice0_best_cost_0_0 : natural range 0 to 2301;
   signal slice0_best_index_0_0 : natural range 0 to 19;
-  signal slice0_best_tag_valid, slice0_best_tag_map_column, slice0_best_tag_first_column : boolean;
+  signal slice0_best_tag : tag_3_b;
   -- best
   signal best_read_cost_0_0, best_waiting_cost_0_0, best_ready_cost_0_0 : natural range 0 to 2301;
   signal best_compared_cost_0_0 : natural range 0 to 2301;
   signal best_read_index_0_0, best_waiting_index_0_0, best_ready_index_0_0 : natural range 0 to 19;
-  signal best_read_tag_valid, best_read_tag_map_column, best_read_tag_first_column, best_waiting_tag_valid : boolean;
-  signal best_waiting_tag_map_column, best_waiting_tag_first_column, best_ready_tag_valid : boolean;
-  signal best_ready_tag_map_column, best_ready_tag_first_column, best_compared_tag_valid : boolean;
-  signal best_compared_tag_map_column, best_compared_tag_first_column, best_last_pass, best_here_wins : boolean;
-  signal best_best_tag_valid, best_best_tag_map_column, best_best_tag_first_column : boolean;
+  signal best_read_tag, best_waiting_tag, best_ready_tag, best_compared_tag : tag_3_b;
+  signal best_last_pass, best_here_wins : boolean;
+  signal best_best_tag : tag_3_b;
   signal best_column, best_place_column, best_write_column : natural range 0 to 511;
   signal best_read_words_0 : unsigned(19 downto 0);
   signal best_ready_words_0, best_compared_words_0 : natural range 0 to 1048575;
@@ -222,36 +234,14 @@ architecture rtl of stereo_core_ambrosch2007_f5 is
   signal best_compared_index_0_0, best_best_index_0_0 : natural range 0 to 255;
   signal best_best_cost_0_0 : natural range 0 to 4095;
   -- winners
-  signal winners_row, winners_read_tag_valid, winners_read_tag_output_column, winners_read_tag_start_of_frame : boolean;
-  signal winners_read_tag_end_of_line, winners_winners_tag_valid, winners_winners_tag_output_column : boolean;
-  signal winners_winners_tag_start_of_frame, winners_winners_tag_end_of_line : boolean;
+  signal winners_row : boolean;
+  signal winners_read_tag, winners_winners_tag : tag_4_c;
   signal winners_column : natural range 0 to 511;
   signal winners_write_address : natural range 0 to 1023;
   signal winners_write_word_0, winners_winners_disparity_0 : natural range 0 to 127;
   signal winners_read_word_0 : unsigned(6 downto 0);
   -- other
   signal other : natural_65535_1d(0 to 1);
-  signal winners_read_word_0_memory_read_enable : boolean;
-  signal winners_read_word_0_memory_read_address, winners_read_word_0_memory_write_address : unsigned(9 downto 0);
-  signal winners_read_word_0_memory_write_data : unsigned(6 downto 0);
-  signal best_read_words_0_memory_read_enable : boolean;
-  signal best_read_words_0_memory_read_address, best_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal best_read_words_0_memory_write_data : unsigned(19 downto 0);
-  signal passes_read_search_0_memory_read_enable : boolean;
-  signal passes_read_search_0_memory_read_address, passes_read_search_0_memory_write_address : unsigned(9 downto 0);
-  signal passes_read_search_0_memory_write_data : unsigned(23 downto 0);
-  signal passes_read_reference_0_memory_read_enable : boolean;
-  signal passes_read_reference_0_memory_read_address : unsigned(9 downto 0);
-  signal passes_read_reference_0_memory_write_address : unsigned(9 downto 0);
-  signal passes_read_reference_0_memory_write_data : unsigned(23 downto 0);
-  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
-  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
 
 begin
   in_start_of_frame <= start_of_frame = '1';
@@ -260,87 +250,99 @@ begin
   in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
   disparity <= std_logic_vector(to_unsigned(winners_winners_disparity_0, 8));
   pixel_valid <= std_logic_vector(to_unsigned(1, 1));
-  disparity_valid <= as_bit(winners_winners_tag_valid and winners_winners_tag_output_column);
-  disparity_start_of_frame <= as_bit(winners_winners_tag_start_of_frame and winners_winners_tag_valid and winners_winners_tag_output_column);
-  disparity_end_of_line <= as_bit(winners_winners_tag_end_of_line and winners_winners_tag_valid and winners_winners_tag_output_column);
+  disparity_valid <= as_bit(winners_winners_tag.valid and winners_winners_tag.output_column);
+  disparity_start_of_frame <= as_bit(winners_winners_tag.start_of_frame and winners_winners_tag.valid and winners_winners_tag.output_column);
+  disparity_end_of_line <= as_bit(winners_winners_tag.end_of_line and winners_winners_tag.valid and winners_winners_tag.output_column);
 
-  winners_read_word_0_memory_read_enable <= true;
-  winners_read_word_0_memory_read_address <= to_unsigned(passes_write_address, 10);
-  winners_read_word_0_memory_write_address <= to_unsigned(winners_write_address, 10);
-  winners_read_word_0_memory_write_data <= to_unsigned(winners_write_word_0, 7);
-  winners_read_word_0_memory : entity work.line_memory
-    generic map (depth => 1024, width => 7, address_bits => 10)
-    port map (
-      clock => clock, read_enable => winners_read_word_0_memory_read_enable,
-      read_address => winners_read_word_0_memory_read_address, read_data => winners_read_word_0,
-      write_address => winners_read_word_0_memory_write_address, write_data => winners_read_word_0_memory_write_data);
+  winners_read_word_0_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(6 downto 0);
+  begin
+    read_address <= to_unsigned(passes_write_address, 10);
+    write_address <= to_unsigned(winners_write_address, 10);
+    write_data <= to_unsigned(winners_write_word_0, 7);
+    cell : entity work.line_memory
+      generic map (depth => 1024, width => 7, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => winners_read_word_0,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  best_read_words_0_memory_read_enable <= true;
-  best_read_words_0_memory_read_address <= to_unsigned(best_column, 9);
-  best_read_words_0_memory_write_address <= to_unsigned(best_write_column, 9);
-  best_read_words_0_memory_write_data <= to_unsigned(best_best_index_0_0, 8) & to_unsigned(best_best_cost_0_0, 12);
-  best_read_words_0_memory : entity work.line_memory
-    generic map (depth => 512, width => 20, address_bits => 9)
-    port map (
-      clock => clock, read_enable => best_read_words_0_memory_read_enable,
-      read_address => best_read_words_0_memory_read_address, read_data => best_read_words_0,
-      write_address => best_read_words_0_memory_write_address, write_data => best_read_words_0_memory_write_data);
+  best_read_words_0_memory : block
+    signal read_address, write_address : unsigned(8 downto 0);
+    signal write_data : unsigned(19 downto 0);
+  begin
+    read_address <= to_unsigned(best_column, 9);
+    write_address <= to_unsigned(best_write_column, 9);
+    write_data <= to_unsigned(best_best_index_0_0, 8) & to_unsigned(best_best_cost_0_0, 12);
+    cell : entity work.line_memory
+      generic map (depth => 512, width => 20, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => best_read_words_0,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  passes_read_search_0_memory_read_enable <= true;
-  passes_read_search_0_memory_read_address <= to_unsigned(passes_search_address, 10);
-  passes_read_search_0_memory_write_address <= to_unsigned(passes_write_address, 10);
-  passes_read_search_0_memory_write_data <= to_unsigned(passes_write_search_0, 24);
-  passes_read_search_0_memory : entity work.line_memory
-    generic map (depth => 1024, width => 24, address_bits => 10)
-    port map (
-      clock => clock, read_enable => passes_read_search_0_memory_read_enable,
-      read_address => passes_read_search_0_memory_read_address, read_data => passes_read_search_0,
-      write_address => passes_read_search_0_memory_write_address, write_data => passes_read_search_0_memory_write_data);
+  passes_read_search_0_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(23 downto 0);
+  begin
+    read_address <= to_unsigned(passes_search_address, 10);
+    write_address <= to_unsigned(passes_write_address, 10);
+    write_data <= to_unsigned(passes_write_search_0, 24);
+    cell : entity work.line_memory
+      generic map (depth => 1024, width => 24, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => passes_read_search_0,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  passes_read_reference_0_memory_read_enable <= true;
-  passes_read_reference_0_memory_read_address <= to_unsigned(passes_reference_address, 10);
-  passes_read_reference_0_memory_write_address <= to_unsigned(passes_write_address, 10);
-  passes_read_reference_0_memory_write_data <= to_unsigned(passes_write_reference_0, 24);
-  passes_read_reference_0_memory : entity work.line_memory
-    generic map (depth => 1024, width => 24, address_bits => 10)
-    port map (
-      clock => clock, read_enable => passes_read_reference_0_memory_read_enable,
-      read_address => passes_read_reference_0_memory_read_address, read_data => passes_read_reference_0,
-      write_address => passes_read_reference_0_memory_write_address, write_data => passes_read_reference_0_memory_write_data);
+  passes_read_reference_0_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(23 downto 0);
+  begin
+    read_address <= to_unsigned(passes_reference_address, 10);
+    write_address <= to_unsigned(passes_write_address, 10);
+    write_data <= to_unsigned(passes_write_reference_0, 24);
+    cell : entity work.line_memory
+      generic map (depth => 1024, width => 24, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        passes_read_reference_0, write_address => write_address, write_data => write_data);
+  end block;
 
-  rows_search_rows_read_words_0_memory_read_enable <= true;
-  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 16);
-  rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 16, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
-      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
-      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
+  rows_search_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(8 downto 0);
+    signal write_data : unsigned(15 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 9);
+    write_address <= to_unsigned(rows_write_column, 9);
+    write_data <= to_unsigned(rows_search_rows_write_words_0, 16);
+    cell : entity work.line_memory
+      generic map (depth => 320, width => 16, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_search_rows_read_words_0, write_address => write_address, write_data => write_data);
+  end block;
 
-  rows_reference_rows_read_words_0_memory_read_enable <= true;
-  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 16);
-  rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 16, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
-      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
+  rows_reference_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(8 downto 0);
+    signal write_data : unsigned(15 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 9);
+    write_address <= to_unsigned(rows_write_column, 9);
+    write_data <= to_unsigned(rows_reference_rows_write_words_0, 16);
+    cell : entity work.line_memory
+      generic map (depth => 320, width => 16, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_reference_rows_read_words_0, write_address => write_address, write_data => write_data);
+  end block;
 
   process (clock)
-    variable raster_place_group_is_equal : boolean;
-    variable raster_place_group_is_equals : boolean_1d(2 to 3);  -- raster_place_group_is_equal_#
+    variable raster_place_group_is_equals : boolean_1d(1 to 3);  -- raster_place_group_is_equal_#
     variable raster_place_group_all, raster_place_group_choice_2, raster_place_next_frame_choice : boolean;
     variable delay_row_inside_1_is_not_less, delay_row_inside_1_is_less, delay_tag_row_start_is_equal : boolean;
     variable passes_row_is_equal, passes_coming_output_all, passes_coming_output_any, passes_row_ended_all : boolean;
     variable passes_shows_any, passes_showing_output_differs, passes_showing_output_any : boolean;
-    variable passes_inside_0_choice, passes_inside_0_choice_2, passes_leaving_starts_choice : boolean;
-    variable passes_leaving_starts_choice_2, passes_read_tag_border_column_is_equal : boolean;
-    variable passes_read_tag_border_column_all, passes_read_tag_border_column_value : boolean;
-    variable passes_read_tag_border_column_choice, passes_read_tag_border_column_choice_2 : boolean;
+    variable passes_inside_0_choices : boolean_1d(1 to 2);  -- passes_inside_0_choice_#
+    variable passes_leaving_starts_choices : boolean_1d(1 to 2);  -- passes_leaving_starts_choice_#
+    variable passes_read_tag_border_column_is_equal, passes_read_tag_border_column_all : boolean;
+    variable passes_read_tag_border_column_value : boolean;
+    variable passes_read_tag_border_column_choices : boolean_1d(1 to 2);  -- passes_read_tag_border_column_choice_#
     variable passes_read_tag_first_cost_is_equal : boolean;
     variable slice0winner1_best_cost_0_is_less : boolean_1d(0 to 9);  -- slice0winner1_best_cost_0_#_is_less
     variable slice0winner2_best_cost_0_is_less : boolean_1d(0 to 4);  -- slice0winner2_best_cost_0_#_is_less
@@ -349,66 +351,41 @@ begin
     variable best_base_is_equal, winners_row_differs, winners_column_any : boolean;
     variable raster_place_group_choice : natural range 0 to 15;
     variable raster_place_group_choices : natural_255_1d(3 to 4);  -- raster_place_group_choice_#
-    variable other_choice : natural_255_1d(0 to 1);  -- other_#_choice
-    variable other_choice_2 : natural_255_1d(0 to 1);  -- other_#_choice_2
-    variable passes_search_start_choice, passes_search_start_choice_2 : natural range 0 to 127;
+    variable other_choice : natural_255_2d(0 to 1, 1 to 2);  -- other_#_choice_#
+    variable passes_search_start_choices : natural_127_1d(1 to 2);  -- passes_search_start_choice_#
     variable passes_search_address_choice : natural range 0 to 127;
     variable passes_search_address_value : natural range 0 to 512;
     variable passes_search_address_choice_2, passes_reference_address_choice : natural range 0 to 511;
-    variable best_write_column_choice, best_write_column_choice_2, winners_column_choice : natural range 0 to 511;
-    variable best_base_choice, best_base_choice_2 : natural range 0 to 63;
+    variable best_write_column_choices : natural_511_1d(1 to 2);  -- best_write_column_choice_#
+    variable winners_column_choice : natural range 0 to 511;
+    variable best_base_choices : natural_63_1d(1 to 2);  -- best_base_choice_#
   begin
     if rising_edge(clock) then
       -- raster
-      raster_place_group_is_equal := raster_place_column = 319;
+      raster_place_group_is_equals(1) := raster_place_column = 319;
       raster_place_group_is_equals(2) := raster_place_group = 239;
-      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equals(2);
-      if raster_place_group_all then
-        raster_place_group_choice := 15;
-      else
-        raster_place_group_choice := 0;
-      end if;
-      if (raster_place_group mod 16) = 1 then
-        raster_place_group_choice_2 := ((raster_place_group / 16) /= 15) and raster_place_group_is_equal and in_valid;
-      else
-        raster_place_group_choice_2 := raster_place_group_is_equal and in_valid;
-      end if;
+      raster_place_group_all := raster_place_group_is_equals(1) and raster_place_group_is_equals(2);
+      raster_place_group_choice := choice(raster_place_group_all, 15, 0);
+      raster_place_group_choice_2 := choice((raster_place_group mod 16) = 1, ((raster_place_group / 16) /= 15) and
+        raster_place_group_is_equals(1) and in_valid, raster_place_group_is_equals(1) and in_valid);
       raster_place_group_is_equals(3) := raster_place_group = 240;
-      if raster_place_group_is_equals(3) and raster_place_next_frame then
-        raster_place_group_choices(3) := 1;
-      else
-        raster_place_group_choices(3) := (raster_place_group + 1) mod 256;
-      end if;
-      if raster_place_group_choice_2 then
-        raster_place_group_choices(4) := raster_place_group_choices(3);
-      else
-        raster_place_group_choices(4) := raster_place_group;
-      end if;
+      raster_place_group_choices(3) := choice(raster_place_group_is_equals(3) and raster_place_next_frame, 1,
+        (raster_place_group + 1) mod 256);
+      raster_place_group_choices(4) := choice(raster_place_group_choice_2, raster_place_group_choices(3),
+        raster_place_group);
       raster_features_search_0 <= in_left_pixel;
       raster_features_reference_0 <= in_right_pixel;
       raster_features_valid <= in_valid;
-      if in_start_of_frame and in_valid then
-        raster_place_group <= raster_place_group_choice * 16;
-      else
-        raster_place_group <= raster_place_group_choices(4);
-      end if;
-      if raster_place_group_is_equals(3) then
-        raster_place_next_frame_choice := (raster_place_column /= 319) and raster_place_next_frame;
-      else
-        raster_place_next_frame_choice := raster_place_next_frame;
-      end if;
+      raster_place_group <= choice(in_start_of_frame and in_valid, raster_place_group_choice * 16,
+        raster_place_group_choices(4));
+      raster_place_next_frame_choice := choice(raster_place_group_is_equals(3), (raster_place_column /= 319) and
+        raster_place_next_frame, raster_place_next_frame);
       if in_valid then
-        if raster_place_group_is_equal or in_start_of_frame then
-          raster_place_column <= 0;
-        else
-          raster_place_column <= (raster_place_column + 1) mod 512;
-        end if;
-        if raster_place_next_frame_choice then
-          raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame);
-        else
-          raster_place_next_frame <= raster_place_group_is_equal and raster_place_group_is_equals(2) and
-            in_start_of_frame;
-        end if;
+        raster_place_column <= choice(raster_place_group_is_equals(1) or in_start_of_frame, 0, (raster_place_column +
+          1) mod 512);
+        raster_place_next_frame <= choice(raster_place_next_frame_choice, raster_place_group_all or (not
+          in_start_of_frame), raster_place_group_is_equals(1) and raster_place_group_is_equals(2) and
+          in_start_of_frame);
       end if;
       -- delay
       delay_row_inside_1_is_not_less := raster_place_group >= 1;
@@ -421,11 +398,11 @@ begin
       delay_row_inside(1) <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
       delay_row_inside(2) <= (not is_set(raster_place_group, 7)) or (not is_set(raster_place_group, 6)) or (not
         is_set(raster_place_group, 5)) or (not is_set(raster_place_group, 4));
-      delay_tag_valid <= raster_features_valid;
-      delay_tag_row_start <= delay_tag_row_start_is_equal;
-      delay_tag_output_column <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less and (raster_place_column
+      delay_tag.valid <= raster_features_valid;
+      delay_tag.row_start <= delay_tag_row_start_is_equal;
+      delay_tag.output_column <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less and (raster_place_column
         < 319);
-      delay_tag_start_of_frame <= delay_tag_row_start_is_equal and (raster_place_group = 1);
+      delay_tag.start_of_frame <= delay_tag_row_start_is_equal and (raster_place_group = 1);
       -- rows
       rows_search_rows_read_newest_0 <= delay_delayed_0;
       rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
@@ -434,33 +411,15 @@ begin
       rows_reference_rows_ready_words_0 <= to_integer(rows_reference_rows_read_words_0);
       rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
       rows_read_column <= delay_column;
-      rows_read_inside(0) <= delay_row_inside(0);
-      rows_read_inside(1) <= delay_row_inside(1);
-      rows_read_inside(2) <= delay_row_inside(2);
-      rows_read_tag_valid <= delay_tag_valid;
-      rows_read_tag_row_start <= delay_tag_row_start;
-      rows_read_tag_output_column <= delay_tag_output_column;
-      rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
+      rows_read_inside <= delay_row_inside;
+      rows_read_tag <= delay_tag;
       rows_ready_column <= rows_read_column;
-      rows_ready_inside(0) <= rows_read_inside(0);
-      rows_ready_inside(1) <= rows_read_inside(1);
-      rows_ready_inside(2) <= rows_read_inside(2);
-      rows_ready_tag_valid <= rows_read_tag_valid;
-      rows_ready_tag_row_start <= rows_read_tag_row_start;
-      rows_ready_tag_output_column <= rows_read_tag_output_column;
-      rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
-      rows_tag_valid <= rows_ready_tag_valid;
-      rows_tag_row_start <= rows_ready_tag_row_start;
-      rows_tag_output_column <= rows_ready_tag_output_column;
-      rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
-      if rows_ready_inside(2) then
-        rows_search_2 <= rows_search_rows_ready_newest_0;
-        rows_reference_2 <= rows_reference_rows_ready_newest_0;
-      else
-        rows_search_2 <= 0;
-        rows_reference_2 <= 0;
-      end if;
-      if rows_ready_tag_valid then
+      rows_ready_inside <= rows_read_inside;
+      rows_ready_tag <= rows_read_tag;
+      rows_tag <= rows_ready_tag;
+      rows_search_2 <= choice(rows_ready_inside(2), rows_search_rows_ready_newest_0, 0);
+      rows_reference_2 <= choice(rows_ready_inside(2), rows_reference_rows_ready_newest_0, 0);
+      if rows_ready_tag.valid then
         rows_search_rows_write_words_0 <= (rows_search_rows_ready_newest_0 * 256) + (rows_search_rows_ready_words_0 /
           256);
         rows_reference_rows_write_words_0 <= (rows_reference_rows_ready_newest_0 * 256) +
@@ -470,154 +429,89 @@ begin
       -- passes
       passes_row_is_equal := rows_write_column = 319;
       if passes_row_is_equal then
-        passes_row <= rows_tag_valid /= passes_row;
+        passes_row <= rows_tag.valid /= passes_row;
       end if;
-      passes_coming_output_all := rows_tag_row_start and rows_tag_valid;
-      passes_coming_output_any := (not rows_tag_row_start) or (not rows_tag_valid);
-      passes_row_ended_all := passes_row_is_equal and rows_tag_valid;
+      passes_coming_output_all := rows_tag.row_start and rows_tag.valid;
+      passes_coming_output_any := (not rows_tag.row_start) or (not rows_tag.valid);
+      passes_row_ended_all := passes_row_is_equal and rows_tag.valid;
       passes_shows_any := (not passes_last_pass) or (not passes_pass_ends);
       passes_showing_output_differs := rows_write_column /= 319;
-      passes_showing_output_any := passes_showing_output_differs or (not rows_tag_valid);
-      if passes_ended_last then
-        passes_inside_0_choice := passes_inside_0;
-      else
-        passes_inside_0_choice := (not rows_tag_valid) and passes_inside_0;
-      end if;
-      if rows_tag_row_start then
-        passes_inside_0_choice_2 := passes_inside_0_choice;
-      else
-        passes_inside_0_choice_2 := passes_inside_0;
-      end if;
-      if passes_shows_any then
-        passes_search_start_choice := ((passes_search_start / 4) + 5) mod 128;
-      else
-        passes_search_start_choice := 5;
-      end if;
-      if passes_pass_ends then
-        passes_search_start_choice_2 := passes_search_start_choice;
-      else
-        passes_search_start_choice_2 := passes_search_start / 4;
-      end if;
+      passes_showing_output_any := passes_showing_output_differs or (not rows_tag.valid);
+      passes_inside_0_choices(1) := choice(passes_ended_last, passes_inside_0, (not rows_tag.valid) and
+        passes_inside_0);
+      passes_inside_0_choices(2) := choice(rows_tag.row_start, passes_inside_0_choices(1), passes_inside_0);
+      passes_search_start_choices(1) := choice(passes_shows_any, ((passes_search_start / 4) + 5) mod 128, 5);
+      passes_search_start_choices(2) := choice(passes_pass_ends, passes_search_start_choices(1), passes_search_start /
+        4);
       passes_search_address_value := as_number((not passes_row)) * 512;
-      if passes_shows_any then
-        passes_search_address_choice := passes_search_start / 4;
-      else
-        passes_search_address_choice := 0;
-      end if;
-      if passes_pass_ends then
-        passes_search_address_choice_2 := passes_search_address_choice * 4;
-      else
-        passes_search_address_choice_2 := (passes_search_address + as_number(passes_shows)) mod 512;
-      end if;
-      if passes_pass_ends then
-        passes_reference_address_choice := 493;
-      else
-        passes_reference_address_choice := (passes_reference_address + as_number(passes_shows)) mod 512;
-      end if;
-      if passes_row_is_equal then
-        passes_leaving_starts_choice := rows_tag_valid or passes_leaving_starts;
-      else
-        passes_leaving_starts_choice := passes_leaving_starts;
-      end if;
-      if passes_row_is_equal then
-        passes_leaving_starts_choice_2 := (not rows_tag_valid) and passes_leaving_starts;
-      else
-        passes_leaving_starts_choice_2 := passes_leaving_starts;
-      end if;
+      passes_search_address_choice := choice(passes_shows_any, passes_search_start / 4, 0);
+      passes_search_address_choice_2 := choice(passes_pass_ends, passes_search_address_choice * 4,
+        (passes_search_address + as_number(passes_shows)) mod 512);
+      passes_reference_address_choice := choice(passes_pass_ends, 493, (passes_reference_address +
+        as_number(passes_shows)) mod 512);
+      passes_leaving_starts_choices(1) := choice(passes_row_is_equal, rows_tag.valid or passes_leaving_starts,
+        passes_leaving_starts);
+      passes_leaving_starts_choices(2) := choice(passes_row_is_equal, (not rows_tag.valid) and passes_leaving_starts,
+        passes_leaving_starts);
       passes_read_tag_border_column_is_equal := (passes_column mod 16) = 0;
       passes_read_tag_border_column_all := passes_read_tag_border_column_is_equal and ((passes_column / 32) = 7);
       passes_read_tag_border_column_value := is_set(passes_column, 4);
-      if passes_read_tag_border_column_all then
-        passes_read_tag_border_column_choice := (not passes_read_tag_border_column) and (not
-          passes_read_tag_border_column_value);
-      else
-        passes_read_tag_border_column_choice := not passes_read_tag_border_column;
-      end if;
-      if passes_read_tag_border_column_is_equal and ((passes_column / 32) = 0) then
-        passes_read_tag_border_column_choice_2 := (not passes_read_tag_border_column_all) and (not
-          passes_read_tag_border_column) and passes_read_tag_border_column_value;
-      else
-        passes_read_tag_border_column_choice_2 := passes_read_tag_border_column_choice;
-      end if;
+      passes_read_tag_border_column_choices(1) := choice(passes_read_tag_border_column_all, (not
+        passes_read_tag.border_column) and (not passes_read_tag_border_column_value), not
+        passes_read_tag.border_column);
+      passes_read_tag_border_column_choices(2) := choice(passes_read_tag_border_column_is_equal and ((passes_column /
+        32) = 0), (not passes_read_tag_border_column_all) and (not passes_read_tag.border_column) and
+        passes_read_tag_border_column_value, passes_read_tag_border_column_choices(1));
       passes_read_tag_first_cost_is_equal := passes_column = 19;
       passes_row_ended <= passes_row_ended_all;
-      passes_arrived <= rows_tag_valid;
+      passes_arrived <= rows_tag.valid;
       passes_pass_ends <= passes_column = 239;
       passes_last_pass <= passes_pass = 4;
-      passes_search_start <= passes_search_start_choice_2 * 4;
+      passes_search_start <= passes_search_start_choices(2) * 4;
       passes_search_address <= passes_search_address_value + passes_search_address_choice_2;
       passes_reference_address <= passes_search_address_value + passes_reference_address_choice;
-      passes_read_tag_valid <= passes_shows;
-      passes_read_tag_border_column <= (not passes_read_tag_border_column_choice_2) and (passes_column /= 19);
-      passes_read_tag_first_cost <= passes_read_tag_first_cost_is_equal;
-      passes_read_tag_map_column <= passes_read_tag_first_cost_is_equal or (passes_read_tag_map_column and (not
-        passes_read_tag_end_of_line));
-      passes_read_tag_end_of_line <= passes_column = 238;
+      passes_read_tag.valid <= passes_shows;
+      passes_read_tag.border_column <= (not passes_read_tag_border_column_choices(2)) and (passes_column /= 19);
+      passes_read_tag.first_cost <= passes_read_tag_first_cost_is_equal;
+      passes_read_tag.map_column <= passes_read_tag_first_cost_is_equal or (passes_read_tag.map_column and (not
+        passes_read_tag.end_of_line));
+      passes_read_tag.end_of_line <= passes_column = 238;
       passes_search(0) <= to_integer(passes_read_search_0(7 downto 0));
       passes_search(1) <= to_integer(passes_read_search_0(15 downto 8));
       passes_search(2) <= to_integer(passes_read_search_0(23 downto 16));
       passes_reference(0) <= to_integer(passes_read_reference_0(7 downto 0));
       passes_reference(1) <= to_integer(passes_read_reference_0(15 downto 8));
       passes_reference(2) <= to_integer(passes_read_reference_0(23 downto 16));
-      passes_tag_valid <= passes_read_tag_valid;
-      passes_tag_border_column <= passes_read_tag_border_column;
-      passes_tag_first_cost <= passes_read_tag_first_cost;
-      passes_tag_map_column <= passes_read_tag_map_column;
-      if rows_tag_output_column then
-        passes_coming_output <= passes_coming_output or passes_coming_output_all;
-      else
-        passes_coming_output <= passes_coming_output and passes_coming_output_any;
-      end if;
-      if rows_tag_start_of_frame then
-        passes_coming_starts <= passes_coming_starts or passes_coming_output_all;
-      else
-        passes_coming_starts <= passes_coming_starts and passes_coming_output_any;
-      end if;
-      if passes_row_ended then
-        passes_shows <= (not passes_shows) or (not passes_last_pass) or (not passes_pass_ends);
-      else
-        passes_shows <= passes_shows and passes_shows_any;
-      end if;
-      if passes_coming_output then
-        passes_showing_output <= passes_showing_output or passes_row_ended_all;
-      else
-        passes_showing_output <= passes_showing_output and passes_showing_output_any;
-      end if;
-      if passes_coming_starts then
-        passes_showing_starts <= passes_showing_starts or passes_row_ended_all;
-      else
-        passes_showing_starts <= passes_showing_starts and passes_showing_output_any;
-      end if;
-      if passes_inside_0_choice_2 then
-        passes_inside_0 <= passes_showing_output or passes_showing_output_differs or (not rows_tag_valid);
-      else
-        passes_inside_0 <= passes_showing_output and passes_row_is_equal and rows_tag_valid;
-      end if;
-      if passes_pass_ends then
-        passes_column <= 0;
-      else
-        passes_column <= (as_number(passes_shows) + passes_column) mod 256;
-      end if;
-      if passes_showing_starts then
-        passes_leaving_starts <= passes_leaving_starts_choice;
-      else
-        passes_leaving_starts <= passes_leaving_starts_choice_2;
-      end if;
-      if rows_tag_valid then
+      passes_tag.valid <= passes_read_tag.valid;
+      passes_tag.border_column <= passes_read_tag.border_column;
+      passes_tag.first_cost <= passes_read_tag.first_cost;
+      passes_tag.map_column <= passes_read_tag.map_column;
+      passes_coming_output <= choice(rows_tag.output_column, passes_coming_output or passes_coming_output_all,
+        passes_coming_output and passes_coming_output_any);
+      passes_coming_starts <= choice(rows_tag.start_of_frame, passes_coming_starts or passes_coming_output_all,
+        passes_coming_starts and passes_coming_output_any);
+      passes_shows <= choice(passes_row_ended, (not passes_shows) or (not passes_last_pass) or (not passes_pass_ends),
+        passes_shows and passes_shows_any);
+      passes_showing_output <= choice(passes_coming_output, passes_showing_output or passes_row_ended_all,
+        passes_showing_output and passes_showing_output_any);
+      passes_showing_starts <= choice(passes_coming_starts, passes_showing_starts or passes_row_ended_all,
+        passes_showing_starts and passes_showing_output_any);
+      passes_inside_0 <= choice(passes_inside_0_choices(2), passes_showing_output or passes_showing_output_differs or
+        (not rows_tag.valid), passes_showing_output and passes_row_is_equal and rows_tag.valid);
+      passes_column <= choice(passes_pass_ends, 0, (as_number(passes_shows) + passes_column) mod 256);
+      passes_leaving_starts <= choice(passes_showing_starts, passes_leaving_starts_choices(1),
+        passes_leaving_starts_choices(2));
+      if rows_tag.valid then
         passes_ended_last <= passes_row_is_equal;
         passes_write_address <= rows_write_column + (as_number(passes_row) * 512);
         passes_write_search_0 <= (rows_search_2 * 65536) + other(1);
         passes_write_reference_0 <= (rows_reference_2 * 65536) + other(0);
       end if;
       if passes_pass_ends then
-        if passes_shows_any then
-          passes_pass <= (passes_pass + 1) mod 8;
-        else
-          passes_pass <= 0;
-        end if;
+        passes_pass <= choice(passes_shows_any, (passes_pass + 1) mod 8, 0);
       end if;
       -- slice0shift
-      if passes_tag_valid then
+      if passes_tag.valid then
         for i in 0 to 2 loop
           for j in 0 to 18 loop
             slice0shift_search(i, j) <= slice0shift_search(i, j + 1);
@@ -625,23 +519,15 @@ begin
           slice0shift_search(i, 19) <= passes_search(i);
         end loop;
       end if;
-      slice0shift_reference(0) <= passes_reference(0);
-      slice0shift_reference(1) <= passes_reference(1);
-      slice0shift_reference(2) <= passes_reference(2);
-      slice0shift_tag_valid <= passes_tag_valid;
-      slice0shift_tag_border_column <= passes_tag_border_column;
-      slice0shift_tag_first_cost <= passes_tag_first_cost;
-      slice0shift_tag_map_column <= passes_tag_map_column;
+      slice0shift_reference <= passes_reference;
+      slice0shift_tag <= passes_tag;
       -- slice0cost
       for i in 0 to 2 loop
         for j in 0 to 19 loop
           slice0cost_difference(i, j) <= slice0shift_search(i, j) - slice0shift_reference(i);
         end loop;
       end loop;
-      slice0cost_difference_tag_valid <= slice0shift_tag_valid;
-      slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
-      slice0cost_difference_tag_first_cost <= slice0shift_tag_first_cost;
-      slice0cost_difference_tag_map_column <= slice0shift_tag_map_column;
+      slice0cost_difference_tag <= slice0shift_tag;
       for i in 0 to 19 loop
         slice0cost_pair_0(i) <= folded(slice0cost_difference(2, i)) + folded(slice0cost_difference(1, i)) +
           as_number((slice0cost_difference(1, i) < 0));
@@ -653,374 +539,170 @@ begin
         slice0cost_single_0(i) <= (folded(slice0cost_difference(0, i)) + as_number((slice0cost_difference(0, i) < 0)))
           mod 256;
       end loop;
-      slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
-      slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
-      slice0cost_pair_tag_first_cost <= slice0cost_difference_tag_first_cost;
-      slice0cost_pair_tag_map_column <= slice0cost_difference_tag_map_column;
-      slice0cost_tag_valid <= slice0cost_pair_tag_valid;
-      slice0cost_tag_first_cost <= slice0cost_pair_tag_first_cost;
-      slice0cost_tag_map_column <= slice0cost_pair_tag_map_column;
-      if slice0cost_pair_tag_border_column then
-        for i in 0 to 19 loop
-          slice0cost_column_0(i) <= 0;
-        end loop;
-      else
-        for i in 0 to 19 loop
-          slice0cost_column_0(i) <= as_number(slice0cost_negative_0(i)) + slice0cost_pair_0(i) + slice0cost_single_0(i);
-        end loop;
-      end if;
+      slice0cost_pair_tag <= slice0cost_difference_tag;
+      slice0cost_tag.valid <= slice0cost_pair_tag.valid;
+      slice0cost_tag.first_cost <= slice0cost_pair_tag.first_cost;
+      slice0cost_tag.map_column <= slice0cost_pair_tag.map_column;
+      for i in 0 to 19 loop
+        slice0cost_column_0(i) <= choice(slice0cost_pair_tag.border_column, 0, as_number(slice0cost_negative_0(i)) +
+          slice0cost_pair_0(i) + slice0cost_single_0(i));
+      end loop;
       -- slice0window
-      if slice0cost_tag_valid then
-        for i in 0 to 19 loop
-          slice0window_partial_0_0(i) <= slice0cost_column_0(i);
-        end loop;
+      if slice0cost_tag.valid then
+        slice0window_partial_0_0 <= slice0cost_column_0;
         for i in 0 to 19 loop
           slice0window_partial_0_1(i) <= slice0cost_column_0(i) + slice0window_partial_0_0(i);
         end loop;
-        slice0window_centre_map_column_0 <= slice0cost_tag_map_column;
-        slice0window_centre_first_column_0 <= slice0cost_tag_first_cost;
+        slice0window_centre_map_column_0 <= slice0cost_tag.map_column;
+        slice0window_centre_first_column_0 <= slice0cost_tag.first_cost;
       end if;
       for i in 0 to 19 loop
         slice0window_sum_0(i) <= slice0cost_column_0(i) + slice0window_partial_0_1(i);
       end loop;
-      slice0window_tag_valid <= slice0cost_tag_valid;
-      slice0window_tag_map_column <= slice0window_centre_map_column_0;
-      slice0window_tag_first_column <= slice0window_centre_first_column_0;
+      slice0window_tag.valid <= slice0cost_tag.valid;
+      slice0window_tag.map_column <= slice0window_centre_map_column_0;
+      slice0window_tag.first_column <= slice0window_centre_first_column_0;
       -- slice0winner1
       for i in 0 to 9 loop
         slice0winner1_best_cost_0_is_less(i) := (slice0window_sum_0(2 * i + 1) - slice0window_sum_0(2 * i)) < 0;
       end loop;
       slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_is_less(0);
-      slice0winner1_tag_valid <= slice0window_tag_valid;
-      slice0winner1_tag_map_column <= slice0window_tag_map_column;
-      slice0winner1_tag_first_column <= slice0window_tag_first_column;
-      if slice0winner1_best_cost_0_is_less(0) then
-        slice0winner1_best_cost_0(0) <= slice0window_sum_0(1);
-      else
-        slice0winner1_best_cost_0(0) <= slice0window_sum_0(0);
-      end if;
-      if slice0winner1_best_cost_0_is_less(1) then
-        slice0winner1_best_cost_0(1) <= slice0window_sum_0(3);
-        slice0winner1_best_index_0_1 <= 3;
-      else
-        slice0winner1_best_cost_0(1) <= slice0window_sum_0(2);
-        slice0winner1_best_index_0_1 <= 2;
-      end if;
-      if slice0winner1_best_cost_0_is_less(2) then
-        slice0winner1_best_cost_0(2) <= slice0window_sum_0(5);
-        slice0winner1_best_index_0_2 <= 5;
-      else
-        slice0winner1_best_cost_0(2) <= slice0window_sum_0(4);
-        slice0winner1_best_index_0_2 <= 4;
-      end if;
-      if slice0winner1_best_cost_0_is_less(3) then
-        slice0winner1_best_cost_0(3) <= slice0window_sum_0(7);
-        slice0winner1_best_index_0_3 <= 7;
-      else
-        slice0winner1_best_cost_0(3) <= slice0window_sum_0(6);
-        slice0winner1_best_index_0_3 <= 6;
-      end if;
-      if slice0winner1_best_cost_0_is_less(4) then
-        slice0winner1_best_cost_0(4) <= slice0window_sum_0(9);
-        slice0winner1_best_index_0_4 <= 9;
-      else
-        slice0winner1_best_cost_0(4) <= slice0window_sum_0(8);
-        slice0winner1_best_index_0_4 <= 8;
-      end if;
-      if slice0winner1_best_cost_0_is_less(5) then
-        slice0winner1_best_cost_0(5) <= slice0window_sum_0(11);
-        slice0winner1_best_index_0_5 <= 11;
-      else
-        slice0winner1_best_cost_0(5) <= slice0window_sum_0(10);
-        slice0winner1_best_index_0_5 <= 10;
-      end if;
-      if slice0winner1_best_cost_0_is_less(6) then
-        slice0winner1_best_cost_0(6) <= slice0window_sum_0(13);
-        slice0winner1_best_index_0_6 <= 13;
-      else
-        slice0winner1_best_cost_0(6) <= slice0window_sum_0(12);
-        slice0winner1_best_index_0_6 <= 12;
-      end if;
-      if slice0winner1_best_cost_0_is_less(7) then
-        slice0winner1_best_cost_0(7) <= slice0window_sum_0(15);
-        slice0winner1_best_index_0_7 <= 15;
-      else
-        slice0winner1_best_cost_0(7) <= slice0window_sum_0(14);
-        slice0winner1_best_index_0_7 <= 14;
-      end if;
-      if slice0winner1_best_cost_0_is_less(8) then
-        slice0winner1_best_cost_0(8) <= slice0window_sum_0(17);
-        slice0winner1_best_index_0_8 <= 17;
-      else
-        slice0winner1_best_cost_0(8) <= slice0window_sum_0(16);
-        slice0winner1_best_index_0_8 <= 16;
-      end if;
-      if slice0winner1_best_cost_0_is_less(9) then
-        slice0winner1_best_cost_0(9) <= slice0window_sum_0(19);
-        slice0winner1_best_index_0_9 <= 19;
-      else
-        slice0winner1_best_cost_0(9) <= slice0window_sum_0(18);
-        slice0winner1_best_index_0_9 <= 18;
-      end if;
+      slice0winner1_tag <= slice0window_tag;
+      slice0winner1_best_cost_0(0) <= choice(slice0winner1_best_cost_0_is_less(0), slice0window_sum_0(1),
+        slice0window_sum_0(0));
+      for i in 1 to 9 loop
+        slice0winner1_best_cost_0(i) <= choice(slice0winner1_best_cost_0_is_less(i), slice0window_sum_0(2 * i + 1),
+          slice0window_sum_0(2 * i));
+        slice0winner1_best_index_0(i) <= choice(slice0winner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
+      end loop;
       -- slice0winner2
       for i in 0 to 4 loop
         slice0winner2_best_cost_0_is_less(i) := (slice0winner1_best_cost_0(2 * i + 1) - slice0winner1_best_cost_0(2 *
           i)) < 0;
       end loop;
-      slice0winner2_tag_valid <= slice0winner1_tag_valid;
-      slice0winner2_tag_map_column <= slice0winner1_tag_map_column;
-      slice0winner2_tag_first_column <= slice0winner1_tag_first_column;
-      if slice0winner2_best_cost_0_is_less(0) then
-        slice0winner2_best_cost_0(0) <= slice0winner1_best_cost_0(1);
-        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
-      else
-        slice0winner2_best_cost_0(0) <= slice0winner1_best_cost_0(0);
-        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
-      end if;
-      if slice0winner2_best_cost_0_is_less(1) then
-        slice0winner2_best_cost_0(1) <= slice0winner1_best_cost_0(3);
-        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3;
-      else
-        slice0winner2_best_cost_0(1) <= slice0winner1_best_cost_0(2);
-        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2;
-      end if;
-      if slice0winner2_best_cost_0_is_less(2) then
-        slice0winner2_best_cost_0(2) <= slice0winner1_best_cost_0(5);
-        slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5;
-      else
-        slice0winner2_best_cost_0(2) <= slice0winner1_best_cost_0(4);
-        slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_4;
-      end if;
-      if slice0winner2_best_cost_0_is_less(3) then
-        slice0winner2_best_cost_0(3) <= slice0winner1_best_cost_0(7);
-        slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7;
-      else
-        slice0winner2_best_cost_0(3) <= slice0winner1_best_cost_0(6);
-        slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_6;
-      end if;
-      if slice0winner2_best_cost_0_is_less(4) then
-        slice0winner2_best_cost_0(4) <= slice0winner1_best_cost_0(9);
-        slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_9;
-      else
-        slice0winner2_best_cost_0(4) <= slice0winner1_best_cost_0(8);
-        slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_8;
-      end if;
+      slice0winner2_tag <= slice0winner1_tag;
+      slice0winner2_best_cost_0(0) <= choice(slice0winner2_best_cost_0_is_less(0), slice0winner1_best_cost_0(1),
+        slice0winner1_best_cost_0(0));
+      slice0winner2_best_index_0(0) <= choice(slice0winner2_best_cost_0_is_less(0), slice0winner1_best_index_0(1),
+        as_number(slice0winner1_best_index_0_0));
+      for i in 1 to 4 loop
+        slice0winner2_best_cost_0(i) <= choice(slice0winner2_best_cost_0_is_less(i), slice0winner1_best_cost_0(2 * i +
+          1), slice0winner1_best_cost_0(2 * i));
+        slice0winner2_best_index_0(i) <= choice(slice0winner2_best_cost_0_is_less(i), slice0winner1_best_index_0(2 * i
+          + 1), slice0winner1_best_index_0(2 * i));
+      end loop;
       -- slice0winner3
       slice0winner3_best_cost_0_is_less(0) := (slice0winner2_best_cost_0(1) - slice0winner2_best_cost_0(0)) < 0;
       slice0winner3_best_cost_0_is_less(1) := (slice0winner2_best_cost_0(3) - slice0winner2_best_cost_0(2)) < 0;
       slice0winner3_best_cost_0(2) <= slice0winner2_best_cost_0(4);
-      slice0winner3_best_index_0_2 <= slice0winner2_best_index_0_4;
-      slice0winner3_tag_valid <= slice0winner2_tag_valid;
-      slice0winner3_tag_map_column <= slice0winner2_tag_map_column;
-      slice0winner3_tag_first_column <= slice0winner2_tag_first_column;
-      if slice0winner3_best_cost_0_is_less(0) then
-        slice0winner3_best_cost_0(0) <= slice0winner2_best_cost_0(1);
-        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1;
-      else
-        slice0winner3_best_cost_0(0) <= slice0winner2_best_cost_0(0);
-        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_0;
-      end if;
-      if slice0winner3_best_cost_0_is_less(1) then
-        slice0winner3_best_cost_0(1) <= slice0winner2_best_cost_0(3);
-        slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3;
-      else
-        slice0winner3_best_cost_0(1) <= slice0winner2_best_cost_0(2);
-        slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_2;
-      end if;
+      slice0winner3_best_index_0(2) <= slice0winner2_best_index_0(4);
+      slice0winner3_tag <= slice0winner2_tag;
+      for i in 0 to 1 loop
+        slice0winner3_best_cost_0(i) <= choice(slice0winner3_best_cost_0_is_less(i), slice0winner2_best_cost_0(2 * i +
+          1), slice0winner2_best_cost_0(2 * i));
+        slice0winner3_best_index_0(i) <= choice(slice0winner3_best_cost_0_is_less(i), slice0winner2_best_index_0(2 * i
+          + 1), slice0winner2_best_index_0(2 * i));
+      end loop;
       -- slice0winner4
       slice0winner4_best_cost_0_0_is_less := (slice0winner3_best_cost_0(1) - slice0winner3_best_cost_0(0)) < 0;
       slice0winner4_best_cost_0(1) <= slice0winner3_best_cost_0(2);
-      slice0winner4_best_index_0_1 <= slice0winner3_best_index_0_2;
-      slice0winner4_tag_valid <= slice0winner3_tag_valid;
-      slice0winner4_tag_map_column <= slice0winner3_tag_map_column;
-      slice0winner4_tag_first_column <= slice0winner3_tag_first_column;
-      if slice0winner4_best_cost_0_0_is_less then
-        slice0winner4_best_cost_0(0) <= slice0winner3_best_cost_0(1);
-        slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1;
-      else
-        slice0winner4_best_cost_0(0) <= slice0winner3_best_cost_0(0);
-        slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_0;
-      end if;
+      slice0winner4_best_index_0(1) <= slice0winner3_best_index_0(2);
+      slice0winner4_tag <= slice0winner3_tag;
+      slice0winner4_best_cost_0(0) <= choice(slice0winner4_best_cost_0_0_is_less, slice0winner3_best_cost_0(1),
+        slice0winner3_best_cost_0(0));
+      slice0winner4_best_index_0(0) <= choice(slice0winner4_best_cost_0_0_is_less, slice0winner3_best_index_0(1),
+        slice0winner3_best_index_0(0));
       -- slice0winner5
       slice0winner5_best_cost_0_0_is_less := (slice0winner4_best_cost_0(1) - slice0winner4_best_cost_0(0)) < 0;
-      slice0winner5_tag_valid <= slice0winner4_tag_valid;
-      slice0winner5_tag_map_column <= slice0winner4_tag_map_column;
-      slice0winner5_tag_first_column <= slice0winner4_tag_first_column;
-      if slice0winner5_best_cost_0_0_is_less then
-        slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0(1);
-        slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_1;
-      else
-        slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0(0);
-        slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_0;
-      end if;
+      slice0winner5_tag <= slice0winner4_tag;
+      slice0winner5_best_cost_0_0 <= choice(slice0winner5_best_cost_0_0_is_less, slice0winner4_best_cost_0(1),
+        slice0winner4_best_cost_0(0));
+      slice0winner5_best_index_0_0 <= choice(slice0winner5_best_cost_0_0_is_less, slice0winner4_best_index_0(1),
+        slice0winner4_best_index_0(0));
       -- slice0
       slice0_best_cost_0_0 <= slice0winner5_best_cost_0_0;
       slice0_best_index_0_0 <= slice0winner5_best_index_0_0;
-      slice0_best_tag_valid <= slice0winner5_tag_valid;
-      slice0_best_tag_map_column <= slice0winner5_tag_map_column;
-      slice0_best_tag_first_column <= slice0winner5_tag_first_column;
+      slice0_best_tag <= slice0winner5_tag;
       -- best
-      best_base_any := (not best_waiting_tag_first_column) or (not best_waiting_tag_valid);
+      best_base_any := (not best_waiting_tag.first_column) or (not best_waiting_tag.valid);
       best_base_is_equal := best_pass = 4;
-      if best_base_is_equal then
-        best_base_choice := 0;
-      else
-        best_base_choice := ((best_base / 4) + 5) mod 64;
-      end if;
-      if best_base_any then
-        best_base_choice_2 := best_base / 4;
-      else
-        best_base_choice_2 := best_base_choice;
-      end if;
-      if best_compared_tag_first_column then
-        best_write_column_choice := 0;
-      else
-        best_write_column_choice := (best_place_column + 1) mod 512;
-      end if;
-      if best_compared_tag_valid then
-        best_write_column_choice_2 := best_write_column_choice;
-      else
-        best_write_column_choice_2 := best_place_column;
-      end if;
+      best_base_choices(1) := choice(best_base_is_equal, 0, ((best_base / 4) + 5) mod 64);
+      best_base_choices(2) := choice(best_base_any, best_base / 4, best_base_choices(1));
+      best_write_column_choices(1) := choice(best_compared_tag.first_column, 0, (best_place_column + 1) mod 512);
+      best_write_column_choices(2) := choice(best_compared_tag.valid, best_write_column_choices(1), best_place_column);
       best_read_cost_0_0 <= slice0_best_cost_0_0;
       best_read_index_0_0 <= slice0_best_index_0_0;
-      best_read_tag_valid <= slice0_best_tag_valid;
-      best_read_tag_map_column <= slice0_best_tag_map_column;
-      best_read_tag_first_column <= slice0_best_tag_first_column;
+      best_read_tag <= slice0_best_tag;
       best_waiting_cost_0_0 <= best_read_cost_0_0;
       best_waiting_index_0_0 <= best_read_index_0_0;
-      best_waiting_tag_valid <= best_read_tag_valid;
-      best_waiting_tag_map_column <= best_read_tag_map_column;
-      best_waiting_tag_first_column <= best_read_tag_first_column;
+      best_waiting_tag <= best_read_tag;
       best_ready_cost_0_0 <= best_waiting_cost_0_0;
       best_ready_index_0_0 <= best_waiting_index_0_0;
-      best_ready_tag_valid <= best_waiting_tag_valid;
-      best_ready_tag_map_column <= best_waiting_tag_map_column;
-      best_ready_tag_first_column <= best_waiting_tag_first_column;
+      best_ready_tag <= best_waiting_tag;
       best_ready_words_0 <= to_integer(best_read_words_0);
-      best_base <= best_base_choice_2 * 4;
+      best_base <= best_base_choices(2) * 4;
       best_compared_cost_0_0 <= best_ready_cost_0_0;
       best_compared_index_0_0 <= ((((best_base / 4) + (best_ready_index_0_0 / 4)) mod 64) * 4) + (best_ready_index_0_0
         mod 4);
-      best_compared_tag_valid <= best_ready_tag_valid;
-      best_compared_tag_map_column <= best_ready_tag_map_column;
-      best_compared_tag_first_column <= best_ready_tag_first_column;
+      best_compared_tag <= best_ready_tag;
       best_compared_words_0 <= best_ready_words_0;
       best_last_pass <= best_base_is_equal;
       best_here_wins <= ((best_ready_cost_0_0 - (best_ready_words_0 mod 4096)) < 0) or (best_pass = 0);
-      best_best_tag_valid <= best_compared_tag_valid;
-      best_best_tag_map_column <= best_last_pass and best_compared_tag_map_column;
-      best_best_tag_first_column <= best_last_pass and best_compared_tag_first_column;
-      if best_here_wins then
-        best_best_cost_0_0 <= best_compared_cost_0_0;
-        best_best_index_0_0 <= best_compared_index_0_0;
-      else
-        best_best_cost_0_0 <= best_compared_words_0 mod 4096;
-        best_best_index_0_0 <= best_compared_words_0 / 4096;
-      end if;
-      if (not best_compared_tag_map_column) or (not best_compared_tag_valid) then
-        best_write_column <= 511;
-      else
-        best_write_column <= best_write_column_choice_2;
-      end if;
-      if slice0_best_tag_valid then
-        if slice0_best_tag_first_column then
-          best_column <= 0;
-        else
-          best_column <= (best_column + 1) mod 512;
-        end if;
+      best_best_tag.valid <= best_compared_tag.valid;
+      best_best_tag.map_column <= best_last_pass and best_compared_tag.map_column;
+      best_best_tag.first_column <= best_last_pass and best_compared_tag.first_column;
+      best_best_cost_0_0 <= choice(best_here_wins, best_compared_cost_0_0, best_compared_words_0 mod 4096);
+      best_best_index_0_0 <= choice(best_here_wins, best_compared_index_0_0, best_compared_words_0 / 4096);
+      best_write_column <= choice((not best_compared_tag.map_column) or (not best_compared_tag.valid), 511,
+        best_write_column_choices(2));
+      if slice0_best_tag.valid then
+        best_column <= choice(slice0_best_tag.first_column, 0, (best_column + 1) mod 512);
       end if;
       if not best_base_any then
-        if best_base_is_equal then
-          best_pass <= 0;
-        else
-          best_pass <= (best_pass + 1) mod 8;
-        end if;
+        best_pass <= choice(best_base_is_equal, 0, (best_pass + 1) mod 8);
       end if;
-      if best_compared_tag_valid then
-        best_place_column <= best_write_column_choice;
+      if best_compared_tag.valid then
+        best_place_column <= best_write_column_choices(1);
       end if;
       -- winners
-      winners_row_differs := winners_row /= best_best_tag_first_column;
-      if best_best_tag_valid then
-        if best_best_tag_map_column then
-          winners_row <= winners_row_differs;
-        else
-          winners_row <= winners_row;
-        end if;
+      winners_row_differs := winners_row /= best_best_tag.first_column;
+      if best_best_tag.valid then
+        winners_row <= choice(best_best_tag.map_column, winners_row_differs, winners_row);
       end if;
-      if best_best_tag_first_column then
-        winners_column_choice := 0;
-      else
-        winners_column_choice := winners_column;
-      end if;
-      winners_column_any := (not best_best_tag_valid) or (not best_best_tag_map_column);
+      winners_column_choice := choice(best_best_tag.first_column, 0, winners_column);
+      winners_column_any := (not best_best_tag.valid) or (not best_best_tag.map_column);
       if not winners_column_any then
         winners_column <= (winners_column_choice + 1) mod 512;
       end if;
       winners_write_word_0 <= best_best_index_0_0 mod 128;
-      winners_read_tag_valid <= passes_arrived;
-      winners_read_tag_output_column <= ((passes_write_address mod 512) < 220) and passes_inside_0;
-      winners_read_tag_start_of_frame <= ((passes_write_address mod 512) = 0) and passes_leaving_starts;
-      winners_read_tag_end_of_line <= (passes_write_address mod 512) = 219;
+      winners_read_tag.valid <= passes_arrived;
+      winners_read_tag.output_column <= ((passes_write_address mod 512) < 220) and passes_inside_0;
+      winners_read_tag.start_of_frame <= ((passes_write_address mod 512) = 0) and passes_leaving_starts;
+      winners_read_tag.end_of_line <= (passes_write_address mod 512) = 219;
       winners_winners_disparity_0 <= to_integer(winners_read_word_0);
-      winners_winners_tag_valid <= winners_read_tag_valid;
-      winners_winners_tag_output_column <= winners_read_tag_output_column;
-      winners_winners_tag_start_of_frame <= winners_read_tag_start_of_frame;
-      winners_winners_tag_end_of_line <= winners_read_tag_end_of_line;
-      if winners_column_any then
-        winners_write_address <= 1023;
-      else
-        winners_write_address <= winners_column_choice + (as_number(winners_row_differs) * 512);
-      end if;
+      winners_winners_tag <= winners_read_tag;
+      winners_write_address <= choice(winners_column_any, 1023, winners_column_choice + (as_number(winners_row_differs)
+        * 512));
       -- other
-      if rows_ready_inside(0) then
-        other_choice(0) := rows_reference_rows_ready_words_0 mod 256;
-      else
-        other_choice(0) := 0;
-      end if;
-      if rows_ready_inside(1) then
-        other_choice_2(0) := rows_reference_rows_ready_words_0 / 256;
-      else
-        other_choice_2(0) := 0;
-      end if;
-      if rows_ready_inside(0) then
-        other_choice(1) := rows_search_rows_ready_words_0 mod 256;
-      else
-        other_choice(1) := 0;
-      end if;
-      if rows_ready_inside(1) then
-        other_choice_2(1) := rows_search_rows_ready_words_0 / 256;
-      else
-        other_choice_2(1) := 0;
-      end if;
-      other(0) <= other_choice(0) + (other_choice_2(0) * 256);
-      other(1) <= other_choice(1) + (other_choice_2(1) * 256);
+      other_choice(0, 1) := choice(rows_ready_inside(0), rows_reference_rows_ready_words_0 mod 256, 0);
+      other_choice(0, 2) := choice(rows_ready_inside(1), rows_reference_rows_ready_words_0 / 256, 0);
+      other_choice(1, 1) := choice(rows_ready_inside(0), rows_search_rows_ready_words_0 mod 256, 0);
+      other_choice(1, 2) := choice(rows_ready_inside(1), rows_search_rows_ready_words_0 / 256, 0);
+      other(0) <= other_choice(0, 1) + (other_choice(0, 2) * 256);
+      other(1) <= other_choice(1, 1) + (other_choice(1, 2) * 256);
       if reset = '1' then
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 241;
         raster_place_next_frame <= false;
         delay_column <= 0;
-        delay_tag_valid <= false;
-        delay_tag_row_start <= false;
-        delay_tag_output_column <= false;
-        delay_tag_start_of_frame <= false;
+        delay_tag <= (others => false);
         rows_read_column <= 0;
-        rows_read_tag_valid <= false;
-        rows_read_tag_row_start <= false;
-        rows_read_tag_output_column <= false;
-        rows_read_tag_start_of_frame <= false;
+        rows_read_tag <= (others => false);
         rows_ready_column <= 0;
-        rows_ready_tag_valid <= false;
-        rows_ready_tag_row_start <= false;
-        rows_ready_tag_output_column <= false;
-        rows_ready_tag_start_of_frame <= false;
+        rows_ready_tag <= (others => false);
         rows_write_column <= 0;
-        rows_tag_valid <= false;
-        rows_tag_row_start <= false;
-        rows_tag_output_column <= false;
-        rows_tag_start_of_frame <= false;
+        rows_tag <= (others => false);
         passes_row <= false;
         passes_coming_output <= false;
         passes_coming_starts <= false;
@@ -1040,79 +722,47 @@ begin
         passes_search_address <= 0;
         passes_reference_address <= 493;
         passes_leaving_starts <= false;
-        passes_read_tag_valid <= false;
-        passes_read_tag_first_cost <= false;
-        passes_read_tag_map_column <= false;
-        passes_read_tag_end_of_line <= false;
-        passes_tag_valid <= false;
-        passes_tag_first_cost <= false;
-        passes_tag_map_column <= false;
-        slice0shift_tag_valid <= false;
-        slice0shift_tag_first_cost <= false;
-        slice0shift_tag_map_column <= false;
-        slice0cost_difference_tag_valid <= false;
-        slice0cost_difference_tag_first_cost <= false;
-        slice0cost_difference_tag_map_column <= false;
-        slice0cost_pair_tag_valid <= false;
-        slice0cost_pair_tag_first_cost <= false;
-        slice0cost_pair_tag_map_column <= false;
-        slice0cost_tag_valid <= false;
-        slice0cost_tag_first_cost <= false;
-        slice0cost_tag_map_column <= false;
+        passes_read_tag.valid <= false;
+        passes_read_tag.first_cost <= false;
+        passes_read_tag.map_column <= false;
+        passes_read_tag.end_of_line <= false;
+        passes_tag.valid <= false;
+        passes_tag.first_cost <= false;
+        passes_tag.map_column <= false;
+        slice0shift_tag.valid <= false;
+        slice0shift_tag.first_cost <= false;
+        slice0shift_tag.map_column <= false;
+        slice0cost_difference_tag.valid <= false;
+        slice0cost_difference_tag.first_cost <= false;
+        slice0cost_difference_tag.map_column <= false;
+        slice0cost_pair_tag.valid <= false;
+        slice0cost_pair_tag.first_cost <= false;
+        slice0cost_pair_tag.map_column <= false;
+        slice0cost_tag <= (others => false);
         slice0window_centre_map_column_0 <= false;
         slice0window_centre_first_column_0 <= false;
-        slice0window_tag_valid <= false;
-        slice0window_tag_map_column <= false;
-        slice0window_tag_first_column <= false;
-        slice0winner1_tag_valid <= false;
-        slice0winner1_tag_map_column <= false;
-        slice0winner1_tag_first_column <= false;
-        slice0winner2_tag_valid <= false;
-        slice0winner2_tag_map_column <= false;
-        slice0winner2_tag_first_column <= false;
-        slice0winner3_tag_valid <= false;
-        slice0winner3_tag_map_column <= false;
-        slice0winner3_tag_first_column <= false;
-        slice0winner4_tag_valid <= false;
-        slice0winner4_tag_map_column <= false;
-        slice0winner4_tag_first_column <= false;
-        slice0winner5_tag_valid <= false;
-        slice0winner5_tag_map_column <= false;
-        slice0winner5_tag_first_column <= false;
-        slice0_best_tag_valid <= false;
-        slice0_best_tag_map_column <= false;
-        slice0_best_tag_first_column <= false;
-        best_read_tag_valid <= false;
-        best_read_tag_map_column <= false;
-        best_read_tag_first_column <= false;
+        slice0window_tag <= (others => false);
+        slice0winner1_tag <= (others => false);
+        slice0winner2_tag <= (others => false);
+        slice0winner3_tag <= (others => false);
+        slice0winner4_tag <= (others => false);
+        slice0winner5_tag <= (others => false);
+        slice0_best_tag <= (others => false);
+        best_read_tag <= (others => false);
         best_column <= 0;
-        best_waiting_tag_valid <= false;
-        best_waiting_tag_map_column <= false;
-        best_waiting_tag_first_column <= false;
-        best_ready_tag_valid <= false;
-        best_ready_tag_map_column <= false;
-        best_ready_tag_first_column <= false;
+        best_waiting_tag <= (others => false);
+        best_ready_tag <= (others => false);
         best_pass <= 4;
-        best_compared_tag_valid <= false;
-        best_compared_tag_map_column <= false;
-        best_compared_tag_first_column <= false;
+        best_compared_tag <= (others => false);
         best_last_pass <= false;
-        best_best_tag_valid <= false;
-        best_best_tag_map_column <= false;
-        best_best_tag_first_column <= false;
+        best_best_tag <= (others => false);
         best_place_column <= 0;
         best_write_column <= 0;
         winners_row <= true;
         winners_column <= 0;
         winners_write_address <= 0;
-        winners_read_tag_valid <= false;
-        winners_read_tag_output_column <= false;
-        winners_read_tag_start_of_frame <= false;
-        winners_read_tag_end_of_line <= false;
-        winners_winners_tag_valid <= false;
-        winners_winners_tag_output_column <= false;
-        winners_winners_tag_start_of_frame <= false;
-        winners_winners_tag_end_of_line <= false;
+        winners_read_tag <= (others => false);
+        winners_winners_tag <= (others => false);
       end if;
     end if;
   end process;

@@ -94,13 +94,48 @@ architecture rtl of stereo_core_census_450_full is
     return (value / 2 ** place) mod 2 = 1;
   end function;
 
+  -- the majority: a comparison or a sum as a chain of its bits
+  function carry(before : boolean; a : boolean; b : boolean) return boolean is
+  begin
+    if before then
+      return a or b;
+    end if;
+    return a and b;
+  end function;
+
+  function inverted_carry(before : boolean; a : boolean; b : boolean) return boolean is
+  begin
+    if before then
+      return a and b;
+    end if;
+    return a or b;
+  end function;
+
+  function choice(test : boolean; yes : boolean; no : boolean) return boolean is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
+  function choice(test : boolean; yes : integer; no : integer) return integer is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
   type boolean_1d is array (natural range <>) of boolean;
-  type boolean_2d is array (natural range <>, natural range <>) of boolean;
+  type boolean_3d is array (natural range <>, natural range <>, natural range <>) of boolean;
   type integer_minus_24_to_24_1d is array (natural range <>) of integer range -24 to 24;
   type integer_minus_255_to_255_1d is array (natural range <>) of integer range -255 to 255;
+  type natural_15_1d is array (natural range <>) of natural range 0 to 15;
   type natural_16777215_1d is array (natural range <>) of natural range 0 to 16777215;
   type natural_16777215_2d is array (natural range <>, natural range <>) of natural range 0 to 16777215;
   type natural_2047_1d is array (natural range <>) of natural range 0 to 2047;
+  type natural_2047_2d is array (natural range <>, natural range <>) of natural range 0 to 2047;
   type natural_2049_to_8190_1d is array (natural range <>) of natural range 2049 to 8190;
   type natural_24_2d is array (natural range <>, natural range <>) of natural range 0 to 24;
   type natural_255_1d is array (natural range <>) of natural range 0 to 255;
@@ -111,16 +146,35 @@ architecture rtl of stereo_core_census_450_full is
   type natural_511_1d is array (natural range <>) of natural range 0 to 511;
   type unsigned_24_1d is array (natural range <>) of unsigned(23 downto 0);
   type unsigned_32_1d is array (natural range <>) of unsigned(31 downto 0);
+  type tag_8 is record
+    valid, row_start, first_group, leaves_window, map_column, first_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_7 is record
+    valid, row_start, leaves_window, map_column, first_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_3 is record
+    valid, first_column, start_of_frame : boolean;
+  end record;
+  type tag_5 is record
+    valid, map_column, first_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_4 is record
+    valid, map_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_3_b is record
+    row_start, leaves_window, first_column : boolean;
+  end record;
+  type tag_2 is record
+    row_start, first_column : boolean;
+  end record;
   signal in_valid, in_start_of_frame : boolean;
   signal in_right_pixel, in_left_pixel : natural range 0 to 255;
   -- transform
   signal transform_left_0, transform_right_0, transform_left_rows_read_newest_0 : natural range 0 to 255;
   signal transform_left_rows_ready_newest_0, transform_right_rows_read_newest_0 : natural range 0 to 255;
   signal transform_right_rows_ready_newest_0 : natural range 0 to 255;
-  signal transform_left_column : natural_255_1d(0 to 4);
-  signal transform_right_column : natural_255_1d(0 to 4);
-  signal transform_left_filter_column : natural_255_2d(0 to 8, 0 to 4);
-  signal transform_right_filter_column : natural_255_2d(0 to 8, 0 to 4);
+  signal transform_left_column, transform_right_column : natural_255_1d(0 to 4);
+  signal transform_left_filter_column, transform_right_filter_column : natural_255_2d(0 to 8, 0 to 4);
   signal transform_valid, transform_counter_next_frame : boolean;
   signal transform_read_row_inside : boolean_1d(0 to 4);
   signal transform_read_column_inside_0, transform_read_column_inside_2, transform_read_column_inside_4 : boolean;
@@ -154,11 +208,9 @@ architecture rtl of stereo_core_census_450_full is
   signal delay_ahead_0, delay_delayed_0 : natural range 0 to 16777215;
   signal delay_column : natural range 0 to 511;
   signal delay_row_inside : boolean_1d(0 to 1);
-  signal delay_tag_valid, delay_tag_row_start, delay_tag_first_group, delay_tag_leaves_window : boolean;
-  signal delay_tag_map_column, delay_tag_first_column, delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
+  signal delay_tag : tag_8;
   -- rows
-  signal rows_search_rows_read_words : unsigned_24_1d(0 to 8);
-  signal rows_reference_rows_read_words : unsigned_24_1d(0 to 8);
+  signal rows_search_rows_read_words, rows_reference_rows_read_words : unsigned_24_1d(0 to 8);
   signal rows_search_rows_read_newest_0 : natural range 0 to 16777215;
   signal rows_search_rows_ready_words : natural_16777215_1d(0 to 8);
   signal rows_search_rows_ready_newest_0 : natural range 0 to 16777215;
@@ -167,66 +219,36 @@ architecture rtl of stereo_core_census_450_full is
   signal rows_reference_rows_ready_words : natural_16777215_1d(0 to 8);
   signal rows_reference_rows_ready_newest_0 : natural range 0 to 16777215;
   signal rows_reference_rows_write_words : natural_16777215_1d(0 to 8);
-  signal rows_search : natural_16777215_1d(0 to 1);
-  signal rows_reference : natural_16777215_1d(0 to 1);
+  signal rows_search, rows_reference : natural_16777215_1d(0 to 1);
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
   signal rows_read_inside : boolean_1d(0 to 1);
-  signal rows_read_tag_valid, rows_read_tag_row_start, rows_read_tag_first_group, rows_read_tag_leaves_window : boolean;
-  signal rows_read_tag_map_column, rows_read_tag_first_column, rows_read_tag_start_of_frame : boolean;
-  signal rows_read_tag_end_of_line : boolean;
+  signal rows_read_tag : tag_8;
   signal rows_ready_inside : boolean_1d(0 to 1);
-  signal rows_ready_tag_valid, rows_ready_tag_row_start, rows_ready_tag_first_group : boolean;
-  signal rows_ready_tag_leaves_window, rows_ready_tag_map_column, rows_ready_tag_first_column : boolean;
-  signal rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line, rows_tag_valid, rows_tag_row_start : boolean;
-  signal rows_tag_first_group, rows_tag_leaves_window, rows_tag_map_column, rows_tag_first_column : boolean;
-  signal rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  signal rows_ready_tag, rows_tag : tag_8;
   -- slice0shift
   signal slice0shift_search : natural_16777215_2d(0 to 1, 0 to 15);
-  signal slice0shift_reference : natural_16777215_1d(0 to 1);
-  signal slice0shift_search_out : natural_16777215_1d(0 to 1);
-  signal slice0shift_tag_valid, slice0shift_tag_row_start, slice0shift_tag_first_group : boolean;
-  signal slice0shift_tag_leaves_window, slice0shift_tag_map_column, slice0shift_tag_first_column : boolean;
-  signal slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
+  signal slice0shift_reference, slice0shift_search_out : natural_16777215_1d(0 to 1);
+  signal slice0shift_tag : tag_8;
   -- slice0cost
   signal slice0cost_pixels_first_count : natural_3_3d(0 to 1, 0 to 15, 0 to 7);  -- slice0cost_pixels_first_#_#_count_#
-  signal slice0cost_pixels_first_tag_valid, slice0cost_pixels_first_tag_row_start : boolean;
-  signal slice0cost_pixels_first_tag_first_group, slice0cost_pixels_first_tag_leaves_window : boolean;
-  signal slice0cost_pixels_first_tag_map_column, slice0cost_pixels_first_tag_first_column : boolean;
-  signal slice0cost_pixels_first_tag_start_of_frame, slice0cost_pixels_first_tag_end_of_line : boolean;
-  signal slice0cost_pixels_tag_valid, slice0cost_pixels_tag_row_start, slice0cost_pixels_tag_first_group : boolean;
-  signal slice0cost_pixels_tag_leaves_window, slice0cost_pixels_tag_map_column : boolean;
-  signal slice0cost_pixels_tag_first_column, slice0cost_pixels_tag_start_of_frame : boolean;
-  signal slice0cost_pixels_tag_end_of_line, slice0cost_ready_tag_valid, slice0cost_ready_tag_row_start : boolean;
-  signal slice0cost_ready_tag_first_group, slice0cost_ready_tag_leaves_window : boolean;
-  signal slice0cost_ready_tag_map_column, slice0cost_ready_tag_first_column : boolean;
-  signal slice0cost_ready_tag_start_of_frame, slice0cost_ready_tag_end_of_line, slice0cost_tag_valid : boolean;
-  signal slice0cost_tag_row_start, slice0cost_tag_first_group, slice0cost_tag_leaves_window : boolean;
-  signal slice0cost_tag_map_column, slice0cost_tag_first_column, slice0cost_tag_start_of_frame : boolean;
-  signal slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pixels_first_tag, slice0cost_pixels_tag, slice0cost_ready_tag, slice0cost_tag : tag_8;
   signal slice0cost_pixels_cost : natural_24_2d(0 to 1, 0 to 15);
   signal slice0cost_read_column, slice0cost_change_column, slice0cost_ready_column : natural range 0 to 511;
   signal slice0cost_write_column : natural range 0 to 511;
-  signal slice0cost_read_words : unsigned_32_1d(0 to 3);
-  signal slice0cost_ready_words : unsigned_32_1d(0 to 3);
-  signal slice0cost_write_words : unsigned_32_1d(0 to 3);
+  signal slice0cost_read_words, slice0cost_ready_words, slice0cost_write_words : unsigned_32_1d(0 to 3);
   signal slice0cost_change_0 : integer_minus_24_to_24_1d(0 to 15);
   signal slice0cost_column_0 : natural_255_1d(0 to 15);
   -- slice0window
   signal slice0window_ring_read_address, slice0window_ring_write_address : natural range 0 to 15;
   signal slice0window_leaving : unsigned_32_1d(0 to 3);
   signal slice0window_entering_0 : natural_255_1d(0 to 15);
-  signal slice0window_entering_tag_valid, slice0window_entering_tag_row_start : boolean;
-  signal slice0window_entering_tag_first_group, slice0window_entering_tag_leaves_window : boolean;
-  signal slice0window_entering_tag_map_column, slice0window_entering_tag_first_column : boolean;
-  signal slice0window_entering_tag_start_of_frame, slice0window_entering_tag_end_of_line : boolean;
-  signal slice0window_change_tag_valid, slice0window_change_tag_row_start : boolean;
-  signal slice0window_change_tag_leaves_window, slice0window_change_tag_map_column : boolean;
-  signal slice0window_change_tag_first_column, slice0window_change_tag_start_of_frame : boolean;
-  signal slice0window_change_tag_end_of_line, slice0window_centre_map_column_0 : boolean;
+  signal slice0window_entering_tag : tag_8;
+  signal slice0window_change_tag : tag_7;
+  signal slice0window_centre_map_column_0 : boolean;
   signal slice0window_centre_first_column : boolean_1d(0 to 3);
   signal slice0window_centre_start_of_frame_0, slice0window_centre_start_of_frame_3 : boolean;
-  signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_first_column : boolean;
-  signal slice0window_tag_start_of_frame : boolean;
+  signal slice0window_centre_end_of_line_0 : boolean;
+  signal slice0window_tag : tag_3;
   signal slice0window_change_0 : integer_minus_255_to_255_1d(0 to 15);
   signal slice0window_sum_0 : natural_2047_1d(0 to 15);
   -- slice0mask
@@ -234,66 +256,43 @@ architecture rtl of stereo_core_census_450_full is
   signal slice0mask_left_out : boolean;
   signal slice0mask_column : natural range 0 to 511;
   -- slice0winner1
-  signal slice0winner1_best_cost_0 : natural_2047_1d(0 to 7);
-  signal slice0winner1_best_below_0 : natural_2047_1d(0 to 7);
-  signal slice0winner1_best_above_0 : natural_2047_1d(0 to 7);
+  signal slice0winner1_best_cost_0, slice0winner1_best_below_0, slice0winner1_best_above_0 : natural_2047_1d(0 to 7);
   signal slice0winner1_best_first_0 : natural_2047_1d(1 to 7);
   signal slice0winner1_best_last_0 : natural_2047_1d(0 to 7);
-  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_map_column : boolean;
-  signal slice0winner1_tag_first_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice0winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice0winner1_best_index_0_3 : natural range 0 to 7;
-  signal slice0winner1_best_index_0_4 : natural range 0 to 9;
-  signal slice0winner1_best_index_0_5 : natural range 0 to 11;
-  signal slice0winner1_best_index_0_6 : natural range 0 to 13;
-  signal slice0winner1_best_index_0_7 : natural range 0 to 15;
+  signal slice0winner1_best_index_0_0 : boolean;
+  signal slice0winner1_tag : tag_5;
+  signal slice0winner1_best_index_0 : natural_15_1d(1 to 7);  -- slice0winner1_best_index_0_# up to 3, 5 .. 15
   -- slice0winner2
-  signal slice0winner2_best_cost_0 : natural_2047_1d(0 to 3);
-  signal slice0winner2_best_below_0 : natural_2047_1d(0 to 3);
-  signal slice0winner2_best_above_0 : natural_2047_1d(0 to 3);
+  signal slice0winner2_best_cost_0, slice0winner2_best_below_0, slice0winner2_best_above_0 : natural_2047_1d(0 to 3);
   signal slice0winner2_best_first_0 : natural_2047_1d(1 to 3);
   signal slice0winner2_best_last_0 : natural_2047_1d(0 to 3);
-  signal slice0winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice0winner2_best_index_0_1 : natural range 0 to 7;
-  signal slice0winner2_best_index_0_2 : natural range 0 to 11;
-  signal slice0winner2_best_index_0_3 : natural range 0 to 15;
-  signal slice0winner2_tag_valid, slice0winner2_tag_map_column, slice0winner2_tag_start_of_frame : boolean;
-  signal slice0winner2_tag_end_of_line : boolean;
+  signal slice0winner2_best_index_0 : natural_15_1d(0 to 3);  -- slice0winner2_best_index_0_# up to 3, 7 .. 15
+  signal slice0winner2_tag : tag_4;
   -- slice0winner3
-  signal slice0winner3_best_cost_0 : natural_2047_1d(0 to 1);
-  signal slice0winner3_best_below_0 : natural_2047_1d(0 to 1);
-  signal slice0winner3_best_above_0 : natural_2047_1d(0 to 1);
+  signal slice0winner3_best_cost_0, slice0winner3_best_below_0, slice0winner3_best_above_0 : natural_2047_1d(0 to 1);
   signal slice0winner3_best_first_0_1 : natural range 0 to 2047;
   signal slice0winner3_best_last_0 : natural_2047_1d(0 to 1);
-  signal slice0winner3_best_index_0_0 : natural range 0 to 7;
-  signal slice0winner3_best_index_0_1 : natural range 0 to 15;
-  signal slice0winner3_tag_valid, slice0winner3_tag_map_column, slice0winner3_tag_start_of_frame : boolean;
-  signal slice0winner3_tag_end_of_line : boolean;
+  signal slice0winner3_best_index_0 : natural_15_1d(0 to 1);  -- slice0winner3_best_index_0_# up to 7, 15
+  signal slice0winner3_tag : tag_4;
   -- slice0winner4
   signal slice0winner4_best_cost_0_0, slice0winner4_best_below_0_0 : natural range 0 to 2047;
   signal slice0winner4_best_above_0_0, slice0winner4_best_last_0_0 : natural range 0 to 2047;
   signal slice0winner4_best_index_0_0 : natural range 0 to 15;
-  signal slice0winner4_tag_valid, slice0winner4_tag_map_column, slice0winner4_tag_start_of_frame : boolean;
-  signal slice0winner4_tag_end_of_line : boolean;
+  signal slice0winner4_tag : tag_4;
   -- slice0
   signal slice0_best_cost_0_0, slice0_best_below_0_0, slice0_best_above_0_0 : natural range 0 to 2047;
   signal slice0_best_last_0_0 : natural range 0 to 2047;
   signal slice0_best_index_0_0 : natural range 0 to 15;
-  signal slice0_best_tag_valid, slice0_best_tag_map_column, slice0_best_tag_start_of_frame : boolean;
-  signal slice0_best_tag_end_of_line : boolean;
+  signal slice0_best_tag : tag_4;
   -- slice1shift
   signal slice1shift_search : natural_16777215_2d(0 to 1, 0 to 15);
-  signal slice1shift_reference : natural_16777215_1d(0 to 1);
-  signal slice1shift_search_out : natural_16777215_1d(0 to 1);
+  signal slice1shift_reference, slice1shift_search_out : natural_16777215_1d(0 to 1);
   -- slice1cost
   signal slice1cost_pixels_first_count : natural_3_3d(0 to 1, 0 to 15, 0 to 7);  -- slice1cost_pixels_first_#_#_count_#
   signal slice1cost_pixels_cost : natural_24_2d(0 to 1, 0 to 15);
   signal slice1cost_read_column, slice1cost_change_column, slice1cost_ready_column : natural range 0 to 511;
   signal slice1cost_write_column : natural range 0 to 511;
-  signal slice1cost_read_words : unsigned_32_1d(0 to 3);
-  signal slice1cost_ready_words : unsigned_32_1d(0 to 3);
-  signal slice1cost_write_words : unsigned_32_1d(0 to 3);
+  signal slice1cost_read_words, slice1cost_ready_words, slice1cost_write_words : unsigned_32_1d(0 to 3);
   signal slice1cost_change_0 : integer_minus_24_to_24_1d(0 to 15);
   signal slice1cost_column_0 : natural_255_1d(0 to 15);
   -- slice1window
@@ -301,8 +300,8 @@ architecture rtl of stereo_core_census_450_full is
   signal slice1window_leaving : unsigned_32_1d(0 to 3);
   signal slice1window_entering_0 : natural_255_1d(0 to 15);
   signal slice1window_change_0 : integer_minus_255_to_255_1d(0 to 15);
-  signal slice1window_change_tag_row_start, slice1window_change_tag_leaves_window : boolean;
-  signal slice1window_change_tag_first_column, slice1window_centre_map_column_0 : boolean;
+  signal slice1window_change_tag : tag_3_b;
+  signal slice1window_centre_map_column_0 : boolean;
   signal slice1window_centre_first_column : boolean_1d(0 to 2);
   signal slice1window_centre_start_of_frame_0, slice1window_centre_end_of_line_0 : boolean;
   signal slice1window_sum_0 : natural_2047_1d(0 to 15);
@@ -310,37 +309,18 @@ architecture rtl of stereo_core_census_450_full is
   signal slice1mask_inside : boolean_1d(0 to 15);
   signal slice1mask_left_out : boolean;
   -- slice1winner1
-  signal slice1winner1_best_cost_0 : natural_2047_1d(0 to 7);
-  signal slice1winner1_best_below_0 : natural_2047_1d(0 to 7);
-  signal slice1winner1_best_above_0 : natural_2047_1d(0 to 7);
-  signal slice1winner1_best_first_0 : natural_2047_1d(0 to 7);
-  signal slice1winner1_best_last_0 : natural_2047_1d(0 to 7);
+  signal slice1winner1_best_cost_0, slice1winner1_best_below_0, slice1winner1_best_above_0 : natural_2047_1d(0 to 7);
+  signal slice1winner1_best_first_0, slice1winner1_best_last_0 : natural_2047_1d(0 to 7);
   signal slice1winner1_best_index_0_0 : boolean;
-  signal slice1winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice1winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice1winner1_best_index_0_3 : natural range 0 to 7;
-  signal slice1winner1_best_index_0_4 : natural range 0 to 9;
-  signal slice1winner1_best_index_0_5 : natural range 0 to 11;
-  signal slice1winner1_best_index_0_6 : natural range 0 to 13;
-  signal slice1winner1_best_index_0_7 : natural range 0 to 15;
+  signal slice1winner1_best_index_0 : natural_15_1d(1 to 7);  -- slice1winner1_best_index_0_# up to 3, 5 .. 15
   -- slice1winner2
-  signal slice1winner2_best_cost_0 : natural_2047_1d(0 to 3);
-  signal slice1winner2_best_below_0 : natural_2047_1d(0 to 3);
-  signal slice1winner2_best_above_0 : natural_2047_1d(0 to 3);
-  signal slice1winner2_best_first_0 : natural_2047_1d(0 to 3);
-  signal slice1winner2_best_last_0 : natural_2047_1d(0 to 3);
-  signal slice1winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice1winner2_best_index_0_1 : natural range 0 to 7;
-  signal slice1winner2_best_index_0_2 : natural range 0 to 11;
-  signal slice1winner2_best_index_0_3 : natural range 0 to 15;
+  signal slice1winner2_best_cost_0, slice1winner2_best_below_0, slice1winner2_best_above_0 : natural_2047_1d(0 to 3);
+  signal slice1winner2_best_first_0, slice1winner2_best_last_0 : natural_2047_1d(0 to 3);
+  signal slice1winner2_best_index_0 : natural_15_1d(0 to 3);  -- slice1winner2_best_index_0_# up to 3, 7 .. 15
   -- slice1winner3
-  signal slice1winner3_best_cost_0 : natural_2047_1d(0 to 1);
-  signal slice1winner3_best_below_0 : natural_2047_1d(0 to 1);
-  signal slice1winner3_best_above_0 : natural_2047_1d(0 to 1);
-  signal slice1winner3_best_first_0 : natural_2047_1d(0 to 1);
-  signal slice1winner3_best_last_0 : natural_2047_1d(0 to 1);
-  signal slice1winner3_best_index_0_0 : natural range 0 to 7;
-  signal slice1winner3_best_index_0_1 : natural range 0 to 15;
+  signal slice1winner3_best_cost_0, slice1winner3_best_below_0, slice1winner3_best_above_0 : natural_2047_1d(0 to 1);
+  signal slice1winner3_best_first_0, slice1winner3_best_last_0 : natural_2047_1d(0 to 1);
+  signal slice1winner3_best_index_0 : natural_15_1d(0 to 1);  -- slice1winner3_best_index_0_# up to 7, 15
   -- slice1winner4
   signal slice1winner4_best_cost_0_0, slice1winner4_best_below_0_0 : natural range 0 to 2047;
   signal slice1winner4_best_above_0_0, slice1winner4_best_first_0_0 : natural range 0 to 2047;
@@ -350,8 +330,7 @@ architecture rtl of stereo_core_census_450_full is
   signal slice1_best_cost_0_0, slice1_best_below_0_0, slice1_best_above_0_0 : natural range 0 to 2047;
   signal slice1_best_last_0_0 : natural range 0 to 2047;
   signal slice1_best_index_0_0 : natural range 0 to 31;
-  signal slice1_best_tag_valid, slice1_best_tag_map_column, slice1_best_tag_start_of_frame : boolean;
-  signal slice1_best_tag_end_of_line : boolean;
+  signal slice1_best_tag : tag_4;
   -- slice2shift
   signal slice2shift_search : natural_16777215_2d(0 to 1, 0 to 15);
   signal slice2shift_reference : natural_16777215_1d(0 to 1);
@@ -360,9 +339,7 @@ architecture rtl of stereo_core_census_450_full is
   signal slice2cost_pixels_cost : natural_24_2d(0 to 1, 0 to 15);
   signal slice2cost_read_column, slice2cost_change_column, slice2cost_ready_column : natural range 0 to 511;
   signal slice2cost_write_column : natural range 0 to 511;
-  signal slice2cost_read_words : unsigned_32_1d(0 to 3);
-  signal slice2cost_ready_words : unsigned_32_1d(0 to 3);
-  signal slice2cost_write_words : unsigned_32_1d(0 to 3);
+  signal slice2cost_read_words, slice2cost_ready_words, slice2cost_write_words : unsigned_32_1d(0 to 3);
   signal slice2cost_change_0 : integer_minus_24_to_24_1d(0 to 15);
   signal slice2cost_column_0 : natural_255_1d(0 to 15);
   -- slice2window
@@ -370,46 +347,29 @@ architecture rtl of stereo_core_census_450_full is
   signal slice2window_leaving : unsigned_32_1d(0 to 3);
   signal slice2window_entering_0 : natural_255_1d(0 to 15);
   signal slice2window_change_0 : integer_minus_255_to_255_1d(0 to 15);
-  signal slice2window_change_tag_row_start, slice2window_change_tag_first_column : boolean;
-  signal slice2window_centre_map_column : boolean_1d(0 to 2);
-  signal slice2window_centre_first_column : boolean_1d(0 to 2);
+  signal slice2window_change_tag : tag_2;
+  signal slice2window_centre_map_column, slice2window_centre_first_column : boolean_1d(0 to 2);
   signal slice2window_centre_start_of_frame_0 : boolean;
   signal slice2window_centre_end_of_line : boolean_1d(0 to 2);
   signal slice2window_sum_0 : natural_2047_1d(0 to 15);
   -- slice2mask
   signal slice2mask_inside : boolean_1d(0 to 15);
   -- slice2winner1
-  signal slice2winner1_best_cost_0 : natural_2047_1d(0 to 7);
-  signal slice2winner1_best_below_0 : natural_2047_1d(0 to 7);
-  signal slice2winner1_best_above_0 : natural_2047_1d(0 to 7);
+  signal slice2winner1_best_cost_0, slice2winner1_best_below_0, slice2winner1_best_above_0 : natural_2047_1d(0 to 7);
   signal slice2winner1_best_first_0 : natural_2047_1d(0 to 7);
   signal slice2winner1_best_last_0 : natural_2047_1d(0 to 6);
   signal slice2winner1_best_index_0_0 : boolean;
-  signal slice2winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice2winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice2winner1_best_index_0_3 : natural range 0 to 7;
-  signal slice2winner1_best_index_0_4 : natural range 0 to 9;
-  signal slice2winner1_best_index_0_5 : natural range 0 to 11;
-  signal slice2winner1_best_index_0_6 : natural range 0 to 13;
-  signal slice2winner1_best_index_0_7 : natural range 0 to 15;
+  signal slice2winner1_best_index_0 : natural_15_1d(1 to 7);  -- slice2winner1_best_index_0_# up to 3, 5 .. 15
   -- slice2winner2
-  signal slice2winner2_best_cost_0 : natural_2047_1d(0 to 3);
-  signal slice2winner2_best_below_0 : natural_2047_1d(0 to 3);
-  signal slice2winner2_best_above_0 : natural_2047_1d(0 to 3);
+  signal slice2winner2_best_cost_0, slice2winner2_best_below_0, slice2winner2_best_above_0 : natural_2047_1d(0 to 3);
   signal slice2winner2_best_first_0 : natural_2047_1d(0 to 3);
   signal slice2winner2_best_last_0 : natural_2047_1d(0 to 2);
-  signal slice2winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice2winner2_best_index_0_1 : natural range 0 to 7;
-  signal slice2winner2_best_index_0_2 : natural range 0 to 11;
-  signal slice2winner2_best_index_0_3 : natural range 0 to 15;
+  signal slice2winner2_best_index_0 : natural_15_1d(0 to 3);  -- slice2winner2_best_index_0_# up to 3, 7 .. 15
   -- slice2winner3
-  signal slice2winner3_best_cost_0 : natural_2047_1d(0 to 1);
-  signal slice2winner3_best_below_0 : natural_2047_1d(0 to 1);
-  signal slice2winner3_best_above_0 : natural_2047_1d(0 to 1);
+  signal slice2winner3_best_cost_0, slice2winner3_best_below_0, slice2winner3_best_above_0 : natural_2047_1d(0 to 1);
   signal slice2winner3_best_first_0 : natural_2047_1d(0 to 1);
   signal slice2winner3_best_last_0_0 : natural range 0 to 2047;
-  signal slice2winner3_best_index_0_0 : natural range 0 to 7;
-  signal slice2winner3_best_index_0_1 : natural range 0 to 15;
+  signal slice2winner3_best_index_0 : natural_15_1d(0 to 1);  -- slice2winner3_best_index_0_# up to 7, 15
   -- slice2winner4
   signal slice2winner4_best_cost_0_0, slice2winner4_best_below_0_0 : natural range 0 to 2047;
   signal slice2winner4_best_above_0_0, slice2winner4_best_first_0_0 : natural range 0 to 2047;
@@ -417,8 +377,7 @@ architecture rtl of stereo_core_census_450_full is
   -- slice2
   signal slice2_best_cost_0_0, slice2_best_below_0_0, slice2_best_above_0_0 : natural range 0 to 2047;
   signal slice2_best_index_0_0 : natural range 0 to 47;
-  signal slice2_best_tag_valid, slice2_best_tag_map_column, slice2_best_tag_start_of_frame : boolean;
-  signal slice2_best_tag_end_of_line : boolean;
+  signal slice2_best_tag : tag_4;
   -- refinement
   signal refinement_disparity_0 : natural_47_1d(0 to 11);  -- refinement_disparity_#_0
   signal refinement_passed_0 : boolean_1d(0 to 3);  -- refinement_passed_#_0
@@ -480,173 +439,6 @@ architecture rtl of stereo_core_census_450_full is
   signal other_16 : natural range 0 to 224;
   signal other_17 : natural range 0 to 192;
   signal other_18 : natural range 0 to 128;
-  signal transform_left_rows_read_words_0_memory_read_enable : boolean;
-  signal transform_left_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal transform_right_rows_read_words_0_memory_read_enable : boolean;
-  signal transform_right_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal map_rows_read_words_0_memory_read_enable : boolean;
-  signal map_rows_read_words_0_memory_read_address, map_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal map_rows_read_words_0_memory_write_data : unsigned(25 downto 0);
-  signal slice2window_leaving_3_memory_read_enable : boolean;
-  signal slice2window_leaving_3_memory_read_address, slice2window_leaving_3_memory_write_address : unsigned(3 downto 0);
-  signal slice2window_leaving_3_memory_write_data : unsigned(31 downto 0);
-  signal slice2window_leaving_2_memory_read_enable : boolean;
-  signal slice2window_leaving_2_memory_read_address, slice2window_leaving_2_memory_write_address : unsigned(3 downto 0);
-  signal slice2window_leaving_2_memory_write_data : unsigned(31 downto 0);
-  signal slice2window_leaving_1_memory_read_enable : boolean;
-  signal slice2window_leaving_1_memory_read_address, slice2window_leaving_1_memory_write_address : unsigned(3 downto 0);
-  signal slice2window_leaving_1_memory_write_data : unsigned(31 downto 0);
-  signal slice2window_leaving_0_memory_read_enable : boolean;
-  signal slice2window_leaving_0_memory_read_address, slice2window_leaving_0_memory_write_address : unsigned(3 downto 0);
-  signal slice2window_leaving_0_memory_write_data : unsigned(31 downto 0);
-  signal slice2cost_read_words_3_memory_read_enable : boolean;
-  signal slice2cost_read_words_3_memory_read_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_3_memory_write_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_3_memory_write_data : unsigned(31 downto 0);
-  signal slice2cost_read_words_2_memory_read_enable : boolean;
-  signal slice2cost_read_words_2_memory_read_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_2_memory_write_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_2_memory_write_data : unsigned(31 downto 0);
-  signal slice2cost_read_words_1_memory_read_enable : boolean;
-  signal slice2cost_read_words_1_memory_read_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_1_memory_write_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_1_memory_write_data : unsigned(31 downto 0);
-  signal slice2cost_read_words_0_memory_read_enable : boolean;
-  signal slice2cost_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal slice1window_leaving_3_memory_read_enable : boolean;
-  signal slice1window_leaving_3_memory_read_address, slice1window_leaving_3_memory_write_address : unsigned(3 downto 0);
-  signal slice1window_leaving_3_memory_write_data : unsigned(31 downto 0);
-  signal slice1window_leaving_2_memory_read_enable : boolean;
-  signal slice1window_leaving_2_memory_read_address, slice1window_leaving_2_memory_write_address : unsigned(3 downto 0);
-  signal slice1window_leaving_2_memory_write_data : unsigned(31 downto 0);
-  signal slice1window_leaving_1_memory_read_enable : boolean;
-  signal slice1window_leaving_1_memory_read_address, slice1window_leaving_1_memory_write_address : unsigned(3 downto 0);
-  signal slice1window_leaving_1_memory_write_data : unsigned(31 downto 0);
-  signal slice1window_leaving_0_memory_read_enable : boolean;
-  signal slice1window_leaving_0_memory_read_address, slice1window_leaving_0_memory_write_address : unsigned(3 downto 0);
-  signal slice1window_leaving_0_memory_write_data : unsigned(31 downto 0);
-  signal slice1cost_read_words_3_memory_read_enable : boolean;
-  signal slice1cost_read_words_3_memory_read_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_3_memory_write_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_3_memory_write_data : unsigned(31 downto 0);
-  signal slice1cost_read_words_2_memory_read_enable : boolean;
-  signal slice1cost_read_words_2_memory_read_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_2_memory_write_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_2_memory_write_data : unsigned(31 downto 0);
-  signal slice1cost_read_words_1_memory_read_enable : boolean;
-  signal slice1cost_read_words_1_memory_read_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_1_memory_write_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_1_memory_write_data : unsigned(31 downto 0);
-  signal slice1cost_read_words_0_memory_read_enable : boolean;
-  signal slice1cost_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal slice0window_leaving_3_memory_read_enable : boolean;
-  signal slice0window_leaving_3_memory_read_address, slice0window_leaving_3_memory_write_address : unsigned(3 downto 0);
-  signal slice0window_leaving_3_memory_write_data : unsigned(31 downto 0);
-  signal slice0window_leaving_2_memory_read_enable : boolean;
-  signal slice0window_leaving_2_memory_read_address, slice0window_leaving_2_memory_write_address : unsigned(3 downto 0);
-  signal slice0window_leaving_2_memory_write_data : unsigned(31 downto 0);
-  signal slice0window_leaving_1_memory_read_enable : boolean;
-  signal slice0window_leaving_1_memory_read_address, slice0window_leaving_1_memory_write_address : unsigned(3 downto 0);
-  signal slice0window_leaving_1_memory_write_data : unsigned(31 downto 0);
-  signal slice0window_leaving_0_memory_read_enable : boolean;
-  signal slice0window_leaving_0_memory_read_address, slice0window_leaving_0_memory_write_address : unsigned(3 downto 0);
-  signal slice0window_leaving_0_memory_write_data : unsigned(31 downto 0);
-  signal slice0cost_read_words_3_memory_read_enable : boolean;
-  signal slice0cost_read_words_3_memory_read_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_3_memory_write_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_3_memory_write_data : unsigned(31 downto 0);
-  signal slice0cost_read_words_2_memory_read_enable : boolean;
-  signal slice0cost_read_words_2_memory_read_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_2_memory_write_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_2_memory_write_data : unsigned(31 downto 0);
-  signal slice0cost_read_words_1_memory_read_enable : boolean;
-  signal slice0cost_read_words_1_memory_read_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_1_memory_write_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_1_memory_write_data : unsigned(31 downto 0);
-  signal slice0cost_read_words_0_memory_read_enable : boolean;
-  signal slice0cost_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal rows_search_rows_read_words_8_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_8_memory_read_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_8_memory_write_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_8_memory_write_data : unsigned(23 downto 0);
-  signal rows_search_rows_read_words_7_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_7_memory_read_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_7_memory_write_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_7_memory_write_data : unsigned(23 downto 0);
-  signal rows_search_rows_read_words_6_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_6_memory_read_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_6_memory_write_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_6_memory_write_data : unsigned(23 downto 0);
-  signal rows_search_rows_read_words_5_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_5_memory_read_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_5_memory_write_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_5_memory_write_data : unsigned(23 downto 0);
-  signal rows_search_rows_read_words_4_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_4_memory_read_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_4_memory_write_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_4_memory_write_data : unsigned(23 downto 0);
-  signal rows_search_rows_read_words_3_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_3_memory_read_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_3_memory_write_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_3_memory_write_data : unsigned(23 downto 0);
-  signal rows_search_rows_read_words_2_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_2_memory_read_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_2_memory_write_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_2_memory_write_data : unsigned(23 downto 0);
-  signal rows_search_rows_read_words_1_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_1_memory_read_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_1_memory_write_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
-  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
-  signal rows_reference_rows_read_words_8_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_8_memory_read_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_8_memory_write_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_8_memory_write_data : unsigned(23 downto 0);
-  signal rows_reference_rows_read_words_7_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_7_memory_read_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_7_memory_write_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_7_memory_write_data : unsigned(23 downto 0);
-  signal rows_reference_rows_read_words_6_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_6_memory_read_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_6_memory_write_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_6_memory_write_data : unsigned(23 downto 0);
-  signal rows_reference_rows_read_words_5_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_5_memory_read_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_5_memory_write_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_5_memory_write_data : unsigned(23 downto 0);
-  signal rows_reference_rows_read_words_4_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_4_memory_read_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_4_memory_write_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_4_memory_write_data : unsigned(23 downto 0);
-  signal rows_reference_rows_read_words_3_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_3_memory_read_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_3_memory_write_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_3_memory_write_data : unsigned(23 downto 0);
-  signal rows_reference_rows_read_words_2_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_2_memory_read_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_2_memory_write_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_2_memory_write_data : unsigned(23 downto 0);
-  signal rows_reference_rows_read_words_1_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_1_memory_read_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_1_memory_write_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
-  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
 
 begin
   in_valid <= valid = '1';
@@ -659,553 +451,187 @@ begin
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
 
-  transform_left_rows_read_words_0_memory_read_enable <= true;
-  transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 9);
-  transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 9);
-  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
-  transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 450, width => 32, address_bits => 9)
-    port map (
-      clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
-      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words_0,
-      write_address => transform_left_rows_read_words_0_memory_write_address, write_data => transform_left_rows_read_words_0_memory_write_data);
+  transform_left_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(transform_counter_column, 9);
+    write_address <= to_unsigned(transform_write_column, 9);
+    cell : entity work.line_memory
+      generic map (depth => 450, width => 32, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        transform_left_rows_read_words_0, write_address => write_address, write_data =>
+        transform_left_rows_write_words_0);
+  end block;
 
-  transform_right_rows_read_words_0_memory_read_enable <= true;
-  transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 9);
-  transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 9);
-  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
-  transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 450, width => 32, address_bits => 9)
-    port map (
-      clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
-      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words_0,
-      write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
+  transform_right_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(transform_counter_column, 9);
+    write_address <= to_unsigned(transform_write_column, 9);
+    cell : entity work.line_memory
+      generic map (depth => 450, width => 32, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        transform_right_rows_read_words_0, write_address => write_address, write_data =>
+        transform_right_rows_write_words_0);
+  end block;
 
-  map_rows_read_words_0_memory_read_enable <= true;
-  map_rows_read_words_0_memory_read_address <= to_unsigned(map_counter_column, 9);
-  map_rows_read_words_0_memory_write_address <= to_unsigned(map_at_column, 9);
-  map_rows_read_words_0_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
-  map_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 442, width => 26, address_bits => 9)
-    port map (
-      clock => clock, read_enable => map_rows_read_words_0_memory_read_enable,
-      read_address => map_rows_read_words_0_memory_read_address, read_data => map_rows_read_words_0,
-      write_address => map_rows_read_words_0_memory_write_address, write_data => map_rows_read_words_0_memory_write_data);
+  map_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(8 downto 0);
+    signal write_data : unsigned(25 downto 0);
+  begin
+    read_address <= to_unsigned(map_counter_column, 9);
+    write_address <= to_unsigned(map_at_column, 9);
+    write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
+    cell : entity work.line_memory
+      generic map (depth => 442, width => 26, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => map_rows_read_words_0,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  slice2window_leaving_3_memory_read_enable <= true;
-  slice2window_leaving_3_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
-  slice2window_leaving_3_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
-  slice2window_leaving_3_memory_write_data <= to_unsigned(slice2cost_column_0(15), 8) & to_unsigned(slice2cost_column_0(14), 8) & to_unsigned(slice2cost_column_0(13), 8) & to_unsigned(slice2cost_column_0(12), 8);
-  slice2window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => slice2window_leaving_3_memory_read_enable,
-      read_address => slice2window_leaving_3_memory_read_address, read_data => slice2window_leaving(3),
-      write_address => slice2window_leaving_3_memory_write_address, write_data => slice2window_leaving_3_memory_write_data);
+  slice2window_leaving_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(31 downto 0);
+  begin
+    read_address <= to_unsigned(slice2window_ring_read_address, 4);
+    write_address <= to_unsigned(slice2window_ring_write_address, 4);
+    write_data <= to_unsigned(slice2cost_column_0(4 * i + 3), 8) & to_unsigned(slice2cost_column_0(4 * i + 2), 8) &
+      to_unsigned(slice2cost_column_0(4 * i + 1), 8) & to_unsigned(slice2cost_column_0(4 * i), 8);
+    cell : entity work.line_memory
+      generic map (depth => 10, width => 32, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice2window_leaving(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  slice2window_leaving_2_memory_read_enable <= true;
-  slice2window_leaving_2_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
-  slice2window_leaving_2_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
-  slice2window_leaving_2_memory_write_data <= to_unsigned(slice2cost_column_0(11), 8) & to_unsigned(slice2cost_column_0(10), 8) & to_unsigned(slice2cost_column_0(9), 8) & to_unsigned(slice2cost_column_0(8), 8);
-  slice2window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => slice2window_leaving_2_memory_read_enable,
-      read_address => slice2window_leaving_2_memory_read_address, read_data => slice2window_leaving(2),
-      write_address => slice2window_leaving_2_memory_write_address, write_data => slice2window_leaving_2_memory_write_data);
+  slice2cost_read_words_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(slice2cost_read_column, 9);
+    write_address <= to_unsigned(slice2cost_write_column, 9);
+    cell : entity work.line_memory
+      generic map (depth => 450, width => 32, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice2cost_read_words(i), write_address => write_address, write_data => slice2cost_write_words(i));
+  end generate;
 
-  slice2window_leaving_1_memory_read_enable <= true;
-  slice2window_leaving_1_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
-  slice2window_leaving_1_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
-  slice2window_leaving_1_memory_write_data <= to_unsigned(slice2cost_column_0(7), 8) & to_unsigned(slice2cost_column_0(6), 8) & to_unsigned(slice2cost_column_0(5), 8) & to_unsigned(slice2cost_column_0(4), 8);
-  slice2window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => slice2window_leaving_1_memory_read_enable,
-      read_address => slice2window_leaving_1_memory_read_address, read_data => slice2window_leaving(1),
-      write_address => slice2window_leaving_1_memory_write_address, write_data => slice2window_leaving_1_memory_write_data);
+  slice1window_leaving_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(31 downto 0);
+  begin
+    read_address <= to_unsigned(slice1window_ring_read_address, 4);
+    write_address <= to_unsigned(slice1window_ring_write_address, 4);
+    write_data <= to_unsigned(slice1cost_column_0(4 * i + 3), 8) & to_unsigned(slice1cost_column_0(4 * i + 2), 8) &
+      to_unsigned(slice1cost_column_0(4 * i + 1), 8) & to_unsigned(slice1cost_column_0(4 * i), 8);
+    cell : entity work.line_memory
+      generic map (depth => 10, width => 32, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice1window_leaving(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  slice2window_leaving_0_memory_read_enable <= true;
-  slice2window_leaving_0_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
-  slice2window_leaving_0_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
-  slice2window_leaving_0_memory_write_data <= to_unsigned(slice2cost_column_0(3), 8) & to_unsigned(slice2cost_column_0(2), 8) & to_unsigned(slice2cost_column_0(1), 8) & to_unsigned(slice2cost_column_0(0), 8);
-  slice2window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => slice2window_leaving_0_memory_read_enable,
-      read_address => slice2window_leaving_0_memory_read_address, read_data => slice2window_leaving(0),
-      write_address => slice2window_leaving_0_memory_write_address, write_data => slice2window_leaving_0_memory_write_data);
+  slice1cost_read_words_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(slice0cost_change_column, 9);
+    write_address <= to_unsigned(slice1cost_write_column, 9);
+    cell : entity work.line_memory
+      generic map (depth => 450, width => 32, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice1cost_read_words(i), write_address => write_address, write_data => slice1cost_write_words(i));
+  end generate;
 
-  slice2cost_read_words_3_memory_read_enable <= true;
-  slice2cost_read_words_3_memory_read_address <= to_unsigned(slice2cost_read_column, 9);
-  slice2cost_read_words_3_memory_write_address <= to_unsigned(slice2cost_write_column, 9);
-  slice2cost_read_words_3_memory_write_data <= slice2cost_write_words(3);
-  slice2cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 450, width => 32, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice2cost_read_words_3_memory_read_enable,
-      read_address => slice2cost_read_words_3_memory_read_address, read_data => slice2cost_read_words(3),
-      write_address => slice2cost_read_words_3_memory_write_address, write_data => slice2cost_read_words_3_memory_write_data);
+  slice0window_leaving_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(31 downto 0);
+  begin
+    read_address <= to_unsigned(slice0window_ring_read_address, 4);
+    write_address <= to_unsigned(slice0window_ring_write_address, 4);
+    write_data <= to_unsigned(slice0cost_column_0(4 * i + 3), 8) & to_unsigned(slice0cost_column_0(4 * i + 2), 8) &
+      to_unsigned(slice0cost_column_0(4 * i + 1), 8) & to_unsigned(slice0cost_column_0(4 * i), 8);
+    cell : entity work.line_memory
+      generic map (depth => 10, width => 32, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice0window_leaving(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  slice2cost_read_words_2_memory_read_enable <= true;
-  slice2cost_read_words_2_memory_read_address <= to_unsigned(slice2cost_read_column, 9);
-  slice2cost_read_words_2_memory_write_address <= to_unsigned(slice2cost_write_column, 9);
-  slice2cost_read_words_2_memory_write_data <= slice2cost_write_words(2);
-  slice2cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 450, width => 32, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice2cost_read_words_2_memory_read_enable,
-      read_address => slice2cost_read_words_2_memory_read_address, read_data => slice2cost_read_words(2),
-      write_address => slice2cost_read_words_2_memory_write_address, write_data => slice2cost_read_words_2_memory_write_data);
+  slice0cost_read_words_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(slice0cost_read_column, 9);
+    write_address <= to_unsigned(slice1cost_ready_column, 9);
+    cell : entity work.line_memory
+      generic map (depth => 450, width => 32, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice0cost_read_words(i), write_address => write_address, write_data => slice0cost_write_words(i));
+  end generate;
 
-  slice2cost_read_words_1_memory_read_enable <= true;
-  slice2cost_read_words_1_memory_read_address <= to_unsigned(slice2cost_read_column, 9);
-  slice2cost_read_words_1_memory_write_address <= to_unsigned(slice2cost_write_column, 9);
-  slice2cost_read_words_1_memory_write_data <= slice2cost_write_words(1);
-  slice2cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 450, width => 32, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice2cost_read_words_1_memory_read_enable,
-      read_address => slice2cost_read_words_1_memory_read_address, read_data => slice2cost_read_words(1),
-      write_address => slice2cost_read_words_1_memory_write_address, write_data => slice2cost_read_words_1_memory_write_data);
+  rows_search_rows_read_words_memory : for i in 8 downto 0 generate
+    signal read_address, write_address : unsigned(8 downto 0);
+    signal write_data : unsigned(23 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 9);
+    write_address <= to_unsigned(rows_write_column, 9);
+    write_data <= to_unsigned(rows_search_rows_write_words(i), 24);
+    cell : entity work.line_memory
+      generic map (depth => 450, width => 24, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_search_rows_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  slice2cost_read_words_0_memory_read_enable <= true;
-  slice2cost_read_words_0_memory_read_address <= to_unsigned(slice2cost_read_column, 9);
-  slice2cost_read_words_0_memory_write_address <= to_unsigned(slice2cost_write_column, 9);
-  slice2cost_read_words_0_memory_write_data <= slice2cost_write_words(0);
-  slice2cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 450, width => 32, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice2cost_read_words_0_memory_read_enable,
-      read_address => slice2cost_read_words_0_memory_read_address, read_data => slice2cost_read_words(0),
-      write_address => slice2cost_read_words_0_memory_write_address, write_data => slice2cost_read_words_0_memory_write_data);
-
-  slice1window_leaving_3_memory_read_enable <= true;
-  slice1window_leaving_3_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
-  slice1window_leaving_3_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
-  slice1window_leaving_3_memory_write_data <= to_unsigned(slice1cost_column_0(15), 8) & to_unsigned(slice1cost_column_0(14), 8) & to_unsigned(slice1cost_column_0(13), 8) & to_unsigned(slice1cost_column_0(12), 8);
-  slice1window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_3_memory_read_enable,
-      read_address => slice1window_leaving_3_memory_read_address, read_data => slice1window_leaving(3),
-      write_address => slice1window_leaving_3_memory_write_address, write_data => slice1window_leaving_3_memory_write_data);
-
-  slice1window_leaving_2_memory_read_enable <= true;
-  slice1window_leaving_2_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
-  slice1window_leaving_2_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
-  slice1window_leaving_2_memory_write_data <= to_unsigned(slice1cost_column_0(11), 8) & to_unsigned(slice1cost_column_0(10), 8) & to_unsigned(slice1cost_column_0(9), 8) & to_unsigned(slice1cost_column_0(8), 8);
-  slice1window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_2_memory_read_enable,
-      read_address => slice1window_leaving_2_memory_read_address, read_data => slice1window_leaving(2),
-      write_address => slice1window_leaving_2_memory_write_address, write_data => slice1window_leaving_2_memory_write_data);
-
-  slice1window_leaving_1_memory_read_enable <= true;
-  slice1window_leaving_1_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
-  slice1window_leaving_1_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
-  slice1window_leaving_1_memory_write_data <= to_unsigned(slice1cost_column_0(7), 8) & to_unsigned(slice1cost_column_0(6), 8) & to_unsigned(slice1cost_column_0(5), 8) & to_unsigned(slice1cost_column_0(4), 8);
-  slice1window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_1_memory_read_enable,
-      read_address => slice1window_leaving_1_memory_read_address, read_data => slice1window_leaving(1),
-      write_address => slice1window_leaving_1_memory_write_address, write_data => slice1window_leaving_1_memory_write_data);
-
-  slice1window_leaving_0_memory_read_enable <= true;
-  slice1window_leaving_0_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
-  slice1window_leaving_0_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
-  slice1window_leaving_0_memory_write_data <= to_unsigned(slice1cost_column_0(3), 8) & to_unsigned(slice1cost_column_0(2), 8) & to_unsigned(slice1cost_column_0(1), 8) & to_unsigned(slice1cost_column_0(0), 8);
-  slice1window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_0_memory_read_enable,
-      read_address => slice1window_leaving_0_memory_read_address, read_data => slice1window_leaving(0),
-      write_address => slice1window_leaving_0_memory_write_address, write_data => slice1window_leaving_0_memory_write_data);
-
-  slice1cost_read_words_3_memory_read_enable <= true;
-  slice1cost_read_words_3_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
-  slice1cost_read_words_3_memory_write_address <= to_unsigned(slice1cost_write_column, 9);
-  slice1cost_read_words_3_memory_write_data <= slice1cost_write_words(3);
-  slice1cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 450, width => 32, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_3_memory_read_enable,
-      read_address => slice1cost_read_words_3_memory_read_address, read_data => slice1cost_read_words(3),
-      write_address => slice1cost_read_words_3_memory_write_address, write_data => slice1cost_read_words_3_memory_write_data);
-
-  slice1cost_read_words_2_memory_read_enable <= true;
-  slice1cost_read_words_2_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
-  slice1cost_read_words_2_memory_write_address <= to_unsigned(slice1cost_write_column, 9);
-  slice1cost_read_words_2_memory_write_data <= slice1cost_write_words(2);
-  slice1cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 450, width => 32, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_2_memory_read_enable,
-      read_address => slice1cost_read_words_2_memory_read_address, read_data => slice1cost_read_words(2),
-      write_address => slice1cost_read_words_2_memory_write_address, write_data => slice1cost_read_words_2_memory_write_data);
-
-  slice1cost_read_words_1_memory_read_enable <= true;
-  slice1cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
-  slice1cost_read_words_1_memory_write_address <= to_unsigned(slice1cost_write_column, 9);
-  slice1cost_read_words_1_memory_write_data <= slice1cost_write_words(1);
-  slice1cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 450, width => 32, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_1_memory_read_enable,
-      read_address => slice1cost_read_words_1_memory_read_address, read_data => slice1cost_read_words(1),
-      write_address => slice1cost_read_words_1_memory_write_address, write_data => slice1cost_read_words_1_memory_write_data);
-
-  slice1cost_read_words_0_memory_read_enable <= true;
-  slice1cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
-  slice1cost_read_words_0_memory_write_address <= to_unsigned(slice1cost_write_column, 9);
-  slice1cost_read_words_0_memory_write_data <= slice1cost_write_words(0);
-  slice1cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 450, width => 32, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_0_memory_read_enable,
-      read_address => slice1cost_read_words_0_memory_read_address, read_data => slice1cost_read_words(0),
-      write_address => slice1cost_read_words_0_memory_write_address, write_data => slice1cost_read_words_0_memory_write_data);
-
-  slice0window_leaving_3_memory_read_enable <= true;
-  slice0window_leaving_3_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
-  slice0window_leaving_3_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
-  slice0window_leaving_3_memory_write_data <= to_unsigned(slice0cost_column_0(15), 8) & to_unsigned(slice0cost_column_0(14), 8) & to_unsigned(slice0cost_column_0(13), 8) & to_unsigned(slice0cost_column_0(12), 8);
-  slice0window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_3_memory_read_enable,
-      read_address => slice0window_leaving_3_memory_read_address, read_data => slice0window_leaving(3),
-      write_address => slice0window_leaving_3_memory_write_address, write_data => slice0window_leaving_3_memory_write_data);
-
-  slice0window_leaving_2_memory_read_enable <= true;
-  slice0window_leaving_2_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
-  slice0window_leaving_2_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
-  slice0window_leaving_2_memory_write_data <= to_unsigned(slice0cost_column_0(11), 8) & to_unsigned(slice0cost_column_0(10), 8) & to_unsigned(slice0cost_column_0(9), 8) & to_unsigned(slice0cost_column_0(8), 8);
-  slice0window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_2_memory_read_enable,
-      read_address => slice0window_leaving_2_memory_read_address, read_data => slice0window_leaving(2),
-      write_address => slice0window_leaving_2_memory_write_address, write_data => slice0window_leaving_2_memory_write_data);
-
-  slice0window_leaving_1_memory_read_enable <= true;
-  slice0window_leaving_1_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
-  slice0window_leaving_1_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
-  slice0window_leaving_1_memory_write_data <= to_unsigned(slice0cost_column_0(7), 8) & to_unsigned(slice0cost_column_0(6), 8) & to_unsigned(slice0cost_column_0(5), 8) & to_unsigned(slice0cost_column_0(4), 8);
-  slice0window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_1_memory_read_enable,
-      read_address => slice0window_leaving_1_memory_read_address, read_data => slice0window_leaving(1),
-      write_address => slice0window_leaving_1_memory_write_address, write_data => slice0window_leaving_1_memory_write_data);
-
-  slice0window_leaving_0_memory_read_enable <= true;
-  slice0window_leaving_0_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
-  slice0window_leaving_0_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
-  slice0window_leaving_0_memory_write_data <= to_unsigned(slice0cost_column_0(3), 8) & to_unsigned(slice0cost_column_0(2), 8) & to_unsigned(slice0cost_column_0(1), 8) & to_unsigned(slice0cost_column_0(0), 8);
-  slice0window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_0_memory_read_enable,
-      read_address => slice0window_leaving_0_memory_read_address, read_data => slice0window_leaving(0),
-      write_address => slice0window_leaving_0_memory_write_address, write_data => slice0window_leaving_0_memory_write_data);
-
-  slice0cost_read_words_3_memory_read_enable <= true;
-  slice0cost_read_words_3_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
-  slice0cost_read_words_3_memory_write_address <= to_unsigned(slice1cost_ready_column, 9);
-  slice0cost_read_words_3_memory_write_data <= slice0cost_write_words(3);
-  slice0cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 450, width => 32, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_3_memory_read_enable,
-      read_address => slice0cost_read_words_3_memory_read_address, read_data => slice0cost_read_words(3),
-      write_address => slice0cost_read_words_3_memory_write_address, write_data => slice0cost_read_words_3_memory_write_data);
-
-  slice0cost_read_words_2_memory_read_enable <= true;
-  slice0cost_read_words_2_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
-  slice0cost_read_words_2_memory_write_address <= to_unsigned(slice1cost_ready_column, 9);
-  slice0cost_read_words_2_memory_write_data <= slice0cost_write_words(2);
-  slice0cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 450, width => 32, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_2_memory_read_enable,
-      read_address => slice0cost_read_words_2_memory_read_address, read_data => slice0cost_read_words(2),
-      write_address => slice0cost_read_words_2_memory_write_address, write_data => slice0cost_read_words_2_memory_write_data);
-
-  slice0cost_read_words_1_memory_read_enable <= true;
-  slice0cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
-  slice0cost_read_words_1_memory_write_address <= to_unsigned(slice1cost_ready_column, 9);
-  slice0cost_read_words_1_memory_write_data <= slice0cost_write_words(1);
-  slice0cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 450, width => 32, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_1_memory_read_enable,
-      read_address => slice0cost_read_words_1_memory_read_address, read_data => slice0cost_read_words(1),
-      write_address => slice0cost_read_words_1_memory_write_address, write_data => slice0cost_read_words_1_memory_write_data);
-
-  slice0cost_read_words_0_memory_read_enable <= true;
-  slice0cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
-  slice0cost_read_words_0_memory_write_address <= to_unsigned(slice1cost_ready_column, 9);
-  slice0cost_read_words_0_memory_write_data <= slice0cost_write_words(0);
-  slice0cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 450, width => 32, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_0_memory_read_enable,
-      read_address => slice0cost_read_words_0_memory_read_address, read_data => slice0cost_read_words(0),
-      write_address => slice0cost_read_words_0_memory_write_address, write_data => slice0cost_read_words_0_memory_write_data);
-
-  rows_search_rows_read_words_8_memory_read_enable <= true;
-  rows_search_rows_read_words_8_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_search_rows_read_words_8_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_8_memory_write_data <= to_unsigned(rows_search_rows_write_words(8), 24);
-  rows_search_rows_read_words_8_memory : entity work.line_memory
-    generic map (depth => 450, width => 24, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_8_memory_read_enable,
-      read_address => rows_search_rows_read_words_8_memory_read_address, read_data => rows_search_rows_read_words(8),
-      write_address => rows_search_rows_read_words_8_memory_write_address, write_data => rows_search_rows_read_words_8_memory_write_data);
-
-  rows_search_rows_read_words_7_memory_read_enable <= true;
-  rows_search_rows_read_words_7_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_search_rows_read_words_7_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_7_memory_write_data <= to_unsigned(rows_search_rows_write_words(7), 24);
-  rows_search_rows_read_words_7_memory : entity work.line_memory
-    generic map (depth => 450, width => 24, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_7_memory_read_enable,
-      read_address => rows_search_rows_read_words_7_memory_read_address, read_data => rows_search_rows_read_words(7),
-      write_address => rows_search_rows_read_words_7_memory_write_address, write_data => rows_search_rows_read_words_7_memory_write_data);
-
-  rows_search_rows_read_words_6_memory_read_enable <= true;
-  rows_search_rows_read_words_6_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_search_rows_read_words_6_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_6_memory_write_data <= to_unsigned(rows_search_rows_write_words(6), 24);
-  rows_search_rows_read_words_6_memory : entity work.line_memory
-    generic map (depth => 450, width => 24, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_6_memory_read_enable,
-      read_address => rows_search_rows_read_words_6_memory_read_address, read_data => rows_search_rows_read_words(6),
-      write_address => rows_search_rows_read_words_6_memory_write_address, write_data => rows_search_rows_read_words_6_memory_write_data);
-
-  rows_search_rows_read_words_5_memory_read_enable <= true;
-  rows_search_rows_read_words_5_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_search_rows_read_words_5_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_5_memory_write_data <= to_unsigned(rows_search_rows_write_words(5), 24);
-  rows_search_rows_read_words_5_memory : entity work.line_memory
-    generic map (depth => 450, width => 24, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_5_memory_read_enable,
-      read_address => rows_search_rows_read_words_5_memory_read_address, read_data => rows_search_rows_read_words(5),
-      write_address => rows_search_rows_read_words_5_memory_write_address, write_data => rows_search_rows_read_words_5_memory_write_data);
-
-  rows_search_rows_read_words_4_memory_read_enable <= true;
-  rows_search_rows_read_words_4_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_search_rows_read_words_4_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_4_memory_write_data <= to_unsigned(rows_search_rows_write_words(4), 24);
-  rows_search_rows_read_words_4_memory : entity work.line_memory
-    generic map (depth => 450, width => 24, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_4_memory_read_enable,
-      read_address => rows_search_rows_read_words_4_memory_read_address, read_data => rows_search_rows_read_words(4),
-      write_address => rows_search_rows_read_words_4_memory_write_address, write_data => rows_search_rows_read_words_4_memory_write_data);
-
-  rows_search_rows_read_words_3_memory_read_enable <= true;
-  rows_search_rows_read_words_3_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_search_rows_read_words_3_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_3_memory_write_data <= to_unsigned(rows_search_rows_write_words(3), 24);
-  rows_search_rows_read_words_3_memory : entity work.line_memory
-    generic map (depth => 450, width => 24, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_3_memory_read_enable,
-      read_address => rows_search_rows_read_words_3_memory_read_address, read_data => rows_search_rows_read_words(3),
-      write_address => rows_search_rows_read_words_3_memory_write_address, write_data => rows_search_rows_read_words_3_memory_write_data);
-
-  rows_search_rows_read_words_2_memory_read_enable <= true;
-  rows_search_rows_read_words_2_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_search_rows_read_words_2_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_2_memory_write_data <= to_unsigned(rows_search_rows_write_words(2), 24);
-  rows_search_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 450, width => 24, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_2_memory_read_enable,
-      read_address => rows_search_rows_read_words_2_memory_read_address, read_data => rows_search_rows_read_words(2),
-      write_address => rows_search_rows_read_words_2_memory_write_address, write_data => rows_search_rows_read_words_2_memory_write_data);
-
-  rows_search_rows_read_words_1_memory_read_enable <= true;
-  rows_search_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_search_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words(1), 24);
-  rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 450, width => 24, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_1_memory_read_enable,
-      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words(1),
-      write_address => rows_search_rows_read_words_1_memory_write_address, write_data => rows_search_rows_read_words_1_memory_write_data);
-
-  rows_search_rows_read_words_0_memory_read_enable <= true;
-  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words(0), 24);
-  rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 450, width => 24, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
-      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words(0),
-      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
-
-  rows_reference_rows_read_words_8_memory_read_enable <= true;
-  rows_reference_rows_read_words_8_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_reference_rows_read_words_8_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_8_memory_write_data <= to_unsigned(rows_reference_rows_write_words(8), 24);
-  rows_reference_rows_read_words_8_memory : entity work.line_memory
-    generic map (depth => 450, width => 24, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_8_memory_read_enable,
-      read_address => rows_reference_rows_read_words_8_memory_read_address, read_data => rows_reference_rows_read_words(8),
-      write_address => rows_reference_rows_read_words_8_memory_write_address, write_data => rows_reference_rows_read_words_8_memory_write_data);
-
-  rows_reference_rows_read_words_7_memory_read_enable <= true;
-  rows_reference_rows_read_words_7_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_reference_rows_read_words_7_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_7_memory_write_data <= to_unsigned(rows_reference_rows_write_words(7), 24);
-  rows_reference_rows_read_words_7_memory : entity work.line_memory
-    generic map (depth => 450, width => 24, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_7_memory_read_enable,
-      read_address => rows_reference_rows_read_words_7_memory_read_address, read_data => rows_reference_rows_read_words(7),
-      write_address => rows_reference_rows_read_words_7_memory_write_address, write_data => rows_reference_rows_read_words_7_memory_write_data);
-
-  rows_reference_rows_read_words_6_memory_read_enable <= true;
-  rows_reference_rows_read_words_6_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_reference_rows_read_words_6_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_6_memory_write_data <= to_unsigned(rows_reference_rows_write_words(6), 24);
-  rows_reference_rows_read_words_6_memory : entity work.line_memory
-    generic map (depth => 450, width => 24, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_6_memory_read_enable,
-      read_address => rows_reference_rows_read_words_6_memory_read_address, read_data => rows_reference_rows_read_words(6),
-      write_address => rows_reference_rows_read_words_6_memory_write_address, write_data => rows_reference_rows_read_words_6_memory_write_data);
-
-  rows_reference_rows_read_words_5_memory_read_enable <= true;
-  rows_reference_rows_read_words_5_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_reference_rows_read_words_5_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_5_memory_write_data <= to_unsigned(rows_reference_rows_write_words(5), 24);
-  rows_reference_rows_read_words_5_memory : entity work.line_memory
-    generic map (depth => 450, width => 24, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_5_memory_read_enable,
-      read_address => rows_reference_rows_read_words_5_memory_read_address, read_data => rows_reference_rows_read_words(5),
-      write_address => rows_reference_rows_read_words_5_memory_write_address, write_data => rows_reference_rows_read_words_5_memory_write_data);
-
-  rows_reference_rows_read_words_4_memory_read_enable <= true;
-  rows_reference_rows_read_words_4_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_reference_rows_read_words_4_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_4_memory_write_data <= to_unsigned(rows_reference_rows_write_words(4), 24);
-  rows_reference_rows_read_words_4_memory : entity work.line_memory
-    generic map (depth => 450, width => 24, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_4_memory_read_enable,
-      read_address => rows_reference_rows_read_words_4_memory_read_address, read_data => rows_reference_rows_read_words(4),
-      write_address => rows_reference_rows_read_words_4_memory_write_address, write_data => rows_reference_rows_read_words_4_memory_write_data);
-
-  rows_reference_rows_read_words_3_memory_read_enable <= true;
-  rows_reference_rows_read_words_3_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_reference_rows_read_words_3_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_3_memory_write_data <= to_unsigned(rows_reference_rows_write_words(3), 24);
-  rows_reference_rows_read_words_3_memory : entity work.line_memory
-    generic map (depth => 450, width => 24, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_3_memory_read_enable,
-      read_address => rows_reference_rows_read_words_3_memory_read_address, read_data => rows_reference_rows_read_words(3),
-      write_address => rows_reference_rows_read_words_3_memory_write_address, write_data => rows_reference_rows_read_words_3_memory_write_data);
-
-  rows_reference_rows_read_words_2_memory_read_enable <= true;
-  rows_reference_rows_read_words_2_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_reference_rows_read_words_2_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_2_memory_write_data <= to_unsigned(rows_reference_rows_write_words(2), 24);
-  rows_reference_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 450, width => 24, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_2_memory_read_enable,
-      read_address => rows_reference_rows_read_words_2_memory_read_address, read_data => rows_reference_rows_read_words(2),
-      write_address => rows_reference_rows_read_words_2_memory_write_address, write_data => rows_reference_rows_read_words_2_memory_write_data);
-
-  rows_reference_rows_read_words_1_memory_read_enable <= true;
-  rows_reference_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_reference_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words(1), 24);
-  rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 450, width => 24, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_1_memory_read_enable,
-      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words(1),
-      write_address => rows_reference_rows_read_words_1_memory_write_address, write_data => rows_reference_rows_read_words_1_memory_write_data);
-
-  rows_reference_rows_read_words_0_memory_read_enable <= true;
-  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words(0), 24);
-  rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 450, width => 24, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
-      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words(0),
-      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
+  rows_reference_rows_read_words_memory : for i in 8 downto 0 generate
+    signal read_address, write_address : unsigned(8 downto 0);
+    signal write_data : unsigned(23 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 9);
+    write_address <= to_unsigned(rows_write_column, 9);
+    write_data <= to_unsigned(rows_reference_rows_write_words(i), 24);
+    cell : entity work.line_memory
+      generic map (depth => 450, width => 24, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_reference_rows_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
 
   process (clock)
-    variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
+    variable transform_counter_group_is_equals : boolean_1d(1 to 2);  -- transform_counter_group_is_equal_#
     variable transform_counter_group_all, transform_counter_group_differs : boolean;
-    variable transform_read_column_inside_0_is_less, transform_left_filter_feature_0_value : boolean;
-    variable transform_left_filter_feature_0_any, transform_left_filter_feature_0_choice : boolean;
+    variable transform_read_column_inside_0_is_less : boolean;
+    variable transform_left_filter_feature_0_values : boolean_1d(1 to 11);  -- transform_left_filter_feature_0_value_#
+    variable transform_left_filter_feature_0_any : boolean;
+    variable transform_left_filter_feature_0_choices : boolean_1d(1 to 193);  -- transform_left_filter_feature_0_choice_#
     variable transform_left_filter_feature_0_is_equal : boolean;
-    variable transform_left_filter_feature_0_choices : boolean_1d(2 to 193);  -- transform_left_filter_feature_0_choice_#
-    variable transform_left_filter_feature_0_values : boolean_1d(2 to 11);  -- transform_left_filter_feature_0_value_#
-    variable transform_right_filter_feature_0_value, transform_right_filter_feature_0_any : boolean;
-    variable transform_right_filter_feature_0_choice, transform_right_filter_feature_0_is_equal : boolean;
-    variable transform_right_filter_feature_0_choices : boolean_1d(2 to 193);  -- transform_right_filter_feature_0_choice_#
-    variable transform_right_filter_feature_0_values : boolean_1d(2 to 11);  -- transform_right_filter_feature_0_value_#
-    variable transform_counter_next_frame_choice, transform_counter_next_frame_choice_2 : boolean;
+    variable transform_right_filter_feature_0_values : boolean_1d(1 to 11);  -- transform_right_filter_feature_0_value_#
+    variable transform_right_filter_feature_0_any : boolean;
+    variable transform_right_filter_feature_0_choices : boolean_1d(1 to 193);  -- transform_right_filter_feature_0_choice_#
+    variable transform_right_filter_feature_0_is_equal : boolean;
+    variable transform_counter_next_frame_choices : boolean_1d(1 to 2);  -- transform_counter_next_frame_choice_#
     variable raster_place_group_is_equal, delay_tag_first_column_is_equal : boolean;
-    variable slice0cost_pixels_first_0_count_value : boolean_2d(0 to 1, 0 to 7);  -- slice0cost_pixels_first_#_0_count_#_value
-    variable slice0cost_pixels_first_0_count_value_2 : boolean_2d(0 to 1, 0 to 7);  -- slice0cost_pixels_first_#_0_count_#_value_2
-    variable slice0cost_pixels_first_0_count_1_value_3 : boolean_1d(0 to 1);  -- slice0cost_pixels_first_#_0_count_1_value_3
-    variable slice0cost_pixels_first_0_count_value_3 : boolean_2d(0 to 1, 3 to 6);  -- slice0cost_pixels_first_#_0_count_#_value_3
+    variable slice0cost_pixels_first_0_count_value : boolean_3d(0 to 1, 0 to 7, 1 to 3);  -- slice0cost_pixels_first_#_0_count_#_value_#
     variable slice0mask_inside_choice : boolean_1d(0 to 15);  -- slice0mask_inside_#_choice
     variable slice0winner1_best_cost_0_is_less : boolean_1d(0 to 7);  -- slice0winner1_best_cost_0_#_is_less
     variable slice0winner2_best_cost_0_is_less : boolean_1d(0 to 3);  -- slice0winner2_best_cost_0_#_is_less
     variable slice0winner3_best_cost_0_is_less : boolean_1d(0 to 1);  -- slice0winner3_best_cost_0_#_is_less
     variable slice0winner4_best_cost_0_0_is_less : boolean;
-    variable slice1cost_pixels_first_0_count_value : boolean_2d(0 to 1, 0 to 7);  -- slice1cost_pixels_first_#_0_count_#_value
-    variable slice1cost_pixels_first_0_count_value_2 : boolean_2d(0 to 1, 0 to 7);  -- slice1cost_pixels_first_#_0_count_#_value_2
-    variable slice1cost_pixels_first_0_count_1_value_3 : boolean_1d(0 to 1);  -- slice1cost_pixels_first_#_0_count_1_value_3
-    variable slice1cost_pixels_first_0_count_value_3 : boolean_2d(0 to 1, 3 to 6);  -- slice1cost_pixels_first_#_0_count_#_value_3
+    variable slice1cost_pixels_first_0_count_value : boolean_3d(0 to 1, 0 to 7, 1 to 3);  -- slice1cost_pixels_first_#_0_count_#_value_#
     variable slice1mask_inside_0_all : boolean;
     variable slice1mask_inside_choice : boolean_1d(0 to 15);  -- slice1mask_inside_#_choice
     variable slice1winner1_best_cost_0_is_less : boolean_1d(0 to 7);  -- slice1winner1_best_cost_0_#_is_less
     variable slice1winner2_best_cost_0_is_less : boolean_1d(0 to 3);  -- slice1winner2_best_cost_0_#_is_less
     variable slice1winner3_best_cost_0_is_less : boolean_1d(0 to 1);  -- slice1winner3_best_cost_0_#_is_less
     variable slice1winner4_best_cost_0_0_is_less, slice1_best_cost_0_0_is_less : boolean;
-    variable slice2cost_pixels_first_0_count_value : boolean_2d(0 to 1, 0 to 7);  -- slice2cost_pixels_first_#_0_count_#_value
-    variable slice2cost_pixels_first_0_count_value_2 : boolean_2d(0 to 1, 0 to 7);  -- slice2cost_pixels_first_#_0_count_#_value_2
-    variable slice2cost_pixels_first_0_count_1_value_3 : boolean_1d(0 to 1);  -- slice2cost_pixels_first_#_0_count_1_value_3
-    variable slice2cost_pixels_first_0_count_value_3 : boolean_2d(0 to 1, 3 to 6);  -- slice2cost_pixels_first_#_0_count_#_value_3
+    variable slice2cost_pixels_first_0_count_value : boolean_3d(0 to 1, 0 to 7, 1 to 3);  -- slice2cost_pixels_first_#_0_count_#_value_#
     variable slice2mask_inside_0_all : boolean;
     variable slice2mask_inside_choice : boolean_1d(0 to 15);  -- slice2mask_inside_#_choice
     variable slice2winner1_best_cost_0_is_less : boolean_1d(0 to 7);  -- slice2winner1_best_cost_0_#_is_less
     variable slice2winner2_best_cost_0_is_less : boolean_1d(0 to 3);  -- slice2winner2_best_cost_0_#_is_less
     variable slice2winner3_best_cost_0_is_less : boolean_1d(0 to 1);  -- slice2winner3_best_cost_0_#_is_less
     variable slice2winner4_best_cost_0_0_is_less, slice2_best_cost_0_0_is_less : boolean;
-    variable refinement_tag_11_row_start_differs, refinement_tag_11_row_start_is_equal : boolean;
-    variable refinement_tag_11_row_start_choice : boolean;
-    variable refinement_tag_11_row_start_choices : boolean_1d(2 to 3);  -- refinement_tag_11_row_start_choice_#
-    variable refinement_tag_11_row_start_is_equal_2, refinement_tag_11_row_start_all : boolean;
-    variable refinement_tag_11_row_start_all_2, refinement_below_0_differs, refinement_below_0_value : boolean;
-    variable refinement_below_0_value_2, refinement_below_0_choice, refinement_above_0_differs : boolean;
-    variable refinement_above_0_choice, refinement_divisor_0_0_is_less, map_counter_group_is_equal : boolean;
-    variable map_line_ended_choice, map_at_arrives_value, map_window_complete_is_equal : boolean;
-    variable map_window_complete_choice : boolean;
+    variable refinement_tag_11_row_start_differs : boolean;
+    variable refinement_tag_11_row_start_is_equals : boolean_1d(1 to 2);  -- refinement_tag_11_row_start_is_equal_#
+    variable refinement_tag_11_row_start_choices : boolean_1d(1 to 3);  -- refinement_tag_11_row_start_choice_#
+    variable refinement_tag_11_row_start_alls : boolean_1d(1 to 2);  -- refinement_tag_11_row_start_all_#
+    variable refinement_below_0_differs : boolean;
+    variable refinement_below_0_values : boolean_1d(1 to 2);  -- refinement_below_0_value_#
+    variable refinement_below_0_choice, refinement_above_0_differs, refinement_above_0_choice : boolean;
+    variable refinement_divisor_0_0_is_less, map_counter_group_is_equal, map_line_ended_choice : boolean;
+    variable map_at_arrives_value, map_window_complete_is_equal, map_window_complete_choice : boolean;
     variable map_low_0_all : boolean_1d(0 to 1);  -- map_low_#_0_all
     variable transform_counter_group_choice, map_counter_group_choice : natural range 0 to 375;
     variable transform_counter_group_choices : natural_511_1d(2 to 3);  -- transform_counter_group_choice_#
@@ -1221,20 +647,16 @@ begin
     variable slice2window_change_0_choice : natural_255_1d(0 to 15);  -- slice2window_change_0_#_choice
     variable refinement_fraction_0_choice : natural range 0 to 255;
     variable slice0window_sum_0_choice : natural_2047_1d(0 to 15);  -- slice0window_sum_0_#_choice
-    variable slice0winner1_best_cost_0_choice : natural_2047_1d(0 to 7);  -- slice0winner1_best_cost_0_#_choice
-    variable slice0winner1_best_cost_0_any : natural_2047_1d(0 to 7);  -- slice0winner1_best_cost_0_#_any
-    variable slice0winner1_best_cost_0_choice_2 : natural_2047_1d(0 to 7);  -- slice0winner1_best_cost_0_#_choice_2
-    variable slice0winner1_best_cost_0_any_2 : natural_2047_1d(0 to 7);  -- slice0winner1_best_cost_0_#_any_2
+    variable slice0winner1_best_cost_0_choice : natural_2047_2d(0 to 7, 1 to 2);  -- slice0winner1_best_cost_0_#_choice_#
+    variable slice0winner1_best_cost_0_any : natural_2047_2d(0 to 7, 1 to 2);  -- slice0winner1_best_cost_0_#_any_#
     variable slice0winner2_best_below_0_choice : natural_2047_1d(0 to 3);  -- slice0winner2_best_below_0_#_choice
     variable slice0winner2_best_above_0_choice : natural_2047_1d(0 to 3);  -- slice0winner2_best_above_0_#_choice
     variable slice0winner3_best_below_0_choice : natural_2047_1d(0 to 1);  -- slice0winner3_best_below_0_#_choice
     variable slice0winner3_best_above_0_choice : natural_2047_1d(0 to 1);  -- slice0winner3_best_above_0_#_choice
     variable slice0winner4_best_below_0_0_choice, slice0winner4_best_above_0_0_choice : natural range 0 to 2047;
     variable slice1window_sum_0_choice : natural_2047_1d(0 to 15);  -- slice1window_sum_0_#_choice
-    variable slice1winner1_best_cost_0_choice : natural_2047_1d(0 to 7);  -- slice1winner1_best_cost_0_#_choice
-    variable slice1winner1_best_cost_0_any : natural_2047_1d(0 to 7);  -- slice1winner1_best_cost_0_#_any
-    variable slice1winner1_best_cost_0_choice_2 : natural_2047_1d(0 to 7);  -- slice1winner1_best_cost_0_#_choice_2
-    variable slice1winner1_best_cost_0_any_2 : natural_2047_1d(0 to 7);  -- slice1winner1_best_cost_0_#_any_2
+    variable slice1winner1_best_cost_0_choice : natural_2047_2d(0 to 7, 1 to 2);  -- slice1winner1_best_cost_0_#_choice_#
+    variable slice1winner1_best_cost_0_any : natural_2047_2d(0 to 7, 1 to 2);  -- slice1winner1_best_cost_0_#_any_#
     variable slice1winner2_best_below_0_choice : natural_2047_1d(0 to 3);  -- slice1winner2_best_below_0_#_choice
     variable slice1winner2_best_above_0_choice : natural_2047_1d(0 to 3);  -- slice1winner2_best_above_0_#_choice
     variable slice1winner3_best_below_0_choice : natural_2047_1d(0 to 1);  -- slice1winner3_best_below_0_#_choice
@@ -1242,10 +664,8 @@ begin
     variable slice1winner4_best_below_0_0_choice, slice1winner4_best_above_0_0_choice : natural range 0 to 2047;
     variable slice1_best_below_0_0_choice, slice1_best_above_0_0_choice : natural range 0 to 2047;
     variable slice2window_sum_0_choice : natural_2047_1d(0 to 15);  -- slice2window_sum_0_#_choice
-    variable slice2winner1_best_cost_0_choice : natural_2047_1d(0 to 7);  -- slice2winner1_best_cost_0_#_choice
-    variable slice2winner1_best_cost_0_any : natural_2047_1d(0 to 7);  -- slice2winner1_best_cost_0_#_any
-    variable slice2winner1_best_cost_0_choice_2 : natural_2047_1d(0 to 7);  -- slice2winner1_best_cost_0_#_choice_2
-    variable slice2winner1_best_cost_0_any_2 : natural_2047_1d(0 to 7);  -- slice2winner1_best_cost_0_#_any_2
+    variable slice2winner1_best_cost_0_choice : natural_2047_2d(0 to 7, 1 to 2);  -- slice2winner1_best_cost_0_#_choice_#
+    variable slice2winner1_best_cost_0_any : natural_2047_2d(0 to 7, 1 to 2);  -- slice2winner1_best_cost_0_#_any_#
     variable slice2winner2_best_below_0_choice : natural_2047_1d(0 to 3);  -- slice2winner2_best_below_0_#_choice
     variable slice2winner2_best_above_0_choice : natural_2047_1d(0 to 3);  -- slice2winner2_best_above_0_#_choice
     variable slice2winner3_best_below_0_choice : natural_2047_1d(0 to 1);  -- slice2winner3_best_below_0_#_choice
@@ -1259,946 +679,488 @@ begin
     variable refinement_fraction_0_value : natural range 0 to 16;
     variable refinement_fraction_0_choice_2 : natural range 0 to 7;
     variable map_of_column_0_a_choice : natural range 0 to 4095;
-    variable map_of_column_0_c_choice, map_sorted_low_0_choice, map_sorted_low_0_choice_2 : natural range 0 to 32767;
-    variable map_sorted_middle_0_choice, map_sorted_middle_0_choice_2 : natural range 0 to 32767;
-    variable map_sorted_high_0_choice, map_sorted_high_0_choice_2, map_largest_low_0_choice : natural range 0 to 32767;
-    variable map_largest_low_0_choice_2, map_median_middle_0_choice : natural range 0 to 32767;
-    variable map_median_middle_0_choices : natural_32767_1d(2 to 4);  -- map_median_middle_0_choice_#
-    variable map_smallest_high_0_choice, map_smallest_high_0_choice_2 : natural range 0 to 32767;
-    variable map_out_disparity_0_choice : natural range 0 to 32767;
-    variable map_out_disparity_0_choices : natural_32767_1d(2 to 4);  -- map_out_disparity_0_choice_#
+    variable map_of_column_0_c_choice : natural range 0 to 32767;
+    variable map_sorted_low_0_choices : natural_32767_1d(1 to 2);  -- map_sorted_low_0_choice_#
+    variable map_sorted_middle_0_choices : natural_32767_1d(1 to 2);  -- map_sorted_middle_0_choice_#
+    variable map_sorted_high_0_choices : natural_32767_1d(1 to 2);  -- map_sorted_high_0_choice_#
+    variable map_largest_low_0_choices : natural_32767_1d(1 to 2);  -- map_largest_low_0_choice_#
+    variable map_median_middle_0_choices : natural_32767_1d(1 to 4);  -- map_median_middle_0_choice_#
+    variable map_smallest_high_0_choices : natural_32767_1d(1 to 2);  -- map_smallest_high_0_choice_#
+    variable map_out_disparity_0_choices : natural_32767_1d(1 to 4);  -- map_out_disparity_0_choice_#
     variable map_low_0_0_choice, map_middle_0_0_choice, map_high_0_0_choice : natural range 0 to 32767;
   begin
     if rising_edge(clock) then
+      -- no bit without a value, where an array has places for more
+      slice0cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice1cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice2cost_pixels_first_0_count_value := (others => (others => (others => false)));
       -- transform
-      transform_counter_group_is_equal := transform_counter_group = 374;
-      transform_counter_group_is_equal_2 := transform_counter_column = 449;
-      transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
-      if transform_counter_group_all then
-        transform_counter_group_choice := 375;
-      else
-        transform_counter_group_choice := 0;
-      end if;
+      transform_counter_group_is_equals(1) := transform_counter_group = 374;
+      transform_counter_group_is_equals(2) := transform_counter_column = 449;
+      transform_counter_group_all := transform_counter_group_is_equals(1) and transform_counter_group_is_equals(2);
+      transform_counter_group_choice := choice(transform_counter_group_all, 375, 0);
       transform_counter_group_differs := transform_counter_group /= 377;
-      if (transform_counter_group = 376) and transform_counter_next_frame then
-        transform_counter_group_choices(2) := 2;
-      else
-        transform_counter_group_choices(2) := (transform_counter_group + 1) mod 512;
-      end if;
-      if transform_counter_group_differs and in_valid and transform_counter_group_is_equal_2 then
-        transform_counter_group_choices(3) := transform_counter_group_choices(2);
-      else
-        transform_counter_group_choices(3) := transform_counter_group;
-      end if;
+      transform_counter_group_choices(2) := choice((transform_counter_group = 376) and transform_counter_next_frame, 2,
+        (transform_counter_group + 1) mod 512);
+      transform_counter_group_choices(3) := choice(transform_counter_group_differs and in_valid and
+        transform_counter_group_is_equals(2), transform_counter_group_choices(2), transform_counter_group);
       transform_read_column_inside_0_is_less := 3 < transform_counter_column;
-      transform_left_filter_feature_0_value := is_set(transform_left_filter_column(4, 2), 1);
-      transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_value) or (not
+      transform_left_filter_feature_0_values(1) := is_set(transform_left_filter_column(4, 2), 1);
+      transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_values(1)) or (not
         is_set(transform_left_filter_column(4, 2), 0));
-      if is_set(transform_left_filter_column(0, 1), 0) then
-        transform_left_filter_feature_0_choice := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice := not transform_left_filter_feature_0_value;
-      end if;
+      transform_left_filter_feature_0_choices(1) := choice(is_set(transform_left_filter_column(0, 1), 0),
+        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
       transform_left_filter_feature_0_is_equal := (transform_left_filter_column(4, 2) mod 4) = 0;
-      if is_set(transform_left_filter_column(0, 1), 1) then
-        transform_left_filter_feature_0_choices(2) := transform_left_filter_feature_0_choice;
-      else
-        transform_left_filter_feature_0_choices(2) := is_set(transform_left_filter_column(0, 1), 0) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
+      transform_left_filter_feature_0_choices(2) := choice(is_set(transform_left_filter_column(0, 1), 1),
+        transform_left_filter_feature_0_choices(1), is_set(transform_left_filter_column(0, 1), 0) and
+        transform_left_filter_feature_0_is_equal);
       transform_left_filter_feature_0_values(2) := is_set(transform_left_filter_column(4, 2), 2);
-      if transform_left_filter_feature_0_choices(2) then
-        transform_left_filter_feature_0_choices(3) := (not is_set(transform_left_filter_column(0, 1), 2)) and
-          transform_left_filter_feature_0_values(2);
-      else
-        transform_left_filter_feature_0_choices(3) := (not is_set(transform_left_filter_column(0, 1), 2)) or
-          transform_left_filter_feature_0_values(2);
-      end if;
+      transform_left_filter_feature_0_choices(3) := inverted_carry(transform_left_filter_feature_0_choices(2), not
+        is_set(transform_left_filter_column(0, 1), 2), transform_left_filter_feature_0_values(2));
       for i in 3 to 6 loop
         transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(4, 2), i);
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(0, 1), i)) or
-            transform_left_filter_feature_0_values(i);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(0, 1), i)) and
-            transform_left_filter_feature_0_values(i);
-        end if;
+        transform_left_filter_feature_0_choices(i + 1) := carry(transform_left_filter_feature_0_choices(i), not
+          is_set(transform_left_filter_column(0, 1), i), transform_left_filter_feature_0_values(i));
       end loop;
-      if transform_left_filter_feature_0_choices(7) then
-        transform_left_filter_feature_0_choices(8) := transform_filtering_0_column_inside_0 and
-          is_set(transform_left_filter_column(0, 1), 7) and (not is_set(transform_left_filter_column(4, 2), 7));
-      else
-        transform_left_filter_feature_0_choices(8) := transform_filtering_0_column_inside_0 and
-          (is_set(transform_left_filter_column(0, 1), 7) or (not is_set(transform_left_filter_column(4, 2), 7)));
-      end if;
-      if is_set(transform_left_filter_column(0, 3), 0) then
-        transform_left_filter_feature_0_choices(9) := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choices(9) := not transform_left_filter_feature_0_value;
-      end if;
-      if is_set(transform_left_filter_column(0, 3), 1) then
-        transform_left_filter_feature_0_choices(10) := transform_left_filter_feature_0_choices(9);
-      else
-        transform_left_filter_feature_0_choices(10) := is_set(transform_left_filter_column(0, 3), 0) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choices(10) then
-        transform_left_filter_feature_0_choices(11) := (not is_set(transform_left_filter_column(0, 3), 2)) and
-          transform_left_filter_feature_0_values(2);
-      else
-        transform_left_filter_feature_0_choices(11) := (not is_set(transform_left_filter_column(0, 3), 2)) or
-          transform_left_filter_feature_0_values(2);
-      end if;
-      for i in 11 to 14 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(0, 3), i - 8)) or
-            transform_left_filter_feature_0_values(i - 8);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(0, 3), i - 8)) and
-            transform_left_filter_feature_0_values(i - 8);
-        end if;
+      transform_left_filter_feature_0_choices(8) := choice(transform_left_filter_feature_0_choices(7),
+        transform_filtering_0_column_inside_0 and is_set(transform_left_filter_column(0, 1), 7) and (not
+        is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_0_column_inside_0 and
+        (is_set(transform_left_filter_column(0, 1), 7) or (not is_set(transform_left_filter_column(4, 2), 7))));
+      transform_left_filter_feature_0_choices(9) := choice(is_set(transform_left_filter_column(0, 3), 0),
+        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(10) := choice(is_set(transform_left_filter_column(0, 3), 1),
+        transform_left_filter_feature_0_choices(9), is_set(transform_left_filter_column(0, 3), 0) and
+        transform_left_filter_feature_0_is_equal);
+      transform_left_filter_feature_0_choices(11) := inverted_carry(transform_left_filter_feature_0_choices(10), not
+        is_set(transform_left_filter_column(0, 3), 2), transform_left_filter_feature_0_values(2));
+      for i in 12 to 15 loop
+        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
+          is_set(transform_left_filter_column(0, 3), i - 9), transform_left_filter_feature_0_values(i - 9));
       end loop;
-      if transform_left_filter_feature_0_choices(15) then
-        transform_left_filter_feature_0_choices(16) := transform_filtering_0_column_inside_0 and
-          is_set(transform_left_filter_column(0, 3), 7) and (not is_set(transform_left_filter_column(4, 2), 7));
-      else
-        transform_left_filter_feature_0_choices(16) := transform_filtering_0_column_inside_0 and
-          (is_set(transform_left_filter_column(0, 3), 7) or (not is_set(transform_left_filter_column(4, 2), 7)));
-      end if;
-      if is_set(transform_left_filter_column(0, 0), 0) then
-        transform_left_filter_feature_0_choices(17) := (transform_left_filter_column(4, 2) mod 4) = 3;
-      else
-        transform_left_filter_feature_0_choices(17) := transform_left_filter_feature_0_value;
-      end if;
-      if is_set(transform_left_filter_column(0, 0), 1) then
-        transform_left_filter_feature_0_choices(18) := transform_left_filter_feature_0_choices(17);
-      else
-        transform_left_filter_feature_0_choices(18) := (not is_set(transform_left_filter_column(0, 0), 0)) or
-          transform_left_filter_feature_0_value or is_set(transform_left_filter_column(4, 2), 0);
-      end if;
+      transform_left_filter_feature_0_choices(16) := choice(transform_left_filter_feature_0_choices(15),
+        transform_filtering_0_column_inside_0 and is_set(transform_left_filter_column(0, 3), 7) and (not
+        is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_0_column_inside_0 and
+        (is_set(transform_left_filter_column(0, 3), 7) or (not is_set(transform_left_filter_column(4, 2), 7))));
+      transform_left_filter_feature_0_choices(17) := choice(is_set(transform_left_filter_column(0, 0), 0),
+        (transform_left_filter_column(4, 2) mod 4) = 3, transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(18) := choice(is_set(transform_left_filter_column(0, 0), 1),
+        transform_left_filter_feature_0_choices(17), (not is_set(transform_left_filter_column(0, 0), 0)) or
+        transform_left_filter_feature_0_values(1) or is_set(transform_left_filter_column(4, 2), 0));
       transform_left_filter_feature_0_values(7) := is_set(transform_left_filter_column(0, 0), 2);
-      if transform_left_filter_feature_0_choices(18) then
-        transform_left_filter_feature_0_choices(19) := transform_left_filter_feature_0_values(7) and (not
-          transform_left_filter_feature_0_values(2));
-      else
-        transform_left_filter_feature_0_choices(19) := transform_left_filter_feature_0_values(7) or (not
-          transform_left_filter_feature_0_values(2));
-      end if;
+      transform_left_filter_feature_0_choices(19) := inverted_carry(transform_left_filter_feature_0_choices(18),
+        transform_left_filter_feature_0_values(7), not transform_left_filter_feature_0_values(2));
       for i in 8 to 11 loop
         transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(0, 0), i - 5);
-        if transform_left_filter_feature_0_choices(i + 11) then
-          transform_left_filter_feature_0_choices(i + 12) := transform_left_filter_feature_0_values(i) or (not
-            transform_left_filter_feature_0_values(i - 5));
-        else
-          transform_left_filter_feature_0_choices(i + 12) := transform_left_filter_feature_0_values(i) and (not
-            transform_left_filter_feature_0_values(i - 5));
-        end if;
+        transform_left_filter_feature_0_choices(i + 12) := carry(transform_left_filter_feature_0_choices(i + 11),
+          transform_left_filter_feature_0_values(i), not transform_left_filter_feature_0_values(i - 5));
       end loop;
-      if is_set(transform_left_filter_column(0, 0), 7) then
-        transform_left_filter_feature_0_choices(24) := transform_filtering_0_column_inside_0;
-      else
-        transform_left_filter_feature_0_choices(24) := transform_filtering_0_column_inside_0 and (not
-          is_set(transform_left_filter_column(4, 2), 7));
-      end if;
-      if transform_left_filter_feature_0_choices(23) then
-        transform_left_filter_feature_0_choices(25) := transform_left_filter_feature_0_choices(24);
-      else
-        transform_left_filter_feature_0_choices(25) := is_set(transform_left_filter_column(0, 0), 7) and
-          transform_filtering_0_column_inside_0 and (not is_set(transform_left_filter_column(4, 2), 7));
-      end if;
+      transform_left_filter_feature_0_choices(24) := choice(is_set(transform_left_filter_column(0, 0), 7),
+        transform_filtering_0_column_inside_0, transform_filtering_0_column_inside_0 and (not
+        is_set(transform_left_filter_column(4, 2), 7)));
+      transform_left_filter_feature_0_choices(25) := choice(transform_left_filter_feature_0_choices(23),
+        transform_left_filter_feature_0_choices(24), is_set(transform_left_filter_column(0, 0), 7) and
+        transform_filtering_0_column_inside_0 and (not is_set(transform_left_filter_column(4, 2), 7)));
       for i in 0 to 1 loop
-        if is_set(transform_left_filter_column(0, 2 * i + 2), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 26) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 26) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(0, 2 * i + 2), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 27) := transform_left_filter_feature_0_choices(8 * i + 26);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 27) := is_set(transform_left_filter_column(0, 2 * i + 2), 0)
-            and transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 27) then
-          transform_left_filter_feature_0_choices(8 * i + 28) := (not is_set(transform_left_filter_column(0, 2 * i +
-            2), 2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 28) := (not is_set(transform_left_filter_column(0, 2 * i +
-            2), 2)) or transform_left_filter_feature_0_values(2);
-        end if;
+        transform_left_filter_feature_0_choices(8 * i + 26) := choice(is_set(transform_left_filter_column(0, 2 * i +
+          2), 0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(8 * i + 27) := choice(is_set(transform_left_filter_column(0, 2 * i +
+          2), 1), transform_left_filter_feature_0_choices(8 * i + 26), is_set(transform_left_filter_column(0, 2 * i +
+          2), 0) and transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(8 * i + 28) := inverted_carry(transform_left_filter_feature_0_choices(8
+          * i + 27), not is_set(transform_left_filter_column(0, 2 * i + 2), 2),
+          transform_left_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 25) then
-            transform_left_filter_feature_0_choices(8 * i + j + 26) := (not is_set(transform_left_filter_column(0, 2 *
-              i + 2), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 26) := (not is_set(transform_left_filter_column(0, 2 *
-              i + 2), j)) and transform_left_filter_feature_0_values(j);
-          end if;
+          transform_left_filter_feature_0_choices(8 * i + j + 26) := carry(transform_left_filter_feature_0_choices(8 *
+            i + j + 25), not is_set(transform_left_filter_column(0, 2 * i + 2), j),
+            transform_left_filter_feature_0_values(j));
         end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 32) then
-          transform_left_filter_feature_0_choices(8 * i + 33) := transform_filtering_0_column_inside_0 and
-            is_set(transform_left_filter_column(0, 2 * i + 2), 7) and (not is_set(transform_left_filter_column(4, 2),
-            7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 33) := transform_filtering_0_column_inside_0 and
-            (is_set(transform_left_filter_column(0, 2 * i + 2), 7) or (not is_set(transform_left_filter_column(4, 2),
-            7)));
-        end if;
+        transform_left_filter_feature_0_choices(8 * i + 33) := choice(transform_left_filter_feature_0_choices(8 * i +
+          32), transform_filtering_0_column_inside_0 and is_set(transform_left_filter_column(0, 2 * i + 2), 7) and (not
+          is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_0_column_inside_0 and
+          (is_set(transform_left_filter_column(0, 2 * i + 2), 7) or (not is_set(transform_left_filter_column(4, 2),
+          7))));
       end loop;
       for i in 0 to 1 loop
-        if is_set(transform_left_filter_column(2, 3 - 2 * i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 42) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 42) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(2, 3 - 2 * i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 43) := transform_left_filter_feature_0_choices(8 * i + 42);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 43) := is_set(transform_left_filter_column(2, 3 - 2 * i), 0)
-            and transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 43) then
-          transform_left_filter_feature_0_choices(8 * i + 44) := (not is_set(transform_left_filter_column(2, 3 - 2 *
-            i), 2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 44) := (not is_set(transform_left_filter_column(2, 3 - 2 *
-            i), 2)) or transform_left_filter_feature_0_values(2);
-        end if;
+        transform_left_filter_feature_0_choices(8 * i + 42) := choice(is_set(transform_left_filter_column(2, 3 - 2 *
+          i), 0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(8 * i + 43) := choice(is_set(transform_left_filter_column(2, 3 - 2 *
+          i), 1), transform_left_filter_feature_0_choices(8 * i + 42), is_set(transform_left_filter_column(2, 3 - 2 *
+          i), 0) and transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(8 * i + 44) := inverted_carry(transform_left_filter_feature_0_choices(8
+          * i + 43), not is_set(transform_left_filter_column(2, 3 - 2 * i), 2),
+          transform_left_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 41) then
-            transform_left_filter_feature_0_choices(8 * i + j + 42) := (not is_set(transform_left_filter_column(2, 3 -
-              2 * i), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 42) := (not is_set(transform_left_filter_column(2, 3 -
-              2 * i), j)) and transform_left_filter_feature_0_values(j);
-          end if;
+          transform_left_filter_feature_0_choices(8 * i + j + 42) := carry(transform_left_filter_feature_0_choices(8 *
+            i + j + 41), not is_set(transform_left_filter_column(2, 3 - 2 * i), j),
+            transform_left_filter_feature_0_values(j));
         end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 48) then
-          transform_left_filter_feature_0_choices(8 * i + 49) := transform_filtering_0_column_inside_2 and
-            is_set(transform_left_filter_column(2, 3 - 2 * i), 7) and (not is_set(transform_left_filter_column(4, 2),
-            7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 49) := transform_filtering_0_column_inside_2 and
-            (is_set(transform_left_filter_column(2, 3 - 2 * i), 7) or (not is_set(transform_left_filter_column(4, 2),
-            7)));
-        end if;
+        transform_left_filter_feature_0_choices(8 * i + 49) := choice(transform_left_filter_feature_0_choices(8 * i +
+          48), transform_filtering_0_column_inside_2 and is_set(transform_left_filter_column(2, 3 - 2 * i), 7) and (not
+          is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_0_column_inside_2 and
+          (is_set(transform_left_filter_column(2, 3 - 2 * i), 7) or (not is_set(transform_left_filter_column(4, 2),
+          7))));
       end loop;
       for i in 0 to 2 loop
-        if is_set(transform_left_filter_column(2, 2 * i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 58) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 58) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(2, 2 * i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 59) := transform_left_filter_feature_0_choices(8 * i + 58);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 59) := is_set(transform_left_filter_column(2, 2 * i), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 59) then
-          transform_left_filter_feature_0_choices(8 * i + 60) := (not is_set(transform_left_filter_column(2, 2 * i),
-            2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 60) := (not is_set(transform_left_filter_column(2, 2 * i),
-            2)) or transform_left_filter_feature_0_values(2);
-        end if;
+        transform_left_filter_feature_0_choices(8 * i + 58) := choice(is_set(transform_left_filter_column(2, 2 * i),
+          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(8 * i + 59) := choice(is_set(transform_left_filter_column(2, 2 * i),
+          1), transform_left_filter_feature_0_choices(8 * i + 58), is_set(transform_left_filter_column(2, 2 * i), 0)
+          and transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(8 * i + 60) := inverted_carry(transform_left_filter_feature_0_choices(8
+          * i + 59), not is_set(transform_left_filter_column(2, 2 * i), 2), transform_left_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 57) then
-            transform_left_filter_feature_0_choices(8 * i + j + 58) := (not is_set(transform_left_filter_column(2, 2 *
-              i), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 58) := (not is_set(transform_left_filter_column(2, 2 *
-              i), j)) and transform_left_filter_feature_0_values(j);
-          end if;
+          transform_left_filter_feature_0_choices(8 * i + j + 58) := carry(transform_left_filter_feature_0_choices(8 *
+            i + j + 57), not is_set(transform_left_filter_column(2, 2 * i), j),
+            transform_left_filter_feature_0_values(j));
         end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 64) then
-          transform_left_filter_feature_0_choices(8 * i + 65) := transform_filtering_0_column_inside_2 and
-            is_set(transform_left_filter_column(2, 2 * i), 7) and (not is_set(transform_left_filter_column(4, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 65) := transform_filtering_0_column_inside_2 and
-            (is_set(transform_left_filter_column(2, 2 * i), 7) or (not is_set(transform_left_filter_column(4, 2), 7)));
-        end if;
+        transform_left_filter_feature_0_choices(8 * i + 65) := choice(transform_left_filter_feature_0_choices(8 * i +
+          64), transform_filtering_0_column_inside_2 and is_set(transform_left_filter_column(2, 2 * i), 7) and (not
+          is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_0_column_inside_2 and
+          (is_set(transform_left_filter_column(2, 2 * i), 7) or (not is_set(transform_left_filter_column(4, 2), 7))));
       end loop;
       for i in 0 to 1 loop
-        if is_set(transform_left_filter_column(4, 3 - 3 * i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 82) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 82) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(4, 3 - 3 * i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 83) := transform_left_filter_feature_0_choices(8 * i + 82);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 83) := is_set(transform_left_filter_column(4, 3 - 3 * i), 0)
-            and transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 83) then
-          transform_left_filter_feature_0_choices(8 * i + 84) := (not is_set(transform_left_filter_column(4, 3 - 3 *
-            i), 2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 84) := (not is_set(transform_left_filter_column(4, 3 - 3 *
-            i), 2)) or transform_left_filter_feature_0_values(2);
-        end if;
+        transform_left_filter_feature_0_choices(16 * i + 82) := choice(is_set(transform_left_filter_column(4, 3 - 2 *
+          i), 0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(16 * i + 83) := choice(is_set(transform_left_filter_column(4, 3 - 2 *
+          i), 1), transform_left_filter_feature_0_choices(16 * i + 82), is_set(transform_left_filter_column(4, 3 - 2 *
+          i), 0) and transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(16 * i + 84) :=
+          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 83), not
+          is_set(transform_left_filter_column(4, 3 - 2 * i), 2), transform_left_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 81) then
-            transform_left_filter_feature_0_choices(8 * i + j + 82) := (not is_set(transform_left_filter_column(4, 3 -
-              3 * i), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 82) := (not is_set(transform_left_filter_column(4, 3 -
-              3 * i), j)) and transform_left_filter_feature_0_values(j);
-          end if;
+          transform_left_filter_feature_0_choices(16 * i + j + 82) := carry(transform_left_filter_feature_0_choices(16
+            * i + j + 81), not is_set(transform_left_filter_column(4, 3 - 2 * i), j),
+            transform_left_filter_feature_0_values(j));
         end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 88) then
-          transform_left_filter_feature_0_choices(8 * i + 89) := transform_filtering_column_inside_4(0) and
-            is_set(transform_left_filter_column(4, 3 - 3 * i), 7) and (not is_set(transform_left_filter_column(4, 2),
-            7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 89) := transform_filtering_column_inside_4(0) and
-            (is_set(transform_left_filter_column(4, 3 - 3 * i), 7) or (not is_set(transform_left_filter_column(4, 2),
-            7)));
-        end if;
+        transform_left_filter_feature_0_choices(16 * i + 89) := choice(transform_left_filter_feature_0_choices(16 * i +
+          88), transform_filtering_column_inside_4(0) and is_set(transform_left_filter_column(4, 3 - 2 * i), 7) and
+          (not is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_column_inside_4(0) and
+          (is_set(transform_left_filter_column(4, 3 - 2 * i), 7) or (not is_set(transform_left_filter_column(4, 2),
+          7))));
+        transform_left_filter_feature_0_choices(16 * i + 90) := choice(is_set(transform_left_filter_column(4, 4 * i),
+          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(16 * i + 91) := choice(is_set(transform_left_filter_column(4, 4 * i),
+          1), transform_left_filter_feature_0_choices(16 * i + 90), is_set(transform_left_filter_column(4, 4 * i), 0)
+          and transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(16 * i + 92) :=
+          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 91), not
+          is_set(transform_left_filter_column(4, 4 * i), 2), transform_left_filter_feature_0_values(2));
+        for j in 3 to 6 loop
+          transform_left_filter_feature_0_choices(16 * i + j + 90) := carry(transform_left_filter_feature_0_choices(16
+            * i + j + 89), not is_set(transform_left_filter_column(4, 4 * i), j),
+            transform_left_filter_feature_0_values(j));
+        end loop;
+        transform_left_filter_feature_0_choices(16 * i + 97) := choice(transform_left_filter_feature_0_choices(16 * i +
+          96), transform_filtering_column_inside_4(0) and is_set(transform_left_filter_column(4, 4 * i), 7) and (not
+          is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_column_inside_4(0) and
+          (is_set(transform_left_filter_column(4, 4 * i), 7) or (not is_set(transform_left_filter_column(4, 2), 7))));
       end loop;
       for i in 0 to 1 loop
-        if is_set(transform_left_filter_column(4, 3 * i + 1), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 98) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 98) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(4, 3 * i + 1), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 99) := transform_left_filter_feature_0_choices(8 * i + 98);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 99) := is_set(transform_left_filter_column(4, 3 * i + 1), 0)
-            and transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 99) then
-          transform_left_filter_feature_0_choices(8 * i + 100) := (not is_set(transform_left_filter_column(4, 3 * i +
-            1), 2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 100) := (not is_set(transform_left_filter_column(4, 3 * i +
-            1), 2)) or transform_left_filter_feature_0_values(2);
-        end if;
+        transform_left_filter_feature_0_choices(8 * i + 114) := choice(is_set(transform_left_filter_column(6, 3 - 2 *
+          i), 0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(8 * i + 115) := choice(is_set(transform_left_filter_column(6, 3 - 2 *
+          i), 1), transform_left_filter_feature_0_choices(8 * i + 114), is_set(transform_left_filter_column(6, 3 - 2 *
+          i), 0) and transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(8 * i + 116) :=
+          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 115), not
+          is_set(transform_left_filter_column(6, 3 - 2 * i), 2), transform_left_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 97) then
-            transform_left_filter_feature_0_choices(8 * i + j + 98) := (not is_set(transform_left_filter_column(4, 3 *
-              i + 1), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 98) := (not is_set(transform_left_filter_column(4, 3 *
-              i + 1), j)) and transform_left_filter_feature_0_values(j);
-          end if;
+          transform_left_filter_feature_0_choices(8 * i + j + 114) := carry(transform_left_filter_feature_0_choices(8 *
+            i + j + 113), not is_set(transform_left_filter_column(6, 3 - 2 * i), j),
+            transform_left_filter_feature_0_values(j));
         end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 104) then
-          transform_left_filter_feature_0_choices(8 * i + 105) := transform_filtering_column_inside_4(0) and
-            is_set(transform_left_filter_column(4, 3 * i + 1), 7) and (not is_set(transform_left_filter_column(4, 2),
-            7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 105) := transform_filtering_column_inside_4(0) and
-            (is_set(transform_left_filter_column(4, 3 * i + 1), 7) or (not is_set(transform_left_filter_column(4, 2),
-            7)));
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_left_filter_column(6, 3 - 2 * i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 114) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 114) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(6, 3 - 2 * i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 115) := transform_left_filter_feature_0_choices(8 * i + 114);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 115) := is_set(transform_left_filter_column(6, 3 - 2 * i), 0)
-            and transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 115) then
-          transform_left_filter_feature_0_choices(8 * i + 116) := (not is_set(transform_left_filter_column(6, 3 - 2 *
-            i), 2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 116) := (not is_set(transform_left_filter_column(6, 3 - 2 *
-            i), 2)) or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 113) then
-            transform_left_filter_feature_0_choices(8 * i + j + 114) := (not is_set(transform_left_filter_column(6, 3 -
-              2 * i), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 114) := (not is_set(transform_left_filter_column(6, 3 -
-              2 * i), j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 120) then
-          transform_left_filter_feature_0_choices(8 * i + 121) := transform_filtering_0_column_inside_6 and
-            is_set(transform_left_filter_column(6, 3 - 2 * i), 7) and (not is_set(transform_left_filter_column(4, 2),
-            7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 121) := transform_filtering_0_column_inside_6 and
-            (is_set(transform_left_filter_column(6, 3 - 2 * i), 7) or (not is_set(transform_left_filter_column(4, 2),
-            7)));
-        end if;
+        transform_left_filter_feature_0_choices(8 * i + 121) := choice(transform_left_filter_feature_0_choices(8 * i +
+          120), transform_filtering_0_column_inside_6 and is_set(transform_left_filter_column(6, 3 - 2 * i), 7) and
+          (not is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_0_column_inside_6 and
+          (is_set(transform_left_filter_column(6, 3 - 2 * i), 7) or (not is_set(transform_left_filter_column(4, 2),
+          7))));
       end loop;
       for i in 0 to 2 loop
-        if is_set(transform_left_filter_column(6, 2 * i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 130) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 130) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(6, 2 * i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 131) := transform_left_filter_feature_0_choices(8 * i + 130);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 131) := is_set(transform_left_filter_column(6, 2 * i), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 131) then
-          transform_left_filter_feature_0_choices(8 * i + 132) := (not is_set(transform_left_filter_column(6, 2 * i),
-            2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 132) := (not is_set(transform_left_filter_column(6, 2 * i),
-            2)) or transform_left_filter_feature_0_values(2);
-        end if;
+        transform_left_filter_feature_0_choices(8 * i + 130) := choice(is_set(transform_left_filter_column(6, 2 * i),
+          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(8 * i + 131) := choice(is_set(transform_left_filter_column(6, 2 * i),
+          1), transform_left_filter_feature_0_choices(8 * i + 130), is_set(transform_left_filter_column(6, 2 * i), 0)
+          and transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(8 * i + 132) :=
+          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 131), not
+          is_set(transform_left_filter_column(6, 2 * i), 2), transform_left_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 129) then
-            transform_left_filter_feature_0_choices(8 * i + j + 130) := (not is_set(transform_left_filter_column(6, 2 *
-              i), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 130) := (not is_set(transform_left_filter_column(6, 2 *
-              i), j)) and transform_left_filter_feature_0_values(j);
-          end if;
+          transform_left_filter_feature_0_choices(8 * i + j + 130) := carry(transform_left_filter_feature_0_choices(8 *
+            i + j + 129), not is_set(transform_left_filter_column(6, 2 * i), j),
+            transform_left_filter_feature_0_values(j));
         end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 136) then
-          transform_left_filter_feature_0_choices(8 * i + 137) := transform_filtering_0_column_inside_6 and
-            is_set(transform_left_filter_column(6, 2 * i), 7) and (not is_set(transform_left_filter_column(4, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 137) := transform_filtering_0_column_inside_6 and
-            (is_set(transform_left_filter_column(6, 2 * i), 7) or (not is_set(transform_left_filter_column(4, 2), 7)));
-        end if;
+        transform_left_filter_feature_0_choices(8 * i + 137) := choice(transform_left_filter_feature_0_choices(8 * i +
+          136), transform_filtering_0_column_inside_6 and is_set(transform_left_filter_column(6, 2 * i), 7) and (not
+          is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_0_column_inside_6 and
+          (is_set(transform_left_filter_column(6, 2 * i), 7) or (not is_set(transform_left_filter_column(4, 2), 7))));
       end loop;
       for i in 0 to 1 loop
-        if is_set(transform_left_filter_column(8, 3 - 2 * i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 154) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 154) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(8, 3 - 2 * i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 155) := transform_left_filter_feature_0_choices(8 * i + 154);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 155) := is_set(transform_left_filter_column(8, 3 - 2 * i), 0)
-            and transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 155) then
-          transform_left_filter_feature_0_choices(8 * i + 156) := (not is_set(transform_left_filter_column(8, 3 - 2 *
-            i), 2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 156) := (not is_set(transform_left_filter_column(8, 3 - 2 *
-            i), 2)) or transform_left_filter_feature_0_values(2);
-        end if;
+        transform_left_filter_feature_0_choices(8 * i + 154) := choice(is_set(transform_left_filter_column(8, 3 - 2 *
+          i), 0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(8 * i + 155) := choice(is_set(transform_left_filter_column(8, 3 - 2 *
+          i), 1), transform_left_filter_feature_0_choices(8 * i + 154), is_set(transform_left_filter_column(8, 3 - 2 *
+          i), 0) and transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(8 * i + 156) :=
+          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 155), not
+          is_set(transform_left_filter_column(8, 3 - 2 * i), 2), transform_left_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 153) then
-            transform_left_filter_feature_0_choices(8 * i + j + 154) := (not is_set(transform_left_filter_column(8, 3 -
-              2 * i), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 154) := (not is_set(transform_left_filter_column(8, 3 -
-              2 * i), j)) and transform_left_filter_feature_0_values(j);
-          end if;
+          transform_left_filter_feature_0_choices(8 * i + j + 154) := carry(transform_left_filter_feature_0_choices(8 *
+            i + j + 153), not is_set(transform_left_filter_column(8, 3 - 2 * i), j),
+            transform_left_filter_feature_0_values(j));
         end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 160) then
-          transform_left_filter_feature_0_choices(8 * i + 161) := transform_filtering_0_column_inside_8 and
-            is_set(transform_left_filter_column(8, 3 - 2 * i), 7) and (not is_set(transform_left_filter_column(4, 2),
-            7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 161) := transform_filtering_0_column_inside_8 and
-            (is_set(transform_left_filter_column(8, 3 - 2 * i), 7) or (not is_set(transform_left_filter_column(4, 2),
-            7)));
-        end if;
+        transform_left_filter_feature_0_choices(8 * i + 161) := choice(transform_left_filter_feature_0_choices(8 * i +
+          160), transform_filtering_0_column_inside_8 and is_set(transform_left_filter_column(8, 3 - 2 * i), 7) and
+          (not is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_0_column_inside_8 and
+          (is_set(transform_left_filter_column(8, 3 - 2 * i), 7) or (not is_set(transform_left_filter_column(4, 2),
+          7))));
       end loop;
       for i in 0 to 2 loop
-        if is_set(transform_left_filter_column(8, 2 * i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 170) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 170) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(8, 2 * i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 171) := transform_left_filter_feature_0_choices(8 * i + 170);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 171) := is_set(transform_left_filter_column(8, 2 * i), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 171) then
-          transform_left_filter_feature_0_choices(8 * i + 172) := (not is_set(transform_left_filter_column(8, 2 * i),
-            2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 172) := (not is_set(transform_left_filter_column(8, 2 * i),
-            2)) or transform_left_filter_feature_0_values(2);
-        end if;
+        transform_left_filter_feature_0_choices(8 * i + 170) := choice(is_set(transform_left_filter_column(8, 2 * i),
+          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(8 * i + 171) := choice(is_set(transform_left_filter_column(8, 2 * i),
+          1), transform_left_filter_feature_0_choices(8 * i + 170), is_set(transform_left_filter_column(8, 2 * i), 0)
+          and transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(8 * i + 172) :=
+          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 171), not
+          is_set(transform_left_filter_column(8, 2 * i), 2), transform_left_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 169) then
-            transform_left_filter_feature_0_choices(8 * i + j + 170) := (not is_set(transform_left_filter_column(8, 2 *
-              i), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 170) := (not is_set(transform_left_filter_column(8, 2 *
-              i), j)) and transform_left_filter_feature_0_values(j);
-          end if;
+          transform_left_filter_feature_0_choices(8 * i + j + 170) := carry(transform_left_filter_feature_0_choices(8 *
+            i + j + 169), not is_set(transform_left_filter_column(8, 2 * i), j),
+            transform_left_filter_feature_0_values(j));
         end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 176) then
-          transform_left_filter_feature_0_choices(8 * i + 177) := transform_filtering_0_column_inside_8 and
-            is_set(transform_left_filter_column(8, 2 * i), 7) and (not is_set(transform_left_filter_column(4, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 177) := transform_filtering_0_column_inside_8 and
-            (is_set(transform_left_filter_column(8, 2 * i), 7) or (not is_set(transform_left_filter_column(4, 2), 7)));
-        end if;
+        transform_left_filter_feature_0_choices(8 * i + 177) := choice(transform_left_filter_feature_0_choices(8 * i +
+          176), transform_filtering_0_column_inside_8 and is_set(transform_left_filter_column(8, 2 * i), 7) and (not
+          is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_0_column_inside_8 and
+          (is_set(transform_left_filter_column(8, 2 * i), 7) or (not is_set(transform_left_filter_column(4, 2), 7))));
       end loop;
-      transform_right_filter_feature_0_value := is_set(transform_right_filter_column(4, 2), 1);
-      transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_value) or (not
+      transform_right_filter_feature_0_values(1) := is_set(transform_right_filter_column(4, 2), 1);
+      transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_values(1)) or (not
         is_set(transform_right_filter_column(4, 2), 0));
-      if is_set(transform_right_filter_column(0, 1), 0) then
-        transform_right_filter_feature_0_choice := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice := not transform_right_filter_feature_0_value;
-      end if;
+      transform_right_filter_feature_0_choices(1) := choice(is_set(transform_right_filter_column(0, 1), 0),
+        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
       transform_right_filter_feature_0_is_equal := (transform_right_filter_column(4, 2) mod 4) = 0;
-      if is_set(transform_right_filter_column(0, 1), 1) then
-        transform_right_filter_feature_0_choices(2) := transform_right_filter_feature_0_choice;
-      else
-        transform_right_filter_feature_0_choices(2) := is_set(transform_right_filter_column(0, 1), 0) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
+      transform_right_filter_feature_0_choices(2) := choice(is_set(transform_right_filter_column(0, 1), 1),
+        transform_right_filter_feature_0_choices(1), is_set(transform_right_filter_column(0, 1), 0) and
+        transform_right_filter_feature_0_is_equal);
       transform_right_filter_feature_0_values(2) := is_set(transform_right_filter_column(4, 2), 2);
-      if transform_right_filter_feature_0_choices(2) then
-        transform_right_filter_feature_0_choices(3) := (not is_set(transform_right_filter_column(0, 1), 2)) and
-          transform_right_filter_feature_0_values(2);
-      else
-        transform_right_filter_feature_0_choices(3) := (not is_set(transform_right_filter_column(0, 1), 2)) or
-          transform_right_filter_feature_0_values(2);
-      end if;
+      transform_right_filter_feature_0_choices(3) := inverted_carry(transform_right_filter_feature_0_choices(2), not
+        is_set(transform_right_filter_column(0, 1), 2), transform_right_filter_feature_0_values(2));
       for i in 3 to 6 loop
         transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(4, 2), i);
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(0, 1), i)) or
-            transform_right_filter_feature_0_values(i);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(0, 1), i)) and
-            transform_right_filter_feature_0_values(i);
-        end if;
+        transform_right_filter_feature_0_choices(i + 1) := carry(transform_right_filter_feature_0_choices(i), not
+          is_set(transform_right_filter_column(0, 1), i), transform_right_filter_feature_0_values(i));
       end loop;
-      if transform_right_filter_feature_0_choices(7) then
-        transform_right_filter_feature_0_choices(8) := transform_filtering_0_column_inside_0 and
-          is_set(transform_right_filter_column(0, 1), 7) and (not is_set(transform_right_filter_column(4, 2), 7));
-      else
-        transform_right_filter_feature_0_choices(8) := transform_filtering_0_column_inside_0 and
-          (is_set(transform_right_filter_column(0, 1), 7) or (not is_set(transform_right_filter_column(4, 2), 7)));
-      end if;
-      if is_set(transform_right_filter_column(0, 3), 0) then
-        transform_right_filter_feature_0_choices(9) := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choices(9) := not transform_right_filter_feature_0_value;
-      end if;
-      if is_set(transform_right_filter_column(0, 3), 1) then
-        transform_right_filter_feature_0_choices(10) := transform_right_filter_feature_0_choices(9);
-      else
-        transform_right_filter_feature_0_choices(10) := is_set(transform_right_filter_column(0, 3), 0) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choices(10) then
-        transform_right_filter_feature_0_choices(11) := (not is_set(transform_right_filter_column(0, 3), 2)) and
-          transform_right_filter_feature_0_values(2);
-      else
-        transform_right_filter_feature_0_choices(11) := (not is_set(transform_right_filter_column(0, 3), 2)) or
-          transform_right_filter_feature_0_values(2);
-      end if;
-      for i in 11 to 14 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(0, 3), i - 8))
-            or transform_right_filter_feature_0_values(i - 8);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(0, 3), i - 8))
-            and transform_right_filter_feature_0_values(i - 8);
-        end if;
+      transform_right_filter_feature_0_choices(8) := choice(transform_right_filter_feature_0_choices(7),
+        transform_filtering_0_column_inside_0 and is_set(transform_right_filter_column(0, 1), 7) and (not
+        is_set(transform_right_filter_column(4, 2), 7)), transform_filtering_0_column_inside_0 and
+        (is_set(transform_right_filter_column(0, 1), 7) or (not is_set(transform_right_filter_column(4, 2), 7))));
+      transform_right_filter_feature_0_choices(9) := choice(is_set(transform_right_filter_column(0, 3), 0),
+        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(10) := choice(is_set(transform_right_filter_column(0, 3), 1),
+        transform_right_filter_feature_0_choices(9), is_set(transform_right_filter_column(0, 3), 0) and
+        transform_right_filter_feature_0_is_equal);
+      transform_right_filter_feature_0_choices(11) := inverted_carry(transform_right_filter_feature_0_choices(10), not
+        is_set(transform_right_filter_column(0, 3), 2), transform_right_filter_feature_0_values(2));
+      for i in 12 to 15 loop
+        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
+          is_set(transform_right_filter_column(0, 3), i - 9), transform_right_filter_feature_0_values(i - 9));
       end loop;
-      if transform_right_filter_feature_0_choices(15) then
-        transform_right_filter_feature_0_choices(16) := transform_filtering_0_column_inside_0 and
-          is_set(transform_right_filter_column(0, 3), 7) and (not is_set(transform_right_filter_column(4, 2), 7));
-      else
-        transform_right_filter_feature_0_choices(16) := transform_filtering_0_column_inside_0 and
-          (is_set(transform_right_filter_column(0, 3), 7) or (not is_set(transform_right_filter_column(4, 2), 7)));
-      end if;
-      if is_set(transform_right_filter_column(0, 0), 0) then
-        transform_right_filter_feature_0_choices(17) := (transform_right_filter_column(4, 2) mod 4) = 3;
-      else
-        transform_right_filter_feature_0_choices(17) := transform_right_filter_feature_0_value;
-      end if;
-      if is_set(transform_right_filter_column(0, 0), 1) then
-        transform_right_filter_feature_0_choices(18) := transform_right_filter_feature_0_choices(17);
-      else
-        transform_right_filter_feature_0_choices(18) := (not is_set(transform_right_filter_column(0, 0), 0)) or
-          transform_right_filter_feature_0_value or is_set(transform_right_filter_column(4, 2), 0);
-      end if;
+      transform_right_filter_feature_0_choices(16) := choice(transform_right_filter_feature_0_choices(15),
+        transform_filtering_0_column_inside_0 and is_set(transform_right_filter_column(0, 3), 7) and (not
+        is_set(transform_right_filter_column(4, 2), 7)), transform_filtering_0_column_inside_0 and
+        (is_set(transform_right_filter_column(0, 3), 7) or (not is_set(transform_right_filter_column(4, 2), 7))));
+      transform_right_filter_feature_0_choices(17) := choice(is_set(transform_right_filter_column(0, 0), 0),
+        (transform_right_filter_column(4, 2) mod 4) = 3, transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(18) := choice(is_set(transform_right_filter_column(0, 0), 1),
+        transform_right_filter_feature_0_choices(17), (not is_set(transform_right_filter_column(0, 0), 0)) or
+        transform_right_filter_feature_0_values(1) or is_set(transform_right_filter_column(4, 2), 0));
       transform_right_filter_feature_0_values(7) := is_set(transform_right_filter_column(0, 0), 2);
-      if transform_right_filter_feature_0_choices(18) then
-        transform_right_filter_feature_0_choices(19) := transform_right_filter_feature_0_values(7) and (not
-          transform_right_filter_feature_0_values(2));
-      else
-        transform_right_filter_feature_0_choices(19) := transform_right_filter_feature_0_values(7) or (not
-          transform_right_filter_feature_0_values(2));
-      end if;
+      transform_right_filter_feature_0_choices(19) := inverted_carry(transform_right_filter_feature_0_choices(18),
+        transform_right_filter_feature_0_values(7), not transform_right_filter_feature_0_values(2));
       for i in 8 to 11 loop
         transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(0, 0), i - 5);
-        if transform_right_filter_feature_0_choices(i + 11) then
-          transform_right_filter_feature_0_choices(i + 12) := transform_right_filter_feature_0_values(i) or (not
-            transform_right_filter_feature_0_values(i - 5));
-        else
-          transform_right_filter_feature_0_choices(i + 12) := transform_right_filter_feature_0_values(i) and (not
-            transform_right_filter_feature_0_values(i - 5));
-        end if;
+        transform_right_filter_feature_0_choices(i + 12) := carry(transform_right_filter_feature_0_choices(i + 11),
+          transform_right_filter_feature_0_values(i), not transform_right_filter_feature_0_values(i - 5));
       end loop;
-      if is_set(transform_right_filter_column(0, 0), 7) then
-        transform_right_filter_feature_0_choices(24) := transform_filtering_0_column_inside_0;
-      else
-        transform_right_filter_feature_0_choices(24) := transform_filtering_0_column_inside_0 and (not
-          is_set(transform_right_filter_column(4, 2), 7));
-      end if;
-      if transform_right_filter_feature_0_choices(23) then
-        transform_right_filter_feature_0_choices(25) := transform_right_filter_feature_0_choices(24);
-      else
-        transform_right_filter_feature_0_choices(25) := is_set(transform_right_filter_column(0, 0), 7) and
-          transform_filtering_0_column_inside_0 and (not is_set(transform_right_filter_column(4, 2), 7));
-      end if;
+      transform_right_filter_feature_0_choices(24) := choice(is_set(transform_right_filter_column(0, 0), 7),
+        transform_filtering_0_column_inside_0, transform_filtering_0_column_inside_0 and (not
+        is_set(transform_right_filter_column(4, 2), 7)));
+      transform_right_filter_feature_0_choices(25) := choice(transform_right_filter_feature_0_choices(23),
+        transform_right_filter_feature_0_choices(24), is_set(transform_right_filter_column(0, 0), 7) and
+        transform_filtering_0_column_inside_0 and (not is_set(transform_right_filter_column(4, 2), 7)));
       for i in 0 to 1 loop
-        if is_set(transform_right_filter_column(0, 2 * i + 2), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 26) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 26) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(0, 2 * i + 2), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 27) := transform_right_filter_feature_0_choices(8 * i + 26);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 27) := is_set(transform_right_filter_column(0, 2 * i + 2),
-            0) and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 27) then
-          transform_right_filter_feature_0_choices(8 * i + 28) := (not is_set(transform_right_filter_column(0, 2 * i +
-            2), 2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 28) := (not is_set(transform_right_filter_column(0, 2 * i +
-            2), 2)) or transform_right_filter_feature_0_values(2);
-        end if;
+        transform_right_filter_feature_0_choices(8 * i + 26) := choice(is_set(transform_right_filter_column(0, 2 * i +
+          2), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(8 * i + 27) := choice(is_set(transform_right_filter_column(0, 2 * i +
+          2), 1), transform_right_filter_feature_0_choices(8 * i + 26), is_set(transform_right_filter_column(0, 2 * i +
+          2), 0) and transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(8 * i + 28) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 27), not
+          is_set(transform_right_filter_column(0, 2 * i + 2), 2), transform_right_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 25) then
-            transform_right_filter_feature_0_choices(8 * i + j + 26) := (not is_set(transform_right_filter_column(0, 2
-              * i + 2), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 26) := (not is_set(transform_right_filter_column(0, 2
-              * i + 2), j)) and transform_right_filter_feature_0_values(j);
-          end if;
+          transform_right_filter_feature_0_choices(8 * i + j + 26) := carry(transform_right_filter_feature_0_choices(8
+            * i + j + 25), not is_set(transform_right_filter_column(0, 2 * i + 2), j),
+            transform_right_filter_feature_0_values(j));
         end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 32) then
-          transform_right_filter_feature_0_choices(8 * i + 33) := transform_filtering_0_column_inside_0 and
-            is_set(transform_right_filter_column(0, 2 * i + 2), 7) and (not is_set(transform_right_filter_column(4, 2),
-            7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 33) := transform_filtering_0_column_inside_0 and
-            (is_set(transform_right_filter_column(0, 2 * i + 2), 7) or (not is_set(transform_right_filter_column(4, 2),
-            7)));
-        end if;
+        transform_right_filter_feature_0_choices(8 * i + 33) := choice(transform_right_filter_feature_0_choices(8 * i +
+          32), transform_filtering_0_column_inside_0 and is_set(transform_right_filter_column(0, 2 * i + 2), 7) and
+          (not is_set(transform_right_filter_column(4, 2), 7)), transform_filtering_0_column_inside_0 and
+          (is_set(transform_right_filter_column(0, 2 * i + 2), 7) or (not is_set(transform_right_filter_column(4, 2),
+          7))));
       end loop;
       for i in 0 to 1 loop
-        if is_set(transform_right_filter_column(2, 3 - 2 * i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 42) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 42) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(2, 3 - 2 * i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 43) := transform_right_filter_feature_0_choices(8 * i + 42);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 43) := is_set(transform_right_filter_column(2, 3 - 2 * i),
-            0) and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 43) then
-          transform_right_filter_feature_0_choices(8 * i + 44) := (not is_set(transform_right_filter_column(2, 3 - 2 *
-            i), 2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 44) := (not is_set(transform_right_filter_column(2, 3 - 2 *
-            i), 2)) or transform_right_filter_feature_0_values(2);
-        end if;
+        transform_right_filter_feature_0_choices(8 * i + 42) := choice(is_set(transform_right_filter_column(2, 3 - 2 *
+          i), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(8 * i + 43) := choice(is_set(transform_right_filter_column(2, 3 - 2 *
+          i), 1), transform_right_filter_feature_0_choices(8 * i + 42), is_set(transform_right_filter_column(2, 3 - 2 *
+          i), 0) and transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(8 * i + 44) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 43), not
+          is_set(transform_right_filter_column(2, 3 - 2 * i), 2), transform_right_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 41) then
-            transform_right_filter_feature_0_choices(8 * i + j + 42) := (not is_set(transform_right_filter_column(2, 3
-              - 2 * i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 42) := (not is_set(transform_right_filter_column(2, 3
-              - 2 * i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
+          transform_right_filter_feature_0_choices(8 * i + j + 42) := carry(transform_right_filter_feature_0_choices(8
+            * i + j + 41), not is_set(transform_right_filter_column(2, 3 - 2 * i), j),
+            transform_right_filter_feature_0_values(j));
         end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 48) then
-          transform_right_filter_feature_0_choices(8 * i + 49) := transform_filtering_0_column_inside_2 and
-            is_set(transform_right_filter_column(2, 3 - 2 * i), 7) and (not is_set(transform_right_filter_column(4, 2),
-            7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 49) := transform_filtering_0_column_inside_2 and
-            (is_set(transform_right_filter_column(2, 3 - 2 * i), 7) or (not is_set(transform_right_filter_column(4, 2),
-            7)));
-        end if;
+        transform_right_filter_feature_0_choices(8 * i + 49) := choice(transform_right_filter_feature_0_choices(8 * i +
+          48), transform_filtering_0_column_inside_2 and is_set(transform_right_filter_column(2, 3 - 2 * i), 7) and
+          (not is_set(transform_right_filter_column(4, 2), 7)), transform_filtering_0_column_inside_2 and
+          (is_set(transform_right_filter_column(2, 3 - 2 * i), 7) or (not is_set(transform_right_filter_column(4, 2),
+          7))));
       end loop;
       for i in 0 to 2 loop
-        if is_set(transform_right_filter_column(2, 2 * i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 58) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 58) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(2, 2 * i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 59) := transform_right_filter_feature_0_choices(8 * i + 58);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 59) := is_set(transform_right_filter_column(2, 2 * i), 0)
-            and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 59) then
-          transform_right_filter_feature_0_choices(8 * i + 60) := (not is_set(transform_right_filter_column(2, 2 * i),
-            2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 60) := (not is_set(transform_right_filter_column(2, 2 * i),
-            2)) or transform_right_filter_feature_0_values(2);
-        end if;
+        transform_right_filter_feature_0_choices(8 * i + 58) := choice(is_set(transform_right_filter_column(2, 2 * i),
+          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(8 * i + 59) := choice(is_set(transform_right_filter_column(2, 2 * i),
+          1), transform_right_filter_feature_0_choices(8 * i + 58), is_set(transform_right_filter_column(2, 2 * i), 0)
+          and transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(8 * i + 60) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 59), not
+          is_set(transform_right_filter_column(2, 2 * i), 2), transform_right_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 57) then
-            transform_right_filter_feature_0_choices(8 * i + j + 58) := (not is_set(transform_right_filter_column(2, 2
-              * i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 58) := (not is_set(transform_right_filter_column(2, 2
-              * i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
+          transform_right_filter_feature_0_choices(8 * i + j + 58) := carry(transform_right_filter_feature_0_choices(8
+            * i + j + 57), not is_set(transform_right_filter_column(2, 2 * i), j),
+            transform_right_filter_feature_0_values(j));
         end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 64) then
-          transform_right_filter_feature_0_choices(8 * i + 65) := transform_filtering_0_column_inside_2 and
-            is_set(transform_right_filter_column(2, 2 * i), 7) and (not is_set(transform_right_filter_column(4, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 65) := transform_filtering_0_column_inside_2 and
-            (is_set(transform_right_filter_column(2, 2 * i), 7) or (not is_set(transform_right_filter_column(4, 2),
-            7)));
-        end if;
+        transform_right_filter_feature_0_choices(8 * i + 65) := choice(transform_right_filter_feature_0_choices(8 * i +
+          64), transform_filtering_0_column_inside_2 and is_set(transform_right_filter_column(2, 2 * i), 7) and (not
+          is_set(transform_right_filter_column(4, 2), 7)), transform_filtering_0_column_inside_2 and
+          (is_set(transform_right_filter_column(2, 2 * i), 7) or (not is_set(transform_right_filter_column(4, 2), 7))));
       end loop;
       for i in 0 to 1 loop
-        if is_set(transform_right_filter_column(4, 3 - 3 * i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 82) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 82) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(4, 3 - 3 * i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 83) := transform_right_filter_feature_0_choices(8 * i + 82);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 83) := is_set(transform_right_filter_column(4, 3 - 3 * i),
-            0) and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 83) then
-          transform_right_filter_feature_0_choices(8 * i + 84) := (not is_set(transform_right_filter_column(4, 3 - 3 *
-            i), 2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 84) := (not is_set(transform_right_filter_column(4, 3 - 3 *
-            i), 2)) or transform_right_filter_feature_0_values(2);
-        end if;
+        transform_right_filter_feature_0_choices(16 * i + 82) := choice(is_set(transform_right_filter_column(4, 3 - 2 *
+          i), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(16 * i + 83) := choice(is_set(transform_right_filter_column(4, 3 - 2 *
+          i), 1), transform_right_filter_feature_0_choices(16 * i + 82), is_set(transform_right_filter_column(4, 3 - 2
+          * i), 0) and transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(16 * i + 84) :=
+          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 83), not
+          is_set(transform_right_filter_column(4, 3 - 2 * i), 2), transform_right_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 81) then
-            transform_right_filter_feature_0_choices(8 * i + j + 82) := (not is_set(transform_right_filter_column(4, 3
-              - 3 * i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 82) := (not is_set(transform_right_filter_column(4, 3
-              - 3 * i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
+          transform_right_filter_feature_0_choices(16 * i + j + 82) :=
+            carry(transform_right_filter_feature_0_choices(16 * i + j + 81), not
+            is_set(transform_right_filter_column(4, 3 - 2 * i), j), transform_right_filter_feature_0_values(j));
         end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 88) then
-          transform_right_filter_feature_0_choices(8 * i + 89) := transform_filtering_column_inside_4(0) and
-            is_set(transform_right_filter_column(4, 3 - 3 * i), 7) and (not is_set(transform_right_filter_column(4, 2),
-            7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 89) := transform_filtering_column_inside_4(0) and
-            (is_set(transform_right_filter_column(4, 3 - 3 * i), 7) or (not is_set(transform_right_filter_column(4, 2),
-            7)));
-        end if;
+        transform_right_filter_feature_0_choices(16 * i + 89) := choice(transform_right_filter_feature_0_choices(16 * i
+          + 88), transform_filtering_column_inside_4(0) and is_set(transform_right_filter_column(4, 3 - 2 * i), 7) and
+          (not is_set(transform_right_filter_column(4, 2), 7)), transform_filtering_column_inside_4(0) and
+          (is_set(transform_right_filter_column(4, 3 - 2 * i), 7) or (not is_set(transform_right_filter_column(4, 2),
+          7))));
+        transform_right_filter_feature_0_choices(16 * i + 90) := choice(is_set(transform_right_filter_column(4, 4 * i),
+          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(16 * i + 91) := choice(is_set(transform_right_filter_column(4, 4 * i),
+          1), transform_right_filter_feature_0_choices(16 * i + 90), is_set(transform_right_filter_column(4, 4 * i), 0)
+          and transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(16 * i + 92) :=
+          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 91), not
+          is_set(transform_right_filter_column(4, 4 * i), 2), transform_right_filter_feature_0_values(2));
+        for j in 3 to 6 loop
+          transform_right_filter_feature_0_choices(16 * i + j + 90) :=
+            carry(transform_right_filter_feature_0_choices(16 * i + j + 89), not
+            is_set(transform_right_filter_column(4, 4 * i), j), transform_right_filter_feature_0_values(j));
+        end loop;
+        transform_right_filter_feature_0_choices(16 * i + 97) := choice(transform_right_filter_feature_0_choices(16 * i
+          + 96), transform_filtering_column_inside_4(0) and is_set(transform_right_filter_column(4, 4 * i), 7) and (not
+          is_set(transform_right_filter_column(4, 2), 7)), transform_filtering_column_inside_4(0) and
+          (is_set(transform_right_filter_column(4, 4 * i), 7) or (not is_set(transform_right_filter_column(4, 2), 7))));
       end loop;
       for i in 0 to 1 loop
-        if is_set(transform_right_filter_column(4, 3 * i + 1), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 98) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 98) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(4, 3 * i + 1), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 99) := transform_right_filter_feature_0_choices(8 * i + 98);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 99) := is_set(transform_right_filter_column(4, 3 * i + 1),
-            0) and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 99) then
-          transform_right_filter_feature_0_choices(8 * i + 100) := (not is_set(transform_right_filter_column(4, 3 * i +
-            1), 2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 100) := (not is_set(transform_right_filter_column(4, 3 * i +
-            1), 2)) or transform_right_filter_feature_0_values(2);
-        end if;
+        transform_right_filter_feature_0_choices(8 * i + 114) := choice(is_set(transform_right_filter_column(6, 3 - 2 *
+          i), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(8 * i + 115) := choice(is_set(transform_right_filter_column(6, 3 - 2 *
+          i), 1), transform_right_filter_feature_0_choices(8 * i + 114), is_set(transform_right_filter_column(6, 3 - 2
+          * i), 0) and transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(8 * i + 116) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 115), not
+          is_set(transform_right_filter_column(6, 3 - 2 * i), 2), transform_right_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 97) then
-            transform_right_filter_feature_0_choices(8 * i + j + 98) := (not is_set(transform_right_filter_column(4, 3
-              * i + 1), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 98) := (not is_set(transform_right_filter_column(4, 3
-              * i + 1), j)) and transform_right_filter_feature_0_values(j);
-          end if;
+          transform_right_filter_feature_0_choices(8 * i + j + 114) := carry(transform_right_filter_feature_0_choices(8
+            * i + j + 113), not is_set(transform_right_filter_column(6, 3 - 2 * i), j),
+            transform_right_filter_feature_0_values(j));
         end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 104) then
-          transform_right_filter_feature_0_choices(8 * i + 105) := transform_filtering_column_inside_4(0) and
-            is_set(transform_right_filter_column(4, 3 * i + 1), 7) and (not is_set(transform_right_filter_column(4, 2),
-            7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 105) := transform_filtering_column_inside_4(0) and
-            (is_set(transform_right_filter_column(4, 3 * i + 1), 7) or (not is_set(transform_right_filter_column(4, 2),
-            7)));
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_right_filter_column(6, 3 - 2 * i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 114) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 114) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(6, 3 - 2 * i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 115) := transform_right_filter_feature_0_choices(8 * i +
-            114);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 115) := is_set(transform_right_filter_column(6, 3 - 2 * i),
-            0) and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 115) then
-          transform_right_filter_feature_0_choices(8 * i + 116) := (not is_set(transform_right_filter_column(6, 3 - 2 *
-            i), 2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 116) := (not is_set(transform_right_filter_column(6, 3 - 2 *
-            i), 2)) or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 113) then
-            transform_right_filter_feature_0_choices(8 * i + j + 114) := (not is_set(transform_right_filter_column(6, 3
-              - 2 * i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 114) := (not is_set(transform_right_filter_column(6, 3
-              - 2 * i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 120) then
-          transform_right_filter_feature_0_choices(8 * i + 121) := transform_filtering_0_column_inside_6 and
-            is_set(transform_right_filter_column(6, 3 - 2 * i), 7) and (not is_set(transform_right_filter_column(4, 2),
-            7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 121) := transform_filtering_0_column_inside_6 and
-            (is_set(transform_right_filter_column(6, 3 - 2 * i), 7) or (not is_set(transform_right_filter_column(4, 2),
-            7)));
-        end if;
+        transform_right_filter_feature_0_choices(8 * i + 121) := choice(transform_right_filter_feature_0_choices(8 * i
+          + 120), transform_filtering_0_column_inside_6 and is_set(transform_right_filter_column(6, 3 - 2 * i), 7) and
+          (not is_set(transform_right_filter_column(4, 2), 7)), transform_filtering_0_column_inside_6 and
+          (is_set(transform_right_filter_column(6, 3 - 2 * i), 7) or (not is_set(transform_right_filter_column(4, 2),
+          7))));
       end loop;
       for i in 0 to 2 loop
-        if is_set(transform_right_filter_column(6, 2 * i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 130) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 130) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(6, 2 * i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 131) := transform_right_filter_feature_0_choices(8 * i +
-            130);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 131) := is_set(transform_right_filter_column(6, 2 * i), 0)
-            and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 131) then
-          transform_right_filter_feature_0_choices(8 * i + 132) := (not is_set(transform_right_filter_column(6, 2 * i),
-            2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 132) := (not is_set(transform_right_filter_column(6, 2 * i),
-            2)) or transform_right_filter_feature_0_values(2);
-        end if;
+        transform_right_filter_feature_0_choices(8 * i + 130) := choice(is_set(transform_right_filter_column(6, 2 * i),
+          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(8 * i + 131) := choice(is_set(transform_right_filter_column(6, 2 * i),
+          1), transform_right_filter_feature_0_choices(8 * i + 130), is_set(transform_right_filter_column(6, 2 * i), 0)
+          and transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(8 * i + 132) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 131), not
+          is_set(transform_right_filter_column(6, 2 * i), 2), transform_right_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 129) then
-            transform_right_filter_feature_0_choices(8 * i + j + 130) := (not is_set(transform_right_filter_column(6, 2
-              * i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 130) := (not is_set(transform_right_filter_column(6, 2
-              * i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
+          transform_right_filter_feature_0_choices(8 * i + j + 130) := carry(transform_right_filter_feature_0_choices(8
+            * i + j + 129), not is_set(transform_right_filter_column(6, 2 * i), j),
+            transform_right_filter_feature_0_values(j));
         end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 136) then
-          transform_right_filter_feature_0_choices(8 * i + 137) := transform_filtering_0_column_inside_6 and
-            is_set(transform_right_filter_column(6, 2 * i), 7) and (not is_set(transform_right_filter_column(4, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 137) := transform_filtering_0_column_inside_6 and
-            (is_set(transform_right_filter_column(6, 2 * i), 7) or (not is_set(transform_right_filter_column(4, 2),
-            7)));
-        end if;
+        transform_right_filter_feature_0_choices(8 * i + 137) := choice(transform_right_filter_feature_0_choices(8 * i
+          + 136), transform_filtering_0_column_inside_6 and is_set(transform_right_filter_column(6, 2 * i), 7) and (not
+          is_set(transform_right_filter_column(4, 2), 7)), transform_filtering_0_column_inside_6 and
+          (is_set(transform_right_filter_column(6, 2 * i), 7) or (not is_set(transform_right_filter_column(4, 2), 7))));
       end loop;
       for i in 0 to 1 loop
-        if is_set(transform_right_filter_column(8, 3 - 2 * i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 154) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 154) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(8, 3 - 2 * i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 155) := transform_right_filter_feature_0_choices(8 * i +
-            154);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 155) := is_set(transform_right_filter_column(8, 3 - 2 * i),
-            0) and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 155) then
-          transform_right_filter_feature_0_choices(8 * i + 156) := (not is_set(transform_right_filter_column(8, 3 - 2 *
-            i), 2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 156) := (not is_set(transform_right_filter_column(8, 3 - 2 *
-            i), 2)) or transform_right_filter_feature_0_values(2);
-        end if;
+        transform_right_filter_feature_0_choices(8 * i + 154) := choice(is_set(transform_right_filter_column(8, 3 - 2 *
+          i), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(8 * i + 155) := choice(is_set(transform_right_filter_column(8, 3 - 2 *
+          i), 1), transform_right_filter_feature_0_choices(8 * i + 154), is_set(transform_right_filter_column(8, 3 - 2
+          * i), 0) and transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(8 * i + 156) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 155), not
+          is_set(transform_right_filter_column(8, 3 - 2 * i), 2), transform_right_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 153) then
-            transform_right_filter_feature_0_choices(8 * i + j + 154) := (not is_set(transform_right_filter_column(8, 3
-              - 2 * i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 154) := (not is_set(transform_right_filter_column(8, 3
-              - 2 * i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
+          transform_right_filter_feature_0_choices(8 * i + j + 154) := carry(transform_right_filter_feature_0_choices(8
+            * i + j + 153), not is_set(transform_right_filter_column(8, 3 - 2 * i), j),
+            transform_right_filter_feature_0_values(j));
         end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 160) then
-          transform_right_filter_feature_0_choices(8 * i + 161) := transform_filtering_0_column_inside_8 and
-            is_set(transform_right_filter_column(8, 3 - 2 * i), 7) and (not is_set(transform_right_filter_column(4, 2),
-            7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 161) := transform_filtering_0_column_inside_8 and
-            (is_set(transform_right_filter_column(8, 3 - 2 * i), 7) or (not is_set(transform_right_filter_column(4, 2),
-            7)));
-        end if;
+        transform_right_filter_feature_0_choices(8 * i + 161) := choice(transform_right_filter_feature_0_choices(8 * i
+          + 160), transform_filtering_0_column_inside_8 and is_set(transform_right_filter_column(8, 3 - 2 * i), 7) and
+          (not is_set(transform_right_filter_column(4, 2), 7)), transform_filtering_0_column_inside_8 and
+          (is_set(transform_right_filter_column(8, 3 - 2 * i), 7) or (not is_set(transform_right_filter_column(4, 2),
+          7))));
       end loop;
       for i in 0 to 2 loop
-        if is_set(transform_right_filter_column(8, 2 * i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 170) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 170) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(8, 2 * i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 171) := transform_right_filter_feature_0_choices(8 * i +
-            170);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 171) := is_set(transform_right_filter_column(8, 2 * i), 0)
-            and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 171) then
-          transform_right_filter_feature_0_choices(8 * i + 172) := (not is_set(transform_right_filter_column(8, 2 * i),
-            2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 172) := (not is_set(transform_right_filter_column(8, 2 * i),
-            2)) or transform_right_filter_feature_0_values(2);
-        end if;
+        transform_right_filter_feature_0_choices(8 * i + 170) := choice(is_set(transform_right_filter_column(8, 2 * i),
+          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(8 * i + 171) := choice(is_set(transform_right_filter_column(8, 2 * i),
+          1), transform_right_filter_feature_0_choices(8 * i + 170), is_set(transform_right_filter_column(8, 2 * i), 0)
+          and transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(8 * i + 172) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 171), not
+          is_set(transform_right_filter_column(8, 2 * i), 2), transform_right_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 169) then
-            transform_right_filter_feature_0_choices(8 * i + j + 170) := (not is_set(transform_right_filter_column(8, 2
-              * i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 170) := (not is_set(transform_right_filter_column(8, 2
-              * i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
+          transform_right_filter_feature_0_choices(8 * i + j + 170) := carry(transform_right_filter_feature_0_choices(8
+            * i + j + 169), not is_set(transform_right_filter_column(8, 2 * i), j),
+            transform_right_filter_feature_0_values(j));
         end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 176) then
-          transform_right_filter_feature_0_choices(8 * i + 177) := transform_filtering_0_column_inside_8 and
-            is_set(transform_right_filter_column(8, 2 * i), 7) and (not is_set(transform_right_filter_column(4, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 177) := transform_filtering_0_column_inside_8 and
-            (is_set(transform_right_filter_column(8, 2 * i), 7) or (not is_set(transform_right_filter_column(4, 2),
-            7)));
-        end if;
+        transform_right_filter_feature_0_choices(8 * i + 177) := choice(transform_right_filter_feature_0_choices(8 * i
+          + 176), transform_filtering_0_column_inside_8 and is_set(transform_right_filter_column(8, 2 * i), 7) and (not
+          is_set(transform_right_filter_column(4, 2), 7)), transform_filtering_0_column_inside_8 and
+          (is_set(transform_right_filter_column(8, 2 * i), 7) or (not is_set(transform_right_filter_column(4, 2), 7))));
       end loop;
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
@@ -2225,9 +1187,7 @@ begin
       transform_read_start_of_frame <= (transform_counter_group = 2) and (transform_counter_column = 4);
       transform_read_valid <= transform_valid;
       transform_ready_column <= transform_read_column;
-      for i in 0 to 4 loop
-        transform_ready_row_inside(i) <= transform_read_row_inside(i);
-      end loop;
+      transform_ready_row_inside <= transform_read_row_inside;
       transform_ready_column_inside_0 <= transform_read_column_inside_0;
       transform_ready_column_inside_2 <= transform_read_column_inside_2;
       transform_ready_column_inside_4 <= transform_read_column_inside_4;
@@ -2245,9 +1205,7 @@ begin
       transform_right_column(2) <= to_integer(transform_right_rows_ready_words_0(23 downto 16));
       transform_right_column(3) <= to_integer(transform_right_rows_ready_words_0(31 downto 24));
       transform_right_column(4) <= transform_right_rows_ready_newest_0;
-      for i in 0 to 4 loop
-        transform_columns_row_inside(i) <= transform_ready_row_inside(i);
-      end loop;
+      transform_columns_row_inside <= transform_ready_row_inside;
       transform_columns_column_inside_0 <= transform_ready_column_inside_0;
       transform_columns_column_inside_2 <= transform_ready_column_inside_2;
       transform_columns_column_inside_4 <= transform_ready_column_inside_4;
@@ -2315,33 +1273,18 @@ begin
       transform_filtering_column_inside_4(1) <= refinement_passed_0(3);
       transform_filtering_start_of_frame(1) <= transform_filtering_start_of_frame(0);
       transform_filtering_valid(1) <= transform_filtering_valid(0);
-      if in_valid and in_start_of_frame then
-        transform_counter_group <= transform_counter_group_choice;
-      else
-        transform_counter_group <= transform_counter_group_choices(3);
-      end if;
-      if transform_counter_group_is_equal_2 then
-        transform_counter_next_frame_choice := (transform_counter_group /= 376) and transform_counter_next_frame;
-      else
-        transform_counter_next_frame_choice := transform_counter_next_frame;
-      end if;
-      if transform_counter_group_differs then
-        transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice;
-      else
-        transform_counter_next_frame_choice_2 := transform_counter_next_frame;
-      end if;
+      transform_counter_group <= choice(in_valid and in_start_of_frame, transform_counter_group_choice,
+        transform_counter_group_choices(3));
+      transform_counter_next_frame_choices(1) := choice(transform_counter_group_is_equals(2), (transform_counter_group
+        /= 376) and transform_counter_next_frame, transform_counter_next_frame);
+      transform_counter_next_frame_choices(2) := choice(transform_counter_group_differs,
+        transform_counter_next_frame_choices(1), transform_counter_next_frame);
       if in_valid then
-        if in_start_of_frame or transform_counter_group_is_equal_2 then
-          transform_counter_column <= 0;
-        else
-          transform_counter_column <= (transform_counter_column + 1) mod 512;
-        end if;
-        if transform_counter_next_frame_choice_2 then
-          transform_counter_next_frame <= (not in_start_of_frame) or transform_counter_group_all;
-        else
-          transform_counter_next_frame <= in_start_of_frame and transform_counter_group_is_equal and
-            transform_counter_group_is_equal_2;
-        end if;
+        transform_counter_column <= choice(in_start_of_frame or transform_counter_group_is_equals(2), 0,
+          (transform_counter_column + 1) mod 512);
+        transform_counter_next_frame <= choice(transform_counter_next_frame_choices(2), (not in_start_of_frame) or
+          transform_counter_group_all, in_start_of_frame and transform_counter_group_is_equals(1) and
+          transform_counter_group_is_equals(2));
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= to_unsigned(transform_left_rows_ready_newest_0, 8) &
@@ -2368,13 +1311,8 @@ begin
           end loop;
         end loop;
         for i in 0 to 4 loop
-          if transform_columns_row_inside(i) then
-            transform_left_filter_column(0, i) <= transform_left_column(i);
-            transform_right_filter_column(0, i) <= transform_right_column(i);
-          else
-            transform_left_filter_column(0, i) <= 0;
-            transform_right_filter_column(0, i) <= 0;
-          end if;
+          transform_left_filter_column(0, i) <= choice(transform_columns_row_inside(i), transform_left_column(i), 0);
+          transform_right_filter_column(0, i) <= choice(transform_columns_row_inside(i), transform_right_column(i), 0);
         end loop;
       end if;
       -- raster
@@ -2382,18 +1320,12 @@ begin
       raster_features_search_0 <= transform_right_filter_feature_0;
       raster_features_reference_0 <= transform_left_filter_feature_0;
       raster_features_valid <= transform_filtering_valid(1);
-      if transform_filtering_valid(1) and transform_filtering_start_of_frame(1) then
-        raster_place_group <= 0;
-      else
-        raster_place_group <= (raster_place_group + as_number(((raster_place_group /= 379) and
-          transform_filtering_valid(1) and raster_place_group_is_equal))) mod 512;
-      end if;
+      raster_place_group <= choice(transform_filtering_valid(1) and transform_filtering_start_of_frame(1), 0,
+        (raster_place_group + as_number(((raster_place_group /= 379) and transform_filtering_valid(1) and
+        raster_place_group_is_equal))) mod 512);
       if transform_filtering_valid(1) then
-        if raster_place_group_is_equal or transform_filtering_start_of_frame(1) then
-          raster_place_column <= 0;
-        else
-          raster_place_column <= (raster_place_column + 1) mod 512;
-        end if;
+        raster_place_column <= choice(raster_place_group_is_equal or transform_filtering_start_of_frame(1), 0,
+          (raster_place_column + 1) mod 512);
       end if;
       -- delay
       delay_tag_first_column_is_equal := raster_place_column = 4;
@@ -2402,15 +1334,15 @@ begin
       delay_column <= raster_place_column;
       delay_row_inside(0) <= (raster_place_group >= 9) and (raster_place_group < 384);
       delay_row_inside(1) <= raster_place_group < 375;
-      delay_tag_valid <= raster_features_valid;
-      delay_tag_row_start <= raster_place_column = 0;
-      delay_tag_first_group <= raster_place_group = 0;
-      delay_tag_leaves_window <= (raster_place_column >= 9) and (raster_place_column < 450);
-      delay_tag_map_column <= (((((raster_place_column / 4) + 16383) mod 16384) * 4) + (raster_place_column mod 4)) <
+      delay_tag.valid <= raster_features_valid;
+      delay_tag.row_start <= raster_place_column = 0;
+      delay_tag.first_group <= raster_place_group = 0;
+      delay_tag.leaves_window <= (raster_place_column >= 9) and (raster_place_column < 450);
+      delay_tag.map_column <= (((((raster_place_column / 4) + 16383) mod 16384) * 4) + (raster_place_column mod 4)) <
         442;
-      delay_tag_first_column <= delay_tag_first_column_is_equal;
-      delay_tag_start_of_frame <= delay_tag_first_column_is_equal and (raster_place_group = 4);
-      delay_tag_end_of_line <= raster_place_column = 445;
+      delay_tag.first_column <= delay_tag_first_column_is_equal;
+      delay_tag.start_of_frame <= delay_tag_first_column_is_equal and (raster_place_group = 4);
+      delay_tag.end_of_line <= raster_place_column = 445;
       -- rows
       rows_search_rows_read_newest_0 <= delay_delayed_0;
       for i in 0 to 8 loop
@@ -2423,62 +1355,25 @@ begin
       end loop;
       rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
       rows_read_column <= delay_column;
-      rows_read_inside(0) <= delay_row_inside(0);
-      rows_read_inside(1) <= delay_row_inside(1);
-      rows_read_tag_valid <= delay_tag_valid;
-      rows_read_tag_row_start <= delay_tag_row_start;
-      rows_read_tag_first_group <= delay_tag_first_group;
-      rows_read_tag_leaves_window <= delay_tag_leaves_window;
-      rows_read_tag_map_column <= delay_tag_map_column;
-      rows_read_tag_first_column <= delay_tag_first_column;
-      rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
-      rows_read_tag_end_of_line <= delay_tag_end_of_line;
+      rows_read_inside <= delay_row_inside;
+      rows_read_tag <= delay_tag;
       rows_ready_column <= rows_read_column;
-      rows_ready_inside(0) <= rows_read_inside(0);
-      rows_ready_inside(1) <= rows_read_inside(1);
-      rows_ready_tag_valid <= rows_read_tag_valid;
-      rows_ready_tag_row_start <= rows_read_tag_row_start;
-      rows_ready_tag_first_group <= rows_read_tag_first_group;
-      rows_ready_tag_leaves_window <= rows_read_tag_leaves_window;
-      rows_ready_tag_map_column <= rows_read_tag_map_column;
-      rows_ready_tag_first_column <= rows_read_tag_first_column;
-      rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
-      rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_tag_valid <= rows_ready_tag_valid;
-      rows_tag_row_start <= rows_ready_tag_row_start;
-      rows_tag_first_group <= rows_ready_tag_first_group;
-      rows_tag_leaves_window <= rows_ready_tag_leaves_window;
-      rows_tag_map_column <= rows_ready_tag_map_column;
-      rows_tag_first_column <= rows_ready_tag_first_column;
-      rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
-      rows_tag_end_of_line <= rows_ready_tag_end_of_line;
-      if rows_ready_inside(0) then
-        rows_search(0) <= rows_search_rows_ready_words(0);
-        rows_reference(0) <= rows_reference_rows_ready_words(0);
-      else
-        rows_search(0) <= 0;
-        rows_reference(0) <= 0;
-      end if;
-      if rows_ready_inside(1) then
-        rows_search(1) <= rows_search_rows_ready_newest_0;
-        rows_reference(1) <= rows_reference_rows_ready_newest_0;
-      else
-        rows_search(1) <= 0;
-        rows_reference(1) <= 0;
-      end if;
-      if rows_ready_tag_valid then
-        for i in 0 to 7 loop
-          rows_search_rows_write_words(i) <= rows_search_rows_ready_words(i + 1);
-        end loop;
+      rows_ready_inside <= rows_read_inside;
+      rows_ready_tag <= rows_read_tag;
+      rows_tag <= rows_ready_tag;
+      rows_search(0) <= choice(rows_ready_inside(0), rows_search_rows_ready_words(0), 0);
+      rows_reference(0) <= choice(rows_ready_inside(0), rows_reference_rows_ready_words(0), 0);
+      rows_search(1) <= choice(rows_ready_inside(1), rows_search_rows_ready_newest_0, 0);
+      rows_reference(1) <= choice(rows_ready_inside(1), rows_reference_rows_ready_newest_0, 0);
+      if rows_ready_tag.valid then
+        rows_search_rows_write_words(0 to 7) <= rows_search_rows_ready_words(1 to 8);
         rows_search_rows_write_words(8) <= rows_search_rows_ready_newest_0;
-        for i in 0 to 7 loop
-          rows_reference_rows_write_words(i) <= rows_reference_rows_ready_words(i + 1);
-        end loop;
+        rows_reference_rows_write_words(0 to 7) <= rows_reference_rows_ready_words(1 to 8);
         rows_reference_rows_write_words(8) <= rows_reference_rows_ready_newest_0;
         rows_write_column <= rows_ready_column;
       end if;
       -- slice0shift
-      if rows_tag_valid then
+      if rows_tag.valid then
         for i in 0 to 1 loop
           slice0shift_search(i, 0) <= rows_search(i);
           for j in 1 to 15 loop
@@ -2486,102 +1381,84 @@ begin
           end loop;
         end loop;
       end if;
-      slice0shift_reference(0) <= rows_reference(0);
-      slice0shift_reference(1) <= rows_reference(1);
+      slice0shift_reference <= rows_reference;
       slice0shift_search_out(0) <= slice0shift_search(0, 15);
       slice0shift_search_out(1) <= slice0shift_search(1, 15);
-      slice0shift_tag_valid <= rows_tag_valid;
-      slice0shift_tag_row_start <= rows_tag_row_start;
-      slice0shift_tag_first_group <= rows_tag_first_group;
-      slice0shift_tag_leaves_window <= rows_tag_leaves_window;
-      slice0shift_tag_map_column <= rows_tag_map_column;
-      slice0shift_tag_first_column <= rows_tag_first_column;
-      slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
-      slice0shift_tag_end_of_line <= rows_tag_end_of_line;
+      slice0shift_tag <= rows_tag;
       -- slice0cost
       for i in 0 to 1 loop
-        slice0cost_pixels_first_0_count_value(i, 0) := is_set(slice0shift_reference(i), 2);
-        slice0cost_pixels_first_0_count_value_2(i, 0) := is_set(slice0shift_reference(i), 1);
-        slice0cost_pixels_first_0_count_value(i, 1) := is_set(slice0shift_reference(i), 3);
-        slice0cost_pixels_first_0_count_value_2(i, 1) := is_set(slice0shift_reference(i), 5);
-        slice0cost_pixels_first_0_count_1_value_3(i) := is_set(slice0shift_reference(i), 4);
-        slice0cost_pixels_first_0_count_value(i, 2) := is_set(slice0shift_reference(i), 8);
-        slice0cost_pixels_first_0_count_value_2(i, 2) := is_set(slice0shift_reference(i), 6);
+        slice0cost_pixels_first_0_count_value(i, 0, 1) := is_set(slice0shift_reference(i), 2);
+        slice0cost_pixels_first_0_count_value(i, 0, 2) := is_set(slice0shift_reference(i), 1);
+        slice0cost_pixels_first_0_count_value(i, 1, 1) := is_set(slice0shift_reference(i), 3);
+        slice0cost_pixels_first_0_count_value(i, 1, 2) := is_set(slice0shift_reference(i), 5);
+        slice0cost_pixels_first_0_count_value(i, 1, 3) := is_set(slice0shift_reference(i), 4);
+        slice0cost_pixels_first_0_count_value(i, 2, 1) := is_set(slice0shift_reference(i), 8);
+        slice0cost_pixels_first_0_count_value(i, 2, 2) := is_set(slice0shift_reference(i), 6);
         for j in 3 to 6 loop
-          slice0cost_pixels_first_0_count_value(i, j) := is_set(slice0shift_reference(i), 3 * j);
-          slice0cost_pixels_first_0_count_value_2(i, j) := is_set(slice0shift_reference(i), 3 * j + 2);
-          slice0cost_pixels_first_0_count_value_3(i, j) := is_set(slice0shift_reference(i), 3 * j + 1);
+          slice0cost_pixels_first_0_count_value(i, j, 1) := is_set(slice0shift_reference(i), 3 * j);
+          slice0cost_pixels_first_0_count_value(i, j, 2) := is_set(slice0shift_reference(i), 3 * j + 2);
+          slice0cost_pixels_first_0_count_value(i, j, 3) := is_set(slice0shift_reference(i), 3 * j + 1);
         end loop;
-        slice0cost_pixels_first_0_count_value(i, 7) := is_set(slice0shift_reference(i), 21);
-        slice0cost_pixels_first_0_count_value_2(i, 7) := is_set(slice0shift_reference(i), 22);
+        slice0cost_pixels_first_0_count_value(i, 7, 1) := is_set(slice0shift_reference(i), 21);
+        slice0cost_pixels_first_0_count_value(i, 7, 2) := is_set(slice0shift_reference(i), 22);
       end loop;
       for i in 0 to 3 loop
         for j in 0 to 3 loop
-          if slice0cost_ready_tag_first_group then
-            slice0cost_column_0_choice(4 * i + j) := 0;
-          else
-            slice0cost_column_0_choice(4 * i + j) := to_integer(slice0cost_ready_words(i)(8 * j + 7 downto 8 * j));
-          end if;
+          slice0cost_column_0_choice(4 * i + j) := choice(slice0cost_ready_tag.first_group, 0,
+            to_integer(slice0cost_ready_words(i)(8 * j + 7 downto 8 * j)));
           slice0cost_column_0_value(4 * i + j) := (slice0cost_change_0(4 * i + j) + slice0cost_column_0_choice(4 * i +
             j)) mod 256;
         end loop;
       end loop;
       for i in 0 to 1 loop
         slice0cost_pixels_first_count(i, 0, 0) <= as_number((is_set(slice0shift_search(i, 0), 0) /=
-          is_set(slice0shift_reference(i), 0))) + as_number((slice0cost_pixels_first_0_count_value(i, 0) /=
-          is_set(slice0shift_search(i, 0), 2))) + as_number((slice0cost_pixels_first_0_count_value_2(i, 0) /=
+          is_set(slice0shift_reference(i), 0))) + as_number((slice0cost_pixels_first_0_count_value(i, 0, 1) /=
+          is_set(slice0shift_search(i, 0), 2))) + as_number((slice0cost_pixels_first_0_count_value(i, 0, 2) /=
           is_set(slice0shift_search(i, 0), 1)));
-        slice0cost_pixels_first_count(i, 0, 1) <= as_number((slice0cost_pixels_first_0_count_value(i, 1) /=
-          is_set(slice0shift_search(i, 0), 3))) + as_number((slice0cost_pixels_first_0_count_value_2(i, 1) /=
-          is_set(slice0shift_search(i, 0), 5))) + as_number((slice0cost_pixels_first_0_count_1_value_3(i) /=
+        slice0cost_pixels_first_count(i, 0, 1) <= as_number((slice0cost_pixels_first_0_count_value(i, 1, 1) /=
+          is_set(slice0shift_search(i, 0), 3))) + as_number((slice0cost_pixels_first_0_count_value(i, 1, 2) /=
+          is_set(slice0shift_search(i, 0), 5))) + as_number((slice0cost_pixels_first_0_count_value(i, 1, 3) /=
           is_set(slice0shift_search(i, 0), 4)));
         slice0cost_pixels_first_count(i, 0, 2) <= (to_integer(((to_unsigned((slice0shift_search(i, 0) mod 256), 8)) xor
           (to_unsigned((slice0shift_reference(i) mod 256), 8)))) / 128) +
-          as_number((slice0cost_pixels_first_0_count_value(i, 2) /= is_set(slice0shift_search(i, 0), 8))) +
-          as_number((slice0cost_pixels_first_0_count_value_2(i, 2) /= is_set(slice0shift_search(i, 0), 6)));
+          as_number((slice0cost_pixels_first_0_count_value(i, 2, 1) /= is_set(slice0shift_search(i, 0), 8))) +
+          as_number((slice0cost_pixels_first_0_count_value(i, 2, 2) /= is_set(slice0shift_search(i, 0), 6)));
         for j in 3 to 6 loop
-          slice0cost_pixels_first_count(i, 0, j) <= as_number((slice0cost_pixels_first_0_count_value(i, j) /=
-            is_set(slice0shift_search(i, 0), 3 * j))) + as_number((slice0cost_pixels_first_0_count_value_2(i, j) /=
-            is_set(slice0shift_search(i, 0), 3 * j + 2))) + as_number((slice0cost_pixels_first_0_count_value_3(i, j) /=
-            is_set(slice0shift_search(i, 0), 3 * j + 1)));
+          slice0cost_pixels_first_count(i, 0, j) <= as_number((slice0cost_pixels_first_0_count_value(i, j, 1) /=
+            is_set(slice0shift_search(i, 0), 3 * j))) + as_number((slice0cost_pixels_first_0_count_value(i, j, 2) /=
+            is_set(slice0shift_search(i, 0), 3 * j + 2))) + as_number((slice0cost_pixels_first_0_count_value(i, j, 3)
+            /= is_set(slice0shift_search(i, 0), 3 * j + 1)));
         end loop;
-        slice0cost_pixels_first_count(i, 0, 7) <= as_number((slice0cost_pixels_first_0_count_value(i, 7) /=
+        slice0cost_pixels_first_count(i, 0, 7) <= as_number((slice0cost_pixels_first_0_count_value(i, 7, 1) /=
           is_set(slice0shift_search(i, 0), 21))) + as_number((is_set(slice0shift_reference(i), 23) /=
-          is_set(slice0shift_search(i, 0), 23))) + as_number((slice0cost_pixels_first_0_count_value_2(i, 7) /=
+          is_set(slice0shift_search(i, 0), 23))) + as_number((slice0cost_pixels_first_0_count_value(i, 7, 2) /=
           is_set(slice0shift_search(i, 0), 22)));
         for j in 1 to 15 loop
           slice0cost_pixels_first_count(i, j, 0) <= as_number((is_set(slice0shift_search(i, j), 0) /=
             is_set(slice0shift_reference(i), 0))) + as_number((is_set(slice0shift_search(i, j), 2) /=
-            slice0cost_pixels_first_0_count_value(i, 0))) + as_number((is_set(slice0shift_search(i, j), 1) /=
-            slice0cost_pixels_first_0_count_value_2(i, 0)));
+            slice0cost_pixels_first_0_count_value(i, 0, 1))) + as_number((is_set(slice0shift_search(i, j), 1) /=
+            slice0cost_pixels_first_0_count_value(i, 0, 2)));
           slice0cost_pixels_first_count(i, j, 1) <= as_number((is_set(slice0shift_search(i, j), 3) /=
-            slice0cost_pixels_first_0_count_value(i, 1))) + as_number((is_set(slice0shift_search(i, j), 5) /=
-            slice0cost_pixels_first_0_count_value_2(i, 1))) + as_number((is_set(slice0shift_search(i, j), 4) /=
-            slice0cost_pixels_first_0_count_1_value_3(i)));
+            slice0cost_pixels_first_0_count_value(i, 1, 1))) + as_number((is_set(slice0shift_search(i, j), 5) /=
+            slice0cost_pixels_first_0_count_value(i, 1, 2))) + as_number((is_set(slice0shift_search(i, j), 4) /=
+            slice0cost_pixels_first_0_count_value(i, 1, 3)));
           slice0cost_pixels_first_count(i, j, 2) <= (to_integer(((to_unsigned((slice0shift_search(i, j) mod 256), 8))
             xor (to_unsigned((slice0shift_reference(i) mod 256), 8)))) / 128) + as_number((is_set(slice0shift_search(i,
-            j), 8) /= slice0cost_pixels_first_0_count_value(i, 2))) + as_number((is_set(slice0shift_search(i, j), 6) /=
-            slice0cost_pixels_first_0_count_value_2(i, 2)));
+            j), 8) /= slice0cost_pixels_first_0_count_value(i, 2, 1))) + as_number((is_set(slice0shift_search(i, j), 6)
+            /= slice0cost_pixels_first_0_count_value(i, 2, 2)));
           for k in 3 to 6 loop
             slice0cost_pixels_first_count(i, j, k) <= as_number((is_set(slice0shift_search(i, j), 3 * k) /=
-              slice0cost_pixels_first_0_count_value(i, k))) + as_number((is_set(slice0shift_search(i, j), 3 * k + 2) /=
-              slice0cost_pixels_first_0_count_value_2(i, k))) + as_number((is_set(slice0shift_search(i, j), 3 * k + 1)
-              /= slice0cost_pixels_first_0_count_value_3(i, k)));
+              slice0cost_pixels_first_0_count_value(i, k, 1))) + as_number((is_set(slice0shift_search(i, j), 3 * k + 2)
+              /= slice0cost_pixels_first_0_count_value(i, k, 2))) + as_number((is_set(slice0shift_search(i, j), 3 * k +
+              1) /= slice0cost_pixels_first_0_count_value(i, k, 3)));
           end loop;
           slice0cost_pixels_first_count(i, j, 7) <= as_number((is_set(slice0shift_search(i, j), 21) /=
-            slice0cost_pixels_first_0_count_value(i, 7))) + as_number((is_set(slice0shift_search(i, j), 23) /=
+            slice0cost_pixels_first_0_count_value(i, 7, 1))) + as_number((is_set(slice0shift_search(i, j), 23) /=
             is_set(slice0shift_reference(i), 23))) + as_number((is_set(slice0shift_search(i, j), 22) /=
-            slice0cost_pixels_first_0_count_value_2(i, 7)));
+            slice0cost_pixels_first_0_count_value(i, 7, 2)));
         end loop;
       end loop;
-      slice0cost_pixels_first_tag_valid <= slice0shift_tag_valid;
-      slice0cost_pixels_first_tag_row_start <= slice0shift_tag_row_start;
-      slice0cost_pixels_first_tag_first_group <= slice0shift_tag_first_group;
-      slice0cost_pixels_first_tag_leaves_window <= slice0shift_tag_leaves_window;
-      slice0cost_pixels_first_tag_map_column <= slice0shift_tag_map_column;
-      slice0cost_pixels_first_tag_first_column <= slice0shift_tag_first_column;
-      slice0cost_pixels_first_tag_start_of_frame <= slice0shift_tag_start_of_frame;
-      slice0cost_pixels_first_tag_end_of_line <= slice0shift_tag_end_of_line;
+      slice0cost_pixels_first_tag <= slice0shift_tag;
       for i in 0 to 1 loop
         for j in 0 to 15 loop
           slice0cost_pixels_cost(i, j) <= slice0cost_pixels_first_count(i, j, 0) + slice0cost_pixels_first_count(i, j,
@@ -2590,57 +1467,24 @@ begin
             slice0cost_pixels_first_count(i, j, 7) + slice0cost_pixels_first_count(i, j, 1);
         end loop;
       end loop;
-      slice0cost_pixels_tag_valid <= slice0cost_pixels_first_tag_valid;
-      slice0cost_pixels_tag_row_start <= slice0cost_pixels_first_tag_row_start;
-      slice0cost_pixels_tag_first_group <= slice0cost_pixels_first_tag_first_group;
-      slice0cost_pixels_tag_leaves_window <= slice0cost_pixels_first_tag_leaves_window;
-      slice0cost_pixels_tag_map_column <= slice0cost_pixels_first_tag_map_column;
-      slice0cost_pixels_tag_first_column <= slice0cost_pixels_first_tag_first_column;
-      slice0cost_pixels_tag_start_of_frame <= slice0cost_pixels_first_tag_start_of_frame;
-      slice0cost_pixels_tag_end_of_line <= slice0cost_pixels_first_tag_end_of_line;
+      slice0cost_pixels_tag <= slice0cost_pixels_first_tag;
       for i in 0 to 15 loop
         slice0cost_change_0(i) <= slice0cost_pixels_cost(1, i) - slice0cost_pixels_cost(0, i);
       end loop;
-      slice0cost_ready_words(0) <= slice0cost_read_words(0);
-      slice0cost_ready_words(1) <= slice0cost_read_words(1);
-      slice0cost_ready_words(2) <= slice0cost_read_words(2);
-      slice0cost_ready_words(3) <= slice0cost_read_words(3);
+      slice0cost_ready_words <= slice0cost_read_words;
       slice0cost_ready_column <= slice0cost_change_column;
-      slice0cost_ready_tag_valid <= slice0cost_pixels_tag_valid;
-      slice0cost_ready_tag_row_start <= slice0cost_pixels_tag_row_start;
-      slice0cost_ready_tag_first_group <= slice0cost_pixels_tag_first_group;
-      slice0cost_ready_tag_leaves_window <= slice0cost_pixels_tag_leaves_window;
-      slice0cost_ready_tag_map_column <= slice0cost_pixels_tag_map_column;
-      slice0cost_ready_tag_first_column <= slice0cost_pixels_tag_first_column;
-      slice0cost_ready_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
-      slice0cost_ready_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
-      for i in 0 to 15 loop
-        slice0cost_column_0(i) <= slice0cost_column_0_value(i);
-      end loop;
+      slice0cost_ready_tag <= slice0cost_pixels_tag;
+      slice0cost_column_0 <= slice0cost_column_0_value;
       slice0cost_write_column <= slice0cost_ready_column;
-      slice0cost_tag_valid <= slice0cost_ready_tag_valid;
-      slice0cost_tag_row_start <= slice0cost_ready_tag_row_start;
-      slice0cost_tag_first_group <= slice0cost_ready_tag_first_group;
-      slice0cost_tag_leaves_window <= slice0cost_ready_tag_leaves_window;
-      slice0cost_tag_map_column <= slice0cost_ready_tag_map_column;
-      slice0cost_tag_first_column <= slice0cost_ready_tag_first_column;
-      slice0cost_tag_start_of_frame <= slice0cost_ready_tag_start_of_frame;
-      slice0cost_tag_end_of_line <= slice0cost_ready_tag_end_of_line;
-      if slice0shift_tag_valid then
-        if slice0shift_tag_row_start then
-          slice0cost_read_column <= 0;
-        else
-          slice0cost_read_column <= (slice0cost_read_column + 1) mod 512;
-        end if;
+      slice0cost_tag <= slice0cost_ready_tag;
+      if slice0shift_tag.valid then
+        slice0cost_read_column <= choice(slice0shift_tag.row_start, 0, (slice0cost_read_column + 1) mod 512);
       end if;
-      if slice0cost_pixels_first_tag_valid then
-        if slice0cost_pixels_first_tag_row_start then
-          slice0cost_change_column <= 0;
-        else
-          slice0cost_change_column <= (slice0cost_change_column + 1) mod 512;
-        end if;
+      if slice0cost_pixels_first_tag.valid then
+        slice0cost_change_column <= choice(slice0cost_pixels_first_tag.row_start, 0, (slice0cost_change_column + 1) mod
+          512);
       end if;
-      if slice0cost_ready_tag_valid then
+      if slice0cost_ready_tag.valid then
         for i in 0 to 3 loop
           slice0cost_write_words(i) <= to_unsigned(slice0cost_column_0_value(4 * i + 3), 8) &
             to_unsigned(slice0cost_column_0_value(4 * i + 2), 8) & to_unsigned(slice0cost_column_0_value(4 * i + 1), 8)
@@ -2648,269 +1492,125 @@ begin
         end loop;
       end if;
       -- slice0window
-      if slice0cost_tag_valid then
+      if slice0cost_tag.valid then
         slice0window_ring_write_address <= slice0window_ring_read_address;
-        if slice0window_ring_read_address = 9 then
-          slice0window_ring_read_address <= 0;
-        else
-          slice0window_ring_read_address <= (slice0window_ring_read_address + 1) mod 16;
-        end if;
+        slice0window_ring_read_address <= choice(slice0window_ring_read_address = 9, 0, (slice0window_ring_read_address
+          + 1) mod 16);
       end if;
-      for i in 0 to 1 loop
+      for i in 0 to 3 loop
         for j in 0 to 3 loop
-          if slice0window_entering_tag_leaves_window then
-            slice0window_change_0_choice(8 * i + j) := to_integer(slice0window_leaving(2 * i)(8 * j + 7 downto 8 * j));
-          else
-            slice0window_change_0_choice(8 * i + j) := 0;
-          end if;
-        end loop;
-        for j in 4 to 7 loop
-          if slice0window_entering_tag_leaves_window then
-            slice0window_change_0_choice(8 * i + j) := to_integer(slice0window_leaving(2 * i + 1)(8 * j - 25 downto 8 *
-              j - 32));
-          else
-            slice0window_change_0_choice(8 * i + j) := 0;
-          end if;
+          slice0window_change_0_choice(4 * i + j) := choice(slice0window_entering_tag.leaves_window,
+            to_integer(slice0window_leaving(i)(8 * j + 7 downto 8 * j)), 0);
         end loop;
       end loop;
-      for i in 0 to 15 loop
-        slice0window_entering_0(i) <= slice0cost_column_0(i);
-      end loop;
-      slice0window_entering_tag_valid <= slice0cost_tag_valid;
-      slice0window_entering_tag_row_start <= slice0cost_tag_row_start;
-      slice0window_entering_tag_first_group <= slice0cost_tag_first_group;
-      slice0window_entering_tag_leaves_window <= slice0cost_tag_leaves_window;
-      slice0window_entering_tag_map_column <= slice0cost_tag_map_column;
-      slice0window_entering_tag_first_column <= slice0cost_tag_first_column;
-      slice0window_entering_tag_start_of_frame <= slice0cost_tag_start_of_frame;
-      slice0window_entering_tag_end_of_line <= slice0cost_tag_end_of_line;
+      slice0window_entering_0 <= slice0cost_column_0;
+      slice0window_entering_tag <= slice0cost_tag;
       for i in 0 to 15 loop
         slice0window_change_0(i) <= slice0window_entering_0(i) - slice0window_change_0_choice(i);
       end loop;
-      slice0window_change_tag_valid <= slice0window_entering_tag_valid;
-      slice0window_change_tag_row_start <= slice0window_entering_tag_row_start;
-      slice0window_change_tag_leaves_window <= slice0window_entering_tag_leaves_window;
-      slice0window_change_tag_map_column <= slice0window_entering_tag_map_column;
-      slice0window_change_tag_first_column <= slice0window_entering_tag_first_column;
-      slice0window_change_tag_start_of_frame <= slice0window_entering_tag_start_of_frame;
-      slice0window_change_tag_end_of_line <= slice0window_entering_tag_end_of_line;
-      slice0window_centre_map_column_0 <= slice0window_change_tag_map_column;
-      slice0window_centre_start_of_frame_0 <= slice0window_change_tag_start_of_frame;
-      slice0window_centre_end_of_line_0 <= slice0window_change_tag_end_of_line;
-      slice0window_tag_valid <= slice0window_change_tag_valid;
+      slice0window_change_tag.valid <= slice0window_entering_tag.valid;
+      slice0window_change_tag.row_start <= slice0window_entering_tag.row_start;
+      slice0window_change_tag.leaves_window <= slice0window_entering_tag.leaves_window;
+      slice0window_change_tag.map_column <= slice0window_entering_tag.map_column;
+      slice0window_change_tag.first_column <= slice0window_entering_tag.first_column;
+      slice0window_change_tag.start_of_frame <= slice0window_entering_tag.start_of_frame;
+      slice0window_change_tag.end_of_line <= slice0window_entering_tag.end_of_line;
+      slice0window_centre_map_column_0 <= slice0window_change_tag.map_column;
+      slice0window_centre_start_of_frame_0 <= slice0window_change_tag.start_of_frame;
+      slice0window_centre_end_of_line_0 <= slice0window_change_tag.end_of_line;
+      slice0window_tag.valid <= slice0window_change_tag.valid;
       for i in 0 to 15 loop
-        if slice0window_change_tag_row_start then
-          slice0window_sum_0_choice(i) := 0;
-        else
-          slice0window_sum_0_choice(i) := slice0window_sum_0(i);
-        end if;
+        slice0window_sum_0_choice(i) := choice(slice0window_change_tag.row_start, 0, slice0window_sum_0(i));
       end loop;
-      if slice0window_change_tag_valid then
+      if slice0window_change_tag.valid then
         for i in 0 to 15 loop
           slice0window_sum_0(i) <= (slice0window_sum_0_choice(i) + slice0window_change_0(i)) mod 2048;
         end loop;
-        slice0window_centre_first_column(0) <= slice0window_change_tag_first_column;
-        slice0window_centre_first_column(1) <= slice0window_centre_first_column(0);
-        slice0window_centre_first_column(2) <= slice0window_centre_first_column(1);
-        slice0window_centre_first_column(3) <= slice0window_centre_first_column(2);
+        slice0window_centre_first_column(0) <= slice0window_change_tag.first_column;
+        slice0window_centre_first_column(1 to 3) <= slice0window_centre_first_column(0 to 2);
       end if;
-      if slice0winner1_tag_valid then
+      if slice0winner1_tag.valid then
         slice0window_centre_start_of_frame_3 <= slice2window_centre_start_of_frame_0;
-        slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_3;
+        slice0window_tag.start_of_frame <= slice0window_centre_start_of_frame_3;
       end if;
-      if slice0window_tag_valid then
-        slice0window_tag_first_column <= slice1window_centre_first_column(2);
+      if slice0window_tag.valid then
+        slice0window_tag.first_column <= slice1window_centre_first_column(2);
       end if;
       -- slice0mask
-      if slice0window_change_tag_valid then
-        slice0mask_inside_choice(0) := slice0window_centre_first_column(3);
-      else
-        slice0mask_inside_choice(0) := slice0mask_inside(0);
-      end if;
+      slice0mask_inside_choice(0) := choice(slice0window_change_tag.valid, slice0window_centre_first_column(3),
+        slice0mask_inside(0));
       for i in 1 to 15 loop
-        if slice0window_change_tag_valid then
-          slice0mask_inside_choice(i) := slice0mask_inside(i - 1);
-        else
-          slice0mask_inside_choice(i) := slice0mask_inside(i);
-        end if;
+        slice0mask_inside_choice(i) := choice(slice0window_change_tag.valid, slice0mask_inside(i - 1),
+          slice0mask_inside(i));
       end loop;
       slice0mask_left_out <= slice0mask_inside(15);
-      if slice0mask_column < 441 then
-        slice0mask_inside(0) <= slice0mask_inside(0) or slice0window_change_tag_valid;
-      else
-        slice0mask_inside(0) <= slice0mask_inside_choice(0);
-      end if;
-      if slice0window_centre_first_column(3) then
-        for i in 1 to 15 loop
-          slice0mask_inside(i) <= slice0mask_inside(i) and (not slice0window_change_tag_valid);
-        end loop;
-      else
-        for i in 1 to 15 loop
-          slice0mask_inside(i) <= slice0mask_inside_choice(i);
-        end loop;
-      end if;
-      if slice0window_change_tag_valid then
-        if slice0window_centre_first_column(3) then
-          slice0mask_column <= 0;
-        else
-          slice0mask_column <= (slice0mask_column + 1) mod 512;
-        end if;
+      slice0mask_inside(0) <= choice(slice0mask_column < 441, slice0mask_inside(0) or slice0window_change_tag.valid,
+        slice0mask_inside_choice(0));
+      for i in 1 to 15 loop
+        slice0mask_inside(i) <= choice(slice0window_centre_first_column(3), slice0mask_inside(i) and (not
+          slice0window_change_tag.valid), slice0mask_inside_choice(i));
+      end loop;
+      if slice0window_change_tag.valid then
+        slice0mask_column <= choice(slice0window_centre_first_column(3), 0, (slice0mask_column + 1) mod 512);
       end if;
       -- slice0winner1
       for i in 0 to 7 loop
-        if slice0mask_inside(2 * i + 1) then
-          slice0winner1_best_cost_0_choice(i) := 0;
-        else
-          slice0winner1_best_cost_0_choice(i) := 2047;
-        end if;
-        slice0winner1_best_cost_0_any(i) := to_integer(((to_unsigned(slice0window_sum_0(2 * i + 1), 11)) or
-          (to_unsigned(slice0winner1_best_cost_0_choice(i), 11))));
-        if slice0mask_inside(2 * i) then
-          slice0winner1_best_cost_0_choice_2(i) := 0;
-        else
-          slice0winner1_best_cost_0_choice_2(i) := 2047;
-        end if;
-        slice0winner1_best_cost_0_any_2(i) := to_integer(((to_unsigned(slice0window_sum_0(2 * i), 11)) or
-          (to_unsigned(slice0winner1_best_cost_0_choice_2(i), 11))));
-        slice0winner1_best_cost_0_is_less(i) := (slice0winner1_best_cost_0_any(i) - slice0winner1_best_cost_0_any_2(i))
-          < 0;
+        slice0winner1_best_cost_0_choice(i, 1) := choice(slice0mask_inside(2 * i + 1), 0, 2047);
+        slice0winner1_best_cost_0_any(i, 1) := to_integer(((to_unsigned(slice0window_sum_0(2 * i + 1), 11)) or
+          (to_unsigned(slice0winner1_best_cost_0_choice(i, 1), 11))));
+        slice0winner1_best_cost_0_choice(i, 2) := choice(slice0mask_inside(2 * i), 0, 2047);
+        slice0winner1_best_cost_0_any(i, 2) := to_integer(((to_unsigned(slice0window_sum_0(2 * i), 11)) or
+          (to_unsigned(slice0winner1_best_cost_0_choice(i, 2), 11))));
+        slice0winner1_best_cost_0_is_less(i) := (slice0winner1_best_cost_0_any(i, 1) - slice0winner1_best_cost_0_any(i,
+          2)) < 0;
       end loop;
       slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_is_less(0);
       for i in 1 to 7 loop
-        slice0winner1_best_first_0(i) <= slice0winner1_best_cost_0_any_2(i);
+        slice0winner1_best_first_0(i) <= slice0winner1_best_cost_0_any(i, 2);
       end loop;
       for i in 0 to 7 loop
-        slice0winner1_best_last_0(i) <= slice0winner1_best_cost_0_any(i);
+        slice0winner1_best_last_0(i) <= slice0winner1_best_cost_0_any(i, 1);
       end loop;
-      slice0winner1_tag_valid <= slice0window_tag_valid;
-      if slice0winner1_best_cost_0_is_less(0) then
-        slice0winner1_best_cost_0(0) <= slice0winner1_best_cost_0_any(0);
-        slice0winner1_best_below_0(0) <= slice0winner1_best_cost_0_any_2(0);
-        slice0winner1_best_above_0(0) <= 0;
-      else
-        slice0winner1_best_cost_0(0) <= slice0winner1_best_cost_0_any_2(0);
-        slice0winner1_best_below_0(0) <= 0;
-        slice0winner1_best_above_0(0) <= slice0winner1_best_cost_0_any(0);
-      end if;
-      if slice0winner1_best_cost_0_is_less(1) then
-        slice0winner1_best_cost_0(1) <= slice0winner1_best_cost_0_any(1);
-        slice0winner1_best_index_0_1 <= 3;
-        slice0winner1_best_below_0(1) <= slice0winner1_best_cost_0_any_2(1);
-        slice0winner1_best_above_0(1) <= 0;
-      else
-        slice0winner1_best_cost_0(1) <= slice0winner1_best_cost_0_any_2(1);
-        slice0winner1_best_index_0_1 <= 2;
-        slice0winner1_best_below_0(1) <= 0;
-        slice0winner1_best_above_0(1) <= slice0winner1_best_cost_0_any(1);
-      end if;
-      if slice0winner1_best_cost_0_is_less(2) then
-        slice0winner1_best_cost_0(2) <= slice0winner1_best_cost_0_any(2);
-        slice0winner1_best_index_0_2 <= 5;
-        slice0winner1_best_below_0(2) <= slice0winner1_best_cost_0_any_2(2);
-        slice0winner1_best_above_0(2) <= 0;
-      else
-        slice0winner1_best_cost_0(2) <= slice0winner1_best_cost_0_any_2(2);
-        slice0winner1_best_index_0_2 <= 4;
-        slice0winner1_best_below_0(2) <= 0;
-        slice0winner1_best_above_0(2) <= slice0winner1_best_cost_0_any(2);
-      end if;
-      if slice0winner1_best_cost_0_is_less(3) then
-        slice0winner1_best_cost_0(3) <= slice0winner1_best_cost_0_any(3);
-        slice0winner1_best_index_0_3 <= 7;
-        slice0winner1_best_below_0(3) <= slice0winner1_best_cost_0_any_2(3);
-        slice0winner1_best_above_0(3) <= 0;
-      else
-        slice0winner1_best_cost_0(3) <= slice0winner1_best_cost_0_any_2(3);
-        slice0winner1_best_index_0_3 <= 6;
-        slice0winner1_best_below_0(3) <= 0;
-        slice0winner1_best_above_0(3) <= slice0winner1_best_cost_0_any(3);
-      end if;
-      if slice0winner1_best_cost_0_is_less(4) then
-        slice0winner1_best_cost_0(4) <= slice0winner1_best_cost_0_any(4);
-        slice0winner1_best_index_0_4 <= 9;
-        slice0winner1_best_below_0(4) <= slice0winner1_best_cost_0_any_2(4);
-        slice0winner1_best_above_0(4) <= 0;
-      else
-        slice0winner1_best_cost_0(4) <= slice0winner1_best_cost_0_any_2(4);
-        slice0winner1_best_index_0_4 <= 8;
-        slice0winner1_best_below_0(4) <= 0;
-        slice0winner1_best_above_0(4) <= slice0winner1_best_cost_0_any(4);
-      end if;
-      if slice0winner1_best_cost_0_is_less(5) then
-        slice0winner1_best_cost_0(5) <= slice0winner1_best_cost_0_any(5);
-        slice0winner1_best_index_0_5 <= 11;
-        slice0winner1_best_below_0(5) <= slice0winner1_best_cost_0_any_2(5);
-        slice0winner1_best_above_0(5) <= 0;
-      else
-        slice0winner1_best_cost_0(5) <= slice0winner1_best_cost_0_any_2(5);
-        slice0winner1_best_index_0_5 <= 10;
-        slice0winner1_best_below_0(5) <= 0;
-        slice0winner1_best_above_0(5) <= slice0winner1_best_cost_0_any(5);
-      end if;
-      if slice0winner1_best_cost_0_is_less(6) then
-        slice0winner1_best_cost_0(6) <= slice0winner1_best_cost_0_any(6);
-        slice0winner1_best_index_0_6 <= 13;
-        slice0winner1_best_below_0(6) <= slice0winner1_best_cost_0_any_2(6);
-        slice0winner1_best_above_0(6) <= 0;
-      else
-        slice0winner1_best_cost_0(6) <= slice0winner1_best_cost_0_any_2(6);
-        slice0winner1_best_index_0_6 <= 12;
-        slice0winner1_best_below_0(6) <= 0;
-        slice0winner1_best_above_0(6) <= slice0winner1_best_cost_0_any(6);
-      end if;
-      if slice0winner1_best_cost_0_is_less(7) then
-        slice0winner1_best_cost_0(7) <= slice0winner1_best_cost_0_any(7);
-        slice0winner1_best_index_0_7 <= 15;
-        slice0winner1_best_below_0(7) <= slice0winner1_best_cost_0_any_2(7);
-        slice0winner1_best_above_0(7) <= 0;
-      else
-        slice0winner1_best_cost_0(7) <= slice0winner1_best_cost_0_any_2(7);
-        slice0winner1_best_index_0_7 <= 14;
-        slice0winner1_best_below_0(7) <= 0;
-        slice0winner1_best_above_0(7) <= slice0winner1_best_cost_0_any(7);
-      end if;
-      if slice0winner1_tag_valid then
-        slice0winner1_tag_map_column <= slice2window_centre_map_column(2);
-        slice0winner1_tag_first_column <= slice2window_centre_first_column(2);
-        slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
-        slice0winner1_tag_end_of_line <= slice2window_centre_end_of_line(2);
+      slice0winner1_tag.valid <= slice0window_tag.valid;
+      slice0winner1_best_cost_0(0) <= choice(slice0winner1_best_cost_0_is_less(0), slice0winner1_best_cost_0_any(0, 1),
+        slice0winner1_best_cost_0_any(0, 2));
+      for i in 0 to 6 loop
+        slice0winner1_best_below_0(i) <= choice(slice0winner1_best_cost_0_is_less(i), slice0winner1_best_cost_0_any(i,
+          2), 0);
+        slice0winner1_best_above_0(i) <= choice(slice0winner1_best_cost_0_is_less(i), 0,
+          slice0winner1_best_cost_0_any(i, 1));
+        slice0winner1_best_cost_0(i + 1) <= choice(slice0winner1_best_cost_0_is_less(i + 1),
+          slice0winner1_best_cost_0_any(i + 1, 1), slice0winner1_best_cost_0_any(i + 1, 2));
+        slice0winner1_best_index_0(i + 1) <= choice(slice0winner1_best_cost_0_is_less(i + 1), 2 * i + 3, 2 * i + 2);
+      end loop;
+      slice0winner1_best_below_0(7) <= choice(slice0winner1_best_cost_0_is_less(7), slice0winner1_best_cost_0_any(7,
+        2), 0);
+      slice0winner1_best_above_0(7) <= choice(slice0winner1_best_cost_0_is_less(7), 0, slice0winner1_best_cost_0_any(7,
+        1));
+      if slice0winner1_tag.valid then
+        slice0winner1_tag.map_column <= slice2window_centre_map_column(2);
+        slice0winner1_tag.first_column <= slice2window_centre_first_column(2);
+        slice0winner1_tag.start_of_frame <= slice0window_tag.start_of_frame;
+        slice0winner1_tag.end_of_line <= slice2window_centre_end_of_line(2);
       end if;
       -- slice0winner2
       for i in 0 to 3 loop
         slice0winner2_best_cost_0_is_less(i) := (slice0winner1_best_cost_0(2 * i + 1) - slice0winner1_best_cost_0(2 *
           i)) < 0;
       end loop;
-      if slice0winner1_best_index_0_1 = 2 then
-        slice0winner2_best_below_0_choice(0) := slice0winner1_best_last_0(0);
-      else
-        slice0winner2_best_below_0_choice(0) := slice0winner1_best_below_0(1);
-      end if;
-      if slice0winner1_best_index_0_3 = 6 then
-        slice0winner2_best_below_0_choice(1) := slice0winner1_best_last_0(2);
-      else
-        slice0winner2_best_below_0_choice(1) := slice0winner1_best_below_0(3);
-      end if;
-      if is_set(slice0winner1_best_index_0_5, 3) and ((slice0winner1_best_index_0_5 mod 4) = 2) then
-        slice0winner2_best_below_0_choice(2) := slice0winner1_best_last_0(4);
-      else
-        slice0winner2_best_below_0_choice(2) := slice0winner1_best_below_0(5);
-      end if;
-      if slice0winner1_best_index_0_7 = 14 then
-        slice0winner2_best_below_0_choice(3) := slice0winner1_best_last_0(6);
-      else
-        slice0winner2_best_below_0_choice(3) := slice0winner1_best_below_0(7);
-      end if;
-      if slice0winner1_best_index_0_0 then
-        slice0winner2_best_above_0_choice(0) := slice0winner1_best_first_0(1);
-      else
-        slice0winner2_best_above_0_choice(0) := slice0winner1_best_above_0(0);
-      end if;
-      for i in 0 to 2 loop
-        if other(i) then
-          slice0winner2_best_above_0_choice(i + 1) := slice0winner1_best_first_0(2 * i + 3);
-        else
-          slice0winner2_best_above_0_choice(i + 1) := slice0winner1_best_above_0(2 * i + 2);
-        end if;
+      slice0winner2_best_below_0_choice(0) := choice(slice0winner1_best_index_0(1) = 2, slice0winner1_best_last_0(0),
+        slice0winner1_best_below_0(1));
+      slice0winner2_best_below_0_choice(1) := choice(slice0winner1_best_index_0(3) = 6, slice0winner1_best_last_0(2),
+        slice0winner1_best_below_0(3));
+      slice0winner2_best_below_0_choice(2) := choice(is_set(slice0winner1_best_index_0(5), 3) and
+        ((slice0winner1_best_index_0(5) mod 4) = 2), slice0winner1_best_last_0(4), slice0winner1_best_below_0(5));
+      slice0winner2_best_below_0_choice(3) := choice(slice0winner1_best_index_0(7) = 14, slice0winner1_best_last_0(6),
+        slice0winner1_best_below_0(7));
+      slice0winner2_best_above_0_choice(0) := choice(slice0winner1_best_index_0_0, slice0winner1_best_first_0(1),
+        slice0winner1_best_above_0(0));
+      for i in 1 to 3 loop
+        slice0winner2_best_above_0_choice(i) := choice(other(i - 1), slice0winner1_best_first_0(2 * i + 1),
+          slice0winner1_best_above_0(2 * i));
       end loop;
       slice0winner2_best_first_0(1) <= slice0winner1_best_first_0(2);
       slice0winner2_best_first_0(2) <= slice0winner1_best_first_0(4);
@@ -2919,146 +1619,78 @@ begin
       slice0winner2_best_last_0(1) <= slice0winner1_best_last_0(3);
       slice0winner2_best_last_0(2) <= slice0winner1_best_last_0(5);
       slice0winner2_best_last_0(3) <= slice0winner1_best_last_0(7);
-      slice0winner2_tag_valid <= slice0winner1_tag_valid;
-      slice0winner2_tag_map_column <= slice0winner1_tag_map_column;
-      slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-      slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
-      if slice0winner2_best_cost_0_is_less(0) then
-        slice0winner2_best_cost_0(0) <= slice0winner1_best_cost_0(1);
-        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
-        slice0winner2_best_below_0(0) <= slice0winner2_best_below_0_choice(0);
-        slice0winner2_best_above_0(0) <= slice0winner1_best_above_0(1);
-      else
-        slice0winner2_best_cost_0(0) <= slice0winner1_best_cost_0(0);
-        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
-        slice0winner2_best_below_0(0) <= slice0winner1_best_below_0(0);
-        slice0winner2_best_above_0(0) <= slice0winner2_best_above_0_choice(0);
-      end if;
-      if slice0winner2_best_cost_0_is_less(1) then
-        slice0winner2_best_cost_0(1) <= slice0winner1_best_cost_0(3);
-        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3;
-        slice0winner2_best_below_0(1) <= slice0winner2_best_below_0_choice(1);
-        slice0winner2_best_above_0(1) <= slice0winner1_best_above_0(3);
-      else
-        slice0winner2_best_cost_0(1) <= slice0winner1_best_cost_0(2);
-        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2;
-        slice0winner2_best_below_0(1) <= slice0winner1_best_below_0(2);
-        slice0winner2_best_above_0(1) <= slice0winner2_best_above_0_choice(1);
-      end if;
-      if slice0winner2_best_cost_0_is_less(2) then
-        slice0winner2_best_cost_0(2) <= slice0winner1_best_cost_0(5);
-        slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5;
-        slice0winner2_best_below_0(2) <= slice0winner2_best_below_0_choice(2);
-        slice0winner2_best_above_0(2) <= slice0winner1_best_above_0(5);
-      else
-        slice0winner2_best_cost_0(2) <= slice0winner1_best_cost_0(4);
-        slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_4;
-        slice0winner2_best_below_0(2) <= slice0winner1_best_below_0(4);
-        slice0winner2_best_above_0(2) <= slice0winner2_best_above_0_choice(2);
-      end if;
-      if slice0winner2_best_cost_0_is_less(3) then
-        slice0winner2_best_cost_0(3) <= slice0winner1_best_cost_0(7);
-        slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7;
-        slice0winner2_best_below_0(3) <= slice0winner2_best_below_0_choice(3);
-        slice0winner2_best_above_0(3) <= slice0winner1_best_above_0(7);
-      else
-        slice0winner2_best_cost_0(3) <= slice0winner1_best_cost_0(6);
-        slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_6;
-        slice0winner2_best_below_0(3) <= slice0winner1_best_below_0(6);
-        slice0winner2_best_above_0(3) <= slice0winner2_best_above_0_choice(3);
-      end if;
+      slice0winner2_tag.valid <= slice0winner1_tag.valid;
+      slice0winner2_tag.map_column <= slice0winner1_tag.map_column;
+      slice0winner2_tag.start_of_frame <= slice0winner1_tag.start_of_frame;
+      slice0winner2_tag.end_of_line <= slice0winner1_tag.end_of_line;
+      slice0winner2_best_cost_0(0) <= choice(slice0winner2_best_cost_0_is_less(0), slice0winner1_best_cost_0(1),
+        slice0winner1_best_cost_0(0));
+      slice0winner2_best_index_0(0) <= choice(slice0winner2_best_cost_0_is_less(0), slice0winner1_best_index_0(1),
+        as_number(slice0winner1_best_index_0_0));
+      for i in 0 to 2 loop
+        slice0winner2_best_below_0(i) <= choice(slice0winner2_best_cost_0_is_less(i),
+          slice0winner2_best_below_0_choice(i), slice0winner1_best_below_0(2 * i));
+        slice0winner2_best_above_0(i) <= choice(slice0winner2_best_cost_0_is_less(i), slice0winner1_best_above_0(2 * i
+          + 1), slice0winner2_best_above_0_choice(i));
+        slice0winner2_best_cost_0(i + 1) <= choice(slice0winner2_best_cost_0_is_less(i + 1),
+          slice0winner1_best_cost_0(2 * i + 3), slice0winner1_best_cost_0(2 * i + 2));
+        slice0winner2_best_index_0(i + 1) <= choice(slice0winner2_best_cost_0_is_less(i + 1),
+          slice0winner1_best_index_0(2 * i + 3), slice0winner1_best_index_0(2 * i + 2));
+      end loop;
+      slice0winner2_best_below_0(3) <= choice(slice0winner2_best_cost_0_is_less(3),
+        slice0winner2_best_below_0_choice(3), slice0winner1_best_below_0(6));
+      slice0winner2_best_above_0(3) <= choice(slice0winner2_best_cost_0_is_less(3), slice0winner1_best_above_0(7),
+        slice0winner2_best_above_0_choice(3));
       -- slice0winner3
       slice0winner3_best_cost_0_is_less(0) := (slice0winner2_best_cost_0(1) - slice0winner2_best_cost_0(0)) < 0;
       slice0winner3_best_cost_0_is_less(1) := (slice0winner2_best_cost_0(3) - slice0winner2_best_cost_0(2)) < 0;
-      if slice0winner2_best_index_0_1 = 4 then
-        slice0winner3_best_below_0_choice(0) := slice0winner2_best_last_0(0);
-      else
-        slice0winner3_best_below_0_choice(0) := slice0winner2_best_below_0(1);
-      end if;
-      if slice0winner2_best_index_0_3 = 12 then
-        slice0winner3_best_below_0_choice(1) := slice0winner2_best_last_0(2);
-      else
-        slice0winner3_best_below_0_choice(1) := slice0winner2_best_below_0(3);
-      end if;
-      if slice0winner2_best_index_0_0 = 3 then
-        slice0winner3_best_above_0_choice(0) := slice0winner2_best_first_0(1);
-      else
-        slice0winner3_best_above_0_choice(0) := slice0winner2_best_above_0(0);
-      end if;
-      if is_set(slice0winner2_best_index_0_2, 3) and ((slice0winner2_best_index_0_2 mod 4) = 3) then
-        slice0winner3_best_above_0_choice(1) := slice0winner2_best_first_0(3);
-      else
-        slice0winner3_best_above_0_choice(1) := slice0winner2_best_above_0(2);
-      end if;
+      slice0winner3_best_below_0_choice(0) := choice(slice0winner2_best_index_0(1) = 4, slice0winner2_best_last_0(0),
+        slice0winner2_best_below_0(1));
+      slice0winner3_best_below_0_choice(1) := choice(slice0winner2_best_index_0(3) = 12, slice0winner2_best_last_0(2),
+        slice0winner2_best_below_0(3));
+      slice0winner3_best_above_0_choice(0) := choice(slice0winner2_best_index_0(0) = 3, slice0winner2_best_first_0(1),
+        slice0winner2_best_above_0(0));
+      slice0winner3_best_above_0_choice(1) := choice(is_set(slice0winner2_best_index_0(2), 3) and
+        ((slice0winner2_best_index_0(2) mod 4) = 3), slice0winner2_best_first_0(3), slice0winner2_best_above_0(2));
       slice0winner3_best_first_0_1 <= slice0winner2_best_first_0(2);
       slice0winner3_best_last_0(0) <= slice0winner2_best_last_0(1);
       slice0winner3_best_last_0(1) <= slice0winner2_best_last_0(3);
-      slice0winner3_tag_valid <= slice0winner2_tag_valid;
-      slice0winner3_tag_map_column <= slice0winner2_tag_map_column;
-      slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
-      if slice0winner3_best_cost_0_is_less(0) then
-        slice0winner3_best_cost_0(0) <= slice0winner2_best_cost_0(1);
-        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1;
-        slice0winner3_best_below_0(0) <= slice0winner3_best_below_0_choice(0);
-        slice0winner3_best_above_0(0) <= slice0winner2_best_above_0(1);
-      else
-        slice0winner3_best_cost_0(0) <= slice0winner2_best_cost_0(0);
-        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_0;
-        slice0winner3_best_below_0(0) <= slice0winner2_best_below_0(0);
-        slice0winner3_best_above_0(0) <= slice0winner3_best_above_0_choice(0);
-      end if;
-      if slice0winner3_best_cost_0_is_less(1) then
-        slice0winner3_best_cost_0(1) <= slice0winner2_best_cost_0(3);
-        slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3;
-        slice0winner3_best_below_0(1) <= slice0winner3_best_below_0_choice(1);
-        slice0winner3_best_above_0(1) <= slice0winner2_best_above_0(3);
-      else
-        slice0winner3_best_cost_0(1) <= slice0winner2_best_cost_0(2);
-        slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_2;
-        slice0winner3_best_below_0(1) <= slice0winner2_best_below_0(2);
-        slice0winner3_best_above_0(1) <= slice0winner3_best_above_0_choice(1);
-      end if;
+      slice0winner3_tag <= slice0winner2_tag;
+      for i in 0 to 1 loop
+        slice0winner3_best_cost_0(i) <= choice(slice0winner3_best_cost_0_is_less(i), slice0winner2_best_cost_0(2 * i +
+          1), slice0winner2_best_cost_0(2 * i));
+        slice0winner3_best_index_0(i) <= choice(slice0winner3_best_cost_0_is_less(i), slice0winner2_best_index_0(2 * i
+          + 1), slice0winner2_best_index_0(2 * i));
+        slice0winner3_best_below_0(i) <= choice(slice0winner3_best_cost_0_is_less(i),
+          slice0winner3_best_below_0_choice(i), slice0winner2_best_below_0(2 * i));
+        slice0winner3_best_above_0(i) <= choice(slice0winner3_best_cost_0_is_less(i), slice0winner2_best_above_0(2 * i
+          + 1), slice0winner3_best_above_0_choice(i));
+      end loop;
       -- slice0winner4
       slice0winner4_best_cost_0_0_is_less := (slice0winner3_best_cost_0(1) - slice0winner3_best_cost_0(0)) < 0;
-      if slice0winner3_best_index_0_1 = 8 then
-        slice0winner4_best_below_0_0_choice := slice0winner3_best_last_0(0);
-      else
-        slice0winner4_best_below_0_0_choice := slice0winner3_best_below_0(1);
-      end if;
-      if slice0winner3_best_index_0_0 = 7 then
-        slice0winner4_best_above_0_0_choice := slice0winner3_best_first_0_1;
-      else
-        slice0winner4_best_above_0_0_choice := slice0winner3_best_above_0(0);
-      end if;
+      slice0winner4_best_below_0_0_choice := choice(slice0winner3_best_index_0(1) = 8, slice0winner3_best_last_0(0),
+        slice0winner3_best_below_0(1));
+      slice0winner4_best_above_0_0_choice := choice(slice0winner3_best_index_0(0) = 7, slice0winner3_best_first_0_1,
+        slice0winner3_best_above_0(0));
       slice0winner4_best_last_0_0 <= slice0winner3_best_last_0(1);
-      slice0winner4_tag_valid <= slice0winner3_tag_valid;
-      slice0winner4_tag_map_column <= slice0winner3_tag_map_column;
-      slice0winner4_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
-      slice0winner4_tag_end_of_line <= slice0winner3_tag_end_of_line;
-      if slice0winner4_best_cost_0_0_is_less then
-        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0(1);
-        slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1;
-        slice0winner4_best_below_0_0 <= slice0winner4_best_below_0_0_choice;
-        slice0winner4_best_above_0_0 <= slice0winner3_best_above_0(1);
-      else
-        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0(0);
-        slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_0;
-        slice0winner4_best_below_0_0 <= slice0winner3_best_below_0(0);
-        slice0winner4_best_above_0_0 <= slice0winner4_best_above_0_0_choice;
-      end if;
+      slice0winner4_tag <= slice0winner3_tag;
+      slice0winner4_best_cost_0_0 <= choice(slice0winner4_best_cost_0_0_is_less, slice0winner3_best_cost_0(1),
+        slice0winner3_best_cost_0(0));
+      slice0winner4_best_index_0_0 <= choice(slice0winner4_best_cost_0_0_is_less, slice0winner3_best_index_0(1),
+        slice0winner3_best_index_0(0));
+      slice0winner4_best_below_0_0 <= choice(slice0winner4_best_cost_0_0_is_less, slice0winner4_best_below_0_0_choice,
+        slice0winner3_best_below_0(0));
+      slice0winner4_best_above_0_0 <= choice(slice0winner4_best_cost_0_0_is_less, slice0winner3_best_above_0(1),
+        slice0winner4_best_above_0_0_choice);
       -- slice0
       slice0_best_cost_0_0 <= slice0winner4_best_cost_0_0;
       slice0_best_index_0_0 <= slice0winner4_best_index_0_0;
       slice0_best_below_0_0 <= slice0winner4_best_below_0_0;
       slice0_best_above_0_0 <= slice0winner4_best_above_0_0;
       slice0_best_last_0_0 <= slice0winner4_best_last_0_0;
-      slice0_best_tag_valid <= slice0winner4_tag_valid;
-      slice0_best_tag_map_column <= slice0winner4_tag_map_column;
-      slice0_best_tag_start_of_frame <= slice0winner4_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner4_tag_end_of_line;
+      slice0_best_tag <= slice0winner4_tag;
       -- slice1shift
-      if slice0shift_tag_valid then
+      if slice0shift_tag.valid then
         for i in 0 to 1 loop
           slice1shift_search(i, 0) <= slice0shift_search_out(i);
           for j in 1 to 15 loop
@@ -3066,84 +1698,80 @@ begin
           end loop;
         end loop;
       end if;
-      slice1shift_reference(0) <= slice0shift_reference(0);
-      slice1shift_reference(1) <= slice0shift_reference(1);
+      slice1shift_reference <= slice0shift_reference;
       slice1shift_search_out(0) <= slice1shift_search(0, 15);
       slice1shift_search_out(1) <= slice1shift_search(1, 15);
       -- slice1cost
       for i in 0 to 1 loop
-        slice1cost_pixels_first_0_count_value(i, 0) := is_set(slice1shift_reference(i), 2);
-        slice1cost_pixels_first_0_count_value_2(i, 0) := is_set(slice1shift_reference(i), 1);
-        slice1cost_pixels_first_0_count_value(i, 1) := is_set(slice1shift_reference(i), 3);
-        slice1cost_pixels_first_0_count_value_2(i, 1) := is_set(slice1shift_reference(i), 5);
-        slice1cost_pixels_first_0_count_1_value_3(i) := is_set(slice1shift_reference(i), 4);
-        slice1cost_pixels_first_0_count_value(i, 2) := is_set(slice1shift_reference(i), 8);
-        slice1cost_pixels_first_0_count_value_2(i, 2) := is_set(slice1shift_reference(i), 6);
+        slice1cost_pixels_first_0_count_value(i, 0, 1) := is_set(slice1shift_reference(i), 2);
+        slice1cost_pixels_first_0_count_value(i, 0, 2) := is_set(slice1shift_reference(i), 1);
+        slice1cost_pixels_first_0_count_value(i, 1, 1) := is_set(slice1shift_reference(i), 3);
+        slice1cost_pixels_first_0_count_value(i, 1, 2) := is_set(slice1shift_reference(i), 5);
+        slice1cost_pixels_first_0_count_value(i, 1, 3) := is_set(slice1shift_reference(i), 4);
+        slice1cost_pixels_first_0_count_value(i, 2, 1) := is_set(slice1shift_reference(i), 8);
+        slice1cost_pixels_first_0_count_value(i, 2, 2) := is_set(slice1shift_reference(i), 6);
         for j in 3 to 6 loop
-          slice1cost_pixels_first_0_count_value(i, j) := is_set(slice1shift_reference(i), 3 * j);
-          slice1cost_pixels_first_0_count_value_2(i, j) := is_set(slice1shift_reference(i), 3 * j + 2);
-          slice1cost_pixels_first_0_count_value_3(i, j) := is_set(slice1shift_reference(i), 3 * j + 1);
+          slice1cost_pixels_first_0_count_value(i, j, 1) := is_set(slice1shift_reference(i), 3 * j);
+          slice1cost_pixels_first_0_count_value(i, j, 2) := is_set(slice1shift_reference(i), 3 * j + 2);
+          slice1cost_pixels_first_0_count_value(i, j, 3) := is_set(slice1shift_reference(i), 3 * j + 1);
         end loop;
-        slice1cost_pixels_first_0_count_value(i, 7) := is_set(slice1shift_reference(i), 21);
-        slice1cost_pixels_first_0_count_value_2(i, 7) := is_set(slice1shift_reference(i), 22);
+        slice1cost_pixels_first_0_count_value(i, 7, 1) := is_set(slice1shift_reference(i), 21);
+        slice1cost_pixels_first_0_count_value(i, 7, 2) := is_set(slice1shift_reference(i), 22);
       end loop;
       for i in 0 to 3 loop
         for j in 0 to 3 loop
-          if slice0cost_tag_first_group then
-            slice1cost_column_0_choice(4 * i + j) := 0;
-          else
-            slice1cost_column_0_choice(4 * i + j) := to_integer(slice1cost_ready_words(i)(8 * j + 7 downto 8 * j));
-          end if;
+          slice1cost_column_0_choice(4 * i + j) := choice(slice0cost_tag.first_group, 0,
+            to_integer(slice1cost_ready_words(i)(8 * j + 7 downto 8 * j)));
           slice1cost_column_0_value(4 * i + j) := (slice1cost_change_0(4 * i + j) + slice1cost_column_0_choice(4 * i +
             j)) mod 256;
         end loop;
       end loop;
       for i in 0 to 1 loop
         slice1cost_pixels_first_count(i, 0, 0) <= as_number((is_set(slice1shift_search(i, 0), 0) /=
-          is_set(slice1shift_reference(i), 0))) + as_number((slice1cost_pixels_first_0_count_value(i, 0) /=
-          is_set(slice1shift_search(i, 0), 2))) + as_number((slice1cost_pixels_first_0_count_value_2(i, 0) /=
+          is_set(slice1shift_reference(i), 0))) + as_number((slice1cost_pixels_first_0_count_value(i, 0, 1) /=
+          is_set(slice1shift_search(i, 0), 2))) + as_number((slice1cost_pixels_first_0_count_value(i, 0, 2) /=
           is_set(slice1shift_search(i, 0), 1)));
-        slice1cost_pixels_first_count(i, 0, 1) <= as_number((slice1cost_pixels_first_0_count_value(i, 1) /=
-          is_set(slice1shift_search(i, 0), 3))) + as_number((slice1cost_pixels_first_0_count_value_2(i, 1) /=
-          is_set(slice1shift_search(i, 0), 5))) + as_number((slice1cost_pixels_first_0_count_1_value_3(i) /=
+        slice1cost_pixels_first_count(i, 0, 1) <= as_number((slice1cost_pixels_first_0_count_value(i, 1, 1) /=
+          is_set(slice1shift_search(i, 0), 3))) + as_number((slice1cost_pixels_first_0_count_value(i, 1, 2) /=
+          is_set(slice1shift_search(i, 0), 5))) + as_number((slice1cost_pixels_first_0_count_value(i, 1, 3) /=
           is_set(slice1shift_search(i, 0), 4)));
         slice1cost_pixels_first_count(i, 0, 2) <= (to_integer(((to_unsigned((slice1shift_search(i, 0) mod 256), 8)) xor
           (to_unsigned((slice1shift_reference(i) mod 256), 8)))) / 128) +
-          as_number((slice1cost_pixels_first_0_count_value(i, 2) /= is_set(slice1shift_search(i, 0), 8))) +
-          as_number((slice1cost_pixels_first_0_count_value_2(i, 2) /= is_set(slice1shift_search(i, 0), 6)));
+          as_number((slice1cost_pixels_first_0_count_value(i, 2, 1) /= is_set(slice1shift_search(i, 0), 8))) +
+          as_number((slice1cost_pixels_first_0_count_value(i, 2, 2) /= is_set(slice1shift_search(i, 0), 6)));
         for j in 3 to 6 loop
-          slice1cost_pixels_first_count(i, 0, j) <= as_number((slice1cost_pixels_first_0_count_value(i, j) /=
-            is_set(slice1shift_search(i, 0), 3 * j))) + as_number((slice1cost_pixels_first_0_count_value_2(i, j) /=
-            is_set(slice1shift_search(i, 0), 3 * j + 2))) + as_number((slice1cost_pixels_first_0_count_value_3(i, j) /=
-            is_set(slice1shift_search(i, 0), 3 * j + 1)));
+          slice1cost_pixels_first_count(i, 0, j) <= as_number((slice1cost_pixels_first_0_count_value(i, j, 1) /=
+            is_set(slice1shift_search(i, 0), 3 * j))) + as_number((slice1cost_pixels_first_0_count_value(i, j, 2) /=
+            is_set(slice1shift_search(i, 0), 3 * j + 2))) + as_number((slice1cost_pixels_first_0_count_value(i, j, 3)
+            /= is_set(slice1shift_search(i, 0), 3 * j + 1)));
         end loop;
-        slice1cost_pixels_first_count(i, 0, 7) <= as_number((slice1cost_pixels_first_0_count_value(i, 7) /=
+        slice1cost_pixels_first_count(i, 0, 7) <= as_number((slice1cost_pixels_first_0_count_value(i, 7, 1) /=
           is_set(slice1shift_search(i, 0), 21))) + as_number((is_set(slice1shift_reference(i), 23) /=
-          is_set(slice1shift_search(i, 0), 23))) + as_number((slice1cost_pixels_first_0_count_value_2(i, 7) /=
+          is_set(slice1shift_search(i, 0), 23))) + as_number((slice1cost_pixels_first_0_count_value(i, 7, 2) /=
           is_set(slice1shift_search(i, 0), 22)));
         for j in 1 to 15 loop
           slice1cost_pixels_first_count(i, j, 0) <= as_number((is_set(slice1shift_search(i, j), 0) /=
             is_set(slice1shift_reference(i), 0))) + as_number((is_set(slice1shift_search(i, j), 2) /=
-            slice1cost_pixels_first_0_count_value(i, 0))) + as_number((is_set(slice1shift_search(i, j), 1) /=
-            slice1cost_pixels_first_0_count_value_2(i, 0)));
+            slice1cost_pixels_first_0_count_value(i, 0, 1))) + as_number((is_set(slice1shift_search(i, j), 1) /=
+            slice1cost_pixels_first_0_count_value(i, 0, 2)));
           slice1cost_pixels_first_count(i, j, 1) <= as_number((is_set(slice1shift_search(i, j), 3) /=
-            slice1cost_pixels_first_0_count_value(i, 1))) + as_number((is_set(slice1shift_search(i, j), 5) /=
-            slice1cost_pixels_first_0_count_value_2(i, 1))) + as_number((is_set(slice1shift_search(i, j), 4) /=
-            slice1cost_pixels_first_0_count_1_value_3(i)));
+            slice1cost_pixels_first_0_count_value(i, 1, 1))) + as_number((is_set(slice1shift_search(i, j), 5) /=
+            slice1cost_pixels_first_0_count_value(i, 1, 2))) + as_number((is_set(slice1shift_search(i, j), 4) /=
+            slice1cost_pixels_first_0_count_value(i, 1, 3)));
           slice1cost_pixels_first_count(i, j, 2) <= (to_integer(((to_unsigned((slice1shift_search(i, j) mod 256), 8))
             xor (to_unsigned((slice1shift_reference(i) mod 256), 8)))) / 128) + as_number((is_set(slice1shift_search(i,
-            j), 8) /= slice1cost_pixels_first_0_count_value(i, 2))) + as_number((is_set(slice1shift_search(i, j), 6) /=
-            slice1cost_pixels_first_0_count_value_2(i, 2)));
+            j), 8) /= slice1cost_pixels_first_0_count_value(i, 2, 1))) + as_number((is_set(slice1shift_search(i, j), 6)
+            /= slice1cost_pixels_first_0_count_value(i, 2, 2)));
           for k in 3 to 6 loop
             slice1cost_pixels_first_count(i, j, k) <= as_number((is_set(slice1shift_search(i, j), 3 * k) /=
-              slice1cost_pixels_first_0_count_value(i, k))) + as_number((is_set(slice1shift_search(i, j), 3 * k + 2) /=
-              slice1cost_pixels_first_0_count_value_2(i, k))) + as_number((is_set(slice1shift_search(i, j), 3 * k + 1)
-              /= slice1cost_pixels_first_0_count_value_3(i, k)));
+              slice1cost_pixels_first_0_count_value(i, k, 1))) + as_number((is_set(slice1shift_search(i, j), 3 * k + 2)
+              /= slice1cost_pixels_first_0_count_value(i, k, 2))) + as_number((is_set(slice1shift_search(i, j), 3 * k +
+              1) /= slice1cost_pixels_first_0_count_value(i, k, 3)));
           end loop;
           slice1cost_pixels_first_count(i, j, 7) <= as_number((is_set(slice1shift_search(i, j), 21) /=
-            slice1cost_pixels_first_0_count_value(i, 7))) + as_number((is_set(slice1shift_search(i, j), 23) /=
+            slice1cost_pixels_first_0_count_value(i, 7, 1))) + as_number((is_set(slice1shift_search(i, j), 23) /=
             is_set(slice1shift_reference(i), 23))) + as_number((is_set(slice1shift_search(i, j), 22) /=
-            slice1cost_pixels_first_0_count_value_2(i, 7)));
+            slice1cost_pixels_first_0_count_value(i, 7, 2)));
         end loop;
       end loop;
       for i in 0 to 1 loop
@@ -3159,17 +1787,12 @@ begin
       for i in 0 to 15 loop
         slice1cost_change_0(i) <= slice1cost_pixels_cost(1, i) - slice1cost_pixels_cost(0, i);
       end loop;
-      slice1cost_ready_words(0) <= slice1cost_read_words(0);
-      slice1cost_ready_words(1) <= slice1cost_read_words(1);
-      slice1cost_ready_words(2) <= slice1cost_read_words(2);
-      slice1cost_ready_words(3) <= slice1cost_read_words(3);
-      for i in 0 to 15 loop
-        slice1cost_column_0(i) <= slice1cost_column_0_value(i);
-      end loop;
-      if slice0cost_ready_tag_valid then
+      slice1cost_ready_words <= slice1cost_read_words;
+      slice1cost_column_0 <= slice1cost_column_0_value;
+      if slice0cost_ready_tag.valid then
         slice1cost_ready_column <= slice1cost_change_column;
       end if;
-      if slice0cost_tag_valid then
+      if slice0cost_tag.valid then
         slice1cost_write_column <= slice0cost_write_column;
         for i in 0 to 3 loop
           slice1cost_write_words(i) <= to_unsigned(slice1cost_column_0_value(4 * i + 3), 8) &
@@ -3178,235 +1801,102 @@ begin
         end loop;
       end if;
       -- slice1window
-      if slice0window_entering_tag_valid then
+      if slice0window_entering_tag.valid then
         slice1window_ring_write_address <= slice1window_ring_read_address;
-        if slice1window_ring_read_address = 9 then
-          slice1window_ring_read_address <= 0;
-        else
-          slice1window_ring_read_address <= (slice1window_ring_read_address + 1) mod 16;
-        end if;
+        slice1window_ring_read_address <= choice(slice1window_ring_read_address = 9, 0, (slice1window_ring_read_address
+          + 1) mod 16);
       end if;
-      for i in 0 to 1 loop
+      for i in 0 to 3 loop
         for j in 0 to 3 loop
-          if slice0window_change_tag_leaves_window then
-            slice1window_change_0_choice(8 * i + j) := to_integer(slice1window_leaving(2 * i)(8 * j + 7 downto 8 * j));
-          else
-            slice1window_change_0_choice(8 * i + j) := 0;
-          end if;
-        end loop;
-        for j in 4 to 7 loop
-          if slice0window_change_tag_leaves_window then
-            slice1window_change_0_choice(8 * i + j) := to_integer(slice1window_leaving(2 * i + 1)(8 * j - 25 downto 8 *
-              j - 32));
-          else
-            slice1window_change_0_choice(8 * i + j) := 0;
-          end if;
+          slice1window_change_0_choice(4 * i + j) := choice(slice0window_change_tag.leaves_window,
+            to_integer(slice1window_leaving(i)(8 * j + 7 downto 8 * j)), 0);
         end loop;
       end loop;
-      for i in 0 to 15 loop
-        slice1window_entering_0(i) <= slice1cost_column_0(i);
-      end loop;
+      slice1window_entering_0 <= slice1cost_column_0;
       for i in 0 to 15 loop
         slice1window_change_0(i) <= slice1window_entering_0(i) - slice1window_change_0_choice(i);
       end loop;
-      slice1window_change_tag_row_start <= slice0window_change_tag_row_start;
-      slice1window_change_tag_leaves_window <= slice0window_change_tag_leaves_window;
-      slice1window_change_tag_first_column <= slice0window_change_tag_first_column;
+      slice1window_change_tag.row_start <= slice0window_change_tag.row_start;
+      slice1window_change_tag.leaves_window <= slice0window_change_tag.leaves_window;
+      slice1window_change_tag.first_column <= slice0window_change_tag.first_column;
       slice1window_centre_map_column_0 <= slice0window_centre_map_column_0;
-      slice1window_centre_first_column(0) <= slice1window_change_tag_first_column;
+      slice1window_centre_first_column(0) <= slice1window_change_tag.first_column;
       slice1window_centre_start_of_frame_0 <= slice0window_centre_start_of_frame_0;
       slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
       for i in 0 to 15 loop
-        if slice1window_change_tag_row_start then
-          slice1window_sum_0_choice(i) := 0;
-        else
-          slice1window_sum_0_choice(i) := slice1window_sum_0(i);
-        end if;
+        slice1window_sum_0_choice(i) := choice(slice1window_change_tag.row_start, 0, slice1window_sum_0(i));
       end loop;
-      if slice0window_tag_valid then
+      if slice0window_tag.valid then
         for i in 0 to 15 loop
           slice1window_sum_0(i) <= (slice1window_sum_0_choice(i) + slice1window_change_0(i)) mod 2048;
         end loop;
-        slice1window_centre_first_column(1) <= slice2window_change_tag_first_column;
+        slice1window_centre_first_column(1) <= slice2window_change_tag.first_column;
         slice1window_centre_first_column(2) <= slice1window_centre_first_column(1);
       end if;
       -- slice1mask
-      slice1mask_inside_0_all := (not slice0window_tag_valid) and slice1mask_inside(0);
-      if slice0window_tag_first_column then
-        slice1mask_inside_choice(0) := slice1mask_inside_0_all;
-      else
-        slice1mask_inside_choice(0) := slice0window_tag_valid or slice1mask_inside(0);
-      end if;
+      slice1mask_inside_0_all := (not slice0window_tag.valid) and slice1mask_inside(0);
+      slice1mask_inside_choice(0) := choice(slice0window_tag.first_column, slice1mask_inside_0_all,
+        slice0window_tag.valid or slice1mask_inside(0));
       for i in 1 to 15 loop
-        if slice0window_tag_valid then
-          slice1mask_inside_choice(i) := slice1mask_inside(i - 1);
-        else
-          slice1mask_inside_choice(i) := slice1mask_inside(i);
-        end if;
+        slice1mask_inside_choice(i) := choice(slice0window_tag.valid, slice1mask_inside(i - 1), slice1mask_inside(i));
       end loop;
       slice1mask_left_out <= slice1mask_inside(15);
-      if slice0mask_left_out then
-        slice1mask_inside(0) <= slice1mask_inside_choice(0);
-      else
-        slice1mask_inside(0) <= slice1mask_inside_0_all;
-      end if;
-      if slice0window_tag_first_column then
-        for i in 1 to 15 loop
-          slice1mask_inside(i) <= (not slice0window_tag_valid) and slice1mask_inside(i);
-        end loop;
-      else
-        for i in 1 to 15 loop
-          slice1mask_inside(i) <= slice1mask_inside_choice(i);
-        end loop;
-      end if;
+      slice1mask_inside(0) <= choice(slice0mask_left_out, slice1mask_inside_choice(0), slice1mask_inside_0_all);
+      for i in 1 to 15 loop
+        slice1mask_inside(i) <= choice(slice0window_tag.first_column, (not slice0window_tag.valid) and
+          slice1mask_inside(i), slice1mask_inside_choice(i));
+      end loop;
       -- slice1winner1
       for i in 0 to 7 loop
-        if slice1mask_inside(2 * i + 1) then
-          slice1winner1_best_cost_0_choice(i) := 0;
-        else
-          slice1winner1_best_cost_0_choice(i) := 2047;
-        end if;
-        slice1winner1_best_cost_0_any(i) := to_integer(((to_unsigned(slice1window_sum_0(2 * i + 1), 11)) or
-          (to_unsigned(slice1winner1_best_cost_0_choice(i), 11))));
-        if slice1mask_inside(2 * i) then
-          slice1winner1_best_cost_0_choice_2(i) := 0;
-        else
-          slice1winner1_best_cost_0_choice_2(i) := 2047;
-        end if;
-        slice1winner1_best_cost_0_any_2(i) := to_integer(((to_unsigned(slice1window_sum_0(2 * i), 11)) or
-          (to_unsigned(slice1winner1_best_cost_0_choice_2(i), 11))));
-        slice1winner1_best_cost_0_is_less(i) := (slice1winner1_best_cost_0_any(i) - slice1winner1_best_cost_0_any_2(i))
-          < 0;
+        slice1winner1_best_cost_0_choice(i, 1) := choice(slice1mask_inside(2 * i + 1), 0, 2047);
+        slice1winner1_best_cost_0_any(i, 1) := to_integer(((to_unsigned(slice1window_sum_0(2 * i + 1), 11)) or
+          (to_unsigned(slice1winner1_best_cost_0_choice(i, 1), 11))));
+        slice1winner1_best_cost_0_choice(i, 2) := choice(slice1mask_inside(2 * i), 0, 2047);
+        slice1winner1_best_cost_0_any(i, 2) := to_integer(((to_unsigned(slice1window_sum_0(2 * i), 11)) or
+          (to_unsigned(slice1winner1_best_cost_0_choice(i, 2), 11))));
+        slice1winner1_best_cost_0_is_less(i) := (slice1winner1_best_cost_0_any(i, 1) - slice1winner1_best_cost_0_any(i,
+          2)) < 0;
       end loop;
       slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_is_less(0);
       for i in 0 to 7 loop
-        slice1winner1_best_first_0(i) <= slice1winner1_best_cost_0_any_2(i);
+        slice1winner1_best_first_0(i) <= slice1winner1_best_cost_0_any(i, 2);
       end loop;
       for i in 0 to 7 loop
-        slice1winner1_best_last_0(i) <= slice1winner1_best_cost_0_any(i);
+        slice1winner1_best_last_0(i) <= slice1winner1_best_cost_0_any(i, 1);
       end loop;
-      if slice1winner1_best_cost_0_is_less(0) then
-        slice1winner1_best_cost_0(0) <= slice1winner1_best_cost_0_any(0);
-        slice1winner1_best_below_0(0) <= slice1winner1_best_cost_0_any_2(0);
-        slice1winner1_best_above_0(0) <= 0;
-      else
-        slice1winner1_best_cost_0(0) <= slice1winner1_best_cost_0_any_2(0);
-        slice1winner1_best_below_0(0) <= 0;
-        slice1winner1_best_above_0(0) <= slice1winner1_best_cost_0_any(0);
-      end if;
-      if slice1winner1_best_cost_0_is_less(1) then
-        slice1winner1_best_cost_0(1) <= slice1winner1_best_cost_0_any(1);
-        slice1winner1_best_index_0_1 <= 3;
-        slice1winner1_best_below_0(1) <= slice1winner1_best_cost_0_any_2(1);
-        slice1winner1_best_above_0(1) <= 0;
-      else
-        slice1winner1_best_cost_0(1) <= slice1winner1_best_cost_0_any_2(1);
-        slice1winner1_best_index_0_1 <= 2;
-        slice1winner1_best_below_0(1) <= 0;
-        slice1winner1_best_above_0(1) <= slice1winner1_best_cost_0_any(1);
-      end if;
-      if slice1winner1_best_cost_0_is_less(2) then
-        slice1winner1_best_cost_0(2) <= slice1winner1_best_cost_0_any(2);
-        slice1winner1_best_index_0_2 <= 5;
-        slice1winner1_best_below_0(2) <= slice1winner1_best_cost_0_any_2(2);
-        slice1winner1_best_above_0(2) <= 0;
-      else
-        slice1winner1_best_cost_0(2) <= slice1winner1_best_cost_0_any_2(2);
-        slice1winner1_best_index_0_2 <= 4;
-        slice1winner1_best_below_0(2) <= 0;
-        slice1winner1_best_above_0(2) <= slice1winner1_best_cost_0_any(2);
-      end if;
-      if slice1winner1_best_cost_0_is_less(3) then
-        slice1winner1_best_cost_0(3) <= slice1winner1_best_cost_0_any(3);
-        slice1winner1_best_index_0_3 <= 7;
-        slice1winner1_best_below_0(3) <= slice1winner1_best_cost_0_any_2(3);
-        slice1winner1_best_above_0(3) <= 0;
-      else
-        slice1winner1_best_cost_0(3) <= slice1winner1_best_cost_0_any_2(3);
-        slice1winner1_best_index_0_3 <= 6;
-        slice1winner1_best_below_0(3) <= 0;
-        slice1winner1_best_above_0(3) <= slice1winner1_best_cost_0_any(3);
-      end if;
-      if slice1winner1_best_cost_0_is_less(4) then
-        slice1winner1_best_cost_0(4) <= slice1winner1_best_cost_0_any(4);
-        slice1winner1_best_index_0_4 <= 9;
-        slice1winner1_best_below_0(4) <= slice1winner1_best_cost_0_any_2(4);
-        slice1winner1_best_above_0(4) <= 0;
-      else
-        slice1winner1_best_cost_0(4) <= slice1winner1_best_cost_0_any_2(4);
-        slice1winner1_best_index_0_4 <= 8;
-        slice1winner1_best_below_0(4) <= 0;
-        slice1winner1_best_above_0(4) <= slice1winner1_best_cost_0_any(4);
-      end if;
-      if slice1winner1_best_cost_0_is_less(5) then
-        slice1winner1_best_cost_0(5) <= slice1winner1_best_cost_0_any(5);
-        slice1winner1_best_index_0_5 <= 11;
-        slice1winner1_best_below_0(5) <= slice1winner1_best_cost_0_any_2(5);
-        slice1winner1_best_above_0(5) <= 0;
-      else
-        slice1winner1_best_cost_0(5) <= slice1winner1_best_cost_0_any_2(5);
-        slice1winner1_best_index_0_5 <= 10;
-        slice1winner1_best_below_0(5) <= 0;
-        slice1winner1_best_above_0(5) <= slice1winner1_best_cost_0_any(5);
-      end if;
-      if slice1winner1_best_cost_0_is_less(6) then
-        slice1winner1_best_cost_0(6) <= slice1winner1_best_cost_0_any(6);
-        slice1winner1_best_index_0_6 <= 13;
-        slice1winner1_best_below_0(6) <= slice1winner1_best_cost_0_any_2(6);
-        slice1winner1_best_above_0(6) <= 0;
-      else
-        slice1winner1_best_cost_0(6) <= slice1winner1_best_cost_0_any_2(6);
-        slice1winner1_best_index_0_6 <= 12;
-        slice1winner1_best_below_0(6) <= 0;
-        slice1winner1_best_above_0(6) <= slice1winner1_best_cost_0_any(6);
-      end if;
-      if slice1winner1_best_cost_0_is_less(7) then
-        slice1winner1_best_cost_0(7) <= slice1winner1_best_cost_0_any(7);
-        slice1winner1_best_index_0_7 <= 15;
-        slice1winner1_best_below_0(7) <= slice1winner1_best_cost_0_any_2(7);
-        slice1winner1_best_above_0(7) <= 0;
-      else
-        slice1winner1_best_cost_0(7) <= slice1winner1_best_cost_0_any_2(7);
-        slice1winner1_best_index_0_7 <= 14;
-        slice1winner1_best_below_0(7) <= 0;
-        slice1winner1_best_above_0(7) <= slice1winner1_best_cost_0_any(7);
-      end if;
+      slice1winner1_best_cost_0(0) <= choice(slice1winner1_best_cost_0_is_less(0), slice1winner1_best_cost_0_any(0, 1),
+        slice1winner1_best_cost_0_any(0, 2));
+      for i in 0 to 6 loop
+        slice1winner1_best_below_0(i) <= choice(slice1winner1_best_cost_0_is_less(i), slice1winner1_best_cost_0_any(i,
+          2), 0);
+        slice1winner1_best_above_0(i) <= choice(slice1winner1_best_cost_0_is_less(i), 0,
+          slice1winner1_best_cost_0_any(i, 1));
+        slice1winner1_best_cost_0(i + 1) <= choice(slice1winner1_best_cost_0_is_less(i + 1),
+          slice1winner1_best_cost_0_any(i + 1, 1), slice1winner1_best_cost_0_any(i + 1, 2));
+        slice1winner1_best_index_0(i + 1) <= choice(slice1winner1_best_cost_0_is_less(i + 1), 2 * i + 3, 2 * i + 2);
+      end loop;
+      slice1winner1_best_below_0(7) <= choice(slice1winner1_best_cost_0_is_less(7), slice1winner1_best_cost_0_any(7,
+        2), 0);
+      slice1winner1_best_above_0(7) <= choice(slice1winner1_best_cost_0_is_less(7), 0, slice1winner1_best_cost_0_any(7,
+        1));
       -- slice1winner2
       for i in 0 to 3 loop
         slice1winner2_best_cost_0_is_less(i) := (slice1winner1_best_cost_0(2 * i + 1) - slice1winner1_best_cost_0(2 *
           i)) < 0;
       end loop;
-      if slice1winner1_best_index_0_1 = 2 then
-        slice1winner2_best_below_0_choice(0) := slice1winner1_best_last_0(0);
-      else
-        slice1winner2_best_below_0_choice(0) := slice1winner1_best_below_0(1);
-      end if;
-      if slice1winner1_best_index_0_3 = 6 then
-        slice1winner2_best_below_0_choice(1) := slice1winner1_best_last_0(2);
-      else
-        slice1winner2_best_below_0_choice(1) := slice1winner1_best_below_0(3);
-      end if;
-      if is_set(slice1winner1_best_index_0_5, 3) and ((slice1winner1_best_index_0_5 mod 4) = 2) then
-        slice1winner2_best_below_0_choice(2) := slice1winner1_best_last_0(4);
-      else
-        slice1winner2_best_below_0_choice(2) := slice1winner1_best_below_0(5);
-      end if;
-      if slice1winner1_best_index_0_7 = 14 then
-        slice1winner2_best_below_0_choice(3) := slice1winner1_best_last_0(6);
-      else
-        slice1winner2_best_below_0_choice(3) := slice1winner1_best_below_0(7);
-      end if;
-      if slice1winner1_best_index_0_0 then
-        slice1winner2_best_above_0_choice(0) := slice1winner1_best_first_0(1);
-      else
-        slice1winner2_best_above_0_choice(0) := slice1winner1_best_above_0(0);
-      end if;
-      for i in 6 to 8 loop
-        if other(i) then
-          slice1winner2_best_above_0_choice(i - 5) := slice1winner1_best_first_0(2 * i - 9);
-        else
-          slice1winner2_best_above_0_choice(i - 5) := slice1winner1_best_above_0(2 * i - 10);
-        end if;
+      slice1winner2_best_below_0_choice(0) := choice(slice1winner1_best_index_0(1) = 2, slice1winner1_best_last_0(0),
+        slice1winner1_best_below_0(1));
+      slice1winner2_best_below_0_choice(1) := choice(slice1winner1_best_index_0(3) = 6, slice1winner1_best_last_0(2),
+        slice1winner1_best_below_0(3));
+      slice1winner2_best_below_0_choice(2) := choice(is_set(slice1winner1_best_index_0(5), 3) and
+        ((slice1winner1_best_index_0(5) mod 4) = 2), slice1winner1_best_last_0(4), slice1winner1_best_below_0(5));
+      slice1winner2_best_below_0_choice(3) := choice(slice1winner1_best_index_0(7) = 14, slice1winner1_best_last_0(6),
+        slice1winner1_best_below_0(7));
+      slice1winner2_best_above_0_choice(0) := choice(slice1winner1_best_index_0_0, slice1winner1_best_first_0(1),
+        slice1winner1_best_above_0(0));
+      for i in 1 to 3 loop
+        slice1winner2_best_above_0_choice(i) := choice(other(i + 5), slice1winner1_best_first_0(2 * i + 1),
+          slice1winner1_best_above_0(2 * i));
       end loop;
       slice1winner2_best_first_0(0) <= slice1winner1_best_first_0(0);
       slice1winner2_best_first_0(1) <= slice1winner1_best_first_0(2);
@@ -3416,154 +1906,82 @@ begin
       slice1winner2_best_last_0(1) <= slice1winner1_best_last_0(3);
       slice1winner2_best_last_0(2) <= slice1winner1_best_last_0(5);
       slice1winner2_best_last_0(3) <= slice1winner1_best_last_0(7);
-      if slice1winner2_best_cost_0_is_less(0) then
-        slice1winner2_best_cost_0(0) <= slice1winner1_best_cost_0(1);
-        slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1;
-        slice1winner2_best_below_0(0) <= slice1winner2_best_below_0_choice(0);
-        slice1winner2_best_above_0(0) <= slice1winner1_best_above_0(1);
-      else
-        slice1winner2_best_cost_0(0) <= slice1winner1_best_cost_0(0);
-        slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
-        slice1winner2_best_below_0(0) <= slice1winner1_best_below_0(0);
-        slice1winner2_best_above_0(0) <= slice1winner2_best_above_0_choice(0);
-      end if;
-      if slice1winner2_best_cost_0_is_less(1) then
-        slice1winner2_best_cost_0(1) <= slice1winner1_best_cost_0(3);
-        slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3;
-        slice1winner2_best_below_0(1) <= slice1winner2_best_below_0_choice(1);
-        slice1winner2_best_above_0(1) <= slice1winner1_best_above_0(3);
-      else
-        slice1winner2_best_cost_0(1) <= slice1winner1_best_cost_0(2);
-        slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_2;
-        slice1winner2_best_below_0(1) <= slice1winner1_best_below_0(2);
-        slice1winner2_best_above_0(1) <= slice1winner2_best_above_0_choice(1);
-      end if;
-      if slice1winner2_best_cost_0_is_less(2) then
-        slice1winner2_best_cost_0(2) <= slice1winner1_best_cost_0(5);
-        slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5;
-        slice1winner2_best_below_0(2) <= slice1winner2_best_below_0_choice(2);
-        slice1winner2_best_above_0(2) <= slice1winner1_best_above_0(5);
-      else
-        slice1winner2_best_cost_0(2) <= slice1winner1_best_cost_0(4);
-        slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_4;
-        slice1winner2_best_below_0(2) <= slice1winner1_best_below_0(4);
-        slice1winner2_best_above_0(2) <= slice1winner2_best_above_0_choice(2);
-      end if;
-      if slice1winner2_best_cost_0_is_less(3) then
-        slice1winner2_best_cost_0(3) <= slice1winner1_best_cost_0(7);
-        slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_7;
-        slice1winner2_best_below_0(3) <= slice1winner2_best_below_0_choice(3);
-        slice1winner2_best_above_0(3) <= slice1winner1_best_above_0(7);
-      else
-        slice1winner2_best_cost_0(3) <= slice1winner1_best_cost_0(6);
-        slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_6;
-        slice1winner2_best_below_0(3) <= slice1winner1_best_below_0(6);
-        slice1winner2_best_above_0(3) <= slice1winner2_best_above_0_choice(3);
-      end if;
+      slice1winner2_best_cost_0(0) <= choice(slice1winner2_best_cost_0_is_less(0), slice1winner1_best_cost_0(1),
+        slice1winner1_best_cost_0(0));
+      slice1winner2_best_index_0(0) <= choice(slice1winner2_best_cost_0_is_less(0), slice1winner1_best_index_0(1),
+        as_number(slice1winner1_best_index_0_0));
+      for i in 0 to 2 loop
+        slice1winner2_best_below_0(i) <= choice(slice1winner2_best_cost_0_is_less(i),
+          slice1winner2_best_below_0_choice(i), slice1winner1_best_below_0(2 * i));
+        slice1winner2_best_above_0(i) <= choice(slice1winner2_best_cost_0_is_less(i), slice1winner1_best_above_0(2 * i
+          + 1), slice1winner2_best_above_0_choice(i));
+        slice1winner2_best_cost_0(i + 1) <= choice(slice1winner2_best_cost_0_is_less(i + 1),
+          slice1winner1_best_cost_0(2 * i + 3), slice1winner1_best_cost_0(2 * i + 2));
+        slice1winner2_best_index_0(i + 1) <= choice(slice1winner2_best_cost_0_is_less(i + 1),
+          slice1winner1_best_index_0(2 * i + 3), slice1winner1_best_index_0(2 * i + 2));
+      end loop;
+      slice1winner2_best_below_0(3) <= choice(slice1winner2_best_cost_0_is_less(3),
+        slice1winner2_best_below_0_choice(3), slice1winner1_best_below_0(6));
+      slice1winner2_best_above_0(3) <= choice(slice1winner2_best_cost_0_is_less(3), slice1winner1_best_above_0(7),
+        slice1winner2_best_above_0_choice(3));
       -- slice1winner3
       slice1winner3_best_cost_0_is_less(0) := (slice1winner2_best_cost_0(1) - slice1winner2_best_cost_0(0)) < 0;
       slice1winner3_best_cost_0_is_less(1) := (slice1winner2_best_cost_0(3) - slice1winner2_best_cost_0(2)) < 0;
-      if slice1winner2_best_index_0_1 = 4 then
-        slice1winner3_best_below_0_choice(0) := slice1winner2_best_last_0(0);
-      else
-        slice1winner3_best_below_0_choice(0) := slice1winner2_best_below_0(1);
-      end if;
-      if slice1winner2_best_index_0_3 = 12 then
-        slice1winner3_best_below_0_choice(1) := slice1winner2_best_last_0(2);
-      else
-        slice1winner3_best_below_0_choice(1) := slice1winner2_best_below_0(3);
-      end if;
-      if slice1winner2_best_index_0_0 = 3 then
-        slice1winner3_best_above_0_choice(0) := slice1winner2_best_first_0(1);
-      else
-        slice1winner3_best_above_0_choice(0) := slice1winner2_best_above_0(0);
-      end if;
-      if is_set(slice1winner2_best_index_0_2, 3) and ((slice1winner2_best_index_0_2 mod 4) = 3) then
-        slice1winner3_best_above_0_choice(1) := slice1winner2_best_first_0(3);
-      else
-        slice1winner3_best_above_0_choice(1) := slice1winner2_best_above_0(2);
-      end if;
+      slice1winner3_best_below_0_choice(0) := choice(slice1winner2_best_index_0(1) = 4, slice1winner2_best_last_0(0),
+        slice1winner2_best_below_0(1));
+      slice1winner3_best_below_0_choice(1) := choice(slice1winner2_best_index_0(3) = 12, slice1winner2_best_last_0(2),
+        slice1winner2_best_below_0(3));
+      slice1winner3_best_above_0_choice(0) := choice(slice1winner2_best_index_0(0) = 3, slice1winner2_best_first_0(1),
+        slice1winner2_best_above_0(0));
+      slice1winner3_best_above_0_choice(1) := choice(is_set(slice1winner2_best_index_0(2), 3) and
+        ((slice1winner2_best_index_0(2) mod 4) = 3), slice1winner2_best_first_0(3), slice1winner2_best_above_0(2));
       slice1winner3_best_first_0(0) <= slice1winner2_best_first_0(0);
       slice1winner3_best_first_0(1) <= slice1winner2_best_first_0(2);
       slice1winner3_best_last_0(0) <= slice1winner2_best_last_0(1);
       slice1winner3_best_last_0(1) <= slice1winner2_best_last_0(3);
-      if slice1winner3_best_cost_0_is_less(0) then
-        slice1winner3_best_cost_0(0) <= slice1winner2_best_cost_0(1);
-        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1;
-        slice1winner3_best_below_0(0) <= slice1winner3_best_below_0_choice(0);
-        slice1winner3_best_above_0(0) <= slice1winner2_best_above_0(1);
-      else
-        slice1winner3_best_cost_0(0) <= slice1winner2_best_cost_0(0);
-        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_0;
-        slice1winner3_best_below_0(0) <= slice1winner2_best_below_0(0);
-        slice1winner3_best_above_0(0) <= slice1winner3_best_above_0_choice(0);
-      end if;
-      if slice1winner3_best_cost_0_is_less(1) then
-        slice1winner3_best_cost_0(1) <= slice1winner2_best_cost_0(3);
-        slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_3;
-        slice1winner3_best_below_0(1) <= slice1winner3_best_below_0_choice(1);
-        slice1winner3_best_above_0(1) <= slice1winner2_best_above_0(3);
-      else
-        slice1winner3_best_cost_0(1) <= slice1winner2_best_cost_0(2);
-        slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_2;
-        slice1winner3_best_below_0(1) <= slice1winner2_best_below_0(2);
-        slice1winner3_best_above_0(1) <= slice1winner3_best_above_0_choice(1);
-      end if;
+      for i in 0 to 1 loop
+        slice1winner3_best_cost_0(i) <= choice(slice1winner3_best_cost_0_is_less(i), slice1winner2_best_cost_0(2 * i +
+          1), slice1winner2_best_cost_0(2 * i));
+        slice1winner3_best_index_0(i) <= choice(slice1winner3_best_cost_0_is_less(i), slice1winner2_best_index_0(2 * i
+          + 1), slice1winner2_best_index_0(2 * i));
+        slice1winner3_best_below_0(i) <= choice(slice1winner3_best_cost_0_is_less(i),
+          slice1winner3_best_below_0_choice(i), slice1winner2_best_below_0(2 * i));
+        slice1winner3_best_above_0(i) <= choice(slice1winner3_best_cost_0_is_less(i), slice1winner2_best_above_0(2 * i
+          + 1), slice1winner3_best_above_0_choice(i));
+      end loop;
       -- slice1winner4
       slice1winner4_best_cost_0_0_is_less := (slice1winner3_best_cost_0(1) - slice1winner3_best_cost_0(0)) < 0;
-      if slice1winner3_best_index_0_1 = 8 then
-        slice1winner4_best_below_0_0_choice := slice1winner3_best_last_0(0);
-      else
-        slice1winner4_best_below_0_0_choice := slice1winner3_best_below_0(1);
-      end if;
-      if slice1winner3_best_index_0_0 = 7 then
-        slice1winner4_best_above_0_0_choice := slice1winner3_best_first_0(1);
-      else
-        slice1winner4_best_above_0_0_choice := slice1winner3_best_above_0(0);
-      end if;
+      slice1winner4_best_below_0_0_choice := choice(slice1winner3_best_index_0(1) = 8, slice1winner3_best_last_0(0),
+        slice1winner3_best_below_0(1));
+      slice1winner4_best_above_0_0_choice := choice(slice1winner3_best_index_0(0) = 7, slice1winner3_best_first_0(1),
+        slice1winner3_best_above_0(0));
       slice1winner4_best_first_0_0 <= slice1winner3_best_first_0(0);
       slice1winner4_best_last_0_0 <= slice1winner3_best_last_0(1);
-      if slice1winner4_best_cost_0_0_is_less then
-        slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0(1);
-        slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_1;
-        slice1winner4_best_below_0_0 <= slice1winner4_best_below_0_0_choice;
-        slice1winner4_best_above_0_0 <= slice1winner3_best_above_0(1);
-      else
-        slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0(0);
-        slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_0;
-        slice1winner4_best_below_0_0 <= slice1winner3_best_below_0(0);
-        slice1winner4_best_above_0_0 <= slice1winner4_best_above_0_0_choice;
-      end if;
+      slice1winner4_best_cost_0_0 <= choice(slice1winner4_best_cost_0_0_is_less, slice1winner3_best_cost_0(1),
+        slice1winner3_best_cost_0(0));
+      slice1winner4_best_index_0_0 <= choice(slice1winner4_best_cost_0_0_is_less, slice1winner3_best_index_0(1),
+        slice1winner3_best_index_0(0));
+      slice1winner4_best_below_0_0 <= choice(slice1winner4_best_cost_0_0_is_less, slice1winner4_best_below_0_0_choice,
+        slice1winner3_best_below_0(0));
+      slice1winner4_best_above_0_0 <= choice(slice1winner4_best_cost_0_0_is_less, slice1winner3_best_above_0(1),
+        slice1winner4_best_above_0_0_choice);
       -- slice1
       slice1_best_cost_0_0_is_less := (slice1winner4_best_cost_0_0 - slice0_best_cost_0_0) < 0;
-      if slice1winner4_best_index_0_0 = 0 then
-        slice1_best_below_0_0_choice := slice0_best_last_0_0;
-      else
-        slice1_best_below_0_0_choice := slice1winner4_best_below_0_0;
-      end if;
-      if slice0_best_index_0_0 = 15 then
-        slice1_best_above_0_0_choice := slice1winner4_best_first_0_0;
-      else
-        slice1_best_above_0_0_choice := slice0_best_above_0_0;
-      end if;
+      slice1_best_below_0_0_choice := choice(slice1winner4_best_index_0_0 = 0, slice0_best_last_0_0,
+        slice1winner4_best_below_0_0);
+      slice1_best_above_0_0_choice := choice(slice0_best_index_0_0 = 15, slice1winner4_best_first_0_0,
+        slice0_best_above_0_0);
       slice1_best_last_0_0 <= slice1winner4_best_last_0_0;
-      slice1_best_tag_valid <= slice0_best_tag_valid;
-      slice1_best_tag_map_column <= slice0_best_tag_map_column;
-      slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
-      slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
-      if slice1_best_cost_0_0_is_less then
-        slice1_best_cost_0_0 <= slice1winner4_best_cost_0_0;
-        slice1_best_index_0_0 <= slice1winner4_best_index_0_0 + 16;
-        slice1_best_below_0_0 <= slice1_best_below_0_0_choice;
-        slice1_best_above_0_0 <= slice1winner4_best_above_0_0;
-      else
-        slice1_best_cost_0_0 <= slice0_best_cost_0_0;
-        slice1_best_index_0_0 <= slice0_best_index_0_0;
-        slice1_best_below_0_0 <= slice0_best_below_0_0;
-        slice1_best_above_0_0 <= slice1_best_above_0_0_choice;
-      end if;
+      slice1_best_tag <= slice0_best_tag;
+      slice1_best_cost_0_0 <= choice(slice1_best_cost_0_0_is_less, slice1winner4_best_cost_0_0, slice0_best_cost_0_0);
+      slice1_best_index_0_0 <= choice(slice1_best_cost_0_0_is_less, slice1winner4_best_index_0_0 + 16,
+        slice0_best_index_0_0);
+      slice1_best_below_0_0 <= choice(slice1_best_cost_0_0_is_less, slice1_best_below_0_0_choice,
+        slice0_best_below_0_0);
+      slice1_best_above_0_0 <= choice(slice1_best_cost_0_0_is_less, slice1winner4_best_above_0_0,
+        slice1_best_above_0_0_choice);
       -- slice2shift
-      if slice0cost_pixels_first_tag_valid then
+      if slice0cost_pixels_first_tag.valid then
         for i in 0 to 1 loop
           slice2shift_search(i, 0) <= slice1shift_search_out(i);
           for j in 1 to 15 loop
@@ -3571,82 +1989,78 @@ begin
           end loop;
         end loop;
       end if;
-      slice2shift_reference(0) <= slice1shift_reference(0);
-      slice2shift_reference(1) <= slice1shift_reference(1);
+      slice2shift_reference <= slice1shift_reference;
       -- slice2cost
       for i in 0 to 1 loop
-        slice2cost_pixels_first_0_count_value(i, 0) := is_set(slice2shift_reference(i), 2);
-        slice2cost_pixels_first_0_count_value_2(i, 0) := is_set(slice2shift_reference(i), 1);
-        slice2cost_pixels_first_0_count_value(i, 1) := is_set(slice2shift_reference(i), 3);
-        slice2cost_pixels_first_0_count_value_2(i, 1) := is_set(slice2shift_reference(i), 5);
-        slice2cost_pixels_first_0_count_1_value_3(i) := is_set(slice2shift_reference(i), 4);
-        slice2cost_pixels_first_0_count_value(i, 2) := is_set(slice2shift_reference(i), 8);
-        slice2cost_pixels_first_0_count_value_2(i, 2) := is_set(slice2shift_reference(i), 6);
+        slice2cost_pixels_first_0_count_value(i, 0, 1) := is_set(slice2shift_reference(i), 2);
+        slice2cost_pixels_first_0_count_value(i, 0, 2) := is_set(slice2shift_reference(i), 1);
+        slice2cost_pixels_first_0_count_value(i, 1, 1) := is_set(slice2shift_reference(i), 3);
+        slice2cost_pixels_first_0_count_value(i, 1, 2) := is_set(slice2shift_reference(i), 5);
+        slice2cost_pixels_first_0_count_value(i, 1, 3) := is_set(slice2shift_reference(i), 4);
+        slice2cost_pixels_first_0_count_value(i, 2, 1) := is_set(slice2shift_reference(i), 8);
+        slice2cost_pixels_first_0_count_value(i, 2, 2) := is_set(slice2shift_reference(i), 6);
         for j in 3 to 6 loop
-          slice2cost_pixels_first_0_count_value(i, j) := is_set(slice2shift_reference(i), 3 * j);
-          slice2cost_pixels_first_0_count_value_2(i, j) := is_set(slice2shift_reference(i), 3 * j + 2);
-          slice2cost_pixels_first_0_count_value_3(i, j) := is_set(slice2shift_reference(i), 3 * j + 1);
+          slice2cost_pixels_first_0_count_value(i, j, 1) := is_set(slice2shift_reference(i), 3 * j);
+          slice2cost_pixels_first_0_count_value(i, j, 2) := is_set(slice2shift_reference(i), 3 * j + 2);
+          slice2cost_pixels_first_0_count_value(i, j, 3) := is_set(slice2shift_reference(i), 3 * j + 1);
         end loop;
-        slice2cost_pixels_first_0_count_value(i, 7) := is_set(slice2shift_reference(i), 21);
-        slice2cost_pixels_first_0_count_value_2(i, 7) := is_set(slice2shift_reference(i), 22);
+        slice2cost_pixels_first_0_count_value(i, 7, 1) := is_set(slice2shift_reference(i), 21);
+        slice2cost_pixels_first_0_count_value(i, 7, 2) := is_set(slice2shift_reference(i), 22);
       end loop;
       for i in 0 to 3 loop
         for j in 0 to 3 loop
-          if slice0window_entering_tag_first_group then
-            slice2cost_column_0_choice(4 * i + j) := 0;
-          else
-            slice2cost_column_0_choice(4 * i + j) := to_integer(slice2cost_ready_words(i)(8 * j + 7 downto 8 * j));
-          end if;
+          slice2cost_column_0_choice(4 * i + j) := choice(slice0window_entering_tag.first_group, 0,
+            to_integer(slice2cost_ready_words(i)(8 * j + 7 downto 8 * j)));
           slice2cost_column_0_value(4 * i + j) := (slice2cost_change_0(4 * i + j) + slice2cost_column_0_choice(4 * i +
             j)) mod 256;
         end loop;
       end loop;
       for i in 0 to 1 loop
         slice2cost_pixels_first_count(i, 0, 0) <= as_number((is_set(slice2shift_search(i, 0), 0) /=
-          is_set(slice2shift_reference(i), 0))) + as_number((slice2cost_pixels_first_0_count_value(i, 0) /=
-          is_set(slice2shift_search(i, 0), 2))) + as_number((slice2cost_pixels_first_0_count_value_2(i, 0) /=
+          is_set(slice2shift_reference(i), 0))) + as_number((slice2cost_pixels_first_0_count_value(i, 0, 1) /=
+          is_set(slice2shift_search(i, 0), 2))) + as_number((slice2cost_pixels_first_0_count_value(i, 0, 2) /=
           is_set(slice2shift_search(i, 0), 1)));
-        slice2cost_pixels_first_count(i, 0, 1) <= as_number((slice2cost_pixels_first_0_count_value(i, 1) /=
-          is_set(slice2shift_search(i, 0), 3))) + as_number((slice2cost_pixels_first_0_count_value_2(i, 1) /=
-          is_set(slice2shift_search(i, 0), 5))) + as_number((slice2cost_pixels_first_0_count_1_value_3(i) /=
+        slice2cost_pixels_first_count(i, 0, 1) <= as_number((slice2cost_pixels_first_0_count_value(i, 1, 1) /=
+          is_set(slice2shift_search(i, 0), 3))) + as_number((slice2cost_pixels_first_0_count_value(i, 1, 2) /=
+          is_set(slice2shift_search(i, 0), 5))) + as_number((slice2cost_pixels_first_0_count_value(i, 1, 3) /=
           is_set(slice2shift_search(i, 0), 4)));
         slice2cost_pixels_first_count(i, 0, 2) <= (to_integer(((to_unsigned((slice2shift_search(i, 0) mod 256), 8)) xor
           (to_unsigned((slice2shift_reference(i) mod 256), 8)))) / 128) +
-          as_number((slice2cost_pixels_first_0_count_value(i, 2) /= is_set(slice2shift_search(i, 0), 8))) +
-          as_number((slice2cost_pixels_first_0_count_value_2(i, 2) /= is_set(slice2shift_search(i, 0), 6)));
+          as_number((slice2cost_pixels_first_0_count_value(i, 2, 1) /= is_set(slice2shift_search(i, 0), 8))) +
+          as_number((slice2cost_pixels_first_0_count_value(i, 2, 2) /= is_set(slice2shift_search(i, 0), 6)));
         for j in 3 to 6 loop
-          slice2cost_pixels_first_count(i, 0, j) <= as_number((slice2cost_pixels_first_0_count_value(i, j) /=
-            is_set(slice2shift_search(i, 0), 3 * j))) + as_number((slice2cost_pixels_first_0_count_value_2(i, j) /=
-            is_set(slice2shift_search(i, 0), 3 * j + 2))) + as_number((slice2cost_pixels_first_0_count_value_3(i, j) /=
-            is_set(slice2shift_search(i, 0), 3 * j + 1)));
+          slice2cost_pixels_first_count(i, 0, j) <= as_number((slice2cost_pixels_first_0_count_value(i, j, 1) /=
+            is_set(slice2shift_search(i, 0), 3 * j))) + as_number((slice2cost_pixels_first_0_count_value(i, j, 2) /=
+            is_set(slice2shift_search(i, 0), 3 * j + 2))) + as_number((slice2cost_pixels_first_0_count_value(i, j, 3)
+            /= is_set(slice2shift_search(i, 0), 3 * j + 1)));
         end loop;
-        slice2cost_pixels_first_count(i, 0, 7) <= as_number((slice2cost_pixels_first_0_count_value(i, 7) /=
+        slice2cost_pixels_first_count(i, 0, 7) <= as_number((slice2cost_pixels_first_0_count_value(i, 7, 1) /=
           is_set(slice2shift_search(i, 0), 21))) + as_number((is_set(slice2shift_reference(i), 23) /=
-          is_set(slice2shift_search(i, 0), 23))) + as_number((slice2cost_pixels_first_0_count_value_2(i, 7) /=
+          is_set(slice2shift_search(i, 0), 23))) + as_number((slice2cost_pixels_first_0_count_value(i, 7, 2) /=
           is_set(slice2shift_search(i, 0), 22)));
         for j in 1 to 15 loop
           slice2cost_pixels_first_count(i, j, 0) <= as_number((is_set(slice2shift_search(i, j), 0) /=
             is_set(slice2shift_reference(i), 0))) + as_number((is_set(slice2shift_search(i, j), 2) /=
-            slice2cost_pixels_first_0_count_value(i, 0))) + as_number((is_set(slice2shift_search(i, j), 1) /=
-            slice2cost_pixels_first_0_count_value_2(i, 0)));
+            slice2cost_pixels_first_0_count_value(i, 0, 1))) + as_number((is_set(slice2shift_search(i, j), 1) /=
+            slice2cost_pixels_first_0_count_value(i, 0, 2)));
           slice2cost_pixels_first_count(i, j, 1) <= as_number((is_set(slice2shift_search(i, j), 3) /=
-            slice2cost_pixels_first_0_count_value(i, 1))) + as_number((is_set(slice2shift_search(i, j), 5) /=
-            slice2cost_pixels_first_0_count_value_2(i, 1))) + as_number((is_set(slice2shift_search(i, j), 4) /=
-            slice2cost_pixels_first_0_count_1_value_3(i)));
+            slice2cost_pixels_first_0_count_value(i, 1, 1))) + as_number((is_set(slice2shift_search(i, j), 5) /=
+            slice2cost_pixels_first_0_count_value(i, 1, 2))) + as_number((is_set(slice2shift_search(i, j), 4) /=
+            slice2cost_pixels_first_0_count_value(i, 1, 3)));
           slice2cost_pixels_first_count(i, j, 2) <= (to_integer(((to_unsigned((slice2shift_search(i, j) mod 256), 8))
             xor (to_unsigned((slice2shift_reference(i) mod 256), 8)))) / 128) + as_number((is_set(slice2shift_search(i,
-            j), 8) /= slice2cost_pixels_first_0_count_value(i, 2))) + as_number((is_set(slice2shift_search(i, j), 6) /=
-            slice2cost_pixels_first_0_count_value_2(i, 2)));
+            j), 8) /= slice2cost_pixels_first_0_count_value(i, 2, 1))) + as_number((is_set(slice2shift_search(i, j), 6)
+            /= slice2cost_pixels_first_0_count_value(i, 2, 2)));
           for k in 3 to 6 loop
             slice2cost_pixels_first_count(i, j, k) <= as_number((is_set(slice2shift_search(i, j), 3 * k) /=
-              slice2cost_pixels_first_0_count_value(i, k))) + as_number((is_set(slice2shift_search(i, j), 3 * k + 2) /=
-              slice2cost_pixels_first_0_count_value_2(i, k))) + as_number((is_set(slice2shift_search(i, j), 3 * k + 1)
-              /= slice2cost_pixels_first_0_count_value_3(i, k)));
+              slice2cost_pixels_first_0_count_value(i, k, 1))) + as_number((is_set(slice2shift_search(i, j), 3 * k + 2)
+              /= slice2cost_pixels_first_0_count_value(i, k, 2))) + as_number((is_set(slice2shift_search(i, j), 3 * k +
+              1) /= slice2cost_pixels_first_0_count_value(i, k, 3)));
           end loop;
           slice2cost_pixels_first_count(i, j, 7) <= as_number((is_set(slice2shift_search(i, j), 21) /=
-            slice2cost_pixels_first_0_count_value(i, 7))) + as_number((is_set(slice2shift_search(i, j), 23) /=
+            slice2cost_pixels_first_0_count_value(i, 7, 1))) + as_number((is_set(slice2shift_search(i, j), 23) /=
             is_set(slice2shift_reference(i), 23))) + as_number((is_set(slice2shift_search(i, j), 22) /=
-            slice2cost_pixels_first_0_count_value_2(i, 7)));
+            slice2cost_pixels_first_0_count_value(i, 7, 2)));
         end loop;
       end loop;
       for i in 0 to 1 loop
@@ -3661,22 +2075,13 @@ begin
       for i in 0 to 15 loop
         slice2cost_change_0(i) <= slice2cost_pixels_cost(1, i) - slice2cost_pixels_cost(0, i);
       end loop;
-      slice2cost_ready_words(0) <= slice2cost_read_words(0);
-      slice2cost_ready_words(1) <= slice2cost_read_words(1);
-      slice2cost_ready_words(2) <= slice2cost_read_words(2);
-      slice2cost_ready_words(3) <= slice2cost_read_words(3);
+      slice2cost_ready_words <= slice2cost_read_words;
       slice2cost_ready_column <= slice2cost_change_column;
-      for i in 0 to 15 loop
-        slice2cost_column_0(i) <= slice2cost_column_0_value(i);
-      end loop;
-      if slice0cost_pixels_tag_valid then
-        if slice0cost_pixels_tag_row_start then
-          slice2cost_read_column <= 0;
-        else
-          slice2cost_read_column <= (slice2cost_read_column + 1) mod 512;
-        end if;
+      slice2cost_column_0 <= slice2cost_column_0_value;
+      if slice0cost_pixels_tag.valid then
+        slice2cost_read_column <= choice(slice0cost_pixels_tag.row_start, 0, (slice2cost_read_column + 1) mod 512);
       end if;
-      if slice0window_entering_tag_valid then
+      if slice0window_entering_tag.valid then
         slice2cost_write_column <= slice2cost_ready_column;
         for i in 0 to 3 loop
           slice2cost_write_words(i) <= to_unsigned(slice2cost_column_0_value(4 * i + 3), 8) &
@@ -3685,239 +2090,103 @@ begin
         end loop;
       end if;
       -- slice2window
-      if slice0window_change_tag_valid then
+      if slice0window_change_tag.valid then
         slice2window_ring_write_address <= slice2window_ring_read_address;
-        if slice2window_ring_read_address = 9 then
-          slice2window_ring_read_address <= 0;
-        else
-          slice2window_ring_read_address <= (slice2window_ring_read_address + 1) mod 16;
-        end if;
+        slice2window_ring_read_address <= choice(slice2window_ring_read_address = 9, 0, (slice2window_ring_read_address
+          + 1) mod 16);
       end if;
-      for i in 0 to 1 loop
+      for i in 0 to 3 loop
         for j in 0 to 3 loop
-          if slice1window_change_tag_leaves_window then
-            slice2window_change_0_choice(8 * i + j) := to_integer(slice2window_leaving(2 * i)(8 * j + 7 downto 8 * j));
-          else
-            slice2window_change_0_choice(8 * i + j) := 0;
-          end if;
-        end loop;
-        for j in 4 to 7 loop
-          if slice1window_change_tag_leaves_window then
-            slice2window_change_0_choice(8 * i + j) := to_integer(slice2window_leaving(2 * i + 1)(8 * j - 25 downto 8 *
-              j - 32));
-          else
-            slice2window_change_0_choice(8 * i + j) := 0;
-          end if;
+          slice2window_change_0_choice(4 * i + j) := choice(slice1window_change_tag.leaves_window,
+            to_integer(slice2window_leaving(i)(8 * j + 7 downto 8 * j)), 0);
         end loop;
       end loop;
-      for i in 0 to 15 loop
-        slice2window_entering_0(i) <= slice2cost_column_0(i);
-      end loop;
+      slice2window_entering_0 <= slice2cost_column_0;
       for i in 0 to 15 loop
         slice2window_change_0(i) <= slice2window_entering_0(i) - slice2window_change_0_choice(i);
       end loop;
-      slice2window_change_tag_row_start <= slice1window_change_tag_row_start;
-      if slice0window_tag_valid then
-        slice2window_change_tag_first_column <= slice1window_change_tag_first_column;
+      slice2window_change_tag.row_start <= slice1window_change_tag.row_start;
+      if slice0window_tag.valid then
+        slice2window_change_tag.first_column <= slice1window_change_tag.first_column;
       end if;
       for i in 0 to 15 loop
-        if slice2window_change_tag_row_start then
-          slice2window_sum_0_choice(i) := 0;
-        else
-          slice2window_sum_0_choice(i) := slice2window_sum_0(i);
-        end if;
+        slice2window_sum_0_choice(i) := choice(slice2window_change_tag.row_start, 0, slice2window_sum_0(i));
       end loop;
-      if slice0winner1_tag_valid then
+      if slice0winner1_tag.valid then
         for i in 0 to 15 loop
           slice2window_sum_0(i) <= (slice2window_sum_0_choice(i) + slice2window_change_0(i)) mod 2048;
         end loop;
         slice2window_centre_map_column(0) <= slice1window_centre_map_column_0;
-        slice2window_centre_map_column(1) <= slice2window_centre_map_column(0);
-        slice2window_centre_map_column(2) <= slice2window_centre_map_column(1);
+        slice2window_centre_map_column(1 to 2) <= slice2window_centre_map_column(0 to 1);
         slice2window_centre_first_column(0) <= slice1window_centre_first_column(0);
-        slice2window_centre_first_column(1) <= slice2window_centre_first_column(0);
-        slice2window_centre_first_column(2) <= slice2window_centre_first_column(1);
+        slice2window_centre_first_column(1 to 2) <= slice2window_centre_first_column(0 to 1);
         slice2window_centre_start_of_frame_0 <= slice1window_centre_start_of_frame_0;
         slice2window_centre_end_of_line(0) <= slice1window_centre_end_of_line_0;
-        slice2window_centre_end_of_line(1) <= slice2window_centre_end_of_line(0);
-        slice2window_centre_end_of_line(2) <= slice2window_centre_end_of_line(1);
+        slice2window_centre_end_of_line(1 to 2) <= slice2window_centre_end_of_line(0 to 1);
       end if;
       -- slice2mask
-      slice2mask_inside_0_all := (not slice0winner1_tag_valid) and slice2mask_inside(0);
-      if slice0winner1_tag_first_column then
-        slice2mask_inside_choice(0) := slice2mask_inside_0_all;
-      else
-        slice2mask_inside_choice(0) := slice0winner1_tag_valid or slice2mask_inside(0);
-      end if;
+      slice2mask_inside_0_all := (not slice0winner1_tag.valid) and slice2mask_inside(0);
+      slice2mask_inside_choice(0) := choice(slice0winner1_tag.first_column, slice2mask_inside_0_all,
+        slice0winner1_tag.valid or slice2mask_inside(0));
       for i in 1 to 15 loop
-        if slice0winner1_tag_valid then
-          slice2mask_inside_choice(i) := slice2mask_inside(i - 1);
-        else
-          slice2mask_inside_choice(i) := slice2mask_inside(i);
-        end if;
+        slice2mask_inside_choice(i) := choice(slice0winner1_tag.valid, slice2mask_inside(i - 1), slice2mask_inside(i));
       end loop;
-      if slice1mask_left_out then
-        slice2mask_inside(0) <= slice2mask_inside_choice(0);
-      else
-        slice2mask_inside(0) <= slice2mask_inside_0_all;
-      end if;
-      if slice0winner1_tag_first_column then
-        for i in 1 to 15 loop
-          slice2mask_inside(i) <= (not slice0winner1_tag_valid) and slice2mask_inside(i);
-        end loop;
-      else
-        for i in 1 to 15 loop
-          slice2mask_inside(i) <= slice2mask_inside_choice(i);
-        end loop;
-      end if;
+      slice2mask_inside(0) <= choice(slice1mask_left_out, slice2mask_inside_choice(0), slice2mask_inside_0_all);
+      for i in 1 to 15 loop
+        slice2mask_inside(i) <= choice(slice0winner1_tag.first_column, (not slice0winner1_tag.valid) and
+          slice2mask_inside(i), slice2mask_inside_choice(i));
+      end loop;
       -- slice2winner1
       for i in 0 to 7 loop
-        if slice2mask_inside(2 * i + 1) then
-          slice2winner1_best_cost_0_choice(i) := 0;
-        else
-          slice2winner1_best_cost_0_choice(i) := 2047;
-        end if;
-        slice2winner1_best_cost_0_any(i) := to_integer(((to_unsigned(slice2window_sum_0(2 * i + 1), 11)) or
-          (to_unsigned(slice2winner1_best_cost_0_choice(i), 11))));
-        if slice2mask_inside(2 * i) then
-          slice2winner1_best_cost_0_choice_2(i) := 0;
-        else
-          slice2winner1_best_cost_0_choice_2(i) := 2047;
-        end if;
-        slice2winner1_best_cost_0_any_2(i) := to_integer(((to_unsigned(slice2window_sum_0(2 * i), 11)) or
-          (to_unsigned(slice2winner1_best_cost_0_choice_2(i), 11))));
-        slice2winner1_best_cost_0_is_less(i) := (slice2winner1_best_cost_0_any(i) - slice2winner1_best_cost_0_any_2(i))
-          < 0;
+        slice2winner1_best_cost_0_choice(i, 1) := choice(slice2mask_inside(2 * i + 1), 0, 2047);
+        slice2winner1_best_cost_0_any(i, 1) := to_integer(((to_unsigned(slice2window_sum_0(2 * i + 1), 11)) or
+          (to_unsigned(slice2winner1_best_cost_0_choice(i, 1), 11))));
+        slice2winner1_best_cost_0_choice(i, 2) := choice(slice2mask_inside(2 * i), 0, 2047);
+        slice2winner1_best_cost_0_any(i, 2) := to_integer(((to_unsigned(slice2window_sum_0(2 * i), 11)) or
+          (to_unsigned(slice2winner1_best_cost_0_choice(i, 2), 11))));
+        slice2winner1_best_cost_0_is_less(i) := (slice2winner1_best_cost_0_any(i, 1) - slice2winner1_best_cost_0_any(i,
+          2)) < 0;
       end loop;
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_is_less(0);
       for i in 0 to 7 loop
-        slice2winner1_best_first_0(i) <= slice2winner1_best_cost_0_any_2(i);
+        slice2winner1_best_first_0(i) <= slice2winner1_best_cost_0_any(i, 2);
       end loop;
       for i in 0 to 6 loop
-        slice2winner1_best_last_0(i) <= slice2winner1_best_cost_0_any(i);
+        slice2winner1_best_last_0(i) <= slice2winner1_best_cost_0_any(i, 1);
       end loop;
-      if slice2winner1_best_cost_0_is_less(0) then
-        slice2winner1_best_cost_0(0) <= slice2winner1_best_cost_0_any(0);
-        slice2winner1_best_below_0(0) <= slice2winner1_best_cost_0_any_2(0);
-        slice2winner1_best_above_0(0) <= 0;
-      else
-        slice2winner1_best_cost_0(0) <= slice2winner1_best_cost_0_any_2(0);
-        slice2winner1_best_below_0(0) <= 0;
-        slice2winner1_best_above_0(0) <= slice2winner1_best_cost_0_any(0);
-      end if;
-      if slice2winner1_best_cost_0_is_less(1) then
-        slice2winner1_best_cost_0(1) <= slice2winner1_best_cost_0_any(1);
-        slice2winner1_best_index_0_1 <= 3;
-        slice2winner1_best_below_0(1) <= slice2winner1_best_cost_0_any_2(1);
-        slice2winner1_best_above_0(1) <= 0;
-      else
-        slice2winner1_best_cost_0(1) <= slice2winner1_best_cost_0_any_2(1);
-        slice2winner1_best_index_0_1 <= 2;
-        slice2winner1_best_below_0(1) <= 0;
-        slice2winner1_best_above_0(1) <= slice2winner1_best_cost_0_any(1);
-      end if;
-      if slice2winner1_best_cost_0_is_less(2) then
-        slice2winner1_best_cost_0(2) <= slice2winner1_best_cost_0_any(2);
-        slice2winner1_best_index_0_2 <= 5;
-        slice2winner1_best_below_0(2) <= slice2winner1_best_cost_0_any_2(2);
-        slice2winner1_best_above_0(2) <= 0;
-      else
-        slice2winner1_best_cost_0(2) <= slice2winner1_best_cost_0_any_2(2);
-        slice2winner1_best_index_0_2 <= 4;
-        slice2winner1_best_below_0(2) <= 0;
-        slice2winner1_best_above_0(2) <= slice2winner1_best_cost_0_any(2);
-      end if;
-      if slice2winner1_best_cost_0_is_less(3) then
-        slice2winner1_best_cost_0(3) <= slice2winner1_best_cost_0_any(3);
-        slice2winner1_best_index_0_3 <= 7;
-        slice2winner1_best_below_0(3) <= slice2winner1_best_cost_0_any_2(3);
-        slice2winner1_best_above_0(3) <= 0;
-      else
-        slice2winner1_best_cost_0(3) <= slice2winner1_best_cost_0_any_2(3);
-        slice2winner1_best_index_0_3 <= 6;
-        slice2winner1_best_below_0(3) <= 0;
-        slice2winner1_best_above_0(3) <= slice2winner1_best_cost_0_any(3);
-      end if;
-      if slice2winner1_best_cost_0_is_less(4) then
-        slice2winner1_best_cost_0(4) <= slice2winner1_best_cost_0_any(4);
-        slice2winner1_best_index_0_4 <= 9;
-        slice2winner1_best_below_0(4) <= slice2winner1_best_cost_0_any_2(4);
-        slice2winner1_best_above_0(4) <= 0;
-      else
-        slice2winner1_best_cost_0(4) <= slice2winner1_best_cost_0_any_2(4);
-        slice2winner1_best_index_0_4 <= 8;
-        slice2winner1_best_below_0(4) <= 0;
-        slice2winner1_best_above_0(4) <= slice2winner1_best_cost_0_any(4);
-      end if;
-      if slice2winner1_best_cost_0_is_less(5) then
-        slice2winner1_best_cost_0(5) <= slice2winner1_best_cost_0_any(5);
-        slice2winner1_best_index_0_5 <= 11;
-        slice2winner1_best_below_0(5) <= slice2winner1_best_cost_0_any_2(5);
-        slice2winner1_best_above_0(5) <= 0;
-      else
-        slice2winner1_best_cost_0(5) <= slice2winner1_best_cost_0_any_2(5);
-        slice2winner1_best_index_0_5 <= 10;
-        slice2winner1_best_below_0(5) <= 0;
-        slice2winner1_best_above_0(5) <= slice2winner1_best_cost_0_any(5);
-      end if;
-      if slice2winner1_best_cost_0_is_less(6) then
-        slice2winner1_best_cost_0(6) <= slice2winner1_best_cost_0_any(6);
-        slice2winner1_best_index_0_6 <= 13;
-        slice2winner1_best_below_0(6) <= slice2winner1_best_cost_0_any_2(6);
-        slice2winner1_best_above_0(6) <= 0;
-      else
-        slice2winner1_best_cost_0(6) <= slice2winner1_best_cost_0_any_2(6);
-        slice2winner1_best_index_0_6 <= 12;
-        slice2winner1_best_below_0(6) <= 0;
-        slice2winner1_best_above_0(6) <= slice2winner1_best_cost_0_any(6);
-      end if;
-      if slice2winner1_best_cost_0_is_less(7) then
-        slice2winner1_best_cost_0(7) <= slice2winner1_best_cost_0_any(7);
-        slice2winner1_best_index_0_7 <= 15;
-        slice2winner1_best_below_0(7) <= slice2winner1_best_cost_0_any_2(7);
-        slice2winner1_best_above_0(7) <= 0;
-      else
-        slice2winner1_best_cost_0(7) <= slice2winner1_best_cost_0_any_2(7);
-        slice2winner1_best_index_0_7 <= 14;
-        slice2winner1_best_below_0(7) <= 0;
-        slice2winner1_best_above_0(7) <= slice2winner1_best_cost_0_any(7);
-      end if;
+      slice2winner1_best_cost_0(0) <= choice(slice2winner1_best_cost_0_is_less(0), slice2winner1_best_cost_0_any(0, 1),
+        slice2winner1_best_cost_0_any(0, 2));
+      for i in 0 to 6 loop
+        slice2winner1_best_below_0(i) <= choice(slice2winner1_best_cost_0_is_less(i), slice2winner1_best_cost_0_any(i,
+          2), 0);
+        slice2winner1_best_above_0(i) <= choice(slice2winner1_best_cost_0_is_less(i), 0,
+          slice2winner1_best_cost_0_any(i, 1));
+        slice2winner1_best_cost_0(i + 1) <= choice(slice2winner1_best_cost_0_is_less(i + 1),
+          slice2winner1_best_cost_0_any(i + 1, 1), slice2winner1_best_cost_0_any(i + 1, 2));
+        slice2winner1_best_index_0(i + 1) <= choice(slice2winner1_best_cost_0_is_less(i + 1), 2 * i + 3, 2 * i + 2);
+      end loop;
+      slice2winner1_best_below_0(7) <= choice(slice2winner1_best_cost_0_is_less(7), slice2winner1_best_cost_0_any(7,
+        2), 0);
+      slice2winner1_best_above_0(7) <= choice(slice2winner1_best_cost_0_is_less(7), 0, slice2winner1_best_cost_0_any(7,
+        1));
       -- slice2winner2
       for i in 0 to 3 loop
         slice2winner2_best_cost_0_is_less(i) := (slice2winner1_best_cost_0(2 * i + 1) - slice2winner1_best_cost_0(2 *
           i)) < 0;
       end loop;
-      if slice2winner1_best_index_0_1 = 2 then
-        slice2winner2_best_below_0_choice(0) := slice2winner1_best_last_0(0);
-      else
-        slice2winner2_best_below_0_choice(0) := slice2winner1_best_below_0(1);
-      end if;
-      if slice2winner1_best_index_0_3 = 6 then
-        slice2winner2_best_below_0_choice(1) := slice2winner1_best_last_0(2);
-      else
-        slice2winner2_best_below_0_choice(1) := slice2winner1_best_below_0(3);
-      end if;
-      if is_set(slice2winner1_best_index_0_5, 3) and ((slice2winner1_best_index_0_5 mod 4) = 2) then
-        slice2winner2_best_below_0_choice(2) := slice2winner1_best_last_0(4);
-      else
-        slice2winner2_best_below_0_choice(2) := slice2winner1_best_below_0(5);
-      end if;
-      if slice2winner1_best_index_0_7 = 14 then
-        slice2winner2_best_below_0_choice(3) := slice2winner1_best_last_0(6);
-      else
-        slice2winner2_best_below_0_choice(3) := slice2winner1_best_below_0(7);
-      end if;
-      if slice2winner1_best_index_0_0 then
-        slice2winner2_best_above_0_choice(0) := slice2winner1_best_first_0(1);
-      else
-        slice2winner2_best_above_0_choice(0) := slice2winner1_best_above_0(0);
-      end if;
-      for i in 3 to 5 loop
-        if other(i) then
-          slice2winner2_best_above_0_choice(i - 2) := slice2winner1_best_first_0(2 * i - 3);
-        else
-          slice2winner2_best_above_0_choice(i - 2) := slice2winner1_best_above_0(2 * i - 4);
-        end if;
+      slice2winner2_best_below_0_choice(0) := choice(slice2winner1_best_index_0(1) = 2, slice2winner1_best_last_0(0),
+        slice2winner1_best_below_0(1));
+      slice2winner2_best_below_0_choice(1) := choice(slice2winner1_best_index_0(3) = 6, slice2winner1_best_last_0(2),
+        slice2winner1_best_below_0(3));
+      slice2winner2_best_below_0_choice(2) := choice(is_set(slice2winner1_best_index_0(5), 3) and
+        ((slice2winner1_best_index_0(5) mod 4) = 2), slice2winner1_best_last_0(4), slice2winner1_best_below_0(5));
+      slice2winner2_best_below_0_choice(3) := choice(slice2winner1_best_index_0(7) = 14, slice2winner1_best_last_0(6),
+        slice2winner1_best_below_0(7));
+      slice2winner2_best_above_0_choice(0) := choice(slice2winner1_best_index_0_0, slice2winner1_best_first_0(1),
+        slice2winner1_best_above_0(0));
+      for i in 1 to 3 loop
+        slice2winner2_best_above_0_choice(i) := choice(other(i + 2), slice2winner1_best_first_0(2 * i + 1),
+          slice2winner1_best_above_0(2 * i));
       end loop;
       slice2winner2_best_first_0(0) <= slice2winner1_best_first_0(0);
       slice2winner2_best_first_0(1) <= slice2winner1_best_first_0(2);
@@ -3926,229 +2195,125 @@ begin
       slice2winner2_best_last_0(0) <= slice2winner1_best_last_0(1);
       slice2winner2_best_last_0(1) <= slice2winner1_best_last_0(3);
       slice2winner2_best_last_0(2) <= slice2winner1_best_last_0(5);
-      if slice2winner2_best_cost_0_is_less(0) then
-        slice2winner2_best_cost_0(0) <= slice2winner1_best_cost_0(1);
-        slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_1;
-        slice2winner2_best_below_0(0) <= slice2winner2_best_below_0_choice(0);
-        slice2winner2_best_above_0(0) <= slice2winner1_best_above_0(1);
-      else
-        slice2winner2_best_cost_0(0) <= slice2winner1_best_cost_0(0);
-        slice2winner2_best_index_0_0 <= as_number(slice2winner1_best_index_0_0);
-        slice2winner2_best_below_0(0) <= slice2winner1_best_below_0(0);
-        slice2winner2_best_above_0(0) <= slice2winner2_best_above_0_choice(0);
-      end if;
-      if slice2winner2_best_cost_0_is_less(1) then
-        slice2winner2_best_cost_0(1) <= slice2winner1_best_cost_0(3);
-        slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_3;
-        slice2winner2_best_below_0(1) <= slice2winner2_best_below_0_choice(1);
-        slice2winner2_best_above_0(1) <= slice2winner1_best_above_0(3);
-      else
-        slice2winner2_best_cost_0(1) <= slice2winner1_best_cost_0(2);
-        slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_2;
-        slice2winner2_best_below_0(1) <= slice2winner1_best_below_0(2);
-        slice2winner2_best_above_0(1) <= slice2winner2_best_above_0_choice(1);
-      end if;
-      if slice2winner2_best_cost_0_is_less(2) then
-        slice2winner2_best_cost_0(2) <= slice2winner1_best_cost_0(5);
-        slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_5;
-        slice2winner2_best_below_0(2) <= slice2winner2_best_below_0_choice(2);
-        slice2winner2_best_above_0(2) <= slice2winner1_best_above_0(5);
-      else
-        slice2winner2_best_cost_0(2) <= slice2winner1_best_cost_0(4);
-        slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_4;
-        slice2winner2_best_below_0(2) <= slice2winner1_best_below_0(4);
-        slice2winner2_best_above_0(2) <= slice2winner2_best_above_0_choice(2);
-      end if;
-      if slice2winner2_best_cost_0_is_less(3) then
-        slice2winner2_best_cost_0(3) <= slice2winner1_best_cost_0(7);
-        slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_7;
-        slice2winner2_best_below_0(3) <= slice2winner2_best_below_0_choice(3);
-        slice2winner2_best_above_0(3) <= slice2winner1_best_above_0(7);
-      else
-        slice2winner2_best_cost_0(3) <= slice2winner1_best_cost_0(6);
-        slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_6;
-        slice2winner2_best_below_0(3) <= slice2winner1_best_below_0(6);
-        slice2winner2_best_above_0(3) <= slice2winner2_best_above_0_choice(3);
-      end if;
+      slice2winner2_best_cost_0(0) <= choice(slice2winner2_best_cost_0_is_less(0), slice2winner1_best_cost_0(1),
+        slice2winner1_best_cost_0(0));
+      slice2winner2_best_index_0(0) <= choice(slice2winner2_best_cost_0_is_less(0), slice2winner1_best_index_0(1),
+        as_number(slice2winner1_best_index_0_0));
+      for i in 0 to 2 loop
+        slice2winner2_best_below_0(i) <= choice(slice2winner2_best_cost_0_is_less(i),
+          slice2winner2_best_below_0_choice(i), slice2winner1_best_below_0(2 * i));
+        slice2winner2_best_above_0(i) <= choice(slice2winner2_best_cost_0_is_less(i), slice2winner1_best_above_0(2 * i
+          + 1), slice2winner2_best_above_0_choice(i));
+        slice2winner2_best_cost_0(i + 1) <= choice(slice2winner2_best_cost_0_is_less(i + 1),
+          slice2winner1_best_cost_0(2 * i + 3), slice2winner1_best_cost_0(2 * i + 2));
+        slice2winner2_best_index_0(i + 1) <= choice(slice2winner2_best_cost_0_is_less(i + 1),
+          slice2winner1_best_index_0(2 * i + 3), slice2winner1_best_index_0(2 * i + 2));
+      end loop;
+      slice2winner2_best_below_0(3) <= choice(slice2winner2_best_cost_0_is_less(3),
+        slice2winner2_best_below_0_choice(3), slice2winner1_best_below_0(6));
+      slice2winner2_best_above_0(3) <= choice(slice2winner2_best_cost_0_is_less(3), slice2winner1_best_above_0(7),
+        slice2winner2_best_above_0_choice(3));
       -- slice2winner3
       slice2winner3_best_cost_0_is_less(0) := (slice2winner2_best_cost_0(1) - slice2winner2_best_cost_0(0)) < 0;
       slice2winner3_best_cost_0_is_less(1) := (slice2winner2_best_cost_0(3) - slice2winner2_best_cost_0(2)) < 0;
-      if slice2winner2_best_index_0_1 = 4 then
-        slice2winner3_best_below_0_choice(0) := slice2winner2_best_last_0(0);
-      else
-        slice2winner3_best_below_0_choice(0) := slice2winner2_best_below_0(1);
-      end if;
-      if slice2winner2_best_index_0_3 = 12 then
-        slice2winner3_best_below_0_choice(1) := slice2winner2_best_last_0(2);
-      else
-        slice2winner3_best_below_0_choice(1) := slice2winner2_best_below_0(3);
-      end if;
-      if slice2winner2_best_index_0_0 = 3 then
-        slice2winner3_best_above_0_choice(0) := slice2winner2_best_first_0(1);
-      else
-        slice2winner3_best_above_0_choice(0) := slice2winner2_best_above_0(0);
-      end if;
-      if is_set(slice2winner2_best_index_0_2, 3) and ((slice2winner2_best_index_0_2 mod 4) = 3) then
-        slice2winner3_best_above_0_choice(1) := slice2winner2_best_first_0(3);
-      else
-        slice2winner3_best_above_0_choice(1) := slice2winner2_best_above_0(2);
-      end if;
+      slice2winner3_best_below_0_choice(0) := choice(slice2winner2_best_index_0(1) = 4, slice2winner2_best_last_0(0),
+        slice2winner2_best_below_0(1));
+      slice2winner3_best_below_0_choice(1) := choice(slice2winner2_best_index_0(3) = 12, slice2winner2_best_last_0(2),
+        slice2winner2_best_below_0(3));
+      slice2winner3_best_above_0_choice(0) := choice(slice2winner2_best_index_0(0) = 3, slice2winner2_best_first_0(1),
+        slice2winner2_best_above_0(0));
+      slice2winner3_best_above_0_choice(1) := choice(is_set(slice2winner2_best_index_0(2), 3) and
+        ((slice2winner2_best_index_0(2) mod 4) = 3), slice2winner2_best_first_0(3), slice2winner2_best_above_0(2));
       slice2winner3_best_first_0(0) <= slice2winner2_best_first_0(0);
       slice2winner3_best_first_0(1) <= slice2winner2_best_first_0(2);
       slice2winner3_best_last_0_0 <= slice2winner2_best_last_0(1);
-      if slice2winner3_best_cost_0_is_less(0) then
-        slice2winner3_best_cost_0(0) <= slice2winner2_best_cost_0(1);
-        slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_1;
-        slice2winner3_best_below_0(0) <= slice2winner3_best_below_0_choice(0);
-        slice2winner3_best_above_0(0) <= slice2winner2_best_above_0(1);
-      else
-        slice2winner3_best_cost_0(0) <= slice2winner2_best_cost_0(0);
-        slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
-        slice2winner3_best_below_0(0) <= slice2winner2_best_below_0(0);
-        slice2winner3_best_above_0(0) <= slice2winner3_best_above_0_choice(0);
-      end if;
-      if slice2winner3_best_cost_0_is_less(1) then
-        slice2winner3_best_cost_0(1) <= slice2winner2_best_cost_0(3);
-        slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_3;
-        slice2winner3_best_below_0(1) <= slice2winner3_best_below_0_choice(1);
-        slice2winner3_best_above_0(1) <= slice2winner2_best_above_0(3);
-      else
-        slice2winner3_best_cost_0(1) <= slice2winner2_best_cost_0(2);
-        slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_2;
-        slice2winner3_best_below_0(1) <= slice2winner2_best_below_0(2);
-        slice2winner3_best_above_0(1) <= slice2winner3_best_above_0_choice(1);
-      end if;
+      for i in 0 to 1 loop
+        slice2winner3_best_cost_0(i) <= choice(slice2winner3_best_cost_0_is_less(i), slice2winner2_best_cost_0(2 * i +
+          1), slice2winner2_best_cost_0(2 * i));
+        slice2winner3_best_index_0(i) <= choice(slice2winner3_best_cost_0_is_less(i), slice2winner2_best_index_0(2 * i
+          + 1), slice2winner2_best_index_0(2 * i));
+        slice2winner3_best_below_0(i) <= choice(slice2winner3_best_cost_0_is_less(i),
+          slice2winner3_best_below_0_choice(i), slice2winner2_best_below_0(2 * i));
+        slice2winner3_best_above_0(i) <= choice(slice2winner3_best_cost_0_is_less(i), slice2winner2_best_above_0(2 * i
+          + 1), slice2winner3_best_above_0_choice(i));
+      end loop;
       -- slice2winner4
       slice2winner4_best_cost_0_0_is_less := (slice2winner3_best_cost_0(1) - slice2winner3_best_cost_0(0)) < 0;
-      if slice2winner3_best_index_0_1 = 8 then
-        slice2winner4_best_below_0_0_choice := slice2winner3_best_last_0_0;
-      else
-        slice2winner4_best_below_0_0_choice := slice2winner3_best_below_0(1);
-      end if;
-      if slice2winner3_best_index_0_0 = 7 then
-        slice2winner4_best_above_0_0_choice := slice2winner3_best_first_0(1);
-      else
-        slice2winner4_best_above_0_0_choice := slice2winner3_best_above_0(0);
-      end if;
+      slice2winner4_best_below_0_0_choice := choice(slice2winner3_best_index_0(1) = 8, slice2winner3_best_last_0_0,
+        slice2winner3_best_below_0(1));
+      slice2winner4_best_above_0_0_choice := choice(slice2winner3_best_index_0(0) = 7, slice2winner3_best_first_0(1),
+        slice2winner3_best_above_0(0));
       slice2winner4_best_first_0_0 <= slice2winner3_best_first_0(0);
-      if slice2winner4_best_cost_0_0_is_less then
-        slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0(1);
-        slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_1;
-        slice2winner4_best_below_0_0 <= slice2winner4_best_below_0_0_choice;
-        slice2winner4_best_above_0_0 <= slice2winner3_best_above_0(1);
-      else
-        slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0(0);
-        slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_0;
-        slice2winner4_best_below_0_0 <= slice2winner3_best_below_0(0);
-        slice2winner4_best_above_0_0 <= slice2winner4_best_above_0_0_choice;
-      end if;
+      slice2winner4_best_cost_0_0 <= choice(slice2winner4_best_cost_0_0_is_less, slice2winner3_best_cost_0(1),
+        slice2winner3_best_cost_0(0));
+      slice2winner4_best_index_0_0 <= choice(slice2winner4_best_cost_0_0_is_less, slice2winner3_best_index_0(1),
+        slice2winner3_best_index_0(0));
+      slice2winner4_best_below_0_0 <= choice(slice2winner4_best_cost_0_0_is_less, slice2winner4_best_below_0_0_choice,
+        slice2winner3_best_below_0(0));
+      slice2winner4_best_above_0_0 <= choice(slice2winner4_best_cost_0_0_is_less, slice2winner3_best_above_0(1),
+        slice2winner4_best_above_0_0_choice);
       -- slice2
       slice2_best_cost_0_0_is_less := (slice2winner4_best_cost_0_0 - slice1_best_cost_0_0) < 0;
-      if slice2winner4_best_index_0_0 = 0 then
-        slice2_best_below_0_0_choice := slice1_best_last_0_0;
-      else
-        slice2_best_below_0_0_choice := slice2winner4_best_below_0_0;
-      end if;
-      if slice1_best_index_0_0 = 31 then
-        slice2_best_above_0_0_choice := slice2winner4_best_first_0_0;
-      else
-        slice2_best_above_0_0_choice := slice1_best_above_0_0;
-      end if;
-      slice2_best_tag_valid <= slice1_best_tag_valid;
-      slice2_best_tag_map_column <= slice1_best_tag_map_column;
-      slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
-      slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
-      if slice2_best_cost_0_0_is_less then
-        slice2_best_cost_0_0 <= slice2winner4_best_cost_0_0;
-        slice2_best_index_0_0 <= slice2winner4_best_index_0_0 + 32;
-        slice2_best_below_0_0 <= slice2_best_below_0_0_choice;
-        slice2_best_above_0_0 <= slice2winner4_best_above_0_0;
-      else
-        slice2_best_cost_0_0 <= slice1_best_cost_0_0;
-        slice2_best_index_0_0 <= slice1_best_index_0_0;
-        slice2_best_below_0_0 <= slice1_best_below_0_0;
-        slice2_best_above_0_0 <= slice2_best_above_0_0_choice;
-      end if;
+      slice2_best_below_0_0_choice := choice(slice2winner4_best_index_0_0 = 0, slice1_best_last_0_0,
+        slice2winner4_best_below_0_0);
+      slice2_best_above_0_0_choice := choice(slice1_best_index_0_0 = 31, slice2winner4_best_first_0_0,
+        slice1_best_above_0_0);
+      slice2_best_tag <= slice1_best_tag;
+      slice2_best_cost_0_0 <= choice(slice2_best_cost_0_0_is_less, slice2winner4_best_cost_0_0, slice1_best_cost_0_0);
+      slice2_best_index_0_0 <= choice(slice2_best_cost_0_0_is_less, slice2winner4_best_index_0_0 + 32,
+        slice1_best_index_0_0);
+      slice2_best_below_0_0 <= choice(slice2_best_cost_0_0_is_less, slice2_best_below_0_0_choice,
+        slice1_best_below_0_0);
+      slice2_best_above_0_0 <= choice(slice2_best_cost_0_0_is_less, slice2winner4_best_above_0_0,
+        slice2_best_above_0_0_choice);
       -- refinement
       refinement_tag_11_row_start_differs := map_counter_group /= 376;
-      refinement_tag_11_row_start_is_equal := map_counter_column = 441;
-      if refinement_tag_11_row_start_is_equal then
-        refinement_tag_11_row_start_choice := refinement_tag_11_row_start and (map_counter_group /= 375);
-      else
-        refinement_tag_11_row_start_choice := refinement_tag_11_row_start;
-      end if;
-      if refinement_tag_11_row_start_differs then
-        refinement_tag_11_row_start_choices(2) := refinement_tag_11_row_start_choice;
-      else
-        refinement_tag_11_row_start_choices(2) := refinement_tag_11_row_start;
-      end if;
-      refinement_tag_11_row_start_is_equal_2 := map_counter_group = 374;
-      refinement_tag_11_row_start_all := refinement_tag_11_row_start_is_equal_2 and
-        refinement_tag_11_row_start_is_equal;
-      if refinement_tag_11_row_start_choices(2) then
-        refinement_tag_11_row_start_choices(3) := (not refinement_tag_start_of_frame(11)) or
-          refinement_tag_11_row_start_all;
-      else
-        refinement_tag_11_row_start_choices(3) := refinement_tag_start_of_frame(11) and
-          refinement_tag_11_row_start_is_equal_2 and refinement_tag_11_row_start_is_equal;
-      end if;
-      refinement_tag_11_row_start_all_2 := refinement_tag_valid(11) and refinement_tag_map_column(11);
+      refinement_tag_11_row_start_is_equals(1) := map_counter_column = 441;
+      refinement_tag_11_row_start_choices(1) := choice(refinement_tag_11_row_start_is_equals(1),
+        refinement_tag_11_row_start and (map_counter_group /= 375), refinement_tag_11_row_start);
+      refinement_tag_11_row_start_choices(2) := choice(refinement_tag_11_row_start_differs,
+        refinement_tag_11_row_start_choices(1), refinement_tag_11_row_start);
+      refinement_tag_11_row_start_is_equals(2) := map_counter_group = 374;
+      refinement_tag_11_row_start_alls(1) := refinement_tag_11_row_start_is_equals(2) and
+        refinement_tag_11_row_start_is_equals(1);
+      refinement_tag_11_row_start_choices(3) := choice(refinement_tag_11_row_start_choices(2), (not
+        refinement_tag_start_of_frame(11)) or refinement_tag_11_row_start_alls(1), refinement_tag_start_of_frame(11)
+        and refinement_tag_11_row_start_is_equals(2) and refinement_tag_11_row_start_is_equals(1));
+      refinement_tag_11_row_start_alls(2) := refinement_tag_valid(11) and refinement_tag_map_column(11);
       refinement_below_0_differs := slice2_best_below_0_0 /= 2047;
-      refinement_below_0_value := is_set(slice2_best_index_0_0, 4);
-      refinement_below_0_value_2 := is_set(slice2_best_index_0_0, 3);
-      if (not is_set(slice2_best_index_0_0, 5)) and ((slice2_best_index_0_0 mod 8) = 0) then
-        refinement_below_0_choice := refinement_below_0_differs and (refinement_below_0_value or
-          refinement_below_0_value_2);
-      else
-        refinement_below_0_choice := refinement_below_0_differs;
-      end if;
+      refinement_below_0_values(1) := is_set(slice2_best_index_0_0, 4);
+      refinement_below_0_values(2) := is_set(slice2_best_index_0_0, 3);
+      refinement_below_0_choice := choice((not is_set(slice2_best_index_0_0, 5)) and ((slice2_best_index_0_0 mod 8) =
+        0), refinement_below_0_differs and (refinement_below_0_values(1) or refinement_below_0_values(2)),
+        refinement_below_0_differs);
       refinement_above_0_differs := slice2_best_above_0_0 /= 2047;
-      if is_set(slice2_best_index_0_0, 5) and ((slice2_best_index_0_0 mod 8) = 7) then
-        refinement_above_0_choice := refinement_above_0_differs and (refinement_below_0_value or (not
-          refinement_below_0_value_2));
-      else
-        refinement_above_0_choice := refinement_above_0_differs;
-      end if;
+      refinement_above_0_choice := choice(is_set(slice2_best_index_0_0, 5) and ((slice2_best_index_0_0 mod 8) = 7),
+        refinement_above_0_differs and (refinement_below_0_values(1) or (not refinement_below_0_values(2))),
+        refinement_above_0_differs);
       refinement_remainder_1_0_difference := (refinement_remainder_0(0) + 4096) - refinement_divisor_0(0);
       for i in 2 to 7 loop
         refinement_remainder_0_difference(i) := ((refinement_remainder_0(i - 1) * 2) + 4096) - refinement_divisor_0(i -
           1);
       end loop;
       refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
-      if refinement_divisor_0_0_is_less then
-        refinement_divisor_0_0_choice := refinement_v_0;
-      else
-        refinement_divisor_0_0_choice := refinement_u_0;
-      end if;
+      refinement_divisor_0_0_choice := choice(refinement_divisor_0_0_is_less, refinement_v_0, refinement_u_0);
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
       refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
-      if refinement_negative_0(8) then
-        refinement_fraction_0_choice := refinement_fraction_0_difference mod 256;
-      else
-        refinement_fraction_0_choice := refinement_fraction_0_value;
-      end if;
-      if refinement_negative_0(8) then
-        refinement_fraction_0_choice_2 := refinement_fraction_0_difference mod 8;
-      else
-        refinement_fraction_0_choice_2 := refinement_fraction_0_value mod 8;
-      end if;
+      refinement_fraction_0_choice := choice(refinement_negative_0(8), refinement_fraction_0_difference mod 256,
+        refinement_fraction_0_value);
+      refinement_fraction_0_choice_2 := choice(refinement_negative_0(8), refinement_fraction_0_difference mod 8,
+        refinement_fraction_0_value mod 8);
       refinement_disparity_0(0) <= slice2_best_index_0_0;
-      for i in 1 to 11 loop
-        refinement_disparity_0(i) <= refinement_disparity_0(i - 1);
-      end loop;
+      refinement_disparity_0(1 to 11) <= refinement_disparity_0(0 to 10);
       refinement_passed_0(0) <= true;
-      refinement_passed_0(1) <= refinement_passed_0(0);
-      refinement_passed_0(2) <= refinement_passed_0(1);
-      refinement_passed_0(3) <= refinement_passed_0(2);
+      refinement_passed_0(1 to 3) <= refinement_passed_0(0 to 2);
       refinement_passed_0s(5) <= transform_filtering_column_inside_4(1);
-      refinement_passed_0s(6) <= refinement_passed_0s(5);
-      refinement_passed_0s(7) <= refinement_passed_0s(6);
-      refinement_passed_0s(8) <= refinement_passed_0s(7);
+      refinement_passed_0s(6 to 8) <= refinement_passed_0s(5 to 7);
       refinement_passed_11_0 <= transform_filtering_row_inside_4(1);
-      refinement_tag_valid(0) <= slice2_best_tag_valid;
-      refinement_tag_map_column(0) <= slice2_best_tag_map_column;
-      refinement_tag_start_of_frame(0) <= slice2_best_tag_start_of_frame;
-      refinement_tag_end_of_line(0) <= slice2_best_tag_end_of_line;
+      refinement_tag_valid(0) <= slice2_best_tag.valid;
+      refinement_tag_map_column(0) <= slice2_best_tag.map_column;
+      refinement_tag_start_of_frame(0) <= slice2_best_tag.start_of_frame;
+      refinement_tag_end_of_line(0) <= slice2_best_tag.end_of_line;
       for i in 1 to 11 loop
         refinement_tag_valid(i) <= refinement_tag_valid(i - 1);
         refinement_tag_map_column(i) <= refinement_tag_map_column(i - 1);
@@ -4162,185 +2327,69 @@ begin
       refinement_remainder_0(0) <= magnitude(refinement_difference_0);
       refinement_divisor_0(0) <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 11)) or
         (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 11))));
-      for i in 1 to 7 loop
-        refinement_divisor_0(i) <= refinement_divisor_0(i - 1);
-      end loop;
+      refinement_divisor_0(1 to 7) <= refinement_divisor_0(0 to 6);
       refinement_quotient_8_0 <= ((((4096 - refinement_divisor_0(7)) / 2) + refinement_remainder_0(7)) / 2048) +
         ((other_12 / 2) * 2);
       refinement_negative_0(0) <= refinement_divisor_0_0_is_less;
-      for i in 1 to 8 loop
-        refinement_negative_0(i) <= refinement_negative_0(i - 1);
-      end loop;
+      refinement_negative_0(1 to 8) <= refinement_negative_0(0 to 7);
       refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 32) * 8) + refinement_fraction_0_choice_2;
-      if refinement_tag_11_row_start_choices(3) then
-        refinement_tag_11_row_start <= refinement_tag_11_row_start or refinement_tag_11_row_start_all_2;
-      else
-        refinement_tag_11_row_start <= refinement_tag_11_row_start and ((not refinement_tag_valid(11)) or (not
-          refinement_tag_map_column(11)));
-      end if;
-      if refinement_below_0_choice then
-        refinement_below_0 <= slice2_best_below_0_0;
-      else
-        refinement_below_0 <= slice2_best_above_0_0;
-      end if;
-      if (not refinement_above_0_choice) and (slice2_best_index_0_0 /= 0) and refinement_below_0_differs then
-        refinement_above_0 <= slice2_best_below_0_0;
-      else
-        refinement_above_0 <= slice2_best_above_0_0;
-      end if;
-      if is_set(refinement_remainder_1_0_difference, 12) then
-        refinement_remainder_0(1) <= refinement_remainder_1_0_difference mod 2048;
-      else
-        refinement_remainder_0(1) <= refinement_remainder_0(0);
-      end if;
+      refinement_tag_11_row_start <= choice(refinement_tag_11_row_start_choices(3), refinement_tag_11_row_start or
+        refinement_tag_11_row_start_alls(2), refinement_tag_11_row_start and ((not refinement_tag_valid(11)) or (not
+        refinement_tag_map_column(11))));
+      refinement_below_0 <= choice(refinement_below_0_choice, slice2_best_below_0_0, slice2_best_above_0_0);
+      refinement_above_0 <= choice((not refinement_above_0_choice) and (slice2_best_index_0_0 /= 0) and
+        refinement_below_0_differs, slice2_best_below_0_0, slice2_best_above_0_0);
+      refinement_remainder_0(1) <= choice(is_set(refinement_remainder_1_0_difference, 12),
+        refinement_remainder_1_0_difference mod 2048, refinement_remainder_0(0));
       for i in 2 to 7 loop
-        if is_set(refinement_remainder_0_difference(i), 12) then
-          refinement_remainder_0(i) <= refinement_remainder_0_difference(i) mod 2048;
-        else
-          refinement_remainder_0(i) <= (refinement_remainder_0(i - 1) mod 1024) * 2;
-        end if;
+        refinement_remainder_0(i) <= choice(is_set(refinement_remainder_0_difference(i), 12),
+          refinement_remainder_0_difference(i) mod 2048, (refinement_remainder_0(i - 1) mod 1024) * 2);
       end loop;
       -- map
-      if refinement_tag_11_row_start_all_2 then
-        if refinement_tag_start_of_frame(11) or refinement_tag_11_row_start_is_equal then
-          map_counter_column <= 0;
-        else
-          map_counter_column <= (map_counter_column + 1) mod 512;
-        end if;
+      if refinement_tag_11_row_start_alls(2) then
+        map_counter_column <= choice(refinement_tag_start_of_frame(11) or refinement_tag_11_row_start_is_equals(1), 0,
+          (map_counter_column + 1) mod 512);
       end if;
-      if refinement_tag_11_row_start_all then
-        map_counter_group_choice := 375;
-      else
-        map_counter_group_choice := 0;
-      end if;
+      map_counter_group_choice := choice(refinement_tag_11_row_start_alls(1), 375, 0);
       map_counter_group_is_equal := map_counter_group = 375;
-      if refinement_tag_11_row_start and map_counter_group_is_equal then
-        map_counter_group_choices(2) := 1;
-      else
-        map_counter_group_choices(2) := (map_counter_group + 1) mod 512;
-      end if;
-      if refinement_tag_11_row_start_differs and refinement_tag_11_row_start_is_equal and refinement_tag_valid(11) and
-        refinement_tag_map_column(11) then
-        map_counter_group_choices(3) := map_counter_group_choices(2);
-      else
-        map_counter_group_choices(3) := map_counter_group;
-      end if;
-      if refinement_tag_valid(11) then
-        map_line_ended_choice := refinement_tag_map_column(11);
-      else
-        map_line_ended_choice := map_line_ended;
-      end if;
+      map_counter_group_choices(2) := choice(refinement_tag_11_row_start and map_counter_group_is_equal, 1,
+        (map_counter_group + 1) mod 512);
+      map_counter_group_choices(3) := choice(refinement_tag_11_row_start_differs and
+        refinement_tag_11_row_start_is_equals(1) and refinement_tag_valid(11) and refinement_tag_map_column(11),
+        map_counter_group_choices(2), map_counter_group);
+      map_line_ended_choice := choice(refinement_tag_valid(11), refinement_tag_map_column(11), map_line_ended);
       map_at_arrives_value := other_9(16) = '1';
-      if map_at_top then
-        map_of_column_0_a_choice := map_column_1 / 2;
-      else
-        map_of_column_0_a_choice := other_10 / 2;
-      end if;
-      if map_counter_next_frame then
-        map_of_column_0_c_choice := map_column_1 / 2;
-      else
-        map_of_column_0_c_choice := map_column_2 / 2;
-      end if;
-      if map_of_column_0_c_below_b then
-        map_sorted_low_0_choice := map_of_column_0_c;
-      else
-        map_sorted_low_0_choice := map_of_column_0_b;
-      end if;
-      if map_of_column_0_c_below_a then
-        map_sorted_low_0_choice_2 := map_of_column_0_c;
-      else
-        map_sorted_low_0_choice_2 := map_of_column_0_a;
-      end if;
-      if map_of_column_0_c_below_b then
-        map_sorted_middle_0_choice := map_of_column_0_b;
-      else
-        map_sorted_middle_0_choice := map_sorted_low_0_choice_2;
-      end if;
-      if map_of_column_0_c_below_a then
-        map_sorted_middle_0_choice_2 := map_of_column_0_a;
-      else
-        map_sorted_middle_0_choice_2 := map_sorted_low_0_choice;
-      end if;
-      if map_of_column_0_c_below_a then
-        map_sorted_high_0_choice := map_of_column_0_a;
-      else
-        map_sorted_high_0_choice := map_of_column_0_c;
-      end if;
-      if map_of_column_0_c_below_b then
-        map_sorted_high_0_choice_2 := map_of_column_0_b;
-      else
-        map_sorted_high_0_choice_2 := map_of_column_0_c;
-      end if;
+      map_of_column_0_a_choice := choice(map_at_top, map_column_1 / 2, other_10 / 2);
+      map_of_column_0_c_choice := choice(map_counter_next_frame, map_column_1 / 2, map_column_2 / 2);
+      map_sorted_low_0_choices(1) := choice(map_of_column_0_c_below_b, map_of_column_0_c, map_of_column_0_b);
+      map_sorted_low_0_choices(2) := choice(map_of_column_0_c_below_a, map_of_column_0_c, map_of_column_0_a);
+      map_sorted_middle_0_choices(1) := choice(map_of_column_0_c_below_b, map_of_column_0_b,
+        map_sorted_low_0_choices(2));
+      map_sorted_middle_0_choices(2) := choice(map_of_column_0_c_below_a, map_of_column_0_a,
+        map_sorted_low_0_choices(1));
+      map_sorted_high_0_choices(1) := choice(map_of_column_0_c_below_a, map_of_column_0_a, map_of_column_0_c);
+      map_sorted_high_0_choices(2) := choice(map_of_column_0_c_below_b, map_of_column_0_b, map_of_column_0_c);
       map_window_complete_is_equal := map_sorted_column = 0;
-      if map_window_complete_is_equal then
-        map_window_complete_choice := map_sorted_behind;
-      else
-        map_window_complete_choice := map_sorted_arrives or map_sorted_behind;
-      end if;
-      if map_of_low_0_c_below_a then
-        map_largest_low_0_choice := map_of_low_0_a;
-      else
-        map_largest_low_0_choice := map_of_low_0_c;
-      end if;
-      if map_of_low_0_c_below_b then
-        map_largest_low_0_choice_2 := map_of_low_0_b;
-      else
-        map_largest_low_0_choice_2 := map_of_low_0_c;
-      end if;
-      if map_of_middle_0_c_below_a then
-        map_median_middle_0_choice := map_of_middle_0_c;
-      else
-        map_median_middle_0_choice := map_of_middle_0_a;
-      end if;
-      if map_of_middle_0_c_below_b then
-        map_median_middle_0_choices(2) := map_of_middle_0_b;
-      else
-        map_median_middle_0_choices(2) := map_median_middle_0_choice;
-      end if;
-      if map_of_middle_0_c_below_b then
-        map_median_middle_0_choices(3) := map_of_middle_0_c;
-      else
-        map_median_middle_0_choices(3) := map_of_middle_0_b;
-      end if;
-      if map_of_middle_0_c_below_a then
-        map_median_middle_0_choices(4) := map_of_middle_0_a;
-      else
-        map_median_middle_0_choices(4) := map_median_middle_0_choices(3);
-      end if;
-      if map_of_high_0_c_below_b then
-        map_smallest_high_0_choice := map_of_high_0_c;
-      else
-        map_smallest_high_0_choice := map_of_high_0_b;
-      end if;
-      if map_of_high_0_c_below_a then
-        map_smallest_high_0_choice_2 := map_of_high_0_c;
-      else
-        map_smallest_high_0_choice_2 := map_of_high_0_a;
-      end if;
-      if map_of_all_0_c_below_a then
-        map_out_disparity_0_choice := map_of_all_0_c;
-      else
-        map_out_disparity_0_choice := map_of_all_0_a;
-      end if;
-      if map_of_all_0_c_below_b then
-        map_out_disparity_0_choices(2) := map_of_all_0_b;
-      else
-        map_out_disparity_0_choices(2) := map_out_disparity_0_choice;
-      end if;
-      if map_of_all_0_c_below_b then
-        map_out_disparity_0_choices(3) := map_of_all_0_c;
-      else
-        map_out_disparity_0_choices(3) := map_of_all_0_b;
-      end if;
-      if map_of_all_0_c_below_a then
-        map_out_disparity_0_choices(4) := map_of_all_0_a;
-      else
-        map_out_disparity_0_choices(4) := map_out_disparity_0_choices(3);
-      end if;
+      map_window_complete_choice := choice(map_window_complete_is_equal, map_sorted_behind, map_sorted_arrives or
+        map_sorted_behind);
+      map_largest_low_0_choices(1) := choice(map_of_low_0_c_below_a, map_of_low_0_a, map_of_low_0_c);
+      map_largest_low_0_choices(2) := choice(map_of_low_0_c_below_b, map_of_low_0_b, map_of_low_0_c);
+      map_median_middle_0_choices(1) := choice(map_of_middle_0_c_below_a, map_of_middle_0_c, map_of_middle_0_a);
+      map_median_middle_0_choices(2) := choice(map_of_middle_0_c_below_b, map_of_middle_0_b,
+        map_median_middle_0_choices(1));
+      map_median_middle_0_choices(3) := choice(map_of_middle_0_c_below_b, map_of_middle_0_c, map_of_middle_0_b);
+      map_median_middle_0_choices(4) := choice(map_of_middle_0_c_below_a, map_of_middle_0_a,
+        map_median_middle_0_choices(3));
+      map_smallest_high_0_choices(1) := choice(map_of_high_0_c_below_b, map_of_high_0_c, map_of_high_0_b);
+      map_smallest_high_0_choices(2) := choice(map_of_high_0_c_below_a, map_of_high_0_c, map_of_high_0_a);
+      map_out_disparity_0_choices(1) := choice(map_of_all_0_c_below_a, map_of_all_0_c, map_of_all_0_a);
+      map_out_disparity_0_choices(2) := choice(map_of_all_0_c_below_b, map_of_all_0_b, map_out_disparity_0_choices(1));
+      map_out_disparity_0_choices(3) := choice(map_of_all_0_c_below_b, map_of_all_0_c, map_of_all_0_b);
+      map_out_disparity_0_choices(4) := choice(map_of_all_0_c_below_a, map_of_all_0_a, map_out_disparity_0_choices(3));
       map_counter_next_frame <= other_9(40) = '1';
       map_newest_0 <= (((((((refinement_disparity_0(11) + (refinement_fraction_0 / 16)) * 2) + ((refinement_fraction_0
         mod 16) / 8) + 8191) mod 4096) * 8) + (refinement_fraction_0 mod 8)) * 2) + as_number(refinement_passed_11_0);
-      map_arrives <= refinement_tag_11_row_start_all_2;
+      map_arrives <= refinement_tag_11_row_start_alls(2);
       map_behind <= map_line_ended and refinement_tag_valid(11);
       map_rows_read_newest_0 <= map_newest_0;
       map_rows_ready_words_0 <= to_integer(map_rows_read_words_0);
@@ -4407,76 +2456,37 @@ begin
       map_waiting_first(2) <= map_waiting_first(1);
       map_waiting_last(2) <= map_waiting_last(1);
       map_waiting_passed_0(0) <= map_passed_0(1);
-      map_waiting_passed_0(1) <= map_waiting_passed_0(0);
-      map_waiting_passed_0(2) <= map_waiting_passed_0(1);
+      map_waiting_passed_0(1 to 2) <= map_waiting_passed_0(0 to 1);
       map_out_passed_0 <= map_waiting_passed_0(2);
       map_out_valid <= map_waiting_complete(2);
       map_out_start_of_frame <= map_waiting_first(2) and map_waiting_complete(2);
       map_out_end_of_line <= map_waiting_last(2) and map_waiting_complete(2);
-      if refinement_tag_start_of_frame(11) and refinement_tag_valid(11) and refinement_tag_map_column(11) then
-        map_counter_group <= map_counter_group_choice;
-      else
-        map_counter_group <= map_counter_group_choices(3);
-      end if;
-      if refinement_tag_end_of_line(11) then
-        map_line_ended <= map_line_ended_choice;
-      else
-        map_line_ended <= map_line_ended and (not refinement_tag_valid(11));
-      end if;
-      if map_of_column_0_b_below_a then
-        map_sorted_low_0 <= map_sorted_low_0_choice;
-        map_sorted_middle_0 <= map_sorted_middle_0_choice;
-        map_sorted_high_0 <= map_sorted_high_0_choice;
-      else
-        map_sorted_low_0 <= map_sorted_low_0_choice_2;
-        map_sorted_middle_0 <= map_sorted_middle_0_choice_2;
-        map_sorted_high_0 <= map_sorted_high_0_choice_2;
-      end if;
-      if map_passed_0(0) then
-        map_passed_0(1) <= map_passed_0(1) or map_sorted_arrives or map_sorted_behind;
-      else
-        map_passed_0(1) <= map_passed_0(1) and (not map_sorted_arrives) and (not map_sorted_behind);
-      end if;
-      if map_of_low_0_b_below_a then
-        map_largest_low_0 <= map_largest_low_0_choice;
-      else
-        map_largest_low_0 <= map_largest_low_0_choice_2;
-      end if;
-      if map_of_middle_0_b_below_a then
-        map_median_middle_0 <= map_median_middle_0_choices(2);
-      else
-        map_median_middle_0 <= map_median_middle_0_choices(4);
-      end if;
-      if map_of_high_0_b_below_a then
-        map_smallest_high_0 <= map_smallest_high_0_choice;
-      else
-        map_smallest_high_0 <= map_smallest_high_0_choice_2;
-      end if;
-      if map_of_all_0_b_below_a then
-        map_out_disparity_0 <= map_out_disparity_0_choices(2);
-      else
-        map_out_disparity_0 <= map_out_disparity_0_choices(4);
-      end if;
+      map_counter_group <= choice(refinement_tag_start_of_frame(11) and refinement_tag_valid(11) and
+        refinement_tag_map_column(11), map_counter_group_choice, map_counter_group_choices(3));
+      map_line_ended <= choice(refinement_tag_end_of_line(11), map_line_ended_choice, map_line_ended and (not
+        refinement_tag_valid(11)));
+      map_sorted_low_0 <= choice(map_of_column_0_b_below_a, map_sorted_low_0_choices(1), map_sorted_low_0_choices(2));
+      map_sorted_middle_0 <= choice(map_of_column_0_b_below_a, map_sorted_middle_0_choices(1),
+        map_sorted_middle_0_choices(2));
+      map_sorted_high_0 <= choice(map_of_column_0_b_below_a, map_sorted_high_0_choices(1),
+        map_sorted_high_0_choices(2));
+      map_passed_0(1) <= choice(map_passed_0(0), map_passed_0(1) or map_sorted_arrives or map_sorted_behind,
+        map_passed_0(1) and (not map_sorted_arrives) and (not map_sorted_behind));
+      map_largest_low_0 <= choice(map_of_low_0_b_below_a, map_largest_low_0_choices(1), map_largest_low_0_choices(2));
+      map_median_middle_0 <= choice(map_of_middle_0_b_below_a, map_median_middle_0_choices(2),
+        map_median_middle_0_choices(4));
+      map_smallest_high_0 <= choice(map_of_high_0_b_below_a, map_smallest_high_0_choices(1),
+        map_smallest_high_0_choices(2));
+      map_out_disparity_0 <= choice(map_of_all_0_b_below_a, map_out_disparity_0_choices(2),
+        map_out_disparity_0_choices(4));
       if map_at_arrives_value then
         map_rows_write_words_0 <= (map_rows_ready_words_0 / 8192) + (map_rows_ready_newest_0 * 8192);
         map_at_column <= to_integer(other_9(8 downto 0));
       end if;
-      if map_sorted_behind then
-        map_low_0_0_choice := map_low_0(0);
-      else
-        map_low_0_0_choice := map_sorted_low_0;
-      end if;
+      map_low_0_0_choice := choice(map_sorted_behind, map_low_0(0), map_sorted_low_0);
       map_low_0_all(1) := map_window_complete_is_equal and map_sorted_arrives;
-      if map_sorted_behind then
-        map_middle_0_0_choice := map_middle_0(0);
-      else
-        map_middle_0_0_choice := map_sorted_middle_0;
-      end if;
-      if map_sorted_behind then
-        map_high_0_0_choice := map_high_0(0);
-      else
-        map_high_0_0_choice := map_sorted_high_0;
-      end if;
+      map_middle_0_0_choice := choice(map_sorted_behind, map_middle_0(0), map_sorted_middle_0);
+      map_high_0_0_choice := choice(map_sorted_behind, map_high_0(0), map_sorted_high_0);
       map_low_0_all(0) := (not map_sorted_arrives) and (not map_sorted_behind);
       if not map_low_0_all(0) then
         map_low_0(0) <= map_low_0_0_choice;
@@ -4485,15 +2495,9 @@ begin
         map_middle_0(2) <= map_middle_0(1);
         map_high_0(0) <= map_high_0_0_choice;
         map_high_0(2) <= map_high_0(1);
-        if map_low_0_all(1) then
-          map_low_0(1) <= map_low_0_0_choice;
-          map_middle_0(1) <= map_middle_0_0_choice;
-          map_high_0(1) <= map_high_0_0_choice;
-        else
-          map_low_0(1) <= map_low_0(0);
-          map_middle_0(1) <= map_middle_0(0);
-          map_high_0(1) <= map_high_0(0);
-        end if;
+        map_low_0(1) <= choice(map_low_0_all(1), map_low_0_0_choice, map_low_0(0));
+        map_middle_0(1) <= choice(map_low_0_all(1), map_middle_0_0_choice, map_middle_0(0));
+        map_high_0(1) <= choice(map_low_0_all(1), map_high_0_0_choice, map_high_0(0));
       end if;
       if map_sorted_arrives then
         map_passed_0(0) <= map_column_passed_0(1);
@@ -4543,92 +2547,80 @@ begin
         raster_place_column <= 0;
         raster_place_group <= 379;
         delay_column <= 0;
-        delay_tag_valid <= false;
-        delay_tag_row_start <= false;
-        delay_tag_map_column <= false;
-        delay_tag_start_of_frame <= false;
-        delay_tag_end_of_line <= false;
+        delay_tag.valid <= false;
+        delay_tag.row_start <= false;
+        delay_tag.map_column <= false;
+        delay_tag.start_of_frame <= false;
+        delay_tag.end_of_line <= false;
         rows_read_column <= 0;
-        rows_read_tag_valid <= false;
-        rows_read_tag_row_start <= false;
-        rows_read_tag_map_column <= false;
-        rows_read_tag_start_of_frame <= false;
-        rows_read_tag_end_of_line <= false;
+        rows_read_tag.valid <= false;
+        rows_read_tag.row_start <= false;
+        rows_read_tag.map_column <= false;
+        rows_read_tag.start_of_frame <= false;
+        rows_read_tag.end_of_line <= false;
         rows_ready_column <= 0;
-        rows_ready_tag_valid <= false;
-        rows_ready_tag_row_start <= false;
-        rows_ready_tag_map_column <= false;
-        rows_ready_tag_start_of_frame <= false;
-        rows_ready_tag_end_of_line <= false;
+        rows_ready_tag.valid <= false;
+        rows_ready_tag.row_start <= false;
+        rows_ready_tag.map_column <= false;
+        rows_ready_tag.start_of_frame <= false;
+        rows_ready_tag.end_of_line <= false;
         rows_write_column <= 0;
-        rows_tag_valid <= false;
-        rows_tag_row_start <= false;
-        rows_tag_map_column <= false;
-        rows_tag_start_of_frame <= false;
-        rows_tag_end_of_line <= false;
-        slice0shift_tag_valid <= false;
-        slice0shift_tag_row_start <= false;
-        slice0shift_tag_map_column <= false;
-        slice0shift_tag_start_of_frame <= false;
-        slice0shift_tag_end_of_line <= false;
-        slice0cost_pixels_first_tag_valid <= false;
-        slice0cost_pixels_first_tag_row_start <= false;
-        slice0cost_pixels_first_tag_map_column <= false;
-        slice0cost_pixels_first_tag_start_of_frame <= false;
-        slice0cost_pixels_first_tag_end_of_line <= false;
-        slice0cost_pixels_tag_valid <= false;
-        slice0cost_pixels_tag_row_start <= false;
-        slice0cost_pixels_tag_map_column <= false;
-        slice0cost_pixels_tag_start_of_frame <= false;
-        slice0cost_pixels_tag_end_of_line <= false;
+        rows_tag.valid <= false;
+        rows_tag.row_start <= false;
+        rows_tag.map_column <= false;
+        rows_tag.start_of_frame <= false;
+        rows_tag.end_of_line <= false;
+        slice0shift_tag.valid <= false;
+        slice0shift_tag.row_start <= false;
+        slice0shift_tag.map_column <= false;
+        slice0shift_tag.start_of_frame <= false;
+        slice0shift_tag.end_of_line <= false;
+        slice0cost_pixels_first_tag.valid <= false;
+        slice0cost_pixels_first_tag.row_start <= false;
+        slice0cost_pixels_first_tag.map_column <= false;
+        slice0cost_pixels_first_tag.start_of_frame <= false;
+        slice0cost_pixels_first_tag.end_of_line <= false;
+        slice0cost_pixels_tag.valid <= false;
+        slice0cost_pixels_tag.row_start <= false;
+        slice0cost_pixels_tag.map_column <= false;
+        slice0cost_pixels_tag.start_of_frame <= false;
+        slice0cost_pixels_tag.end_of_line <= false;
         slice0cost_read_column <= 0;
         slice0cost_change_column <= 0;
         slice0cost_ready_column <= 0;
-        slice0cost_ready_tag_valid <= false;
-        slice0cost_ready_tag_map_column <= false;
-        slice0cost_ready_tag_start_of_frame <= false;
-        slice0cost_ready_tag_end_of_line <= false;
+        slice0cost_ready_tag.valid <= false;
+        slice0cost_ready_tag.map_column <= false;
+        slice0cost_ready_tag.start_of_frame <= false;
+        slice0cost_ready_tag.end_of_line <= false;
         slice0cost_write_column <= 0;
-        slice0cost_tag_valid <= false;
-        slice0cost_tag_map_column <= false;
-        slice0cost_tag_start_of_frame <= false;
-        slice0cost_tag_end_of_line <= false;
+        slice0cost_tag.valid <= false;
+        slice0cost_tag.map_column <= false;
+        slice0cost_tag.start_of_frame <= false;
+        slice0cost_tag.end_of_line <= false;
         slice0window_ring_read_address <= 1;
         slice0window_ring_write_address <= 0;
-        slice0window_entering_tag_valid <= false;
-        slice0window_entering_tag_map_column <= false;
-        slice0window_entering_tag_start_of_frame <= false;
-        slice0window_entering_tag_end_of_line <= false;
-        slice0window_change_tag_valid <= false;
-        slice0window_change_tag_map_column <= false;
-        slice0window_change_tag_start_of_frame <= false;
-        slice0window_change_tag_end_of_line <= false;
+        slice0window_entering_tag.valid <= false;
+        slice0window_entering_tag.map_column <= false;
+        slice0window_entering_tag.start_of_frame <= false;
+        slice0window_entering_tag.end_of_line <= false;
+        slice0window_change_tag.valid <= false;
+        slice0window_change_tag.map_column <= false;
+        slice0window_change_tag.start_of_frame <= false;
+        slice0window_change_tag.end_of_line <= false;
         slice0window_centre_map_column_0 <= false;
         slice0window_centre_start_of_frame_0 <= false;
         slice0window_centre_start_of_frame_3 <= false;
         slice0window_centre_end_of_line_0 <= false;
-        slice0window_tag_valid <= false;
-        slice0window_tag_start_of_frame <= false;
-        slice0winner1_tag_valid <= false;
-        slice0winner1_tag_map_column <= false;
-        slice0winner1_tag_start_of_frame <= false;
-        slice0winner1_tag_end_of_line <= false;
-        slice0winner2_tag_valid <= false;
-        slice0winner2_tag_map_column <= false;
-        slice0winner2_tag_start_of_frame <= false;
-        slice0winner2_tag_end_of_line <= false;
-        slice0winner3_tag_valid <= false;
-        slice0winner3_tag_map_column <= false;
-        slice0winner3_tag_start_of_frame <= false;
-        slice0winner3_tag_end_of_line <= false;
-        slice0winner4_tag_valid <= false;
-        slice0winner4_tag_map_column <= false;
-        slice0winner4_tag_start_of_frame <= false;
-        slice0winner4_tag_end_of_line <= false;
-        slice0_best_tag_valid <= false;
-        slice0_best_tag_map_column <= false;
-        slice0_best_tag_start_of_frame <= false;
-        slice0_best_tag_end_of_line <= false;
+        slice0window_tag.valid <= false;
+        slice0window_tag.start_of_frame <= false;
+        slice0winner1_tag.valid <= false;
+        slice0winner1_tag.map_column <= false;
+        slice0winner1_tag.start_of_frame <= false;
+        slice0winner1_tag.end_of_line <= false;
+        slice0winner2_tag <= (others => false);
+        slice0winner3_tag <= (others => false);
+        slice0winner4_tag <= (others => false);
+        slice0_best_tag <= (others => false);
         slice1cost_read_column <= 0;
         slice1cost_change_column <= 0;
         slice1cost_ready_column <= 0;
@@ -4638,27 +2630,17 @@ begin
         slice1window_centre_map_column_0 <= false;
         slice1window_centre_start_of_frame_0 <= false;
         slice1window_centre_end_of_line_0 <= false;
-        slice1_best_tag_valid <= false;
-        slice1_best_tag_map_column <= false;
-        slice1_best_tag_start_of_frame <= false;
-        slice1_best_tag_end_of_line <= false;
+        slice1_best_tag <= (others => false);
         slice2cost_read_column <= 0;
         slice2cost_change_column <= 0;
         slice2cost_ready_column <= 0;
         slice2cost_write_column <= 0;
         slice2window_ring_read_address <= 1;
         slice2window_ring_write_address <= 0;
-        slice2window_centre_map_column(0) <= false;
-        slice2window_centre_map_column(1) <= false;
-        slice2window_centre_map_column(2) <= false;
+        slice2window_centre_map_column <= (others => false);
         slice2window_centre_start_of_frame_0 <= false;
-        slice2window_centre_end_of_line(0) <= false;
-        slice2window_centre_end_of_line(1) <= false;
-        slice2window_centre_end_of_line(2) <= false;
-        slice2_best_tag_valid <= false;
-        slice2_best_tag_map_column <= false;
-        slice2_best_tag_start_of_frame <= false;
-        slice2_best_tag_end_of_line <= false;
+        slice2window_centre_end_of_line <= (others => false);
+        slice2_best_tag <= (others => false);
         for i in 0 to 10 loop
           refinement_tag_valid(i) <= false;
           refinement_tag_map_column(i) <= false;

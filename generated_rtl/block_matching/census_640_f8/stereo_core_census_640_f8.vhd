@@ -95,14 +95,51 @@ architecture rtl of stereo_core_census_640_f8 is
     return (value / 2 ** place) mod 2 = 1;
   end function;
 
+  -- the majority: a comparison or a sum as a chain of its bits
+  function carry(before : boolean; a : boolean; b : boolean) return boolean is
+  begin
+    if before then
+      return a or b;
+    end if;
+    return a and b;
+  end function;
+
+  function inverted_carry(before : boolean; a : boolean; b : boolean) return boolean is
+  begin
+    if before then
+      return a and b;
+    end if;
+    return a or b;
+  end function;
+
+  function choice(test : boolean; yes : boolean; no : boolean) return boolean is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
+  function choice(test : boolean; yes : integer; no : integer) return integer is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
   type boolean_1d is array (natural range <>) of boolean;
-  type boolean_2d is array (natural range <>, natural range <>) of boolean;
+  type boolean_3d is array (natural range <>, natural range <>, natural range <>) of boolean;
   type integer_minus_255_to_255_1d is array (natural range <>) of integer range -255 to 255;
   type integer_minus_26_to_26_1d is array (natural range <>) of integer range -26 to 26;
+  type natural_1023_1d is array (natural range <>) of natural range 0 to 1023;
+  type natural_127_1d is array (natural range <>) of natural range 0 to 127;
+  type natural_16777215_1d is array (natural range <>) of natural range 0 to 16777215;
   type natural_255_1d is array (natural range <>) of natural range 0 to 255;
   type natural_255_2d is array (natural range <>, natural range <>) of natural range 0 to 255;
   type natural_26_2d is array (natural range <>, natural range <>) of natural range 0 to 26;
   type natural_2_2d is array (natural range <>, natural range <>) of natural range 0 to 2;
+  type natural_31_1d is array (natural range <>) of natural range 0 to 31;
   type natural_32767_1d is array (natural range <>) of natural range 0 to 32767;
   type natural_3_1d is array (natural range <>) of natural range 0 to 3;
   type natural_3_3d is array (natural range <>, natural range <>, natural range <>) of natural range 0 to 3;
@@ -113,19 +150,50 @@ architecture rtl of stereo_core_census_640_f8 is
   type natural_65535_1d is array (natural range <>) of natural range 0 to 65535;
   type natural_67108863_1d is array (natural range <>) of natural range 0 to 67108863;
   type natural_67108863_2d is array (natural range <>, natural range <>) of natural range 0 to 67108863;
+  type natural_7_1d is array (natural range <>) of natural range 0 to 7;
   type unsigned_16_1d is array (natural range <>) of unsigned(15 downto 0);
   type unsigned_26_1d is array (natural range <>) of unsigned(25 downto 0);
   type unsigned_32_1d is array (natural range <>) of unsigned(31 downto 0);
+  type tag_5 is record
+    valid, first_group, output_column, first_column, start_of_frame : boolean;
+  end record;
+  type tag_10 is record
+    valid, row_start, first_group, border_column, first_cost, leaves_window, map_column, output_column : boolean;
+    first_column, end_of_line : boolean;
+  end record;
+  type tag_9 is record
+    valid, row_start, first_group, border_column, first_cost, leaves_window, map_column, output_column : boolean;
+    first_column : boolean;
+  end record;
+  type tag_8 is record
+    valid, first_group, border_column, first_cost, leaves_window, map_column, output_column, first_column : boolean;
+  end record;
+  type tag_6 is record
+    valid, first_cost, leaves_window, map_column, output_column, first_column : boolean;
+  end record;
+  type tag_5_b is record
+    valid, first_cost, map_column, output_column, first_column : boolean;
+  end record;
+  type tag_4 is record
+    valid, map_column, output_column, first_column : boolean;
+  end record;
+  type tag_3 is record
+    valid, map_column, first_column : boolean;
+  end record;
+  type tag_4_b is record
+    valid, map_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_5_c is record
+    valid, row_start, map_column, start_of_frame, end_of_line : boolean;
+  end record;
   signal in_valid, in_start_of_frame : boolean;
   signal in_right_pixel, in_left_pixel : natural range 0 to 255;
   -- transform
   signal transform_left_0, transform_right_0, transform_left_rows_read_newest_0 : natural range 0 to 255;
   signal transform_left_rows_ready_newest_0, transform_right_rows_read_newest_0 : natural range 0 to 255;
   signal transform_right_rows_ready_newest_0 : natural range 0 to 255;
-  signal transform_left_column : natural_255_1d(0 to 2);
-  signal transform_right_column : natural_255_1d(0 to 2);
-  signal transform_left_filter_column : natural_255_2d(0 to 8, 0 to 2);
-  signal transform_right_filter_column : natural_255_2d(0 to 8, 0 to 2);
+  signal transform_left_column, transform_right_column : natural_255_1d(0 to 2);
+  signal transform_left_filter_column, transform_right_filter_column : natural_255_2d(0 to 8, 0 to 2);
   signal transform_valid, transform_counter_next_frame : boolean;
   signal transform_read_row_inside : boolean_1d(0 to 2);
   signal transform_read_column_inside : boolean_1d(0 to 8);
@@ -155,11 +223,9 @@ architecture rtl of stereo_core_census_640_f8 is
   signal delay_ahead_0, delay_delayed_0 : natural range 0 to 67108863;
   signal delay_column : natural range 0 to 1023;
   signal delay_row_inside : boolean_1d(0 to 1);
-  signal delay_tag_valid, delay_tag_first_group, delay_tag_output_column, delay_tag_first_column : boolean;
-  signal delay_tag_start_of_frame : boolean;
+  signal delay_tag : tag_5;
   -- rows
-  signal rows_search_rows_read_words : unsigned_26_1d(0 to 8);
-  signal rows_reference_rows_read_words : unsigned_26_1d(0 to 8);
+  signal rows_search_rows_read_words, rows_reference_rows_read_words : unsigned_26_1d(0 to 8);
   signal rows_search_rows_read_newest_0 : natural range 0 to 67108863;
   signal rows_search_rows_ready_words : natural_67108863_1d(0 to 8);
   signal rows_search_rows_ready_newest_0 : natural range 0 to 67108863;
@@ -168,122 +234,72 @@ architecture rtl of stereo_core_census_640_f8 is
   signal rows_reference_rows_ready_words : natural_67108863_1d(0 to 8);
   signal rows_reference_rows_ready_newest_0 : natural range 0 to 67108863;
   signal rows_reference_rows_write_words : natural_67108863_1d(0 to 8);
-  signal rows_search : natural_67108863_1d(0 to 1);
-  signal rows_reference : natural_67108863_1d(0 to 1);
+  signal rows_search, rows_reference : natural_67108863_1d(0 to 1);
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 1023;
   signal rows_read_inside : boolean_1d(0 to 1);
-  signal rows_read_tag_valid, rows_read_tag_first_group, rows_read_tag_output_column : boolean;
-  signal rows_read_tag_first_column, rows_read_tag_start_of_frame : boolean;
+  signal rows_read_tag : tag_5;
   signal rows_ready_inside : boolean_1d(0 to 1);
-  signal rows_ready_tag_valid, rows_ready_tag_first_group, rows_ready_tag_output_column : boolean;
-  signal rows_ready_tag_first_column, rows_ready_tag_start_of_frame, rows_tag_valid, rows_tag_first_group : boolean;
-  signal rows_tag_output_column, rows_tag_first_column, rows_tag_start_of_frame : boolean;
+  signal rows_ready_tag, rows_tag : tag_5;
   -- passes
   signal passes_row, passes_coming_first_group, passes_coming_output, passes_coming_starts, passes_row_ended : boolean;
   signal passes_arrived, passes_shows, passes_showing_first_group, passes_showing_output : boolean;
   signal passes_showing_starts, passes_pass_ends, passes_last_pass, passes_leaving_starts : boolean;
-  signal passes_read_tag_valid, passes_read_tag_row_start, passes_read_tag_first_group : boolean;
-  signal passes_read_tag_border_column, passes_read_tag_first_cost, passes_read_tag_leaves_window : boolean;
-  signal passes_read_tag_map_column, passes_read_tag_output_column, passes_read_tag_first_column : boolean;
-  signal passes_read_tag_end_of_line, passes_tag_valid, passes_tag_row_start, passes_tag_first_group : boolean;
-  signal passes_tag_border_column, passes_tag_first_cost, passes_tag_leaves_window, passes_tag_map_column : boolean;
-  signal passes_tag_output_column, passes_tag_first_column : boolean;
+  signal passes_read_tag : tag_10;
+  signal passes_tag : tag_9;
   signal passes_write_address, passes_search_address, passes_reference_address : natural range 0 to 2047;
-  signal passes_write_search : natural_67108863_1d(0 to 1);
-  signal passes_write_reference : natural_67108863_1d(0 to 1);
-  signal passes_search : natural_67108863_1d(0 to 1);
-  signal passes_reference : natural_67108863_1d(0 to 1);
+  signal passes_write_search, passes_write_reference, passes_search, passes_reference : natural_67108863_1d(0 to 1);
   signal passes_pass : natural range 0 to 7;
   signal passes_column : natural range 0 to 1023;
   signal passes_search_start : natural range 0 to 1016;
-  signal passes_read_search : unsigned_26_1d(0 to 1);
-  signal passes_read_reference : unsigned_26_1d(0 to 1);
+  signal passes_read_search, passes_read_reference : unsigned_26_1d(0 to 1);
   -- slice0shift
   signal slice0shift_search : natural_67108863_2d(0 to 1, 0 to 7);
   signal slice0shift_reference : natural_67108863_1d(0 to 1);
-  signal slice0shift_tag_valid, slice0shift_tag_row_start, slice0shift_tag_first_group : boolean;
-  signal slice0shift_tag_border_column, slice0shift_tag_first_cost, slice0shift_tag_leaves_window : boolean;
-  signal slice0shift_tag_map_column, slice0shift_tag_output_column, slice0shift_tag_first_column : boolean;
+  signal slice0shift_tag : tag_9;
   -- slice0cost
   signal slice0cost_pixels_first_count : natural_3_3d(0 to 1, 0 to 7, 0 to 7);  -- slice0cost_pixels_first_#_#_count_#
   signal slice0cost_pixels_first_count_8 : natural_2_2d(0 to 1, 0 to 7);  -- slice0cost_pixels_first_#_#_count_8
-  signal slice0cost_pixels_first_tag_valid, slice0cost_pixels_first_tag_first_group : boolean;
-  signal slice0cost_pixels_first_tag_border_column, slice0cost_pixels_first_tag_first_cost : boolean;
-  signal slice0cost_pixels_first_tag_leaves_window, slice0cost_pixels_first_tag_map_column : boolean;
-  signal slice0cost_pixels_first_tag_output_column, slice0cost_pixels_first_tag_first_column : boolean;
-  signal slice0cost_pixels_tag_valid, slice0cost_pixels_tag_first_group, slice0cost_pixels_tag_border_column : boolean;
-  signal slice0cost_pixels_tag_first_cost, slice0cost_pixels_tag_leaves_window : boolean;
-  signal slice0cost_pixels_tag_map_column, slice0cost_pixels_tag_output_column : boolean;
-  signal slice0cost_pixels_tag_first_column, slice0cost_ready_tag_valid, slice0cost_ready_tag_first_group : boolean;
-  signal slice0cost_ready_tag_border_column, slice0cost_ready_tag_first_cost : boolean;
-  signal slice0cost_ready_tag_leaves_window, slice0cost_ready_tag_map_column : boolean;
-  signal slice0cost_ready_tag_output_column, slice0cost_ready_tag_first_column, slice0cost_tag_valid : boolean;
-  signal slice0cost_tag_first_cost, slice0cost_tag_leaves_window, slice0cost_tag_map_column : boolean;
-  signal slice0cost_tag_output_column, slice0cost_tag_first_column : boolean;
+  signal slice0cost_pixels_first_tag, slice0cost_pixels_tag, slice0cost_ready_tag : tag_8;
+  signal slice0cost_tag : tag_6;
   signal slice0cost_pixels_cost : natural_26_2d(0 to 1, 0 to 7);
   signal slice0cost_read_column, slice0cost_change_column, slice0cost_ready_column : natural range 0 to 8191;
   signal slice0cost_write_column : natural range 0 to 8191;
   signal slice0cost_read_words : unsigned_16_1d(0 to 3);
   signal slice0cost_change_0 : integer_minus_26_to_26_1d(0 to 7);
-  signal slice0cost_ready_words : natural_65535_1d(0 to 3);
-  signal slice0cost_write_words : natural_65535_1d(0 to 3);
+  signal slice0cost_ready_words, slice0cost_write_words : natural_65535_1d(0 to 3);
   signal slice0cost_column_0 : natural_255_1d(0 to 7);
   -- slice0window
   signal slice0window_ring_read_address, slice0window_ring_write_address : natural range 0 to 15;
   signal slice0window_leaving : unsigned_32_1d(0 to 1);
   signal slice0window_entering_0 : natural_255_1d(0 to 7);
-  signal slice0window_entering_tag_valid, slice0window_entering_tag_first_cost : boolean;
-  signal slice0window_entering_tag_leaves_window, slice0window_entering_tag_map_column : boolean;
-  signal slice0window_entering_tag_output_column, slice0window_entering_tag_first_column : boolean;
-  signal slice0window_change_tag_valid, slice0window_change_tag_first_cost : boolean;
-  signal slice0window_change_tag_map_column, slice0window_change_tag_output_column : boolean;
-  signal slice0window_change_tag_first_column : boolean;
-  signal slice0window_centre_map_column : boolean_1d(0 to 3);
-  signal slice0window_centre_output_column : boolean_1d(0 to 3);
+  signal slice0window_entering_tag : tag_6;
+  signal slice0window_change_tag : tag_5_b;
+  signal slice0window_centre_map_column, slice0window_centre_output_column : boolean_1d(0 to 3);
   signal slice0window_centre_first_column : boolean_1d(0 to 3);
-  signal slice0window_tag_valid, slice0window_tag_map_column, slice0window_tag_output_column : boolean;
-  signal slice0window_tag_first_column : boolean;
+  signal slice0window_tag : tag_4;
   signal slice0window_change_0 : integer_minus_255_to_255_1d(0 to 7);
   signal slice0window_sum_0 : natural_4095_1d(0 to 7);
   -- slice0other
   signal slice0other_cost_0 : natural_4095_1d(0 to 7);
   signal slice0other_cost_out_0 : natural range 0 to 4095;
   signal slice0other_winner_0_1 : boolean;
-  signal slice0other_winner_0_2 : natural range 0 to 2;
-  signal slice0other_winner_0_3 : natural range 0 to 3;
-  signal slice0other_winner_0_4 : natural range 0 to 4;
-  signal slice0other_winner_0_5 : natural range 0 to 5;
-  signal slice0other_winner_0_6 : natural range 0 to 6;
-  signal slice0other_winner_0_7 : natural range 0 to 7;
+  signal slice0other_winner_0 : natural_7_1d(2 to 7);  -- slice0other_winner_0_# up to 2, 3 .. 7
   -- slice0winner1
   signal slice0winner1_held_0 : natural_4095_1d(0 to 7);
-  signal slice0winner1_best_cost_0 : natural_4095_1d(0 to 3);
-  signal slice0winner1_best_below_0 : natural_4095_1d(0 to 3);
-  signal slice0winner1_best_above_0 : natural_4095_1d(0 to 3);
-  signal slice0winner1_best_late_cost_0 : natural_4095_1d(0 to 3);
-  signal slice0winner1_best_but_first_0 : natural_4095_1d(0 to 3);
+  signal slice0winner1_best_cost_0, slice0winner1_best_below_0, slice0winner1_best_above_0 : natural_4095_1d(0 to 3);
+  signal slice0winner1_best_late_cost_0, slice0winner1_best_but_first_0 : natural_4095_1d(0 to 3);
   signal slice0winner1_best_but_last_0 : natural_4095_1d(0 to 3);
-  signal slice0winner1_best_index_0_0, slice0winner1_best_place_0_2, slice0winner1_tag_valid : boolean;
-  signal slice0winner1_tag_map_column, slice0winner1_tag_first_column : boolean;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice0winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice0winner1_best_index_0_3 : natural range 0 to 7;
+  signal slice0winner1_best_index_0_0, slice0winner1_best_place_0_2 : boolean;
+  signal slice0winner1_tag : tag_3;
+  signal slice0winner1_best_index_0 : natural_7_1d(1 to 3);  -- slice0winner1_best_index_0_# up to 3, 5, 7
   -- slice0winner2
-  signal slice0winner2_best_cost_0 : natural_4095_1d(0 to 1);
-  signal slice0winner2_best_below_0 : natural_4095_1d(0 to 1);
-  signal slice0winner2_best_above_0 : natural_4095_1d(0 to 1);
-  signal slice0winner2_best_first_0 : natural_4095_1d(0 to 1);
-  signal slice0winner2_best_last_0 : natural_4095_1d(0 to 1);
-  signal slice0winner2_best_late_cost_0 : natural_4095_1d(0 to 1);
-  signal slice0winner2_best_second_0 : natural_4095_1d(0 to 1);
-  signal slice0winner2_best_but_first_0 : natural_4095_1d(0 to 1);
-  signal slice0winner2_best_but_last_0 : natural_4095_1d(0 to 1);
-  signal slice0winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice0winner2_best_index_0_1 : natural range 0 to 7;
-  signal slice0winner2_best_place_0 : boolean_1d(0 to 1);
-  signal slice0winner2_best_at_start_0 : boolean_1d(0 to 1);
-  signal slice0winner2_best_at_end_0 : boolean_1d(0 to 1);
-  signal slice0winner2_tag_valid, slice0winner2_tag_map_column, slice0winner2_tag_first_column : boolean;
+  signal slice0winner2_best_cost_0, slice0winner2_best_below_0, slice0winner2_best_above_0 : natural_4095_1d(0 to 1);
+  signal slice0winner2_best_first_0, slice0winner2_best_last_0 : natural_4095_1d(0 to 1);
+  signal slice0winner2_best_late_cost_0, slice0winner2_best_second_0 : natural_4095_1d(0 to 1);
+  signal slice0winner2_best_but_first_0, slice0winner2_best_but_last_0 : natural_4095_1d(0 to 1);
+  signal slice0winner2_best_index_0 : natural_7_1d(0 to 1);  -- slice0winner2_best_index_0_# up to 3, 7
+  signal slice0winner2_best_place_0, slice0winner2_best_at_start_0, slice0winner2_best_at_end_0 : boolean_1d(0 to 1);
+  signal slice0winner2_tag : tag_3;
   -- slice0winner3
   signal slice0winner3_best_cost_0_0, slice0winner3_best_below_0_0 : natural range 0 to 4095;
   signal slice0winner3_best_above_0_0, slice0winner3_best_first_0_0 : natural range 0 to 4095;
@@ -292,13 +308,13 @@ architecture rtl of stereo_core_census_640_f8 is
   signal slice0winner3_best_but_last_0_0 : natural range 0 to 4095;
   signal slice0winner3_best_index_0_0 : natural range 0 to 7;
   signal slice0winner3_best_place_0_0, slice0winner3_best_at_start_0_0, slice0winner3_best_at_end_0_0 : boolean;
-  signal slice0winner3_tag_valid, slice0winner3_tag_map_column, slice0winner3_tag_first_column : boolean;
+  signal slice0winner3_tag : tag_3;
   -- slice0
   signal slice0_best_index_0_0 : natural range 0 to 7;
   signal slice0_best_below_0_0, slice0_best_above_0_0, slice0_best_first_0_0 : natural range 0 to 4095;
   signal slice0_best_last_0_0, slice0_best_late_cost_0_0, slice0_best_second_0_0 : natural range 0 to 4095;
   signal slice0_best_but_first_0_0, slice0_best_but_last_0_0 : natural range 0 to 4095;
-  signal slice0_best_tag_valid, slice0_best_tag_map_column, slice0_best_tag_first_column : boolean;
+  signal slice0_best_tag : tag_3;
   -- best
   signal best_read_index_0_0, best_waiting_index_0_0, best_ready_index_0_0, best_pass : natural range 0 to 7;
   signal best_read_below_0_0, best_read_above_0_0, best_read_first_0_0, best_read_last_0_0 : natural range 0 to 4095;
@@ -311,16 +327,15 @@ architecture rtl of stereo_core_census_640_f8 is
   signal best_ready_but_first_0_0, best_ready_but_last_0_0, best_ready_words_2 : natural range 0 to 4095;
   signal best_compared_below_0_0, best_compared_above_0_0, best_compared_first_0_0 : natural range 0 to 4095;
   signal best_compared_last_0_0, best_compared_late_cost_0_0, best_compared_second_0_0 : natural range 0 to 4095;
-  signal best_compared_but_first_0_0, best_compared_but_last_0_0, best_compared_words_2 : natural range 0 to 4095;
+  signal best_compared_but_first_0_0, best_compared_but_last_0_0 : natural range 0 to 4095;
+  signal best_compared_words : natural_16777215_1d(1 to 2);  -- best_compared_words_# up to 16777215, 4095
   signal best_best_cost_0_0, best_best_below_0_0, best_best_above_0_0, best_best_last_0_0 : natural range 0 to 4095;
   signal best_best_late_cost_0_0, best_best_second_0_0, best_best_but_last_0_0 : natural range 0 to 4095;
   signal best_kept_cost : natural range 0 to 4095;
-  signal best_read_tag_valid, best_read_tag_map_column, best_read_tag_first_column, best_waiting_tag_valid : boolean;
-  signal best_waiting_tag_map_column, best_waiting_tag_first_column, best_ready_tag_valid : boolean;
-  signal best_ready_tag_map_column, best_ready_tag_first_column, best_compared_tag_valid : boolean;
-  signal best_compared_tag_map_column, best_compared_tag_first_column, best_first_pass, best_last_pass : boolean;
-  signal best_here_wins, best_here_is_first, best_before_is_last, best_best_place_0_0, best_best_at_start_0_0 : boolean;
-  signal best_best_at_end_0_0, best_best_tag_valid, best_best_tag_map_column, best_best_tag_first_column : boolean;
+  signal best_read_tag, best_waiting_tag, best_ready_tag, best_compared_tag : tag_3;
+  signal best_first_pass, best_last_pass, best_here_wins, best_here_is_first, best_before_is_last : boolean;
+  signal best_best_place_0_0, best_best_at_start_0_0, best_best_at_end_0_0 : boolean;
+  signal best_best_tag : tag_3;
   signal best_was_first : boolean;
   signal best_column, best_late_column, best_place_column, best_write_column : natural range 0 to 1023;
   signal best_late_write_column : natural range 0 to 1023;
@@ -328,8 +343,7 @@ architecture rtl of stereo_core_census_640_f8 is
   signal best_read_words_1, best_read_losers_0 : unsigned(23 downto 0);
   signal best_read_words_2 : unsigned(11 downto 0);
   signal best_ready_words_0 : natural range 0 to 1048575;
-  signal best_ready_words_1, best_ready_losers_0, best_compared_words_1 : natural range 0 to 16777215;
-  signal best_compared_losers_0 : natural range 0 to 16777215;
+  signal best_ready_words_1, best_ready_losers_0, best_compared_losers_0 : natural range 0 to 16777215;
   signal best_base, best_compared_index_0_0, best_best_index_0_0 : natural range 0 to 255;
   signal best_last_before : natural range 7 to 255;
   -- refinement
@@ -348,9 +362,10 @@ architecture rtl of stereo_core_census_640_f8 is
   signal refinement_scaled_gap_0 : natural range 0 to 81900;
   signal refinement_difference_0 : integer range -4095 to 4095;
   -- winners
-  signal winners_row, winners_read_tag_valid, winners_read_tag_map_column, winners_read_tag_start_of_frame : boolean;
-  signal winners_read_tag_end_of_line, winners_winners_passed_0, winners_winners_tag_valid : boolean;
-  signal winners_winners_tag_map_column, winners_winners_tag_start_of_frame, winners_winners_tag_end_of_line : boolean;
+  signal winners_row : boolean;
+  signal winners_read_tag : tag_4_b;
+  signal winners_winners_passed_0 : boolean;
+  signal winners_winners_tag : tag_4_b;
   signal winners_column : natural range 0 to 1023;
   signal winners_write_address, winners_read_address, winners_address_out : natural range 0 to 2047;
   signal winners_write_word_0 : natural range 0 to 4095;
@@ -363,12 +378,12 @@ architecture rtl of stereo_core_census_640_f8 is
   signal check_write_place : natural range 0 to 1023;
   signal check_read_counts, check_read_has_before, check_read_row, check_waiting_counts : boolean;
   signal check_waiting_has_before, check_waiting_row, check_ready_counts, check_ready_has_before : boolean;
-  signal check_ready_row, check_asking_passed_0, check_asking_tag_valid, check_asking_tag_map_column : boolean;
-  signal check_asking_tag_start_of_frame, check_asking_tag_end_of_line, check_answered_passed_0 : boolean;
-  signal check_answered_tag_valid, check_answered_tag_map_column, check_answered_tag_start_of_frame : boolean;
-  signal check_answered_tag_end_of_line, check_checked_passed_0, check_checked_tag_valid : boolean;
-  signal check_checked_tag_row_start, check_checked_tag_map_column, check_checked_tag_start_of_frame : boolean;
-  signal check_checked_tag_end_of_line : boolean;
+  signal check_ready_row, check_asking_passed_0 : boolean;
+  signal check_asking_tag : tag_4_b;
+  signal check_answered_passed_0 : boolean;
+  signal check_answered_tag : tag_4_b;
+  signal check_checked_passed_0 : boolean;
+  signal check_checked_tag : tag_5_c;
   signal check_pass : natural range 0 to 7;
   signal check_first : natural range 0 to 1016;
   signal check_waiting_cost, check_ready_cost, check_cost : natural range 0 to 4095;
@@ -424,146 +439,6 @@ architecture rtl of stereo_core_census_640_f8 is
   signal other_11 : natural range 0 to 192;
   signal other_12 : natural range 0 to 128;
   signal other_13 : natural range 0 to 4095;
-  signal transform_left_rows_read_words_0_memory_read_enable : boolean;
-  signal transform_left_rows_read_words_0_memory_read_address : unsigned(9 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_address : unsigned(9 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
-  signal transform_right_rows_read_words_0_memory_read_enable : boolean;
-  signal transform_right_rows_read_words_0_memory_read_address : unsigned(9 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_address : unsigned(9 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
-  signal other_4_memory_read_enable : boolean;
-  signal other_4_memory_read_address, other_4_memory_write_address : unsigned(9 downto 0);
-  signal other_4_memory_write_data : unsigned(25 downto 0);
-  signal check_read_words_0_memory_read_enable : boolean;
-  signal check_read_words_0_memory_read_address, check_read_words_0_memory_write_address : unsigned(9 downto 0);
-  signal check_read_words_0_memory_write_data : unsigned(19 downto 0);
-  signal check_found_0_memory_read_enable : boolean;
-  signal check_found_0_memory_read_address, check_found_0_memory_write_address : unsigned(10 downto 0);
-  signal check_found_0_memory_write_data : unsigned(7 downto 0);
-  signal winners_read_word_0_memory_read_enable : boolean;
-  signal winners_read_word_0_memory_read_address, winners_read_word_0_memory_write_address : unsigned(10 downto 0);
-  signal winners_read_word_0_memory_write_data : unsigned(11 downto 0);
-  signal best_read_words_2_memory_read_enable : boolean;
-  signal best_read_words_2_memory_read_address, best_read_words_2_memory_write_address : unsigned(9 downto 0);
-  signal best_read_words_2_memory_write_data : unsigned(11 downto 0);
-  signal best_read_words_1_memory_read_enable : boolean;
-  signal best_read_words_1_memory_read_address, best_read_words_1_memory_write_address : unsigned(9 downto 0);
-  signal best_read_words_1_memory_write_data : unsigned(23 downto 0);
-  signal best_read_words_0_memory_read_enable : boolean;
-  signal best_read_words_0_memory_read_address, best_read_words_0_memory_write_address : unsigned(9 downto 0);
-  signal best_read_words_0_memory_write_data : unsigned(19 downto 0);
-  signal best_read_losers_0_memory_read_enable : boolean;
-  signal best_read_losers_0_memory_read_address, best_read_losers_0_memory_write_address : unsigned(9 downto 0);
-  signal best_read_losers_0_memory_write_data : unsigned(23 downto 0);
-  signal slice0window_leaving_1_memory_read_enable : boolean;
-  signal slice0window_leaving_1_memory_read_address, slice0window_leaving_1_memory_write_address : unsigned(3 downto 0);
-  signal slice0window_leaving_1_memory_write_data : unsigned(31 downto 0);
-  signal slice0window_leaving_0_memory_read_enable : boolean;
-  signal slice0window_leaving_0_memory_read_address, slice0window_leaving_0_memory_write_address : unsigned(3 downto 0);
-  signal slice0window_leaving_0_memory_write_data : unsigned(31 downto 0);
-  signal slice0cost_read_words_3_memory_read_enable : boolean;
-  signal slice0cost_read_words_3_memory_read_address : unsigned(12 downto 0);
-  signal slice0cost_read_words_3_memory_write_address : unsigned(12 downto 0);
-  signal slice0cost_read_words_3_memory_write_data : unsigned(15 downto 0);
-  signal slice0cost_read_words_2_memory_read_enable : boolean;
-  signal slice0cost_read_words_2_memory_read_address : unsigned(12 downto 0);
-  signal slice0cost_read_words_2_memory_write_address : unsigned(12 downto 0);
-  signal slice0cost_read_words_2_memory_write_data : unsigned(15 downto 0);
-  signal slice0cost_read_words_1_memory_read_enable : boolean;
-  signal slice0cost_read_words_1_memory_read_address : unsigned(12 downto 0);
-  signal slice0cost_read_words_1_memory_write_address : unsigned(12 downto 0);
-  signal slice0cost_read_words_1_memory_write_data : unsigned(15 downto 0);
-  signal slice0cost_read_words_0_memory_read_enable : boolean;
-  signal slice0cost_read_words_0_memory_read_address : unsigned(12 downto 0);
-  signal slice0cost_read_words_0_memory_write_address : unsigned(12 downto 0);
-  signal slice0cost_read_words_0_memory_write_data : unsigned(15 downto 0);
-  signal passes_read_search_1_memory_read_enable : boolean;
-  signal passes_read_search_1_memory_read_address, passes_read_search_1_memory_write_address : unsigned(10 downto 0);
-  signal passes_read_search_1_memory_write_data : unsigned(25 downto 0);
-  signal passes_read_search_0_memory_read_enable : boolean;
-  signal passes_read_search_0_memory_read_address, passes_read_search_0_memory_write_address : unsigned(10 downto 0);
-  signal passes_read_search_0_memory_write_data : unsigned(25 downto 0);
-  signal passes_read_reference_1_memory_read_enable : boolean;
-  signal passes_read_reference_1_memory_read_address : unsigned(10 downto 0);
-  signal passes_read_reference_1_memory_write_address : unsigned(10 downto 0);
-  signal passes_read_reference_1_memory_write_data : unsigned(25 downto 0);
-  signal passes_read_reference_0_memory_read_enable : boolean;
-  signal passes_read_reference_0_memory_read_address : unsigned(10 downto 0);
-  signal passes_read_reference_0_memory_write_address : unsigned(10 downto 0);
-  signal passes_read_reference_0_memory_write_data : unsigned(25 downto 0);
-  signal rows_search_rows_read_words_8_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_8_memory_read_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_8_memory_write_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_8_memory_write_data : unsigned(25 downto 0);
-  signal rows_search_rows_read_words_7_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_7_memory_read_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_7_memory_write_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_7_memory_write_data : unsigned(25 downto 0);
-  signal rows_search_rows_read_words_6_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_6_memory_read_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_6_memory_write_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_6_memory_write_data : unsigned(25 downto 0);
-  signal rows_search_rows_read_words_5_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_5_memory_read_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_5_memory_write_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_5_memory_write_data : unsigned(25 downto 0);
-  signal rows_search_rows_read_words_4_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_4_memory_read_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_4_memory_write_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_4_memory_write_data : unsigned(25 downto 0);
-  signal rows_search_rows_read_words_3_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_3_memory_read_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_3_memory_write_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_3_memory_write_data : unsigned(25 downto 0);
-  signal rows_search_rows_read_words_2_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_2_memory_read_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_2_memory_write_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_2_memory_write_data : unsigned(25 downto 0);
-  signal rows_search_rows_read_words_1_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_1_memory_read_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_1_memory_write_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_1_memory_write_data : unsigned(25 downto 0);
-  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_0_memory_read_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_data : unsigned(25 downto 0);
-  signal rows_reference_rows_read_words_8_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_8_memory_read_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_8_memory_write_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_8_memory_write_data : unsigned(25 downto 0);
-  signal rows_reference_rows_read_words_7_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_7_memory_read_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_7_memory_write_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_7_memory_write_data : unsigned(25 downto 0);
-  signal rows_reference_rows_read_words_6_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_6_memory_read_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_6_memory_write_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_6_memory_write_data : unsigned(25 downto 0);
-  signal rows_reference_rows_read_words_5_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_5_memory_read_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_5_memory_write_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_5_memory_write_data : unsigned(25 downto 0);
-  signal rows_reference_rows_read_words_4_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_4_memory_read_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_4_memory_write_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_4_memory_write_data : unsigned(25 downto 0);
-  signal rows_reference_rows_read_words_3_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_3_memory_read_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_3_memory_write_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_3_memory_write_data : unsigned(25 downto 0);
-  signal rows_reference_rows_read_words_2_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_2_memory_read_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_2_memory_write_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_2_memory_write_data : unsigned(25 downto 0);
-  signal rows_reference_rows_read_words_1_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_1_memory_read_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_1_memory_write_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_1_memory_write_data : unsigned(25 downto 0);
-  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(25 downto 0);
 
 begin
   in_valid <= valid = '1';
@@ -576,451 +451,238 @@ begin
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
 
-  transform_left_rows_read_words_0_memory_read_enable <= true;
-  transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 10);
-  transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 10);
-  transform_left_rows_read_words_0_memory_write_data <= to_unsigned(transform_left_rows_write_words_0, 16);
-  transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 16, address_bits => 10)
-    port map (
-      clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
-      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words_0,
-      write_address => transform_left_rows_read_words_0_memory_write_address, write_data => transform_left_rows_read_words_0_memory_write_data);
+  transform_left_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(15 downto 0);
+  begin
+    read_address <= to_unsigned(transform_counter_column, 10);
+    write_address <= to_unsigned(transform_write_column, 10);
+    write_data <= to_unsigned(transform_left_rows_write_words_0, 16);
+    cell : entity work.line_memory
+      generic map (depth => 640, width => 16, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        transform_left_rows_read_words_0, write_address => write_address, write_data => write_data);
+  end block;
 
-  transform_right_rows_read_words_0_memory_read_enable <= true;
-  transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 10);
-  transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 10);
-  transform_right_rows_read_words_0_memory_write_data <= to_unsigned(transform_right_rows_write_words_0, 16);
-  transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 16, address_bits => 10)
-    port map (
-      clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
-      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words_0,
-      write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
+  transform_right_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(15 downto 0);
+  begin
+    read_address <= to_unsigned(transform_counter_column, 10);
+    write_address <= to_unsigned(transform_write_column, 10);
+    write_data <= to_unsigned(transform_right_rows_write_words_0, 16);
+    cell : entity work.line_memory
+      generic map (depth => 640, width => 16, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        transform_right_rows_read_words_0, write_address => write_address, write_data => write_data);
+  end block;
 
-  other_4_memory_read_enable <= true;
-  other_4_memory_read_address <= to_unsigned(map_counter_column, 10);
-  other_4_memory_write_address <= to_unsigned(map_at_column, 10);
-  other_4_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
-  other_4_memory : entity work.line_memory
-    generic map (depth => 576, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => other_4_memory_read_enable,
-      read_address => other_4_memory_read_address, read_data => other_4,
-      write_address => other_4_memory_write_address, write_data => other_4_memory_write_data);
+  other_4_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(25 downto 0);
+  begin
+    read_address <= to_unsigned(map_counter_column, 10);
+    write_address <= to_unsigned(map_at_column, 10);
+    write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
+    cell : entity work.line_memory
+      generic map (depth => 576, width => 26, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => other_4, write_address
+        => write_address, write_data => write_data);
+  end block;
 
-  check_read_words_0_memory_read_enable <= true;
-  check_read_words_0_memory_read_address <= to_unsigned(check_read_place, 10);
-  check_read_words_0_memory_write_address <= to_unsigned(check_write_place, 10);
-  check_read_words_0_memory_write_data <= to_unsigned(check_winner, 8) & to_unsigned(check_cost, 12);
-  check_read_words_0_memory : entity work.line_memory
-    generic map (depth => 1024, width => 20, address_bits => 10)
-    port map (
-      clock => clock, read_enable => check_read_words_0_memory_read_enable,
-      read_address => check_read_words_0_memory_read_address, read_data => check_read_words_0,
-      write_address => check_read_words_0_memory_write_address, write_data => check_read_words_0_memory_write_data);
+  check_read_words_0_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(19 downto 0);
+  begin
+    read_address <= to_unsigned(check_read_place, 10);
+    write_address <= to_unsigned(check_write_place, 10);
+    write_data <= to_unsigned(check_winner, 8) & to_unsigned(check_cost, 12);
+    cell : entity work.line_memory
+      generic map (depth => 1024, width => 20, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => check_read_words_0,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  check_found_0_memory_read_enable <= true;
-  check_found_0_memory_read_address <= to_unsigned(check_address, 11);
-  check_found_0_memory_write_address <= to_unsigned(check_write_address, 11);
-  check_found_0_memory_write_data <= to_unsigned(check_winner, 8);
-  check_found_0_memory : entity work.line_memory
-    generic map (depth => 2048, width => 8, address_bits => 11)
-    port map (
-      clock => clock, read_enable => check_found_0_memory_read_enable,
-      read_address => check_found_0_memory_read_address, read_data => check_found_0,
-      write_address => check_found_0_memory_write_address, write_data => check_found_0_memory_write_data);
+  check_found_0_memory : block
+    signal read_address, write_address : unsigned(10 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(check_address, 11);
+    write_address <= to_unsigned(check_write_address, 11);
+    write_data <= to_unsigned(check_winner, 8);
+    cell : entity work.line_memory
+      generic map (depth => 2048, width => 8, address_bits => 11)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => check_found_0,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  winners_read_word_0_memory_read_enable <= true;
-  winners_read_word_0_memory_read_address <= to_unsigned(passes_write_address, 11);
-  winners_read_word_0_memory_write_address <= to_unsigned(winners_write_address, 11);
-  winners_read_word_0_memory_write_data <= to_unsigned(winners_write_word_0, 12);
-  winners_read_word_0_memory : entity work.line_memory
-    generic map (depth => 2048, width => 12, address_bits => 11)
-    port map (
-      clock => clock, read_enable => winners_read_word_0_memory_read_enable,
-      read_address => winners_read_word_0_memory_read_address, read_data => winners_read_word_0,
-      write_address => winners_read_word_0_memory_write_address, write_data => winners_read_word_0_memory_write_data);
+  winners_read_word_0_memory : block
+    signal read_address, write_address : unsigned(10 downto 0);
+    signal write_data : unsigned(11 downto 0);
+  begin
+    read_address <= to_unsigned(passes_write_address, 11);
+    write_address <= to_unsigned(winners_write_address, 11);
+    write_data <= to_unsigned(winners_write_word_0, 12);
+    cell : entity work.line_memory
+      generic map (depth => 2048, width => 12, address_bits => 11)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => winners_read_word_0,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  best_read_words_2_memory_read_enable <= true;
-  best_read_words_2_memory_read_address <= to_unsigned(best_column, 10);
-  best_read_words_2_memory_write_address <= to_unsigned(best_write_column, 10);
-  best_read_words_2_memory_write_data <= to_unsigned(best_best_last_0_0, 12);
-  best_read_words_2_memory : entity work.line_memory
-    generic map (depth => 1024, width => 12, address_bits => 10)
-    port map (
-      clock => clock, read_enable => best_read_words_2_memory_read_enable,
-      read_address => best_read_words_2_memory_read_address, read_data => best_read_words_2,
-      write_address => best_read_words_2_memory_write_address, write_data => best_read_words_2_memory_write_data);
+  best_read_words_2_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(11 downto 0);
+  begin
+    read_address <= to_unsigned(best_column, 10);
+    write_address <= to_unsigned(best_write_column, 10);
+    write_data <= to_unsigned(best_best_last_0_0, 12);
+    cell : entity work.line_memory
+      generic map (depth => 1024, width => 12, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => best_read_words_2,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  best_read_words_1_memory_read_enable <= true;
-  best_read_words_1_memory_read_address <= to_unsigned(best_column, 10);
-  best_read_words_1_memory_write_address <= to_unsigned(best_write_column, 10);
-  best_read_words_1_memory_write_data <= to_unsigned(best_best_above_0_0, 12) & to_unsigned(best_best_below_0_0, 12);
-  best_read_words_1_memory : entity work.line_memory
-    generic map (depth => 1024, width => 24, address_bits => 10)
-    port map (
-      clock => clock, read_enable => best_read_words_1_memory_read_enable,
-      read_address => best_read_words_1_memory_read_address, read_data => best_read_words_1,
-      write_address => best_read_words_1_memory_write_address, write_data => best_read_words_1_memory_write_data);
+  best_read_words_1_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(23 downto 0);
+  begin
+    read_address <= to_unsigned(best_column, 10);
+    write_address <= to_unsigned(best_write_column, 10);
+    write_data <= to_unsigned(best_best_above_0_0, 12) & to_unsigned(best_best_below_0_0, 12);
+    cell : entity work.line_memory
+      generic map (depth => 1024, width => 24, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => best_read_words_1,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  best_read_words_0_memory_read_enable <= true;
-  best_read_words_0_memory_read_address <= to_unsigned(best_column, 10);
-  best_read_words_0_memory_write_address <= to_unsigned(best_write_column, 10);
-  best_read_words_0_memory_write_data <= to_unsigned(best_best_index_0_0, 8) & to_unsigned(best_best_cost_0_0, 12);
-  best_read_words_0_memory : entity work.line_memory
-    generic map (depth => 1024, width => 20, address_bits => 10)
-    port map (
-      clock => clock, read_enable => best_read_words_0_memory_read_enable,
-      read_address => best_read_words_0_memory_read_address, read_data => best_read_words_0,
-      write_address => best_read_words_0_memory_write_address, write_data => best_read_words_0_memory_write_data);
+  best_read_words_0_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(19 downto 0);
+  begin
+    read_address <= to_unsigned(best_column, 10);
+    write_address <= to_unsigned(best_write_column, 10);
+    write_data <= to_unsigned(best_best_index_0_0, 8) & to_unsigned(best_best_cost_0_0, 12);
+    cell : entity work.line_memory
+      generic map (depth => 1024, width => 20, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => best_read_words_0,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  best_read_losers_0_memory_read_enable <= true;
-  best_read_losers_0_memory_read_address <= to_unsigned(best_late_column, 10);
-  best_read_losers_0_memory_write_address <= to_unsigned(best_late_write_column, 10);
-  best_read_losers_0_memory_write_data <= to_unsigned(best_best_but_last_0_0, 12) & to_unsigned(best_best_second_0_0, 12);
-  best_read_losers_0_memory : entity work.line_memory
-    generic map (depth => 1024, width => 24, address_bits => 10)
-    port map (
-      clock => clock, read_enable => best_read_losers_0_memory_read_enable,
-      read_address => best_read_losers_0_memory_read_address, read_data => best_read_losers_0,
-      write_address => best_read_losers_0_memory_write_address, write_data => best_read_losers_0_memory_write_data);
+  best_read_losers_0_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(23 downto 0);
+  begin
+    read_address <= to_unsigned(best_late_column, 10);
+    write_address <= to_unsigned(best_late_write_column, 10);
+    write_data <= to_unsigned(best_best_but_last_0_0, 12) & to_unsigned(best_best_second_0_0, 12);
+    cell : entity work.line_memory
+      generic map (depth => 1024, width => 24, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => best_read_losers_0,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  slice0window_leaving_1_memory_read_enable <= true;
-  slice0window_leaving_1_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
-  slice0window_leaving_1_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
-  slice0window_leaving_1_memory_write_data <= to_unsigned(slice0cost_column_0(7), 8) & to_unsigned(slice0cost_column_0(6), 8) & to_unsigned(slice0cost_column_0(5), 8) & to_unsigned(slice0cost_column_0(4), 8);
-  slice0window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_1_memory_read_enable,
-      read_address => slice0window_leaving_1_memory_read_address, read_data => slice0window_leaving(1),
-      write_address => slice0window_leaving_1_memory_write_address, write_data => slice0window_leaving_1_memory_write_data);
+  slice0window_leaving_memory : for i in 1 downto 0 generate
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(31 downto 0);
+  begin
+    read_address <= to_unsigned(slice0window_ring_read_address, 4);
+    write_address <= to_unsigned(slice0window_ring_write_address, 4);
+    write_data <= to_unsigned(slice0cost_column_0(4 * i + 3), 8) & to_unsigned(slice0cost_column_0(4 * i + 2), 8) &
+      to_unsigned(slice0cost_column_0(4 * i + 1), 8) & to_unsigned(slice0cost_column_0(4 * i), 8);
+    cell : entity work.line_memory
+      generic map (depth => 10, width => 32, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice0window_leaving(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  slice0window_leaving_0_memory_read_enable <= true;
-  slice0window_leaving_0_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
-  slice0window_leaving_0_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
-  slice0window_leaving_0_memory_write_data <= to_unsigned(slice0cost_column_0(3), 8) & to_unsigned(slice0cost_column_0(2), 8) & to_unsigned(slice0cost_column_0(1), 8) & to_unsigned(slice0cost_column_0(0), 8);
-  slice0window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_0_memory_read_enable,
-      read_address => slice0window_leaving_0_memory_read_address, read_data => slice0window_leaving(0),
-      write_address => slice0window_leaving_0_memory_write_address, write_data => slice0window_leaving_0_memory_write_data);
+  slice0cost_read_words_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(12 downto 0);
+    signal write_data : unsigned(15 downto 0);
+  begin
+    read_address <= to_unsigned(slice0cost_read_column, 13);
+    write_address <= to_unsigned(slice0cost_write_column, 13);
+    write_data <= to_unsigned(slice0cost_write_words(i), 16);
+    cell : entity work.line_memory
+      generic map (depth => 4711, width => 16, address_bits => 13)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice0cost_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  slice0cost_read_words_3_memory_read_enable <= true;
-  slice0cost_read_words_3_memory_read_address <= to_unsigned(slice0cost_read_column, 13);
-  slice0cost_read_words_3_memory_write_address <= to_unsigned(slice0cost_write_column, 13);
-  slice0cost_read_words_3_memory_write_data <= to_unsigned(slice0cost_write_words(3), 16);
-  slice0cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 4711, width => 16, address_bits => 13)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_3_memory_read_enable,
-      read_address => slice0cost_read_words_3_memory_read_address, read_data => slice0cost_read_words(3),
-      write_address => slice0cost_read_words_3_memory_write_address, write_data => slice0cost_read_words_3_memory_write_data);
+  passes_read_search_memory : for i in 1 downto 0 generate
+    signal read_address, write_address : unsigned(10 downto 0);
+    signal write_data : unsigned(25 downto 0);
+  begin
+    read_address <= to_unsigned(passes_search_address, 11);
+    write_address <= to_unsigned(passes_write_address, 11);
+    write_data <= to_unsigned(passes_write_search(i), 26);
+    cell : entity work.line_memory
+      generic map (depth => 2048, width => 26, address_bits => 11)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => passes_read_search(i),
+        write_address => write_address, write_data => write_data);
+  end generate;
 
-  slice0cost_read_words_2_memory_read_enable <= true;
-  slice0cost_read_words_2_memory_read_address <= to_unsigned(slice0cost_read_column, 13);
-  slice0cost_read_words_2_memory_write_address <= to_unsigned(slice0cost_write_column, 13);
-  slice0cost_read_words_2_memory_write_data <= to_unsigned(slice0cost_write_words(2), 16);
-  slice0cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 4711, width => 16, address_bits => 13)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_2_memory_read_enable,
-      read_address => slice0cost_read_words_2_memory_read_address, read_data => slice0cost_read_words(2),
-      write_address => slice0cost_read_words_2_memory_write_address, write_data => slice0cost_read_words_2_memory_write_data);
+  passes_read_reference_memory : for i in 1 downto 0 generate
+    signal read_address, write_address : unsigned(10 downto 0);
+    signal write_data : unsigned(25 downto 0);
+  begin
+    read_address <= to_unsigned(passes_reference_address, 11);
+    write_address <= to_unsigned(passes_write_address, 11);
+    write_data <= to_unsigned(passes_write_reference(i), 26);
+    cell : entity work.line_memory
+      generic map (depth => 2048, width => 26, address_bits => 11)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        passes_read_reference(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  slice0cost_read_words_1_memory_read_enable <= true;
-  slice0cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_read_column, 13);
-  slice0cost_read_words_1_memory_write_address <= to_unsigned(slice0cost_write_column, 13);
-  slice0cost_read_words_1_memory_write_data <= to_unsigned(slice0cost_write_words(1), 16);
-  slice0cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 4711, width => 16, address_bits => 13)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_1_memory_read_enable,
-      read_address => slice0cost_read_words_1_memory_read_address, read_data => slice0cost_read_words(1),
-      write_address => slice0cost_read_words_1_memory_write_address, write_data => slice0cost_read_words_1_memory_write_data);
+  rows_search_rows_read_words_memory : for i in 8 downto 0 generate
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(25 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 10);
+    write_address <= to_unsigned(rows_write_column, 10);
+    write_data <= to_unsigned(rows_search_rows_write_words(i), 26);
+    cell : entity work.line_memory
+      generic map (depth => 640, width => 26, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_search_rows_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  slice0cost_read_words_0_memory_read_enable <= true;
-  slice0cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_read_column, 13);
-  slice0cost_read_words_0_memory_write_address <= to_unsigned(slice0cost_write_column, 13);
-  slice0cost_read_words_0_memory_write_data <= to_unsigned(slice0cost_write_words(0), 16);
-  slice0cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 4711, width => 16, address_bits => 13)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_0_memory_read_enable,
-      read_address => slice0cost_read_words_0_memory_read_address, read_data => slice0cost_read_words(0),
-      write_address => slice0cost_read_words_0_memory_write_address, write_data => slice0cost_read_words_0_memory_write_data);
-
-  passes_read_search_1_memory_read_enable <= true;
-  passes_read_search_1_memory_read_address <= to_unsigned(passes_search_address, 11);
-  passes_read_search_1_memory_write_address <= to_unsigned(passes_write_address, 11);
-  passes_read_search_1_memory_write_data <= to_unsigned(passes_write_search(1), 26);
-  passes_read_search_1_memory : entity work.line_memory
-    generic map (depth => 2048, width => 26, address_bits => 11)
-    port map (
-      clock => clock, read_enable => passes_read_search_1_memory_read_enable,
-      read_address => passes_read_search_1_memory_read_address, read_data => passes_read_search(1),
-      write_address => passes_read_search_1_memory_write_address, write_data => passes_read_search_1_memory_write_data);
-
-  passes_read_search_0_memory_read_enable <= true;
-  passes_read_search_0_memory_read_address <= to_unsigned(passes_search_address, 11);
-  passes_read_search_0_memory_write_address <= to_unsigned(passes_write_address, 11);
-  passes_read_search_0_memory_write_data <= to_unsigned(passes_write_search(0), 26);
-  passes_read_search_0_memory : entity work.line_memory
-    generic map (depth => 2048, width => 26, address_bits => 11)
-    port map (
-      clock => clock, read_enable => passes_read_search_0_memory_read_enable,
-      read_address => passes_read_search_0_memory_read_address, read_data => passes_read_search(0),
-      write_address => passes_read_search_0_memory_write_address, write_data => passes_read_search_0_memory_write_data);
-
-  passes_read_reference_1_memory_read_enable <= true;
-  passes_read_reference_1_memory_read_address <= to_unsigned(passes_reference_address, 11);
-  passes_read_reference_1_memory_write_address <= to_unsigned(passes_write_address, 11);
-  passes_read_reference_1_memory_write_data <= to_unsigned(passes_write_reference(1), 26);
-  passes_read_reference_1_memory : entity work.line_memory
-    generic map (depth => 2048, width => 26, address_bits => 11)
-    port map (
-      clock => clock, read_enable => passes_read_reference_1_memory_read_enable,
-      read_address => passes_read_reference_1_memory_read_address, read_data => passes_read_reference(1),
-      write_address => passes_read_reference_1_memory_write_address, write_data => passes_read_reference_1_memory_write_data);
-
-  passes_read_reference_0_memory_read_enable <= true;
-  passes_read_reference_0_memory_read_address <= to_unsigned(passes_reference_address, 11);
-  passes_read_reference_0_memory_write_address <= to_unsigned(passes_write_address, 11);
-  passes_read_reference_0_memory_write_data <= to_unsigned(passes_write_reference(0), 26);
-  passes_read_reference_0_memory : entity work.line_memory
-    generic map (depth => 2048, width => 26, address_bits => 11)
-    port map (
-      clock => clock, read_enable => passes_read_reference_0_memory_read_enable,
-      read_address => passes_read_reference_0_memory_read_address, read_data => passes_read_reference(0),
-      write_address => passes_read_reference_0_memory_write_address, write_data => passes_read_reference_0_memory_write_data);
-
-  rows_search_rows_read_words_8_memory_read_enable <= true;
-  rows_search_rows_read_words_8_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_search_rows_read_words_8_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_search_rows_read_words_8_memory_write_data <= to_unsigned(rows_search_rows_write_words(8), 26);
-  rows_search_rows_read_words_8_memory : entity work.line_memory
-    generic map (depth => 640, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_8_memory_read_enable,
-      read_address => rows_search_rows_read_words_8_memory_read_address, read_data => rows_search_rows_read_words(8),
-      write_address => rows_search_rows_read_words_8_memory_write_address, write_data => rows_search_rows_read_words_8_memory_write_data);
-
-  rows_search_rows_read_words_7_memory_read_enable <= true;
-  rows_search_rows_read_words_7_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_search_rows_read_words_7_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_search_rows_read_words_7_memory_write_data <= to_unsigned(rows_search_rows_write_words(7), 26);
-  rows_search_rows_read_words_7_memory : entity work.line_memory
-    generic map (depth => 640, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_7_memory_read_enable,
-      read_address => rows_search_rows_read_words_7_memory_read_address, read_data => rows_search_rows_read_words(7),
-      write_address => rows_search_rows_read_words_7_memory_write_address, write_data => rows_search_rows_read_words_7_memory_write_data);
-
-  rows_search_rows_read_words_6_memory_read_enable <= true;
-  rows_search_rows_read_words_6_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_search_rows_read_words_6_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_search_rows_read_words_6_memory_write_data <= to_unsigned(rows_search_rows_write_words(6), 26);
-  rows_search_rows_read_words_6_memory : entity work.line_memory
-    generic map (depth => 640, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_6_memory_read_enable,
-      read_address => rows_search_rows_read_words_6_memory_read_address, read_data => rows_search_rows_read_words(6),
-      write_address => rows_search_rows_read_words_6_memory_write_address, write_data => rows_search_rows_read_words_6_memory_write_data);
-
-  rows_search_rows_read_words_5_memory_read_enable <= true;
-  rows_search_rows_read_words_5_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_search_rows_read_words_5_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_search_rows_read_words_5_memory_write_data <= to_unsigned(rows_search_rows_write_words(5), 26);
-  rows_search_rows_read_words_5_memory : entity work.line_memory
-    generic map (depth => 640, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_5_memory_read_enable,
-      read_address => rows_search_rows_read_words_5_memory_read_address, read_data => rows_search_rows_read_words(5),
-      write_address => rows_search_rows_read_words_5_memory_write_address, write_data => rows_search_rows_read_words_5_memory_write_data);
-
-  rows_search_rows_read_words_4_memory_read_enable <= true;
-  rows_search_rows_read_words_4_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_search_rows_read_words_4_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_search_rows_read_words_4_memory_write_data <= to_unsigned(rows_search_rows_write_words(4), 26);
-  rows_search_rows_read_words_4_memory : entity work.line_memory
-    generic map (depth => 640, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_4_memory_read_enable,
-      read_address => rows_search_rows_read_words_4_memory_read_address, read_data => rows_search_rows_read_words(4),
-      write_address => rows_search_rows_read_words_4_memory_write_address, write_data => rows_search_rows_read_words_4_memory_write_data);
-
-  rows_search_rows_read_words_3_memory_read_enable <= true;
-  rows_search_rows_read_words_3_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_search_rows_read_words_3_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_search_rows_read_words_3_memory_write_data <= to_unsigned(rows_search_rows_write_words(3), 26);
-  rows_search_rows_read_words_3_memory : entity work.line_memory
-    generic map (depth => 640, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_3_memory_read_enable,
-      read_address => rows_search_rows_read_words_3_memory_read_address, read_data => rows_search_rows_read_words(3),
-      write_address => rows_search_rows_read_words_3_memory_write_address, write_data => rows_search_rows_read_words_3_memory_write_data);
-
-  rows_search_rows_read_words_2_memory_read_enable <= true;
-  rows_search_rows_read_words_2_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_search_rows_read_words_2_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_search_rows_read_words_2_memory_write_data <= to_unsigned(rows_search_rows_write_words(2), 26);
-  rows_search_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 640, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_2_memory_read_enable,
-      read_address => rows_search_rows_read_words_2_memory_read_address, read_data => rows_search_rows_read_words(2),
-      write_address => rows_search_rows_read_words_2_memory_write_address, write_data => rows_search_rows_read_words_2_memory_write_data);
-
-  rows_search_rows_read_words_1_memory_read_enable <= true;
-  rows_search_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_search_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words(1), 26);
-  rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 640, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_1_memory_read_enable,
-      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words(1),
-      write_address => rows_search_rows_read_words_1_memory_write_address, write_data => rows_search_rows_read_words_1_memory_write_data);
-
-  rows_search_rows_read_words_0_memory_read_enable <= true;
-  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words(0), 26);
-  rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
-      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words(0),
-      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
-
-  rows_reference_rows_read_words_8_memory_read_enable <= true;
-  rows_reference_rows_read_words_8_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_reference_rows_read_words_8_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_reference_rows_read_words_8_memory_write_data <= to_unsigned(rows_reference_rows_write_words(8), 26);
-  rows_reference_rows_read_words_8_memory : entity work.line_memory
-    generic map (depth => 640, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_8_memory_read_enable,
-      read_address => rows_reference_rows_read_words_8_memory_read_address, read_data => rows_reference_rows_read_words(8),
-      write_address => rows_reference_rows_read_words_8_memory_write_address, write_data => rows_reference_rows_read_words_8_memory_write_data);
-
-  rows_reference_rows_read_words_7_memory_read_enable <= true;
-  rows_reference_rows_read_words_7_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_reference_rows_read_words_7_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_reference_rows_read_words_7_memory_write_data <= to_unsigned(rows_reference_rows_write_words(7), 26);
-  rows_reference_rows_read_words_7_memory : entity work.line_memory
-    generic map (depth => 640, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_7_memory_read_enable,
-      read_address => rows_reference_rows_read_words_7_memory_read_address, read_data => rows_reference_rows_read_words(7),
-      write_address => rows_reference_rows_read_words_7_memory_write_address, write_data => rows_reference_rows_read_words_7_memory_write_data);
-
-  rows_reference_rows_read_words_6_memory_read_enable <= true;
-  rows_reference_rows_read_words_6_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_reference_rows_read_words_6_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_reference_rows_read_words_6_memory_write_data <= to_unsigned(rows_reference_rows_write_words(6), 26);
-  rows_reference_rows_read_words_6_memory : entity work.line_memory
-    generic map (depth => 640, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_6_memory_read_enable,
-      read_address => rows_reference_rows_read_words_6_memory_read_address, read_data => rows_reference_rows_read_words(6),
-      write_address => rows_reference_rows_read_words_6_memory_write_address, write_data => rows_reference_rows_read_words_6_memory_write_data);
-
-  rows_reference_rows_read_words_5_memory_read_enable <= true;
-  rows_reference_rows_read_words_5_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_reference_rows_read_words_5_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_reference_rows_read_words_5_memory_write_data <= to_unsigned(rows_reference_rows_write_words(5), 26);
-  rows_reference_rows_read_words_5_memory : entity work.line_memory
-    generic map (depth => 640, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_5_memory_read_enable,
-      read_address => rows_reference_rows_read_words_5_memory_read_address, read_data => rows_reference_rows_read_words(5),
-      write_address => rows_reference_rows_read_words_5_memory_write_address, write_data => rows_reference_rows_read_words_5_memory_write_data);
-
-  rows_reference_rows_read_words_4_memory_read_enable <= true;
-  rows_reference_rows_read_words_4_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_reference_rows_read_words_4_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_reference_rows_read_words_4_memory_write_data <= to_unsigned(rows_reference_rows_write_words(4), 26);
-  rows_reference_rows_read_words_4_memory : entity work.line_memory
-    generic map (depth => 640, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_4_memory_read_enable,
-      read_address => rows_reference_rows_read_words_4_memory_read_address, read_data => rows_reference_rows_read_words(4),
-      write_address => rows_reference_rows_read_words_4_memory_write_address, write_data => rows_reference_rows_read_words_4_memory_write_data);
-
-  rows_reference_rows_read_words_3_memory_read_enable <= true;
-  rows_reference_rows_read_words_3_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_reference_rows_read_words_3_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_reference_rows_read_words_3_memory_write_data <= to_unsigned(rows_reference_rows_write_words(3), 26);
-  rows_reference_rows_read_words_3_memory : entity work.line_memory
-    generic map (depth => 640, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_3_memory_read_enable,
-      read_address => rows_reference_rows_read_words_3_memory_read_address, read_data => rows_reference_rows_read_words(3),
-      write_address => rows_reference_rows_read_words_3_memory_write_address, write_data => rows_reference_rows_read_words_3_memory_write_data);
-
-  rows_reference_rows_read_words_2_memory_read_enable <= true;
-  rows_reference_rows_read_words_2_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_reference_rows_read_words_2_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_reference_rows_read_words_2_memory_write_data <= to_unsigned(rows_reference_rows_write_words(2), 26);
-  rows_reference_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 640, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_2_memory_read_enable,
-      read_address => rows_reference_rows_read_words_2_memory_read_address, read_data => rows_reference_rows_read_words(2),
-      write_address => rows_reference_rows_read_words_2_memory_write_address, write_data => rows_reference_rows_read_words_2_memory_write_data);
-
-  rows_reference_rows_read_words_1_memory_read_enable <= true;
-  rows_reference_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_reference_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words(1), 26);
-  rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 640, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_1_memory_read_enable,
-      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words(1),
-      write_address => rows_reference_rows_read_words_1_memory_write_address, write_data => rows_reference_rows_read_words_1_memory_write_data);
-
-  rows_reference_rows_read_words_0_memory_read_enable <= true;
-  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words(0), 26);
-  rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
-      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words(0),
-      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
+  rows_reference_rows_read_words_memory : for i in 8 downto 0 generate
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(25 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 10);
+    write_address <= to_unsigned(rows_write_column, 10);
+    write_data <= to_unsigned(rows_reference_rows_write_words(i), 26);
+    cell : entity work.line_memory
+      generic map (depth => 640, width => 26, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_reference_rows_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
 
   process (clock)
-    variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
+    variable transform_counter_group_is_equals : boolean_1d(1 to 2);  -- transform_counter_group_is_equal_#
     variable transform_counter_group_all, transform_counter_group_differs : boolean;
-    variable transform_read_column_inside_0_is_less, transform_left_filter_feature_0_value : boolean;
-    variable transform_left_filter_feature_0_any, transform_left_filter_feature_0_choice : boolean;
+    variable transform_read_column_inside_0_is_less : boolean;
+    variable transform_left_filter_feature_0_values : boolean_1d(1 to 11);  -- transform_left_filter_feature_0_value_#
+    variable transform_left_filter_feature_0_any : boolean;
+    variable transform_left_filter_feature_0_choices : boolean_1d(1 to 212);  -- transform_left_filter_feature_0_choice_#
     variable transform_left_filter_feature_0_is_equal : boolean;
-    variable transform_left_filter_feature_0_choices : boolean_1d(2 to 200);  -- transform_left_filter_feature_0_choice_#
-    variable transform_left_filter_feature_0_values : boolean_1d(2 to 11);  -- transform_left_filter_feature_0_value_#
-    variable transform_left_filter_feature_0_choices_from_205 : boolean_1d(205 to 212);  -- transform_left_filter_feature_0_choice_#
-    variable transform_right_filter_feature_0_value, transform_right_filter_feature_0_any : boolean;
-    variable transform_right_filter_feature_0_choice, transform_right_filter_feature_0_is_equal : boolean;
-    variable transform_right_filter_feature_0_choices : boolean_1d(2 to 200);  -- transform_right_filter_feature_0_choice_#
-    variable transform_right_filter_feature_0_values : boolean_1d(2 to 11);  -- transform_right_filter_feature_0_value_#
-    variable transform_right_filter_feature_0_choices_from_205 : boolean_1d(205 to 212);  -- transform_right_filter_feature_0_choice_#
-    variable transform_counter_next_frame_choice, transform_counter_next_frame_choice_2 : boolean;
+    variable transform_right_filter_feature_0_values : boolean_1d(1 to 11);  -- transform_right_filter_feature_0_value_#
+    variable transform_right_filter_feature_0_any : boolean;
+    variable transform_right_filter_feature_0_choices : boolean_1d(1 to 212);  -- transform_right_filter_feature_0_choice_#
+    variable transform_right_filter_feature_0_is_equal : boolean;
+    variable transform_counter_next_frame_choices : boolean_1d(1 to 2);  -- transform_counter_next_frame_choice_#
     variable raster_place_group_is_equal, delay_tag_first_column_is_equal, passes_row_is_equal : boolean;
-    variable passes_coming_first_group_choice, passes_coming_first_group_choice_2 : boolean;
-    variable passes_coming_output_choice, passes_coming_output_choice_2, passes_coming_starts_choice : boolean;
-    variable passes_coming_starts_choice_2, passes_row_ended_all, passes_shows_any : boolean;
-    variable passes_showing_first_group_differs, passes_showing_output_choice, passes_showing_output_choice_2 : boolean;
-    variable passes_leaving_starts_choice, passes_leaving_starts_choice_2 : boolean;
+    variable passes_coming_first_group_choices : boolean_1d(1 to 2);  -- passes_coming_first_group_choice_#
+    variable passes_coming_output_choices : boolean_1d(1 to 2);  -- passes_coming_output_choice_#
+    variable passes_coming_starts_choices : boolean_1d(1 to 2);  -- passes_coming_starts_choice_#
+    variable passes_row_ended_all, passes_shows_any, passes_showing_first_group_differs : boolean;
+    variable passes_showing_output_choices : boolean_1d(1 to 2);  -- passes_showing_output_choice_#
+    variable passes_leaving_starts_choices : boolean_1d(1 to 2);  -- passes_leaving_starts_choice_#
     variable passes_read_tag_leaves_window_differs, passes_read_tag_map_column_is_equal : boolean;
     variable passes_read_tag_map_column_choice : boolean;
-    variable slice0cost_pixels_first_0_count_value : boolean_2d(0 to 1, 0 to 8);  -- slice0cost_pixels_first_#_0_count_#_value
-    variable slice0cost_pixels_first_0_count_value_2 : boolean_2d(0 to 1, 0 to 7);  -- slice0cost_pixels_first_#_0_count_#_value_2
-    variable slice0cost_pixels_first_0_count_1_value_3 : boolean_1d(0 to 1);  -- slice0cost_pixels_first_#_0_count_1_value_3
-    variable slice0cost_pixels_first_0_count_value_3 : boolean_2d(0 to 1, 3 to 7);  -- slice0cost_pixels_first_#_0_count_#_value_3
+    variable slice0cost_pixels_first_0_count_value : boolean_3d(0 to 1, 0 to 8, 1 to 3);  -- slice0cost_pixels_first_#_0_count_#_value_#
     variable slice0other_cost_0_1_all : boolean;
     variable slice0other_cost_0_choice : boolean_1d(1 to 6);  -- slice0other_cost_0_#_choice
     variable slice0other_cost_0_7_all : boolean;
@@ -1029,18 +691,19 @@ begin
     variable slice0winner2_best_below_0_is_equal : boolean_1d(0 to 1);  -- slice0winner2_best_below_0_#_is_equal
     variable slice0winner3_best_cost_0_0_is_less, slice0winner3_best_below_0_0_is_equal : boolean;
     variable slice0winner3_best_above_0_0_is_equal, best_base_any, best_base_is_equal : boolean;
-    variable best_first_pass_is_equal, best_before_is_last_value, best_before_is_last_choice : boolean;
-    variable best_before_is_last_choices : boolean_1d(2 to 7);  -- best_before_is_last_choice_#
-    variable best_before_is_last_value_2, refinement_divisor_0_0_is_less, winners_row_differs : boolean;
-    variable winners_column_any, check_read_winner_all, check_read_winner_all_2, check_read_has_before_choice : boolean;
-    variable check_read_has_before_choices : boolean_1d(2 to 7);  -- check_read_has_before_choice_#
+    variable best_first_pass_is_equal : boolean;
+    variable best_before_is_last_values : boolean_1d(1 to 2);  -- best_before_is_last_value_#
+    variable best_before_is_last_choices : boolean_1d(1 to 7);  -- best_before_is_last_choice_#
+    variable refinement_divisor_0_0_is_less, winners_row_differs, winners_column_any : boolean;
+    variable check_read_winner_alls : boolean_1d(1 to 2);  -- check_read_winner_all_#
+    variable check_read_has_before_choices : boolean_1d(1 to 7);  -- check_read_has_before_choice_#
     variable check_read_has_before_is_less, check_read_has_before_value, check_cost_any : boolean;
-    variable check_checked_tag_row_start_differs, check_checked_tag_row_start_is_equal : boolean;
-    variable check_checked_tag_row_start_choice : boolean;
-    variable check_checked_tag_row_start_choices : boolean_1d(2 to 3);  -- check_checked_tag_row_start_choice_#
-    variable check_checked_tag_row_start_is_equal_2, check_checked_tag_row_start_all : boolean;
-    variable check_checked_tag_row_start_all_2, map_counter_group_is_equal, map_line_ended_choice : boolean;
-    variable map_at_arrives_value, map_window_complete_is_equal, map_window_complete_choice : boolean;
+    variable check_checked_tag_row_start_differs : boolean;
+    variable check_checked_tag_row_start_is_equals : boolean_1d(1 to 2);  -- check_checked_tag_row_start_is_equal_#
+    variable check_checked_tag_row_start_choices : boolean_1d(1 to 3);  -- check_checked_tag_row_start_choice_#
+    variable check_checked_tag_row_start_alls : boolean_1d(1 to 2);  -- check_checked_tag_row_start_all_#
+    variable map_counter_group_is_equal, map_line_ended_choice, map_at_arrives_value : boolean;
+    variable map_window_complete_is_equal, map_window_complete_choice : boolean;
     variable map_low_0_all : boolean_1d(0 to 1);  -- map_low_#_0_all
     variable transform_counter_group_choice, map_counter_group_choice : natural range 0 to 15;
     variable transform_counter_group_choices : natural_511_1d(2 to 3);  -- transform_counter_group_choice_#
@@ -1056,14 +719,11 @@ begin
     variable slice0window_sum_0_choice : natural_4095_1d(0 to 7);  -- slice0window_sum_0_#_choice
     variable slice0winner2_best_below_0_choice : natural_4095_1d(0 to 1);  -- slice0winner2_best_below_0_#_choice
     variable slice0winner2_best_above_0_choice : natural_4095_1d(0 to 1);  -- slice0winner2_best_above_0_#_choice
-    variable slice0winner2_best_second_0_choice : natural_4095_1d(0 to 1);  -- slice0winner2_best_second_0_#_choice
-    variable slice0winner2_best_second_0_choices : natural_4095_2d(0 to 1, 2 to 4);  -- slice0winner2_best_second_0_#_choice_#
+    variable slice0winner2_best_second_0_choice : natural_4095_2d(0 to 1, 1 to 4);  -- slice0winner2_best_second_0_#_choice_#
     variable slice0winner3_best_below_0_0_choice, slice0winner3_best_above_0_0_choice : natural range 0 to 4095;
-    variable slice0winner3_best_second_0_0_choice : natural range 0 to 4095;
-    variable slice0winner3_best_second_0_0_choices : natural_4095_1d(2 to 4);  -- slice0winner3_best_second_0_0_choice_#
+    variable slice0winner3_best_second_0_0_choices : natural_4095_1d(1 to 4);  -- slice0winner3_best_second_0_0_choice_#
     variable best_best_below_0_0_choice, best_best_above_0_0_choice : natural range 0 to 4095;
-    variable best_best_second_0_0_choice, best_best_second_0_0_choice_2 : natural range 0 to 4095;
-    variable best_best_second_0_0_choices : natural_4095_1d(4 to 6);  -- best_best_second_0_0_choice_#
+    variable best_best_second_0_0_choices : natural_4095_1d(1 to 6);  -- best_best_second_0_0_choice_#
     variable refinement_divisor_0_0_choice, map_of_column_0_a_choice : natural range 0 to 4095;
     variable transform_left_filter_feature_0_choice_213 : natural range 0 to 8191;
     variable transform_right_filter_feature_0_choice_213 : natural range 0 to 8191;
@@ -1074,19 +734,18 @@ begin
     variable transform_left_filter_feature_0_choice_216 : natural range 0 to 8388607;
     variable transform_right_filter_feature_0_choice_216 : natural range 0 to 8388607;
     variable passes_pass_ends_choice : natural range 586 to 593;
-    variable passes_search_start_choice, passes_search_start_choice_2 : natural range 0 to 127;
+    variable passes_search_start_choices : natural_127_1d(1 to 2);  -- passes_search_start_choice_#
     variable passes_search_address_choice, check_read_place_choice, check_first_choice : natural range 0 to 127;
     variable passes_search_address_value, check_read_counts_sum, check_read_counts_choice : natural range 0 to 1024;
     variable passes_search_address_choice_2, passes_reference_address_choice : natural range 0 to 1023;
-    variable best_write_column_choice, best_write_column_choice_2, winners_column_choice : natural range 0 to 1023;
-    variable check_write_place_choice : natural range 0 to 1023;
-    variable slice0cost_column_0_choice : natural_255_1d(0 to 7);  -- slice0cost_column_0_#_choice
-    variable slice0cost_column_0_choice_2 : natural_255_1d(0 to 7);  -- slice0cost_column_0_#_choice_2
+    variable best_write_column_choices : natural_1023_1d(1 to 2);  -- best_write_column_choice_#
+    variable winners_column_choice, check_write_place_choice : natural range 0 to 1023;
+    variable slice0cost_column_0_choice : natural_255_2d(0 to 7, 1 to 2);  -- slice0cost_column_0_#_choice_#
     variable slice0window_change_0_choice : natural_255_1d(0 to 7);  -- slice0window_change_0_#_choice
     variable refinement_fraction_0_choice : natural range 0 to 255;
-    variable best_base_choice, best_base_choice_2, check_read_winner_choice : natural range 0 to 31;
-    variable check_read_winner_choice_2 : natural range 0 to 31;
-    variable best_before_is_last_values : natural_3_1d(3 to 4);  -- best_before_is_last_value_#
+    variable best_base_choices : natural_31_1d(1 to 2);  -- best_base_choice_#
+    variable check_read_winner_choices : natural_31_1d(1 to 2);  -- check_read_winner_choice_#
+    variable best_before_is_last_values_from_3 : natural_3_1d(3 to 4);  -- best_before_is_last_value_#
     variable best_best_second_0_0_choice_3 : unsigned(59 downto 0);
     variable refinement_remainder_1_0_difference : natural range 4097 to 12287;
     variable refinement_remainder_0_difference : natural_4097_to_16382_1d(2 to 7);  -- refinement_remainder_#_0_difference
@@ -1094,1243 +753,444 @@ begin
     variable refinement_fraction_0_value : natural range 0 to 16;
     variable check_read_has_before_sum : natural range 1 to 8;
     variable check_checked_passed_0_difference : integer range -254 to 64;
-    variable map_of_column_0_c_choice, map_sorted_low_0_choice, map_sorted_low_0_choice_2 : natural range 0 to 32767;
-    variable map_sorted_middle_0_choice, map_sorted_middle_0_choice_2 : natural range 0 to 32767;
-    variable map_sorted_high_0_choice, map_sorted_high_0_choice_2, map_largest_low_0_choice : natural range 0 to 32767;
-    variable map_largest_low_0_choice_2, map_median_middle_0_choice : natural range 0 to 32767;
-    variable map_median_middle_0_choices : natural_32767_1d(2 to 4);  -- map_median_middle_0_choice_#
-    variable map_smallest_high_0_choice, map_smallest_high_0_choice_2 : natural range 0 to 32767;
-    variable map_out_disparity_0_choice : natural range 0 to 32767;
-    variable map_out_disparity_0_choices : natural_32767_1d(2 to 4);  -- map_out_disparity_0_choice_#
+    variable map_of_column_0_c_choice : natural range 0 to 32767;
+    variable map_sorted_low_0_choices : natural_32767_1d(1 to 2);  -- map_sorted_low_0_choice_#
+    variable map_sorted_middle_0_choices : natural_32767_1d(1 to 2);  -- map_sorted_middle_0_choice_#
+    variable map_sorted_high_0_choices : natural_32767_1d(1 to 2);  -- map_sorted_high_0_choice_#
+    variable map_largest_low_0_choices : natural_32767_1d(1 to 2);  -- map_largest_low_0_choice_#
+    variable map_median_middle_0_choices : natural_32767_1d(1 to 4);  -- map_median_middle_0_choice_#
+    variable map_smallest_high_0_choices : natural_32767_1d(1 to 2);  -- map_smallest_high_0_choice_#
+    variable map_out_disparity_0_choices : natural_32767_1d(1 to 4);  -- map_out_disparity_0_choice_#
     variable map_low_0_0_choice, map_middle_0_0_choice, map_high_0_0_choice : natural range 0 to 32767;
   begin
     if rising_edge(clock) then
+      -- no bit without a value, where an array has places for more
+      transform_left_filter_feature_0_choices := (others => false);
+      transform_right_filter_feature_0_choices := (others => false);
+      slice0cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      best_best_second_0_0_choices := (others => 0);
       -- transform
-      transform_counter_group_is_equal := transform_counter_group = 479;
-      transform_counter_group_is_equal_2 := transform_counter_column = 639;
-      transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
-      if transform_counter_group_all then
-        transform_counter_group_choice := 15;
-      else
-        transform_counter_group_choice := 0;
-      end if;
+      transform_counter_group_is_equals(1) := transform_counter_group = 479;
+      transform_counter_group_is_equals(2) := transform_counter_column = 639;
+      transform_counter_group_all := transform_counter_group_is_equals(1) and transform_counter_group_is_equals(2);
+      transform_counter_group_choice := choice(transform_counter_group_all, 15, 0);
       transform_counter_group_differs := transform_counter_group /= 481;
-      if (transform_counter_group = 480) and transform_counter_next_frame then
-        transform_counter_group_choices(2) := 1;
-      else
-        transform_counter_group_choices(2) := (transform_counter_group + 1) mod 512;
-      end if;
-      if transform_counter_group_differs and in_valid and transform_counter_group_is_equal_2 then
-        transform_counter_group_choices(3) := transform_counter_group_choices(2);
-      else
-        transform_counter_group_choices(3) := transform_counter_group;
-      end if;
+      transform_counter_group_choices(2) := choice((transform_counter_group = 480) and transform_counter_next_frame, 1,
+        (transform_counter_group + 1) mod 512);
+      transform_counter_group_choices(3) := choice(transform_counter_group_differs and in_valid and
+        transform_counter_group_is_equals(2), transform_counter_group_choices(2), transform_counter_group);
       transform_read_column_inside_0_is_less := 3 < transform_counter_column;
-      transform_left_filter_feature_0_value := is_set(transform_left_filter_column(4, 1), 1);
-      transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_value) or (not
+      transform_left_filter_feature_0_values(1) := is_set(transform_left_filter_column(4, 1), 1);
+      transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_values(1)) or (not
         is_set(transform_left_filter_column(4, 1), 0));
-      if is_set(transform_left_filter_column(8, 0), 0) then
-        transform_left_filter_feature_0_choice := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice := not transform_left_filter_feature_0_value;
-      end if;
+      transform_left_filter_feature_0_choices(1) := choice(is_set(transform_left_filter_column(8, 0), 0),
+        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
       transform_left_filter_feature_0_is_equal := (transform_left_filter_column(4, 1) mod 4) = 0;
-      if is_set(transform_left_filter_column(8, 0), 1) then
-        transform_left_filter_feature_0_choices(2) := transform_left_filter_feature_0_choice;
-      else
-        transform_left_filter_feature_0_choices(2) := is_set(transform_left_filter_column(8, 0), 0) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
+      transform_left_filter_feature_0_choices(2) := choice(is_set(transform_left_filter_column(8, 0), 1),
+        transform_left_filter_feature_0_choices(1), is_set(transform_left_filter_column(8, 0), 0) and
+        transform_left_filter_feature_0_is_equal);
       transform_left_filter_feature_0_values(2) := is_set(transform_left_filter_column(4, 1), 2);
-      if transform_left_filter_feature_0_choices(2) then
-        transform_left_filter_feature_0_choices(3) := (not is_set(transform_left_filter_column(8, 0), 2)) and
-          transform_left_filter_feature_0_values(2);
-      else
-        transform_left_filter_feature_0_choices(3) := (not is_set(transform_left_filter_column(8, 0), 2)) or
-          transform_left_filter_feature_0_values(2);
-      end if;
+      transform_left_filter_feature_0_choices(3) := inverted_carry(transform_left_filter_feature_0_choices(2), not
+        is_set(transform_left_filter_column(8, 0), 2), transform_left_filter_feature_0_values(2));
       for i in 3 to 6 loop
         transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(4, 1), i);
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(8, 0), i)) or
-            transform_left_filter_feature_0_values(i);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(8, 0), i)) and
-            transform_left_filter_feature_0_values(i);
-        end if;
+        transform_left_filter_feature_0_choices(i + 1) := carry(transform_left_filter_feature_0_choices(i), not
+          is_set(transform_left_filter_column(8, 0), i), transform_left_filter_feature_0_values(i));
       end loop;
       for i in 0 to 1 loop
-        if transform_left_filter_feature_0_choices(8 * i + 7) then
-          transform_left_filter_feature_0_choices(8 * i + 8) := is_set(transform_left_filter_column(8, i), 7) and (not
-            is_set(transform_left_filter_column(4, 1), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 8) := is_set(transform_left_filter_column(8, i), 7) or (not
-            is_set(transform_left_filter_column(4, 1), 7));
-        end if;
-        if is_set(transform_left_filter_column(8, i + 1), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 9) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 9) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(8, i + 1), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 10) := transform_left_filter_feature_0_choices(8 * i + 9);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 10) := is_set(transform_left_filter_column(8, i + 1), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 10) then
-          transform_left_filter_feature_0_choices(8 * i + 11) := (not is_set(transform_left_filter_column(8, i + 1),
-            2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 11) := (not is_set(transform_left_filter_column(8, i + 1),
-            2)) or transform_left_filter_feature_0_values(2);
-        end if;
+        transform_left_filter_feature_0_choices(8 * i + 8) := inverted_carry(transform_left_filter_feature_0_choices(8
+          * i + 7), is_set(transform_left_filter_column(8, i), 7), not is_set(transform_left_filter_column(4, 1), 7));
+        transform_left_filter_feature_0_choices(8 * i + 9) := choice(is_set(transform_left_filter_column(8, i + 1), 0),
+          transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(8 * i + 10) := choice(is_set(transform_left_filter_column(8, i + 1),
+          1), transform_left_filter_feature_0_choices(8 * i + 9), is_set(transform_left_filter_column(8, i + 1), 0) and
+          transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(8 * i + 11) := inverted_carry(transform_left_filter_feature_0_choices(8
+          * i + 10), not is_set(transform_left_filter_column(8, i + 1), 2), transform_left_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 8) then
-            transform_left_filter_feature_0_choices(8 * i + j + 9) := (not is_set(transform_left_filter_column(8, i +
-              1), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 9) := (not is_set(transform_left_filter_column(8, i +
-              1), j)) and transform_left_filter_feature_0_values(j);
-          end if;
+          transform_left_filter_feature_0_choices(8 * i + j + 9) := carry(transform_left_filter_feature_0_choices(8 * i
+            + j + 8), not is_set(transform_left_filter_column(8, i + 1), j), transform_left_filter_feature_0_values(j));
         end loop;
       end loop;
-      for i in 0 to 1 loop
-        if transform_left_filter_feature_0_choices(8 * i + 23) then
-          transform_left_filter_feature_0_choices(8 * i + 24) := is_set(transform_left_filter_column(8 - i, 2 - 2 * i),
-            7) and (not is_set(transform_left_filter_column(4, 1), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 24) := is_set(transform_left_filter_column(8 - i, 2 - 2 * i),
-            7) or (not is_set(transform_left_filter_column(4, 1), 7));
-        end if;
-        if is_set(transform_left_filter_column(7, i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 25) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 25) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(7, i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 26) := transform_left_filter_feature_0_choices(8 * i + 25);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 26) := is_set(transform_left_filter_column(7, i), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 26) then
-          transform_left_filter_feature_0_choices(8 * i + 27) := (not is_set(transform_left_filter_column(7, i), 2))
-            and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 27) := (not is_set(transform_left_filter_column(7, i), 2)) or
-            transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 24) then
-            transform_left_filter_feature_0_choices(8 * i + j + 25) := (not is_set(transform_left_filter_column(7, i),
-              j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 25) := (not is_set(transform_left_filter_column(7, i),
-              j)) and transform_left_filter_feature_0_values(j);
-          end if;
+      transform_left_filter_feature_0_choices(24) := inverted_carry(transform_left_filter_feature_0_choices(23),
+        is_set(transform_left_filter_column(8, 2), 7), not is_set(transform_left_filter_column(4, 1), 7));
+      for i in 0 to 2 loop
+        for j in 0 to 2 loop
+          transform_left_filter_feature_0_choices(24 * i + 8 * j + 25) := choice(is_set(transform_left_filter_column(7
+            - i, j), 0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+          transform_left_filter_feature_0_choices(24 * i + 8 * j + 26) := choice(is_set(transform_left_filter_column(7
+            - i, j), 1), transform_left_filter_feature_0_choices(24 * i + 8 * j + 25),
+            is_set(transform_left_filter_column(7 - i, j), 0) and transform_left_filter_feature_0_is_equal);
+          transform_left_filter_feature_0_choices(24 * i + 8 * j + 27) :=
+            inverted_carry(transform_left_filter_feature_0_choices(24 * i + 8 * j + 26), not
+            is_set(transform_left_filter_column(7 - i, j), 2), transform_left_filter_feature_0_values(2));
+          for k in 3 to 6 loop
+            transform_left_filter_feature_0_choices(24 * i + 8 * j + k + 25) :=
+              carry(transform_left_filter_feature_0_choices(24 * i + 8 * j + k + 24), not
+              is_set(transform_left_filter_column(7 - i, j), k), transform_left_filter_feature_0_values(k));
+          end loop;
+          transform_left_filter_feature_0_choices(24 * i + 8 * j + 32) :=
+            inverted_carry(transform_left_filter_feature_0_choices(24 * i + 8 * j + 31),
+            is_set(transform_left_filter_column(7 - i, j), 7), not is_set(transform_left_filter_column(4, 1), 7));
         end loop;
+      end loop;
+      transform_left_filter_feature_0_choices(97) := choice(is_set(transform_left_filter_column(4, 2), 0),
+        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(98) := choice(is_set(transform_left_filter_column(4, 2), 1),
+        transform_left_filter_feature_0_choices(97), is_set(transform_left_filter_column(4, 2), 0) and
+        transform_left_filter_feature_0_is_equal);
+      transform_left_filter_feature_0_choices(99) := inverted_carry(transform_left_filter_feature_0_choices(98), not
+        is_set(transform_left_filter_column(4, 2), 2), transform_left_filter_feature_0_values(2));
+      for i in 100 to 103 loop
+        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
+          is_set(transform_left_filter_column(4, 2), i - 97), transform_left_filter_feature_0_values(i - 97));
+      end loop;
+      transform_left_filter_feature_0_choices(104) := choice(transform_left_filter_feature_0_choices(103),
+        transform_filtering_0_column_inside(4) and is_set(transform_left_filter_column(4, 2), 7) and (not
+        is_set(transform_left_filter_column(4, 1), 7)), transform_filtering_0_column_inside(4) and
+        (is_set(transform_left_filter_column(4, 2), 7) or (not is_set(transform_left_filter_column(4, 1), 7))));
+      for i in 0 to 2 loop
+        transform_left_filter_feature_0_choices(24 * i + 105) := choice(is_set(transform_left_filter_column(3 - i, 1),
+          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(24 * i + 106) := choice(is_set(transform_left_filter_column(3 - i, 1),
+          1), transform_left_filter_feature_0_choices(24 * i + 105), is_set(transform_left_filter_column(3 - i, 1), 0)
+          and transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(24 * i + 107) :=
+          inverted_carry(transform_left_filter_feature_0_choices(24 * i + 106), not
+          is_set(transform_left_filter_column(3 - i, 1), 2), transform_left_filter_feature_0_values(2));
+        for j in 3 to 6 loop
+          transform_left_filter_feature_0_choices(24 * i + j + 105) := carry(transform_left_filter_feature_0_choices(24
+            * i + j + 104), not is_set(transform_left_filter_column(3 - i, 1), j),
+            transform_left_filter_feature_0_values(j));
+        end loop;
+        transform_left_filter_feature_0_choices(24 * i + 112) :=
+          inverted_carry(transform_left_filter_feature_0_choices(24 * i + 111), is_set(transform_left_filter_column(3 -
+          i, 1), 7), not is_set(transform_left_filter_column(4, 1), 7));
+        transform_left_filter_feature_0_choices(24 * i + 113) := choice(is_set(transform_left_filter_column(3 - i, 2),
+          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(24 * i + 114) := choice(is_set(transform_left_filter_column(3 - i, 2),
+          1), transform_left_filter_feature_0_choices(24 * i + 113), is_set(transform_left_filter_column(3 - i, 2), 0)
+          and transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(24 * i + 115) :=
+          inverted_carry(transform_left_filter_feature_0_choices(24 * i + 114), not
+          is_set(transform_left_filter_column(3 - i, 2), 2), transform_left_filter_feature_0_values(2));
+        for j in 3 to 6 loop
+          transform_left_filter_feature_0_choices(24 * i + j + 113) := carry(transform_left_filter_feature_0_choices(24
+            * i + j + 112), not is_set(transform_left_filter_column(3 - i, 2), j),
+            transform_left_filter_feature_0_values(j));
+        end loop;
+        transform_left_filter_feature_0_choices(24 * i + 120) :=
+          inverted_carry(transform_left_filter_feature_0_choices(24 * i + 119), is_set(transform_left_filter_column(3 -
+          i, 2), 7), not is_set(transform_left_filter_column(4, 1), 7));
+        transform_left_filter_feature_0_choices(24 * i + 121) := choice(is_set(transform_left_filter_column(3 - i, 0),
+          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(24 * i + 122) := choice(is_set(transform_left_filter_column(3 - i, 0),
+          1), transform_left_filter_feature_0_choices(24 * i + 121), is_set(transform_left_filter_column(3 - i, 0), 0)
+          and transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(24 * i + 123) :=
+          inverted_carry(transform_left_filter_feature_0_choices(24 * i + 122), not
+          is_set(transform_left_filter_column(3 - i, 0), 2), transform_left_filter_feature_0_values(2));
+        for j in 3 to 6 loop
+          transform_left_filter_feature_0_choices(24 * i + j + 121) := carry(transform_left_filter_feature_0_choices(24
+            * i + j + 120), not is_set(transform_left_filter_column(3 - i, 0), j),
+            transform_left_filter_feature_0_values(j));
+        end loop;
+        transform_left_filter_feature_0_choices(24 * i + 128) :=
+          inverted_carry(transform_left_filter_feature_0_choices(24 * i + 127), is_set(transform_left_filter_column(3 -
+          i, 0), 7), not is_set(transform_left_filter_column(4, 1), 7));
       end loop;
       for i in 1 to 2 loop
-        if transform_left_filter_feature_0_choices(8 * i + 31) then
-          transform_left_filter_feature_0_choices(8 * i + 32) := is_set(transform_left_filter_column(7, i), 7) and (not
-            is_set(transform_left_filter_column(4, 1), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 32) := is_set(transform_left_filter_column(7, i), 7) or (not
-            is_set(transform_left_filter_column(4, 1), 7));
-        end if;
-        if is_set(transform_left_filter_column(8 - i, 4 - 2 * i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 33) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 33) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(8 - i, 4 - 2 * i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 34) := transform_left_filter_feature_0_choices(8 * i + 33);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 34) := is_set(transform_left_filter_column(8 - i, 4 - 2 * i),
-            0) and transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 34) then
-          transform_left_filter_feature_0_choices(8 * i + 35) := (not is_set(transform_left_filter_column(8 - i, 4 - 2
-            * i), 2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 35) := (not is_set(transform_left_filter_column(8 - i, 4 - 2
-            * i), 2)) or transform_left_filter_feature_0_values(2);
-        end if;
+        transform_left_filter_feature_0_choices(8 * i + 169) := choice(is_set(transform_left_filter_column(0, i), 0),
+          transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(8 * i + 170) := choice(is_set(transform_left_filter_column(0, i), 1),
+          transform_left_filter_feature_0_choices(8 * i + 169), is_set(transform_left_filter_column(0, i), 0) and
+          transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(8 * i + 171) :=
+          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 170), not
+          is_set(transform_left_filter_column(0, i), 2), transform_left_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 32) then
-            transform_left_filter_feature_0_choices(8 * i + j + 33) := (not is_set(transform_left_filter_column(8 - i,
-              4 - 2 * i), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 33) := (not is_set(transform_left_filter_column(8 - i,
-              4 - 2 * i), j)) and transform_left_filter_feature_0_values(j);
-          end if;
+          transform_left_filter_feature_0_choices(8 * i + j + 169) := carry(transform_left_filter_feature_0_choices(8 *
+            i + j + 168), not is_set(transform_left_filter_column(0, i), j), transform_left_filter_feature_0_values(j));
         end loop;
+        transform_left_filter_feature_0_choices(8 * i + 176) :=
+          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 175), is_set(transform_left_filter_column(0,
+          i), 7), not is_set(transform_left_filter_column(4, 1), 7));
       end loop;
-      for i in 0 to 1 loop
-        if transform_left_filter_feature_0_choices(8 * i + 55) then
-          transform_left_filter_feature_0_choices(8 * i + 56) := is_set(transform_left_filter_column(6, i), 7) and (not
-            is_set(transform_left_filter_column(4, 1), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 56) := is_set(transform_left_filter_column(6, i), 7) or (not
-            is_set(transform_left_filter_column(4, 1), 7));
-        end if;
-        if is_set(transform_left_filter_column(6, i + 1), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 57) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 57) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(6, i + 1), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 58) := transform_left_filter_feature_0_choices(8 * i + 57);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 58) := is_set(transform_left_filter_column(6, i + 1), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 58) then
-          transform_left_filter_feature_0_choices(8 * i + 59) := (not is_set(transform_left_filter_column(6, i + 1),
-            2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 59) := (not is_set(transform_left_filter_column(6, i + 1),
-            2)) or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 56) then
-            transform_left_filter_feature_0_choices(8 * i + j + 57) := (not is_set(transform_left_filter_column(6, i +
-              1), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 57) := (not is_set(transform_left_filter_column(6, i +
-              1), j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-      end loop;
-      for i in 0 to 1 loop
-        if transform_left_filter_feature_0_choices(8 * i + 71) then
-          transform_left_filter_feature_0_choices(8 * i + 72) := is_set(transform_left_filter_column(6 - i, 2 - 2 * i),
-            7) and (not is_set(transform_left_filter_column(4, 1), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 72) := is_set(transform_left_filter_column(6 - i, 2 - 2 * i),
-            7) or (not is_set(transform_left_filter_column(4, 1), 7));
-        end if;
-        if is_set(transform_left_filter_column(5, i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 73) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 73) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(5, i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 74) := transform_left_filter_feature_0_choices(8 * i + 73);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 74) := is_set(transform_left_filter_column(5, i), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 74) then
-          transform_left_filter_feature_0_choices(8 * i + 75) := (not is_set(transform_left_filter_column(5, i), 2))
-            and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 75) := (not is_set(transform_left_filter_column(5, i), 2)) or
-            transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 72) then
-            transform_left_filter_feature_0_choices(8 * i + j + 73) := (not is_set(transform_left_filter_column(5, i),
-              j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 73) := (not is_set(transform_left_filter_column(5, i),
-              j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-      end loop;
-      for i in 1 to 2 loop
-        if transform_left_filter_feature_0_choices(8 * i + 79) then
-          transform_left_filter_feature_0_choices(8 * i + 80) := is_set(transform_left_filter_column(5, i), 7) and (not
-            is_set(transform_left_filter_column(4, 1), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 80) := is_set(transform_left_filter_column(5, i), 7) or (not
-            is_set(transform_left_filter_column(4, 1), 7));
-        end if;
-        if is_set(transform_left_filter_column(6 - i, 2), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 81) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 81) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(6 - i, 2), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 82) := transform_left_filter_feature_0_choices(8 * i + 81);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 82) := is_set(transform_left_filter_column(6 - i, 2), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 82) then
-          transform_left_filter_feature_0_choices(8 * i + 83) := (not is_set(transform_left_filter_column(6 - i, 2),
-            2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 83) := (not is_set(transform_left_filter_column(6 - i, 2),
-            2)) or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 80) then
-            transform_left_filter_feature_0_choices(8 * i + j + 81) := (not is_set(transform_left_filter_column(6 - i,
-              2), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 81) := (not is_set(transform_left_filter_column(6 - i,
-              2), j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-      end loop;
-      if transform_left_filter_feature_0_choices(103) then
-        transform_left_filter_feature_0_choices(104) := transform_filtering_0_column_inside(4) and
-          is_set(transform_left_filter_column(4, 2), 7) and (not is_set(transform_left_filter_column(4, 1), 7));
-      else
-        transform_left_filter_feature_0_choices(104) := transform_filtering_0_column_inside(4) and
-          (is_set(transform_left_filter_column(4, 2), 7) or (not is_set(transform_left_filter_column(4, 1), 7)));
-      end if;
-      for i in 1 to 2 loop
-        if is_set(transform_left_filter_column(3, i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 97) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 97) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(3, i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 98) := transform_left_filter_feature_0_choices(8 * i + 97);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 98) := is_set(transform_left_filter_column(3, i), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 98) then
-          transform_left_filter_feature_0_choices(8 * i + 99) := (not is_set(transform_left_filter_column(3, i), 2))
-            and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 99) := (not is_set(transform_left_filter_column(3, i), 2)) or
-            transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 96) then
-            transform_left_filter_feature_0_choices(8 * i + j + 97) := (not is_set(transform_left_filter_column(3, i),
-              j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 97) := (not is_set(transform_left_filter_column(3, i),
-              j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 103) then
-          transform_left_filter_feature_0_choices(8 * i + 104) := is_set(transform_left_filter_column(3, i), 7) and
-            (not is_set(transform_left_filter_column(4, 1), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 104) := is_set(transform_left_filter_column(3, i), 7) or (not
-            is_set(transform_left_filter_column(4, 1), 7));
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_left_filter_column(3 - i, i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 121) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 121) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(3 - i, i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 122) := transform_left_filter_feature_0_choices(8 * i + 121);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 122) := is_set(transform_left_filter_column(3 - i, i), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 122) then
-          transform_left_filter_feature_0_choices(8 * i + 123) := (not is_set(transform_left_filter_column(3 - i, i),
-            2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 123) := (not is_set(transform_left_filter_column(3 - i, i),
-            2)) or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 120) then
-            transform_left_filter_feature_0_choices(8 * i + j + 121) := (not is_set(transform_left_filter_column(3 - i,
-              i), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 121) := (not is_set(transform_left_filter_column(3 - i,
-              i), j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 127) then
-          transform_left_filter_feature_0_choices(8 * i + 128) := is_set(transform_left_filter_column(3 - i, i), 7) and
-            (not is_set(transform_left_filter_column(4, 1), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 128) := is_set(transform_left_filter_column(3 - i, i), 7) or
-            (not is_set(transform_left_filter_column(4, 1), 7));
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_left_filter_column(2, 2 - 2 * i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 137) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 137) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(2, 2 - 2 * i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 138) := transform_left_filter_feature_0_choices(8 * i + 137);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 138) := is_set(transform_left_filter_column(2, 2 - 2 * i), 0)
-            and transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 138) then
-          transform_left_filter_feature_0_choices(8 * i + 139) := (not is_set(transform_left_filter_column(2, 2 - 2 *
-            i), 2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 139) := (not is_set(transform_left_filter_column(2, 2 - 2 *
-            i), 2)) or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 136) then
-            transform_left_filter_feature_0_choices(8 * i + j + 137) := (not is_set(transform_left_filter_column(2, 2 -
-              2 * i), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 137) := (not is_set(transform_left_filter_column(2, 2 -
-              2 * i), j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 143) then
-          transform_left_filter_feature_0_choices(8 * i + 144) := is_set(transform_left_filter_column(2, 2 - 2 * i), 7)
-            and (not is_set(transform_left_filter_column(4, 1), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 144) := is_set(transform_left_filter_column(2, 2 - 2 * i), 7)
-            or (not is_set(transform_left_filter_column(4, 1), 7));
-        end if;
-      end loop;
-      for i in 1 to 2 loop
-        if is_set(transform_left_filter_column(1, i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 145) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 145) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(1, i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 146) := transform_left_filter_feature_0_choices(8 * i + 145);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 146) := is_set(transform_left_filter_column(1, i), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 146) then
-          transform_left_filter_feature_0_choices(8 * i + 147) := (not is_set(transform_left_filter_column(1, i), 2))
-            and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 147) := (not is_set(transform_left_filter_column(1, i), 2))
-            or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 144) then
-            transform_left_filter_feature_0_choices(8 * i + j + 145) := (not is_set(transform_left_filter_column(1, i),
-              j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 145) := (not is_set(transform_left_filter_column(1, i),
-              j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 151) then
-          transform_left_filter_feature_0_choices(8 * i + 152) := is_set(transform_left_filter_column(1, i), 7) and
-            (not is_set(transform_left_filter_column(4, 1), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 152) := is_set(transform_left_filter_column(1, i), 7) or (not
-            is_set(transform_left_filter_column(4, 1), 7));
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_left_filter_column(1 - i, i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 169) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 169) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(1 - i, i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 170) := transform_left_filter_feature_0_choices(8 * i + 169);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 170) := is_set(transform_left_filter_column(1 - i, i), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 170) then
-          transform_left_filter_feature_0_choices(8 * i + 171) := (not is_set(transform_left_filter_column(1 - i, i),
-            2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 171) := (not is_set(transform_left_filter_column(1 - i, i),
-            2)) or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 168) then
-            transform_left_filter_feature_0_choices(8 * i + j + 169) := (not is_set(transform_left_filter_column(1 - i,
-              i), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 169) := (not is_set(transform_left_filter_column(1 - i,
-              i), j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 175) then
-          transform_left_filter_feature_0_choices(8 * i + 176) := is_set(transform_left_filter_column(1 - i, i), 7) and
-            (not is_set(transform_left_filter_column(4, 1), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 176) := is_set(transform_left_filter_column(1 - i, i), 7) or
-            (not is_set(transform_left_filter_column(4, 1), 7));
-        end if;
-      end loop;
-      if is_set(transform_left_filter_column(0, 2), 0) then
-        transform_left_filter_feature_0_choices(185) := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choices(185) := not transform_left_filter_feature_0_value;
-      end if;
-      if is_set(transform_left_filter_column(0, 2), 1) then
-        transform_left_filter_feature_0_choices(186) := transform_left_filter_feature_0_choices(185);
-      else
-        transform_left_filter_feature_0_choices(186) := is_set(transform_left_filter_column(0, 2), 0) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choices(186) then
-        transform_left_filter_feature_0_choices(187) := (not is_set(transform_left_filter_column(0, 2), 2)) and
-          transform_left_filter_feature_0_values(2);
-      else
-        transform_left_filter_feature_0_choices(187) := (not is_set(transform_left_filter_column(0, 2), 2)) or
-          transform_left_filter_feature_0_values(2);
-      end if;
-      for i in 187 to 190 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(0, 2), i - 184))
-            or transform_left_filter_feature_0_values(i - 184);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(0, 2), i - 184))
-            and transform_left_filter_feature_0_values(i - 184);
-        end if;
-      end loop;
-      if transform_left_filter_feature_0_choices(191) then
-        transform_left_filter_feature_0_choices(192) := is_set(transform_left_filter_column(0, 2), 7) and (not
-          is_set(transform_left_filter_column(4, 1), 7));
-      else
-        transform_left_filter_feature_0_choices(192) := is_set(transform_left_filter_column(0, 2), 7) or (not
-          is_set(transform_left_filter_column(4, 1), 7));
-      end if;
-      if is_set(transform_left_filter_column(4, 1), 0) then
-        transform_left_filter_feature_0_choices(193) := not is_set(transform_left_filter_column(0, 0), 1);
-      else
-        transform_left_filter_feature_0_choices(193) := (transform_left_filter_column(0, 0) mod 4) = 0;
-      end if;
-      if transform_left_filter_feature_0_value then
-        transform_left_filter_feature_0_choices(194) := is_set(transform_left_filter_column(4, 1), 0) or (not
-          is_set(transform_left_filter_column(0, 0), 1)) or (not is_set(transform_left_filter_column(0, 0), 0));
-      else
-        transform_left_filter_feature_0_choices(194) := transform_left_filter_feature_0_choices(193);
-      end if;
+      transform_left_filter_feature_0_choices(193) := choice(is_set(transform_left_filter_column(4, 1), 0), not
+        is_set(transform_left_filter_column(0, 0), 1), (transform_left_filter_column(0, 0) mod 4) = 0);
+      transform_left_filter_feature_0_choices(194) := choice(transform_left_filter_feature_0_values(1),
+        is_set(transform_left_filter_column(4, 1), 0) or (not is_set(transform_left_filter_column(0, 0), 1)) or (not
+        is_set(transform_left_filter_column(0, 0), 0)), transform_left_filter_feature_0_choices(193));
       transform_left_filter_feature_0_values(7) := is_set(transform_left_filter_column(0, 0), 2);
-      if transform_left_filter_feature_0_choices(194) then
-        transform_left_filter_feature_0_choices(195) := (not transform_left_filter_feature_0_values(2)) and
-          transform_left_filter_feature_0_values(7);
-      else
-        transform_left_filter_feature_0_choices(195) := (not transform_left_filter_feature_0_values(2)) or
-          transform_left_filter_feature_0_values(7);
-      end if;
+      transform_left_filter_feature_0_choices(195) := inverted_carry(transform_left_filter_feature_0_choices(194), not
+        transform_left_filter_feature_0_values(2), transform_left_filter_feature_0_values(7));
       for i in 8 to 11 loop
         transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(0, 0), i - 5);
-        if transform_left_filter_feature_0_choices(i + 187) then
-          transform_left_filter_feature_0_choices(i + 188) := (not transform_left_filter_feature_0_values(i - 5)) or
-            transform_left_filter_feature_0_values(i);
-        else
-          transform_left_filter_feature_0_choices(i + 188) := (not transform_left_filter_feature_0_values(i - 5)) and
-            transform_left_filter_feature_0_values(i);
-        end if;
+        transform_left_filter_feature_0_choices(i + 188) := carry(transform_left_filter_feature_0_choices(i + 187), not
+          transform_left_filter_feature_0_values(i - 5), transform_left_filter_feature_0_values(i));
       end loop;
-      if transform_left_filter_feature_0_choices(199) then
-        transform_left_filter_feature_0_choices(200) := (not is_set(transform_left_filter_column(4, 1), 7)) or
-          is_set(transform_left_filter_column(0, 0), 7);
-      else
-        transform_left_filter_feature_0_choices(200) := (not is_set(transform_left_filter_column(4, 1), 7)) and
-          is_set(transform_left_filter_column(0, 0), 7);
-      end if;
-      if transform_filtering_0_column_inside(0) then
-        transform_left_filter_feature_0_choice_201 := (as_number(transform_left_filter_feature_0_choices(184)) * 2) +
-          (as_number(transform_left_filter_feature_0_choices(192)) * 4) +
-          as_number(transform_left_filter_feature_0_choices(200));
-      else
-        transform_left_filter_feature_0_choice_201 := 0;
-      end if;
-      if transform_filtering_0_column_inside(1) then
-        transform_left_filter_feature_0_choice_202 := (as_number(transform_left_filter_feature_0_choices(160)) * 16) +
-          (as_number(transform_left_filter_feature_0_choices(168)) * 32) +
-          (as_number(transform_left_filter_feature_0_choices(176)) * 8) + transform_left_filter_feature_0_choice_201;
-      else
-        transform_left_filter_feature_0_choice_202 := transform_left_filter_feature_0_choice_201;
-      end if;
-      if transform_filtering_0_column_inside(2) then
-        transform_left_filter_feature_0_choice_203 := (as_number(transform_left_filter_feature_0_choices(136)) * 128) +
-          (as_number(transform_left_filter_feature_0_choices(144)) * 256) +
-          (as_number(transform_left_filter_feature_0_choices(152)) * 64) + transform_left_filter_feature_0_choice_202;
-      else
-        transform_left_filter_feature_0_choice_203 := transform_left_filter_feature_0_choice_202;
-      end if;
-      if transform_filtering_0_column_inside(3) then
-        transform_left_filter_feature_0_choice_204 := (as_number(transform_left_filter_feature_0_choices(112)) * 1024)
-          + (as_number(transform_left_filter_feature_0_choices(120)) * 2048) +
-          (as_number(transform_left_filter_feature_0_choices(128)) * 512) + transform_left_filter_feature_0_choice_203;
-      else
-        transform_left_filter_feature_0_choice_204 := transform_left_filter_feature_0_choice_203;
-      end if;
-      if is_set(transform_left_filter_column(4, 0), 0) then
-        transform_left_filter_feature_0_choices_from_205(205) := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choices_from_205(205) := not transform_left_filter_feature_0_value;
-      end if;
-      if is_set(transform_left_filter_column(4, 0), 1) then
-        transform_left_filter_feature_0_choices_from_205(206) := transform_left_filter_feature_0_choices_from_205(205);
-      else
-        transform_left_filter_feature_0_choices_from_205(206) := is_set(transform_left_filter_column(4, 0), 0) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choices_from_205(206) then
-        transform_left_filter_feature_0_choices_from_205(207) := (not is_set(transform_left_filter_column(4, 0), 2))
-          and transform_left_filter_feature_0_values(2);
-      else
-        transform_left_filter_feature_0_choices_from_205(207) := (not is_set(transform_left_filter_column(4, 0), 2)) or
-          transform_left_filter_feature_0_values(2);
-      end if;
-      for i in 207 to 210 loop
-        if transform_left_filter_feature_0_choices_from_205(i) then
-          transform_left_filter_feature_0_choices_from_205(i + 1) := (not is_set(transform_left_filter_column(4, 0), i
-            - 204)) or transform_left_filter_feature_0_values(i - 204);
-        else
-          transform_left_filter_feature_0_choices_from_205(i + 1) := (not is_set(transform_left_filter_column(4, 0), i
-            - 204)) and transform_left_filter_feature_0_values(i - 204);
-        end if;
+      transform_left_filter_feature_0_choices(200) := carry(transform_left_filter_feature_0_choices(199), not
+        is_set(transform_left_filter_column(4, 1), 7), is_set(transform_left_filter_column(0, 0), 7));
+      transform_left_filter_feature_0_choice_201 := choice(transform_filtering_0_column_inside(0),
+        (as_number(transform_left_filter_feature_0_choices(184)) * 2) +
+        (as_number(transform_left_filter_feature_0_choices(192)) * 4) +
+        as_number(transform_left_filter_feature_0_choices(200)), 0);
+      transform_left_filter_feature_0_choice_202 := choice(transform_filtering_0_column_inside(1),
+        (as_number(transform_left_filter_feature_0_choices(160)) * 16) +
+        (as_number(transform_left_filter_feature_0_choices(168)) * 32) +
+        (as_number(transform_left_filter_feature_0_choices(176)) * 8) + transform_left_filter_feature_0_choice_201,
+        transform_left_filter_feature_0_choice_201);
+      transform_left_filter_feature_0_choice_203 := choice(transform_filtering_0_column_inside(2),
+        (as_number(transform_left_filter_feature_0_choices(136)) * 128) +
+        (as_number(transform_left_filter_feature_0_choices(144)) * 256) +
+        (as_number(transform_left_filter_feature_0_choices(152)) * 64) + transform_left_filter_feature_0_choice_202,
+        transform_left_filter_feature_0_choice_202);
+      transform_left_filter_feature_0_choice_204 := choice(transform_filtering_0_column_inside(3),
+        (as_number(transform_left_filter_feature_0_choices(112)) * 1024) +
+        (as_number(transform_left_filter_feature_0_choices(120)) * 2048) +
+        (as_number(transform_left_filter_feature_0_choices(128)) * 512) + transform_left_filter_feature_0_choice_203,
+        transform_left_filter_feature_0_choice_203);
+      transform_left_filter_feature_0_choices(205) := choice(is_set(transform_left_filter_column(4, 0), 0),
+        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(206) := choice(is_set(transform_left_filter_column(4, 0), 1),
+        transform_left_filter_feature_0_choices(205), is_set(transform_left_filter_column(4, 0), 0) and
+        transform_left_filter_feature_0_is_equal);
+      transform_left_filter_feature_0_choices(207) := inverted_carry(transform_left_filter_feature_0_choices(206), not
+        is_set(transform_left_filter_column(4, 0), 2), transform_left_filter_feature_0_values(2));
+      for i in 208 to 211 loop
+        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
+          is_set(transform_left_filter_column(4, 0), i - 205), transform_left_filter_feature_0_values(i - 205));
       end loop;
-      if transform_left_filter_feature_0_choices_from_205(211) then
-        transform_left_filter_feature_0_choices_from_205(212) := is_set(transform_left_filter_column(4, 0), 7) and (not
-          is_set(transform_left_filter_column(4, 1), 7));
-      else
-        transform_left_filter_feature_0_choices_from_205(212) := is_set(transform_left_filter_column(4, 0), 7) or (not
-          is_set(transform_left_filter_column(4, 1), 7));
-      end if;
-      if transform_filtering_0_column_inside(4) then
-        transform_left_filter_feature_0_choice_213 := transform_left_filter_feature_0_choice_204 +
-          (as_number(transform_left_filter_feature_0_choices_from_205(212)) * 4096);
-      else
-        transform_left_filter_feature_0_choice_213 := transform_left_filter_feature_0_choice_204;
-      end if;
-      if transform_filtering_0_column_inside(5) then
-        transform_left_filter_feature_0_choice_214 := (as_number(transform_left_filter_feature_0_choices(80)) * 16384)
-          + (as_number(transform_left_filter_feature_0_choices(88)) * 32768) +
-          (as_number(transform_left_filter_feature_0_choices(96)) * 65536) +
-          (as_number(transform_left_filter_feature_0_choices(104)) * 8192) + transform_left_filter_feature_0_choice_213;
-      else
-        transform_left_filter_feature_0_choice_214 := (as_number(transform_left_filter_feature_0_choices(104)) * 8192)
-          + transform_left_filter_feature_0_choice_213;
-      end if;
-      if transform_filtering_0_column_inside(6) then
-        transform_left_filter_feature_0_choice_215 := (as_number(transform_left_filter_feature_0_choices(56)) * 131072)
-          + (as_number(transform_left_filter_feature_0_choices(64)) * 262144) +
-          (as_number(transform_left_filter_feature_0_choices(72)) * 524288) +
-          transform_left_filter_feature_0_choice_214;
-      else
-        transform_left_filter_feature_0_choice_215 := transform_left_filter_feature_0_choice_214;
-      end if;
-      if transform_filtering_0_column_inside(7) then
-        transform_left_filter_feature_0_choice_216 := (as_number(transform_left_filter_feature_0_choices(32)) *
-          1048576) + (as_number(transform_left_filter_feature_0_choices(40)) * 2097152) +
-          (as_number(transform_left_filter_feature_0_choices(48)) * 4194304) +
-          transform_left_filter_feature_0_choice_215;
-      else
-        transform_left_filter_feature_0_choice_216 := transform_left_filter_feature_0_choice_215;
-      end if;
-      transform_right_filter_feature_0_value := is_set(transform_right_filter_column(4, 1), 1);
-      transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_value) or (not
+      transform_left_filter_feature_0_choices(212) := inverted_carry(transform_left_filter_feature_0_choices(211),
+        is_set(transform_left_filter_column(4, 0), 7), not is_set(transform_left_filter_column(4, 1), 7));
+      transform_left_filter_feature_0_choice_213 := choice(transform_filtering_0_column_inside(4),
+        transform_left_filter_feature_0_choice_204 + (as_number(transform_left_filter_feature_0_choices(212)) * 4096),
+        transform_left_filter_feature_0_choice_204);
+      transform_left_filter_feature_0_choice_214 := choice(transform_filtering_0_column_inside(5),
+        (as_number(transform_left_filter_feature_0_choices(80)) * 16384) +
+        (as_number(transform_left_filter_feature_0_choices(88)) * 32768) +
+        (as_number(transform_left_filter_feature_0_choices(96)) * 65536) +
+        (as_number(transform_left_filter_feature_0_choices(104)) * 8192) + transform_left_filter_feature_0_choice_213,
+        (as_number(transform_left_filter_feature_0_choices(104)) * 8192) + transform_left_filter_feature_0_choice_213);
+      transform_left_filter_feature_0_choice_215 := choice(transform_filtering_0_column_inside(6),
+        (as_number(transform_left_filter_feature_0_choices(56)) * 131072) +
+        (as_number(transform_left_filter_feature_0_choices(64)) * 262144) +
+        (as_number(transform_left_filter_feature_0_choices(72)) * 524288) + transform_left_filter_feature_0_choice_214,
+        transform_left_filter_feature_0_choice_214);
+      transform_left_filter_feature_0_choice_216 := choice(transform_filtering_0_column_inside(7),
+        (as_number(transform_left_filter_feature_0_choices(32)) * 1048576) +
+        (as_number(transform_left_filter_feature_0_choices(40)) * 2097152) +
+        (as_number(transform_left_filter_feature_0_choices(48)) * 4194304) +
+        transform_left_filter_feature_0_choice_215, transform_left_filter_feature_0_choice_215);
+      transform_right_filter_feature_0_values(1) := is_set(transform_right_filter_column(4, 1), 1);
+      transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_values(1)) or (not
         is_set(transform_right_filter_column(4, 1), 0));
-      if is_set(transform_right_filter_column(8, 0), 0) then
-        transform_right_filter_feature_0_choice := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice := not transform_right_filter_feature_0_value;
-      end if;
+      transform_right_filter_feature_0_choices(1) := choice(is_set(transform_right_filter_column(8, 0), 0),
+        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
       transform_right_filter_feature_0_is_equal := (transform_right_filter_column(4, 1) mod 4) = 0;
-      if is_set(transform_right_filter_column(8, 0), 1) then
-        transform_right_filter_feature_0_choices(2) := transform_right_filter_feature_0_choice;
-      else
-        transform_right_filter_feature_0_choices(2) := is_set(transform_right_filter_column(8, 0), 0) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
+      transform_right_filter_feature_0_choices(2) := choice(is_set(transform_right_filter_column(8, 0), 1),
+        transform_right_filter_feature_0_choices(1), is_set(transform_right_filter_column(8, 0), 0) and
+        transform_right_filter_feature_0_is_equal);
       transform_right_filter_feature_0_values(2) := is_set(transform_right_filter_column(4, 1), 2);
-      if transform_right_filter_feature_0_choices(2) then
-        transform_right_filter_feature_0_choices(3) := (not is_set(transform_right_filter_column(8, 0), 2)) and
-          transform_right_filter_feature_0_values(2);
-      else
-        transform_right_filter_feature_0_choices(3) := (not is_set(transform_right_filter_column(8, 0), 2)) or
-          transform_right_filter_feature_0_values(2);
-      end if;
+      transform_right_filter_feature_0_choices(3) := inverted_carry(transform_right_filter_feature_0_choices(2), not
+        is_set(transform_right_filter_column(8, 0), 2), transform_right_filter_feature_0_values(2));
       for i in 3 to 6 loop
         transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(4, 1), i);
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(8, 0), i)) or
-            transform_right_filter_feature_0_values(i);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(8, 0), i)) and
-            transform_right_filter_feature_0_values(i);
-        end if;
+        transform_right_filter_feature_0_choices(i + 1) := carry(transform_right_filter_feature_0_choices(i), not
+          is_set(transform_right_filter_column(8, 0), i), transform_right_filter_feature_0_values(i));
       end loop;
       for i in 0 to 1 loop
-        if transform_right_filter_feature_0_choices(8 * i + 7) then
-          transform_right_filter_feature_0_choices(8 * i + 8) := is_set(transform_right_filter_column(8, i), 7) and
-            (not is_set(transform_right_filter_column(4, 1), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 8) := is_set(transform_right_filter_column(8, i), 7) or (not
-            is_set(transform_right_filter_column(4, 1), 7));
-        end if;
-        if is_set(transform_right_filter_column(8, i + 1), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 9) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 9) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(8, i + 1), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 10) := transform_right_filter_feature_0_choices(8 * i + 9);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 10) := is_set(transform_right_filter_column(8, i + 1), 0)
-            and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 10) then
-          transform_right_filter_feature_0_choices(8 * i + 11) := (not is_set(transform_right_filter_column(8, i + 1),
-            2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 11) := (not is_set(transform_right_filter_column(8, i + 1),
-            2)) or transform_right_filter_feature_0_values(2);
-        end if;
+        transform_right_filter_feature_0_choices(8 * i + 8) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 7), is_set(transform_right_filter_column(8,
+          i), 7), not is_set(transform_right_filter_column(4, 1), 7));
+        transform_right_filter_feature_0_choices(8 * i + 9) := choice(is_set(transform_right_filter_column(8, i + 1),
+          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(8 * i + 10) := choice(is_set(transform_right_filter_column(8, i + 1),
+          1), transform_right_filter_feature_0_choices(8 * i + 9), is_set(transform_right_filter_column(8, i + 1), 0)
+          and transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(8 * i + 11) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 10), not
+          is_set(transform_right_filter_column(8, i + 1), 2), transform_right_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 8) then
-            transform_right_filter_feature_0_choices(8 * i + j + 9) := (not is_set(transform_right_filter_column(8, i +
-              1), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 9) := (not is_set(transform_right_filter_column(8, i +
-              1), j)) and transform_right_filter_feature_0_values(j);
-          end if;
+          transform_right_filter_feature_0_choices(8 * i + j + 9) := carry(transform_right_filter_feature_0_choices(8 *
+            i + j + 8), not is_set(transform_right_filter_column(8, i + 1), j),
+            transform_right_filter_feature_0_values(j));
         end loop;
       end loop;
-      for i in 0 to 1 loop
-        if transform_right_filter_feature_0_choices(8 * i + 23) then
-          transform_right_filter_feature_0_choices(8 * i + 24) := is_set(transform_right_filter_column(8 - i, 2 - 2 *
-            i), 7) and (not is_set(transform_right_filter_column(4, 1), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 24) := is_set(transform_right_filter_column(8 - i, 2 - 2 *
-            i), 7) or (not is_set(transform_right_filter_column(4, 1), 7));
-        end if;
-        if is_set(transform_right_filter_column(7, i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 25) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 25) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(7, i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 26) := transform_right_filter_feature_0_choices(8 * i + 25);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 26) := is_set(transform_right_filter_column(7, i), 0) and
-            transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 26) then
-          transform_right_filter_feature_0_choices(8 * i + 27) := (not is_set(transform_right_filter_column(7, i), 2))
-            and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 27) := (not is_set(transform_right_filter_column(7, i), 2))
-            or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 24) then
-            transform_right_filter_feature_0_choices(8 * i + j + 25) := (not is_set(transform_right_filter_column(7,
-              i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 25) := (not is_set(transform_right_filter_column(7,
-              i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
+      transform_right_filter_feature_0_choices(24) := inverted_carry(transform_right_filter_feature_0_choices(23),
+        is_set(transform_right_filter_column(8, 2), 7), not is_set(transform_right_filter_column(4, 1), 7));
+      for i in 0 to 2 loop
+        for j in 0 to 2 loop
+          transform_right_filter_feature_0_choices(24 * i + 8 * j + 25) :=
+            choice(is_set(transform_right_filter_column(7 - i, j), 0), transform_right_filter_feature_0_any, not
+            transform_right_filter_feature_0_values(1));
+          transform_right_filter_feature_0_choices(24 * i + 8 * j + 26) :=
+            choice(is_set(transform_right_filter_column(7 - i, j), 1), transform_right_filter_feature_0_choices(24 * i
+            + 8 * j + 25), is_set(transform_right_filter_column(7 - i, j), 0) and
+            transform_right_filter_feature_0_is_equal);
+          transform_right_filter_feature_0_choices(24 * i + 8 * j + 27) :=
+            inverted_carry(transform_right_filter_feature_0_choices(24 * i + 8 * j + 26), not
+            is_set(transform_right_filter_column(7 - i, j), 2), transform_right_filter_feature_0_values(2));
+          for k in 3 to 6 loop
+            transform_right_filter_feature_0_choices(24 * i + 8 * j + k + 25) :=
+              carry(transform_right_filter_feature_0_choices(24 * i + 8 * j + k + 24), not
+              is_set(transform_right_filter_column(7 - i, j), k), transform_right_filter_feature_0_values(k));
+          end loop;
+          transform_right_filter_feature_0_choices(24 * i + 8 * j + 32) :=
+            inverted_carry(transform_right_filter_feature_0_choices(24 * i + 8 * j + 31),
+            is_set(transform_right_filter_column(7 - i, j), 7), not is_set(transform_right_filter_column(4, 1), 7));
         end loop;
+      end loop;
+      transform_right_filter_feature_0_choices(97) := choice(is_set(transform_right_filter_column(4, 2), 0),
+        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(98) := choice(is_set(transform_right_filter_column(4, 2), 1),
+        transform_right_filter_feature_0_choices(97), is_set(transform_right_filter_column(4, 2), 0) and
+        transform_right_filter_feature_0_is_equal);
+      transform_right_filter_feature_0_choices(99) := inverted_carry(transform_right_filter_feature_0_choices(98), not
+        is_set(transform_right_filter_column(4, 2), 2), transform_right_filter_feature_0_values(2));
+      for i in 100 to 103 loop
+        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
+          is_set(transform_right_filter_column(4, 2), i - 97), transform_right_filter_feature_0_values(i - 97));
+      end loop;
+      transform_right_filter_feature_0_choices(104) := choice(transform_right_filter_feature_0_choices(103),
+        transform_filtering_0_column_inside(4) and is_set(transform_right_filter_column(4, 2), 7) and (not
+        is_set(transform_right_filter_column(4, 1), 7)), transform_filtering_0_column_inside(4) and
+        (is_set(transform_right_filter_column(4, 2), 7) or (not is_set(transform_right_filter_column(4, 1), 7))));
+      for i in 0 to 2 loop
+        transform_right_filter_feature_0_choices(24 * i + 105) := choice(is_set(transform_right_filter_column(3 - i,
+          1), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(24 * i + 106) := choice(is_set(transform_right_filter_column(3 - i,
+          1), 1), transform_right_filter_feature_0_choices(24 * i + 105), is_set(transform_right_filter_column(3 - i,
+          1), 0) and transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(24 * i + 107) :=
+          inverted_carry(transform_right_filter_feature_0_choices(24 * i + 106), not
+          is_set(transform_right_filter_column(3 - i, 1), 2), transform_right_filter_feature_0_values(2));
+        for j in 3 to 6 loop
+          transform_right_filter_feature_0_choices(24 * i + j + 105) :=
+            carry(transform_right_filter_feature_0_choices(24 * i + j + 104), not
+            is_set(transform_right_filter_column(3 - i, 1), j), transform_right_filter_feature_0_values(j));
+        end loop;
+        transform_right_filter_feature_0_choices(24 * i + 112) :=
+          inverted_carry(transform_right_filter_feature_0_choices(24 * i + 111), is_set(transform_right_filter_column(3
+          - i, 1), 7), not is_set(transform_right_filter_column(4, 1), 7));
+        transform_right_filter_feature_0_choices(24 * i + 113) := choice(is_set(transform_right_filter_column(3 - i,
+          2), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(24 * i + 114) := choice(is_set(transform_right_filter_column(3 - i,
+          2), 1), transform_right_filter_feature_0_choices(24 * i + 113), is_set(transform_right_filter_column(3 - i,
+          2), 0) and transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(24 * i + 115) :=
+          inverted_carry(transform_right_filter_feature_0_choices(24 * i + 114), not
+          is_set(transform_right_filter_column(3 - i, 2), 2), transform_right_filter_feature_0_values(2));
+        for j in 3 to 6 loop
+          transform_right_filter_feature_0_choices(24 * i + j + 113) :=
+            carry(transform_right_filter_feature_0_choices(24 * i + j + 112), not
+            is_set(transform_right_filter_column(3 - i, 2), j), transform_right_filter_feature_0_values(j));
+        end loop;
+        transform_right_filter_feature_0_choices(24 * i + 120) :=
+          inverted_carry(transform_right_filter_feature_0_choices(24 * i + 119), is_set(transform_right_filter_column(3
+          - i, 2), 7), not is_set(transform_right_filter_column(4, 1), 7));
+        transform_right_filter_feature_0_choices(24 * i + 121) := choice(is_set(transform_right_filter_column(3 - i,
+          0), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(24 * i + 122) := choice(is_set(transform_right_filter_column(3 - i,
+          0), 1), transform_right_filter_feature_0_choices(24 * i + 121), is_set(transform_right_filter_column(3 - i,
+          0), 0) and transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(24 * i + 123) :=
+          inverted_carry(transform_right_filter_feature_0_choices(24 * i + 122), not
+          is_set(transform_right_filter_column(3 - i, 0), 2), transform_right_filter_feature_0_values(2));
+        for j in 3 to 6 loop
+          transform_right_filter_feature_0_choices(24 * i + j + 121) :=
+            carry(transform_right_filter_feature_0_choices(24 * i + j + 120), not
+            is_set(transform_right_filter_column(3 - i, 0), j), transform_right_filter_feature_0_values(j));
+        end loop;
+        transform_right_filter_feature_0_choices(24 * i + 128) :=
+          inverted_carry(transform_right_filter_feature_0_choices(24 * i + 127), is_set(transform_right_filter_column(3
+          - i, 0), 7), not is_set(transform_right_filter_column(4, 1), 7));
       end loop;
       for i in 1 to 2 loop
-        if transform_right_filter_feature_0_choices(8 * i + 31) then
-          transform_right_filter_feature_0_choices(8 * i + 32) := is_set(transform_right_filter_column(7, i), 7) and
-            (not is_set(transform_right_filter_column(4, 1), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 32) := is_set(transform_right_filter_column(7, i), 7) or
-            (not is_set(transform_right_filter_column(4, 1), 7));
-        end if;
-        if is_set(transform_right_filter_column(8 - i, 4 - 2 * i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 33) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 33) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(8 - i, 4 - 2 * i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 34) := transform_right_filter_feature_0_choices(8 * i + 33);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 34) := is_set(transform_right_filter_column(8 - i, 4 - 2 *
-            i), 0) and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 34) then
-          transform_right_filter_feature_0_choices(8 * i + 35) := (not is_set(transform_right_filter_column(8 - i, 4 -
-            2 * i), 2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 35) := (not is_set(transform_right_filter_column(8 - i, 4 -
-            2 * i), 2)) or transform_right_filter_feature_0_values(2);
-        end if;
+        transform_right_filter_feature_0_choices(8 * i + 169) := choice(is_set(transform_right_filter_column(0, i), 0),
+          transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(8 * i + 170) := choice(is_set(transform_right_filter_column(0, i), 1),
+          transform_right_filter_feature_0_choices(8 * i + 169), is_set(transform_right_filter_column(0, i), 0) and
+          transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(8 * i + 171) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 170), not
+          is_set(transform_right_filter_column(0, i), 2), transform_right_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 32) then
-            transform_right_filter_feature_0_choices(8 * i + j + 33) := (not is_set(transform_right_filter_column(8 -
-              i, 4 - 2 * i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 33) := (not is_set(transform_right_filter_column(8 -
-              i, 4 - 2 * i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
+          transform_right_filter_feature_0_choices(8 * i + j + 169) := carry(transform_right_filter_feature_0_choices(8
+            * i + j + 168), not is_set(transform_right_filter_column(0, i), j),
+            transform_right_filter_feature_0_values(j));
         end loop;
+        transform_right_filter_feature_0_choices(8 * i + 176) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 175), is_set(transform_right_filter_column(0,
+          i), 7), not is_set(transform_right_filter_column(4, 1), 7));
       end loop;
-      for i in 0 to 1 loop
-        if transform_right_filter_feature_0_choices(8 * i + 55) then
-          transform_right_filter_feature_0_choices(8 * i + 56) := is_set(transform_right_filter_column(6, i), 7) and
-            (not is_set(transform_right_filter_column(4, 1), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 56) := is_set(transform_right_filter_column(6, i), 7) or
-            (not is_set(transform_right_filter_column(4, 1), 7));
-        end if;
-        if is_set(transform_right_filter_column(6, i + 1), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 57) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 57) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(6, i + 1), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 58) := transform_right_filter_feature_0_choices(8 * i + 57);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 58) := is_set(transform_right_filter_column(6, i + 1), 0)
-            and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 58) then
-          transform_right_filter_feature_0_choices(8 * i + 59) := (not is_set(transform_right_filter_column(6, i + 1),
-            2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 59) := (not is_set(transform_right_filter_column(6, i + 1),
-            2)) or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 56) then
-            transform_right_filter_feature_0_choices(8 * i + j + 57) := (not is_set(transform_right_filter_column(6, i
-              + 1), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 57) := (not is_set(transform_right_filter_column(6, i
-              + 1), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-      end loop;
-      for i in 0 to 1 loop
-        if transform_right_filter_feature_0_choices(8 * i + 71) then
-          transform_right_filter_feature_0_choices(8 * i + 72) := is_set(transform_right_filter_column(6 - i, 2 - 2 *
-            i), 7) and (not is_set(transform_right_filter_column(4, 1), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 72) := is_set(transform_right_filter_column(6 - i, 2 - 2 *
-            i), 7) or (not is_set(transform_right_filter_column(4, 1), 7));
-        end if;
-        if is_set(transform_right_filter_column(5, i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 73) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 73) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(5, i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 74) := transform_right_filter_feature_0_choices(8 * i + 73);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 74) := is_set(transform_right_filter_column(5, i), 0) and
-            transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 74) then
-          transform_right_filter_feature_0_choices(8 * i + 75) := (not is_set(transform_right_filter_column(5, i), 2))
-            and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 75) := (not is_set(transform_right_filter_column(5, i), 2))
-            or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 72) then
-            transform_right_filter_feature_0_choices(8 * i + j + 73) := (not is_set(transform_right_filter_column(5,
-              i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 73) := (not is_set(transform_right_filter_column(5,
-              i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-      end loop;
-      for i in 1 to 2 loop
-        if transform_right_filter_feature_0_choices(8 * i + 79) then
-          transform_right_filter_feature_0_choices(8 * i + 80) := is_set(transform_right_filter_column(5, i), 7) and
-            (not is_set(transform_right_filter_column(4, 1), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 80) := is_set(transform_right_filter_column(5, i), 7) or
-            (not is_set(transform_right_filter_column(4, 1), 7));
-        end if;
-        if is_set(transform_right_filter_column(6 - i, 2), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 81) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 81) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(6 - i, 2), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 82) := transform_right_filter_feature_0_choices(8 * i + 81);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 82) := is_set(transform_right_filter_column(6 - i, 2), 0)
-            and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 82) then
-          transform_right_filter_feature_0_choices(8 * i + 83) := (not is_set(transform_right_filter_column(6 - i, 2),
-            2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 83) := (not is_set(transform_right_filter_column(6 - i, 2),
-            2)) or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 80) then
-            transform_right_filter_feature_0_choices(8 * i + j + 81) := (not is_set(transform_right_filter_column(6 -
-              i, 2), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 81) := (not is_set(transform_right_filter_column(6 -
-              i, 2), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-      end loop;
-      if transform_right_filter_feature_0_choices(103) then
-        transform_right_filter_feature_0_choices(104) := transform_filtering_0_column_inside(4) and
-          is_set(transform_right_filter_column(4, 2), 7) and (not is_set(transform_right_filter_column(4, 1), 7));
-      else
-        transform_right_filter_feature_0_choices(104) := transform_filtering_0_column_inside(4) and
-          (is_set(transform_right_filter_column(4, 2), 7) or (not is_set(transform_right_filter_column(4, 1), 7)));
-      end if;
-      for i in 1 to 2 loop
-        if is_set(transform_right_filter_column(3, i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 97) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 97) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(3, i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 98) := transform_right_filter_feature_0_choices(8 * i + 97);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 98) := is_set(transform_right_filter_column(3, i), 0) and
-            transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 98) then
-          transform_right_filter_feature_0_choices(8 * i + 99) := (not is_set(transform_right_filter_column(3, i), 2))
-            and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 99) := (not is_set(transform_right_filter_column(3, i), 2))
-            or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 96) then
-            transform_right_filter_feature_0_choices(8 * i + j + 97) := (not is_set(transform_right_filter_column(3,
-              i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 97) := (not is_set(transform_right_filter_column(3,
-              i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 103) then
-          transform_right_filter_feature_0_choices(8 * i + 104) := is_set(transform_right_filter_column(3, i), 7) and
-            (not is_set(transform_right_filter_column(4, 1), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 104) := is_set(transform_right_filter_column(3, i), 7) or
-            (not is_set(transform_right_filter_column(4, 1), 7));
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_right_filter_column(3 - i, i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 121) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 121) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(3 - i, i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 122) := transform_right_filter_feature_0_choices(8 * i +
-            121);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 122) := is_set(transform_right_filter_column(3 - i, i), 0)
-            and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 122) then
-          transform_right_filter_feature_0_choices(8 * i + 123) := (not is_set(transform_right_filter_column(3 - i, i),
-            2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 123) := (not is_set(transform_right_filter_column(3 - i, i),
-            2)) or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 120) then
-            transform_right_filter_feature_0_choices(8 * i + j + 121) := (not is_set(transform_right_filter_column(3 -
-              i, i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 121) := (not is_set(transform_right_filter_column(3 -
-              i, i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 127) then
-          transform_right_filter_feature_0_choices(8 * i + 128) := is_set(transform_right_filter_column(3 - i, i), 7)
-            and (not is_set(transform_right_filter_column(4, 1), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 128) := is_set(transform_right_filter_column(3 - i, i), 7)
-            or (not is_set(transform_right_filter_column(4, 1), 7));
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_right_filter_column(2, 2 - 2 * i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 137) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 137) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(2, 2 - 2 * i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 138) := transform_right_filter_feature_0_choices(8 * i +
-            137);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 138) := is_set(transform_right_filter_column(2, 2 - 2 * i),
-            0) and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 138) then
-          transform_right_filter_feature_0_choices(8 * i + 139) := (not is_set(transform_right_filter_column(2, 2 - 2 *
-            i), 2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 139) := (not is_set(transform_right_filter_column(2, 2 - 2 *
-            i), 2)) or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 136) then
-            transform_right_filter_feature_0_choices(8 * i + j + 137) := (not is_set(transform_right_filter_column(2, 2
-              - 2 * i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 137) := (not is_set(transform_right_filter_column(2, 2
-              - 2 * i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 143) then
-          transform_right_filter_feature_0_choices(8 * i + 144) := is_set(transform_right_filter_column(2, 2 - 2 * i),
-            7) and (not is_set(transform_right_filter_column(4, 1), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 144) := is_set(transform_right_filter_column(2, 2 - 2 * i),
-            7) or (not is_set(transform_right_filter_column(4, 1), 7));
-        end if;
-      end loop;
-      for i in 1 to 2 loop
-        if is_set(transform_right_filter_column(1, i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 145) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 145) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(1, i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 146) := transform_right_filter_feature_0_choices(8 * i +
-            145);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 146) := is_set(transform_right_filter_column(1, i), 0) and
-            transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 146) then
-          transform_right_filter_feature_0_choices(8 * i + 147) := (not is_set(transform_right_filter_column(1, i), 2))
-            and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 147) := (not is_set(transform_right_filter_column(1, i), 2))
-            or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 144) then
-            transform_right_filter_feature_0_choices(8 * i + j + 145) := (not is_set(transform_right_filter_column(1,
-              i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 145) := (not is_set(transform_right_filter_column(1,
-              i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 151) then
-          transform_right_filter_feature_0_choices(8 * i + 152) := is_set(transform_right_filter_column(1, i), 7) and
-            (not is_set(transform_right_filter_column(4, 1), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 152) := is_set(transform_right_filter_column(1, i), 7) or
-            (not is_set(transform_right_filter_column(4, 1), 7));
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_right_filter_column(1 - i, i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 169) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 169) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(1 - i, i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 170) := transform_right_filter_feature_0_choices(8 * i +
-            169);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 170) := is_set(transform_right_filter_column(1 - i, i), 0)
-            and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 170) then
-          transform_right_filter_feature_0_choices(8 * i + 171) := (not is_set(transform_right_filter_column(1 - i, i),
-            2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 171) := (not is_set(transform_right_filter_column(1 - i, i),
-            2)) or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 168) then
-            transform_right_filter_feature_0_choices(8 * i + j + 169) := (not is_set(transform_right_filter_column(1 -
-              i, i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 169) := (not is_set(transform_right_filter_column(1 -
-              i, i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 175) then
-          transform_right_filter_feature_0_choices(8 * i + 176) := is_set(transform_right_filter_column(1 - i, i), 7)
-            and (not is_set(transform_right_filter_column(4, 1), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 176) := is_set(transform_right_filter_column(1 - i, i), 7)
-            or (not is_set(transform_right_filter_column(4, 1), 7));
-        end if;
-      end loop;
-      if is_set(transform_right_filter_column(0, 2), 0) then
-        transform_right_filter_feature_0_choices(185) := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choices(185) := not transform_right_filter_feature_0_value;
-      end if;
-      if is_set(transform_right_filter_column(0, 2), 1) then
-        transform_right_filter_feature_0_choices(186) := transform_right_filter_feature_0_choices(185);
-      else
-        transform_right_filter_feature_0_choices(186) := is_set(transform_right_filter_column(0, 2), 0) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choices(186) then
-        transform_right_filter_feature_0_choices(187) := (not is_set(transform_right_filter_column(0, 2), 2)) and
-          transform_right_filter_feature_0_values(2);
-      else
-        transform_right_filter_feature_0_choices(187) := (not is_set(transform_right_filter_column(0, 2), 2)) or
-          transform_right_filter_feature_0_values(2);
-      end if;
-      for i in 187 to 190 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(0, 2), i - 184))
-            or transform_right_filter_feature_0_values(i - 184);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(0, 2), i - 184))
-            and transform_right_filter_feature_0_values(i - 184);
-        end if;
-      end loop;
-      if transform_right_filter_feature_0_choices(191) then
-        transform_right_filter_feature_0_choices(192) := is_set(transform_right_filter_column(0, 2), 7) and (not
-          is_set(transform_right_filter_column(4, 1), 7));
-      else
-        transform_right_filter_feature_0_choices(192) := is_set(transform_right_filter_column(0, 2), 7) or (not
-          is_set(transform_right_filter_column(4, 1), 7));
-      end if;
-      if is_set(transform_right_filter_column(4, 1), 0) then
-        transform_right_filter_feature_0_choices(193) := not is_set(transform_right_filter_column(0, 0), 1);
-      else
-        transform_right_filter_feature_0_choices(193) := (transform_right_filter_column(0, 0) mod 4) = 0;
-      end if;
-      if transform_right_filter_feature_0_value then
-        transform_right_filter_feature_0_choices(194) := is_set(transform_right_filter_column(4, 1), 0) or (not
-          is_set(transform_right_filter_column(0, 0), 1)) or (not is_set(transform_right_filter_column(0, 0), 0));
-      else
-        transform_right_filter_feature_0_choices(194) := transform_right_filter_feature_0_choices(193);
-      end if;
+      transform_right_filter_feature_0_choices(193) := choice(is_set(transform_right_filter_column(4, 1), 0), not
+        is_set(transform_right_filter_column(0, 0), 1), (transform_right_filter_column(0, 0) mod 4) = 0);
+      transform_right_filter_feature_0_choices(194) := choice(transform_right_filter_feature_0_values(1),
+        is_set(transform_right_filter_column(4, 1), 0) or (not is_set(transform_right_filter_column(0, 0), 1)) or (not
+        is_set(transform_right_filter_column(0, 0), 0)), transform_right_filter_feature_0_choices(193));
       transform_right_filter_feature_0_values(7) := is_set(transform_right_filter_column(0, 0), 2);
-      if transform_right_filter_feature_0_choices(194) then
-        transform_right_filter_feature_0_choices(195) := (not transform_right_filter_feature_0_values(2)) and
-          transform_right_filter_feature_0_values(7);
-      else
-        transform_right_filter_feature_0_choices(195) := (not transform_right_filter_feature_0_values(2)) or
-          transform_right_filter_feature_0_values(7);
-      end if;
+      transform_right_filter_feature_0_choices(195) := inverted_carry(transform_right_filter_feature_0_choices(194),
+        not transform_right_filter_feature_0_values(2), transform_right_filter_feature_0_values(7));
       for i in 8 to 11 loop
         transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(0, 0), i - 5);
-        if transform_right_filter_feature_0_choices(i + 187) then
-          transform_right_filter_feature_0_choices(i + 188) := (not transform_right_filter_feature_0_values(i - 5)) or
-            transform_right_filter_feature_0_values(i);
-        else
-          transform_right_filter_feature_0_choices(i + 188) := (not transform_right_filter_feature_0_values(i - 5)) and
-            transform_right_filter_feature_0_values(i);
-        end if;
+        transform_right_filter_feature_0_choices(i + 188) := carry(transform_right_filter_feature_0_choices(i + 187),
+          not transform_right_filter_feature_0_values(i - 5), transform_right_filter_feature_0_values(i));
       end loop;
-      if transform_right_filter_feature_0_choices(199) then
-        transform_right_filter_feature_0_choices(200) := (not is_set(transform_right_filter_column(4, 1), 7)) or
-          is_set(transform_right_filter_column(0, 0), 7);
-      else
-        transform_right_filter_feature_0_choices(200) := (not is_set(transform_right_filter_column(4, 1), 7)) and
-          is_set(transform_right_filter_column(0, 0), 7);
-      end if;
-      if transform_filtering_0_column_inside(0) then
-        transform_right_filter_feature_0_choice_201 := (as_number(transform_right_filter_feature_0_choices(184)) * 2) +
-          (as_number(transform_right_filter_feature_0_choices(192)) * 4) +
-          as_number(transform_right_filter_feature_0_choices(200));
-      else
-        transform_right_filter_feature_0_choice_201 := 0;
-      end if;
-      if transform_filtering_0_column_inside(1) then
-        transform_right_filter_feature_0_choice_202 := (as_number(transform_right_filter_feature_0_choices(160)) * 16)
-          + (as_number(transform_right_filter_feature_0_choices(168)) * 32) +
-          (as_number(transform_right_filter_feature_0_choices(176)) * 8) + transform_right_filter_feature_0_choice_201;
-      else
-        transform_right_filter_feature_0_choice_202 := transform_right_filter_feature_0_choice_201;
-      end if;
-      if transform_filtering_0_column_inside(2) then
-        transform_right_filter_feature_0_choice_203 := (as_number(transform_right_filter_feature_0_choices(136)) * 128)
-          + (as_number(transform_right_filter_feature_0_choices(144)) * 256) +
-          (as_number(transform_right_filter_feature_0_choices(152)) * 64) + transform_right_filter_feature_0_choice_202;
-      else
-        transform_right_filter_feature_0_choice_203 := transform_right_filter_feature_0_choice_202;
-      end if;
-      if transform_filtering_0_column_inside(3) then
-        transform_right_filter_feature_0_choice_204 := (as_number(transform_right_filter_feature_0_choices(112)) *
-          1024) + (as_number(transform_right_filter_feature_0_choices(120)) * 2048) +
-          (as_number(transform_right_filter_feature_0_choices(128)) * 512) +
-          transform_right_filter_feature_0_choice_203;
-      else
-        transform_right_filter_feature_0_choice_204 := transform_right_filter_feature_0_choice_203;
-      end if;
-      if is_set(transform_right_filter_column(4, 0), 0) then
-        transform_right_filter_feature_0_choices_from_205(205) := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choices_from_205(205) := not transform_right_filter_feature_0_value;
-      end if;
-      if is_set(transform_right_filter_column(4, 0), 1) then
-        transform_right_filter_feature_0_choices_from_205(206) :=
-          transform_right_filter_feature_0_choices_from_205(205);
-      else
-        transform_right_filter_feature_0_choices_from_205(206) := is_set(transform_right_filter_column(4, 0), 0) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choices_from_205(206) then
-        transform_right_filter_feature_0_choices_from_205(207) := (not is_set(transform_right_filter_column(4, 0), 2))
-          and transform_right_filter_feature_0_values(2);
-      else
-        transform_right_filter_feature_0_choices_from_205(207) := (not is_set(transform_right_filter_column(4, 0), 2))
-          or transform_right_filter_feature_0_values(2);
-      end if;
-      for i in 207 to 210 loop
-        if transform_right_filter_feature_0_choices_from_205(i) then
-          transform_right_filter_feature_0_choices_from_205(i + 1) := (not is_set(transform_right_filter_column(4, 0),
-            i - 204)) or transform_right_filter_feature_0_values(i - 204);
-        else
-          transform_right_filter_feature_0_choices_from_205(i + 1) := (not is_set(transform_right_filter_column(4, 0),
-            i - 204)) and transform_right_filter_feature_0_values(i - 204);
-        end if;
+      transform_right_filter_feature_0_choices(200) := carry(transform_right_filter_feature_0_choices(199), not
+        is_set(transform_right_filter_column(4, 1), 7), is_set(transform_right_filter_column(0, 0), 7));
+      transform_right_filter_feature_0_choice_201 := choice(transform_filtering_0_column_inside(0),
+        (as_number(transform_right_filter_feature_0_choices(184)) * 2) +
+        (as_number(transform_right_filter_feature_0_choices(192)) * 4) +
+        as_number(transform_right_filter_feature_0_choices(200)), 0);
+      transform_right_filter_feature_0_choice_202 := choice(transform_filtering_0_column_inside(1),
+        (as_number(transform_right_filter_feature_0_choices(160)) * 16) +
+        (as_number(transform_right_filter_feature_0_choices(168)) * 32) +
+        (as_number(transform_right_filter_feature_0_choices(176)) * 8) + transform_right_filter_feature_0_choice_201,
+        transform_right_filter_feature_0_choice_201);
+      transform_right_filter_feature_0_choice_203 := choice(transform_filtering_0_column_inside(2),
+        (as_number(transform_right_filter_feature_0_choices(136)) * 128) +
+        (as_number(transform_right_filter_feature_0_choices(144)) * 256) +
+        (as_number(transform_right_filter_feature_0_choices(152)) * 64) + transform_right_filter_feature_0_choice_202,
+        transform_right_filter_feature_0_choice_202);
+      transform_right_filter_feature_0_choice_204 := choice(transform_filtering_0_column_inside(3),
+        (as_number(transform_right_filter_feature_0_choices(112)) * 1024) +
+        (as_number(transform_right_filter_feature_0_choices(120)) * 2048) +
+        (as_number(transform_right_filter_feature_0_choices(128)) * 512) + transform_right_filter_feature_0_choice_203,
+        transform_right_filter_feature_0_choice_203);
+      transform_right_filter_feature_0_choices(205) := choice(is_set(transform_right_filter_column(4, 0), 0),
+        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(206) := choice(is_set(transform_right_filter_column(4, 0), 1),
+        transform_right_filter_feature_0_choices(205), is_set(transform_right_filter_column(4, 0), 0) and
+        transform_right_filter_feature_0_is_equal);
+      transform_right_filter_feature_0_choices(207) := inverted_carry(transform_right_filter_feature_0_choices(206),
+        not is_set(transform_right_filter_column(4, 0), 2), transform_right_filter_feature_0_values(2));
+      for i in 208 to 211 loop
+        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
+          is_set(transform_right_filter_column(4, 0), i - 205), transform_right_filter_feature_0_values(i - 205));
       end loop;
-      if transform_right_filter_feature_0_choices_from_205(211) then
-        transform_right_filter_feature_0_choices_from_205(212) := is_set(transform_right_filter_column(4, 0), 7) and
-          (not is_set(transform_right_filter_column(4, 1), 7));
-      else
-        transform_right_filter_feature_0_choices_from_205(212) := is_set(transform_right_filter_column(4, 0), 7) or
-          (not is_set(transform_right_filter_column(4, 1), 7));
-      end if;
-      if transform_filtering_0_column_inside(4) then
-        transform_right_filter_feature_0_choice_213 := transform_right_filter_feature_0_choice_204 +
-          (as_number(transform_right_filter_feature_0_choices_from_205(212)) * 4096);
-      else
-        transform_right_filter_feature_0_choice_213 := transform_right_filter_feature_0_choice_204;
-      end if;
-      if transform_filtering_0_column_inside(5) then
-        transform_right_filter_feature_0_choice_214 := (as_number(transform_right_filter_feature_0_choices(80)) *
-          16384) + (as_number(transform_right_filter_feature_0_choices(88)) * 32768) +
-          (as_number(transform_right_filter_feature_0_choices(96)) * 65536) +
-          (as_number(transform_right_filter_feature_0_choices(104)) * 8192) +
-          transform_right_filter_feature_0_choice_213;
-      else
-        transform_right_filter_feature_0_choice_214 := (as_number(transform_right_filter_feature_0_choices(104)) *
-          8192) + transform_right_filter_feature_0_choice_213;
-      end if;
-      if transform_filtering_0_column_inside(6) then
-        transform_right_filter_feature_0_choice_215 := (as_number(transform_right_filter_feature_0_choices(56)) *
-          131072) + (as_number(transform_right_filter_feature_0_choices(64)) * 262144) +
-          (as_number(transform_right_filter_feature_0_choices(72)) * 524288) +
-          transform_right_filter_feature_0_choice_214;
-      else
-        transform_right_filter_feature_0_choice_215 := transform_right_filter_feature_0_choice_214;
-      end if;
-      if transform_filtering_0_column_inside(7) then
-        transform_right_filter_feature_0_choice_216 := (as_number(transform_right_filter_feature_0_choices(32)) *
-          1048576) + (as_number(transform_right_filter_feature_0_choices(40)) * 2097152) +
-          (as_number(transform_right_filter_feature_0_choices(48)) * 4194304) +
-          transform_right_filter_feature_0_choice_215;
-      else
-        transform_right_filter_feature_0_choice_216 := transform_right_filter_feature_0_choice_215;
-      end if;
+      transform_right_filter_feature_0_choices(212) := inverted_carry(transform_right_filter_feature_0_choices(211),
+        is_set(transform_right_filter_column(4, 0), 7), not is_set(transform_right_filter_column(4, 1), 7));
+      transform_right_filter_feature_0_choice_213 := choice(transform_filtering_0_column_inside(4),
+        transform_right_filter_feature_0_choice_204 + (as_number(transform_right_filter_feature_0_choices(212)) *
+        4096), transform_right_filter_feature_0_choice_204);
+      transform_right_filter_feature_0_choice_214 := choice(transform_filtering_0_column_inside(5),
+        (as_number(transform_right_filter_feature_0_choices(80)) * 16384) +
+        (as_number(transform_right_filter_feature_0_choices(88)) * 32768) +
+        (as_number(transform_right_filter_feature_0_choices(96)) * 65536) +
+        (as_number(transform_right_filter_feature_0_choices(104)) * 8192) +
+        transform_right_filter_feature_0_choice_213, (as_number(transform_right_filter_feature_0_choices(104)) * 8192)
+        + transform_right_filter_feature_0_choice_213);
+      transform_right_filter_feature_0_choice_215 := choice(transform_filtering_0_column_inside(6),
+        (as_number(transform_right_filter_feature_0_choices(56)) * 131072) +
+        (as_number(transform_right_filter_feature_0_choices(64)) * 262144) +
+        (as_number(transform_right_filter_feature_0_choices(72)) * 524288) +
+        transform_right_filter_feature_0_choice_214, transform_right_filter_feature_0_choice_214);
+      transform_right_filter_feature_0_choice_216 := choice(transform_filtering_0_column_inside(7),
+        (as_number(transform_right_filter_feature_0_choices(32)) * 1048576) +
+        (as_number(transform_right_filter_feature_0_choices(40)) * 2097152) +
+        (as_number(transform_right_filter_feature_0_choices(48)) * 4194304) +
+        transform_right_filter_feature_0_choice_215, transform_right_filter_feature_0_choice_215);
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
@@ -2355,12 +1215,8 @@ begin
       transform_read_start_of_frame <= (transform_counter_group = 1) and (transform_counter_column = 4);
       transform_read_valid <= transform_valid;
       transform_ready_column <= transform_read_column;
-      transform_ready_row_inside(0) <= transform_read_row_inside(0);
-      transform_ready_row_inside(1) <= transform_read_row_inside(1);
-      transform_ready_row_inside(2) <= transform_read_row_inside(2);
-      for i in 0 to 8 loop
-        transform_ready_column_inside(i) <= transform_read_column_inside(i);
-      end loop;
+      transform_ready_row_inside <= transform_read_row_inside;
+      transform_ready_column_inside <= transform_read_column_inside;
       transform_ready_start_of_frame <= transform_read_start_of_frame;
       transform_ready_valid <= transform_read_valid;
       transform_left_column(0) <= transform_left_rows_ready_words_0 mod 256;
@@ -2369,73 +1225,41 @@ begin
       transform_right_column(0) <= transform_right_rows_ready_words_0 mod 256;
       transform_right_column(1) <= transform_right_rows_ready_words_0 / 256;
       transform_right_column(2) <= transform_right_rows_ready_newest_0;
-      transform_columns_row_inside(0) <= transform_ready_row_inside(0);
-      transform_columns_row_inside(1) <= transform_ready_row_inside(1);
-      transform_columns_row_inside(2) <= transform_ready_row_inside(2);
-      transform_columns_column_inside(0) <= transform_ready_column_inside(0);
-      transform_columns_column_inside(1) <= transform_ready_column_inside(1);
-      transform_columns_column_inside(2) <= transform_ready_column_inside(2);
-      transform_columns_column_inside(3) <= transform_ready_column_inside(3);
+      transform_columns_row_inside <= transform_ready_row_inside;
+      transform_columns_column_inside(0 to 3) <= transform_ready_column_inside(0 to 3);
       transform_columns_column_inside(4) <= refinement_passed_0(1);
-      transform_columns_column_inside(5) <= transform_ready_column_inside(5);
-      transform_columns_column_inside(6) <= transform_ready_column_inside(6);
-      transform_columns_column_inside(7) <= transform_ready_column_inside(7);
-      transform_columns_column_inside(8) <= transform_ready_column_inside(8);
+      transform_columns_column_inside(5 to 8) <= transform_ready_column_inside(5 to 8);
       transform_columns_start_of_frame <= transform_ready_start_of_frame;
       transform_columns_valid <= transform_ready_valid;
-      transform_filtering_0_column_inside(0) <= transform_columns_column_inside(0);
-      transform_filtering_0_column_inside(1) <= transform_columns_column_inside(1);
-      transform_filtering_0_column_inside(2) <= transform_columns_column_inside(2);
-      transform_filtering_0_column_inside(3) <= transform_columns_column_inside(3);
+      transform_filtering_0_column_inside(0 to 3) <= transform_columns_column_inside(0 to 3);
       transform_filtering_0_column_inside(4) <= refinement_passed_0(2);
-      transform_filtering_0_column_inside(5) <= transform_columns_column_inside(5);
-      transform_filtering_0_column_inside(6) <= transform_columns_column_inside(6);
-      transform_filtering_0_column_inside(7) <= transform_columns_column_inside(7);
-      transform_filtering_0_column_inside(8) <= transform_columns_column_inside(8);
+      transform_filtering_0_column_inside(5 to 8) <= transform_columns_column_inside(5 to 8);
       transform_filtering_start_of_frame(0) <= transform_columns_start_of_frame;
       transform_filtering_valid(0) <= transform_columns_valid;
       transform_filtering_start_of_frame(1) <= transform_filtering_start_of_frame(0);
       transform_filtering_valid(1) <= transform_filtering_valid(0);
-      if in_valid and in_start_of_frame then
-        transform_counter_group <= transform_counter_group_choice * 32;
-      else
-        transform_counter_group <= transform_counter_group_choices(3);
-      end if;
-      if transform_filtering_0_column_inside(8) then
-        transform_left_filter_feature_0 <= (as_number(transform_left_filter_feature_0_choices(8)) * 8388608) +
-          (as_number(transform_left_filter_feature_0_choices(16)) * 16777216) +
-          (as_number(transform_left_filter_feature_0_choices(24)) * 33554432) +
-          transform_left_filter_feature_0_choice_216;
-        transform_right_filter_feature_0 <= (as_number(transform_right_filter_feature_0_choices(8)) * 8388608) +
-          (as_number(transform_right_filter_feature_0_choices(16)) * 16777216) +
-          (as_number(transform_right_filter_feature_0_choices(24)) * 33554432) +
-          transform_right_filter_feature_0_choice_216;
-      else
-        transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_216;
-        transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_216;
-      end if;
-      if transform_counter_group_is_equal_2 then
-        transform_counter_next_frame_choice := (transform_counter_group /= 480) and transform_counter_next_frame;
-      else
-        transform_counter_next_frame_choice := transform_counter_next_frame;
-      end if;
-      if transform_counter_group_differs then
-        transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice;
-      else
-        transform_counter_next_frame_choice_2 := transform_counter_next_frame;
-      end if;
+      transform_counter_group <= choice(in_valid and in_start_of_frame, transform_counter_group_choice * 32,
+        transform_counter_group_choices(3));
+      transform_left_filter_feature_0 <= choice(transform_filtering_0_column_inside(8),
+        (as_number(transform_left_filter_feature_0_choices(8)) * 8388608) +
+        (as_number(transform_left_filter_feature_0_choices(16)) * 16777216) +
+        (as_number(transform_left_filter_feature_0_choices(24)) * 33554432) +
+        transform_left_filter_feature_0_choice_216, transform_left_filter_feature_0_choice_216);
+      transform_right_filter_feature_0 <= choice(transform_filtering_0_column_inside(8),
+        (as_number(transform_right_filter_feature_0_choices(8)) * 8388608) +
+        (as_number(transform_right_filter_feature_0_choices(16)) * 16777216) +
+        (as_number(transform_right_filter_feature_0_choices(24)) * 33554432) +
+        transform_right_filter_feature_0_choice_216, transform_right_filter_feature_0_choice_216);
+      transform_counter_next_frame_choices(1) := choice(transform_counter_group_is_equals(2), (transform_counter_group
+        /= 480) and transform_counter_next_frame, transform_counter_next_frame);
+      transform_counter_next_frame_choices(2) := choice(transform_counter_group_differs,
+        transform_counter_next_frame_choices(1), transform_counter_next_frame);
       if in_valid then
-        if in_start_of_frame or transform_counter_group_is_equal_2 then
-          transform_counter_column <= 0;
-        else
-          transform_counter_column <= (transform_counter_column + 1) mod 1024;
-        end if;
-        if transform_counter_next_frame_choice_2 then
-          transform_counter_next_frame <= (not in_start_of_frame) or transform_counter_group_all;
-        else
-          transform_counter_next_frame <= in_start_of_frame and transform_counter_group_is_equal and
-            transform_counter_group_is_equal_2;
-        end if;
+        transform_counter_column <= choice(in_start_of_frame or transform_counter_group_is_equals(2), 0,
+          (transform_counter_column + 1) mod 1024);
+        transform_counter_next_frame <= choice(transform_counter_next_frame_choices(2), (not in_start_of_frame) or
+          transform_counter_group_all, in_start_of_frame and transform_counter_group_is_equals(1) and
+          transform_counter_group_is_equals(2));
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= (transform_left_rows_ready_newest_0 * 256) +
@@ -2456,13 +1280,8 @@ begin
           transform_right_filter_column(i, 2) <= transform_right_filter_column(i - 1, 2);
         end loop;
         for i in 0 to 2 loop
-          if transform_columns_row_inside(i) then
-            transform_left_filter_column(0, i) <= transform_left_column(i);
-            transform_right_filter_column(0, i) <= transform_right_column(i);
-          else
-            transform_left_filter_column(0, i) <= 0;
-            transform_right_filter_column(0, i) <= 0;
-          end if;
+          transform_left_filter_column(0, i) <= choice(transform_columns_row_inside(i), transform_left_column(i), 0);
+          transform_right_filter_column(0, i) <= choice(transform_columns_row_inside(i), transform_right_column(i), 0);
         end loop;
       end if;
       -- raster
@@ -2470,18 +1289,12 @@ begin
       raster_features_search_0 <= transform_right_filter_feature_0;
       raster_features_reference_0 <= transform_left_filter_feature_0;
       raster_features_valid <= transform_filtering_valid(1);
-      if transform_filtering_valid(1) and transform_filtering_start_of_frame(1) then
-        raster_place_group <= 0;
-      else
-        raster_place_group <= (raster_place_group + as_number(((raster_place_group /= 484) and
-          transform_filtering_valid(1) and raster_place_group_is_equal))) mod 512;
-      end if;
+      raster_place_group <= choice(transform_filtering_valid(1) and transform_filtering_start_of_frame(1), 0,
+        (raster_place_group + as_number(((raster_place_group /= 484) and transform_filtering_valid(1) and
+        raster_place_group_is_equal))) mod 512);
       if transform_filtering_valid(1) then
-        if raster_place_group_is_equal or transform_filtering_start_of_frame(1) then
-          raster_place_column <= 0;
-        else
-          raster_place_column <= (raster_place_column + 1) mod 1024;
-        end if;
+        raster_place_column <= choice(raster_place_group_is_equal or transform_filtering_start_of_frame(1), 0,
+          (raster_place_column + 1) mod 1024);
       end if;
       -- delay
       delay_tag_first_column_is_equal := raster_place_column = 1;
@@ -2490,12 +1303,12 @@ begin
       delay_column <= raster_place_column;
       delay_row_inside(0) <= (raster_place_group >= 9) and (raster_place_group < 489);
       delay_row_inside(1) <= raster_place_group < 480;
-      delay_tag_valid <= raster_features_valid;
-      delay_tag_first_group <= raster_place_group = 0;
-      delay_tag_output_column <= ((((((raster_place_group / 4) + 16383) mod 16384) * 4) + (raster_place_group mod 4)) <
+      delay_tag.valid <= raster_features_valid;
+      delay_tag.first_group <= raster_place_group = 0;
+      delay_tag.output_column <= ((((((raster_place_group / 4) + 16383) mod 16384) * 4) + (raster_place_group mod 4)) <
         480) and (raster_place_column >= 1) and (raster_place_column < 640);
-      delay_tag_first_column <= delay_tag_first_column_is_equal;
-      delay_tag_start_of_frame <= (raster_place_group = 4) and delay_tag_first_column_is_equal;
+      delay_tag.first_column <= delay_tag_first_column_is_equal;
+      delay_tag.start_of_frame <= (raster_place_group = 4) and delay_tag_first_column_is_equal;
       -- rows
       rows_search_rows_read_newest_0 <= delay_delayed_0;
       for i in 0 to 8 loop
@@ -2508,242 +1321,123 @@ begin
       end loop;
       rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
       rows_read_column <= delay_column;
-      rows_read_inside(0) <= delay_row_inside(0);
-      rows_read_inside(1) <= delay_row_inside(1);
-      rows_read_tag_valid <= delay_tag_valid;
-      rows_read_tag_first_group <= delay_tag_first_group;
-      rows_read_tag_output_column <= delay_tag_output_column;
-      rows_read_tag_first_column <= delay_tag_first_column;
-      rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
+      rows_read_inside <= delay_row_inside;
+      rows_read_tag <= delay_tag;
       rows_ready_column <= rows_read_column;
-      rows_ready_inside(0) <= rows_read_inside(0);
-      rows_ready_inside(1) <= rows_read_inside(1);
-      rows_ready_tag_valid <= rows_read_tag_valid;
-      rows_ready_tag_first_group <= rows_read_tag_first_group;
-      rows_ready_tag_output_column <= rows_read_tag_output_column;
-      rows_ready_tag_first_column <= rows_read_tag_first_column;
-      rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
-      rows_tag_valid <= rows_ready_tag_valid;
-      rows_tag_first_group <= rows_ready_tag_first_group;
-      rows_tag_output_column <= rows_ready_tag_output_column;
-      rows_tag_first_column <= rows_ready_tag_first_column;
-      rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
-      if rows_ready_inside(0) then
-        rows_search(0) <= rows_search_rows_ready_words(0);
-        rows_reference(0) <= rows_reference_rows_ready_words(0);
-      else
-        rows_search(0) <= 0;
-        rows_reference(0) <= 0;
-      end if;
-      if rows_ready_inside(1) then
-        rows_search(1) <= rows_search_rows_ready_newest_0;
-        rows_reference(1) <= rows_reference_rows_ready_newest_0;
-      else
-        rows_search(1) <= 0;
-        rows_reference(1) <= 0;
-      end if;
-      if rows_ready_tag_valid then
-        for i in 0 to 7 loop
-          rows_search_rows_write_words(i) <= rows_search_rows_ready_words(i + 1);
-        end loop;
+      rows_ready_inside <= rows_read_inside;
+      rows_ready_tag <= rows_read_tag;
+      rows_tag <= rows_ready_tag;
+      rows_search(0) <= choice(rows_ready_inside(0), rows_search_rows_ready_words(0), 0);
+      rows_reference(0) <= choice(rows_ready_inside(0), rows_reference_rows_ready_words(0), 0);
+      rows_search(1) <= choice(rows_ready_inside(1), rows_search_rows_ready_newest_0, 0);
+      rows_reference(1) <= choice(rows_ready_inside(1), rows_reference_rows_ready_newest_0, 0);
+      if rows_ready_tag.valid then
+        rows_search_rows_write_words(0 to 7) <= rows_search_rows_ready_words(1 to 8);
         rows_search_rows_write_words(8) <= rows_search_rows_ready_newest_0;
-        for i in 0 to 7 loop
-          rows_reference_rows_write_words(i) <= rows_reference_rows_ready_words(i + 1);
-        end loop;
+        rows_reference_rows_write_words(0 to 7) <= rows_reference_rows_ready_words(1 to 8);
         rows_reference_rows_write_words(8) <= rows_reference_rows_ready_newest_0;
         rows_write_column <= rows_ready_column;
       end if;
       -- passes
       passes_row_is_equal := rows_write_column = 639;
-      if rows_tag_valid then
+      if rows_tag.valid then
         passes_row <= passes_row_is_equal /= passes_row;
         passes_write_address <= rows_write_column + (as_number(passes_row) * 1024);
-        passes_write_search(0) <= rows_search(0);
-        passes_write_search(1) <= rows_search(1);
-        passes_write_reference(0) <= rows_reference(0);
-        passes_write_reference(1) <= rows_reference(1);
+        passes_write_search <= rows_search;
+        passes_write_reference <= rows_reference;
       end if;
-      if rows_tag_first_column then
-        passes_coming_first_group_choice := passes_coming_first_group or rows_tag_valid;
-      else
-        passes_coming_first_group_choice := passes_coming_first_group;
-      end if;
-      if rows_tag_first_column then
-        passes_coming_first_group_choice_2 := passes_coming_first_group and (not rows_tag_valid);
-      else
-        passes_coming_first_group_choice_2 := passes_coming_first_group;
-      end if;
-      if rows_tag_first_column then
-        passes_coming_output_choice := passes_coming_output or rows_tag_valid;
-      else
-        passes_coming_output_choice := passes_coming_output;
-      end if;
-      if rows_tag_first_column then
-        passes_coming_output_choice_2 := passes_coming_output and (not rows_tag_valid);
-      else
-        passes_coming_output_choice_2 := passes_coming_output;
-      end if;
-      if rows_tag_first_column then
-        passes_coming_starts_choice := passes_coming_starts or rows_tag_valid;
-      else
-        passes_coming_starts_choice := passes_coming_starts;
-      end if;
-      if rows_tag_first_column then
-        passes_coming_starts_choice_2 := passes_coming_starts and (not rows_tag_valid);
-      else
-        passes_coming_starts_choice_2 := passes_coming_starts;
-      end if;
-      passes_row_ended_all := rows_tag_valid and passes_row_is_equal;
+      passes_coming_first_group_choices(1) := choice(rows_tag.first_column, passes_coming_first_group or
+        rows_tag.valid, passes_coming_first_group);
+      passes_coming_first_group_choices(2) := choice(rows_tag.first_column, passes_coming_first_group and (not
+        rows_tag.valid), passes_coming_first_group);
+      passes_coming_output_choices(1) := choice(rows_tag.first_column, passes_coming_output or rows_tag.valid,
+        passes_coming_output);
+      passes_coming_output_choices(2) := choice(rows_tag.first_column, passes_coming_output and (not rows_tag.valid),
+        passes_coming_output);
+      passes_coming_starts_choices(1) := choice(rows_tag.first_column, passes_coming_starts or rows_tag.valid,
+        passes_coming_starts);
+      passes_coming_starts_choices(2) := choice(rows_tag.first_column, passes_coming_starts and (not rows_tag.valid),
+        passes_coming_starts);
+      passes_row_ended_all := rows_tag.valid and passes_row_is_equal;
       passes_shows_any := (not passes_pass_ends) or (not passes_last_pass);
       passes_showing_first_group_differs := rows_write_column /= 639;
-      if rows_tag_valid then
-        passes_showing_output_choice := passes_row_is_equal or passes_showing_output;
-      else
-        passes_showing_output_choice := passes_showing_output;
-      end if;
-      if rows_tag_valid then
-        passes_showing_output_choice_2 := passes_showing_first_group_differs and passes_showing_output;
-      else
-        passes_showing_output_choice_2 := passes_showing_output;
-      end if;
-      if passes_last_pass then
-        passes_pass_ends_choice := 593;
-      else
-        passes_pass_ends_choice := 586;
-      end if;
-      if passes_shows_any then
-        passes_search_start_choice := ((passes_search_start / 8) + 127) mod 128;
-      else
-        passes_search_start_choice := 6;
-      end if;
-      if passes_pass_ends then
-        passes_search_start_choice_2 := passes_search_start_choice;
-      else
-        passes_search_start_choice_2 := passes_search_start / 8;
-      end if;
+      passes_showing_output_choices(1) := choice(rows_tag.valid, passes_row_is_equal or passes_showing_output,
+        passes_showing_output);
+      passes_showing_output_choices(2) := choice(rows_tag.valid, passes_showing_first_group_differs and
+        passes_showing_output, passes_showing_output);
+      passes_pass_ends_choice := choice(passes_last_pass, 593, 586);
+      passes_search_start_choices(1) := choice(passes_shows_any, ((passes_search_start / 8) + 127) mod 128, 6);
+      passes_search_start_choices(2) := choice(passes_pass_ends, passes_search_start_choices(1), passes_search_start /
+        8);
       passes_search_address_value := as_number((not passes_row)) * 1024;
-      if passes_shows_any then
-        passes_search_address_choice := passes_search_start / 8;
-      else
-        passes_search_address_choice := 7;
-      end if;
-      if passes_pass_ends then
-        passes_search_address_choice_2 := passes_search_address_choice * 8;
-      else
-        passes_search_address_choice_2 := (passes_search_address + as_number(passes_shows)) mod 1024;
-      end if;
-      if passes_pass_ends then
-        passes_reference_address_choice := 56;
-      else
-        passes_reference_address_choice := (passes_reference_address + as_number(passes_shows)) mod 1024;
-      end if;
-      if rows_tag_valid then
-        passes_leaving_starts_choice := passes_row_is_equal or passes_leaving_starts;
-      else
-        passes_leaving_starts_choice := passes_leaving_starts;
-      end if;
-      if rows_tag_valid then
-        passes_leaving_starts_choice_2 := passes_showing_first_group_differs and passes_leaving_starts;
-      else
-        passes_leaving_starts_choice_2 := passes_leaving_starts;
-      end if;
+      passes_search_address_choice := choice(passes_shows_any, passes_search_start / 8, 7);
+      passes_search_address_choice_2 := choice(passes_pass_ends, passes_search_address_choice * 8,
+        (passes_search_address + as_number(passes_shows)) mod 1024);
+      passes_reference_address_choice := choice(passes_pass_ends, 56, (passes_reference_address +
+        as_number(passes_shows)) mod 1024);
+      passes_leaving_starts_choices(1) := choice(rows_tag.valid, passes_row_is_equal or passes_leaving_starts,
+        passes_leaving_starts);
+      passes_leaving_starts_choices(2) := choice(rows_tag.valid, passes_showing_first_group_differs and
+        passes_leaving_starts, passes_leaving_starts);
       passes_read_tag_leaves_window_differs := passes_column /= 0;
       passes_read_tag_map_column_is_equal := passes_column = 8;
-      if passes_read_tag_map_column then
-        passes_read_tag_map_column_choice := passes_read_tag_map_column_is_equal or (not passes_read_tag_end_of_line);
-      else
-        passes_read_tag_map_column_choice := passes_read_tag_map_column_is_equal;
-      end if;
+      passes_read_tag_map_column_choice := choice(passes_read_tag.map_column, passes_read_tag_map_column_is_equal or
+        (not passes_read_tag.end_of_line), passes_read_tag_map_column_is_equal);
       passes_row_ended <= passes_row_ended_all;
-      passes_arrived <= rows_tag_valid;
+      passes_arrived <= rows_tag.valid;
       passes_pass_ends <= passes_column = passes_pass_ends_choice;
       passes_last_pass <= passes_pass = 7;
-      passes_search_start <= passes_search_start_choice_2 * 8;
+      passes_search_start <= passes_search_start_choices(2) * 8;
       passes_search_address <= passes_search_address_value + passes_search_address_choice_2;
       passes_reference_address <= passes_search_address_value + passes_reference_address_choice;
-      passes_read_tag_valid <= passes_shows;
-      passes_read_tag_row_start <= to_integer(((to_unsigned(passes_pass, 10)) or (to_unsigned(passes_column, 10)))) = 0;
-      passes_read_tag_first_group <= passes_showing_first_group;
-      passes_read_tag_border_column <= (passes_column /= 7) and (passes_read_tag_border_column or (passes_column = 0)
+      passes_read_tag.valid <= passes_shows;
+      passes_read_tag.row_start <= to_integer(((to_unsigned(passes_pass, 10)) or (to_unsigned(passes_column, 10)))) = 0;
+      passes_read_tag.first_group <= passes_showing_first_group;
+      passes_read_tag.border_column <= (passes_column /= 7) and (passes_read_tag.border_column or (passes_column = 0)
         or (passes_column = 584));
-      passes_read_tag_first_cost <= passes_column = 7;
-      passes_read_tag_map_column <= passes_read_tag_map_column_choice;
-      passes_read_tag_output_column <= passes_showing_output and passes_read_tag_map_column_choice;
-      passes_read_tag_first_column <= passes_read_tag_first_cost;
-      passes_read_tag_end_of_line <= passes_column = 583;
+      passes_read_tag.first_cost <= passes_column = 7;
+      passes_read_tag.map_column <= passes_read_tag_map_column_choice;
+      passes_read_tag.output_column <= passes_showing_output and passes_read_tag_map_column_choice;
+      passes_read_tag.first_column <= passes_read_tag.first_cost;
+      passes_read_tag.end_of_line <= passes_column = 583;
       passes_search(0) <= to_integer(passes_read_search(0));
       passes_search(1) <= to_integer(passes_read_search(1));
       passes_reference(0) <= to_integer(passes_read_reference(0));
       passes_reference(1) <= to_integer(passes_read_reference(1));
-      passes_tag_valid <= passes_read_tag_valid;
-      passes_tag_row_start <= passes_read_tag_row_start;
-      passes_tag_first_group <= passes_read_tag_first_group;
-      passes_tag_border_column <= passes_read_tag_border_column;
-      passes_tag_first_cost <= passes_read_tag_map_column_is_equal;
-      passes_tag_leaves_window <= passes_read_tag_leaves_window;
-      passes_tag_map_column <= passes_read_tag_map_column;
-      passes_tag_output_column <= passes_read_tag_output_column;
-      passes_tag_first_column <= passes_read_tag_first_column;
-      if rows_tag_first_group then
-        passes_coming_first_group <= passes_coming_first_group_choice;
-      else
-        passes_coming_first_group <= passes_coming_first_group_choice_2;
-      end if;
-      if rows_tag_output_column then
-        passes_coming_output <= passes_coming_output_choice;
-      else
-        passes_coming_output <= passes_coming_output_choice_2;
-      end if;
-      if rows_tag_start_of_frame then
-        passes_coming_starts <= passes_coming_starts_choice;
-      else
-        passes_coming_starts <= passes_coming_starts_choice_2;
-      end if;
-      if passes_row_ended then
-        passes_shows <= (not passes_shows) or (not passes_pass_ends) or (not passes_last_pass);
-      else
-        passes_shows <= passes_shows and passes_shows_any;
-      end if;
-      if passes_showing_first_group then
-        passes_showing_first_group <= passes_coming_first_group or (not rows_tag_valid) or
-          passes_showing_first_group_differs;
-      else
-        passes_showing_first_group <= passes_coming_first_group and rows_tag_valid and passes_row_is_equal;
-      end if;
-      if passes_coming_output then
-        passes_showing_output <= passes_showing_output_choice;
-      else
-        passes_showing_output <= passes_showing_output_choice_2;
-      end if;
-      if passes_coming_starts then
-        passes_showing_starts <= passes_showing_starts or passes_row_ended_all;
-      else
-        passes_showing_starts <= passes_showing_starts and ((not rows_tag_valid) or passes_showing_first_group_differs);
-      end if;
+      passes_tag.valid <= passes_read_tag.valid;
+      passes_tag.row_start <= passes_read_tag.row_start;
+      passes_tag.first_group <= passes_read_tag.first_group;
+      passes_tag.border_column <= passes_read_tag.border_column;
+      passes_tag.first_cost <= passes_read_tag_map_column_is_equal;
+      passes_tag.leaves_window <= passes_read_tag.leaves_window;
+      passes_tag.map_column <= passes_read_tag.map_column;
+      passes_tag.output_column <= passes_read_tag.output_column;
+      passes_tag.first_column <= passes_read_tag.first_column;
+      passes_coming_first_group <= choice(rows_tag.first_group, passes_coming_first_group_choices(1),
+        passes_coming_first_group_choices(2));
+      passes_coming_output <= choice(rows_tag.output_column, passes_coming_output_choices(1),
+        passes_coming_output_choices(2));
+      passes_coming_starts <= choice(rows_tag.start_of_frame, passes_coming_starts_choices(1),
+        passes_coming_starts_choices(2));
+      passes_shows <= choice(passes_row_ended, (not passes_shows) or (not passes_pass_ends) or (not passes_last_pass),
+        passes_shows and passes_shows_any);
+      passes_showing_first_group <= choice(passes_showing_first_group, passes_coming_first_group or (not
+        rows_tag.valid) or passes_showing_first_group_differs, passes_coming_first_group and rows_tag.valid and
+        passes_row_is_equal);
+      passes_showing_output <= choice(passes_coming_output, passes_showing_output_choices(1),
+        passes_showing_output_choices(2));
+      passes_showing_starts <= choice(passes_coming_starts, passes_showing_starts or passes_row_ended_all,
+        passes_showing_starts and ((not rows_tag.valid) or passes_showing_first_group_differs));
+      passes_column <= choice(passes_pass_ends, 0, (passes_column + as_number(passes_shows)) mod 1024);
+      passes_leaving_starts <= choice(passes_showing_starts, passes_leaving_starts_choices(1),
+        passes_leaving_starts_choices(2));
+      passes_read_tag.leaves_window <= choice(passes_read_tag.leaves_window, passes_read_tag_leaves_window_differs,
+        (passes_column = 16) and passes_read_tag_leaves_window_differs);
       if passes_pass_ends then
-        passes_column <= 0;
-      else
-        passes_column <= (passes_column + as_number(passes_shows)) mod 1024;
-      end if;
-      if passes_showing_starts then
-        passes_leaving_starts <= passes_leaving_starts_choice;
-      else
-        passes_leaving_starts <= passes_leaving_starts_choice_2;
-      end if;
-      if passes_read_tag_leaves_window then
-        passes_read_tag_leaves_window <= passes_read_tag_leaves_window_differs;
-      else
-        passes_read_tag_leaves_window <= (passes_column = 16) and passes_read_tag_leaves_window_differs;
-      end if;
-      if passes_pass_ends then
-        if passes_shows_any then
-          passes_pass <= (passes_pass + 1) mod 8;
-        else
-          passes_pass <= 0;
-        end if;
+        passes_pass <= choice(passes_shows_any, (passes_pass + 1) mod 8, 0);
       end if;
       -- slice0shift
-      if passes_tag_valid then
+      if passes_tag.valid then
         for i in 0 to 1 loop
           slice0shift_search(i, 0) <= passes_search(i);
           for j in 1 to 7 loop
@@ -2751,111 +1445,88 @@ begin
           end loop;
         end loop;
       end if;
-      slice0shift_reference(0) <= passes_reference(0);
-      slice0shift_reference(1) <= passes_reference(1);
-      slice0shift_tag_valid <= passes_tag_valid;
-      slice0shift_tag_row_start <= passes_tag_row_start;
-      slice0shift_tag_first_group <= passes_tag_first_group;
-      slice0shift_tag_border_column <= passes_tag_border_column;
-      slice0shift_tag_first_cost <= passes_tag_first_cost;
-      slice0shift_tag_leaves_window <= passes_tag_leaves_window;
-      slice0shift_tag_map_column <= passes_tag_map_column;
-      slice0shift_tag_output_column <= passes_tag_output_column;
-      slice0shift_tag_first_column <= passes_tag_first_column;
+      slice0shift_reference <= passes_reference;
+      slice0shift_tag <= passes_tag;
       -- slice0cost
       for i in 0 to 1 loop
-        slice0cost_pixels_first_0_count_value(i, 0) := is_set(slice0shift_reference(i), 2);
-        slice0cost_pixels_first_0_count_value_2(i, 0) := is_set(slice0shift_reference(i), 1);
-        slice0cost_pixels_first_0_count_value(i, 1) := is_set(slice0shift_reference(i), 3);
-        slice0cost_pixels_first_0_count_value_2(i, 1) := is_set(slice0shift_reference(i), 5);
-        slice0cost_pixels_first_0_count_1_value_3(i) := is_set(slice0shift_reference(i), 4);
-        slice0cost_pixels_first_0_count_value(i, 2) := is_set(slice0shift_reference(i), 8);
-        slice0cost_pixels_first_0_count_value_2(i, 2) := is_set(slice0shift_reference(i), 6);
+        slice0cost_pixels_first_0_count_value(i, 0, 1) := is_set(slice0shift_reference(i), 2);
+        slice0cost_pixels_first_0_count_value(i, 0, 2) := is_set(slice0shift_reference(i), 1);
+        slice0cost_pixels_first_0_count_value(i, 1, 1) := is_set(slice0shift_reference(i), 3);
+        slice0cost_pixels_first_0_count_value(i, 1, 2) := is_set(slice0shift_reference(i), 5);
+        slice0cost_pixels_first_0_count_value(i, 1, 3) := is_set(slice0shift_reference(i), 4);
+        slice0cost_pixels_first_0_count_value(i, 2, 1) := is_set(slice0shift_reference(i), 8);
+        slice0cost_pixels_first_0_count_value(i, 2, 2) := is_set(slice0shift_reference(i), 6);
         for j in 3 to 7 loop
-          slice0cost_pixels_first_0_count_value(i, j) := is_set(slice0shift_reference(i), 3 * j);
-          slice0cost_pixels_first_0_count_value_2(i, j) := is_set(slice0shift_reference(i), 3 * j + 2);
-          slice0cost_pixels_first_0_count_value_3(i, j) := is_set(slice0shift_reference(i), 3 * j + 1);
+          slice0cost_pixels_first_0_count_value(i, j, 1) := is_set(slice0shift_reference(i), 3 * j);
+          slice0cost_pixels_first_0_count_value(i, j, 2) := is_set(slice0shift_reference(i), 3 * j + 2);
+          slice0cost_pixels_first_0_count_value(i, j, 3) := is_set(slice0shift_reference(i), 3 * j + 1);
         end loop;
-        slice0cost_pixels_first_0_count_value(i, 8) := is_set(slice0shift_reference(i), 24);
+        slice0cost_pixels_first_0_count_value(i, 8, 1) := is_set(slice0shift_reference(i), 24);
       end loop;
       for i in 0 to 3 loop
-        if slice0cost_ready_tag_first_group then
-          slice0cost_column_0_choice(2 * i) := 0;
-        else
-          slice0cost_column_0_choice(2 * i) := slice0cost_ready_words(i) mod 256;
-        end if;
-        if slice0cost_ready_tag_border_column then
-          slice0cost_column_0_choice_2(2 * i) := 0;
-        else
-          slice0cost_column_0_choice_2(2 * i) := (slice0cost_change_0(2 * i) + slice0cost_column_0_choice(2 * i)) mod
-            256;
-        end if;
-        if slice0cost_ready_tag_first_group then
-          slice0cost_column_0_choice(2 * i + 1) := 0;
-        else
-          slice0cost_column_0_choice(2 * i + 1) := slice0cost_ready_words(i) / 256;
-        end if;
-        if slice0cost_ready_tag_border_column then
-          slice0cost_column_0_choice_2(2 * i + 1) := 0;
-        else
-          slice0cost_column_0_choice_2(2 * i + 1) := (slice0cost_change_0(2 * i + 1) + slice0cost_column_0_choice(2 * i
-            + 1)) mod 256;
-        end if;
+        slice0cost_column_0_choice(2 * i, 1) := choice(slice0cost_ready_tag.first_group, 0, slice0cost_ready_words(i)
+          mod 256);
+        slice0cost_column_0_choice(2 * i, 2) := choice(slice0cost_ready_tag.border_column, 0, (slice0cost_change_0(2 *
+          i) + slice0cost_column_0_choice(2 * i, 1)) mod 256);
+        slice0cost_column_0_choice(2 * i + 1, 1) := choice(slice0cost_ready_tag.first_group, 0,
+          slice0cost_ready_words(i) / 256);
+        slice0cost_column_0_choice(2 * i + 1, 2) := choice(slice0cost_ready_tag.border_column, 0,
+          (slice0cost_change_0(2 * i + 1) + slice0cost_column_0_choice(2 * i + 1, 1)) mod 256);
       end loop;
       for i in 0 to 1 loop
         slice0cost_pixels_first_count(i, 0, 0) <= as_number((is_set(slice0shift_search(i, 0), 0) /=
-          is_set(slice0shift_reference(i), 0))) + as_number((slice0cost_pixels_first_0_count_value(i, 0) /=
-          is_set(slice0shift_search(i, 0), 2))) + as_number((slice0cost_pixels_first_0_count_value_2(i, 0) /=
+          is_set(slice0shift_reference(i), 0))) + as_number((slice0cost_pixels_first_0_count_value(i, 0, 1) /=
+          is_set(slice0shift_search(i, 0), 2))) + as_number((slice0cost_pixels_first_0_count_value(i, 0, 2) /=
           is_set(slice0shift_search(i, 0), 1)));
-        slice0cost_pixels_first_count(i, 0, 1) <= as_number((slice0cost_pixels_first_0_count_value(i, 1) /=
-          is_set(slice0shift_search(i, 0), 3))) + as_number((slice0cost_pixels_first_0_count_value_2(i, 1) /=
-          is_set(slice0shift_search(i, 0), 5))) + as_number((slice0cost_pixels_first_0_count_1_value_3(i) /=
+        slice0cost_pixels_first_count(i, 0, 1) <= as_number((slice0cost_pixels_first_0_count_value(i, 1, 1) /=
+          is_set(slice0shift_search(i, 0), 3))) + as_number((slice0cost_pixels_first_0_count_value(i, 1, 2) /=
+          is_set(slice0shift_search(i, 0), 5))) + as_number((slice0cost_pixels_first_0_count_value(i, 1, 3) /=
           is_set(slice0shift_search(i, 0), 4)));
         slice0cost_pixels_first_count(i, 0, 2) <= (to_integer(((to_unsigned((slice0shift_search(i, 0) mod 256), 8)) xor
           (to_unsigned((slice0shift_reference(i) mod 256), 8)))) / 128) +
-          as_number((slice0cost_pixels_first_0_count_value(i, 2) /= is_set(slice0shift_search(i, 0), 8))) +
-          as_number((slice0cost_pixels_first_0_count_value_2(i, 2) /= is_set(slice0shift_search(i, 0), 6)));
+          as_number((slice0cost_pixels_first_0_count_value(i, 2, 1) /= is_set(slice0shift_search(i, 0), 8))) +
+          as_number((slice0cost_pixels_first_0_count_value(i, 2, 2) /= is_set(slice0shift_search(i, 0), 6)));
         for j in 3 to 7 loop
-          slice0cost_pixels_first_count(i, 0, j) <= as_number((slice0cost_pixels_first_0_count_value(i, j) /=
-            is_set(slice0shift_search(i, 0), 3 * j))) + as_number((slice0cost_pixels_first_0_count_value_2(i, j) /=
-            is_set(slice0shift_search(i, 0), 3 * j + 2))) + as_number((slice0cost_pixels_first_0_count_value_3(i, j) /=
-            is_set(slice0shift_search(i, 0), 3 * j + 1)));
+          slice0cost_pixels_first_count(i, 0, j) <= as_number((slice0cost_pixels_first_0_count_value(i, j, 1) /=
+            is_set(slice0shift_search(i, 0), 3 * j))) + as_number((slice0cost_pixels_first_0_count_value(i, j, 2) /=
+            is_set(slice0shift_search(i, 0), 3 * j + 2))) + as_number((slice0cost_pixels_first_0_count_value(i, j, 3)
+            /= is_set(slice0shift_search(i, 0), 3 * j + 1)));
         end loop;
         slice0cost_pixels_first_count_8(i, 0) <= as_number((is_set(slice0shift_reference(i), 25) /=
-          is_set(slice0shift_search(i, 0), 25))) + as_number((slice0cost_pixels_first_0_count_value(i, 8) /=
+          is_set(slice0shift_search(i, 0), 25))) + as_number((slice0cost_pixels_first_0_count_value(i, 8, 1) /=
           is_set(slice0shift_search(i, 0), 24)));
         for j in 1 to 7 loop
           slice0cost_pixels_first_count(i, j, 0) <= as_number((is_set(slice0shift_search(i, j), 0) /=
             is_set(slice0shift_reference(i), 0))) + as_number((is_set(slice0shift_search(i, j), 2) /=
-            slice0cost_pixels_first_0_count_value(i, 0))) + as_number((is_set(slice0shift_search(i, j), 1) /=
-            slice0cost_pixels_first_0_count_value_2(i, 0)));
+            slice0cost_pixels_first_0_count_value(i, 0, 1))) + as_number((is_set(slice0shift_search(i, j), 1) /=
+            slice0cost_pixels_first_0_count_value(i, 0, 2)));
           slice0cost_pixels_first_count(i, j, 1) <= as_number((is_set(slice0shift_search(i, j), 3) /=
-            slice0cost_pixels_first_0_count_value(i, 1))) + as_number((is_set(slice0shift_search(i, j), 5) /=
-            slice0cost_pixels_first_0_count_value_2(i, 1))) + as_number((is_set(slice0shift_search(i, j), 4) /=
-            slice0cost_pixels_first_0_count_1_value_3(i)));
+            slice0cost_pixels_first_0_count_value(i, 1, 1))) + as_number((is_set(slice0shift_search(i, j), 5) /=
+            slice0cost_pixels_first_0_count_value(i, 1, 2))) + as_number((is_set(slice0shift_search(i, j), 4) /=
+            slice0cost_pixels_first_0_count_value(i, 1, 3)));
           slice0cost_pixels_first_count(i, j, 2) <= (to_integer(((to_unsigned((slice0shift_search(i, j) mod 256), 8))
             xor (to_unsigned((slice0shift_reference(i) mod 256), 8)))) / 128) + as_number((is_set(slice0shift_search(i,
-            j), 8) /= slice0cost_pixels_first_0_count_value(i, 2))) + as_number((is_set(slice0shift_search(i, j), 6) /=
-            slice0cost_pixels_first_0_count_value_2(i, 2)));
+            j), 8) /= slice0cost_pixels_first_0_count_value(i, 2, 1))) + as_number((is_set(slice0shift_search(i, j), 6)
+            /= slice0cost_pixels_first_0_count_value(i, 2, 2)));
           for k in 3 to 7 loop
             slice0cost_pixels_first_count(i, j, k) <= as_number((is_set(slice0shift_search(i, j), 3 * k) /=
-              slice0cost_pixels_first_0_count_value(i, k))) + as_number((is_set(slice0shift_search(i, j), 3 * k + 2) /=
-              slice0cost_pixels_first_0_count_value_2(i, k))) + as_number((is_set(slice0shift_search(i, j), 3 * k + 1)
-              /= slice0cost_pixels_first_0_count_value_3(i, k)));
+              slice0cost_pixels_first_0_count_value(i, k, 1))) + as_number((is_set(slice0shift_search(i, j), 3 * k + 2)
+              /= slice0cost_pixels_first_0_count_value(i, k, 2))) + as_number((is_set(slice0shift_search(i, j), 3 * k +
+              1) /= slice0cost_pixels_first_0_count_value(i, k, 3)));
           end loop;
           slice0cost_pixels_first_count_8(i, j) <= as_number((is_set(slice0shift_search(i, j), 25) /=
             is_set(slice0shift_reference(i), 25))) + as_number((is_set(slice0shift_search(i, j), 24) /=
-            slice0cost_pixels_first_0_count_value(i, 8)));
+            slice0cost_pixels_first_0_count_value(i, 8, 1)));
         end loop;
       end loop;
-      slice0cost_pixels_first_tag_valid <= slice0shift_tag_valid;
-      slice0cost_pixels_first_tag_first_group <= slice0shift_tag_first_group;
-      slice0cost_pixels_first_tag_border_column <= slice0shift_tag_border_column;
-      slice0cost_pixels_first_tag_first_cost <= slice0shift_tag_first_cost;
-      slice0cost_pixels_first_tag_leaves_window <= slice0shift_tag_leaves_window;
-      slice0cost_pixels_first_tag_map_column <= slice0shift_tag_map_column;
-      slice0cost_pixels_first_tag_output_column <= slice0shift_tag_output_column;
-      slice0cost_pixels_first_tag_first_column <= slice0shift_tag_first_column;
+      slice0cost_pixels_first_tag.valid <= slice0shift_tag.valid;
+      slice0cost_pixels_first_tag.first_group <= slice0shift_tag.first_group;
+      slice0cost_pixels_first_tag.border_column <= slice0shift_tag.border_column;
+      slice0cost_pixels_first_tag.first_cost <= slice0shift_tag.first_cost;
+      slice0cost_pixels_first_tag.leaves_window <= slice0shift_tag.leaves_window;
+      slice0cost_pixels_first_tag.map_column <= slice0shift_tag.map_column;
+      slice0cost_pixels_first_tag.output_column <= slice0shift_tag.output_column;
+      slice0cost_pixels_first_tag.first_column <= slice0shift_tag.first_column;
       for i in 0 to 1 loop
         for j in 0 to 7 loop
           slice0cost_pixels_cost(i, j) <= slice0cost_pixels_first_count(i, j, 6) + slice0cost_pixels_first_count(i, j,
@@ -2865,14 +1536,7 @@ begin
             slice0cost_pixels_first_count(i, j, 2);
         end loop;
       end loop;
-      slice0cost_pixels_tag_valid <= slice0cost_pixels_first_tag_valid;
-      slice0cost_pixels_tag_first_group <= slice0cost_pixels_first_tag_first_group;
-      slice0cost_pixels_tag_border_column <= slice0cost_pixels_first_tag_border_column;
-      slice0cost_pixels_tag_first_cost <= slice0cost_pixels_first_tag_first_cost;
-      slice0cost_pixels_tag_leaves_window <= slice0cost_pixels_first_tag_leaves_window;
-      slice0cost_pixels_tag_map_column <= slice0cost_pixels_first_tag_map_column;
-      slice0cost_pixels_tag_output_column <= slice0cost_pixels_first_tag_output_column;
-      slice0cost_pixels_tag_first_column <= slice0cost_pixels_first_tag_first_column;
+      slice0cost_pixels_tag <= slice0cost_pixels_first_tag;
       slice0cost_change_column <= slice0cost_read_column;
       for i in 0 to 7 loop
         slice0cost_change_0(i) <= slice0cost_pixels_cost(1, i) - slice0cost_pixels_cost(0, i);
@@ -2882,165 +1546,92 @@ begin
       slice0cost_ready_words(2) <= to_integer(slice0cost_read_words(2));
       slice0cost_ready_words(3) <= to_integer(slice0cost_read_words(3));
       slice0cost_ready_column <= slice0cost_change_column;
-      slice0cost_ready_tag_valid <= slice0cost_pixels_tag_valid;
-      slice0cost_ready_tag_first_group <= slice0cost_pixels_tag_first_group;
-      slice0cost_ready_tag_border_column <= slice0cost_pixels_tag_border_column;
-      slice0cost_ready_tag_first_cost <= slice0cost_pixels_tag_first_cost;
-      slice0cost_ready_tag_leaves_window <= slice0cost_pixels_tag_leaves_window;
-      slice0cost_ready_tag_map_column <= slice0cost_pixels_tag_map_column;
-      slice0cost_ready_tag_output_column <= slice0cost_pixels_tag_output_column;
-      slice0cost_ready_tag_first_column <= slice0cost_pixels_tag_first_column;
+      slice0cost_ready_tag <= slice0cost_pixels_tag;
       for i in 0 to 7 loop
-        slice0cost_column_0(i) <= slice0cost_column_0_choice_2(i);
+        slice0cost_column_0(i) <= slice0cost_column_0_choice(i, 2);
       end loop;
-      slice0cost_tag_valid <= slice0cost_ready_tag_valid;
-      slice0cost_tag_first_cost <= slice0cost_ready_tag_first_cost;
-      slice0cost_tag_leaves_window <= slice0cost_ready_tag_leaves_window;
-      slice0cost_tag_map_column <= slice0cost_ready_tag_map_column;
-      slice0cost_tag_output_column <= slice0cost_ready_tag_output_column;
-      slice0cost_tag_first_column <= slice0cost_ready_tag_first_column;
-      if slice0shift_tag_valid then
-        if slice0shift_tag_row_start then
-          slice0cost_read_column <= 0;
-        else
-          slice0cost_read_column <= (slice0cost_read_column + 1) mod 8192;
-        end if;
+      slice0cost_tag.valid <= slice0cost_ready_tag.valid;
+      slice0cost_tag.first_cost <= slice0cost_ready_tag.first_cost;
+      slice0cost_tag.leaves_window <= slice0cost_ready_tag.leaves_window;
+      slice0cost_tag.map_column <= slice0cost_ready_tag.map_column;
+      slice0cost_tag.output_column <= slice0cost_ready_tag.output_column;
+      slice0cost_tag.first_column <= slice0cost_ready_tag.first_column;
+      if slice0shift_tag.valid then
+        slice0cost_read_column <= choice(slice0shift_tag.row_start, 0, (slice0cost_read_column + 1) mod 8192);
       end if;
-      if slice0cost_ready_tag_valid then
+      if slice0cost_ready_tag.valid then
         slice0cost_write_column <= slice0cost_ready_column;
         for i in 0 to 3 loop
-          slice0cost_write_words(i) <= (slice0cost_column_0_choice_2(2 * i + 1) * 256) + slice0cost_column_0_choice_2(2
-            * i);
+          slice0cost_write_words(i) <= (slice0cost_column_0_choice(2 * i + 1, 2) * 256) + slice0cost_column_0_choice(2
+            * i, 2);
         end loop;
       end if;
       -- slice0window
-      if slice0cost_tag_valid then
+      if slice0cost_tag.valid then
         slice0window_ring_write_address <= slice0window_ring_read_address;
-        if slice0window_ring_read_address = 9 then
-          slice0window_ring_read_address <= 0;
-        else
-          slice0window_ring_read_address <= (slice0window_ring_read_address + 1) mod 16;
-        end if;
+        slice0window_ring_read_address <= choice(slice0window_ring_read_address = 9, 0, (slice0window_ring_read_address
+          + 1) mod 16);
       end if;
       for i in 0 to 1 loop
         for j in 0 to 3 loop
-          if slice0window_entering_tag_leaves_window then
-            slice0window_change_0_choice(4 * i + j) := to_integer(slice0window_leaving(i)(8 * j + 7 downto 8 * j));
-          else
-            slice0window_change_0_choice(4 * i + j) := 0;
-          end if;
+          slice0window_change_0_choice(4 * i + j) := choice(slice0window_entering_tag.leaves_window,
+            to_integer(slice0window_leaving(i)(8 * j + 7 downto 8 * j)), 0);
         end loop;
       end loop;
-      for i in 0 to 7 loop
-        slice0window_entering_0(i) <= slice0cost_column_0(i);
-      end loop;
-      slice0window_entering_tag_valid <= slice0cost_tag_valid;
-      slice0window_entering_tag_first_cost <= slice0cost_tag_first_cost;
-      slice0window_entering_tag_leaves_window <= slice0cost_tag_leaves_window;
-      slice0window_entering_tag_map_column <= slice0cost_tag_map_column;
-      slice0window_entering_tag_output_column <= slice0cost_tag_output_column;
-      slice0window_entering_tag_first_column <= slice0window_entering_tag_first_cost;
+      slice0window_entering_0 <= slice0cost_column_0;
+      slice0window_entering_tag.valid <= slice0cost_tag.valid;
+      slice0window_entering_tag.first_cost <= slice0cost_tag.first_cost;
+      slice0window_entering_tag.leaves_window <= slice0cost_tag.leaves_window;
+      slice0window_entering_tag.map_column <= slice0cost_tag.map_column;
+      slice0window_entering_tag.output_column <= slice0cost_tag.output_column;
+      slice0window_entering_tag.first_column <= slice0window_entering_tag.first_cost;
       for i in 0 to 7 loop
         slice0window_change_0(i) <= slice0window_entering_0(i) - slice0window_change_0_choice(i);
       end loop;
-      slice0window_change_tag_valid <= slice0window_entering_tag_valid;
-      slice0window_change_tag_first_cost <= slice0cost_tag_first_column;
-      slice0window_change_tag_map_column <= slice0window_entering_tag_map_column;
-      slice0window_change_tag_output_column <= slice0window_entering_tag_output_column;
-      slice0window_change_tag_first_column <= slice0window_entering_tag_first_column;
-      slice0window_tag_valid <= slice0window_change_tag_valid;
-      slice0window_tag_map_column <= slice0window_centre_map_column(3);
-      slice0window_tag_output_column <= slice0window_centre_output_column(3);
-      slice0window_tag_first_column <= slice0window_centre_first_column(3);
+      slice0window_change_tag.valid <= slice0window_entering_tag.valid;
+      slice0window_change_tag.first_cost <= slice0cost_tag.first_column;
+      slice0window_change_tag.map_column <= slice0window_entering_tag.map_column;
+      slice0window_change_tag.output_column <= slice0window_entering_tag.output_column;
+      slice0window_change_tag.first_column <= slice0window_entering_tag.first_column;
+      slice0window_tag.valid <= slice0window_change_tag.valid;
+      slice0window_tag.map_column <= slice0window_centre_map_column(3);
+      slice0window_tag.output_column <= slice0window_centre_output_column(3);
+      slice0window_tag.first_column <= slice0window_centre_first_column(3);
       for i in 0 to 7 loop
-        if slice0window_change_tag_first_cost then
-          slice0window_sum_0_choice(i) := 0;
-        else
-          slice0window_sum_0_choice(i) := slice0window_sum_0(i);
-        end if;
+        slice0window_sum_0_choice(i) := choice(slice0window_change_tag.first_cost, 0, slice0window_sum_0(i));
       end loop;
-      if slice0window_change_tag_valid then
+      if slice0window_change_tag.valid then
         for i in 0 to 7 loop
           slice0window_sum_0(i) <= (slice0window_sum_0_choice(i) + slice0window_change_0(i)) mod 4096;
         end loop;
-        slice0window_centre_map_column(0) <= slice0window_change_tag_map_column;
-        slice0window_centre_map_column(1) <= slice0window_centre_map_column(0);
-        slice0window_centre_map_column(2) <= slice0window_centre_map_column(1);
-        slice0window_centre_map_column(3) <= slice0window_centre_map_column(2);
-        slice0window_centre_output_column(0) <= slice0window_change_tag_output_column;
-        slice0window_centre_output_column(1) <= slice0window_centre_output_column(0);
-        slice0window_centre_output_column(2) <= slice0window_centre_output_column(1);
-        slice0window_centre_output_column(3) <= slice0window_centre_output_column(2);
-        slice0window_centre_first_column(0) <= slice0window_change_tag_first_column;
-        slice0window_centre_first_column(1) <= slice0window_centre_first_column(0);
-        slice0window_centre_first_column(2) <= slice0window_centre_first_column(1);
-        slice0window_centre_first_column(3) <= slice0window_centre_first_column(2);
+        slice0window_centre_map_column(0) <= slice0window_change_tag.map_column;
+        slice0window_centre_map_column(1 to 3) <= slice0window_centre_map_column(0 to 2);
+        slice0window_centre_output_column(0) <= slice0window_change_tag.output_column;
+        slice0window_centre_output_column(1 to 3) <= slice0window_centre_output_column(0 to 2);
+        slice0window_centre_first_column(0) <= slice0window_change_tag.first_column;
+        slice0window_centre_first_column(1 to 3) <= slice0window_centre_first_column(0 to 2);
       end if;
       -- slice0other
-      slice0other_cost_0_1_all := slice0window_tag_output_column and slice0window_tag_first_column;
+      slice0other_cost_0_1_all := slice0window_tag.output_column and slice0window_tag.first_column;
       for i in 1 to 6 loop
-        if (slice0window_sum_0(i) - slice0other_cost_0(i - 1)) < 0 then
-          slice0other_cost_0_choice(i) := slice0window_tag_output_column;
-        else
-          slice0other_cost_0_choice(i) := slice0other_cost_0_1_all;
-        end if;
+        slice0other_cost_0_choice(i) := choice((slice0window_sum_0(i) - slice0other_cost_0(i - 1)) < 0,
+          slice0window_tag.output_column, slice0other_cost_0_1_all);
       end loop;
-      slice0other_cost_0_7_all := slice0window_tag_output_column and (((slice0window_sum_0(7) - slice0other_cost_0(6))
-        < 0) or slice0window_tag_first_column);
-      if slice0window_tag_valid then
+      slice0other_cost_0_7_all := slice0window_tag.output_column and (((slice0window_sum_0(7) - slice0other_cost_0(6))
+        < 0) or slice0window_tag.first_column);
+      if slice0window_tag.valid then
         slice0other_winner_0_1 <= slice0other_cost_0_choice(1);
-        if slice0window_tag_output_column then
-          slice0other_cost_0(0) <= slice0window_sum_0(0);
-        else
-          slice0other_cost_0(0) <= 0;
-        end if;
-        if slice0other_cost_0_choice(1) then
-          slice0other_cost_0(1) <= slice0window_sum_0(1);
-        else
-          slice0other_cost_0(1) <= slice0other_cost_0(0);
-        end if;
-        if slice0other_cost_0_choice(2) then
-          slice0other_cost_0(2) <= slice0window_sum_0(2);
-          slice0other_winner_0_2 <= 2;
-        else
-          slice0other_cost_0(2) <= slice0other_cost_0(1);
-          slice0other_winner_0_2 <= as_number(slice0other_winner_0_1);
-        end if;
-        if slice0other_cost_0_choice(3) then
-          slice0other_cost_0(3) <= slice0window_sum_0(3);
-          slice0other_winner_0_3 <= 3;
-        else
-          slice0other_cost_0(3) <= slice0other_cost_0(2);
-          slice0other_winner_0_3 <= slice0other_winner_0_2;
-        end if;
-        if slice0other_cost_0_choice(4) then
-          slice0other_cost_0(4) <= slice0window_sum_0(4);
-          slice0other_winner_0_4 <= 4;
-        else
-          slice0other_cost_0(4) <= slice0other_cost_0(3);
-          slice0other_winner_0_4 <= slice0other_winner_0_3;
-        end if;
-        if slice0other_cost_0_choice(5) then
-          slice0other_cost_0(5) <= slice0window_sum_0(5);
-          slice0other_winner_0_5 <= 5;
-        else
-          slice0other_cost_0(5) <= slice0other_cost_0(4);
-          slice0other_winner_0_5 <= slice0other_winner_0_4;
-        end if;
-        if slice0other_cost_0_choice(6) then
-          slice0other_cost_0(6) <= slice0window_sum_0(6);
-          slice0other_winner_0_6 <= 6;
-        else
-          slice0other_cost_0(6) <= slice0other_cost_0(5);
-          slice0other_winner_0_6 <= slice0other_winner_0_5;
-        end if;
-        if slice0other_cost_0_7_all then
-          slice0other_cost_0(7) <= slice0window_sum_0(7);
-          slice0other_winner_0_7 <= 7;
-        else
-          slice0other_cost_0(7) <= slice0other_cost_0(6);
-          slice0other_winner_0_7 <= slice0other_winner_0_6;
-        end if;
+        slice0other_cost_0(0) <= choice(slice0window_tag.output_column, slice0window_sum_0(0), 0);
+        slice0other_cost_0(1) <= choice(slice0other_cost_0_choice(1), slice0window_sum_0(1), slice0other_cost_0(0));
+        slice0other_cost_0(2) <= choice(slice0other_cost_0_choice(2), slice0window_sum_0(2), slice0other_cost_0(1));
+        slice0other_winner_0(2) <= choice(slice0other_cost_0_choice(2), 2, as_number(slice0other_winner_0_1));
+        for i in 3 to 6 loop
+          slice0other_cost_0(i) <= choice(slice0other_cost_0_choice(i), slice0window_sum_0(i), slice0other_cost_0(i -
+            1));
+          slice0other_winner_0(i) <= choice(slice0other_cost_0_choice(i), i, slice0other_winner_0(i - 1));
+        end loop;
+        slice0other_cost_0(7) <= choice(slice0other_cost_0_7_all, slice0window_sum_0(7), slice0other_cost_0(6));
+        slice0other_winner_0(7) <= choice(slice0other_cost_0_7_all, 7, slice0other_winner_0(6));
       end if;
       slice0other_cost_out_0 <= slice0other_cost_0(7);
       -- slice0winner1
@@ -3048,15 +1639,10 @@ begin
       slice0winner1_best_cost_0_is_less(1) := (slice0window_sum_0(3) - slice0window_sum_0(2)) < 0;
       slice0winner1_best_cost_0_is_less(2) := (slice0window_sum_0(5) - slice0window_sum_0(4)) < 0;
       slice0winner1_best_cost_0_is_less(3) := (slice0window_sum_0(7) - slice0window_sum_0(6)) < 0;
-      for i in 0 to 7 loop
-        slice0winner1_held_0(i) <= slice0window_sum_0(i);
-      end loop;
+      slice0winner1_held_0 <= slice0window_sum_0;
       slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_is_less(0);
       slice0winner1_best_place_0_2 <= slice0winner1_best_cost_0_is_less(2);
-      slice0winner1_best_late_cost_0(0) <= slice0winner1_best_cost_0(0);
-      slice0winner1_best_late_cost_0(1) <= slice0winner1_best_cost_0(1);
-      slice0winner1_best_late_cost_0(2) <= slice0winner1_best_cost_0(2);
-      slice0winner1_best_late_cost_0(3) <= slice0winner1_best_cost_0(3);
+      slice0winner1_best_late_cost_0 <= slice0winner1_best_cost_0;
       slice0winner1_best_but_first_0(0) <= slice0winner1_held_0(1);
       slice0winner1_best_but_first_0(1) <= slice0winner1_held_0(3);
       slice0winner1_best_but_first_0(2) <= slice0winner1_held_0(5);
@@ -3065,104 +1651,48 @@ begin
       slice0winner1_best_but_last_0(1) <= slice0winner1_held_0(2);
       slice0winner1_best_but_last_0(2) <= slice0winner1_held_0(4);
       slice0winner1_best_but_last_0(3) <= slice0winner1_held_0(6);
-      slice0winner1_tag_valid <= slice0window_tag_valid;
-      slice0winner1_tag_map_column <= slice0window_tag_map_column;
-      slice0winner1_tag_first_column <= slice0window_tag_first_column;
-      if slice0winner1_best_cost_0_is_less(0) then
-        slice0winner1_best_cost_0(0) <= slice0window_sum_0(1);
-        slice0winner1_best_below_0(0) <= slice0window_sum_0(0);
-        slice0winner1_best_above_0(0) <= 0;
-      else
-        slice0winner1_best_cost_0(0) <= slice0window_sum_0(0);
-        slice0winner1_best_below_0(0) <= 0;
-        slice0winner1_best_above_0(0) <= slice0window_sum_0(1);
-      end if;
-      if slice0winner1_best_cost_0_is_less(1) then
-        slice0winner1_best_cost_0(1) <= slice0window_sum_0(3);
-        slice0winner1_best_index_0_1 <= 3;
-        slice0winner1_best_below_0(1) <= slice0window_sum_0(2);
-        slice0winner1_best_above_0(1) <= 0;
-      else
-        slice0winner1_best_cost_0(1) <= slice0window_sum_0(2);
-        slice0winner1_best_index_0_1 <= 2;
-        slice0winner1_best_below_0(1) <= 0;
-        slice0winner1_best_above_0(1) <= slice0window_sum_0(3);
-      end if;
-      if slice0winner1_best_cost_0_is_less(2) then
-        slice0winner1_best_cost_0(2) <= slice0window_sum_0(5);
-        slice0winner1_best_index_0_2 <= 5;
-        slice0winner1_best_below_0(2) <= slice0window_sum_0(4);
-        slice0winner1_best_above_0(2) <= 0;
-      else
-        slice0winner1_best_cost_0(2) <= slice0window_sum_0(4);
-        slice0winner1_best_index_0_2 <= 4;
-        slice0winner1_best_below_0(2) <= 0;
-        slice0winner1_best_above_0(2) <= slice0window_sum_0(5);
-      end if;
-      if slice0winner1_best_cost_0_is_less(3) then
-        slice0winner1_best_cost_0(3) <= slice0window_sum_0(7);
-        slice0winner1_best_index_0_3 <= 7;
-        slice0winner1_best_below_0(3) <= slice0window_sum_0(6);
-        slice0winner1_best_above_0(3) <= 0;
-      else
-        slice0winner1_best_cost_0(3) <= slice0window_sum_0(6);
-        slice0winner1_best_index_0_3 <= 6;
-        slice0winner1_best_below_0(3) <= 0;
-        slice0winner1_best_above_0(3) <= slice0window_sum_0(7);
-      end if;
+      slice0winner1_tag.valid <= slice0window_tag.valid;
+      slice0winner1_tag.map_column <= slice0window_tag.map_column;
+      slice0winner1_tag.first_column <= slice0window_tag.first_column;
+      slice0winner1_best_cost_0(0) <= choice(slice0winner1_best_cost_0_is_less(0), slice0window_sum_0(1),
+        slice0window_sum_0(0));
+      for i in 0 to 2 loop
+        slice0winner1_best_below_0(i) <= choice(slice0winner1_best_cost_0_is_less(i), slice0window_sum_0(2 * i), 0);
+        slice0winner1_best_above_0(i) <= choice(slice0winner1_best_cost_0_is_less(i), 0, slice0window_sum_0(2 * i + 1));
+        slice0winner1_best_cost_0(i + 1) <= choice(slice0winner1_best_cost_0_is_less(i + 1), slice0window_sum_0(2 * i +
+          3), slice0window_sum_0(2 * i + 2));
+        slice0winner1_best_index_0(i + 1) <= choice(slice0winner1_best_cost_0_is_less(i + 1), 2 * i + 3, 2 * i + 2);
+      end loop;
+      slice0winner1_best_below_0(3) <= choice(slice0winner1_best_cost_0_is_less(3), slice0window_sum_0(6), 0);
+      slice0winner1_best_above_0(3) <= choice(slice0winner1_best_cost_0_is_less(3), 0, slice0window_sum_0(7));
       -- slice0winner2
       slice0winner2_best_cost_0_is_less(0) := (slice0winner1_best_cost_0(1) - slice0winner1_best_cost_0(0)) < 0;
       slice0winner2_best_cost_0_is_less(1) := (slice0winner1_best_cost_0(3) - slice0winner1_best_cost_0(2)) < 0;
-      slice0winner2_best_below_0_is_equal(0) := slice0winner1_best_index_0_1 = 2;
-      if slice0winner2_best_below_0_is_equal(0) then
-        slice0winner2_best_below_0_choice(0) := slice0winner1_held_0(1);
-      else
-        slice0winner2_best_below_0_choice(0) := slice0winner1_best_below_0(1);
-      end if;
-      slice0winner2_best_below_0_is_equal(1) := slice0winner1_best_index_0_3 = 6;
-      if slice0winner2_best_below_0_is_equal(1) then
-        slice0winner2_best_below_0_choice(1) := slice0winner1_held_0(5);
-      else
-        slice0winner2_best_below_0_choice(1) := slice0winner1_best_below_0(3);
-      end if;
-      if slice0winner1_best_index_0_0 then
-        slice0winner2_best_above_0_choice(0) := slice0winner1_held_0(2);
-      else
-        slice0winner2_best_above_0_choice(0) := slice0winner1_best_above_0(0);
-      end if;
-      if slice0winner1_best_place_0_2 then
-        slice0winner2_best_above_0_choice(1) := slice0winner1_held_0(6);
-      else
-        slice0winner2_best_above_0_choice(1) := slice0winner1_best_above_0(2);
-      end if;
+      slice0winner2_best_below_0_is_equal(0) := slice0winner1_best_index_0(1) = 2;
+      slice0winner2_best_below_0_choice(0) := choice(slice0winner2_best_below_0_is_equal(0), slice0winner1_held_0(1),
+        slice0winner1_best_below_0(1));
+      slice0winner2_best_below_0_is_equal(1) := slice0winner1_best_index_0(3) = 6;
+      slice0winner2_best_below_0_choice(1) := choice(slice0winner2_best_below_0_is_equal(1), slice0winner1_held_0(5),
+        slice0winner1_best_below_0(3));
+      slice0winner2_best_above_0_choice(0) := choice(slice0winner1_best_index_0_0, slice0winner1_held_0(2),
+        slice0winner1_best_above_0(0));
+      slice0winner2_best_above_0_choice(1) := choice(slice0winner1_best_place_0_2, slice0winner1_held_0(6),
+        slice0winner1_best_above_0(2));
       for i in 0 to 1 loop
-        if slice0winner2_best_place_0(i) then
-          slice0winner2_best_second_0_choice(i) := 4095;
-        else
-          slice0winner2_best_second_0_choice(i) := slice0winner1_best_late_cost_0(2 * i + 1);
-        end if;
-        if slice0winner2_best_at_end_0(i) then
-          slice0winner2_best_second_0_choices(i, 2) := slice0winner1_best_but_first_0(2 * i + 1);
-        else
-          slice0winner2_best_second_0_choices(i, 2) := slice0winner2_best_second_0_choice(i);
-        end if;
-        if slice0winner2_best_place_0(i) then
-          slice0winner2_best_second_0_choices(i, 3) := slice0winner1_best_late_cost_0(2 * i);
-        else
-          slice0winner2_best_second_0_choices(i, 3) := 4095;
-        end if;
-        if slice0winner2_best_at_start_0(i) then
-          slice0winner2_best_second_0_choices(i, 4) := slice0winner1_best_but_last_0(2 * i);
-        else
-          slice0winner2_best_second_0_choices(i, 4) := slice0winner2_best_second_0_choices(i, 3);
-        end if;
+        slice0winner2_best_second_0_choice(i, 1) := choice(slice0winner2_best_place_0(i), 4095,
+          slice0winner1_best_late_cost_0(2 * i + 1));
+        slice0winner2_best_second_0_choice(i, 2) := choice(slice0winner2_best_at_end_0(i),
+          slice0winner1_best_but_first_0(2 * i + 1), slice0winner2_best_second_0_choice(i, 1));
+        slice0winner2_best_second_0_choice(i, 3) := choice(slice0winner2_best_place_0(i),
+          slice0winner1_best_late_cost_0(2 * i), 4095);
+        slice0winner2_best_second_0_choice(i, 4) := choice(slice0winner2_best_at_start_0(i),
+          slice0winner1_best_but_last_0(2 * i), slice0winner2_best_second_0_choice(i, 3));
       end loop;
       slice0winner2_best_first_0(0) <= slice0winner1_held_0(0);
       slice0winner2_best_first_0(1) <= slice0winner1_held_0(4);
       slice0winner2_best_last_0(0) <= slice0winner1_held_0(3);
       slice0winner2_best_last_0(1) <= slice0winner1_held_0(7);
-      slice0winner2_best_place_0(0) <= slice0winner2_best_cost_0_is_less(0);
-      slice0winner2_best_place_0(1) <= slice0winner2_best_cost_0_is_less(1);
+      slice0winner2_best_place_0 <= slice0winner2_best_cost_0_is_less;
       slice0winner2_best_at_start_0(0) <= slice0winner2_best_cost_0_is_less(0) and
         slice0winner2_best_below_0_is_equal(0);
       slice0winner2_best_at_start_0(1) <= slice0winner2_best_cost_0_is_less(1) and
@@ -3171,88 +1701,54 @@ begin
         slice0winner1_best_cost_0(0)) >= 0);
       slice0winner2_best_at_end_0(1) <= slice0winner1_best_place_0_2 and ((slice0winner1_best_cost_0(3) -
         slice0winner1_best_cost_0(2)) >= 0);
-      slice0winner2_best_late_cost_0(0) <= slice0winner2_best_cost_0(0);
-      slice0winner2_best_late_cost_0(1) <= slice0winner2_best_cost_0(1);
-      slice0winner2_tag_valid <= slice0winner1_tag_valid;
-      slice0winner2_tag_map_column <= slice0winner1_tag_map_column;
-      slice0winner2_tag_first_column <= slice0winner1_tag_first_column;
-      if slice0winner2_best_cost_0_is_less(0) then
-        slice0winner2_best_cost_0(0) <= slice0winner1_best_cost_0(1);
-        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
-        slice0winner2_best_below_0(0) <= slice0winner2_best_below_0_choice(0);
-        slice0winner2_best_above_0(0) <= slice0winner1_best_above_0(1);
-      else
-        slice0winner2_best_cost_0(0) <= slice0winner1_best_cost_0(0);
-        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
-        slice0winner2_best_below_0(0) <= slice0winner1_best_below_0(0);
-        slice0winner2_best_above_0(0) <= slice0winner2_best_above_0_choice(0);
-      end if;
-      if slice0winner2_best_cost_0_is_less(1) then
-        slice0winner2_best_cost_0(1) <= slice0winner1_best_cost_0(3);
-        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3;
-        slice0winner2_best_below_0(1) <= slice0winner2_best_below_0_choice(1);
-        slice0winner2_best_above_0(1) <= slice0winner1_best_above_0(3);
-      else
-        slice0winner2_best_cost_0(1) <= slice0winner1_best_cost_0(2);
-        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2;
-        slice0winner2_best_below_0(1) <= slice0winner1_best_below_0(2);
-        slice0winner2_best_above_0(1) <= slice0winner2_best_above_0_choice(1);
-      end if;
-      for i in 0 to 1 loop
-        if (slice0winner2_best_second_0_choices(i, 2) - slice0winner2_best_second_0_choices(i, 4)) < 0 then
-          slice0winner2_best_second_0(i) <= slice0winner2_best_second_0_choices(i, 2);
-        else
-          slice0winner2_best_second_0(i) <= slice0winner2_best_second_0_choices(i, 4);
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        if (slice0winner1_best_late_cost_0(2 * i + 1) - slice0winner1_best_but_first_0(2 * i)) < 0 then
-          slice0winner2_best_but_first_0(i) <= slice0winner1_best_late_cost_0(2 * i + 1);
-        else
-          slice0winner2_best_but_first_0(i) <= slice0winner1_best_but_first_0(2 * i);
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        if (slice0winner1_best_but_last_0(2 * i + 1) - slice0winner1_best_late_cost_0(2 * i)) < 0 then
-          slice0winner2_best_but_last_0(i) <= slice0winner1_best_but_last_0(2 * i + 1);
-        else
-          slice0winner2_best_but_last_0(i) <= slice0winner1_best_late_cost_0(2 * i);
-        end if;
-      end loop;
+      slice0winner2_best_late_cost_0 <= slice0winner2_best_cost_0;
+      slice0winner2_tag <= slice0winner1_tag;
+      slice0winner2_best_cost_0(0) <= choice(slice0winner2_best_cost_0_is_less(0), slice0winner1_best_cost_0(1),
+        slice0winner1_best_cost_0(0));
+      slice0winner2_best_index_0(0) <= choice(slice0winner2_best_cost_0_is_less(0), slice0winner1_best_index_0(1),
+        as_number(slice0winner1_best_index_0_0));
+      slice0winner2_best_below_0(0) <= choice(slice0winner2_best_cost_0_is_less(0),
+        slice0winner2_best_below_0_choice(0), slice0winner1_best_below_0(0));
+      slice0winner2_best_above_0(0) <= choice(slice0winner2_best_cost_0_is_less(0), slice0winner1_best_above_0(1),
+        slice0winner2_best_above_0_choice(0));
+      slice0winner2_best_cost_0(1) <= choice(slice0winner2_best_cost_0_is_less(1), slice0winner1_best_cost_0(3),
+        slice0winner1_best_cost_0(2));
+      slice0winner2_best_index_0(1) <= choice(slice0winner2_best_cost_0_is_less(1), slice0winner1_best_index_0(3),
+        slice0winner1_best_index_0(2));
+      slice0winner2_best_below_0(1) <= choice(slice0winner2_best_cost_0_is_less(1),
+        slice0winner2_best_below_0_choice(1), slice0winner1_best_below_0(2));
+      slice0winner2_best_above_0(1) <= choice(slice0winner2_best_cost_0_is_less(1), slice0winner1_best_above_0(3),
+        slice0winner2_best_above_0_choice(1));
+      slice0winner2_best_second_0(0) <= choice((slice0winner2_best_second_0_choice(0, 2) -
+        slice0winner2_best_second_0_choice(0, 4)) < 0, slice0winner2_best_second_0_choice(0, 2),
+        slice0winner2_best_second_0_choice(0, 4));
+      slice0winner2_best_second_0(1) <= choice((slice0winner2_best_second_0_choice(1, 2) -
+        slice0winner2_best_second_0_choice(1, 4)) < 0, slice0winner2_best_second_0_choice(1, 2),
+        slice0winner2_best_second_0_choice(1, 4));
+      slice0winner2_best_but_first_0(0) <= choice((slice0winner1_best_late_cost_0(1) -
+        slice0winner1_best_but_first_0(0)) < 0, slice0winner1_best_late_cost_0(1), slice0winner1_best_but_first_0(0));
+      slice0winner2_best_but_first_0(1) <= choice((slice0winner1_best_late_cost_0(3) -
+        slice0winner1_best_but_first_0(2)) < 0, slice0winner1_best_late_cost_0(3), slice0winner1_best_but_first_0(2));
+      slice0winner2_best_but_last_0(0) <= choice((slice0winner1_best_but_last_0(1) - slice0winner1_best_late_cost_0(0))
+        < 0, slice0winner1_best_but_last_0(1), slice0winner1_best_late_cost_0(0));
+      slice0winner2_best_but_last_0(1) <= choice((slice0winner1_best_but_last_0(3) - slice0winner1_best_late_cost_0(2))
+        < 0, slice0winner1_best_but_last_0(3), slice0winner1_best_late_cost_0(2));
       -- slice0winner3
       slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0(1) - slice0winner2_best_cost_0(0)) < 0;
-      slice0winner3_best_below_0_0_is_equal := slice0winner2_best_index_0_1 = 4;
-      if slice0winner3_best_below_0_0_is_equal then
-        slice0winner3_best_below_0_0_choice := slice0winner2_best_last_0(0);
-      else
-        slice0winner3_best_below_0_0_choice := slice0winner2_best_below_0(1);
-      end if;
-      slice0winner3_best_above_0_0_is_equal := slice0winner2_best_index_0_0 = 3;
-      if slice0winner3_best_above_0_0_is_equal then
-        slice0winner3_best_above_0_0_choice := slice0winner2_best_first_0(1);
-      else
-        slice0winner3_best_above_0_0_choice := slice0winner2_best_above_0(0);
-      end if;
-      if slice0winner3_best_place_0_0 then
-        slice0winner3_best_second_0_0_choice := slice0winner2_best_second_0(1);
-      else
-        slice0winner3_best_second_0_0_choice := slice0winner2_best_late_cost_0(1);
-      end if;
-      if slice0winner3_best_at_end_0_0 then
-        slice0winner3_best_second_0_0_choices(2) := slice0winner2_best_but_first_0(1);
-      else
-        slice0winner3_best_second_0_0_choices(2) := slice0winner3_best_second_0_0_choice;
-      end if;
-      if slice0winner3_best_place_0_0 then
-        slice0winner3_best_second_0_0_choices(3) := slice0winner2_best_late_cost_0(0);
-      else
-        slice0winner3_best_second_0_0_choices(3) := slice0winner2_best_second_0(0);
-      end if;
-      if slice0winner3_best_at_start_0_0 then
-        slice0winner3_best_second_0_0_choices(4) := slice0winner2_best_but_last_0(0);
-      else
-        slice0winner3_best_second_0_0_choices(4) := slice0winner3_best_second_0_0_choices(3);
-      end if;
+      slice0winner3_best_below_0_0_is_equal := slice0winner2_best_index_0(1) = 4;
+      slice0winner3_best_below_0_0_choice := choice(slice0winner3_best_below_0_0_is_equal,
+        slice0winner2_best_last_0(0), slice0winner2_best_below_0(1));
+      slice0winner3_best_above_0_0_is_equal := slice0winner2_best_index_0(0) = 3;
+      slice0winner3_best_above_0_0_choice := choice(slice0winner3_best_above_0_0_is_equal,
+        slice0winner2_best_first_0(1), slice0winner2_best_above_0(0));
+      slice0winner3_best_second_0_0_choices(1) := choice(slice0winner3_best_place_0_0, slice0winner2_best_second_0(1),
+        slice0winner2_best_late_cost_0(1));
+      slice0winner3_best_second_0_0_choices(2) := choice(slice0winner3_best_at_end_0_0,
+        slice0winner2_best_but_first_0(1), slice0winner3_best_second_0_0_choices(1));
+      slice0winner3_best_second_0_0_choices(3) := choice(slice0winner3_best_place_0_0,
+        slice0winner2_best_late_cost_0(0), slice0winner2_best_second_0(0));
+      slice0winner3_best_second_0_0_choices(4) := choice(slice0winner3_best_at_start_0_0,
+        slice0winner2_best_but_last_0(0), slice0winner3_best_second_0_0_choices(3));
       slice0winner3_best_first_0_0 <= slice0winner2_best_first_0(0);
       slice0winner3_best_last_0_0 <= slice0winner2_best_last_0(1);
       slice0winner3_best_place_0_0 <= slice0winner3_best_cost_0_0_is_less;
@@ -3260,35 +1756,22 @@ begin
       slice0winner3_best_at_end_0_0 <= ((slice0winner2_best_cost_0(1) - slice0winner2_best_cost_0(0)) >= 0) and
         slice0winner3_best_above_0_0_is_equal;
       slice0winner3_best_late_cost_0_0 <= slice0winner3_best_cost_0_0;
-      slice0winner3_tag_valid <= slice0winner2_tag_valid;
-      slice0winner3_tag_map_column <= slice0winner2_tag_map_column;
-      slice0winner3_tag_first_column <= slice0winner2_tag_first_column;
-      if slice0winner3_best_cost_0_0_is_less then
-        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0(1);
-        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1;
-        slice0winner3_best_below_0_0 <= slice0winner3_best_below_0_0_choice;
-        slice0winner3_best_above_0_0 <= slice0winner2_best_above_0(1);
-      else
-        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0(0);
-        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_0;
-        slice0winner3_best_below_0_0 <= slice0winner2_best_below_0(0);
-        slice0winner3_best_above_0_0 <= slice0winner3_best_above_0_0_choice;
-      end if;
-      if (slice0winner3_best_second_0_0_choices(2) - slice0winner3_best_second_0_0_choices(4)) < 0 then
-        slice0winner3_best_second_0_0 <= slice0winner3_best_second_0_0_choices(2);
-      else
-        slice0winner3_best_second_0_0 <= slice0winner3_best_second_0_0_choices(4);
-      end if;
-      if (slice0winner2_best_late_cost_0(1) - slice0winner2_best_but_first_0(0)) < 0 then
-        slice0winner3_best_but_first_0_0 <= slice0winner2_best_late_cost_0(1);
-      else
-        slice0winner3_best_but_first_0_0 <= slice0winner2_best_but_first_0(0);
-      end if;
-      if (slice0winner2_best_but_last_0(1) - slice0winner2_best_late_cost_0(0)) < 0 then
-        slice0winner3_best_but_last_0_0 <= slice0winner2_best_but_last_0(1);
-      else
-        slice0winner3_best_but_last_0_0 <= slice0winner2_best_late_cost_0(0);
-      end if;
+      slice0winner3_tag <= slice0winner2_tag;
+      slice0winner3_best_cost_0_0 <= choice(slice0winner3_best_cost_0_0_is_less, slice0winner2_best_cost_0(1),
+        slice0winner2_best_cost_0(0));
+      slice0winner3_best_index_0_0 <= choice(slice0winner3_best_cost_0_0_is_less, slice0winner2_best_index_0(1),
+        slice0winner2_best_index_0(0));
+      slice0winner3_best_below_0_0 <= choice(slice0winner3_best_cost_0_0_is_less, slice0winner3_best_below_0_0_choice,
+        slice0winner2_best_below_0(0));
+      slice0winner3_best_above_0_0 <= choice(slice0winner3_best_cost_0_0_is_less, slice0winner2_best_above_0(1),
+        slice0winner3_best_above_0_0_choice);
+      slice0winner3_best_second_0_0 <= choice((slice0winner3_best_second_0_0_choices(2) -
+        slice0winner3_best_second_0_0_choices(4)) < 0, slice0winner3_best_second_0_0_choices(2),
+        slice0winner3_best_second_0_0_choices(4));
+      slice0winner3_best_but_first_0_0 <= choice((slice0winner2_best_late_cost_0(1) -
+        slice0winner2_best_but_first_0(0)) < 0, slice0winner2_best_late_cost_0(1), slice0winner2_best_but_first_0(0));
+      slice0winner3_best_but_last_0_0 <= choice((slice0winner2_best_but_last_0(1) - slice0winner2_best_late_cost_0(0))
+        < 0, slice0winner2_best_but_last_0(1), slice0winner2_best_late_cost_0(0));
       -- slice0
       slice0_best_index_0_0 <= slice0winner3_best_index_0_0;
       slice0_best_below_0_0 <= slice0winner3_best_below_0_0;
@@ -3299,79 +1782,37 @@ begin
       slice0_best_second_0_0 <= slice0winner3_best_second_0_0;
       slice0_best_but_first_0_0 <= slice0winner3_best_but_first_0_0;
       slice0_best_but_last_0_0 <= slice0winner3_best_but_last_0_0;
-      slice0_best_tag_valid <= slice0winner3_tag_valid;
-      slice0_best_tag_map_column <= slice0winner3_tag_map_column;
-      slice0_best_tag_first_column <= slice0winner3_tag_first_column;
+      slice0_best_tag <= slice0winner3_tag;
       -- best
-      best_base_any := (not best_waiting_tag_valid) or (not best_waiting_tag_first_column);
+      best_base_any := (not best_waiting_tag.valid) or (not best_waiting_tag.first_column);
       best_base_is_equal := best_pass = 7;
-      if best_base_is_equal then
-        best_base_choice := 0;
-      else
-        best_base_choice := ((best_base / 8) + 1) mod 32;
-      end if;
-      if best_base_any then
-        best_base_choice_2 := best_base / 8;
-      else
-        best_base_choice_2 := best_base_choice;
-      end if;
+      best_base_choices(1) := choice(best_base_is_equal, 0, ((best_base / 8) + 1) mod 32);
+      best_base_choices(2) := choice(best_base_any, best_base / 8, best_base_choices(1));
       best_first_pass_is_equal := best_pass = 0;
-      best_before_is_last_value := is_set(best_last_before, 6);
-      if best_before_is_last_value then
-        best_before_is_last_choice := (best_ready_words_0 / 262144) = 3;
-      else
-        best_before_is_last_choice := (best_ready_words_0 / 262144) = 2;
-      end if;
-      if best_before_is_last_value then
-        best_before_is_last_choices(2) := (best_ready_words_0 / 262144) = 1;
-      else
-        best_before_is_last_choices(2) := (best_ready_words_0 / 262144) = 0;
-      end if;
-      if is_set(best_last_before, 7) then
-        best_before_is_last_choices(3) := best_before_is_last_choice;
-      else
-        best_before_is_last_choices(3) := best_before_is_last_choices(2);
-      end if;
-      best_before_is_last_value_2 := is_set(best_last_before, 4);
-      best_before_is_last_values(3) := (best_ready_words_0 / 65536) mod 4;
-      for i in 4 to 5 loop
-        if best_before_is_last_value_2 then
-          best_before_is_last_choices(i) := best_before_is_last_values(3) = (11 - 2 * i);
-        else
-          best_before_is_last_choices(i) := best_before_is_last_values(3) = (10 - 2 * i);
-        end if;
-      end loop;
-      if is_set(best_last_before, 5) then
-        best_before_is_last_choices(6) := best_before_is_last_choices(4);
-      else
-        best_before_is_last_choices(6) := best_before_is_last_choices(5);
-      end if;
-      best_before_is_last_values(4) := (best_ready_words_0 / 16384) mod 4;
-      if is_set(best_last_before, 3) then
-        best_before_is_last_choices(7) := best_before_is_last_values(4) = 3;
-      else
-        best_before_is_last_choices(7) := best_before_is_last_values(4) = 1;
-      end if;
-      if best_here_is_first then
-        best_best_below_0_0_choice := best_compared_words_2;
-      else
-        best_best_below_0_0_choice := best_compared_below_0_0;
-      end if;
-      if best_before_is_last then
-        best_best_above_0_0_choice := best_compared_first_0_0;
-      else
-        best_best_above_0_0_choice := best_compared_words_1 / 4096;
-      end if;
-      if best_best_place_0_0 then
-        best_best_second_0_0_choice := best_compared_second_0_0;
-      else
-        best_best_second_0_0_choice := best_compared_late_cost_0_0;
-      end if;
-      if best_best_at_end_0_0 then
-        best_best_second_0_0_choice_2 := best_compared_but_first_0_0;
-      else
-        best_best_second_0_0_choice_2 := best_best_second_0_0_choice;
-      end if;
+      best_before_is_last_values(1) := is_set(best_last_before, 6);
+      best_before_is_last_choices(1) := choice(best_before_is_last_values(1), (best_ready_words_0 / 262144) = 3,
+        (best_ready_words_0 / 262144) = 2);
+      best_before_is_last_choices(2) := choice(best_before_is_last_values(1), (best_ready_words_0 / 262144) = 1,
+        (best_ready_words_0 / 262144) = 0);
+      best_before_is_last_choices(3) := choice(is_set(best_last_before, 7), best_before_is_last_choices(1),
+        best_before_is_last_choices(2));
+      best_before_is_last_values(2) := is_set(best_last_before, 4);
+      best_before_is_last_values_from_3(3) := (best_ready_words_0 / 65536) mod 4;
+      best_before_is_last_choices(4) := choice(best_before_is_last_values(2), best_before_is_last_values_from_3(3) = 3,
+        best_before_is_last_values_from_3(3) = 2);
+      best_before_is_last_choices(5) := choice(best_before_is_last_values(2), best_before_is_last_values_from_3(3) = 1,
+        best_before_is_last_values_from_3(3) = 0);
+      best_before_is_last_choices(6) := choice(is_set(best_last_before, 5), best_before_is_last_choices(4),
+        best_before_is_last_choices(5));
+      best_before_is_last_values_from_3(4) := (best_ready_words_0 / 16384) mod 4;
+      best_before_is_last_choices(7) := choice(is_set(best_last_before, 3), best_before_is_last_values_from_3(4) = 3,
+        best_before_is_last_values_from_3(4) = 1);
+      best_best_below_0_0_choice := choice(best_here_is_first, best_compared_words(2), best_compared_below_0_0);
+      best_best_above_0_0_choice := choice(best_before_is_last, best_compared_first_0_0, best_compared_words(1) / 4096);
+      best_best_second_0_0_choices(1) := choice(best_best_place_0_0, best_compared_second_0_0,
+        best_compared_late_cost_0_0);
+      best_best_second_0_0_choices(2) := choice(best_best_at_end_0_0, best_compared_but_first_0_0,
+        best_best_second_0_0_choices(1));
       if best_was_first then
         best_best_second_0_0_choice_3 := to_unsigned(4095, 12) & to_unsigned(4095, 16) & to_unsigned(4095, 16) &
           to_unsigned(4095, 16);
@@ -3379,31 +1820,13 @@ begin
         best_best_second_0_0_choice_3 := to_unsigned((best_compared_losers_0 / 4096), 12) & to_unsigned(4095, 16) &
           to_unsigned((best_compared_losers_0 mod 4096), 16) & to_unsigned(best_kept_cost, 16);
       end if;
-      if best_was_first then
-        best_best_second_0_0_choices(4) := 4095;
-      else
-        best_best_second_0_0_choices(4) := best_kept_cost;
-      end if;
-      if best_best_place_0_0 then
-        best_best_second_0_0_choices(5) := best_best_second_0_0_choices(4);
-      else
-        best_best_second_0_0_choices(5) := to_integer(best_best_second_0_0_choice_3(27 downto 16));
-      end if;
-      if best_best_at_start_0_0 then
-        best_best_second_0_0_choices(6) := to_integer(best_best_second_0_0_choice_3(59 downto 48));
-      else
-        best_best_second_0_0_choices(6) := best_best_second_0_0_choices(5);
-      end if;
-      if best_compared_tag_first_column then
-        best_write_column_choice := 0;
-      else
-        best_write_column_choice := (best_place_column + 1) mod 1024;
-      end if;
-      if best_compared_tag_valid then
-        best_write_column_choice_2 := best_write_column_choice;
-      else
-        best_write_column_choice_2 := best_place_column;
-      end if;
+      best_best_second_0_0_choices(4) := choice(best_was_first, 4095, best_kept_cost);
+      best_best_second_0_0_choices(5) := choice(best_best_place_0_0, best_best_second_0_0_choices(4),
+        to_integer(best_best_second_0_0_choice_3(27 downto 16)));
+      best_best_second_0_0_choices(6) := choice(best_best_at_start_0_0, to_integer(best_best_second_0_0_choice_3(59
+        downto 48)), best_best_second_0_0_choices(5));
+      best_write_column_choices(1) := choice(best_compared_tag.first_column, 0, (best_place_column + 1) mod 1024);
+      best_write_column_choices(2) := choice(best_compared_tag.valid, best_write_column_choices(1), best_place_column);
       best_read_index_0_0 <= slice0_best_index_0_0;
       best_read_below_0_0 <= slice0_best_below_0_0;
       best_read_above_0_0 <= slice0_best_above_0_0;
@@ -3413,9 +1836,7 @@ begin
       best_read_second_0_0 <= slice0_best_second_0_0;
       best_read_but_first_0_0 <= slice0_best_but_first_0_0;
       best_read_but_last_0_0 <= slice0_best_but_last_0_0;
-      best_read_tag_valid <= slice0_best_tag_valid;
-      best_read_tag_map_column <= slice0_best_tag_map_column;
-      best_read_tag_first_column <= slice0_best_tag_first_column;
+      best_read_tag <= slice0_best_tag;
       best_late_column <= best_column;
       best_waiting_index_0_0 <= best_read_index_0_0;
       best_waiting_below_0_0 <= best_read_below_0_0;
@@ -3426,9 +1847,7 @@ begin
       best_waiting_second_0_0 <= best_read_second_0_0;
       best_waiting_but_first_0_0 <= best_read_but_first_0_0;
       best_waiting_but_last_0_0 <= best_read_but_last_0_0;
-      best_waiting_tag_valid <= best_read_tag_valid;
-      best_waiting_tag_map_column <= best_read_tag_map_column;
-      best_waiting_tag_first_column <= best_read_tag_first_column;
+      best_waiting_tag <= best_read_tag;
       best_ready_index_0_0 <= best_waiting_index_0_0;
       best_ready_below_0_0 <= best_waiting_below_0_0;
       best_ready_above_0_0 <= best_waiting_above_0_0;
@@ -3438,14 +1857,12 @@ begin
       best_ready_second_0_0 <= best_waiting_second_0_0;
       best_ready_but_first_0_0 <= best_waiting_but_first_0_0;
       best_ready_but_last_0_0 <= best_waiting_but_last_0_0;
-      best_ready_tag_valid <= best_waiting_tag_valid;
-      best_ready_tag_map_column <= best_waiting_tag_map_column;
-      best_ready_tag_first_column <= best_waiting_tag_first_column;
+      best_ready_tag <= best_waiting_tag;
       best_ready_words_0 <= to_integer(best_read_words_0);
       best_ready_words_1 <= to_integer(best_read_words_1);
       best_ready_words_2 <= to_integer(best_read_words_2);
       best_ready_losers_0 <= to_integer(best_read_losers_0);
-      best_base <= best_base_choice_2 * 8;
+      best_base <= best_base_choices(2) * 8;
       best_compared_index_0_0 <= ((best_base / 8) * 8) + best_ready_index_0_0;
       best_compared_below_0_0 <= best_ready_below_0_0;
       best_compared_above_0_0 <= best_ready_above_0_0;
@@ -3455,11 +1872,9 @@ begin
       best_compared_second_0_0 <= best_ready_second_0_0;
       best_compared_but_first_0_0 <= best_ready_but_first_0_0;
       best_compared_but_last_0_0 <= best_ready_but_last_0_0;
-      best_compared_tag_valid <= best_ready_tag_valid;
-      best_compared_tag_map_column <= best_ready_tag_map_column;
-      best_compared_tag_first_column <= best_ready_tag_first_column;
-      best_compared_words_1 <= best_ready_words_1;
-      best_compared_words_2 <= best_ready_words_2;
+      best_compared_tag <= best_ready_tag;
+      best_compared_words(1) <= best_ready_words_1;
+      best_compared_words(2) <= best_ready_words_2;
       best_compared_losers_0 <= best_ready_losers_0;
       best_first_pass <= best_first_pass_is_equal;
       best_last_pass <= best_base_is_equal;
@@ -3472,56 +1887,31 @@ begin
       best_best_at_start_0_0 <= (not best_first_pass) and best_here_is_first and best_here_wins;
       best_best_at_end_0_0 <= best_before_is_last and (not best_here_wins);
       best_best_late_cost_0_0 <= best_best_cost_0_0;
-      best_best_tag_valid <= best_compared_tag_valid;
-      best_best_tag_map_column <= best_last_pass and best_compared_tag_map_column;
-      best_best_tag_first_column <= best_last_pass and best_compared_tag_first_column;
+      best_best_tag.valid <= best_compared_tag.valid;
+      best_best_tag.map_column <= best_last_pass and best_compared_tag.map_column;
+      best_best_tag.first_column <= best_last_pass and best_compared_tag.first_column;
       best_late_write_column <= best_write_column;
       best_kept_cost <= other_13;
       best_was_first <= best_first_pass;
-      if best_here_wins then
-        best_best_cost_0_0 <= best_ready_late_cost_0_0;
-        best_best_index_0_0 <= best_compared_index_0_0;
-        best_best_below_0_0 <= best_best_below_0_0_choice;
-        best_best_above_0_0 <= best_compared_above_0_0;
-      else
-        best_best_cost_0_0 <= other_13;
-        best_best_index_0_0 <= other_5;
-        best_best_below_0_0 <= best_compared_words_1 mod 4096;
-        best_best_above_0_0 <= best_best_above_0_0_choice;
-      end if;
-      if (best_best_second_0_0_choice_2 - best_best_second_0_0_choices(6)) < 0 then
-        best_best_second_0_0 <= best_best_second_0_0_choice_2;
-      else
-        best_best_second_0_0 <= best_best_second_0_0_choices(6);
-      end if;
-      if (best_compared_but_last_0_0 - best_best_second_0_0_choices(4)) < 0 then
-        best_best_but_last_0_0 <= best_compared_but_last_0_0;
-      else
-        best_best_but_last_0_0 <= best_best_second_0_0_choices(4);
-      end if;
-      if (not best_compared_tag_map_column) or (not best_compared_tag_valid) then
-        best_write_column <= 1023;
-      else
-        best_write_column <= best_write_column_choice_2;
-      end if;
-      if slice0_best_tag_valid then
-        if slice0_best_tag_first_column then
-          best_column <= 0;
-        else
-          best_column <= (best_column + 1) mod 1024;
-        end if;
+      best_best_cost_0_0 <= choice(best_here_wins, best_ready_late_cost_0_0, other_13);
+      best_best_index_0_0 <= choice(best_here_wins, best_compared_index_0_0, other_5);
+      best_best_below_0_0 <= choice(best_here_wins, best_best_below_0_0_choice, best_compared_words(1) mod 4096);
+      best_best_above_0_0 <= choice(best_here_wins, best_compared_above_0_0, best_best_above_0_0_choice);
+      best_best_second_0_0 <= choice((best_best_second_0_0_choices(2) - best_best_second_0_0_choices(6)) < 0,
+        best_best_second_0_0_choices(2), best_best_second_0_0_choices(6));
+      best_best_but_last_0_0 <= choice((best_compared_but_last_0_0 - best_best_second_0_0_choices(4)) < 0,
+        best_compared_but_last_0_0, best_best_second_0_0_choices(4));
+      best_write_column <= choice((not best_compared_tag.map_column) or (not best_compared_tag.valid), 1023,
+        best_write_column_choices(2));
+      if slice0_best_tag.valid then
+        best_column <= choice(slice0_best_tag.first_column, 0, (best_column + 1) mod 1024);
       end if;
       if not best_base_any then
-        if best_base_is_equal then
-          best_pass <= 0;
-          best_last_before <= 255;
-        else
-          best_pass <= (best_pass + 1) mod 8;
-          best_last_before <= ((((best_last_before / 8) + 1) mod 32) * 8) + 7;
-        end if;
+        best_pass <= choice(best_base_is_equal, 0, (best_pass + 1) mod 8);
+        best_last_before <= choice(best_base_is_equal, 255, ((((best_last_before / 8) + 1) mod 32) * 8) + 7);
       end if;
-      if best_compared_tag_valid then
-        best_place_column <= best_write_column_choice;
+      if best_compared_tag.valid then
+        best_place_column <= best_write_column_choices(1);
       end if;
       -- refinement
       refinement_remainder_1_0_difference := (refinement_remainder_0(0) + 8192) - refinement_divisor_0(0);
@@ -3530,36 +1920,22 @@ begin
           1);
       end loop;
       refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
-      if refinement_divisor_0_0_is_less then
-        refinement_divisor_0_0_choice := refinement_v_0;
-      else
-        refinement_divisor_0_0_choice := refinement_u_0;
-      end if;
+      refinement_divisor_0_0_choice := choice(refinement_divisor_0_0_is_less, refinement_v_0, refinement_u_0);
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
       refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
-      if refinement_negative_0(8) then
-        refinement_fraction_0_choice := refinement_fraction_0_difference mod 256;
-      else
-        refinement_fraction_0_choice := refinement_fraction_0_value;
-      end if;
-      if refinement_negative_0(8) then
-        refinement_fraction_0_choice_2 := refinement_fraction_0_difference mod 8;
-      else
-        refinement_fraction_0_choice_2 := refinement_fraction_0_value mod 8;
-      end if;
+      refinement_fraction_0_choice := choice(refinement_negative_0(8), refinement_fraction_0_difference mod 256,
+        refinement_fraction_0_value);
+      refinement_fraction_0_choice_2 := choice(refinement_negative_0(8), refinement_fraction_0_difference mod 8,
+        refinement_fraction_0_value mod 8);
       refinement_disparity_0(0) <= best_best_index_0_0;
-      for i in 1 to 11 loop
-        refinement_disparity_0(i) <= refinement_disparity_0(i - 1);
-      end loop;
+      refinement_disparity_0(1 to 11) <= refinement_disparity_0(0 to 10);
       refinement_passed_0(0) <= true;
       refinement_passed_0(1) <= refinement_passed_0(0);
       refinement_passed_0(2) <= transform_ready_column_inside(4);
-      for i in 4 to 11 loop
-        refinement_passed_0(i) <= refinement_passed_0(i - 1);
-      end loop;
-      refinement_tag_valid(0) <= best_best_tag_valid;
-      refinement_tag_map_column(0) <= best_best_tag_map_column;
-      refinement_tag_first_column(0) <= best_best_tag_first_column;
+      refinement_passed_0(4 to 11) <= refinement_passed_0(3 to 10);
+      refinement_tag_valid(0) <= best_best_tag.valid;
+      refinement_tag_map_column(0) <= best_best_tag.map_column;
+      refinement_tag_first_column(0) <= best_best_tag.first_column;
       for i in 1 to 11 loop
         refinement_tag_valid(i) <= refinement_tag_valid(i - 1);
         refinement_tag_map_column(i) <= refinement_tag_map_column(i - 1);
@@ -3577,58 +1953,28 @@ begin
       refinement_remainder_0(0) <= magnitude(refinement_difference_0);
       refinement_divisor_0(0) <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 12)) or
         (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 12))));
-      for i in 1 to 7 loop
-        refinement_divisor_0(i) <= refinement_divisor_0(i - 1);
-      end loop;
+      refinement_divisor_0(1 to 7) <= refinement_divisor_0(0 to 6);
       refinement_quotient_8_0 <= ((((8192 - refinement_divisor_0(7)) / 2) + refinement_remainder_0(7)) / 4096) +
         ((other_6 / 2) * 2);
       refinement_negative_0(0) <= refinement_divisor_0_0_is_less;
-      for i in 1 to 8 loop
-        refinement_negative_0(i) <= refinement_negative_0(i - 1);
-      end loop;
+      refinement_negative_0(1 to 8) <= refinement_negative_0(0 to 7);
       refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 32) * 8) + refinement_fraction_0_choice_2;
-      if refinement_alone_0(1) then
-        refinement_passed_0(3) <= transform_columns_column_inside(4);
-      else
-        refinement_passed_0(3) <= transform_columns_column_inside(4) and ((refinement_scaled_cost_0 -
-          refinement_scaled_gap_0) < 0);
-      end if;
-      if best_best_index_0_0 = 0 then
-        refinement_below_0 <= best_best_above_0_0;
-      else
-        refinement_below_0 <= best_best_below_0_0;
-      end if;
-      if best_best_index_0_0 = 63 then
-        refinement_above_0 <= best_best_below_0_0;
-      else
-        refinement_above_0 <= best_best_above_0_0;
-      end if;
-      if is_set(refinement_remainder_1_0_difference, 13) then
-        refinement_remainder_0(1) <= refinement_remainder_1_0_difference mod 4096;
-      else
-        refinement_remainder_0(1) <= refinement_remainder_0(0);
-      end if;
+      refinement_passed_0(3) <= choice(refinement_alone_0(1), transform_columns_column_inside(4),
+        transform_columns_column_inside(4) and ((refinement_scaled_cost_0 - refinement_scaled_gap_0) < 0));
+      refinement_below_0 <= choice(best_best_index_0_0 = 0, best_best_above_0_0, best_best_below_0_0);
+      refinement_above_0 <= choice(best_best_index_0_0 = 63, best_best_below_0_0, best_best_above_0_0);
+      refinement_remainder_0(1) <= choice(is_set(refinement_remainder_1_0_difference, 13),
+        refinement_remainder_1_0_difference mod 4096, refinement_remainder_0(0));
       for i in 2 to 7 loop
-        if is_set(refinement_remainder_0_difference(i), 13) then
-          refinement_remainder_0(i) <= refinement_remainder_0_difference(i) mod 4096;
-        else
-          refinement_remainder_0(i) <= (refinement_remainder_0(i - 1) mod 2048) * 2;
-        end if;
+        refinement_remainder_0(i) <= choice(is_set(refinement_remainder_0_difference(i), 13),
+          refinement_remainder_0_difference(i) mod 4096, (refinement_remainder_0(i - 1) mod 2048) * 2);
       end loop;
       -- winners
       winners_row_differs := winners_row /= refinement_tag_first_column(11);
       if refinement_tag_map_column(11) then
-        if refinement_tag_valid(11) then
-          winners_row <= winners_row_differs;
-        else
-          winners_row <= winners_row;
-        end if;
+        winners_row <= choice(refinement_tag_valid(11), winners_row_differs, winners_row);
       end if;
-      if refinement_tag_first_column(11) then
-        winners_column_choice := 0;
-      else
-        winners_column_choice := winners_column;
-      end if;
+      winners_column_choice := choice(refinement_tag_first_column(11), 0, winners_column);
       winners_column_any := (not refinement_tag_map_column(11)) or (not refinement_tag_valid(11));
       if not winners_column_any then
         winners_column <= (winners_column_choice + 1) mod 1024;
@@ -3636,125 +1982,64 @@ begin
       winners_write_word_0 <= to_integer(((to_unsigned(as_number(refinement_passed_0(11)), 1) &
         to_unsigned(refinement_disparity_0(11), 11)) or (to_unsigned((refinement_fraction_0 mod 64), 6) &
         to_unsigned(0, 6))));
-      winners_read_tag_valid <= passes_arrived;
-      winners_read_tag_map_column <= (passes_write_address mod 1024) < 576;
-      winners_read_tag_start_of_frame <= ((passes_write_address mod 1024) = 0) and passes_leaving_starts;
-      winners_read_tag_end_of_line <= (passes_write_address mod 1024) = 575;
+      winners_read_tag.valid <= passes_arrived;
+      winners_read_tag.map_column <= (passes_write_address mod 1024) < 576;
+      winners_read_tag.start_of_frame <= ((passes_write_address mod 1024) = 0) and passes_leaving_starts;
+      winners_read_tag.end_of_line <= (passes_write_address mod 1024) = 575;
       winners_read_address <= passes_write_address;
       winners_winners_disparity_0 <= to_integer(winners_read_word_0(5 downto 0));
       winners_winners_fraction_0 <= to_integer(winners_read_word_0(10 downto 6));
       winners_winners_passed_0 <= winners_read_word_0(11) = '1';
-      winners_winners_tag_valid <= winners_read_tag_valid;
-      winners_winners_tag_map_column <= winners_read_tag_map_column;
-      winners_winners_tag_start_of_frame <= winners_read_tag_start_of_frame;
-      winners_winners_tag_end_of_line <= winners_read_tag_end_of_line;
+      winners_winners_tag <= winners_read_tag;
       winners_address_out <= winners_read_address;
-      if winners_column_any then
-        winners_write_address <= 2047;
-      else
-        winners_write_address <= (as_number(winners_row_differs) * 1024) + winners_column_choice;
-      end if;
+      winners_write_address <= choice(winners_column_any, 2047, (as_number(winners_row_differs) * 1024) +
+        winners_column_choice);
       -- check
-      check_read_winner_all := slice0winner1_tag_valid and slice0winner1_tag_first_column;
-      check_read_winner_all_2 := slice0winner1_tag_valid and slice0winner1_tag_first_column and (check_pass = 7);
-      if check_read_winner_all_2 then
-        check_read_winner_choice := 0;
-      else
-        check_read_winner_choice := ((check_base / 8) + 1) mod 32;
-      end if;
-      if check_read_winner_all then
-        check_read_winner_choice_2 := check_read_winner_choice;
-      else
-        check_read_winner_choice_2 := check_base / 8;
-      end if;
-      if check_read_winner_all_2 then
-        check_read_place_choice := 7;
-      else
-        check_read_place_choice := ((check_first / 8) + 127) mod 128;
-      end if;
+      check_read_winner_alls(1) := slice0winner1_tag.valid and slice0winner1_tag.first_column;
+      check_read_winner_alls(2) := slice0winner1_tag.valid and slice0winner1_tag.first_column and (check_pass = 7);
+      check_read_winner_choices(1) := choice(check_read_winner_alls(2), 0, ((check_base / 8) + 1) mod 32);
+      check_read_winner_choices(2) := choice(check_read_winner_alls(1), check_read_winner_choices(1), check_base / 8);
+      check_read_place_choice := choice(check_read_winner_alls(2), 7, ((check_first / 8) + 127) mod 128);
       check_read_counts_sum := check_columns + as_number((check_columns /= 583));
-      if check_read_winner_all then
-        check_read_counts_choice := 0;
-      else
-        check_read_counts_choice := check_read_counts_sum;
-      end if;
+      check_read_counts_choice := choice(check_read_winner_alls(1), 0, check_read_counts_sum);
       check_read_has_before_sum := check_pass + 1;
-      if check_read_winner_all then
-        check_read_has_before_choice := ((check_read_has_before_sum mod 8) / 4) = 1;
-      else
-        check_read_has_before_choice := is_set(check_pass, 2);
-      end if;
-      if check_read_winner_all_2 then
-        check_read_has_before_choices(2) := (not check_read_winner_all) and is_set(check_pass, 2);
-      else
-        check_read_has_before_choices(2) := check_read_has_before_choice;
-      end if;
+      check_read_has_before_choices(1) := choice(check_read_winner_alls(1), ((check_read_has_before_sum mod 8) / 4) =
+        1, is_set(check_pass, 2));
+      check_read_has_before_choices(2) := choice(check_read_winner_alls(2), (not check_read_winner_alls(1)) and
+        is_set(check_pass, 2), check_read_has_before_choices(1));
       check_read_has_before_is_less := 7 < check_read_counts_choice;
       check_read_has_before_value := is_set(check_pass, 1);
-      if check_read_winner_all then
-        check_read_has_before_choices(3) := (((check_read_has_before_sum mod 8) / 2) mod 2) = 1;
-      else
-        check_read_has_before_choices(3) := check_read_has_before_value;
-      end if;
-      if check_read_winner_all_2 then
-        check_read_has_before_choices(4) := (not check_read_winner_all) and check_read_has_before_value;
-      else
-        check_read_has_before_choices(4) := check_read_has_before_choices(3);
-      end if;
-      if check_read_winner_all then
-        check_read_has_before_choices(5) := is_set(check_read_has_before_sum, 0);
-      else
-        check_read_has_before_choices(5) := is_set(check_pass, 0);
-      end if;
-      if check_read_winner_all_2 then
-        check_read_has_before_choices(6) := (not check_read_winner_all) and is_set(check_pass, 0);
-      else
-        check_read_has_before_choices(6) := check_read_has_before_choices(5);
-      end if;
-      if check_read_has_before_choices(4) then
-        check_read_has_before_choices(7) := check_read_has_before_is_less;
-      else
-        check_read_has_before_choices(7) := check_read_has_before_choices(6) and check_read_has_before_is_less;
-      end if;
-      if check_read_winner_all then
-        check_first_choice := check_read_place_choice;
-      else
-        check_first_choice := check_first / 8;
-      end if;
+      check_read_has_before_choices(3) := choice(check_read_winner_alls(1), (((check_read_has_before_sum mod 8) / 2)
+        mod 2) = 1, check_read_has_before_value);
+      check_read_has_before_choices(4) := choice(check_read_winner_alls(2), (not check_read_winner_alls(1)) and
+        check_read_has_before_value, check_read_has_before_choices(3));
+      check_read_has_before_choices(5) := choice(check_read_winner_alls(1), is_set(check_read_has_before_sum, 0),
+        is_set(check_pass, 0));
+      check_read_has_before_choices(6) := choice(check_read_winner_alls(2), (not check_read_winner_alls(1)) and
+        is_set(check_pass, 0), check_read_has_before_choices(5));
+      check_read_has_before_choices(7) := choice(check_read_has_before_choices(4), check_read_has_before_is_less,
+        check_read_has_before_choices(6) and check_read_has_before_is_less);
+      check_first_choice := choice(check_read_winner_alls(1), check_read_place_choice, check_first / 8);
       check_cost_any := ((check_ready_cost - (check_ready_words_0 mod 4096)) < 0) or (not check_ready_has_before);
-      if check_ready_counts then
-        check_write_place_choice := check_ready_place;
-      else
-        check_write_place_choice := 1023;
-      end if;
+      check_write_place_choice := choice(check_ready_counts, check_ready_place, 1023);
       check_checked_passed_0_difference := (check_answered_disparity_0 + 1) - to_integer(check_found_0);
       check_checked_tag_row_start_differs := map_counter_group /= 481;
-      check_checked_tag_row_start_is_equal := map_counter_column = 575;
-      if check_checked_tag_row_start_is_equal then
-        check_checked_tag_row_start_choice := check_checked_tag_row_start and (map_counter_group /= 480);
-      else
-        check_checked_tag_row_start_choice := check_checked_tag_row_start;
-      end if;
-      if check_checked_tag_row_start_differs then
-        check_checked_tag_row_start_choices(2) := check_checked_tag_row_start_choice;
-      else
-        check_checked_tag_row_start_choices(2) := check_checked_tag_row_start;
-      end if;
-      check_checked_tag_row_start_is_equal_2 := map_counter_group = 479;
-      check_checked_tag_row_start_all := check_checked_tag_row_start_is_equal_2 and
-        check_checked_tag_row_start_is_equal;
-      if check_checked_tag_row_start_choices(2) then
-        check_checked_tag_row_start_choices(3) := (not check_checked_tag_start_of_frame) or
-          check_checked_tag_row_start_all;
-      else
-        check_checked_tag_row_start_choices(3) := check_checked_tag_start_of_frame and
-          check_checked_tag_row_start_is_equal_2 and check_checked_tag_row_start_is_equal;
-      end if;
-      check_checked_tag_row_start_all_2 := check_checked_tag_valid and check_checked_tag_map_column;
-      check_read_winner <= (check_read_winner_choice_2 * 8) + slice0other_winner_0_7;
-      check_read_counts <= (check_read_counts_choice < 583) and slice0winner1_tag_valid;
-      check_read_row <= check_read_winner_all_2 /= check_read_row;
-      check_base <= check_read_winner_choice_2 * 8;
+      check_checked_tag_row_start_is_equals(1) := map_counter_column = 575;
+      check_checked_tag_row_start_choices(1) := choice(check_checked_tag_row_start_is_equals(1),
+        check_checked_tag.row_start and (map_counter_group /= 480), check_checked_tag.row_start);
+      check_checked_tag_row_start_choices(2) := choice(check_checked_tag_row_start_differs,
+        check_checked_tag_row_start_choices(1), check_checked_tag.row_start);
+      check_checked_tag_row_start_is_equals(2) := map_counter_group = 479;
+      check_checked_tag_row_start_alls(1) := check_checked_tag_row_start_is_equals(2) and
+        check_checked_tag_row_start_is_equals(1);
+      check_checked_tag_row_start_choices(3) := choice(check_checked_tag_row_start_choices(2), (not
+        check_checked_tag.start_of_frame) or check_checked_tag_row_start_alls(1), check_checked_tag.start_of_frame and
+        check_checked_tag_row_start_is_equals(2) and check_checked_tag_row_start_is_equals(1));
+      check_checked_tag_row_start_alls(2) := check_checked_tag.valid and check_checked_tag.map_column;
+      check_read_winner <= (check_read_winner_choices(2) * 8) + slice0other_winner_0(7);
+      check_read_counts <= (check_read_counts_choice < 583) and slice0winner1_tag.valid;
+      check_read_row <= check_read_winner_alls(2) /= check_read_row;
+      check_base <= check_read_winner_choices(2) * 8;
       check_first <= check_first_choice * 8;
       check_waiting_cost <= slice0other_cost_out_0;
       check_waiting_winner <= check_read_winner;
@@ -3774,205 +2059,81 @@ begin
       check_asking_disparity_0 <= winners_winners_disparity_0;
       check_asking_fraction_0 <= winners_winners_fraction_0;
       check_asking_passed_0 <= winners_winners_passed_0;
-      check_asking_tag_valid <= winners_winners_tag_valid;
-      check_asking_tag_map_column <= winners_winners_tag_map_column;
-      check_asking_tag_start_of_frame <= winners_winners_tag_start_of_frame;
-      check_asking_tag_end_of_line <= winners_winners_tag_end_of_line;
+      check_asking_tag <= winners_winners_tag;
       check_address <= (winners_address_out + (63 - winners_winners_disparity_0)) mod 2048;
       check_answered_disparity_0 <= check_asking_disparity_0;
       check_answered_fraction_0 <= check_asking_fraction_0;
       check_answered_passed_0 <= check_asking_passed_0;
-      check_answered_tag_valid <= check_asking_tag_valid;
-      check_answered_tag_map_column <= check_asking_tag_map_column;
-      check_answered_tag_start_of_frame <= check_asking_tag_start_of_frame;
-      check_answered_tag_end_of_line <= check_asking_tag_end_of_line;
+      check_answered_tag <= check_asking_tag;
       check_checked_disparity_0 <= check_answered_disparity_0;
       check_checked_fraction_0 <= check_answered_fraction_0;
       check_checked_passed_0 <= (check_checked_passed_0_difference >= 0) and (check_checked_passed_0_difference < 3)
         and check_answered_passed_0;
-      check_checked_tag_valid <= check_answered_tag_valid;
-      check_checked_tag_map_column <= check_answered_tag_map_column;
-      check_checked_tag_start_of_frame <= check_answered_tag_start_of_frame;
-      check_checked_tag_end_of_line <= check_answered_tag_end_of_line;
-      if check_read_winner_all then
-        check_read_place <= check_read_place_choice * 8;
-      else
-        check_read_place <= (check_read_place + as_number(slice0winner1_tag_valid)) mod 1024;
+      check_checked_tag.valid <= check_answered_tag.valid;
+      check_checked_tag.map_column <= check_answered_tag.map_column;
+      check_checked_tag.start_of_frame <= check_answered_tag.start_of_frame;
+      check_checked_tag.end_of_line <= check_answered_tag.end_of_line;
+      check_read_place <= choice(check_read_winner_alls(1), check_read_place_choice * 8, (check_read_place +
+        as_number(slice0winner1_tag.valid)) mod 1024);
+      check_read_has_before <= choice(check_read_has_before_choices(2), check_read_has_before_is_less,
+        check_read_has_before_choices(7));
+      check_cost <= choice(check_cost_any, check_ready_cost, check_ready_words_0 mod 4096);
+      check_winner <= choice(check_cost_any, check_ready_winner, check_ready_words_0 / 4096);
+      check_checked_tag.row_start <= choice(check_checked_tag_row_start_choices(3), check_checked_tag.row_start or
+        check_checked_tag_row_start_alls(2), check_checked_tag.row_start and ((not check_checked_tag.valid) or (not
+        check_checked_tag.map_column)));
+      if check_read_winner_alls(1) then
+        check_pass <= choice(check_read_winner_alls(2), 0, check_read_has_before_sum mod 8);
       end if;
-      if check_read_has_before_choices(2) then
-        check_read_has_before <= check_read_has_before_is_less;
-      else
-        check_read_has_before <= check_read_has_before_choices(7);
-      end if;
-      if check_cost_any then
-        check_cost <= check_ready_cost;
-        check_winner <= check_ready_winner;
-      else
-        check_cost <= check_ready_words_0 mod 4096;
-        check_winner <= check_ready_words_0 / 4096;
-      end if;
-      if check_checked_tag_row_start_choices(3) then
-        check_checked_tag_row_start <= check_checked_tag_row_start or check_checked_tag_row_start_all_2;
-      else
-        check_checked_tag_row_start <= check_checked_tag_row_start and ((not check_checked_tag_valid) or (not
-          check_checked_tag_map_column));
-      end if;
-      if check_read_winner_all then
-        if check_read_winner_all_2 then
-          check_pass <= 0;
-        else
-          check_pass <= check_read_has_before_sum mod 8;
-        end if;
-      end if;
-      if slice0winner1_tag_valid then
-        if check_read_winner_all then
-          check_columns <= 0;
-        else
-          check_columns <= check_read_counts_sum mod 1024;
-        end if;
+      if slice0winner1_tag.valid then
+        check_columns <= choice(check_read_winner_alls(1), 0, check_read_counts_sum mod 1024);
       end if;
       -- map
-      if check_checked_tag_row_start_all_2 then
-        if check_checked_tag_start_of_frame or check_checked_tag_row_start_is_equal then
-          map_counter_column <= 0;
-        else
-          map_counter_column <= (map_counter_column + 1) mod 1024;
-        end if;
+      if check_checked_tag_row_start_alls(2) then
+        map_counter_column <= choice(check_checked_tag.start_of_frame or check_checked_tag_row_start_is_equals(1), 0,
+          (map_counter_column + 1) mod 1024);
       end if;
-      if check_checked_tag_row_start_all then
-        map_counter_group_choice := 15;
-      else
-        map_counter_group_choice := 0;
-      end if;
+      map_counter_group_choice := choice(check_checked_tag_row_start_alls(1), 15, 0);
       map_counter_group_is_equal := map_counter_group = 480;
-      if check_checked_tag_row_start and map_counter_group_is_equal then
-        map_counter_group_choices(2) := 1;
-      else
-        map_counter_group_choices(2) := (map_counter_group + 1) mod 512;
-      end if;
-      if check_checked_tag_row_start_differs and check_checked_tag_row_start_is_equal and check_checked_tag_valid and
-        check_checked_tag_map_column then
-        map_counter_group_choices(3) := map_counter_group_choices(2);
-      else
-        map_counter_group_choices(3) := map_counter_group;
-      end if;
-      if check_checked_tag_valid then
-        map_line_ended_choice := check_checked_tag_map_column;
-      else
-        map_line_ended_choice := map_line_ended;
-      end if;
+      map_counter_group_choices(2) := choice(check_checked_tag.row_start and map_counter_group_is_equal, 1,
+        (map_counter_group + 1) mod 512);
+      map_counter_group_choices(3) := choice(check_checked_tag_row_start_differs and
+        check_checked_tag_row_start_is_equals(1) and check_checked_tag.valid and check_checked_tag.map_column,
+        map_counter_group_choices(2), map_counter_group);
+      map_line_ended_choice := choice(check_checked_tag.valid, check_checked_tag.map_column, map_line_ended);
       map_at_arrives_value := other_0(16) = '1';
-      if map_at_top then
-        map_of_column_0_a_choice := map_column_1 / 2;
-      else
-        map_of_column_0_a_choice := other_1 / 2;
-      end if;
-      if map_counter_next_frame then
-        map_of_column_0_c_choice := map_column_1 / 2;
-      else
-        map_of_column_0_c_choice := map_column_2 / 2;
-      end if;
-      if map_of_column_0_c_below_b then
-        map_sorted_low_0_choice := map_of_column_0_c;
-      else
-        map_sorted_low_0_choice := map_of_column_0_b;
-      end if;
-      if map_of_column_0_c_below_a then
-        map_sorted_low_0_choice_2 := map_of_column_0_c;
-      else
-        map_sorted_low_0_choice_2 := map_of_column_0_a;
-      end if;
-      if map_of_column_0_c_below_b then
-        map_sorted_middle_0_choice := map_of_column_0_b;
-      else
-        map_sorted_middle_0_choice := map_sorted_low_0_choice_2;
-      end if;
-      if map_of_column_0_c_below_a then
-        map_sorted_middle_0_choice_2 := map_of_column_0_a;
-      else
-        map_sorted_middle_0_choice_2 := map_sorted_low_0_choice;
-      end if;
-      if map_of_column_0_c_below_a then
-        map_sorted_high_0_choice := map_of_column_0_a;
-      else
-        map_sorted_high_0_choice := map_of_column_0_c;
-      end if;
-      if map_of_column_0_c_below_b then
-        map_sorted_high_0_choice_2 := map_of_column_0_b;
-      else
-        map_sorted_high_0_choice_2 := map_of_column_0_c;
-      end if;
+      map_of_column_0_a_choice := choice(map_at_top, map_column_1 / 2, other_1 / 2);
+      map_of_column_0_c_choice := choice(map_counter_next_frame, map_column_1 / 2, map_column_2 / 2);
+      map_sorted_low_0_choices(1) := choice(map_of_column_0_c_below_b, map_of_column_0_c, map_of_column_0_b);
+      map_sorted_low_0_choices(2) := choice(map_of_column_0_c_below_a, map_of_column_0_c, map_of_column_0_a);
+      map_sorted_middle_0_choices(1) := choice(map_of_column_0_c_below_b, map_of_column_0_b,
+        map_sorted_low_0_choices(2));
+      map_sorted_middle_0_choices(2) := choice(map_of_column_0_c_below_a, map_of_column_0_a,
+        map_sorted_low_0_choices(1));
+      map_sorted_high_0_choices(1) := choice(map_of_column_0_c_below_a, map_of_column_0_a, map_of_column_0_c);
+      map_sorted_high_0_choices(2) := choice(map_of_column_0_c_below_b, map_of_column_0_b, map_of_column_0_c);
       map_window_complete_is_equal := map_sorted_column = 0;
-      if map_window_complete_is_equal then
-        map_window_complete_choice := map_sorted_behind;
-      else
-        map_window_complete_choice := map_sorted_arrives or map_sorted_behind;
-      end if;
-      if map_of_low_0_c_below_a then
-        map_largest_low_0_choice := map_of_low_0_a;
-      else
-        map_largest_low_0_choice := map_of_low_0_c;
-      end if;
-      if map_of_low_0_c_below_b then
-        map_largest_low_0_choice_2 := map_of_low_0_b;
-      else
-        map_largest_low_0_choice_2 := map_of_low_0_c;
-      end if;
-      if map_of_middle_0_c_below_a then
-        map_median_middle_0_choice := map_of_middle_0_c;
-      else
-        map_median_middle_0_choice := map_of_middle_0_a;
-      end if;
-      if map_of_middle_0_c_below_b then
-        map_median_middle_0_choices(2) := map_of_middle_0_b;
-      else
-        map_median_middle_0_choices(2) := map_median_middle_0_choice;
-      end if;
-      if map_of_middle_0_c_below_b then
-        map_median_middle_0_choices(3) := map_of_middle_0_c;
-      else
-        map_median_middle_0_choices(3) := map_of_middle_0_b;
-      end if;
-      if map_of_middle_0_c_below_a then
-        map_median_middle_0_choices(4) := map_of_middle_0_a;
-      else
-        map_median_middle_0_choices(4) := map_median_middle_0_choices(3);
-      end if;
-      if map_of_high_0_c_below_b then
-        map_smallest_high_0_choice := map_of_high_0_c;
-      else
-        map_smallest_high_0_choice := map_of_high_0_b;
-      end if;
-      if map_of_high_0_c_below_a then
-        map_smallest_high_0_choice_2 := map_of_high_0_c;
-      else
-        map_smallest_high_0_choice_2 := map_of_high_0_a;
-      end if;
-      if map_of_all_0_c_below_a then
-        map_out_disparity_0_choice := map_of_all_0_c;
-      else
-        map_out_disparity_0_choice := map_of_all_0_a;
-      end if;
-      if map_of_all_0_c_below_b then
-        map_out_disparity_0_choices(2) := map_of_all_0_b;
-      else
-        map_out_disparity_0_choices(2) := map_out_disparity_0_choice;
-      end if;
-      if map_of_all_0_c_below_b then
-        map_out_disparity_0_choices(3) := map_of_all_0_c;
-      else
-        map_out_disparity_0_choices(3) := map_of_all_0_b;
-      end if;
-      if map_of_all_0_c_below_a then
-        map_out_disparity_0_choices(4) := map_of_all_0_a;
-      else
-        map_out_disparity_0_choices(4) := map_out_disparity_0_choices(3);
-      end if;
+      map_window_complete_choice := choice(map_window_complete_is_equal, map_sorted_behind, map_sorted_arrives or
+        map_sorted_behind);
+      map_largest_low_0_choices(1) := choice(map_of_low_0_c_below_a, map_of_low_0_a, map_of_low_0_c);
+      map_largest_low_0_choices(2) := choice(map_of_low_0_c_below_b, map_of_low_0_b, map_of_low_0_c);
+      map_median_middle_0_choices(1) := choice(map_of_middle_0_c_below_a, map_of_middle_0_c, map_of_middle_0_a);
+      map_median_middle_0_choices(2) := choice(map_of_middle_0_c_below_b, map_of_middle_0_b,
+        map_median_middle_0_choices(1));
+      map_median_middle_0_choices(3) := choice(map_of_middle_0_c_below_b, map_of_middle_0_c, map_of_middle_0_b);
+      map_median_middle_0_choices(4) := choice(map_of_middle_0_c_below_a, map_of_middle_0_a,
+        map_median_middle_0_choices(3));
+      map_smallest_high_0_choices(1) := choice(map_of_high_0_c_below_b, map_of_high_0_c, map_of_high_0_b);
+      map_smallest_high_0_choices(2) := choice(map_of_high_0_c_below_a, map_of_high_0_c, map_of_high_0_a);
+      map_out_disparity_0_choices(1) := choice(map_of_all_0_c_below_a, map_of_all_0_c, map_of_all_0_a);
+      map_out_disparity_0_choices(2) := choice(map_of_all_0_c_below_b, map_of_all_0_b, map_out_disparity_0_choices(1));
+      map_out_disparity_0_choices(3) := choice(map_of_all_0_c_below_b, map_of_all_0_c, map_of_all_0_b);
+      map_out_disparity_0_choices(4) := choice(map_of_all_0_c_below_a, map_of_all_0_a, map_out_disparity_0_choices(3));
       map_counter_next_frame <= other_0(40) = '1';
       map_newest_0 <= ((((((((check_checked_disparity_0 + 4095) mod 2048) * 2) + (check_checked_fraction_0 / 8) + 1)
         mod 4096) * 8) + (check_checked_fraction_0 mod 8)) * 2) + as_number(check_checked_passed_0);
-      map_arrives <= check_checked_tag_row_start_all_2;
-      map_behind <= map_line_ended and check_checked_tag_valid;
+      map_arrives <= check_checked_tag_row_start_alls(2);
+      map_behind <= map_line_ended and check_checked_tag.valid;
       map_rows_read_newest_0 <= map_newest_0;
       map_rows_ready_newest_0 <= map_rows_read_newest_0;
       map_write_column <= to_integer(other_0(9 downto 0));
@@ -4037,76 +2198,37 @@ begin
       map_waiting_first(2) <= map_waiting_first(1);
       map_waiting_last(2) <= map_waiting_last(1);
       map_waiting_passed_0(0) <= map_passed_0(1);
-      map_waiting_passed_0(1) <= map_waiting_passed_0(0);
-      map_waiting_passed_0(2) <= map_waiting_passed_0(1);
+      map_waiting_passed_0(1 to 2) <= map_waiting_passed_0(0 to 1);
       map_out_passed_0 <= map_waiting_passed_0(2);
       map_out_valid <= map_waiting_complete(2);
       map_out_start_of_frame <= map_waiting_first(2) and map_waiting_complete(2);
       map_out_end_of_line <= map_waiting_last(2) and map_waiting_complete(2);
-      if check_checked_tag_start_of_frame and check_checked_tag_valid and check_checked_tag_map_column then
-        map_counter_group <= map_counter_group_choice * 32;
-      else
-        map_counter_group <= map_counter_group_choices(3);
-      end if;
-      if check_checked_tag_end_of_line then
-        map_line_ended <= map_line_ended_choice;
-      else
-        map_line_ended <= map_line_ended and (not check_checked_tag_valid);
-      end if;
-      if map_of_column_0_b_below_a then
-        map_sorted_low_0 <= map_sorted_low_0_choice;
-        map_sorted_middle_0 <= map_sorted_middle_0_choice;
-        map_sorted_high_0 <= map_sorted_high_0_choice;
-      else
-        map_sorted_low_0 <= map_sorted_low_0_choice_2;
-        map_sorted_middle_0 <= map_sorted_middle_0_choice_2;
-        map_sorted_high_0 <= map_sorted_high_0_choice_2;
-      end if;
-      if map_passed_0(0) then
-        map_passed_0(1) <= map_passed_0(1) or map_sorted_arrives or map_sorted_behind;
-      else
-        map_passed_0(1) <= map_passed_0(1) and (not map_sorted_arrives) and (not map_sorted_behind);
-      end if;
-      if map_of_low_0_b_below_a then
-        map_largest_low_0 <= map_largest_low_0_choice;
-      else
-        map_largest_low_0 <= map_largest_low_0_choice_2;
-      end if;
-      if map_of_middle_0_b_below_a then
-        map_median_middle_0 <= map_median_middle_0_choices(2);
-      else
-        map_median_middle_0 <= map_median_middle_0_choices(4);
-      end if;
-      if map_of_high_0_b_below_a then
-        map_smallest_high_0 <= map_smallest_high_0_choice;
-      else
-        map_smallest_high_0 <= map_smallest_high_0_choice_2;
-      end if;
-      if map_of_all_0_b_below_a then
-        map_out_disparity_0 <= map_out_disparity_0_choices(2);
-      else
-        map_out_disparity_0 <= map_out_disparity_0_choices(4);
-      end if;
+      map_counter_group <= choice(check_checked_tag.start_of_frame and check_checked_tag.valid and
+        check_checked_tag.map_column, map_counter_group_choice * 32, map_counter_group_choices(3));
+      map_line_ended <= choice(check_checked_tag.end_of_line, map_line_ended_choice, map_line_ended and (not
+        check_checked_tag.valid));
+      map_sorted_low_0 <= choice(map_of_column_0_b_below_a, map_sorted_low_0_choices(1), map_sorted_low_0_choices(2));
+      map_sorted_middle_0 <= choice(map_of_column_0_b_below_a, map_sorted_middle_0_choices(1),
+        map_sorted_middle_0_choices(2));
+      map_sorted_high_0 <= choice(map_of_column_0_b_below_a, map_sorted_high_0_choices(1),
+        map_sorted_high_0_choices(2));
+      map_passed_0(1) <= choice(map_passed_0(0), map_passed_0(1) or map_sorted_arrives or map_sorted_behind,
+        map_passed_0(1) and (not map_sorted_arrives) and (not map_sorted_behind));
+      map_largest_low_0 <= choice(map_of_low_0_b_below_a, map_largest_low_0_choices(1), map_largest_low_0_choices(2));
+      map_median_middle_0 <= choice(map_of_middle_0_b_below_a, map_median_middle_0_choices(2),
+        map_median_middle_0_choices(4));
+      map_smallest_high_0 <= choice(map_of_high_0_b_below_a, map_smallest_high_0_choices(1),
+        map_smallest_high_0_choices(2));
+      map_out_disparity_0 <= choice(map_of_all_0_b_below_a, map_out_disparity_0_choices(2),
+        map_out_disparity_0_choices(4));
       if map_at_arrives_value then
         map_rows_write_words_0 <= (other_3 / 8192) + (map_rows_ready_newest_0 * 8192);
         map_at_column <= to_integer(other_0(9 downto 0));
       end if;
-      if map_sorted_behind then
-        map_low_0_0_choice := map_low_0(0);
-      else
-        map_low_0_0_choice := map_sorted_low_0;
-      end if;
+      map_low_0_0_choice := choice(map_sorted_behind, map_low_0(0), map_sorted_low_0);
       map_low_0_all(1) := map_window_complete_is_equal and map_sorted_arrives;
-      if map_sorted_behind then
-        map_middle_0_0_choice := map_middle_0(0);
-      else
-        map_middle_0_0_choice := map_sorted_middle_0;
-      end if;
-      if map_sorted_behind then
-        map_high_0_0_choice := map_high_0(0);
-      else
-        map_high_0_0_choice := map_sorted_high_0;
-      end if;
+      map_middle_0_0_choice := choice(map_sorted_behind, map_middle_0(0), map_sorted_middle_0);
+      map_high_0_0_choice := choice(map_sorted_behind, map_high_0(0), map_sorted_high_0);
       map_low_0_all(0) := (not map_sorted_arrives) and (not map_sorted_behind);
       if not map_low_0_all(0) then
         map_low_0(0) <= map_low_0_0_choice;
@@ -4115,15 +2237,9 @@ begin
         map_middle_0(2) <= map_middle_0(1);
         map_high_0(0) <= map_high_0_0_choice;
         map_high_0(2) <= map_high_0(1);
-        if map_low_0_all(1) then
-          map_low_0(1) <= map_low_0_0_choice;
-          map_middle_0(1) <= map_middle_0_0_choice;
-          map_high_0(1) <= map_high_0_0_choice;
-        else
-          map_low_0(1) <= map_low_0(0);
-          map_middle_0(1) <= map_middle_0(0);
-          map_high_0(1) <= map_high_0(0);
-        end if;
+        map_low_0(1) <= choice(map_low_0_all(1), map_low_0_0_choice, map_low_0(0));
+        map_middle_0(1) <= choice(map_low_0_all(1), map_middle_0_0_choice, map_middle_0(0));
+        map_high_0(1) <= choice(map_low_0_all(1), map_high_0_0_choice, map_high_0(0));
       end if;
       if map_sorted_arrives then
         map_passed_0(0) <= map_column_passed_0(1);
@@ -4167,21 +2283,21 @@ begin
         raster_place_column <= 0;
         raster_place_group <= 484;
         delay_column <= 0;
-        delay_tag_valid <= false;
-        delay_tag_first_column <= false;
-        delay_tag_start_of_frame <= false;
+        delay_tag.valid <= false;
+        delay_tag.first_column <= false;
+        delay_tag.start_of_frame <= false;
         rows_read_column <= 0;
-        rows_read_tag_valid <= false;
-        rows_read_tag_first_column <= false;
-        rows_read_tag_start_of_frame <= false;
+        rows_read_tag.valid <= false;
+        rows_read_tag.first_column <= false;
+        rows_read_tag.start_of_frame <= false;
         rows_ready_column <= 0;
-        rows_ready_tag_valid <= false;
-        rows_ready_tag_first_column <= false;
-        rows_ready_tag_start_of_frame <= false;
+        rows_ready_tag.valid <= false;
+        rows_ready_tag.first_column <= false;
+        rows_ready_tag.start_of_frame <= false;
         rows_write_column <= 0;
-        rows_tag_valid <= false;
-        rows_tag_first_column <= false;
-        rows_tag_start_of_frame <= false;
+        rows_tag.valid <= false;
+        rows_tag.first_column <= false;
+        rows_tag.start_of_frame <= false;
         passes_row <= false;
         passes_coming_starts <= false;
         passes_row_ended <= false;
@@ -4197,85 +2313,61 @@ begin
         passes_search_address <= 56;
         passes_reference_address <= 56;
         passes_leaving_starts <= false;
-        passes_read_tag_valid <= false;
-        passes_read_tag_row_start <= false;
-        passes_read_tag_map_column <= false;
-        passes_read_tag_end_of_line <= false;
-        passes_tag_valid <= false;
-        passes_tag_row_start <= false;
-        passes_tag_first_cost <= false;
-        passes_tag_map_column <= false;
-        slice0shift_tag_valid <= false;
-        slice0shift_tag_row_start <= false;
-        slice0shift_tag_first_cost <= false;
-        slice0shift_tag_map_column <= false;
-        slice0cost_pixels_first_tag_valid <= false;
-        slice0cost_pixels_first_tag_first_cost <= false;
-        slice0cost_pixels_first_tag_map_column <= false;
-        slice0cost_pixels_tag_valid <= false;
-        slice0cost_pixels_tag_first_cost <= false;
-        slice0cost_pixels_tag_map_column <= false;
+        passes_read_tag.valid <= false;
+        passes_read_tag.row_start <= false;
+        passes_read_tag.map_column <= false;
+        passes_read_tag.end_of_line <= false;
+        passes_tag.valid <= false;
+        passes_tag.row_start <= false;
+        passes_tag.first_cost <= false;
+        passes_tag.map_column <= false;
+        slice0shift_tag.valid <= false;
+        slice0shift_tag.row_start <= false;
+        slice0shift_tag.first_cost <= false;
+        slice0shift_tag.map_column <= false;
+        slice0cost_pixels_first_tag.valid <= false;
+        slice0cost_pixels_first_tag.first_cost <= false;
+        slice0cost_pixels_first_tag.map_column <= false;
+        slice0cost_pixels_tag.valid <= false;
+        slice0cost_pixels_tag.first_cost <= false;
+        slice0cost_pixels_tag.map_column <= false;
         slice0cost_read_column <= 0;
         slice0cost_change_column <= 0;
         slice0cost_ready_column <= 0;
-        slice0cost_ready_tag_valid <= false;
-        slice0cost_ready_tag_first_cost <= false;
-        slice0cost_ready_tag_map_column <= false;
+        slice0cost_ready_tag.valid <= false;
+        slice0cost_ready_tag.first_cost <= false;
+        slice0cost_ready_tag.map_column <= false;
         slice0cost_write_column <= 0;
-        slice0cost_tag_valid <= false;
-        slice0cost_tag_first_cost <= false;
-        slice0cost_tag_map_column <= false;
+        slice0cost_tag.valid <= false;
+        slice0cost_tag.first_cost <= false;
+        slice0cost_tag.map_column <= false;
         slice0window_ring_read_address <= 1;
         slice0window_ring_write_address <= 0;
-        slice0window_entering_tag_valid <= false;
-        slice0window_entering_tag_first_cost <= false;
-        slice0window_entering_tag_map_column <= false;
-        slice0window_entering_tag_first_column <= false;
-        slice0window_change_tag_valid <= false;
-        slice0window_change_tag_map_column <= false;
-        slice0window_change_tag_first_column <= false;
-        slice0window_centre_map_column(0) <= false;
-        slice0window_centre_map_column(1) <= false;
-        slice0window_centre_map_column(2) <= false;
-        slice0window_centre_map_column(3) <= false;
-        slice0window_centre_first_column(0) <= false;
-        slice0window_centre_first_column(1) <= false;
-        slice0window_centre_first_column(2) <= false;
-        slice0window_centre_first_column(3) <= false;
-        slice0window_tag_valid <= false;
-        slice0window_tag_map_column <= false;
-        slice0window_tag_first_column <= false;
-        slice0winner1_tag_valid <= false;
-        slice0winner1_tag_map_column <= false;
-        slice0winner1_tag_first_column <= false;
-        slice0winner2_tag_valid <= false;
-        slice0winner2_tag_map_column <= false;
-        slice0winner2_tag_first_column <= false;
-        slice0winner3_tag_valid <= false;
-        slice0winner3_tag_map_column <= false;
-        slice0winner3_tag_first_column <= false;
-        slice0_best_tag_valid <= false;
-        slice0_best_tag_map_column <= false;
-        slice0_best_tag_first_column <= false;
-        best_read_tag_valid <= false;
-        best_read_tag_map_column <= false;
-        best_read_tag_first_column <= false;
+        slice0window_entering_tag.valid <= false;
+        slice0window_entering_tag.first_cost <= false;
+        slice0window_entering_tag.map_column <= false;
+        slice0window_entering_tag.first_column <= false;
+        slice0window_change_tag.valid <= false;
+        slice0window_change_tag.map_column <= false;
+        slice0window_change_tag.first_column <= false;
+        slice0window_centre_map_column <= (others => false);
+        slice0window_centre_first_column <= (others => false);
+        slice0window_tag.valid <= false;
+        slice0window_tag.map_column <= false;
+        slice0window_tag.first_column <= false;
+        slice0winner1_tag <= (others => false);
+        slice0winner2_tag <= (others => false);
+        slice0winner3_tag <= (others => false);
+        slice0_best_tag <= (others => false);
+        best_read_tag <= (others => false);
         best_column <= 0;
         best_late_column <= 0;
-        best_waiting_tag_valid <= false;
-        best_waiting_tag_map_column <= false;
-        best_waiting_tag_first_column <= false;
-        best_ready_tag_valid <= false;
-        best_ready_tag_map_column <= false;
-        best_ready_tag_first_column <= false;
+        best_waiting_tag <= (others => false);
+        best_ready_tag <= (others => false);
         best_pass <= 7;
-        best_compared_tag_valid <= false;
-        best_compared_tag_map_column <= false;
-        best_compared_tag_first_column <= false;
+        best_compared_tag <= (others => false);
         best_last_pass <= false;
-        best_best_tag_valid <= false;
-        best_best_tag_map_column <= false;
-        best_best_tag_first_column <= false;
+        best_best_tag <= (others => false);
         best_place_column <= 0;
         best_write_column <= 0;
         best_late_write_column <= 0;
@@ -4287,14 +2379,8 @@ begin
         winners_row <= true;
         winners_column <= 0;
         winners_write_address <= 0;
-        winners_read_tag_valid <= false;
-        winners_read_tag_map_column <= false;
-        winners_read_tag_start_of_frame <= false;
-        winners_read_tag_end_of_line <= false;
-        winners_winners_tag_valid <= false;
-        winners_winners_tag_map_column <= false;
-        winners_winners_tag_start_of_frame <= false;
-        winners_winners_tag_end_of_line <= false;
+        winners_read_tag <= (others => false);
+        winners_winners_tag <= (others => false);
         check_read_place <= 0;
         check_read_counts <= false;
         check_read_row <= true;
@@ -4309,19 +2395,9 @@ begin
         check_ready_row <= true;
         check_write_place <= 0;
         check_write_address <= 0;
-        check_asking_tag_valid <= false;
-        check_asking_tag_map_column <= false;
-        check_asking_tag_start_of_frame <= false;
-        check_asking_tag_end_of_line <= false;
-        check_answered_tag_valid <= false;
-        check_answered_tag_map_column <= false;
-        check_answered_tag_start_of_frame <= false;
-        check_answered_tag_end_of_line <= false;
-        check_checked_tag_valid <= false;
-        check_checked_tag_row_start <= false;
-        check_checked_tag_map_column <= false;
-        check_checked_tag_start_of_frame <= false;
-        check_checked_tag_end_of_line <= false;
+        check_asking_tag <= (others => false);
+        check_answered_tag <= (others => false);
+        check_checked_tag <= (others => false);
         map_counter_column <= 0;
         map_counter_group <= 481;
         map_arrives <= false;

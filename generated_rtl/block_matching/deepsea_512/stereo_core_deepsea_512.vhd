@@ -94,10 +94,45 @@ architecture rtl of stereo_core_deepsea_512 is
     return (value / 2 ** place) mod 2 = 1;
   end function;
 
+  -- the majority: a comparison or a sum as a chain of its bits
+  function carry(before : boolean; a : boolean; b : boolean) return boolean is
+  begin
+    if before then
+      return a or b;
+    end if;
+    return a and b;
+  end function;
+
+  function inverted_carry(before : boolean; a : boolean; b : boolean) return boolean is
+  begin
+    if before then
+      return a and b;
+    end if;
+    return a or b;
+  end function;
+
+  function choice(test : boolean; yes : boolean; no : boolean) return boolean is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
+  function choice(test : boolean; yes : integer; no : integer) return integer is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
   type boolean_1d is array (natural range <>) of boolean;
-  type boolean_2d is array (natural range <>, natural range <>) of boolean;
+  type boolean_3d is array (natural range <>, natural range <>, natural range <>) of boolean;
   type integer_minus_48_to_48_1d is array (natural range <>) of integer range -48 to 48;
   type integer_minus_511_to_511_1d is array (natural range <>) of integer range -511 to 511;
+  type natural_11_1d is array (natural range <>) of natural range 0 to 11;
+  type natural_12_1d is array (natural range <>) of natural range 0 to 12;
   type natural_134217727_1d is array (natural range <>) of natural range 0 to 134217727;
   type natural_255_1d is array (natural range <>) of natural range 0 to 255;
   type natural_255_2d is array (natural range <>, natural range <>) of natural range 0 to 255;
@@ -105,28 +140,37 @@ architecture rtl of stereo_core_deepsea_512 is
   type natural_4095_1d is array (natural range <>) of natural range 0 to 4095;
   type natural_48_2d is array (natural range <>, natural range <>) of natural range 0 to 48;
   type natural_511_1d is array (natural range <>) of natural range 0 to 511;
+  type natural_511_2d is array (natural range <>, natural range <>) of natural range 0 to 511;
   type unsigned_27_1d is array (natural range <>) of unsigned(26 downto 0);
   type unsigned_48_1d is array (natural range <>) of unsigned(47 downto 0);
   type unsigned_48_2d is array (natural range <>, natural range <>) of unsigned(47 downto 0);
+  type tag_9 is record
+    valid, row_start, first_group, border_column, first_cost, leaves_window, output_column, start_of_frame : boolean;
+    end_of_line : boolean;
+  end record;
+  type tag_8 is record
+    valid, first_group, border_column, first_cost, leaves_window, output_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_2 is record
+    valid, start_of_frame : boolean;
+  end record;
+  type tag_4 is record
+    valid, output_column, start_of_frame, end_of_line : boolean;
+  end record;
   signal in_valid, in_start_of_frame : boolean;
   signal in_right_pixel, in_left_pixel : natural range 0 to 255;
   -- transform
   signal transform_left_0, transform_right_0, transform_left_rows_read_newest_0 : natural range 0 to 255;
   signal transform_left_rows_ready_newest_0, transform_right_rows_read_newest_0 : natural range 0 to 255;
   signal transform_right_rows_ready_newest_0 : natural range 0 to 255;
-  signal transform_left_column : natural_255_1d(0 to 6);
-  signal transform_right_column : natural_255_1d(0 to 6);
-  signal transform_left_filter_column : natural_255_2d(0 to 6, 0 to 6);
-  signal transform_right_filter_column : natural_255_2d(0 to 6, 0 to 6);
+  signal transform_left_column, transform_right_column : natural_255_1d(0 to 6);
+  signal transform_left_filter_column, transform_right_filter_column : natural_255_2d(0 to 6, 0 to 6);
   signal transform_valid, transform_counter_next_frame : boolean;
-  signal transform_read_row_inside : boolean_1d(0 to 6);
-  signal transform_read_column_inside : boolean_1d(0 to 6);
+  signal transform_read_row_inside, transform_read_column_inside : boolean_1d(0 to 6);
   signal transform_read_start_of_frame, transform_read_valid : boolean;
-  signal transform_ready_row_inside : boolean_1d(0 to 6);
-  signal transform_ready_column_inside : boolean_1d(0 to 6);
+  signal transform_ready_row_inside, transform_ready_column_inside : boolean_1d(0 to 6);
   signal transform_ready_start_of_frame, transform_ready_valid : boolean;
-  signal transform_columns_row_inside : boolean_1d(0 to 6);
-  signal transform_columns_column_inside : boolean_1d(0 to 6);
+  signal transform_columns_row_inside, transform_columns_column_inside : boolean_1d(0 to 6);
   signal transform_columns_start_of_frame, transform_columns_valid : boolean;
   signal transform_filtering_0_column_inside : boolean_1d(0 to 6);
   signal transform_filtering_start_of_frame : boolean_1d(0 to 1);  -- transform_filtering_#_start_of_frame
@@ -149,135 +193,89 @@ architecture rtl of stereo_core_deepsea_512 is
   signal delay_ahead_0, delay_delayed_0 : unsigned(47 downto 0);
   signal delay_column : natural range 0 to 511;
   signal delay_row_inside : boolean_1d(0 to 1);
-  signal delay_tag_valid, delay_tag_row_start, delay_tag_first_group, delay_tag_border_column : boolean;
-  signal delay_tag_first_cost, delay_tag_leaves_window, delay_tag_output_column, delay_tag_start_of_frame : boolean;
-  signal delay_tag_end_of_line : boolean;
+  signal delay_tag : tag_9;
   -- rows
   signal rows_search_rows_read_words : unsigned_48_1d(0 to 6);
   signal rows_search_rows_read_newest_0 : unsigned(47 downto 0);
   signal rows_search_rows_ready_words : unsigned_48_1d(0 to 6);
   signal rows_search_rows_ready_newest_0 : unsigned(47 downto 0);
-  signal rows_search_rows_write_words : unsigned_48_1d(0 to 6);
-  signal rows_reference_rows_read_words : unsigned_48_1d(0 to 6);
+  signal rows_search_rows_write_words, rows_reference_rows_read_words : unsigned_48_1d(0 to 6);
   signal rows_reference_rows_read_newest_0 : unsigned(47 downto 0);
   signal rows_reference_rows_ready_words : unsigned_48_1d(0 to 6);
   signal rows_reference_rows_ready_newest_0 : unsigned(47 downto 0);
   signal rows_reference_rows_write_words : unsigned_48_1d(0 to 6);
-  signal rows_search : unsigned_48_1d(0 to 1);
-  signal rows_reference : unsigned_48_1d(0 to 1);
+  signal rows_search, rows_reference : unsigned_48_1d(0 to 1);
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
   signal rows_read_inside : boolean_1d(0 to 1);
-  signal rows_read_tag_valid, rows_read_tag_row_start, rows_read_tag_first_group, rows_read_tag_border_column : boolean;
-  signal rows_read_tag_first_cost, rows_read_tag_leaves_window, rows_read_tag_output_column : boolean;
-  signal rows_read_tag_start_of_frame, rows_read_tag_end_of_line : boolean;
+  signal rows_read_tag : tag_9;
   signal rows_ready_inside : boolean_1d(0 to 1);
-  signal rows_ready_tag_valid, rows_ready_tag_row_start, rows_ready_tag_first_group : boolean;
-  signal rows_ready_tag_border_column, rows_ready_tag_first_cost, rows_ready_tag_leaves_window : boolean;
-  signal rows_ready_tag_output_column, rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line : boolean;
-  signal rows_tag_valid, rows_tag_row_start, rows_tag_first_group, rows_tag_border_column : boolean;
-  signal rows_tag_first_cost, rows_tag_leaves_window, rows_tag_output_column, rows_tag_start_of_frame : boolean;
-  signal rows_tag_end_of_line : boolean;
+  signal rows_ready_tag, rows_tag : tag_9;
   -- slice0shift
   signal slice0shift_search : unsigned_48_2d(0 to 1, 0 to 12);
-  signal slice0shift_reference : unsigned_48_1d(0 to 1);
-  signal slice0shift_search_out : unsigned_48_1d(0 to 1);
-  signal slice0shift_tag_valid, slice0shift_tag_row_start, slice0shift_tag_first_group : boolean;
-  signal slice0shift_tag_border_column, slice0shift_tag_first_cost, slice0shift_tag_leaves_window : boolean;
-  signal slice0shift_tag_output_column, slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
+  signal slice0shift_reference, slice0shift_search_out : unsigned_48_1d(0 to 1);
+  signal slice0shift_tag : tag_9;
   -- slice0cost
   signal slice0cost_pixels_first_count : natural_3_3d(0 to 1, 0 to 12, 0 to 15);  -- slice0cost_pixels_first_#_#_count_#
-  signal slice0cost_pixels_first_tag_valid, slice0cost_pixels_first_tag_row_start : boolean;
-  signal slice0cost_pixels_first_tag_first_group, slice0cost_pixels_first_tag_border_column : boolean;
-  signal slice0cost_pixels_first_tag_first_cost, slice0cost_pixels_first_tag_leaves_window : boolean;
-  signal slice0cost_pixels_first_tag_output_column, slice0cost_pixels_first_tag_start_of_frame : boolean;
-  signal slice0cost_pixels_first_tag_end_of_line, slice0cost_pixels_tag_valid : boolean;
-  signal slice0cost_pixels_tag_row_start, slice0cost_pixels_tag_first_group : boolean;
-  signal slice0cost_pixels_tag_border_column, slice0cost_pixels_tag_first_cost : boolean;
-  signal slice0cost_pixels_tag_leaves_window, slice0cost_pixels_tag_output_column : boolean;
-  signal slice0cost_pixels_tag_start_of_frame, slice0cost_pixels_tag_end_of_line, slice0cost_ready_tag_valid : boolean;
-  signal slice0cost_ready_tag_row_start, slice0cost_ready_tag_first_group, slice0cost_ready_tag_border_column : boolean;
-  signal slice0cost_ready_tag_first_cost, slice0cost_ready_tag_leaves_window : boolean;
-  signal slice0cost_ready_tag_output_column, slice0cost_ready_tag_start_of_frame : boolean;
-  signal slice0cost_ready_tag_end_of_line, slice0cost_tag_valid, slice0cost_tag_first_group : boolean;
-  signal slice0cost_tag_border_column, slice0cost_tag_first_cost, slice0cost_tag_leaves_window : boolean;
-  signal slice0cost_tag_output_column, slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pixels_first_tag, slice0cost_pixels_tag, slice0cost_ready_tag : tag_9;
+  signal slice0cost_tag : tag_8;
   signal slice0cost_pixels_cost : natural_48_2d(0 to 1, 0 to 12);
   signal slice0cost_read_column, slice0cost_change_column, slice0cost_ready_words_4 : natural range 0 to 511;
   signal slice0cost_ready_column : natural range 0 to 511;
   signal slice0cost_column_0 : natural_511_1d(0 to 12);
-  signal slice0cost_write_column, slice0cost_write_words_4 : natural range 0 to 511;
+  signal slice0cost_write_column : natural range 0 to 511;
+  signal slice0cost_write_words : natural_134217727_1d(0 to 4);  -- slice0cost_write_words_# up to 134217727 x 4, 511
   signal slice0cost_read_words : unsigned_27_1d(0 to 3);
   signal slice0cost_read_words_4 : unsigned(8 downto 0);
   signal slice0cost_change_0 : integer_minus_48_to_48_1d(0 to 12);
   signal slice0cost_ready_words : natural_134217727_1d(0 to 3);
-  signal slice0cost_write_words : natural_134217727_1d(0 to 3);
   -- slice0window
   signal slice0window_ring_read_address, slice0window_ring_write_address : natural range 0 to 7;
   signal slice0window_leaving : unsigned_27_1d(0 to 3);
   signal slice0window_leaving_4 : unsigned(8 downto 0);
   signal slice0window_entering_0 : natural_511_1d(0 to 12);
-  signal slice0window_entering_tag_valid, slice0window_entering_tag_first_group : boolean;
-  signal slice0window_entering_tag_border_column, slice0window_entering_tag_first_cost : boolean;
-  signal slice0window_entering_tag_leaves_window, slice0window_entering_tag_output_column : boolean;
-  signal slice0window_entering_tag_start_of_frame, slice0window_entering_tag_end_of_line : boolean;
-  signal slice0window_change_tag_valid, slice0window_change_tag_first_group : boolean;
-  signal slice0window_change_tag_border_column, slice0window_change_tag_first_cost : boolean;
-  signal slice0window_change_tag_leaves_window, slice0window_change_tag_output_column : boolean;
-  signal slice0window_change_tag_start_of_frame, slice0window_change_tag_end_of_line : boolean;
+  signal slice0window_entering_tag, slice0window_change_tag : tag_8;
   signal slice0window_centre_output_column_0, slice0window_centre_first_column_0 : boolean;
   signal slice0window_centre_start_of_frame : boolean_1d(0 to 2);
-  signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_start_of_frame : boolean;
+  signal slice0window_centre_end_of_line_0 : boolean;
+  signal slice0window_tag : tag_2;
   signal slice0window_change_0 : integer_minus_511_to_511_1d(0 to 12);
   signal slice0window_sum_0 : natural_4095_1d(0 to 12);
   -- slice0winner1
   signal slice0winner1_best_cost_0 : natural_4095_1d(0 to 6);
-  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_start_of_frame : boolean;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice0winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice0winner1_best_index_0_3 : natural range 0 to 7;
-  signal slice0winner1_best_index_0_4 : natural range 0 to 9;
-  signal slice0winner1_best_index_0_5 : natural range 0 to 11;
-  signal slice0winner1_best_index_0_6 : natural range 0 to 12;
+  signal slice0winner1_best_index_0_0 : boolean;
+  signal slice0winner1_tag : tag_2;
+  signal slice0winner1_best_index_0 : natural_12_1d(1 to 6);  -- slice0winner1_best_index_0_# up to 3, 5 .. 11, 12
   -- slice0winner2
   signal slice0winner2_best_cost_0 : natural_4095_1d(0 to 3);
-  signal slice0winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice0winner2_best_index_0_1 : natural range 0 to 7;
-  signal slice0winner2_best_index_0_2 : natural range 0 to 11;
-  signal slice0winner2_best_index_0_3 : natural range 0 to 12;
-  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
-  signal slice0winner2_tag_end_of_line : boolean;
+  signal slice0winner2_best_index_0 : natural_12_1d(0 to 3);  -- slice0winner2_best_index_0_# up to 3, 7, 11, 12
+  signal slice0winner2_tag : tag_4;
   -- slice0winner3
   signal slice0winner3_best_cost_0 : natural_4095_1d(0 to 1);
-  signal slice0winner3_best_index_0_0 : natural range 0 to 7;
-  signal slice0winner3_best_index_0_1 : natural range 0 to 12;
-  signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
-  signal slice0winner3_tag_end_of_line : boolean;
+  signal slice0winner3_best_index_0 : natural_12_1d(0 to 1);  -- slice0winner3_best_index_0_# up to 7, 12
+  signal slice0winner3_tag : tag_4;
   -- slice0winner4
   signal slice0winner4_best_cost_0_0 : natural range 0 to 4095;
   signal slice0winner4_best_index_0_0 : natural range 0 to 12;
-  signal slice0winner4_tag_valid, slice0winner4_tag_output_column, slice0winner4_tag_start_of_frame : boolean;
-  signal slice0winner4_tag_end_of_line : boolean;
+  signal slice0winner4_tag : tag_4;
   -- slice0
   signal slice0_best_cost_0_0 : natural range 0 to 4095;
   signal slice0_best_index_0_0 : natural range 0 to 51;
-  signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
-  signal slice0_best_tag_end_of_line : boolean;
+  signal slice0_best_tag : tag_4;
   -- slice1shift
   signal slice1shift_search : unsigned_48_2d(0 to 1, 0 to 12);
-  signal slice1shift_reference : unsigned_48_1d(0 to 1);
-  signal slice1shift_search_out : unsigned_48_1d(0 to 1);
+  signal slice1shift_reference, slice1shift_search_out : unsigned_48_1d(0 to 1);
   -- slice1cost
   signal slice1cost_pixels_first_count : natural_3_3d(0 to 1, 0 to 12, 0 to 15);  -- slice1cost_pixels_first_#_#_count_#
   signal slice1cost_pixels_cost : natural_48_2d(0 to 1, 0 to 12);
   signal slice1cost_read_column, slice1cost_change_column, slice1cost_ready_words_4 : natural range 0 to 511;
   signal slice1cost_ready_column : natural range 0 to 511;
   signal slice1cost_column_0 : natural_511_1d(0 to 12);
-  signal slice1cost_write_column, slice1cost_write_words_4 : natural range 0 to 511;
+  signal slice1cost_write_column : natural range 0 to 511;
+  signal slice1cost_write_words : natural_134217727_1d(0 to 4);  -- slice1cost_write_words_# up to 134217727 x 4, 511
   signal slice1cost_read_words : unsigned_27_1d(0 to 3);
   signal slice1cost_read_words_4 : unsigned(8 downto 0);
   signal slice1cost_change_0 : integer_minus_48_to_48_1d(0 to 12);
   signal slice1cost_ready_words : natural_134217727_1d(0 to 3);
-  signal slice1cost_write_words : natural_134217727_1d(0 to 3);
   -- slice1window
   signal slice1window_ring_read_address, slice1window_ring_write_address : natural range 0 to 7;
   signal slice1window_leaving : unsigned_27_1d(0 to 3);
@@ -290,44 +288,35 @@ architecture rtl of stereo_core_deepsea_512 is
   -- slice1winner1
   signal slice1winner1_best_cost_0 : natural_4095_1d(0 to 6);
   signal slice1winner1_best_index_0_0 : boolean;
-  signal slice1winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice1winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice1winner1_best_index_0_3 : natural range 0 to 7;
-  signal slice1winner1_best_index_0_4 : natural range 0 to 9;
-  signal slice1winner1_best_index_0_5 : natural range 0 to 11;
+  signal slice1winner1_best_index_0 : natural_11_1d(1 to 5);  -- slice1winner1_best_index_0_# up to 3, 5 .. 11
   -- slice1winner2
   signal slice1winner2_best_cost_0 : natural_4095_1d(0 to 3);
-  signal slice1winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice1winner2_best_index_0_1 : natural range 0 to 7;
-  signal slice1winner2_best_index_0_2 : natural range 0 to 11;
+  signal slice1winner2_best_index_0 : natural_11_1d(0 to 2);  -- slice1winner2_best_index_0_# up to 3, 7, 11
   -- slice1winner3
   signal slice1winner3_best_cost_0 : natural_4095_1d(0 to 1);
-  signal slice1winner3_best_index_0_0 : natural range 0 to 7;
-  signal slice1winner3_best_index_0_1 : natural range 0 to 12;
+  signal slice1winner3_best_index_0 : natural_12_1d(0 to 1);  -- slice1winner3_best_index_0_# up to 7, 12
   -- slice1winner4
   signal slice1winner4_best_cost_0_0 : natural range 0 to 4095;
   signal slice1winner4_best_index_0_0 : natural range 0 to 12;
   -- slice1
   signal slice1_best_cost_0_0 : natural range 0 to 4095;
   signal slice1_best_index_0_0 : natural range 0 to 51;
-  signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
-  signal slice1_best_tag_end_of_line : boolean;
+  signal slice1_best_tag : tag_4;
   -- slice2shift
   signal slice2shift_search : unsigned_48_2d(0 to 1, 0 to 12);
-  signal slice2shift_reference : unsigned_48_1d(0 to 1);
-  signal slice2shift_search_out : unsigned_48_1d(0 to 1);
+  signal slice2shift_reference, slice2shift_search_out : unsigned_48_1d(0 to 1);
   -- slice2cost
   signal slice2cost_pixels_first_count : natural_3_3d(0 to 1, 0 to 12, 0 to 15);  -- slice2cost_pixels_first_#_#_count_#
   signal slice2cost_pixels_cost : natural_48_2d(0 to 1, 0 to 12);
   signal slice2cost_read_column, slice2cost_change_column, slice2cost_ready_words_4 : natural range 0 to 511;
   signal slice2cost_ready_column : natural range 0 to 511;
   signal slice2cost_column_0 : natural_511_1d(0 to 12);
-  signal slice2cost_write_column, slice2cost_write_words_4 : natural range 0 to 511;
+  signal slice2cost_write_column : natural range 0 to 511;
+  signal slice2cost_write_words : natural_134217727_1d(0 to 4);  -- slice2cost_write_words_# up to 134217727 x 4, 511
   signal slice2cost_read_words : unsigned_27_1d(0 to 3);
   signal slice2cost_read_words_4 : unsigned(8 downto 0);
   signal slice2cost_change_0 : integer_minus_48_to_48_1d(0 to 12);
   signal slice2cost_ready_words : natural_134217727_1d(0 to 3);
-  signal slice2cost_write_words : natural_134217727_1d(0 to 3);
   -- slice2window
   signal slice2window_ring_read_address, slice2window_ring_write_address : natural range 0 to 7;
   signal slice2window_leaving : unsigned_27_1d(0 to 3);
@@ -340,28 +329,20 @@ architecture rtl of stereo_core_deepsea_512 is
   -- slice2winner1
   signal slice2winner1_best_cost_0 : natural_4095_1d(0 to 6);
   signal slice2winner1_best_index_0_0 : boolean;
-  signal slice2winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice2winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice2winner1_best_index_0_3 : natural range 0 to 7;
-  signal slice2winner1_best_index_0_4 : natural range 0 to 9;
-  signal slice2winner1_best_index_0_5 : natural range 0 to 11;
+  signal slice2winner1_best_index_0 : natural_11_1d(1 to 5);  -- slice2winner1_best_index_0_# up to 3, 5 .. 11
   -- slice2winner2
   signal slice2winner2_best_cost_0 : natural_4095_1d(0 to 3);
-  signal slice2winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice2winner2_best_index_0_1 : natural range 0 to 7;
-  signal slice2winner2_best_index_0_2 : natural range 0 to 11;
+  signal slice2winner2_best_index_0 : natural_11_1d(0 to 2);  -- slice2winner2_best_index_0_# up to 3, 7, 11
   -- slice2winner3
   signal slice2winner3_best_cost_0 : natural_4095_1d(0 to 1);
-  signal slice2winner3_best_index_0_0 : natural range 0 to 7;
-  signal slice2winner3_best_index_0_1 : natural range 0 to 12;
+  signal slice2winner3_best_index_0 : natural_12_1d(0 to 1);  -- slice2winner3_best_index_0_# up to 7, 12
   -- slice2winner4
   signal slice2winner4_best_cost_0_0 : natural range 0 to 4095;
   signal slice2winner4_best_index_0_0 : natural range 0 to 12;
   -- slice2
   signal slice2_best_cost_0_0 : natural range 0 to 4095;
   signal slice2_best_index_0_0 : natural range 0 to 51;
-  signal slice2_best_tag_valid, slice2_best_tag_output_column, slice2_best_tag_start_of_frame : boolean;
-  signal slice2_best_tag_end_of_line : boolean;
+  signal slice2_best_tag : tag_4;
   -- slice3shift
   signal slice3shift_search : unsigned_48_2d(0 to 1, 0 to 12);
   signal slice3shift_reference : unsigned_48_1d(0 to 1);
@@ -371,12 +352,12 @@ architecture rtl of stereo_core_deepsea_512 is
   signal slice3cost_read_column, slice3cost_change_column, slice3cost_ready_words_4 : natural range 0 to 511;
   signal slice3cost_ready_column : natural range 0 to 511;
   signal slice3cost_column_0 : natural_511_1d(0 to 12);
-  signal slice3cost_write_column, slice3cost_write_words_4 : natural range 0 to 511;
+  signal slice3cost_write_column : natural range 0 to 511;
+  signal slice3cost_write_words : natural_134217727_1d(0 to 4);  -- slice3cost_write_words_# up to 134217727 x 4, 511
   signal slice3cost_read_words : unsigned_27_1d(0 to 3);
   signal slice3cost_read_words_4 : unsigned(8 downto 0);
   signal slice3cost_change_0 : integer_minus_48_to_48_1d(0 to 12);
   signal slice3cost_ready_words : natural_134217727_1d(0 to 3);
-  signal slice3cost_write_words : natural_134217727_1d(0 to 3);
   -- slice3window
   signal slice3window_ring_read_address, slice3window_ring_write_address : natural range 0 to 7;
   signal slice3window_leaving : unsigned_27_1d(0 to 3);
@@ -384,242 +365,23 @@ architecture rtl of stereo_core_deepsea_512 is
   signal slice3window_entering_0 : natural_511_1d(0 to 12);
   signal slice3window_change_0 : integer_minus_511_to_511_1d(0 to 12);
   signal slice3window_sum_0 : natural_4095_1d(0 to 12);
-  signal slice3window_centre_output_column : boolean_1d(0 to 1);
-  signal slice3window_centre_end_of_line : boolean_1d(0 to 1);
+  signal slice3window_centre_output_column, slice3window_centre_end_of_line : boolean_1d(0 to 1);
   -- slice3winner1
   signal slice3winner1_best_cost_0 : natural_4095_1d(0 to 6);
   signal slice3winner1_best_index_0_0 : boolean;
-  signal slice3winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice3winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice3winner1_best_index_0_3 : natural range 0 to 7;
-  signal slice3winner1_best_index_0_4 : natural range 0 to 9;
-  signal slice3winner1_best_index_0_5 : natural range 0 to 11;
+  signal slice3winner1_best_index_0 : natural_11_1d(1 to 5);  -- slice3winner1_best_index_0_# up to 3, 5 .. 11
   -- slice3winner2
   signal slice3winner2_best_cost_0 : natural_4095_1d(0 to 3);
-  signal slice3winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice3winner2_best_index_0_1 : natural range 0 to 7;
-  signal slice3winner2_best_index_0_2 : natural range 0 to 11;
+  signal slice3winner2_best_index_0 : natural_11_1d(0 to 2);  -- slice3winner2_best_index_0_# up to 3, 7, 11
   -- slice3winner3
   signal slice3winner3_best_cost_0 : natural_4095_1d(0 to 1);
-  signal slice3winner3_best_index_0_0 : natural range 0 to 7;
-  signal slice3winner3_best_index_0_1 : natural range 0 to 12;
+  signal slice3winner3_best_index_0 : natural_12_1d(0 to 1);  -- slice3winner3_best_index_0_# up to 7, 12
   -- slice3winner4
   signal slice3winner4_best_cost_0_0 : natural range 0 to 4095;
   signal slice3winner4_best_index_0_0 : natural range 0 to 12;
   -- slice3
   signal slice3_best_index_0_0 : natural range 0 to 51;
-  signal slice3_best_tag_valid, slice3_best_tag_output_column, slice3_best_tag_start_of_frame : boolean;
-  signal slice3_best_tag_end_of_line, transform_left_rows_read_words_1_memory_read_enable : boolean;
-  signal transform_left_rows_read_words_1_memory_read_address : unsigned(8 downto 0);
-  signal transform_left_rows_read_words_1_memory_write_address : unsigned(8 downto 0);
-  signal transform_left_rows_read_words_1_memory_write_data : unsigned(15 downto 0);
-  signal transform_left_rows_read_words_0_memory_read_enable : boolean;
-  signal transform_left_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal transform_right_rows_read_words_1_memory_read_enable : boolean;
-  signal transform_right_rows_read_words_1_memory_read_address : unsigned(8 downto 0);
-  signal transform_right_rows_read_words_1_memory_write_address : unsigned(8 downto 0);
-  signal transform_right_rows_read_words_1_memory_write_data : unsigned(15 downto 0);
-  signal transform_right_rows_read_words_0_memory_read_enable : boolean;
-  signal transform_right_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal slice3window_leaving_4_memory_read_enable : boolean;
-  signal slice3window_leaving_4_memory_read_address, slice3window_leaving_4_memory_write_address : unsigned(2 downto 0);
-  signal slice3window_leaving_4_memory_write_data : unsigned(8 downto 0);
-  signal slice3window_leaving_3_memory_read_enable : boolean;
-  signal slice3window_leaving_3_memory_read_address, slice3window_leaving_3_memory_write_address : unsigned(2 downto 0);
-  signal slice3window_leaving_3_memory_write_data : unsigned(26 downto 0);
-  signal slice3window_leaving_2_memory_read_enable : boolean;
-  signal slice3window_leaving_2_memory_read_address, slice3window_leaving_2_memory_write_address : unsigned(2 downto 0);
-  signal slice3window_leaving_2_memory_write_data : unsigned(26 downto 0);
-  signal slice3window_leaving_1_memory_read_enable : boolean;
-  signal slice3window_leaving_1_memory_read_address, slice3window_leaving_1_memory_write_address : unsigned(2 downto 0);
-  signal slice3window_leaving_1_memory_write_data : unsigned(26 downto 0);
-  signal slice3window_leaving_0_memory_read_enable : boolean;
-  signal slice3window_leaving_0_memory_read_address, slice3window_leaving_0_memory_write_address : unsigned(2 downto 0);
-  signal slice3window_leaving_0_memory_write_data : unsigned(26 downto 0);
-  signal slice3cost_read_words_4_memory_read_enable : boolean;
-  signal slice3cost_read_words_4_memory_read_address : unsigned(8 downto 0);
-  signal slice3cost_read_words_4_memory_write_address, slice3cost_read_words_4_memory_write_data : unsigned(8 downto 0);
-  signal slice3cost_read_words_3_memory_read_enable : boolean;
-  signal slice3cost_read_words_3_memory_read_address : unsigned(8 downto 0);
-  signal slice3cost_read_words_3_memory_write_address : unsigned(8 downto 0);
-  signal slice3cost_read_words_3_memory_write_data : unsigned(26 downto 0);
-  signal slice3cost_read_words_2_memory_read_enable : boolean;
-  signal slice3cost_read_words_2_memory_read_address : unsigned(8 downto 0);
-  signal slice3cost_read_words_2_memory_write_address : unsigned(8 downto 0);
-  signal slice3cost_read_words_2_memory_write_data : unsigned(26 downto 0);
-  signal slice3cost_read_words_1_memory_read_enable : boolean;
-  signal slice3cost_read_words_1_memory_read_address : unsigned(8 downto 0);
-  signal slice3cost_read_words_1_memory_write_address : unsigned(8 downto 0);
-  signal slice3cost_read_words_1_memory_write_data : unsigned(26 downto 0);
-  signal slice3cost_read_words_0_memory_read_enable : boolean;
-  signal slice3cost_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal slice3cost_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal slice3cost_read_words_0_memory_write_data : unsigned(26 downto 0);
-  signal slice2window_leaving_4_memory_read_enable : boolean;
-  signal slice2window_leaving_4_memory_read_address, slice2window_leaving_4_memory_write_address : unsigned(2 downto 0);
-  signal slice2window_leaving_4_memory_write_data : unsigned(8 downto 0);
-  signal slice2window_leaving_3_memory_read_enable : boolean;
-  signal slice2window_leaving_3_memory_read_address, slice2window_leaving_3_memory_write_address : unsigned(2 downto 0);
-  signal slice2window_leaving_3_memory_write_data : unsigned(26 downto 0);
-  signal slice2window_leaving_2_memory_read_enable : boolean;
-  signal slice2window_leaving_2_memory_read_address, slice2window_leaving_2_memory_write_address : unsigned(2 downto 0);
-  signal slice2window_leaving_2_memory_write_data : unsigned(26 downto 0);
-  signal slice2window_leaving_1_memory_read_enable : boolean;
-  signal slice2window_leaving_1_memory_read_address, slice2window_leaving_1_memory_write_address : unsigned(2 downto 0);
-  signal slice2window_leaving_1_memory_write_data : unsigned(26 downto 0);
-  signal slice2window_leaving_0_memory_read_enable : boolean;
-  signal slice2window_leaving_0_memory_read_address, slice2window_leaving_0_memory_write_address : unsigned(2 downto 0);
-  signal slice2window_leaving_0_memory_write_data : unsigned(26 downto 0);
-  signal slice2cost_read_words_4_memory_read_enable : boolean;
-  signal slice2cost_read_words_4_memory_read_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_4_memory_write_address, slice2cost_read_words_4_memory_write_data : unsigned(8 downto 0);
-  signal slice2cost_read_words_3_memory_read_enable : boolean;
-  signal slice2cost_read_words_3_memory_read_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_3_memory_write_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_3_memory_write_data : unsigned(26 downto 0);
-  signal slice2cost_read_words_2_memory_read_enable : boolean;
-  signal slice2cost_read_words_2_memory_read_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_2_memory_write_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_2_memory_write_data : unsigned(26 downto 0);
-  signal slice2cost_read_words_1_memory_read_enable : boolean;
-  signal slice2cost_read_words_1_memory_read_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_1_memory_write_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_1_memory_write_data : unsigned(26 downto 0);
-  signal slice2cost_read_words_0_memory_read_enable : boolean;
-  signal slice2cost_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_0_memory_write_data : unsigned(26 downto 0);
-  signal slice1window_leaving_4_memory_read_enable : boolean;
-  signal slice1window_leaving_4_memory_read_address, slice1window_leaving_4_memory_write_address : unsigned(2 downto 0);
-  signal slice1window_leaving_4_memory_write_data : unsigned(8 downto 0);
-  signal slice1window_leaving_3_memory_read_enable : boolean;
-  signal slice1window_leaving_3_memory_read_address, slice1window_leaving_3_memory_write_address : unsigned(2 downto 0);
-  signal slice1window_leaving_3_memory_write_data : unsigned(26 downto 0);
-  signal slice1window_leaving_2_memory_read_enable : boolean;
-  signal slice1window_leaving_2_memory_read_address, slice1window_leaving_2_memory_write_address : unsigned(2 downto 0);
-  signal slice1window_leaving_2_memory_write_data : unsigned(26 downto 0);
-  signal slice1window_leaving_1_memory_read_enable : boolean;
-  signal slice1window_leaving_1_memory_read_address, slice1window_leaving_1_memory_write_address : unsigned(2 downto 0);
-  signal slice1window_leaving_1_memory_write_data : unsigned(26 downto 0);
-  signal slice1window_leaving_0_memory_read_enable : boolean;
-  signal slice1window_leaving_0_memory_read_address, slice1window_leaving_0_memory_write_address : unsigned(2 downto 0);
-  signal slice1window_leaving_0_memory_write_data : unsigned(26 downto 0);
-  signal slice1cost_read_words_4_memory_read_enable : boolean;
-  signal slice1cost_read_words_4_memory_read_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_4_memory_write_address, slice1cost_read_words_4_memory_write_data : unsigned(8 downto 0);
-  signal slice1cost_read_words_3_memory_read_enable : boolean;
-  signal slice1cost_read_words_3_memory_read_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_3_memory_write_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_3_memory_write_data : unsigned(26 downto 0);
-  signal slice1cost_read_words_2_memory_read_enable : boolean;
-  signal slice1cost_read_words_2_memory_read_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_2_memory_write_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_2_memory_write_data : unsigned(26 downto 0);
-  signal slice1cost_read_words_1_memory_read_enable : boolean;
-  signal slice1cost_read_words_1_memory_read_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_1_memory_write_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_1_memory_write_data : unsigned(26 downto 0);
-  signal slice1cost_read_words_0_memory_read_enable : boolean;
-  signal slice1cost_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_0_memory_write_data : unsigned(26 downto 0);
-  signal slice0window_leaving_4_memory_read_enable : boolean;
-  signal slice0window_leaving_4_memory_read_address, slice0window_leaving_4_memory_write_address : unsigned(2 downto 0);
-  signal slice0window_leaving_4_memory_write_data : unsigned(8 downto 0);
-  signal slice0window_leaving_3_memory_read_enable : boolean;
-  signal slice0window_leaving_3_memory_read_address, slice0window_leaving_3_memory_write_address : unsigned(2 downto 0);
-  signal slice0window_leaving_3_memory_write_data : unsigned(26 downto 0);
-  signal slice0window_leaving_2_memory_read_enable : boolean;
-  signal slice0window_leaving_2_memory_read_address, slice0window_leaving_2_memory_write_address : unsigned(2 downto 0);
-  signal slice0window_leaving_2_memory_write_data : unsigned(26 downto 0);
-  signal slice0window_leaving_1_memory_read_enable : boolean;
-  signal slice0window_leaving_1_memory_read_address, slice0window_leaving_1_memory_write_address : unsigned(2 downto 0);
-  signal slice0window_leaving_1_memory_write_data : unsigned(26 downto 0);
-  signal slice0window_leaving_0_memory_read_enable : boolean;
-  signal slice0window_leaving_0_memory_read_address, slice0window_leaving_0_memory_write_address : unsigned(2 downto 0);
-  signal slice0window_leaving_0_memory_write_data : unsigned(26 downto 0);
-  signal slice0cost_read_words_4_memory_read_enable : boolean;
-  signal slice0cost_read_words_4_memory_read_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_4_memory_write_address, slice0cost_read_words_4_memory_write_data : unsigned(8 downto 0);
-  signal slice0cost_read_words_3_memory_read_enable : boolean;
-  signal slice0cost_read_words_3_memory_read_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_3_memory_write_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_3_memory_write_data : unsigned(26 downto 0);
-  signal slice0cost_read_words_2_memory_read_enable : boolean;
-  signal slice0cost_read_words_2_memory_read_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_2_memory_write_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_2_memory_write_data : unsigned(26 downto 0);
-  signal slice0cost_read_words_1_memory_read_enable : boolean;
-  signal slice0cost_read_words_1_memory_read_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_1_memory_write_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_1_memory_write_data : unsigned(26 downto 0);
-  signal slice0cost_read_words_0_memory_read_enable : boolean;
-  signal slice0cost_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_0_memory_write_data : unsigned(26 downto 0);
-  signal rows_search_rows_read_words_6_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_6_memory_read_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_6_memory_write_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_6_memory_write_data : unsigned(47 downto 0);
-  signal rows_search_rows_read_words_5_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_5_memory_read_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_5_memory_write_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_5_memory_write_data : unsigned(47 downto 0);
-  signal rows_search_rows_read_words_4_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_4_memory_read_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_4_memory_write_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_4_memory_write_data : unsigned(47 downto 0);
-  signal rows_search_rows_read_words_3_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_3_memory_read_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_3_memory_write_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_3_memory_write_data : unsigned(47 downto 0);
-  signal rows_search_rows_read_words_2_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_2_memory_read_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_2_memory_write_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_2_memory_write_data : unsigned(47 downto 0);
-  signal rows_search_rows_read_words_1_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_1_memory_read_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_1_memory_write_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_1_memory_write_data : unsigned(47 downto 0);
-  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_data : unsigned(47 downto 0);
-  signal rows_reference_rows_read_words_6_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_6_memory_read_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_6_memory_write_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_6_memory_write_data : unsigned(47 downto 0);
-  signal rows_reference_rows_read_words_5_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_5_memory_read_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_5_memory_write_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_5_memory_write_data : unsigned(47 downto 0);
-  signal rows_reference_rows_read_words_4_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_4_memory_read_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_4_memory_write_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_4_memory_write_data : unsigned(47 downto 0);
-  signal rows_reference_rows_read_words_3_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_3_memory_read_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_3_memory_write_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_3_memory_write_data : unsigned(47 downto 0);
-  signal rows_reference_rows_read_words_2_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_2_memory_read_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_2_memory_write_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_2_memory_write_data : unsigned(47 downto 0);
-  signal rows_reference_rows_read_words_1_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_1_memory_read_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_1_memory_write_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_1_memory_write_data : unsigned(47 downto 0);
-  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(47 downto 0);
-  signal delay_delayed_0_memory_read_enable : boolean;
-  signal delay_delayed_0_memory_read_address, delay_delayed_0_memory_write_address : unsigned(5 downto 0);
-  signal delay_delayed_0_memory_write_data : unsigned(47 downto 0);
+  signal slice3_best_tag : tag_4;
 
 begin
   in_valid <= valid = '1';
@@ -628,718 +390,345 @@ begin
   in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
   disparity <= std_logic_vector(to_unsigned(slice3_best_index_0_0, 8));
   pixel_valid <= std_logic_vector(to_unsigned(1, 1));
-  disparity_valid <= as_bit(slice3_best_tag_valid and slice3_best_tag_output_column);
-  disparity_start_of_frame <= as_bit(slice3_best_tag_start_of_frame and slice3_best_tag_valid and slice3_best_tag_output_column);
-  disparity_end_of_line <= as_bit(slice3_best_tag_end_of_line and slice3_best_tag_valid and slice3_best_tag_output_column);
+  disparity_valid <= as_bit(slice3_best_tag.valid and slice3_best_tag.output_column);
+  disparity_start_of_frame <= as_bit(slice3_best_tag.start_of_frame and slice3_best_tag.valid and slice3_best_tag.output_column);
+  disparity_end_of_line <= as_bit(slice3_best_tag.end_of_line and slice3_best_tag.valid and slice3_best_tag.output_column);
 
-  transform_left_rows_read_words_1_memory_read_enable <= true;
-  transform_left_rows_read_words_1_memory_read_address <= to_unsigned(transform_counter_column, 9);
-  transform_left_rows_read_words_1_memory_write_address <= to_unsigned(transform_write_column, 9);
-  transform_left_rows_read_words_1_memory_write_data <= to_unsigned(transform_left_rows_write_words_1, 16);
-  transform_left_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 512, width => 16, address_bits => 9)
-    port map (
-      clock => clock, read_enable => transform_left_rows_read_words_1_memory_read_enable,
-      read_address => transform_left_rows_read_words_1_memory_read_address, read_data => transform_left_rows_read_words_1,
-      write_address => transform_left_rows_read_words_1_memory_write_address, write_data => transform_left_rows_read_words_1_memory_write_data);
+  transform_left_rows_read_words_1_memory : block
+    signal read_address, write_address : unsigned(8 downto 0);
+    signal write_data : unsigned(15 downto 0);
+  begin
+    read_address <= to_unsigned(transform_counter_column, 9);
+    write_address <= to_unsigned(transform_write_column, 9);
+    write_data <= to_unsigned(transform_left_rows_write_words_1, 16);
+    cell : entity work.line_memory
+      generic map (depth => 512, width => 16, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        transform_left_rows_read_words_1, write_address => write_address, write_data => write_data);
+  end block;
 
-  transform_left_rows_read_words_0_memory_read_enable <= true;
-  transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 9);
-  transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 9);
-  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
-  transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 512, width => 32, address_bits => 9)
-    port map (
-      clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
-      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words_0,
-      write_address => transform_left_rows_read_words_0_memory_write_address, write_data => transform_left_rows_read_words_0_memory_write_data);
+  transform_left_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(transform_counter_column, 9);
+    write_address <= to_unsigned(transform_write_column, 9);
+    cell : entity work.line_memory
+      generic map (depth => 512, width => 32, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        transform_left_rows_read_words_0, write_address => write_address, write_data =>
+        transform_left_rows_write_words_0);
+  end block;
 
-  transform_right_rows_read_words_1_memory_read_enable <= true;
-  transform_right_rows_read_words_1_memory_read_address <= to_unsigned(transform_counter_column, 9);
-  transform_right_rows_read_words_1_memory_write_address <= to_unsigned(transform_write_column, 9);
-  transform_right_rows_read_words_1_memory_write_data <= to_unsigned(transform_right_rows_write_words_1, 16);
-  transform_right_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 512, width => 16, address_bits => 9)
-    port map (
-      clock => clock, read_enable => transform_right_rows_read_words_1_memory_read_enable,
-      read_address => transform_right_rows_read_words_1_memory_read_address, read_data => transform_right_rows_read_words_1,
-      write_address => transform_right_rows_read_words_1_memory_write_address, write_data => transform_right_rows_read_words_1_memory_write_data);
+  transform_right_rows_read_words_1_memory : block
+    signal read_address, write_address : unsigned(8 downto 0);
+    signal write_data : unsigned(15 downto 0);
+  begin
+    read_address <= to_unsigned(transform_counter_column, 9);
+    write_address <= to_unsigned(transform_write_column, 9);
+    write_data <= to_unsigned(transform_right_rows_write_words_1, 16);
+    cell : entity work.line_memory
+      generic map (depth => 512, width => 16, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        transform_right_rows_read_words_1, write_address => write_address, write_data => write_data);
+  end block;
 
-  transform_right_rows_read_words_0_memory_read_enable <= true;
-  transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 9);
-  transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 9);
-  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
-  transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 512, width => 32, address_bits => 9)
-    port map (
-      clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
-      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words_0,
-      write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
+  transform_right_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(transform_counter_column, 9);
+    write_address <= to_unsigned(transform_write_column, 9);
+    cell : entity work.line_memory
+      generic map (depth => 512, width => 32, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        transform_right_rows_read_words_0, write_address => write_address, write_data =>
+        transform_right_rows_write_words_0);
+  end block;
 
-  slice3window_leaving_4_memory_read_enable <= true;
-  slice3window_leaving_4_memory_read_address <= to_unsigned(slice3window_ring_read_address, 3);
-  slice3window_leaving_4_memory_write_address <= to_unsigned(slice3window_ring_write_address, 3);
-  slice3window_leaving_4_memory_write_data <= to_unsigned(slice3cost_column_0(12), 9);
-  slice3window_leaving_4_memory : entity work.line_memory
-    generic map (depth => 8, width => 9, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice3window_leaving_4_memory_read_enable,
-      read_address => slice3window_leaving_4_memory_read_address, read_data => slice3window_leaving_4,
-      write_address => slice3window_leaving_4_memory_write_address, write_data => slice3window_leaving_4_memory_write_data);
+  slice3window_leaving_4_memory : block
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(slice3window_ring_read_address, 3);
+    write_address <= to_unsigned(slice3window_ring_write_address, 3);
+    write_data <= to_unsigned(slice3cost_column_0(12), 9);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 9, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => slice3window_leaving_4,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  slice3window_leaving_3_memory_read_enable <= true;
-  slice3window_leaving_3_memory_read_address <= to_unsigned(slice3window_ring_read_address, 3);
-  slice3window_leaving_3_memory_write_address <= to_unsigned(slice3window_ring_write_address, 3);
-  slice3window_leaving_3_memory_write_data <= to_unsigned(slice3cost_column_0(11), 9) & to_unsigned(slice3cost_column_0(10), 9) & to_unsigned(slice3cost_column_0(9), 9);
-  slice3window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 8, width => 27, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice3window_leaving_3_memory_read_enable,
-      read_address => slice3window_leaving_3_memory_read_address, read_data => slice3window_leaving(3),
-      write_address => slice3window_leaving_3_memory_write_address, write_data => slice3window_leaving_3_memory_write_data);
+  slice3window_leaving_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(26 downto 0);
+  begin
+    read_address <= to_unsigned(slice3window_ring_read_address, 3);
+    write_address <= to_unsigned(slice3window_ring_write_address, 3);
+    write_data <= to_unsigned(slice3cost_column_0(3 * i + 2), 9) & to_unsigned(slice3cost_column_0(3 * i + 1), 9) &
+      to_unsigned(slice3cost_column_0(3 * i), 9);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 27, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice3window_leaving(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  slice3window_leaving_2_memory_read_enable <= true;
-  slice3window_leaving_2_memory_read_address <= to_unsigned(slice3window_ring_read_address, 3);
-  slice3window_leaving_2_memory_write_address <= to_unsigned(slice3window_ring_write_address, 3);
-  slice3window_leaving_2_memory_write_data <= to_unsigned(slice3cost_column_0(8), 9) & to_unsigned(slice3cost_column_0(7), 9) & to_unsigned(slice3cost_column_0(6), 9);
-  slice3window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 8, width => 27, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice3window_leaving_2_memory_read_enable,
-      read_address => slice3window_leaving_2_memory_read_address, read_data => slice3window_leaving(2),
-      write_address => slice3window_leaving_2_memory_write_address, write_data => slice3window_leaving_2_memory_write_data);
+  slice3cost_read_words_4_memory : block
+    signal read_address, write_address, write_data : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(slice2cost_change_column, 9);
+    write_address <= to_unsigned(slice3cost_write_column, 9);
+    write_data <= to_unsigned(slice3cost_write_words(4), 9);
+    cell : entity work.line_memory
+      generic map (depth => 512, width => 9, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice3cost_read_words_4, write_address => write_address, write_data => write_data);
+  end block;
 
-  slice3window_leaving_1_memory_read_enable <= true;
-  slice3window_leaving_1_memory_read_address <= to_unsigned(slice3window_ring_read_address, 3);
-  slice3window_leaving_1_memory_write_address <= to_unsigned(slice3window_ring_write_address, 3);
-  slice3window_leaving_1_memory_write_data <= to_unsigned(slice3cost_column_0(5), 9) & to_unsigned(slice3cost_column_0(4), 9) & to_unsigned(slice3cost_column_0(3), 9);
-  slice3window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 8, width => 27, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice3window_leaving_1_memory_read_enable,
-      read_address => slice3window_leaving_1_memory_read_address, read_data => slice3window_leaving(1),
-      write_address => slice3window_leaving_1_memory_write_address, write_data => slice3window_leaving_1_memory_write_data);
+  slice3cost_read_words_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(8 downto 0);
+    signal write_data : unsigned(26 downto 0);
+  begin
+    read_address <= to_unsigned(slice2cost_change_column, 9);
+    write_address <= to_unsigned(slice3cost_write_column, 9);
+    write_data <= to_unsigned(slice3cost_write_words(i), 27);
+    cell : entity work.line_memory
+      generic map (depth => 512, width => 27, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice3cost_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  slice3window_leaving_0_memory_read_enable <= true;
-  slice3window_leaving_0_memory_read_address <= to_unsigned(slice3window_ring_read_address, 3);
-  slice3window_leaving_0_memory_write_address <= to_unsigned(slice3window_ring_write_address, 3);
-  slice3window_leaving_0_memory_write_data <= to_unsigned(slice3cost_column_0(2), 9) & to_unsigned(slice3cost_column_0(1), 9) & to_unsigned(slice3cost_column_0(0), 9);
-  slice3window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 27, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice3window_leaving_0_memory_read_enable,
-      read_address => slice3window_leaving_0_memory_read_address, read_data => slice3window_leaving(0),
-      write_address => slice3window_leaving_0_memory_write_address, write_data => slice3window_leaving_0_memory_write_data);
+  slice2window_leaving_4_memory : block
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(slice2window_ring_read_address, 3);
+    write_address <= to_unsigned(slice2window_ring_write_address, 3);
+    write_data <= to_unsigned(slice2cost_column_0(12), 9);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 9, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => slice2window_leaving_4,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  slice3cost_read_words_4_memory_read_enable <= true;
-  slice3cost_read_words_4_memory_read_address <= to_unsigned(slice2cost_change_column, 9);
-  slice3cost_read_words_4_memory_write_address <= to_unsigned(slice3cost_write_column, 9);
-  slice3cost_read_words_4_memory_write_data <= to_unsigned(slice3cost_write_words_4, 9);
-  slice3cost_read_words_4_memory : entity work.line_memory
-    generic map (depth => 512, width => 9, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice3cost_read_words_4_memory_read_enable,
-      read_address => slice3cost_read_words_4_memory_read_address, read_data => slice3cost_read_words_4,
-      write_address => slice3cost_read_words_4_memory_write_address, write_data => slice3cost_read_words_4_memory_write_data);
+  slice2window_leaving_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(26 downto 0);
+  begin
+    read_address <= to_unsigned(slice2window_ring_read_address, 3);
+    write_address <= to_unsigned(slice2window_ring_write_address, 3);
+    write_data <= to_unsigned(slice2cost_column_0(3 * i + 2), 9) & to_unsigned(slice2cost_column_0(3 * i + 1), 9) &
+      to_unsigned(slice2cost_column_0(3 * i), 9);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 27, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice2window_leaving(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  slice3cost_read_words_3_memory_read_enable <= true;
-  slice3cost_read_words_3_memory_read_address <= to_unsigned(slice2cost_change_column, 9);
-  slice3cost_read_words_3_memory_write_address <= to_unsigned(slice3cost_write_column, 9);
-  slice3cost_read_words_3_memory_write_data <= to_unsigned(slice3cost_write_words(3), 27);
-  slice3cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 512, width => 27, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice3cost_read_words_3_memory_read_enable,
-      read_address => slice3cost_read_words_3_memory_read_address, read_data => slice3cost_read_words(3),
-      write_address => slice3cost_read_words_3_memory_write_address, write_data => slice3cost_read_words_3_memory_write_data);
+  slice2cost_read_words_4_memory : block
+    signal read_address, write_address, write_data : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(slice2cost_read_column, 9);
+    write_address <= to_unsigned(slice3cost_ready_column, 9);
+    write_data <= to_unsigned(slice2cost_write_words(4), 9);
+    cell : entity work.line_memory
+      generic map (depth => 512, width => 9, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice2cost_read_words_4, write_address => write_address, write_data => write_data);
+  end block;
 
-  slice3cost_read_words_2_memory_read_enable <= true;
-  slice3cost_read_words_2_memory_read_address <= to_unsigned(slice2cost_change_column, 9);
-  slice3cost_read_words_2_memory_write_address <= to_unsigned(slice3cost_write_column, 9);
-  slice3cost_read_words_2_memory_write_data <= to_unsigned(slice3cost_write_words(2), 27);
-  slice3cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 512, width => 27, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice3cost_read_words_2_memory_read_enable,
-      read_address => slice3cost_read_words_2_memory_read_address, read_data => slice3cost_read_words(2),
-      write_address => slice3cost_read_words_2_memory_write_address, write_data => slice3cost_read_words_2_memory_write_data);
+  slice2cost_read_words_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(8 downto 0);
+    signal write_data : unsigned(26 downto 0);
+  begin
+    read_address <= to_unsigned(slice2cost_read_column, 9);
+    write_address <= to_unsigned(slice3cost_ready_column, 9);
+    write_data <= to_unsigned(slice2cost_write_words(i), 27);
+    cell : entity work.line_memory
+      generic map (depth => 512, width => 27, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice2cost_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  slice3cost_read_words_1_memory_read_enable <= true;
-  slice3cost_read_words_1_memory_read_address <= to_unsigned(slice2cost_change_column, 9);
-  slice3cost_read_words_1_memory_write_address <= to_unsigned(slice3cost_write_column, 9);
-  slice3cost_read_words_1_memory_write_data <= to_unsigned(slice3cost_write_words(1), 27);
-  slice3cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 512, width => 27, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice3cost_read_words_1_memory_read_enable,
-      read_address => slice3cost_read_words_1_memory_read_address, read_data => slice3cost_read_words(1),
-      write_address => slice3cost_read_words_1_memory_write_address, write_data => slice3cost_read_words_1_memory_write_data);
+  slice1window_leaving_4_memory : block
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(slice1window_ring_read_address, 3);
+    write_address <= to_unsigned(slice1window_ring_write_address, 3);
+    write_data <= to_unsigned(slice1cost_column_0(12), 9);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 9, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => slice1window_leaving_4,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  slice3cost_read_words_0_memory_read_enable <= true;
-  slice3cost_read_words_0_memory_read_address <= to_unsigned(slice2cost_change_column, 9);
-  slice3cost_read_words_0_memory_write_address <= to_unsigned(slice3cost_write_column, 9);
-  slice3cost_read_words_0_memory_write_data <= to_unsigned(slice3cost_write_words(0), 27);
-  slice3cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 512, width => 27, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice3cost_read_words_0_memory_read_enable,
-      read_address => slice3cost_read_words_0_memory_read_address, read_data => slice3cost_read_words(0),
-      write_address => slice3cost_read_words_0_memory_write_address, write_data => slice3cost_read_words_0_memory_write_data);
+  slice1window_leaving_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(26 downto 0);
+  begin
+    read_address <= to_unsigned(slice1window_ring_read_address, 3);
+    write_address <= to_unsigned(slice1window_ring_write_address, 3);
+    write_data <= to_unsigned(slice1cost_column_0(3 * i + 2), 9) & to_unsigned(slice1cost_column_0(3 * i + 1), 9) &
+      to_unsigned(slice1cost_column_0(3 * i), 9);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 27, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice1window_leaving(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  slice2window_leaving_4_memory_read_enable <= true;
-  slice2window_leaving_4_memory_read_address <= to_unsigned(slice2window_ring_read_address, 3);
-  slice2window_leaving_4_memory_write_address <= to_unsigned(slice2window_ring_write_address, 3);
-  slice2window_leaving_4_memory_write_data <= to_unsigned(slice2cost_column_0(12), 9);
-  slice2window_leaving_4_memory : entity work.line_memory
-    generic map (depth => 8, width => 9, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice2window_leaving_4_memory_read_enable,
-      read_address => slice2window_leaving_4_memory_read_address, read_data => slice2window_leaving_4,
-      write_address => slice2window_leaving_4_memory_write_address, write_data => slice2window_leaving_4_memory_write_data);
+  slice1cost_read_words_4_memory : block
+    signal read_address, write_address, write_data : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(slice0cost_change_column, 9);
+    write_address <= to_unsigned(slice1cost_write_column, 9);
+    write_data <= to_unsigned(slice1cost_write_words(4), 9);
+    cell : entity work.line_memory
+      generic map (depth => 512, width => 9, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice1cost_read_words_4, write_address => write_address, write_data => write_data);
+  end block;
 
-  slice2window_leaving_3_memory_read_enable <= true;
-  slice2window_leaving_3_memory_read_address <= to_unsigned(slice2window_ring_read_address, 3);
-  slice2window_leaving_3_memory_write_address <= to_unsigned(slice2window_ring_write_address, 3);
-  slice2window_leaving_3_memory_write_data <= to_unsigned(slice2cost_column_0(11), 9) & to_unsigned(slice2cost_column_0(10), 9) & to_unsigned(slice2cost_column_0(9), 9);
-  slice2window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 8, width => 27, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice2window_leaving_3_memory_read_enable,
-      read_address => slice2window_leaving_3_memory_read_address, read_data => slice2window_leaving(3),
-      write_address => slice2window_leaving_3_memory_write_address, write_data => slice2window_leaving_3_memory_write_data);
+  slice1cost_read_words_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(8 downto 0);
+    signal write_data : unsigned(26 downto 0);
+  begin
+    read_address <= to_unsigned(slice0cost_change_column, 9);
+    write_address <= to_unsigned(slice1cost_write_column, 9);
+    write_data <= to_unsigned(slice1cost_write_words(i), 27);
+    cell : entity work.line_memory
+      generic map (depth => 512, width => 27, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice1cost_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  slice2window_leaving_2_memory_read_enable <= true;
-  slice2window_leaving_2_memory_read_address <= to_unsigned(slice2window_ring_read_address, 3);
-  slice2window_leaving_2_memory_write_address <= to_unsigned(slice2window_ring_write_address, 3);
-  slice2window_leaving_2_memory_write_data <= to_unsigned(slice2cost_column_0(8), 9) & to_unsigned(slice2cost_column_0(7), 9) & to_unsigned(slice2cost_column_0(6), 9);
-  slice2window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 8, width => 27, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice2window_leaving_2_memory_read_enable,
-      read_address => slice2window_leaving_2_memory_read_address, read_data => slice2window_leaving(2),
-      write_address => slice2window_leaving_2_memory_write_address, write_data => slice2window_leaving_2_memory_write_data);
+  slice0window_leaving_4_memory : block
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(slice0window_ring_read_address, 3);
+    write_address <= to_unsigned(slice0window_ring_write_address, 3);
+    write_data <= to_unsigned(slice0cost_column_0(12), 9);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 9, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => slice0window_leaving_4,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  slice2window_leaving_1_memory_read_enable <= true;
-  slice2window_leaving_1_memory_read_address <= to_unsigned(slice2window_ring_read_address, 3);
-  slice2window_leaving_1_memory_write_address <= to_unsigned(slice2window_ring_write_address, 3);
-  slice2window_leaving_1_memory_write_data <= to_unsigned(slice2cost_column_0(5), 9) & to_unsigned(slice2cost_column_0(4), 9) & to_unsigned(slice2cost_column_0(3), 9);
-  slice2window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 8, width => 27, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice2window_leaving_1_memory_read_enable,
-      read_address => slice2window_leaving_1_memory_read_address, read_data => slice2window_leaving(1),
-      write_address => slice2window_leaving_1_memory_write_address, write_data => slice2window_leaving_1_memory_write_data);
+  slice0window_leaving_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(26 downto 0);
+  begin
+    read_address <= to_unsigned(slice0window_ring_read_address, 3);
+    write_address <= to_unsigned(slice0window_ring_write_address, 3);
+    write_data <= to_unsigned(slice0cost_column_0(3 * i + 2), 9) & to_unsigned(slice0cost_column_0(3 * i + 1), 9) &
+      to_unsigned(slice0cost_column_0(3 * i), 9);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 27, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice0window_leaving(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  slice2window_leaving_0_memory_read_enable <= true;
-  slice2window_leaving_0_memory_read_address <= to_unsigned(slice2window_ring_read_address, 3);
-  slice2window_leaving_0_memory_write_address <= to_unsigned(slice2window_ring_write_address, 3);
-  slice2window_leaving_0_memory_write_data <= to_unsigned(slice2cost_column_0(2), 9) & to_unsigned(slice2cost_column_0(1), 9) & to_unsigned(slice2cost_column_0(0), 9);
-  slice2window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 27, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice2window_leaving_0_memory_read_enable,
-      read_address => slice2window_leaving_0_memory_read_address, read_data => slice2window_leaving(0),
-      write_address => slice2window_leaving_0_memory_write_address, write_data => slice2window_leaving_0_memory_write_data);
+  slice0cost_read_words_4_memory : block
+    signal read_address, write_address, write_data : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(slice0cost_read_column, 9);
+    write_address <= to_unsigned(slice1cost_ready_column, 9);
+    write_data <= to_unsigned(slice0cost_write_words(4), 9);
+    cell : entity work.line_memory
+      generic map (depth => 512, width => 9, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice0cost_read_words_4, write_address => write_address, write_data => write_data);
+  end block;
 
-  slice2cost_read_words_4_memory_read_enable <= true;
-  slice2cost_read_words_4_memory_read_address <= to_unsigned(slice2cost_read_column, 9);
-  slice2cost_read_words_4_memory_write_address <= to_unsigned(slice3cost_ready_column, 9);
-  slice2cost_read_words_4_memory_write_data <= to_unsigned(slice2cost_write_words_4, 9);
-  slice2cost_read_words_4_memory : entity work.line_memory
-    generic map (depth => 512, width => 9, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice2cost_read_words_4_memory_read_enable,
-      read_address => slice2cost_read_words_4_memory_read_address, read_data => slice2cost_read_words_4,
-      write_address => slice2cost_read_words_4_memory_write_address, write_data => slice2cost_read_words_4_memory_write_data);
+  slice0cost_read_words_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(8 downto 0);
+    signal write_data : unsigned(26 downto 0);
+  begin
+    read_address <= to_unsigned(slice0cost_read_column, 9);
+    write_address <= to_unsigned(slice1cost_ready_column, 9);
+    write_data <= to_unsigned(slice0cost_write_words(i), 27);
+    cell : entity work.line_memory
+      generic map (depth => 512, width => 27, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice0cost_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  slice2cost_read_words_3_memory_read_enable <= true;
-  slice2cost_read_words_3_memory_read_address <= to_unsigned(slice2cost_read_column, 9);
-  slice2cost_read_words_3_memory_write_address <= to_unsigned(slice3cost_ready_column, 9);
-  slice2cost_read_words_3_memory_write_data <= to_unsigned(slice2cost_write_words(3), 27);
-  slice2cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 512, width => 27, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice2cost_read_words_3_memory_read_enable,
-      read_address => slice2cost_read_words_3_memory_read_address, read_data => slice2cost_read_words(3),
-      write_address => slice2cost_read_words_3_memory_write_address, write_data => slice2cost_read_words_3_memory_write_data);
+  rows_search_rows_read_words_memory : for i in 6 downto 0 generate
+    signal read_address, write_address : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 9);
+    write_address <= to_unsigned(rows_write_column, 9);
+    cell : entity work.line_memory
+      generic map (depth => 512, width => 48, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_search_rows_read_words(i), write_address => write_address, write_data => rows_search_rows_write_words(i));
+  end generate;
 
-  slice2cost_read_words_2_memory_read_enable <= true;
-  slice2cost_read_words_2_memory_read_address <= to_unsigned(slice2cost_read_column, 9);
-  slice2cost_read_words_2_memory_write_address <= to_unsigned(slice3cost_ready_column, 9);
-  slice2cost_read_words_2_memory_write_data <= to_unsigned(slice2cost_write_words(2), 27);
-  slice2cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 512, width => 27, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice2cost_read_words_2_memory_read_enable,
-      read_address => slice2cost_read_words_2_memory_read_address, read_data => slice2cost_read_words(2),
-      write_address => slice2cost_read_words_2_memory_write_address, write_data => slice2cost_read_words_2_memory_write_data);
+  rows_reference_rows_read_words_memory : for i in 6 downto 0 generate
+    signal read_address, write_address : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 9);
+    write_address <= to_unsigned(rows_write_column, 9);
+    cell : entity work.line_memory
+      generic map (depth => 512, width => 48, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_reference_rows_read_words(i), write_address => write_address, write_data =>
+        rows_reference_rows_write_words(i));
+  end generate;
 
-  slice2cost_read_words_1_memory_read_enable <= true;
-  slice2cost_read_words_1_memory_read_address <= to_unsigned(slice2cost_read_column, 9);
-  slice2cost_read_words_1_memory_write_address <= to_unsigned(slice3cost_ready_column, 9);
-  slice2cost_read_words_1_memory_write_data <= to_unsigned(slice2cost_write_words(1), 27);
-  slice2cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 512, width => 27, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice2cost_read_words_1_memory_read_enable,
-      read_address => slice2cost_read_words_1_memory_read_address, read_data => slice2cost_read_words(1),
-      write_address => slice2cost_read_words_1_memory_write_address, write_data => slice2cost_read_words_1_memory_write_data);
-
-  slice2cost_read_words_0_memory_read_enable <= true;
-  slice2cost_read_words_0_memory_read_address <= to_unsigned(slice2cost_read_column, 9);
-  slice2cost_read_words_0_memory_write_address <= to_unsigned(slice3cost_ready_column, 9);
-  slice2cost_read_words_0_memory_write_data <= to_unsigned(slice2cost_write_words(0), 27);
-  slice2cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 512, width => 27, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice2cost_read_words_0_memory_read_enable,
-      read_address => slice2cost_read_words_0_memory_read_address, read_data => slice2cost_read_words(0),
-      write_address => slice2cost_read_words_0_memory_write_address, write_data => slice2cost_read_words_0_memory_write_data);
-
-  slice1window_leaving_4_memory_read_enable <= true;
-  slice1window_leaving_4_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
-  slice1window_leaving_4_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
-  slice1window_leaving_4_memory_write_data <= to_unsigned(slice1cost_column_0(12), 9);
-  slice1window_leaving_4_memory : entity work.line_memory
-    generic map (depth => 8, width => 9, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_4_memory_read_enable,
-      read_address => slice1window_leaving_4_memory_read_address, read_data => slice1window_leaving_4,
-      write_address => slice1window_leaving_4_memory_write_address, write_data => slice1window_leaving_4_memory_write_data);
-
-  slice1window_leaving_3_memory_read_enable <= true;
-  slice1window_leaving_3_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
-  slice1window_leaving_3_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
-  slice1window_leaving_3_memory_write_data <= to_unsigned(slice1cost_column_0(11), 9) & to_unsigned(slice1cost_column_0(10), 9) & to_unsigned(slice1cost_column_0(9), 9);
-  slice1window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 8, width => 27, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_3_memory_read_enable,
-      read_address => slice1window_leaving_3_memory_read_address, read_data => slice1window_leaving(3),
-      write_address => slice1window_leaving_3_memory_write_address, write_data => slice1window_leaving_3_memory_write_data);
-
-  slice1window_leaving_2_memory_read_enable <= true;
-  slice1window_leaving_2_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
-  slice1window_leaving_2_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
-  slice1window_leaving_2_memory_write_data <= to_unsigned(slice1cost_column_0(8), 9) & to_unsigned(slice1cost_column_0(7), 9) & to_unsigned(slice1cost_column_0(6), 9);
-  slice1window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 8, width => 27, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_2_memory_read_enable,
-      read_address => slice1window_leaving_2_memory_read_address, read_data => slice1window_leaving(2),
-      write_address => slice1window_leaving_2_memory_write_address, write_data => slice1window_leaving_2_memory_write_data);
-
-  slice1window_leaving_1_memory_read_enable <= true;
-  slice1window_leaving_1_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
-  slice1window_leaving_1_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
-  slice1window_leaving_1_memory_write_data <= to_unsigned(slice1cost_column_0(5), 9) & to_unsigned(slice1cost_column_0(4), 9) & to_unsigned(slice1cost_column_0(3), 9);
-  slice1window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 8, width => 27, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_1_memory_read_enable,
-      read_address => slice1window_leaving_1_memory_read_address, read_data => slice1window_leaving(1),
-      write_address => slice1window_leaving_1_memory_write_address, write_data => slice1window_leaving_1_memory_write_data);
-
-  slice1window_leaving_0_memory_read_enable <= true;
-  slice1window_leaving_0_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
-  slice1window_leaving_0_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
-  slice1window_leaving_0_memory_write_data <= to_unsigned(slice1cost_column_0(2), 9) & to_unsigned(slice1cost_column_0(1), 9) & to_unsigned(slice1cost_column_0(0), 9);
-  slice1window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 27, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_0_memory_read_enable,
-      read_address => slice1window_leaving_0_memory_read_address, read_data => slice1window_leaving(0),
-      write_address => slice1window_leaving_0_memory_write_address, write_data => slice1window_leaving_0_memory_write_data);
-
-  slice1cost_read_words_4_memory_read_enable <= true;
-  slice1cost_read_words_4_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
-  slice1cost_read_words_4_memory_write_address <= to_unsigned(slice1cost_write_column, 9);
-  slice1cost_read_words_4_memory_write_data <= to_unsigned(slice1cost_write_words_4, 9);
-  slice1cost_read_words_4_memory : entity work.line_memory
-    generic map (depth => 512, width => 9, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_4_memory_read_enable,
-      read_address => slice1cost_read_words_4_memory_read_address, read_data => slice1cost_read_words_4,
-      write_address => slice1cost_read_words_4_memory_write_address, write_data => slice1cost_read_words_4_memory_write_data);
-
-  slice1cost_read_words_3_memory_read_enable <= true;
-  slice1cost_read_words_3_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
-  slice1cost_read_words_3_memory_write_address <= to_unsigned(slice1cost_write_column, 9);
-  slice1cost_read_words_3_memory_write_data <= to_unsigned(slice1cost_write_words(3), 27);
-  slice1cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 512, width => 27, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_3_memory_read_enable,
-      read_address => slice1cost_read_words_3_memory_read_address, read_data => slice1cost_read_words(3),
-      write_address => slice1cost_read_words_3_memory_write_address, write_data => slice1cost_read_words_3_memory_write_data);
-
-  slice1cost_read_words_2_memory_read_enable <= true;
-  slice1cost_read_words_2_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
-  slice1cost_read_words_2_memory_write_address <= to_unsigned(slice1cost_write_column, 9);
-  slice1cost_read_words_2_memory_write_data <= to_unsigned(slice1cost_write_words(2), 27);
-  slice1cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 512, width => 27, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_2_memory_read_enable,
-      read_address => slice1cost_read_words_2_memory_read_address, read_data => slice1cost_read_words(2),
-      write_address => slice1cost_read_words_2_memory_write_address, write_data => slice1cost_read_words_2_memory_write_data);
-
-  slice1cost_read_words_1_memory_read_enable <= true;
-  slice1cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
-  slice1cost_read_words_1_memory_write_address <= to_unsigned(slice1cost_write_column, 9);
-  slice1cost_read_words_1_memory_write_data <= to_unsigned(slice1cost_write_words(1), 27);
-  slice1cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 512, width => 27, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_1_memory_read_enable,
-      read_address => slice1cost_read_words_1_memory_read_address, read_data => slice1cost_read_words(1),
-      write_address => slice1cost_read_words_1_memory_write_address, write_data => slice1cost_read_words_1_memory_write_data);
-
-  slice1cost_read_words_0_memory_read_enable <= true;
-  slice1cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
-  slice1cost_read_words_0_memory_write_address <= to_unsigned(slice1cost_write_column, 9);
-  slice1cost_read_words_0_memory_write_data <= to_unsigned(slice1cost_write_words(0), 27);
-  slice1cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 512, width => 27, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_0_memory_read_enable,
-      read_address => slice1cost_read_words_0_memory_read_address, read_data => slice1cost_read_words(0),
-      write_address => slice1cost_read_words_0_memory_write_address, write_data => slice1cost_read_words_0_memory_write_data);
-
-  slice0window_leaving_4_memory_read_enable <= true;
-  slice0window_leaving_4_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
-  slice0window_leaving_4_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_4_memory_write_data <= to_unsigned(slice0cost_column_0(12), 9);
-  slice0window_leaving_4_memory : entity work.line_memory
-    generic map (depth => 8, width => 9, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_4_memory_read_enable,
-      read_address => slice0window_leaving_4_memory_read_address, read_data => slice0window_leaving_4,
-      write_address => slice0window_leaving_4_memory_write_address, write_data => slice0window_leaving_4_memory_write_data);
-
-  slice0window_leaving_3_memory_read_enable <= true;
-  slice0window_leaving_3_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
-  slice0window_leaving_3_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_3_memory_write_data <= to_unsigned(slice0cost_column_0(11), 9) & to_unsigned(slice0cost_column_0(10), 9) & to_unsigned(slice0cost_column_0(9), 9);
-  slice0window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 8, width => 27, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_3_memory_read_enable,
-      read_address => slice0window_leaving_3_memory_read_address, read_data => slice0window_leaving(3),
-      write_address => slice0window_leaving_3_memory_write_address, write_data => slice0window_leaving_3_memory_write_data);
-
-  slice0window_leaving_2_memory_read_enable <= true;
-  slice0window_leaving_2_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
-  slice0window_leaving_2_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_2_memory_write_data <= to_unsigned(slice0cost_column_0(8), 9) & to_unsigned(slice0cost_column_0(7), 9) & to_unsigned(slice0cost_column_0(6), 9);
-  slice0window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 8, width => 27, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_2_memory_read_enable,
-      read_address => slice0window_leaving_2_memory_read_address, read_data => slice0window_leaving(2),
-      write_address => slice0window_leaving_2_memory_write_address, write_data => slice0window_leaving_2_memory_write_data);
-
-  slice0window_leaving_1_memory_read_enable <= true;
-  slice0window_leaving_1_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
-  slice0window_leaving_1_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_1_memory_write_data <= to_unsigned(slice0cost_column_0(5), 9) & to_unsigned(slice0cost_column_0(4), 9) & to_unsigned(slice0cost_column_0(3), 9);
-  slice0window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 8, width => 27, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_1_memory_read_enable,
-      read_address => slice0window_leaving_1_memory_read_address, read_data => slice0window_leaving(1),
-      write_address => slice0window_leaving_1_memory_write_address, write_data => slice0window_leaving_1_memory_write_data);
-
-  slice0window_leaving_0_memory_read_enable <= true;
-  slice0window_leaving_0_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
-  slice0window_leaving_0_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_0_memory_write_data <= to_unsigned(slice0cost_column_0(2), 9) & to_unsigned(slice0cost_column_0(1), 9) & to_unsigned(slice0cost_column_0(0), 9);
-  slice0window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 27, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_0_memory_read_enable,
-      read_address => slice0window_leaving_0_memory_read_address, read_data => slice0window_leaving(0),
-      write_address => slice0window_leaving_0_memory_write_address, write_data => slice0window_leaving_0_memory_write_data);
-
-  slice0cost_read_words_4_memory_read_enable <= true;
-  slice0cost_read_words_4_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
-  slice0cost_read_words_4_memory_write_address <= to_unsigned(slice1cost_ready_column, 9);
-  slice0cost_read_words_4_memory_write_data <= to_unsigned(slice0cost_write_words_4, 9);
-  slice0cost_read_words_4_memory : entity work.line_memory
-    generic map (depth => 512, width => 9, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_4_memory_read_enable,
-      read_address => slice0cost_read_words_4_memory_read_address, read_data => slice0cost_read_words_4,
-      write_address => slice0cost_read_words_4_memory_write_address, write_data => slice0cost_read_words_4_memory_write_data);
-
-  slice0cost_read_words_3_memory_read_enable <= true;
-  slice0cost_read_words_3_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
-  slice0cost_read_words_3_memory_write_address <= to_unsigned(slice1cost_ready_column, 9);
-  slice0cost_read_words_3_memory_write_data <= to_unsigned(slice0cost_write_words(3), 27);
-  slice0cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 512, width => 27, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_3_memory_read_enable,
-      read_address => slice0cost_read_words_3_memory_read_address, read_data => slice0cost_read_words(3),
-      write_address => slice0cost_read_words_3_memory_write_address, write_data => slice0cost_read_words_3_memory_write_data);
-
-  slice0cost_read_words_2_memory_read_enable <= true;
-  slice0cost_read_words_2_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
-  slice0cost_read_words_2_memory_write_address <= to_unsigned(slice1cost_ready_column, 9);
-  slice0cost_read_words_2_memory_write_data <= to_unsigned(slice0cost_write_words(2), 27);
-  slice0cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 512, width => 27, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_2_memory_read_enable,
-      read_address => slice0cost_read_words_2_memory_read_address, read_data => slice0cost_read_words(2),
-      write_address => slice0cost_read_words_2_memory_write_address, write_data => slice0cost_read_words_2_memory_write_data);
-
-  slice0cost_read_words_1_memory_read_enable <= true;
-  slice0cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
-  slice0cost_read_words_1_memory_write_address <= to_unsigned(slice1cost_ready_column, 9);
-  slice0cost_read_words_1_memory_write_data <= to_unsigned(slice0cost_write_words(1), 27);
-  slice0cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 512, width => 27, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_1_memory_read_enable,
-      read_address => slice0cost_read_words_1_memory_read_address, read_data => slice0cost_read_words(1),
-      write_address => slice0cost_read_words_1_memory_write_address, write_data => slice0cost_read_words_1_memory_write_data);
-
-  slice0cost_read_words_0_memory_read_enable <= true;
-  slice0cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
-  slice0cost_read_words_0_memory_write_address <= to_unsigned(slice1cost_ready_column, 9);
-  slice0cost_read_words_0_memory_write_data <= to_unsigned(slice0cost_write_words(0), 27);
-  slice0cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 512, width => 27, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_0_memory_read_enable,
-      read_address => slice0cost_read_words_0_memory_read_address, read_data => slice0cost_read_words(0),
-      write_address => slice0cost_read_words_0_memory_write_address, write_data => slice0cost_read_words_0_memory_write_data);
-
-  rows_search_rows_read_words_6_memory_read_enable <= true;
-  rows_search_rows_read_words_6_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_search_rows_read_words_6_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_6_memory_write_data <= rows_search_rows_write_words(6);
-  rows_search_rows_read_words_6_memory : entity work.line_memory
-    generic map (depth => 512, width => 48, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_6_memory_read_enable,
-      read_address => rows_search_rows_read_words_6_memory_read_address, read_data => rows_search_rows_read_words(6),
-      write_address => rows_search_rows_read_words_6_memory_write_address, write_data => rows_search_rows_read_words_6_memory_write_data);
-
-  rows_search_rows_read_words_5_memory_read_enable <= true;
-  rows_search_rows_read_words_5_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_search_rows_read_words_5_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_5_memory_write_data <= rows_search_rows_write_words(5);
-  rows_search_rows_read_words_5_memory : entity work.line_memory
-    generic map (depth => 512, width => 48, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_5_memory_read_enable,
-      read_address => rows_search_rows_read_words_5_memory_read_address, read_data => rows_search_rows_read_words(5),
-      write_address => rows_search_rows_read_words_5_memory_write_address, write_data => rows_search_rows_read_words_5_memory_write_data);
-
-  rows_search_rows_read_words_4_memory_read_enable <= true;
-  rows_search_rows_read_words_4_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_search_rows_read_words_4_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_4_memory_write_data <= rows_search_rows_write_words(4);
-  rows_search_rows_read_words_4_memory : entity work.line_memory
-    generic map (depth => 512, width => 48, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_4_memory_read_enable,
-      read_address => rows_search_rows_read_words_4_memory_read_address, read_data => rows_search_rows_read_words(4),
-      write_address => rows_search_rows_read_words_4_memory_write_address, write_data => rows_search_rows_read_words_4_memory_write_data);
-
-  rows_search_rows_read_words_3_memory_read_enable <= true;
-  rows_search_rows_read_words_3_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_search_rows_read_words_3_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_3_memory_write_data <= rows_search_rows_write_words(3);
-  rows_search_rows_read_words_3_memory : entity work.line_memory
-    generic map (depth => 512, width => 48, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_3_memory_read_enable,
-      read_address => rows_search_rows_read_words_3_memory_read_address, read_data => rows_search_rows_read_words(3),
-      write_address => rows_search_rows_read_words_3_memory_write_address, write_data => rows_search_rows_read_words_3_memory_write_data);
-
-  rows_search_rows_read_words_2_memory_read_enable <= true;
-  rows_search_rows_read_words_2_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_search_rows_read_words_2_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_2_memory_write_data <= rows_search_rows_write_words(2);
-  rows_search_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 512, width => 48, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_2_memory_read_enable,
-      read_address => rows_search_rows_read_words_2_memory_read_address, read_data => rows_search_rows_read_words(2),
-      write_address => rows_search_rows_read_words_2_memory_write_address, write_data => rows_search_rows_read_words_2_memory_write_data);
-
-  rows_search_rows_read_words_1_memory_read_enable <= true;
-  rows_search_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_search_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_1_memory_write_data <= rows_search_rows_write_words(1);
-  rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 512, width => 48, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_1_memory_read_enable,
-      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words(1),
-      write_address => rows_search_rows_read_words_1_memory_write_address, write_data => rows_search_rows_read_words_1_memory_write_data);
-
-  rows_search_rows_read_words_0_memory_read_enable <= true;
-  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_0_memory_write_data <= rows_search_rows_write_words(0);
-  rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 512, width => 48, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
-      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words(0),
-      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
-
-  rows_reference_rows_read_words_6_memory_read_enable <= true;
-  rows_reference_rows_read_words_6_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_reference_rows_read_words_6_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_6_memory_write_data <= rows_reference_rows_write_words(6);
-  rows_reference_rows_read_words_6_memory : entity work.line_memory
-    generic map (depth => 512, width => 48, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_6_memory_read_enable,
-      read_address => rows_reference_rows_read_words_6_memory_read_address, read_data => rows_reference_rows_read_words(6),
-      write_address => rows_reference_rows_read_words_6_memory_write_address, write_data => rows_reference_rows_read_words_6_memory_write_data);
-
-  rows_reference_rows_read_words_5_memory_read_enable <= true;
-  rows_reference_rows_read_words_5_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_reference_rows_read_words_5_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_5_memory_write_data <= rows_reference_rows_write_words(5);
-  rows_reference_rows_read_words_5_memory : entity work.line_memory
-    generic map (depth => 512, width => 48, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_5_memory_read_enable,
-      read_address => rows_reference_rows_read_words_5_memory_read_address, read_data => rows_reference_rows_read_words(5),
-      write_address => rows_reference_rows_read_words_5_memory_write_address, write_data => rows_reference_rows_read_words_5_memory_write_data);
-
-  rows_reference_rows_read_words_4_memory_read_enable <= true;
-  rows_reference_rows_read_words_4_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_reference_rows_read_words_4_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_4_memory_write_data <= rows_reference_rows_write_words(4);
-  rows_reference_rows_read_words_4_memory : entity work.line_memory
-    generic map (depth => 512, width => 48, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_4_memory_read_enable,
-      read_address => rows_reference_rows_read_words_4_memory_read_address, read_data => rows_reference_rows_read_words(4),
-      write_address => rows_reference_rows_read_words_4_memory_write_address, write_data => rows_reference_rows_read_words_4_memory_write_data);
-
-  rows_reference_rows_read_words_3_memory_read_enable <= true;
-  rows_reference_rows_read_words_3_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_reference_rows_read_words_3_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_3_memory_write_data <= rows_reference_rows_write_words(3);
-  rows_reference_rows_read_words_3_memory : entity work.line_memory
-    generic map (depth => 512, width => 48, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_3_memory_read_enable,
-      read_address => rows_reference_rows_read_words_3_memory_read_address, read_data => rows_reference_rows_read_words(3),
-      write_address => rows_reference_rows_read_words_3_memory_write_address, write_data => rows_reference_rows_read_words_3_memory_write_data);
-
-  rows_reference_rows_read_words_2_memory_read_enable <= true;
-  rows_reference_rows_read_words_2_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_reference_rows_read_words_2_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_2_memory_write_data <= rows_reference_rows_write_words(2);
-  rows_reference_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 512, width => 48, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_2_memory_read_enable,
-      read_address => rows_reference_rows_read_words_2_memory_read_address, read_data => rows_reference_rows_read_words(2),
-      write_address => rows_reference_rows_read_words_2_memory_write_address, write_data => rows_reference_rows_read_words_2_memory_write_data);
-
-  rows_reference_rows_read_words_1_memory_read_enable <= true;
-  rows_reference_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_reference_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_1_memory_write_data <= rows_reference_rows_write_words(1);
-  rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 512, width => 48, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_1_memory_read_enable,
-      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words(1),
-      write_address => rows_reference_rows_read_words_1_memory_write_address, write_data => rows_reference_rows_read_words_1_memory_write_data);
-
-  rows_reference_rows_read_words_0_memory_read_enable <= true;
-  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_0_memory_write_data <= rows_reference_rows_write_words(0);
-  rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 512, width => 48, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
-      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words(0),
-      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
-
-  delay_delayed_0_memory_read_enable <= true;
-  delay_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 6);
-  delay_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 6);
-  delay_delayed_0_memory_write_data <= raster_features_reference_0;
-  delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 52, width => 48, address_bits => 6)
-    port map (
-      clock => clock, read_enable => delay_delayed_0_memory_read_enable,
-      read_address => delay_delayed_0_memory_read_address, read_data => delay_delayed_0,
-      write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
+  delay_delayed_0_memory : block
+    signal read_address, write_address : unsigned(5 downto 0);
+  begin
+    read_address <= to_unsigned(delay_ring_read_address, 6);
+    write_address <= to_unsigned(delay_ring_write_address, 6);
+    cell : entity work.line_memory
+      generic map (depth => 52, width => 48, address_bits => 6)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => delay_delayed_0,
+        write_address => write_address, write_data => raster_features_reference_0);
+  end block;
 
   process (clock)
-    variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
+    variable transform_counter_group_is_equals : boolean_1d(1 to 2);  -- transform_counter_group_is_equal_#
     variable transform_counter_group_all, transform_counter_group_differs : boolean;
-    variable transform_read_column_inside_0_is_less, transform_left_filter_feature_0_value : boolean;
-    variable transform_left_filter_feature_0_any, transform_left_filter_feature_0_choice : boolean;
+    variable transform_read_column_inside_0_is_less : boolean;
+    variable transform_left_filter_feature_0_values : boolean_1d(1 to 11);  -- transform_left_filter_feature_0_value_#
+    variable transform_left_filter_feature_0_any : boolean;
+    variable transform_left_filter_feature_0_choices : boolean_1d(1 to 384);  -- transform_left_filter_feature_0_choice_#
     variable transform_left_filter_feature_0_is_equal : boolean;
-    variable transform_left_filter_feature_0_choices : boolean_1d(2 to 384);  -- transform_left_filter_feature_0_choice_#
-    variable transform_left_filter_feature_0_values : boolean_1d(2 to 11);  -- transform_left_filter_feature_0_value_#
-    variable transform_right_filter_feature_0_value, transform_right_filter_feature_0_any : boolean;
-    variable transform_right_filter_feature_0_choice, transform_right_filter_feature_0_is_equal : boolean;
-    variable transform_right_filter_feature_0_choices : boolean_1d(2 to 384);  -- transform_right_filter_feature_0_choice_#
-    variable transform_right_filter_feature_0_values : boolean_1d(2 to 11);  -- transform_right_filter_feature_0_value_#
-    variable transform_counter_next_frame_choice, transform_counter_next_frame_choice_2 : boolean;
+    variable transform_right_filter_feature_0_values : boolean_1d(1 to 11);  -- transform_right_filter_feature_0_value_#
+    variable transform_right_filter_feature_0_any : boolean;
+    variable transform_right_filter_feature_0_choices : boolean_1d(1 to 384);  -- transform_right_filter_feature_0_choice_#
+    variable transform_right_filter_feature_0_is_equal : boolean;
+    variable transform_counter_next_frame_choices : boolean_1d(1 to 2);  -- transform_counter_next_frame_choice_#
     variable raster_place_group_is_equal, delay_tag_first_cost_is_equal : boolean;
-    variable slice0cost_pixels_first_0_count_value : boolean_2d(0 to 1, 0 to 15);  -- slice0cost_pixels_first_#_0_count_#_value
-    variable slice0cost_pixels_first_0_count_value_2 : boolean_2d(0 to 1, 0 to 15);  -- slice0cost_pixels_first_#_0_count_#_value_2
-    variable slice0cost_pixels_first_0_count_1_value_3 : boolean_1d(0 to 1);  -- slice0cost_pixels_first_#_0_count_1_value_3
-    variable slice0cost_pixels_first_0_count_value_3 : boolean_2d(0 to 1, 3 to 14);  -- slice0cost_pixels_first_#_0_count_#_value_3
+    variable slice0cost_pixels_first_0_count_value : boolean_3d(0 to 1, 0 to 15, 1 to 3);  -- slice0cost_pixels_first_#_0_count_#_value_#
     variable slice0winner1_best_cost_0_is_less : boolean_1d(0 to 5);  -- slice0winner1_best_cost_0_#_is_less
     variable slice0winner2_best_cost_0_is_less : boolean_1d(0 to 2);  -- slice0winner2_best_cost_0_#_is_less
     variable slice0winner3_best_cost_0_is_less : boolean_1d(0 to 1);  -- slice0winner3_best_cost_0_#_is_less
     variable slice0winner4_best_cost_0_0_is_less : boolean;
-    variable slice1cost_pixels_first_0_count_value : boolean_2d(0 to 1, 0 to 15);  -- slice1cost_pixels_first_#_0_count_#_value
-    variable slice1cost_pixels_first_0_count_value_2 : boolean_2d(0 to 1, 0 to 15);  -- slice1cost_pixels_first_#_0_count_#_value_2
-    variable slice1cost_pixels_first_0_count_1_value_3 : boolean_1d(0 to 1);  -- slice1cost_pixels_first_#_0_count_1_value_3
-    variable slice1cost_pixels_first_0_count_value_3 : boolean_2d(0 to 1, 3 to 14);  -- slice1cost_pixels_first_#_0_count_#_value_3
+    variable slice1cost_pixels_first_0_count_value : boolean_3d(0 to 1, 0 to 15, 1 to 3);  -- slice1cost_pixels_first_#_0_count_#_value_#
     variable slice1winner1_best_cost_0_is_less : boolean_1d(0 to 5);  -- slice1winner1_best_cost_0_#_is_less
     variable slice1winner2_best_cost_0_is_less : boolean_1d(0 to 2);  -- slice1winner2_best_cost_0_#_is_less
     variable slice1winner3_best_cost_0_is_less : boolean_1d(0 to 1);  -- slice1winner3_best_cost_0_#_is_less
     variable slice1winner4_best_cost_0_0_is_less, slice1_best_cost_0_0_is_less : boolean;
-    variable slice2cost_pixels_first_0_count_value : boolean_2d(0 to 1, 0 to 15);  -- slice2cost_pixels_first_#_0_count_#_value
-    variable slice2cost_pixels_first_0_count_value_2 : boolean_2d(0 to 1, 0 to 15);  -- slice2cost_pixels_first_#_0_count_#_value_2
-    variable slice2cost_pixels_first_0_count_1_value_3 : boolean_1d(0 to 1);  -- slice2cost_pixels_first_#_0_count_1_value_3
-    variable slice2cost_pixels_first_0_count_value_3 : boolean_2d(0 to 1, 3 to 14);  -- slice2cost_pixels_first_#_0_count_#_value_3
+    variable slice2cost_pixels_first_0_count_value : boolean_3d(0 to 1, 0 to 15, 1 to 3);  -- slice2cost_pixels_first_#_0_count_#_value_#
     variable slice2winner1_best_cost_0_is_less : boolean_1d(0 to 5);  -- slice2winner1_best_cost_0_#_is_less
     variable slice2winner2_best_cost_0_is_less : boolean_1d(0 to 2);  -- slice2winner2_best_cost_0_#_is_less
     variable slice2winner3_best_cost_0_is_less : boolean_1d(0 to 1);  -- slice2winner3_best_cost_0_#_is_less
     variable slice2winner4_best_cost_0_0_is_less, slice2_best_cost_0_0_is_less : boolean;
-    variable slice3cost_pixels_first_0_count_value : boolean_2d(0 to 1, 0 to 15);  -- slice3cost_pixels_first_#_0_count_#_value
-    variable slice3cost_pixels_first_0_count_value_2 : boolean_2d(0 to 1, 0 to 15);  -- slice3cost_pixels_first_#_0_count_#_value_2
-    variable slice3cost_pixels_first_0_count_1_value_3 : boolean_1d(0 to 1);  -- slice3cost_pixels_first_#_0_count_1_value_3
-    variable slice3cost_pixels_first_0_count_value_3 : boolean_2d(0 to 1, 3 to 14);  -- slice3cost_pixels_first_#_0_count_#_value_3
+    variable slice3cost_pixels_first_0_count_value : boolean_3d(0 to 1, 0 to 15, 1 to 3);  -- slice3cost_pixels_first_#_0_count_#_value_#
     variable slice3winner1_best_cost_0_is_less : boolean_1d(0 to 5);  -- slice3winner1_best_cost_0_#_is_less
     variable slice3winner2_best_cost_0_is_less : boolean_1d(0 to 2);  -- slice3winner2_best_cost_0_#_is_less
     variable slice3winner3_best_cost_0_is_less : boolean_1d(0 to 1);  -- slice3winner3_best_cost_0_#_is_less
     variable slice3winner4_best_cost_0_0_is_less : boolean;
     variable transform_counter_group_choice : natural range 0 to 15;
     variable transform_counter_group_choices : natural_511_1d(2 to 3);  -- transform_counter_group_choice_#
-    variable slice0cost_column_0_choice : natural_511_1d(0 to 12);  -- slice0cost_column_0_#_choice
-    variable slice0cost_column_0_choice_2 : natural_511_1d(0 to 12);  -- slice0cost_column_0_#_choice_2
+    variable slice0cost_column_0_choice : natural_511_2d(0 to 12, 1 to 2);  -- slice0cost_column_0_#_choice_#
     variable slice0window_change_0_choice : natural_511_1d(0 to 12);  -- slice0window_change_0_#_choice
-    variable slice1cost_column_0_choice : natural_511_1d(0 to 12);  -- slice1cost_column_0_#_choice
-    variable slice1cost_column_0_choice_2 : natural_511_1d(0 to 12);  -- slice1cost_column_0_#_choice_2
+    variable slice1cost_column_0_choice : natural_511_2d(0 to 12, 1 to 2);  -- slice1cost_column_0_#_choice_#
     variable slice1window_change_0_choice : natural_511_1d(0 to 12);  -- slice1window_change_0_#_choice
-    variable slice2cost_column_0_choice : natural_511_1d(0 to 12);  -- slice2cost_column_0_#_choice
-    variable slice2cost_column_0_choice_2 : natural_511_1d(0 to 12);  -- slice2cost_column_0_#_choice_2
+    variable slice2cost_column_0_choice : natural_511_2d(0 to 12, 1 to 2);  -- slice2cost_column_0_#_choice_#
     variable slice2window_change_0_choice : natural_511_1d(0 to 12);  -- slice2window_change_0_#_choice
-    variable slice3cost_column_0_choice : natural_511_1d(0 to 12);  -- slice3cost_column_0_#_choice
-    variable slice3cost_column_0_choice_2 : natural_511_1d(0 to 12);  -- slice3cost_column_0_#_choice_2
+    variable slice3cost_column_0_choice : natural_511_2d(0 to 12, 1 to 2);  -- slice3cost_column_0_#_choice_#
     variable slice3window_change_0_choice : natural_511_1d(0 to 12);  -- slice3window_change_0_#_choice
     variable transform_left_filter_feature_0_choice_385 : natural range 0 to 127;
     variable transform_right_filter_feature_0_choice_385 : natural range 0 to 127;
@@ -1359,513 +748,262 @@ begin
     variable slice3window_sum_0_choice : natural_4095_1d(0 to 12);  -- slice3window_sum_0_#_choice
   begin
     if rising_edge(clock) then
+      -- no bit without a value, where an array has places for more
+      slice0cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice1cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice2cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice3cost_pixels_first_0_count_value := (others => (others => (others => false)));
       -- transform
-      transform_counter_group_is_equal := transform_counter_group = 479;
-      transform_counter_group_is_equal_2 := transform_counter_column = 511;
-      transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
-      if transform_counter_group_all then
-        transform_counter_group_choice := 15;
-      else
-        transform_counter_group_choice := 0;
-      end if;
+      transform_counter_group_is_equals(1) := transform_counter_group = 479;
+      transform_counter_group_is_equals(2) := transform_counter_column = 511;
+      transform_counter_group_all := transform_counter_group_is_equals(1) and transform_counter_group_is_equals(2);
+      transform_counter_group_choice := choice(transform_counter_group_all, 15, 0);
       transform_counter_group_differs := transform_counter_group /= 483;
-      if (transform_counter_group = 482) and transform_counter_next_frame then
-        transform_counter_group_choices(2) := 3;
-      else
-        transform_counter_group_choices(2) := (transform_counter_group + 1) mod 512;
-      end if;
-      if transform_counter_group_differs and in_valid and transform_counter_group_is_equal_2 then
-        transform_counter_group_choices(3) := transform_counter_group_choices(2);
-      else
-        transform_counter_group_choices(3) := transform_counter_group;
-      end if;
+      transform_counter_group_choices(2) := choice((transform_counter_group = 482) and transform_counter_next_frame, 3,
+        (transform_counter_group + 1) mod 512);
+      transform_counter_group_choices(3) := choice(transform_counter_group_differs and in_valid and
+        transform_counter_group_is_equals(2), transform_counter_group_choices(2), transform_counter_group);
       transform_read_column_inside_0_is_less := 2 < transform_counter_column;
-      transform_left_filter_feature_0_value := is_set(transform_left_filter_column(3, 3), 1);
-      transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_value) or (not
+      transform_left_filter_feature_0_values(1) := is_set(transform_left_filter_column(3, 3), 1);
+      transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_values(1)) or (not
         is_set(transform_left_filter_column(3, 3), 0));
-      if is_set(transform_left_filter_column(6, 0), 0) then
-        transform_left_filter_feature_0_choice := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice := not transform_left_filter_feature_0_value;
-      end if;
+      transform_left_filter_feature_0_choices(1) := choice(is_set(transform_left_filter_column(6, 0), 0),
+        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
       transform_left_filter_feature_0_is_equal := (transform_left_filter_column(3, 3) mod 4) = 0;
-      if is_set(transform_left_filter_column(6, 0), 1) then
-        transform_left_filter_feature_0_choices(2) := transform_left_filter_feature_0_choice;
-      else
-        transform_left_filter_feature_0_choices(2) := is_set(transform_left_filter_column(6, 0), 0) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
+      transform_left_filter_feature_0_choices(2) := choice(is_set(transform_left_filter_column(6, 0), 1),
+        transform_left_filter_feature_0_choices(1), is_set(transform_left_filter_column(6, 0), 0) and
+        transform_left_filter_feature_0_is_equal);
       transform_left_filter_feature_0_values(2) := is_set(transform_left_filter_column(3, 3), 2);
-      if transform_left_filter_feature_0_choices(2) then
-        transform_left_filter_feature_0_choices(3) := (not is_set(transform_left_filter_column(6, 0), 2)) and
-          transform_left_filter_feature_0_values(2);
-      else
-        transform_left_filter_feature_0_choices(3) := (not is_set(transform_left_filter_column(6, 0), 2)) or
-          transform_left_filter_feature_0_values(2);
-      end if;
+      transform_left_filter_feature_0_choices(3) := inverted_carry(transform_left_filter_feature_0_choices(2), not
+        is_set(transform_left_filter_column(6, 0), 2), transform_left_filter_feature_0_values(2));
       for i in 3 to 6 loop
         transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(3, 3), i);
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(6, 0), i)) or
-            transform_left_filter_feature_0_values(i);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(6, 0), i)) and
-            transform_left_filter_feature_0_values(i);
-        end if;
+        transform_left_filter_feature_0_choices(i + 1) := carry(transform_left_filter_feature_0_choices(i), not
+          is_set(transform_left_filter_column(6, 0), i), transform_left_filter_feature_0_values(i));
       end loop;
       for i in 0 to 5 loop
-        if transform_left_filter_feature_0_choices(8 * i + 7) then
-          transform_left_filter_feature_0_choices(8 * i + 8) := is_set(transform_left_filter_column(6, i), 7) and (not
-            is_set(transform_left_filter_column(3, 3), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 8) := is_set(transform_left_filter_column(6, i), 7) or (not
-            is_set(transform_left_filter_column(3, 3), 7));
-        end if;
-        if is_set(transform_left_filter_column(6, i + 1), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 9) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 9) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(6, i + 1), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 10) := transform_left_filter_feature_0_choices(8 * i + 9);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 10) := is_set(transform_left_filter_column(6, i + 1), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 10) then
-          transform_left_filter_feature_0_choices(8 * i + 11) := (not is_set(transform_left_filter_column(6, i + 1),
-            2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 11) := (not is_set(transform_left_filter_column(6, i + 1),
-            2)) or transform_left_filter_feature_0_values(2);
-        end if;
+        transform_left_filter_feature_0_choices(8 * i + 8) := inverted_carry(transform_left_filter_feature_0_choices(8
+          * i + 7), is_set(transform_left_filter_column(6, i), 7), not is_set(transform_left_filter_column(3, 3), 7));
+        transform_left_filter_feature_0_choices(8 * i + 9) := choice(is_set(transform_left_filter_column(6, i + 1), 0),
+          transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(8 * i + 10) := choice(is_set(transform_left_filter_column(6, i + 1),
+          1), transform_left_filter_feature_0_choices(8 * i + 9), is_set(transform_left_filter_column(6, i + 1), 0) and
+          transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(8 * i + 11) := inverted_carry(transform_left_filter_feature_0_choices(8
+          * i + 10), not is_set(transform_left_filter_column(6, i + 1), 2), transform_left_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 8) then
-            transform_left_filter_feature_0_choices(8 * i + j + 9) := (not is_set(transform_left_filter_column(6, i +
-              1), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 9) := (not is_set(transform_left_filter_column(6, i +
-              1), j)) and transform_left_filter_feature_0_values(j);
-          end if;
+          transform_left_filter_feature_0_choices(8 * i + j + 9) := carry(transform_left_filter_feature_0_choices(8 * i
+            + j + 8), not is_set(transform_left_filter_column(6, i + 1), j), transform_left_filter_feature_0_values(j));
         end loop;
       end loop;
+      transform_left_filter_feature_0_choices(56) := inverted_carry(transform_left_filter_feature_0_choices(55),
+        is_set(transform_left_filter_column(6, 6), 7), not is_set(transform_left_filter_column(3, 3), 7));
       for i in 0 to 1 loop
-        for j in 0 to 1 loop
-          if transform_left_filter_feature_0_choices(56 * i + 8 * j + 55) then
-            transform_left_filter_feature_0_choices(56 * i + 8 * j + 56) := is_set(transform_left_filter_column(6 - i -
-              j, 6 - 6 * j), 7) and (not is_set(transform_left_filter_column(3, 3), 7));
-          else
-            transform_left_filter_feature_0_choices(56 * i + 8 * j + 56) := is_set(transform_left_filter_column(6 - i -
-              j, 6 - 6 * j), 7) or (not is_set(transform_left_filter_column(3, 3), 7));
-          end if;
-          if is_set(transform_left_filter_column(5 - i, j), 0) then
-            transform_left_filter_feature_0_choices(56 * i + 8 * j + 57) := transform_left_filter_feature_0_any;
-          else
-            transform_left_filter_feature_0_choices(56 * i + 8 * j + 57) := not transform_left_filter_feature_0_value;
-          end if;
-          if is_set(transform_left_filter_column(5 - i, j), 1) then
-            transform_left_filter_feature_0_choices(56 * i + 8 * j + 58) := transform_left_filter_feature_0_choices(56
-              * i + 8 * j + 57);
-          else
-            transform_left_filter_feature_0_choices(56 * i + 8 * j + 58) := is_set(transform_left_filter_column(5 - i,
-              j), 0) and transform_left_filter_feature_0_is_equal;
-          end if;
-          if transform_left_filter_feature_0_choices(56 * i + 8 * j + 58) then
-            transform_left_filter_feature_0_choices(56 * i + 8 * j + 59) := (not is_set(transform_left_filter_column(5
-              - i, j), 2)) and transform_left_filter_feature_0_values(2);
-          else
-            transform_left_filter_feature_0_choices(56 * i + 8 * j + 59) := (not is_set(transform_left_filter_column(5
-              - i, j), 2)) or transform_left_filter_feature_0_values(2);
-          end if;
+        for j in 0 to 6 loop
+          transform_left_filter_feature_0_choices(56 * i + 8 * j + 57) := choice(is_set(transform_left_filter_column(5
+            - i, j), 0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+          transform_left_filter_feature_0_choices(56 * i + 8 * j + 58) := choice(is_set(transform_left_filter_column(5
+            - i, j), 1), transform_left_filter_feature_0_choices(56 * i + 8 * j + 57),
+            is_set(transform_left_filter_column(5 - i, j), 0) and transform_left_filter_feature_0_is_equal);
+          transform_left_filter_feature_0_choices(56 * i + 8 * j + 59) :=
+            inverted_carry(transform_left_filter_feature_0_choices(56 * i + 8 * j + 58), not
+            is_set(transform_left_filter_column(5 - i, j), 2), transform_left_filter_feature_0_values(2));
           for k in 3 to 6 loop
-            if transform_left_filter_feature_0_choices(56 * i + 8 * j + k + 56) then
-              transform_left_filter_feature_0_choices(56 * i + 8 * j + k + 57) := (not
-                is_set(transform_left_filter_column(5 - i, j), k)) or transform_left_filter_feature_0_values(k);
-            else
-              transform_left_filter_feature_0_choices(56 * i + 8 * j + k + 57) := (not
-                is_set(transform_left_filter_column(5 - i, j), k)) and transform_left_filter_feature_0_values(k);
-            end if;
+            transform_left_filter_feature_0_choices(56 * i + 8 * j + k + 57) :=
+              carry(transform_left_filter_feature_0_choices(56 * i + 8 * j + k + 56), not
+              is_set(transform_left_filter_column(5 - i, j), k), transform_left_filter_feature_0_values(k));
           end loop;
-        end loop;
-        for j in 1 to 5 loop
-          if transform_left_filter_feature_0_choices(56 * i + 8 * j + 63) then
-            transform_left_filter_feature_0_choices(56 * i + 8 * j + 64) := is_set(transform_left_filter_column(5 - i,
-              j), 7) and (not is_set(transform_left_filter_column(3, 3), 7));
-          else
-            transform_left_filter_feature_0_choices(56 * i + 8 * j + 64) := is_set(transform_left_filter_column(5 - i,
-              j), 7) or (not is_set(transform_left_filter_column(3, 3), 7));
-          end if;
-          if is_set(transform_left_filter_column(5 - i, j + 1), 0) then
-            transform_left_filter_feature_0_choices(56 * i + 8 * j + 65) := transform_left_filter_feature_0_any;
-          else
-            transform_left_filter_feature_0_choices(56 * i + 8 * j + 65) := not transform_left_filter_feature_0_value;
-          end if;
-          if is_set(transform_left_filter_column(5 - i, j + 1), 1) then
-            transform_left_filter_feature_0_choices(56 * i + 8 * j + 66) := transform_left_filter_feature_0_choices(56
-              * i + 8 * j + 65);
-          else
-            transform_left_filter_feature_0_choices(56 * i + 8 * j + 66) := is_set(transform_left_filter_column(5 - i,
-              j + 1), 0) and transform_left_filter_feature_0_is_equal;
-          end if;
-          if transform_left_filter_feature_0_choices(56 * i + 8 * j + 66) then
-            transform_left_filter_feature_0_choices(56 * i + 8 * j + 67) := (not is_set(transform_left_filter_column(5
-              - i, j + 1), 2)) and transform_left_filter_feature_0_values(2);
-          else
-            transform_left_filter_feature_0_choices(56 * i + 8 * j + 67) := (not is_set(transform_left_filter_column(5
-              - i, j + 1), 2)) or transform_left_filter_feature_0_values(2);
-          end if;
-          for k in 3 to 6 loop
-            if transform_left_filter_feature_0_choices(56 * i + 8 * j + k + 64) then
-              transform_left_filter_feature_0_choices(56 * i + 8 * j + k + 65) := (not
-                is_set(transform_left_filter_column(5 - i, j + 1), k)) or transform_left_filter_feature_0_values(k);
-            else
-              transform_left_filter_feature_0_choices(56 * i + 8 * j + k + 65) := (not
-                is_set(transform_left_filter_column(5 - i, j + 1), k)) and transform_left_filter_feature_0_values(k);
-            end if;
-          end loop;
+          transform_left_filter_feature_0_choices(56 * i + 8 * j + 64) :=
+            inverted_carry(transform_left_filter_feature_0_choices(56 * i + 8 * j + 63),
+            is_set(transform_left_filter_column(5 - i, j), 7), not is_set(transform_left_filter_column(3, 3), 7));
         end loop;
       end loop;
-      if transform_left_filter_feature_0_choices(167) then
-        transform_left_filter_feature_0_choices(168) := is_set(transform_left_filter_column(4, 6), 7) and (not
-          is_set(transform_left_filter_column(3, 3), 7));
-      else
-        transform_left_filter_feature_0_choices(168) := is_set(transform_left_filter_column(4, 6), 7) or (not
-          is_set(transform_left_filter_column(3, 3), 7));
-      end if;
-      if is_set(transform_left_filter_column(3, 6), 0) then
-        transform_left_filter_feature_0_choices(169) := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choices(169) := not transform_left_filter_feature_0_value;
-      end if;
-      if is_set(transform_left_filter_column(3, 6), 1) then
-        transform_left_filter_feature_0_choices(170) := transform_left_filter_feature_0_choices(169);
-      else
-        transform_left_filter_feature_0_choices(170) := is_set(transform_left_filter_column(3, 6), 0) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choices(170) then
-        transform_left_filter_feature_0_choices(171) := (not is_set(transform_left_filter_column(3, 6), 2)) and
-          transform_left_filter_feature_0_values(2);
-      else
-        transform_left_filter_feature_0_choices(171) := (not is_set(transform_left_filter_column(3, 6), 2)) or
-          transform_left_filter_feature_0_values(2);
-      end if;
-      for i in 171 to 174 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(3, 6), i - 168))
-            or transform_left_filter_feature_0_values(i - 168);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(3, 6), i - 168))
-            and transform_left_filter_feature_0_values(i - 168);
-        end if;
+      transform_left_filter_feature_0_choices(169) := choice(is_set(transform_left_filter_column(3, 6), 0),
+        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(170) := choice(is_set(transform_left_filter_column(3, 6), 1),
+        transform_left_filter_feature_0_choices(169), is_set(transform_left_filter_column(3, 6), 0) and
+        transform_left_filter_feature_0_is_equal);
+      transform_left_filter_feature_0_choices(171) := inverted_carry(transform_left_filter_feature_0_choices(170), not
+        is_set(transform_left_filter_column(3, 6), 2), transform_left_filter_feature_0_values(2));
+      for i in 172 to 175 loop
+        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
+          is_set(transform_left_filter_column(3, 6), i - 169), transform_left_filter_feature_0_values(i - 169));
       end loop;
-      if transform_left_filter_feature_0_choices(175) then
-        transform_left_filter_feature_0_choices(176) := transform_filtering_0_column_inside(3) and
-          is_set(transform_left_filter_column(3, 6), 7) and (not is_set(transform_left_filter_column(3, 3), 7));
-      else
-        transform_left_filter_feature_0_choices(176) := transform_filtering_0_column_inside(3) and
-          (is_set(transform_left_filter_column(3, 6), 7) or (not is_set(transform_left_filter_column(3, 3), 7)));
-      end if;
+      transform_left_filter_feature_0_choices(176) := choice(transform_left_filter_feature_0_choices(175),
+        transform_filtering_0_column_inside(3) and is_set(transform_left_filter_column(3, 6), 7) and (not
+        is_set(transform_left_filter_column(3, 3), 7)), transform_filtering_0_column_inside(3) and
+        (is_set(transform_left_filter_column(3, 6), 7) or (not is_set(transform_left_filter_column(3, 3), 7))));
       for i in 0 to 1 loop
-        if is_set(transform_left_filter_column(3, 5 - i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 177) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 177) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(3, 5 - i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 178) := transform_left_filter_feature_0_choices(8 * i + 177);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 178) := is_set(transform_left_filter_column(3, 5 - i), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 178) then
-          transform_left_filter_feature_0_choices(8 * i + 179) := (not is_set(transform_left_filter_column(3, 5 - i),
-            2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 179) := (not is_set(transform_left_filter_column(3, 5 - i),
-            2)) or transform_left_filter_feature_0_values(2);
-        end if;
+        transform_left_filter_feature_0_choices(8 * i + 177) := choice(is_set(transform_left_filter_column(3, 5 - i),
+          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(8 * i + 178) := choice(is_set(transform_left_filter_column(3, 5 - i),
+          1), transform_left_filter_feature_0_choices(8 * i + 177), is_set(transform_left_filter_column(3, 5 - i), 0)
+          and transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(8 * i + 179) :=
+          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 178), not
+          is_set(transform_left_filter_column(3, 5 - i), 2), transform_left_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 176) then
-            transform_left_filter_feature_0_choices(8 * i + j + 177) := (not is_set(transform_left_filter_column(3, 5 -
-              i), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 177) := (not is_set(transform_left_filter_column(3, 5 -
-              i), j)) and transform_left_filter_feature_0_values(j);
-          end if;
+          transform_left_filter_feature_0_choices(8 * i + j + 177) := carry(transform_left_filter_feature_0_choices(8 *
+            i + j + 176), not is_set(transform_left_filter_column(3, 5 - i), j),
+            transform_left_filter_feature_0_values(j));
         end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 183) then
-          transform_left_filter_feature_0_choices(8 * i + 184) := is_set(transform_left_filter_column(3, 5 - i), 7) and
-            (not is_set(transform_left_filter_column(3, 3), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 184) := is_set(transform_left_filter_column(3, 5 - i), 7) or
-            (not is_set(transform_left_filter_column(3, 3), 7));
-        end if;
+        transform_left_filter_feature_0_choices(8 * i + 184) :=
+          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 183), is_set(transform_left_filter_column(3, 5
+          - i), 7), not is_set(transform_left_filter_column(3, 3), 7));
       end loop;
       for i in 0 to 2 loop
-        if is_set(transform_left_filter_column(3, 2 - i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 193) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 193) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(3, 2 - i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 194) := transform_left_filter_feature_0_choices(8 * i + 193);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 194) := is_set(transform_left_filter_column(3, 2 - i), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 194) then
-          transform_left_filter_feature_0_choices(8 * i + 195) := (not is_set(transform_left_filter_column(3, 2 - i),
-            2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 195) := (not is_set(transform_left_filter_column(3, 2 - i),
-            2)) or transform_left_filter_feature_0_values(2);
-        end if;
+        transform_left_filter_feature_0_choices(8 * i + 193) := choice(is_set(transform_left_filter_column(3, 2 - i),
+          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(8 * i + 194) := choice(is_set(transform_left_filter_column(3, 2 - i),
+          1), transform_left_filter_feature_0_choices(8 * i + 193), is_set(transform_left_filter_column(3, 2 - i), 0)
+          and transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(8 * i + 195) :=
+          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 194), not
+          is_set(transform_left_filter_column(3, 2 - i), 2), transform_left_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 192) then
-            transform_left_filter_feature_0_choices(8 * i + j + 193) := (not is_set(transform_left_filter_column(3, 2 -
-              i), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 193) := (not is_set(transform_left_filter_column(3, 2 -
-              i), j)) and transform_left_filter_feature_0_values(j);
-          end if;
+          transform_left_filter_feature_0_choices(8 * i + j + 193) := carry(transform_left_filter_feature_0_choices(8 *
+            i + j + 192), not is_set(transform_left_filter_column(3, 2 - i), j),
+            transform_left_filter_feature_0_values(j));
         end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 199) then
-          transform_left_filter_feature_0_choices(8 * i + 200) := is_set(transform_left_filter_column(3, 2 - i), 7) and
-            (not is_set(transform_left_filter_column(3, 3), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 200) := is_set(transform_left_filter_column(3, 2 - i), 7) or
-            (not is_set(transform_left_filter_column(3, 3), 7));
-        end if;
+        transform_left_filter_feature_0_choices(8 * i + 200) :=
+          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 199), is_set(transform_left_filter_column(3, 2
+          - i), 7), not is_set(transform_left_filter_column(3, 3), 7));
       end loop;
       for i in 0 to 1 loop
-        for j in 5 to 6 loop
-          if is_set(transform_left_filter_column(2 - i, j), 0) then
-            transform_left_filter_feature_0_choices(56 * i + 8 * j + 177) := transform_left_filter_feature_0_any;
-          else
-            transform_left_filter_feature_0_choices(56 * i + 8 * j + 177) := not transform_left_filter_feature_0_value;
-          end if;
-          if is_set(transform_left_filter_column(2 - i, j), 1) then
-            transform_left_filter_feature_0_choices(56 * i + 8 * j + 178) := transform_left_filter_feature_0_choices(56
-              * i + 8 * j + 177);
-          else
-            transform_left_filter_feature_0_choices(56 * i + 8 * j + 178) := is_set(transform_left_filter_column(2 - i,
-              j), 0) and transform_left_filter_feature_0_is_equal;
-          end if;
-          if transform_left_filter_feature_0_choices(56 * i + 8 * j + 178) then
-            transform_left_filter_feature_0_choices(56 * i + 8 * j + 179) := (not is_set(transform_left_filter_column(2
-              - i, j), 2)) and transform_left_filter_feature_0_values(2);
-          else
-            transform_left_filter_feature_0_choices(56 * i + 8 * j + 179) := (not is_set(transform_left_filter_column(2
-              - i, j), 2)) or transform_left_filter_feature_0_values(2);
-          end if;
-          for k in 3 to 6 loop
-            if transform_left_filter_feature_0_choices(56 * i + 8 * j + k + 176) then
-              transform_left_filter_feature_0_choices(56 * i + 8 * j + k + 177) := (not
-                is_set(transform_left_filter_column(2 - i, j), k)) or transform_left_filter_feature_0_values(k);
-            else
-              transform_left_filter_feature_0_choices(56 * i + 8 * j + k + 177) := (not
-                is_set(transform_left_filter_column(2 - i, j), k)) and transform_left_filter_feature_0_values(k);
-            end if;
-          end loop;
-          if transform_left_filter_feature_0_choices(56 * i + 8 * j + 183) then
-            transform_left_filter_feature_0_choices(56 * i + 8 * j + 184) := is_set(transform_left_filter_column(2 - i,
-              j), 7) and (not is_set(transform_left_filter_column(3, 3), 7));
-          else
-            transform_left_filter_feature_0_choices(56 * i + 8 * j + 184) := is_set(transform_left_filter_column(2 - i,
-              j), 7) or (not is_set(transform_left_filter_column(3, 3), 7));
-          end if;
+        transform_left_filter_feature_0_choices(56 * i + 217) := choice(is_set(transform_left_filter_column(2 - i, 5),
+          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(56 * i + 218) := choice(is_set(transform_left_filter_column(2 - i, 5),
+          1), transform_left_filter_feature_0_choices(56 * i + 217), is_set(transform_left_filter_column(2 - i, 5), 0)
+          and transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(56 * i + 219) :=
+          inverted_carry(transform_left_filter_feature_0_choices(56 * i + 218), not
+          is_set(transform_left_filter_column(2 - i, 5), 2), transform_left_filter_feature_0_values(2));
+        for j in 3 to 6 loop
+          transform_left_filter_feature_0_choices(56 * i + j + 217) := carry(transform_left_filter_feature_0_choices(56
+            * i + j + 216), not is_set(transform_left_filter_column(2 - i, 5), j),
+            transform_left_filter_feature_0_values(j));
         end loop;
+        transform_left_filter_feature_0_choices(56 * i + 224) :=
+          inverted_carry(transform_left_filter_feature_0_choices(56 * i + 223), is_set(transform_left_filter_column(2 -
+          i, 5), 7), not is_set(transform_left_filter_column(3, 3), 7));
+        transform_left_filter_feature_0_choices(56 * i + 225) := choice(is_set(transform_left_filter_column(2 - i, 6),
+          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(56 * i + 226) := choice(is_set(transform_left_filter_column(2 - i, 6),
+          1), transform_left_filter_feature_0_choices(56 * i + 225), is_set(transform_left_filter_column(2 - i, 6), 0)
+          and transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(56 * i + 227) :=
+          inverted_carry(transform_left_filter_feature_0_choices(56 * i + 226), not
+          is_set(transform_left_filter_column(2 - i, 6), 2), transform_left_filter_feature_0_values(2));
+        for j in 3 to 6 loop
+          transform_left_filter_feature_0_choices(56 * i + j + 225) := carry(transform_left_filter_feature_0_choices(56
+            * i + j + 224), not is_set(transform_left_filter_column(2 - i, 6), j),
+            transform_left_filter_feature_0_values(j));
+        end loop;
+        transform_left_filter_feature_0_choices(56 * i + 232) :=
+          inverted_carry(transform_left_filter_feature_0_choices(56 * i + 231), is_set(transform_left_filter_column(2 -
+          i, 6), 7), not is_set(transform_left_filter_column(3, 3), 7));
         for j in 0 to 4 loop
-          if is_set(transform_left_filter_column(2 - i, 4 - j), 0) then
-            transform_left_filter_feature_0_choices(56 * i + 8 * j + 233) := transform_left_filter_feature_0_any;
-          else
-            transform_left_filter_feature_0_choices(56 * i + 8 * j + 233) := not transform_left_filter_feature_0_value;
-          end if;
-          if is_set(transform_left_filter_column(2 - i, 4 - j), 1) then
-            transform_left_filter_feature_0_choices(56 * i + 8 * j + 234) := transform_left_filter_feature_0_choices(56
-              * i + 8 * j + 233);
-          else
-            transform_left_filter_feature_0_choices(56 * i + 8 * j + 234) := is_set(transform_left_filter_column(2 - i,
-              4 - j), 0) and transform_left_filter_feature_0_is_equal;
-          end if;
-          if transform_left_filter_feature_0_choices(56 * i + 8 * j + 234) then
-            transform_left_filter_feature_0_choices(56 * i + 8 * j + 235) := (not is_set(transform_left_filter_column(2
-              - i, 4 - j), 2)) and transform_left_filter_feature_0_values(2);
-          else
-            transform_left_filter_feature_0_choices(56 * i + 8 * j + 235) := (not is_set(transform_left_filter_column(2
-              - i, 4 - j), 2)) or transform_left_filter_feature_0_values(2);
-          end if;
+          transform_left_filter_feature_0_choices(56 * i + 8 * j + 233) := choice(is_set(transform_left_filter_column(2
+            - i, 4 - j), 0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+          transform_left_filter_feature_0_choices(56 * i + 8 * j + 234) := choice(is_set(transform_left_filter_column(2
+            - i, 4 - j), 1), transform_left_filter_feature_0_choices(56 * i + 8 * j + 233),
+            is_set(transform_left_filter_column(2 - i, 4 - j), 0) and transform_left_filter_feature_0_is_equal);
+          transform_left_filter_feature_0_choices(56 * i + 8 * j + 235) :=
+            inverted_carry(transform_left_filter_feature_0_choices(56 * i + 8 * j + 234), not
+            is_set(transform_left_filter_column(2 - i, 4 - j), 2), transform_left_filter_feature_0_values(2));
           for k in 3 to 6 loop
-            if transform_left_filter_feature_0_choices(56 * i + 8 * j + k + 232) then
-              transform_left_filter_feature_0_choices(56 * i + 8 * j + k + 233) := (not
-                is_set(transform_left_filter_column(2 - i, 4 - j), k)) or transform_left_filter_feature_0_values(k);
-            else
-              transform_left_filter_feature_0_choices(56 * i + 8 * j + k + 233) := (not
-                is_set(transform_left_filter_column(2 - i, 4 - j), k)) and transform_left_filter_feature_0_values(k);
-            end if;
+            transform_left_filter_feature_0_choices(56 * i + 8 * j + k + 233) :=
+              carry(transform_left_filter_feature_0_choices(56 * i + 8 * j + k + 232), not
+              is_set(transform_left_filter_column(2 - i, 4 - j), k), transform_left_filter_feature_0_values(k));
           end loop;
-          if transform_left_filter_feature_0_choices(56 * i + 8 * j + 239) then
-            transform_left_filter_feature_0_choices(56 * i + 8 * j + 240) := is_set(transform_left_filter_column(2 - i,
-              4 - j), 7) and (not is_set(transform_left_filter_column(3, 3), 7));
-          else
-            transform_left_filter_feature_0_choices(56 * i + 8 * j + 240) := is_set(transform_left_filter_column(2 - i,
-              4 - j), 7) or (not is_set(transform_left_filter_column(3, 3), 7));
-          end if;
+          transform_left_filter_feature_0_choices(56 * i + 8 * j + 240) :=
+            inverted_carry(transform_left_filter_feature_0_choices(56 * i + 8 * j + 239),
+            is_set(transform_left_filter_column(2 - i, 4 - j), 7), not is_set(transform_left_filter_column(3, 3), 7));
         end loop;
       end loop;
       for i in 5 to 6 loop
-        if is_set(transform_left_filter_column(0, i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 289) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 289) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(0, i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 290) := transform_left_filter_feature_0_choices(8 * i + 289);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 290) := is_set(transform_left_filter_column(0, i), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 290) then
-          transform_left_filter_feature_0_choices(8 * i + 291) := (not is_set(transform_left_filter_column(0, i), 2))
-            and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 291) := (not is_set(transform_left_filter_column(0, i), 2))
-            or transform_left_filter_feature_0_values(2);
-        end if;
+        transform_left_filter_feature_0_choices(8 * i + 289) := choice(is_set(transform_left_filter_column(0, i), 0),
+          transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(8 * i + 290) := choice(is_set(transform_left_filter_column(0, i), 1),
+          transform_left_filter_feature_0_choices(8 * i + 289), is_set(transform_left_filter_column(0, i), 0) and
+          transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(8 * i + 291) :=
+          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 290), not
+          is_set(transform_left_filter_column(0, i), 2), transform_left_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 288) then
-            transform_left_filter_feature_0_choices(8 * i + j + 289) := (not is_set(transform_left_filter_column(0, i),
-              j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 289) := (not is_set(transform_left_filter_column(0, i),
-              j)) and transform_left_filter_feature_0_values(j);
-          end if;
+          transform_left_filter_feature_0_choices(8 * i + j + 289) := carry(transform_left_filter_feature_0_choices(8 *
+            i + j + 288), not is_set(transform_left_filter_column(0, i), j), transform_left_filter_feature_0_values(j));
         end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 295) then
-          transform_left_filter_feature_0_choices(8 * i + 296) := is_set(transform_left_filter_column(0, i), 7) and
-            (not is_set(transform_left_filter_column(3, 3), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 296) := is_set(transform_left_filter_column(0, i), 7) or (not
-            is_set(transform_left_filter_column(3, 3), 7));
-        end if;
+        transform_left_filter_feature_0_choices(8 * i + 296) :=
+          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 295), is_set(transform_left_filter_column(0,
+          i), 7), not is_set(transform_left_filter_column(3, 3), 7));
       end loop;
       for i in 0 to 3 loop
-        if is_set(transform_left_filter_column(0, 4 - i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 345) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 345) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(0, 4 - i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 346) := transform_left_filter_feature_0_choices(8 * i + 345);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 346) := is_set(transform_left_filter_column(0, 4 - i), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 346) then
-          transform_left_filter_feature_0_choices(8 * i + 347) := (not is_set(transform_left_filter_column(0, 4 - i),
-            2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 347) := (not is_set(transform_left_filter_column(0, 4 - i),
-            2)) or transform_left_filter_feature_0_values(2);
-        end if;
+        transform_left_filter_feature_0_choices(8 * i + 345) := choice(is_set(transform_left_filter_column(0, 4 - i),
+          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(8 * i + 346) := choice(is_set(transform_left_filter_column(0, 4 - i),
+          1), transform_left_filter_feature_0_choices(8 * i + 345), is_set(transform_left_filter_column(0, 4 - i), 0)
+          and transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(8 * i + 347) :=
+          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 346), not
+          is_set(transform_left_filter_column(0, 4 - i), 2), transform_left_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 344) then
-            transform_left_filter_feature_0_choices(8 * i + j + 345) := (not is_set(transform_left_filter_column(0, 4 -
-              i), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 345) := (not is_set(transform_left_filter_column(0, 4 -
-              i), j)) and transform_left_filter_feature_0_values(j);
-          end if;
+          transform_left_filter_feature_0_choices(8 * i + j + 345) := carry(transform_left_filter_feature_0_choices(8 *
+            i + j + 344), not is_set(transform_left_filter_column(0, 4 - i), j),
+            transform_left_filter_feature_0_values(j));
         end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 351) then
-          transform_left_filter_feature_0_choices(8 * i + 352) := is_set(transform_left_filter_column(0, 4 - i), 7) and
-            (not is_set(transform_left_filter_column(3, 3), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 352) := is_set(transform_left_filter_column(0, 4 - i), 7) or
-            (not is_set(transform_left_filter_column(3, 3), 7));
-        end if;
+        transform_left_filter_feature_0_choices(8 * i + 352) :=
+          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 351), is_set(transform_left_filter_column(0, 4
+          - i), 7), not is_set(transform_left_filter_column(3, 3), 7));
       end loop;
-      if is_set(transform_left_filter_column(3, 3), 0) then
-        transform_left_filter_feature_0_choices(377) := not is_set(transform_left_filter_column(0, 0), 1);
-      else
-        transform_left_filter_feature_0_choices(377) := (transform_left_filter_column(0, 0) mod 4) = 0;
-      end if;
-      if transform_left_filter_feature_0_value then
-        transform_left_filter_feature_0_choices(378) := is_set(transform_left_filter_column(3, 3), 0) or (not
-          is_set(transform_left_filter_column(0, 0), 1)) or (not is_set(transform_left_filter_column(0, 0), 0));
-      else
-        transform_left_filter_feature_0_choices(378) := transform_left_filter_feature_0_choices(377);
-      end if;
+      transform_left_filter_feature_0_choices(377) := choice(is_set(transform_left_filter_column(3, 3), 0), not
+        is_set(transform_left_filter_column(0, 0), 1), (transform_left_filter_column(0, 0) mod 4) = 0);
+      transform_left_filter_feature_0_choices(378) := choice(transform_left_filter_feature_0_values(1),
+        is_set(transform_left_filter_column(3, 3), 0) or (not is_set(transform_left_filter_column(0, 0), 1)) or (not
+        is_set(transform_left_filter_column(0, 0), 0)), transform_left_filter_feature_0_choices(377));
       transform_left_filter_feature_0_values(7) := is_set(transform_left_filter_column(0, 0), 2);
-      if transform_left_filter_feature_0_choices(378) then
-        transform_left_filter_feature_0_choices(379) := (not transform_left_filter_feature_0_values(2)) and
-          transform_left_filter_feature_0_values(7);
-      else
-        transform_left_filter_feature_0_choices(379) := (not transform_left_filter_feature_0_values(2)) or
-          transform_left_filter_feature_0_values(7);
-      end if;
+      transform_left_filter_feature_0_choices(379) := inverted_carry(transform_left_filter_feature_0_choices(378), not
+        transform_left_filter_feature_0_values(2), transform_left_filter_feature_0_values(7));
       for i in 8 to 11 loop
         transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(0, 0), i - 5);
-        if transform_left_filter_feature_0_choices(i + 371) then
-          transform_left_filter_feature_0_choices(i + 372) := (not transform_left_filter_feature_0_values(i - 5)) or
-            transform_left_filter_feature_0_values(i);
-        else
-          transform_left_filter_feature_0_choices(i + 372) := (not transform_left_filter_feature_0_values(i - 5)) and
-            transform_left_filter_feature_0_values(i);
-        end if;
+        transform_left_filter_feature_0_choices(i + 372) := carry(transform_left_filter_feature_0_choices(i + 371), not
+          transform_left_filter_feature_0_values(i - 5), transform_left_filter_feature_0_values(i));
       end loop;
-      if transform_left_filter_feature_0_choices(383) then
-        transform_left_filter_feature_0_choices(384) := (not is_set(transform_left_filter_column(3, 3), 7)) or
-          is_set(transform_left_filter_column(0, 0), 7);
-      else
-        transform_left_filter_feature_0_choices(384) := (not is_set(transform_left_filter_column(3, 3), 7)) and
-          is_set(transform_left_filter_column(0, 0), 7);
-      end if;
-      if transform_filtering_0_column_inside(0) then
-        transform_left_filter_feature_0_choice_385 := (as_number(transform_left_filter_feature_0_choices(336)) * 32) +
-          (as_number(transform_left_filter_feature_0_choices(344)) * 64) +
-          (as_number(transform_left_filter_feature_0_choices(352)) * 16) +
-          (as_number(transform_left_filter_feature_0_choices(360)) * 8) +
-          (as_number(transform_left_filter_feature_0_choices(368)) * 4) +
-          (as_number(transform_left_filter_feature_0_choices(376)) * 2) +
-          as_number(transform_left_filter_feature_0_choices(384));
-      else
-        transform_left_filter_feature_0_choice_385 := 0;
-      end if;
-      if transform_filtering_0_column_inside(1) then
-        transform_left_filter_feature_0_choice_386 := (as_number(transform_left_filter_feature_0_choices(280)) * 4096)
-          + (as_number(transform_left_filter_feature_0_choices(288)) * 8192) +
-          (as_number(transform_left_filter_feature_0_choices(296)) * 2048) +
-          (as_number(transform_left_filter_feature_0_choices(304)) * 1024) +
-          (as_number(transform_left_filter_feature_0_choices(312)) * 512) +
-          (as_number(transform_left_filter_feature_0_choices(320)) * 256) +
-          (as_number(transform_left_filter_feature_0_choices(328)) * 128) + transform_left_filter_feature_0_choice_385;
-      else
-        transform_left_filter_feature_0_choice_386 := transform_left_filter_feature_0_choice_385;
-      end if;
-      if transform_filtering_0_column_inside(2) then
-        transform_left_filter_feature_0_choice_387 := (as_number(transform_left_filter_feature_0_choices(224)) *
-          524288) + (as_number(transform_left_filter_feature_0_choices(232)) * 1048576) +
-          (as_number(transform_left_filter_feature_0_choices(240)) * 262144) +
-          (as_number(transform_left_filter_feature_0_choices(248)) * 131072) +
-          (as_number(transform_left_filter_feature_0_choices(256)) * 65536) +
-          (as_number(transform_left_filter_feature_0_choices(264)) * 32768) +
-          (as_number(transform_left_filter_feature_0_choices(272)) * 16384) +
-          transform_left_filter_feature_0_choice_386;
-      else
-        transform_left_filter_feature_0_choice_387 := transform_left_filter_feature_0_choice_386;
-      end if;
-      if transform_filtering_0_column_inside(3) then
-        transform_left_filter_feature_0_choice_388 := (as_number(transform_left_filter_feature_0_choices(184)) *
-          33554432) + (as_number(transform_left_filter_feature_0_choices(192)) * 16777216) +
-          (as_number(transform_left_filter_feature_0_choices(200)) * 8388608) +
-          (as_number(transform_left_filter_feature_0_choices(208)) * 4194304) +
-          (as_number(transform_left_filter_feature_0_choices(216)) * 2097152) +
-          transform_left_filter_feature_0_choice_387;
-      else
-        transform_left_filter_feature_0_choice_388 := transform_left_filter_feature_0_choice_387;
-      end if;
+      transform_left_filter_feature_0_choices(384) := carry(transform_left_filter_feature_0_choices(383), not
+        is_set(transform_left_filter_column(3, 3), 7), is_set(transform_left_filter_column(0, 0), 7));
+      transform_left_filter_feature_0_choice_385 := choice(transform_filtering_0_column_inside(0),
+        (as_number(transform_left_filter_feature_0_choices(336)) * 32) +
+        (as_number(transform_left_filter_feature_0_choices(344)) * 64) +
+        (as_number(transform_left_filter_feature_0_choices(352)) * 16) +
+        (as_number(transform_left_filter_feature_0_choices(360)) * 8) +
+        (as_number(transform_left_filter_feature_0_choices(368)) * 4) +
+        (as_number(transform_left_filter_feature_0_choices(376)) * 2) +
+        as_number(transform_left_filter_feature_0_choices(384)), 0);
+      transform_left_filter_feature_0_choice_386 := choice(transform_filtering_0_column_inside(1),
+        (as_number(transform_left_filter_feature_0_choices(280)) * 4096) +
+        (as_number(transform_left_filter_feature_0_choices(288)) * 8192) +
+        (as_number(transform_left_filter_feature_0_choices(296)) * 2048) +
+        (as_number(transform_left_filter_feature_0_choices(304)) * 1024) +
+        (as_number(transform_left_filter_feature_0_choices(312)) * 512) +
+        (as_number(transform_left_filter_feature_0_choices(320)) * 256) +
+        (as_number(transform_left_filter_feature_0_choices(328)) * 128) + transform_left_filter_feature_0_choice_385,
+        transform_left_filter_feature_0_choice_385);
+      transform_left_filter_feature_0_choice_387 := choice(transform_filtering_0_column_inside(2),
+        (as_number(transform_left_filter_feature_0_choices(224)) * 524288) +
+        (as_number(transform_left_filter_feature_0_choices(232)) * 1048576) +
+        (as_number(transform_left_filter_feature_0_choices(240)) * 262144) +
+        (as_number(transform_left_filter_feature_0_choices(248)) * 131072) +
+        (as_number(transform_left_filter_feature_0_choices(256)) * 65536) +
+        (as_number(transform_left_filter_feature_0_choices(264)) * 32768) +
+        (as_number(transform_left_filter_feature_0_choices(272)) * 16384) + transform_left_filter_feature_0_choice_386,
+        transform_left_filter_feature_0_choice_386);
+      transform_left_filter_feature_0_choice_388 := choice(transform_filtering_0_column_inside(3),
+        (as_number(transform_left_filter_feature_0_choices(184)) * 33554432) +
+        (as_number(transform_left_filter_feature_0_choices(192)) * 16777216) +
+        (as_number(transform_left_filter_feature_0_choices(200)) * 8388608) +
+        (as_number(transform_left_filter_feature_0_choices(208)) * 4194304) +
+        (as_number(transform_left_filter_feature_0_choices(216)) * 2097152) +
+        transform_left_filter_feature_0_choice_387, transform_left_filter_feature_0_choice_387);
       if transform_filtering_0_column_inside(4) then
         transform_left_filter_feature_0_choice_389 :=
           to_unsigned(as_number(transform_left_filter_feature_0_choices(168)), 1) &
@@ -1895,499 +1033,254 @@ begin
       else
         transform_left_filter_feature_0_choice_390 := resize(transform_left_filter_feature_0_choice_389, 41);
       end if;
-      transform_right_filter_feature_0_value := is_set(transform_right_filter_column(3, 3), 1);
-      transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_value) or (not
+      transform_right_filter_feature_0_values(1) := is_set(transform_right_filter_column(3, 3), 1);
+      transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_values(1)) or (not
         is_set(transform_right_filter_column(3, 3), 0));
-      if is_set(transform_right_filter_column(6, 0), 0) then
-        transform_right_filter_feature_0_choice := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice := not transform_right_filter_feature_0_value;
-      end if;
+      transform_right_filter_feature_0_choices(1) := choice(is_set(transform_right_filter_column(6, 0), 0),
+        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
       transform_right_filter_feature_0_is_equal := (transform_right_filter_column(3, 3) mod 4) = 0;
-      if is_set(transform_right_filter_column(6, 0), 1) then
-        transform_right_filter_feature_0_choices(2) := transform_right_filter_feature_0_choice;
-      else
-        transform_right_filter_feature_0_choices(2) := is_set(transform_right_filter_column(6, 0), 0) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
+      transform_right_filter_feature_0_choices(2) := choice(is_set(transform_right_filter_column(6, 0), 1),
+        transform_right_filter_feature_0_choices(1), is_set(transform_right_filter_column(6, 0), 0) and
+        transform_right_filter_feature_0_is_equal);
       transform_right_filter_feature_0_values(2) := is_set(transform_right_filter_column(3, 3), 2);
-      if transform_right_filter_feature_0_choices(2) then
-        transform_right_filter_feature_0_choices(3) := (not is_set(transform_right_filter_column(6, 0), 2)) and
-          transform_right_filter_feature_0_values(2);
-      else
-        transform_right_filter_feature_0_choices(3) := (not is_set(transform_right_filter_column(6, 0), 2)) or
-          transform_right_filter_feature_0_values(2);
-      end if;
+      transform_right_filter_feature_0_choices(3) := inverted_carry(transform_right_filter_feature_0_choices(2), not
+        is_set(transform_right_filter_column(6, 0), 2), transform_right_filter_feature_0_values(2));
       for i in 3 to 6 loop
         transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(3, 3), i);
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(6, 0), i)) or
-            transform_right_filter_feature_0_values(i);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(6, 0), i)) and
-            transform_right_filter_feature_0_values(i);
-        end if;
+        transform_right_filter_feature_0_choices(i + 1) := carry(transform_right_filter_feature_0_choices(i), not
+          is_set(transform_right_filter_column(6, 0), i), transform_right_filter_feature_0_values(i));
       end loop;
       for i in 0 to 5 loop
-        if transform_right_filter_feature_0_choices(8 * i + 7) then
-          transform_right_filter_feature_0_choices(8 * i + 8) := is_set(transform_right_filter_column(6, i), 7) and
-            (not is_set(transform_right_filter_column(3, 3), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 8) := is_set(transform_right_filter_column(6, i), 7) or (not
-            is_set(transform_right_filter_column(3, 3), 7));
-        end if;
-        if is_set(transform_right_filter_column(6, i + 1), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 9) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 9) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(6, i + 1), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 10) := transform_right_filter_feature_0_choices(8 * i + 9);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 10) := is_set(transform_right_filter_column(6, i + 1), 0)
-            and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 10) then
-          transform_right_filter_feature_0_choices(8 * i + 11) := (not is_set(transform_right_filter_column(6, i + 1),
-            2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 11) := (not is_set(transform_right_filter_column(6, i + 1),
-            2)) or transform_right_filter_feature_0_values(2);
-        end if;
+        transform_right_filter_feature_0_choices(8 * i + 8) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 7), is_set(transform_right_filter_column(6,
+          i), 7), not is_set(transform_right_filter_column(3, 3), 7));
+        transform_right_filter_feature_0_choices(8 * i + 9) := choice(is_set(transform_right_filter_column(6, i + 1),
+          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(8 * i + 10) := choice(is_set(transform_right_filter_column(6, i + 1),
+          1), transform_right_filter_feature_0_choices(8 * i + 9), is_set(transform_right_filter_column(6, i + 1), 0)
+          and transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(8 * i + 11) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 10), not
+          is_set(transform_right_filter_column(6, i + 1), 2), transform_right_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 8) then
-            transform_right_filter_feature_0_choices(8 * i + j + 9) := (not is_set(transform_right_filter_column(6, i +
-              1), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 9) := (not is_set(transform_right_filter_column(6, i +
-              1), j)) and transform_right_filter_feature_0_values(j);
-          end if;
+          transform_right_filter_feature_0_choices(8 * i + j + 9) := carry(transform_right_filter_feature_0_choices(8 *
+            i + j + 8), not is_set(transform_right_filter_column(6, i + 1), j),
+            transform_right_filter_feature_0_values(j));
         end loop;
       end loop;
+      transform_right_filter_feature_0_choices(56) := inverted_carry(transform_right_filter_feature_0_choices(55),
+        is_set(transform_right_filter_column(6, 6), 7), not is_set(transform_right_filter_column(3, 3), 7));
       for i in 0 to 1 loop
-        for j in 0 to 1 loop
-          if transform_right_filter_feature_0_choices(56 * i + 8 * j + 55) then
-            transform_right_filter_feature_0_choices(56 * i + 8 * j + 56) := is_set(transform_right_filter_column(6 - i
-              - j, 6 - 6 * j), 7) and (not is_set(transform_right_filter_column(3, 3), 7));
-          else
-            transform_right_filter_feature_0_choices(56 * i + 8 * j + 56) := is_set(transform_right_filter_column(6 - i
-              - j, 6 - 6 * j), 7) or (not is_set(transform_right_filter_column(3, 3), 7));
-          end if;
-          if is_set(transform_right_filter_column(5 - i, j), 0) then
-            transform_right_filter_feature_0_choices(56 * i + 8 * j + 57) := transform_right_filter_feature_0_any;
-          else
-            transform_right_filter_feature_0_choices(56 * i + 8 * j + 57) := not transform_right_filter_feature_0_value;
-          end if;
-          if is_set(transform_right_filter_column(5 - i, j), 1) then
-            transform_right_filter_feature_0_choices(56 * i + 8 * j + 58) :=
-              transform_right_filter_feature_0_choices(56 * i + 8 * j + 57);
-          else
-            transform_right_filter_feature_0_choices(56 * i + 8 * j + 58) := is_set(transform_right_filter_column(5 -
-              i, j), 0) and transform_right_filter_feature_0_is_equal;
-          end if;
-          if transform_right_filter_feature_0_choices(56 * i + 8 * j + 58) then
-            transform_right_filter_feature_0_choices(56 * i + 8 * j + 59) := (not
-              is_set(transform_right_filter_column(5 - i, j), 2)) and transform_right_filter_feature_0_values(2);
-          else
-            transform_right_filter_feature_0_choices(56 * i + 8 * j + 59) := (not
-              is_set(transform_right_filter_column(5 - i, j), 2)) or transform_right_filter_feature_0_values(2);
-          end if;
+        for j in 0 to 6 loop
+          transform_right_filter_feature_0_choices(56 * i + 8 * j + 57) :=
+            choice(is_set(transform_right_filter_column(5 - i, j), 0), transform_right_filter_feature_0_any, not
+            transform_right_filter_feature_0_values(1));
+          transform_right_filter_feature_0_choices(56 * i + 8 * j + 58) :=
+            choice(is_set(transform_right_filter_column(5 - i, j), 1), transform_right_filter_feature_0_choices(56 * i
+            + 8 * j + 57), is_set(transform_right_filter_column(5 - i, j), 0) and
+            transform_right_filter_feature_0_is_equal);
+          transform_right_filter_feature_0_choices(56 * i + 8 * j + 59) :=
+            inverted_carry(transform_right_filter_feature_0_choices(56 * i + 8 * j + 58), not
+            is_set(transform_right_filter_column(5 - i, j), 2), transform_right_filter_feature_0_values(2));
           for k in 3 to 6 loop
-            if transform_right_filter_feature_0_choices(56 * i + 8 * j + k + 56) then
-              transform_right_filter_feature_0_choices(56 * i + 8 * j + k + 57) := (not
-                is_set(transform_right_filter_column(5 - i, j), k)) or transform_right_filter_feature_0_values(k);
-            else
-              transform_right_filter_feature_0_choices(56 * i + 8 * j + k + 57) := (not
-                is_set(transform_right_filter_column(5 - i, j), k)) and transform_right_filter_feature_0_values(k);
-            end if;
+            transform_right_filter_feature_0_choices(56 * i + 8 * j + k + 57) :=
+              carry(transform_right_filter_feature_0_choices(56 * i + 8 * j + k + 56), not
+              is_set(transform_right_filter_column(5 - i, j), k), transform_right_filter_feature_0_values(k));
           end loop;
-        end loop;
-        for j in 1 to 5 loop
-          if transform_right_filter_feature_0_choices(56 * i + 8 * j + 63) then
-            transform_right_filter_feature_0_choices(56 * i + 8 * j + 64) := is_set(transform_right_filter_column(5 -
-              i, j), 7) and (not is_set(transform_right_filter_column(3, 3), 7));
-          else
-            transform_right_filter_feature_0_choices(56 * i + 8 * j + 64) := is_set(transform_right_filter_column(5 -
-              i, j), 7) or (not is_set(transform_right_filter_column(3, 3), 7));
-          end if;
-          if is_set(transform_right_filter_column(5 - i, j + 1), 0) then
-            transform_right_filter_feature_0_choices(56 * i + 8 * j + 65) := transform_right_filter_feature_0_any;
-          else
-            transform_right_filter_feature_0_choices(56 * i + 8 * j + 65) := not transform_right_filter_feature_0_value;
-          end if;
-          if is_set(transform_right_filter_column(5 - i, j + 1), 1) then
-            transform_right_filter_feature_0_choices(56 * i + 8 * j + 66) :=
-              transform_right_filter_feature_0_choices(56 * i + 8 * j + 65);
-          else
-            transform_right_filter_feature_0_choices(56 * i + 8 * j + 66) := is_set(transform_right_filter_column(5 -
-              i, j + 1), 0) and transform_right_filter_feature_0_is_equal;
-          end if;
-          if transform_right_filter_feature_0_choices(56 * i + 8 * j + 66) then
-            transform_right_filter_feature_0_choices(56 * i + 8 * j + 67) := (not
-              is_set(transform_right_filter_column(5 - i, j + 1), 2)) and transform_right_filter_feature_0_values(2);
-          else
-            transform_right_filter_feature_0_choices(56 * i + 8 * j + 67) := (not
-              is_set(transform_right_filter_column(5 - i, j + 1), 2)) or transform_right_filter_feature_0_values(2);
-          end if;
-          for k in 3 to 6 loop
-            if transform_right_filter_feature_0_choices(56 * i + 8 * j + k + 64) then
-              transform_right_filter_feature_0_choices(56 * i + 8 * j + k + 65) := (not
-                is_set(transform_right_filter_column(5 - i, j + 1), k)) or transform_right_filter_feature_0_values(k);
-            else
-              transform_right_filter_feature_0_choices(56 * i + 8 * j + k + 65) := (not
-                is_set(transform_right_filter_column(5 - i, j + 1), k)) and transform_right_filter_feature_0_values(k);
-            end if;
-          end loop;
+          transform_right_filter_feature_0_choices(56 * i + 8 * j + 64) :=
+            inverted_carry(transform_right_filter_feature_0_choices(56 * i + 8 * j + 63),
+            is_set(transform_right_filter_column(5 - i, j), 7), not is_set(transform_right_filter_column(3, 3), 7));
         end loop;
       end loop;
-      if transform_right_filter_feature_0_choices(167) then
-        transform_right_filter_feature_0_choices(168) := is_set(transform_right_filter_column(4, 6), 7) and (not
-          is_set(transform_right_filter_column(3, 3), 7));
-      else
-        transform_right_filter_feature_0_choices(168) := is_set(transform_right_filter_column(4, 6), 7) or (not
-          is_set(transform_right_filter_column(3, 3), 7));
-      end if;
-      if is_set(transform_right_filter_column(3, 6), 0) then
-        transform_right_filter_feature_0_choices(169) := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choices(169) := not transform_right_filter_feature_0_value;
-      end if;
-      if is_set(transform_right_filter_column(3, 6), 1) then
-        transform_right_filter_feature_0_choices(170) := transform_right_filter_feature_0_choices(169);
-      else
-        transform_right_filter_feature_0_choices(170) := is_set(transform_right_filter_column(3, 6), 0) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choices(170) then
-        transform_right_filter_feature_0_choices(171) := (not is_set(transform_right_filter_column(3, 6), 2)) and
-          transform_right_filter_feature_0_values(2);
-      else
-        transform_right_filter_feature_0_choices(171) := (not is_set(transform_right_filter_column(3, 6), 2)) or
-          transform_right_filter_feature_0_values(2);
-      end if;
-      for i in 171 to 174 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(3, 6), i - 168))
-            or transform_right_filter_feature_0_values(i - 168);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(3, 6), i - 168))
-            and transform_right_filter_feature_0_values(i - 168);
-        end if;
+      transform_right_filter_feature_0_choices(169) := choice(is_set(transform_right_filter_column(3, 6), 0),
+        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(170) := choice(is_set(transform_right_filter_column(3, 6), 1),
+        transform_right_filter_feature_0_choices(169), is_set(transform_right_filter_column(3, 6), 0) and
+        transform_right_filter_feature_0_is_equal);
+      transform_right_filter_feature_0_choices(171) := inverted_carry(transform_right_filter_feature_0_choices(170),
+        not is_set(transform_right_filter_column(3, 6), 2), transform_right_filter_feature_0_values(2));
+      for i in 172 to 175 loop
+        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
+          is_set(transform_right_filter_column(3, 6), i - 169), transform_right_filter_feature_0_values(i - 169));
       end loop;
-      if transform_right_filter_feature_0_choices(175) then
-        transform_right_filter_feature_0_choices(176) := transform_filtering_0_column_inside(3) and
-          is_set(transform_right_filter_column(3, 6), 7) and (not is_set(transform_right_filter_column(3, 3), 7));
-      else
-        transform_right_filter_feature_0_choices(176) := transform_filtering_0_column_inside(3) and
-          (is_set(transform_right_filter_column(3, 6), 7) or (not is_set(transform_right_filter_column(3, 3), 7)));
-      end if;
+      transform_right_filter_feature_0_choices(176) := choice(transform_right_filter_feature_0_choices(175),
+        transform_filtering_0_column_inside(3) and is_set(transform_right_filter_column(3, 6), 7) and (not
+        is_set(transform_right_filter_column(3, 3), 7)), transform_filtering_0_column_inside(3) and
+        (is_set(transform_right_filter_column(3, 6), 7) or (not is_set(transform_right_filter_column(3, 3), 7))));
       for i in 0 to 1 loop
-        if is_set(transform_right_filter_column(3, 5 - i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 177) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 177) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(3, 5 - i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 178) := transform_right_filter_feature_0_choices(8 * i +
-            177);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 178) := is_set(transform_right_filter_column(3, 5 - i), 0)
-            and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 178) then
-          transform_right_filter_feature_0_choices(8 * i + 179) := (not is_set(transform_right_filter_column(3, 5 - i),
-            2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 179) := (not is_set(transform_right_filter_column(3, 5 - i),
-            2)) or transform_right_filter_feature_0_values(2);
-        end if;
+        transform_right_filter_feature_0_choices(8 * i + 177) := choice(is_set(transform_right_filter_column(3, 5 - i),
+          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(8 * i + 178) := choice(is_set(transform_right_filter_column(3, 5 - i),
+          1), transform_right_filter_feature_0_choices(8 * i + 177), is_set(transform_right_filter_column(3, 5 - i), 0)
+          and transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(8 * i + 179) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 178), not
+          is_set(transform_right_filter_column(3, 5 - i), 2), transform_right_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 176) then
-            transform_right_filter_feature_0_choices(8 * i + j + 177) := (not is_set(transform_right_filter_column(3, 5
-              - i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 177) := (not is_set(transform_right_filter_column(3, 5
-              - i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
+          transform_right_filter_feature_0_choices(8 * i + j + 177) := carry(transform_right_filter_feature_0_choices(8
+            * i + j + 176), not is_set(transform_right_filter_column(3, 5 - i), j),
+            transform_right_filter_feature_0_values(j));
         end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 183) then
-          transform_right_filter_feature_0_choices(8 * i + 184) := is_set(transform_right_filter_column(3, 5 - i), 7)
-            and (not is_set(transform_right_filter_column(3, 3), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 184) := is_set(transform_right_filter_column(3, 5 - i), 7)
-            or (not is_set(transform_right_filter_column(3, 3), 7));
-        end if;
+        transform_right_filter_feature_0_choices(8 * i + 184) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 183), is_set(transform_right_filter_column(3,
+          5 - i), 7), not is_set(transform_right_filter_column(3, 3), 7));
       end loop;
       for i in 0 to 2 loop
-        if is_set(transform_right_filter_column(3, 2 - i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 193) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 193) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(3, 2 - i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 194) := transform_right_filter_feature_0_choices(8 * i +
-            193);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 194) := is_set(transform_right_filter_column(3, 2 - i), 0)
-            and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 194) then
-          transform_right_filter_feature_0_choices(8 * i + 195) := (not is_set(transform_right_filter_column(3, 2 - i),
-            2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 195) := (not is_set(transform_right_filter_column(3, 2 - i),
-            2)) or transform_right_filter_feature_0_values(2);
-        end if;
+        transform_right_filter_feature_0_choices(8 * i + 193) := choice(is_set(transform_right_filter_column(3, 2 - i),
+          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(8 * i + 194) := choice(is_set(transform_right_filter_column(3, 2 - i),
+          1), transform_right_filter_feature_0_choices(8 * i + 193), is_set(transform_right_filter_column(3, 2 - i), 0)
+          and transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(8 * i + 195) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 194), not
+          is_set(transform_right_filter_column(3, 2 - i), 2), transform_right_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 192) then
-            transform_right_filter_feature_0_choices(8 * i + j + 193) := (not is_set(transform_right_filter_column(3, 2
-              - i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 193) := (not is_set(transform_right_filter_column(3, 2
-              - i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
+          transform_right_filter_feature_0_choices(8 * i + j + 193) := carry(transform_right_filter_feature_0_choices(8
+            * i + j + 192), not is_set(transform_right_filter_column(3, 2 - i), j),
+            transform_right_filter_feature_0_values(j));
         end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 199) then
-          transform_right_filter_feature_0_choices(8 * i + 200) := is_set(transform_right_filter_column(3, 2 - i), 7)
-            and (not is_set(transform_right_filter_column(3, 3), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 200) := is_set(transform_right_filter_column(3, 2 - i), 7)
-            or (not is_set(transform_right_filter_column(3, 3), 7));
-        end if;
+        transform_right_filter_feature_0_choices(8 * i + 200) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 199), is_set(transform_right_filter_column(3,
+          2 - i), 7), not is_set(transform_right_filter_column(3, 3), 7));
       end loop;
       for i in 0 to 1 loop
-        for j in 5 to 6 loop
-          if is_set(transform_right_filter_column(2 - i, j), 0) then
-            transform_right_filter_feature_0_choices(56 * i + 8 * j + 177) := transform_right_filter_feature_0_any;
-          else
-            transform_right_filter_feature_0_choices(56 * i + 8 * j + 177) := not
-              transform_right_filter_feature_0_value;
-          end if;
-          if is_set(transform_right_filter_column(2 - i, j), 1) then
-            transform_right_filter_feature_0_choices(56 * i + 8 * j + 178) :=
-              transform_right_filter_feature_0_choices(56 * i + 8 * j + 177);
-          else
-            transform_right_filter_feature_0_choices(56 * i + 8 * j + 178) := is_set(transform_right_filter_column(2 -
-              i, j), 0) and transform_right_filter_feature_0_is_equal;
-          end if;
-          if transform_right_filter_feature_0_choices(56 * i + 8 * j + 178) then
-            transform_right_filter_feature_0_choices(56 * i + 8 * j + 179) := (not
-              is_set(transform_right_filter_column(2 - i, j), 2)) and transform_right_filter_feature_0_values(2);
-          else
-            transform_right_filter_feature_0_choices(56 * i + 8 * j + 179) := (not
-              is_set(transform_right_filter_column(2 - i, j), 2)) or transform_right_filter_feature_0_values(2);
-          end if;
-          for k in 3 to 6 loop
-            if transform_right_filter_feature_0_choices(56 * i + 8 * j + k + 176) then
-              transform_right_filter_feature_0_choices(56 * i + 8 * j + k + 177) := (not
-                is_set(transform_right_filter_column(2 - i, j), k)) or transform_right_filter_feature_0_values(k);
-            else
-              transform_right_filter_feature_0_choices(56 * i + 8 * j + k + 177) := (not
-                is_set(transform_right_filter_column(2 - i, j), k)) and transform_right_filter_feature_0_values(k);
-            end if;
-          end loop;
-          if transform_right_filter_feature_0_choices(56 * i + 8 * j + 183) then
-            transform_right_filter_feature_0_choices(56 * i + 8 * j + 184) := is_set(transform_right_filter_column(2 -
-              i, j), 7) and (not is_set(transform_right_filter_column(3, 3), 7));
-          else
-            transform_right_filter_feature_0_choices(56 * i + 8 * j + 184) := is_set(transform_right_filter_column(2 -
-              i, j), 7) or (not is_set(transform_right_filter_column(3, 3), 7));
-          end if;
+        transform_right_filter_feature_0_choices(56 * i + 217) := choice(is_set(transform_right_filter_column(2 - i,
+          5), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(56 * i + 218) := choice(is_set(transform_right_filter_column(2 - i,
+          5), 1), transform_right_filter_feature_0_choices(56 * i + 217), is_set(transform_right_filter_column(2 - i,
+          5), 0) and transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(56 * i + 219) :=
+          inverted_carry(transform_right_filter_feature_0_choices(56 * i + 218), not
+          is_set(transform_right_filter_column(2 - i, 5), 2), transform_right_filter_feature_0_values(2));
+        for j in 3 to 6 loop
+          transform_right_filter_feature_0_choices(56 * i + j + 217) :=
+            carry(transform_right_filter_feature_0_choices(56 * i + j + 216), not
+            is_set(transform_right_filter_column(2 - i, 5), j), transform_right_filter_feature_0_values(j));
         end loop;
+        transform_right_filter_feature_0_choices(56 * i + 224) :=
+          inverted_carry(transform_right_filter_feature_0_choices(56 * i + 223), is_set(transform_right_filter_column(2
+          - i, 5), 7), not is_set(transform_right_filter_column(3, 3), 7));
+        transform_right_filter_feature_0_choices(56 * i + 225) := choice(is_set(transform_right_filter_column(2 - i,
+          6), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(56 * i + 226) := choice(is_set(transform_right_filter_column(2 - i,
+          6), 1), transform_right_filter_feature_0_choices(56 * i + 225), is_set(transform_right_filter_column(2 - i,
+          6), 0) and transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(56 * i + 227) :=
+          inverted_carry(transform_right_filter_feature_0_choices(56 * i + 226), not
+          is_set(transform_right_filter_column(2 - i, 6), 2), transform_right_filter_feature_0_values(2));
+        for j in 3 to 6 loop
+          transform_right_filter_feature_0_choices(56 * i + j + 225) :=
+            carry(transform_right_filter_feature_0_choices(56 * i + j + 224), not
+            is_set(transform_right_filter_column(2 - i, 6), j), transform_right_filter_feature_0_values(j));
+        end loop;
+        transform_right_filter_feature_0_choices(56 * i + 232) :=
+          inverted_carry(transform_right_filter_feature_0_choices(56 * i + 231), is_set(transform_right_filter_column(2
+          - i, 6), 7), not is_set(transform_right_filter_column(3, 3), 7));
         for j in 0 to 4 loop
-          if is_set(transform_right_filter_column(2 - i, 4 - j), 0) then
-            transform_right_filter_feature_0_choices(56 * i + 8 * j + 233) := transform_right_filter_feature_0_any;
-          else
-            transform_right_filter_feature_0_choices(56 * i + 8 * j + 233) := not
-              transform_right_filter_feature_0_value;
-          end if;
-          if is_set(transform_right_filter_column(2 - i, 4 - j), 1) then
-            transform_right_filter_feature_0_choices(56 * i + 8 * j + 234) :=
-              transform_right_filter_feature_0_choices(56 * i + 8 * j + 233);
-          else
-            transform_right_filter_feature_0_choices(56 * i + 8 * j + 234) := is_set(transform_right_filter_column(2 -
-              i, 4 - j), 0) and transform_right_filter_feature_0_is_equal;
-          end if;
-          if transform_right_filter_feature_0_choices(56 * i + 8 * j + 234) then
-            transform_right_filter_feature_0_choices(56 * i + 8 * j + 235) := (not
-              is_set(transform_right_filter_column(2 - i, 4 - j), 2)) and transform_right_filter_feature_0_values(2);
-          else
-            transform_right_filter_feature_0_choices(56 * i + 8 * j + 235) := (not
-              is_set(transform_right_filter_column(2 - i, 4 - j), 2)) or transform_right_filter_feature_0_values(2);
-          end if;
+          transform_right_filter_feature_0_choices(56 * i + 8 * j + 233) :=
+            choice(is_set(transform_right_filter_column(2 - i, 4 - j), 0), transform_right_filter_feature_0_any, not
+            transform_right_filter_feature_0_values(1));
+          transform_right_filter_feature_0_choices(56 * i + 8 * j + 234) :=
+            choice(is_set(transform_right_filter_column(2 - i, 4 - j), 1), transform_right_filter_feature_0_choices(56
+            * i + 8 * j + 233), is_set(transform_right_filter_column(2 - i, 4 - j), 0) and
+            transform_right_filter_feature_0_is_equal);
+          transform_right_filter_feature_0_choices(56 * i + 8 * j + 235) :=
+            inverted_carry(transform_right_filter_feature_0_choices(56 * i + 8 * j + 234), not
+            is_set(transform_right_filter_column(2 - i, 4 - j), 2), transform_right_filter_feature_0_values(2));
           for k in 3 to 6 loop
-            if transform_right_filter_feature_0_choices(56 * i + 8 * j + k + 232) then
-              transform_right_filter_feature_0_choices(56 * i + 8 * j + k + 233) := (not
-                is_set(transform_right_filter_column(2 - i, 4 - j), k)) or transform_right_filter_feature_0_values(k);
-            else
-              transform_right_filter_feature_0_choices(56 * i + 8 * j + k + 233) := (not
-                is_set(transform_right_filter_column(2 - i, 4 - j), k)) and transform_right_filter_feature_0_values(k);
-            end if;
+            transform_right_filter_feature_0_choices(56 * i + 8 * j + k + 233) :=
+              carry(transform_right_filter_feature_0_choices(56 * i + 8 * j + k + 232), not
+              is_set(transform_right_filter_column(2 - i, 4 - j), k), transform_right_filter_feature_0_values(k));
           end loop;
-          if transform_right_filter_feature_0_choices(56 * i + 8 * j + 239) then
-            transform_right_filter_feature_0_choices(56 * i + 8 * j + 240) := is_set(transform_right_filter_column(2 -
-              i, 4 - j), 7) and (not is_set(transform_right_filter_column(3, 3), 7));
-          else
-            transform_right_filter_feature_0_choices(56 * i + 8 * j + 240) := is_set(transform_right_filter_column(2 -
-              i, 4 - j), 7) or (not is_set(transform_right_filter_column(3, 3), 7));
-          end if;
+          transform_right_filter_feature_0_choices(56 * i + 8 * j + 240) :=
+            inverted_carry(transform_right_filter_feature_0_choices(56 * i + 8 * j + 239),
+            is_set(transform_right_filter_column(2 - i, 4 - j), 7), not is_set(transform_right_filter_column(3, 3), 7));
         end loop;
       end loop;
       for i in 5 to 6 loop
-        if is_set(transform_right_filter_column(0, i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 289) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 289) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(0, i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 290) := transform_right_filter_feature_0_choices(8 * i +
-            289);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 290) := is_set(transform_right_filter_column(0, i), 0) and
-            transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 290) then
-          transform_right_filter_feature_0_choices(8 * i + 291) := (not is_set(transform_right_filter_column(0, i), 2))
-            and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 291) := (not is_set(transform_right_filter_column(0, i), 2))
-            or transform_right_filter_feature_0_values(2);
-        end if;
+        transform_right_filter_feature_0_choices(8 * i + 289) := choice(is_set(transform_right_filter_column(0, i), 0),
+          transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(8 * i + 290) := choice(is_set(transform_right_filter_column(0, i), 1),
+          transform_right_filter_feature_0_choices(8 * i + 289), is_set(transform_right_filter_column(0, i), 0) and
+          transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(8 * i + 291) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 290), not
+          is_set(transform_right_filter_column(0, i), 2), transform_right_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 288) then
-            transform_right_filter_feature_0_choices(8 * i + j + 289) := (not is_set(transform_right_filter_column(0,
-              i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 289) := (not is_set(transform_right_filter_column(0,
-              i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
+          transform_right_filter_feature_0_choices(8 * i + j + 289) := carry(transform_right_filter_feature_0_choices(8
+            * i + j + 288), not is_set(transform_right_filter_column(0, i), j),
+            transform_right_filter_feature_0_values(j));
         end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 295) then
-          transform_right_filter_feature_0_choices(8 * i + 296) := is_set(transform_right_filter_column(0, i), 7) and
-            (not is_set(transform_right_filter_column(3, 3), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 296) := is_set(transform_right_filter_column(0, i), 7) or
-            (not is_set(transform_right_filter_column(3, 3), 7));
-        end if;
+        transform_right_filter_feature_0_choices(8 * i + 296) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 295), is_set(transform_right_filter_column(0,
+          i), 7), not is_set(transform_right_filter_column(3, 3), 7));
       end loop;
       for i in 0 to 3 loop
-        if is_set(transform_right_filter_column(0, 4 - i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 345) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 345) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(0, 4 - i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 346) := transform_right_filter_feature_0_choices(8 * i +
-            345);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 346) := is_set(transform_right_filter_column(0, 4 - i), 0)
-            and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 346) then
-          transform_right_filter_feature_0_choices(8 * i + 347) := (not is_set(transform_right_filter_column(0, 4 - i),
-            2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 347) := (not is_set(transform_right_filter_column(0, 4 - i),
-            2)) or transform_right_filter_feature_0_values(2);
-        end if;
+        transform_right_filter_feature_0_choices(8 * i + 345) := choice(is_set(transform_right_filter_column(0, 4 - i),
+          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(8 * i + 346) := choice(is_set(transform_right_filter_column(0, 4 - i),
+          1), transform_right_filter_feature_0_choices(8 * i + 345), is_set(transform_right_filter_column(0, 4 - i), 0)
+          and transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(8 * i + 347) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 346), not
+          is_set(transform_right_filter_column(0, 4 - i), 2), transform_right_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 344) then
-            transform_right_filter_feature_0_choices(8 * i + j + 345) := (not is_set(transform_right_filter_column(0, 4
-              - i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 345) := (not is_set(transform_right_filter_column(0, 4
-              - i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
+          transform_right_filter_feature_0_choices(8 * i + j + 345) := carry(transform_right_filter_feature_0_choices(8
+            * i + j + 344), not is_set(transform_right_filter_column(0, 4 - i), j),
+            transform_right_filter_feature_0_values(j));
         end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 351) then
-          transform_right_filter_feature_0_choices(8 * i + 352) := is_set(transform_right_filter_column(0, 4 - i), 7)
-            and (not is_set(transform_right_filter_column(3, 3), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 352) := is_set(transform_right_filter_column(0, 4 - i), 7)
-            or (not is_set(transform_right_filter_column(3, 3), 7));
-        end if;
+        transform_right_filter_feature_0_choices(8 * i + 352) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 351), is_set(transform_right_filter_column(0,
+          4 - i), 7), not is_set(transform_right_filter_column(3, 3), 7));
       end loop;
-      if is_set(transform_right_filter_column(3, 3), 0) then
-        transform_right_filter_feature_0_choices(377) := not is_set(transform_right_filter_column(0, 0), 1);
-      else
-        transform_right_filter_feature_0_choices(377) := (transform_right_filter_column(0, 0) mod 4) = 0;
-      end if;
-      if transform_right_filter_feature_0_value then
-        transform_right_filter_feature_0_choices(378) := is_set(transform_right_filter_column(3, 3), 0) or (not
-          is_set(transform_right_filter_column(0, 0), 1)) or (not is_set(transform_right_filter_column(0, 0), 0));
-      else
-        transform_right_filter_feature_0_choices(378) := transform_right_filter_feature_0_choices(377);
-      end if;
+      transform_right_filter_feature_0_choices(377) := choice(is_set(transform_right_filter_column(3, 3), 0), not
+        is_set(transform_right_filter_column(0, 0), 1), (transform_right_filter_column(0, 0) mod 4) = 0);
+      transform_right_filter_feature_0_choices(378) := choice(transform_right_filter_feature_0_values(1),
+        is_set(transform_right_filter_column(3, 3), 0) or (not is_set(transform_right_filter_column(0, 0), 1)) or (not
+        is_set(transform_right_filter_column(0, 0), 0)), transform_right_filter_feature_0_choices(377));
       transform_right_filter_feature_0_values(7) := is_set(transform_right_filter_column(0, 0), 2);
-      if transform_right_filter_feature_0_choices(378) then
-        transform_right_filter_feature_0_choices(379) := (not transform_right_filter_feature_0_values(2)) and
-          transform_right_filter_feature_0_values(7);
-      else
-        transform_right_filter_feature_0_choices(379) := (not transform_right_filter_feature_0_values(2)) or
-          transform_right_filter_feature_0_values(7);
-      end if;
+      transform_right_filter_feature_0_choices(379) := inverted_carry(transform_right_filter_feature_0_choices(378),
+        not transform_right_filter_feature_0_values(2), transform_right_filter_feature_0_values(7));
       for i in 8 to 11 loop
         transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(0, 0), i - 5);
-        if transform_right_filter_feature_0_choices(i + 371) then
-          transform_right_filter_feature_0_choices(i + 372) := (not transform_right_filter_feature_0_values(i - 5)) or
-            transform_right_filter_feature_0_values(i);
-        else
-          transform_right_filter_feature_0_choices(i + 372) := (not transform_right_filter_feature_0_values(i - 5)) and
-            transform_right_filter_feature_0_values(i);
-        end if;
+        transform_right_filter_feature_0_choices(i + 372) := carry(transform_right_filter_feature_0_choices(i + 371),
+          not transform_right_filter_feature_0_values(i - 5), transform_right_filter_feature_0_values(i));
       end loop;
-      if transform_right_filter_feature_0_choices(383) then
-        transform_right_filter_feature_0_choices(384) := (not is_set(transform_right_filter_column(3, 3), 7)) or
-          is_set(transform_right_filter_column(0, 0), 7);
-      else
-        transform_right_filter_feature_0_choices(384) := (not is_set(transform_right_filter_column(3, 3), 7)) and
-          is_set(transform_right_filter_column(0, 0), 7);
-      end if;
-      if transform_filtering_0_column_inside(0) then
-        transform_right_filter_feature_0_choice_385 := (as_number(transform_right_filter_feature_0_choices(336)) * 32)
-          + (as_number(transform_right_filter_feature_0_choices(344)) * 64) +
-          (as_number(transform_right_filter_feature_0_choices(352)) * 16) +
-          (as_number(transform_right_filter_feature_0_choices(360)) * 8) +
-          (as_number(transform_right_filter_feature_0_choices(368)) * 4) +
-          (as_number(transform_right_filter_feature_0_choices(376)) * 2) +
-          as_number(transform_right_filter_feature_0_choices(384));
-      else
-        transform_right_filter_feature_0_choice_385 := 0;
-      end if;
-      if transform_filtering_0_column_inside(1) then
-        transform_right_filter_feature_0_choice_386 := (as_number(transform_right_filter_feature_0_choices(280)) *
-          4096) + (as_number(transform_right_filter_feature_0_choices(288)) * 8192) +
-          (as_number(transform_right_filter_feature_0_choices(296)) * 2048) +
-          (as_number(transform_right_filter_feature_0_choices(304)) * 1024) +
-          (as_number(transform_right_filter_feature_0_choices(312)) * 512) +
-          (as_number(transform_right_filter_feature_0_choices(320)) * 256) +
-          (as_number(transform_right_filter_feature_0_choices(328)) * 128) +
-          transform_right_filter_feature_0_choice_385;
-      else
-        transform_right_filter_feature_0_choice_386 := transform_right_filter_feature_0_choice_385;
-      end if;
-      if transform_filtering_0_column_inside(2) then
-        transform_right_filter_feature_0_choice_387 := (as_number(transform_right_filter_feature_0_choices(224)) *
-          524288) + (as_number(transform_right_filter_feature_0_choices(232)) * 1048576) +
-          (as_number(transform_right_filter_feature_0_choices(240)) * 262144) +
-          (as_number(transform_right_filter_feature_0_choices(248)) * 131072) +
-          (as_number(transform_right_filter_feature_0_choices(256)) * 65536) +
-          (as_number(transform_right_filter_feature_0_choices(264)) * 32768) +
-          (as_number(transform_right_filter_feature_0_choices(272)) * 16384) +
-          transform_right_filter_feature_0_choice_386;
-      else
-        transform_right_filter_feature_0_choice_387 := transform_right_filter_feature_0_choice_386;
-      end if;
-      if transform_filtering_0_column_inside(3) then
-        transform_right_filter_feature_0_choice_388 := (as_number(transform_right_filter_feature_0_choices(184)) *
-          33554432) + (as_number(transform_right_filter_feature_0_choices(192)) * 16777216) +
-          (as_number(transform_right_filter_feature_0_choices(200)) * 8388608) +
-          (as_number(transform_right_filter_feature_0_choices(208)) * 4194304) +
-          (as_number(transform_right_filter_feature_0_choices(216)) * 2097152) +
-          transform_right_filter_feature_0_choice_387;
-      else
-        transform_right_filter_feature_0_choice_388 := transform_right_filter_feature_0_choice_387;
-      end if;
+      transform_right_filter_feature_0_choices(384) := carry(transform_right_filter_feature_0_choices(383), not
+        is_set(transform_right_filter_column(3, 3), 7), is_set(transform_right_filter_column(0, 0), 7));
+      transform_right_filter_feature_0_choice_385 := choice(transform_filtering_0_column_inside(0),
+        (as_number(transform_right_filter_feature_0_choices(336)) * 32) +
+        (as_number(transform_right_filter_feature_0_choices(344)) * 64) +
+        (as_number(transform_right_filter_feature_0_choices(352)) * 16) +
+        (as_number(transform_right_filter_feature_0_choices(360)) * 8) +
+        (as_number(transform_right_filter_feature_0_choices(368)) * 4) +
+        (as_number(transform_right_filter_feature_0_choices(376)) * 2) +
+        as_number(transform_right_filter_feature_0_choices(384)), 0);
+      transform_right_filter_feature_0_choice_386 := choice(transform_filtering_0_column_inside(1),
+        (as_number(transform_right_filter_feature_0_choices(280)) * 4096) +
+        (as_number(transform_right_filter_feature_0_choices(288)) * 8192) +
+        (as_number(transform_right_filter_feature_0_choices(296)) * 2048) +
+        (as_number(transform_right_filter_feature_0_choices(304)) * 1024) +
+        (as_number(transform_right_filter_feature_0_choices(312)) * 512) +
+        (as_number(transform_right_filter_feature_0_choices(320)) * 256) +
+        (as_number(transform_right_filter_feature_0_choices(328)) * 128) + transform_right_filter_feature_0_choice_385,
+        transform_right_filter_feature_0_choice_385);
+      transform_right_filter_feature_0_choice_387 := choice(transform_filtering_0_column_inside(2),
+        (as_number(transform_right_filter_feature_0_choices(224)) * 524288) +
+        (as_number(transform_right_filter_feature_0_choices(232)) * 1048576) +
+        (as_number(transform_right_filter_feature_0_choices(240)) * 262144) +
+        (as_number(transform_right_filter_feature_0_choices(248)) * 131072) +
+        (as_number(transform_right_filter_feature_0_choices(256)) * 65536) +
+        (as_number(transform_right_filter_feature_0_choices(264)) * 32768) +
+        (as_number(transform_right_filter_feature_0_choices(272)) * 16384) +
+        transform_right_filter_feature_0_choice_386, transform_right_filter_feature_0_choice_386);
+      transform_right_filter_feature_0_choice_388 := choice(transform_filtering_0_column_inside(3),
+        (as_number(transform_right_filter_feature_0_choices(184)) * 33554432) +
+        (as_number(transform_right_filter_feature_0_choices(192)) * 16777216) +
+        (as_number(transform_right_filter_feature_0_choices(200)) * 8388608) +
+        (as_number(transform_right_filter_feature_0_choices(208)) * 4194304) +
+        (as_number(transform_right_filter_feature_0_choices(216)) * 2097152) +
+        transform_right_filter_feature_0_choice_387, transform_right_filter_feature_0_choice_387);
       if transform_filtering_0_column_inside(4) then
         transform_right_filter_feature_0_choice_389 :=
           to_unsigned(as_number(transform_right_filter_feature_0_choices(168)), 1) &
@@ -2448,12 +1341,8 @@ begin
       transform_read_start_of_frame <= (transform_counter_group = 3) and (transform_counter_column = 3);
       transform_read_valid <= transform_valid;
       transform_ready_column <= transform_read_column;
-      for i in 0 to 6 loop
-        transform_ready_row_inside(i) <= transform_read_row_inside(i);
-      end loop;
-      for i in 0 to 6 loop
-        transform_ready_column_inside(i) <= transform_read_column_inside(i);
-      end loop;
+      transform_ready_row_inside <= transform_read_row_inside;
+      transform_ready_column_inside <= transform_read_column_inside;
       transform_ready_start_of_frame <= transform_read_start_of_frame;
       transform_ready_valid <= transform_read_valid;
       transform_left_column(0) <= to_integer(transform_left_rows_ready_words_0(7 downto 0));
@@ -2470,26 +1359,17 @@ begin
       transform_right_column(4) <= transform_right_rows_ready_words_1 mod 256;
       transform_right_column(5) <= transform_right_rows_ready_words_1 / 256;
       transform_right_column(6) <= transform_right_rows_ready_newest_0;
-      for i in 0 to 6 loop
-        transform_columns_row_inside(i) <= transform_ready_row_inside(i);
-      end loop;
-      for i in 0 to 6 loop
-        transform_columns_column_inside(i) <= transform_ready_column_inside(i);
-      end loop;
+      transform_columns_row_inside <= transform_ready_row_inside;
+      transform_columns_column_inside <= transform_ready_column_inside;
       transform_columns_start_of_frame <= transform_ready_start_of_frame;
       transform_columns_valid <= transform_ready_valid;
-      for i in 0 to 6 loop
-        transform_filtering_0_column_inside(i) <= transform_columns_column_inside(i);
-      end loop;
+      transform_filtering_0_column_inside <= transform_columns_column_inside;
       transform_filtering_start_of_frame(0) <= transform_columns_start_of_frame;
       transform_filtering_valid(0) <= transform_columns_valid;
       transform_filtering_start_of_frame(1) <= transform_filtering_start_of_frame(0);
       transform_filtering_valid(1) <= transform_filtering_valid(0);
-      if in_valid and in_start_of_frame then
-        transform_counter_group <= transform_counter_group_choice * 32;
-      else
-        transform_counter_group <= transform_counter_group_choices(3);
-      end if;
+      transform_counter_group <= choice(in_valid and in_start_of_frame, transform_counter_group_choice * 32,
+        transform_counter_group_choices(3));
       if transform_filtering_0_column_inside(6) then
         transform_left_filter_feature_0 <= to_unsigned(as_number(transform_left_filter_feature_0_choices(56)), 1) &
           to_unsigned(as_number(transform_left_filter_feature_0_choices(48)), 1) &
@@ -2511,28 +1391,16 @@ begin
         transform_left_filter_feature_0 <= resize(transform_left_filter_feature_0_choice_390, 48);
         transform_right_filter_feature_0 <= resize(transform_right_filter_feature_0_choice_390, 48);
       end if;
-      if transform_counter_group_is_equal_2 then
-        transform_counter_next_frame_choice := (transform_counter_group /= 482) and transform_counter_next_frame;
-      else
-        transform_counter_next_frame_choice := transform_counter_next_frame;
-      end if;
-      if transform_counter_group_differs then
-        transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice;
-      else
-        transform_counter_next_frame_choice_2 := transform_counter_next_frame;
-      end if;
+      transform_counter_next_frame_choices(1) := choice(transform_counter_group_is_equals(2), (transform_counter_group
+        /= 482) and transform_counter_next_frame, transform_counter_next_frame);
+      transform_counter_next_frame_choices(2) := choice(transform_counter_group_differs,
+        transform_counter_next_frame_choices(1), transform_counter_next_frame);
       if in_valid then
-        if in_start_of_frame or transform_counter_group_is_equal_2 then
-          transform_counter_column <= 0;
-        else
-          transform_counter_column <= (transform_counter_column + 1) mod 512;
-        end if;
-        if transform_counter_next_frame_choice_2 then
-          transform_counter_next_frame <= (not in_start_of_frame) or transform_counter_group_all;
-        else
-          transform_counter_next_frame <= in_start_of_frame and transform_counter_group_is_equal and
-            transform_counter_group_is_equal_2;
-        end if;
+        transform_counter_column <= choice(in_start_of_frame or transform_counter_group_is_equals(2), 0,
+          (transform_counter_column + 1) mod 512);
+        transform_counter_next_frame <= choice(transform_counter_next_frame_choices(2), (not in_start_of_frame) or
+          transform_counter_group_all, in_start_of_frame and transform_counter_group_is_equals(1) and
+          transform_counter_group_is_equals(2));
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= to_unsigned((transform_left_rows_ready_words_1 mod 256), 8) &
@@ -2563,13 +1431,8 @@ begin
           end loop;
         end loop;
         for i in 0 to 6 loop
-          if transform_columns_row_inside(i) then
-            transform_left_filter_column(0, i) <= transform_left_column(i);
-            transform_right_filter_column(0, i) <= transform_right_column(i);
-          else
-            transform_left_filter_column(0, i) <= 0;
-            transform_right_filter_column(0, i) <= 0;
-          end if;
+          transform_left_filter_column(0, i) <= choice(transform_columns_row_inside(i), transform_left_column(i), 0);
+          transform_right_filter_column(0, i) <= choice(transform_columns_row_inside(i), transform_right_column(i), 0);
         end loop;
       end if;
       -- raster
@@ -2577,88 +1440,48 @@ begin
       raster_features_search_0 <= transform_left_filter_feature_0;
       raster_features_reference_0 <= transform_right_filter_feature_0;
       raster_features_valid <= transform_filtering_valid(1);
-      if transform_filtering_valid(1) and transform_filtering_start_of_frame(1) then
-        raster_place_group <= 0;
-      else
-        raster_place_group <= (raster_place_group + as_number(((raster_place_group /= 483) and
-          transform_filtering_valid(1) and raster_place_group_is_equal))) mod 512;
-      end if;
+      raster_place_group <= choice(transform_filtering_valid(1) and transform_filtering_start_of_frame(1), 0,
+        (raster_place_group + as_number(((raster_place_group /= 483) and transform_filtering_valid(1) and
+        raster_place_group_is_equal))) mod 512);
       if transform_filtering_valid(1) then
-        if raster_place_group_is_equal or transform_filtering_start_of_frame(1) then
-          raster_place_column <= 0;
-        else
-          raster_place_column <= (raster_place_column + 1) mod 512;
-        end if;
+        raster_place_column <= choice(raster_place_group_is_equal or transform_filtering_start_of_frame(1), 0,
+          (raster_place_column + 1) mod 512);
       end if;
       -- delay
       if raster_features_valid then
         delay_ring_write_address <= delay_ring_read_address;
-        if delay_ring_read_address = 51 then
-          delay_ring_read_address <= 0;
-        else
-          delay_ring_read_address <= (delay_ring_read_address + 1) mod 64;
-        end if;
+        delay_ring_read_address <= choice(delay_ring_read_address = 51, 0, (delay_ring_read_address + 1) mod 64);
       end if;
       delay_tag_first_cost_is_equal := raster_place_column = 51;
       delay_ahead_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
       delay_row_inside(0) <= (raster_place_group >= 7) and (raster_place_group < 487);
       delay_row_inside(1) <= raster_place_group < 480;
-      delay_tag_valid <= raster_features_valid;
-      delay_tag_row_start <= raster_place_column = 0;
-      delay_tag_first_group <= raster_place_group = 0;
-      delay_tag_border_column <= raster_place_column < 51;
-      delay_tag_first_cost <= delay_tag_first_cost_is_equal;
-      delay_tag_leaves_window <= (((((raster_place_column / 2) + 32739) mod 32768) * 2) + (raster_place_column mod 2))
+      delay_tag.valid <= raster_features_valid;
+      delay_tag.row_start <= raster_place_column = 0;
+      delay_tag.first_group <= raster_place_group = 0;
+      delay_tag.border_column <= raster_place_column < 51;
+      delay_tag.first_cost <= delay_tag_first_cost_is_equal;
+      delay_tag.leaves_window <= (((((raster_place_column / 2) + 32739) mod 32768) * 2) + (raster_place_column mod 2))
         < 65481;
-      delay_tag_output_column <= (raster_place_group >= 3) and (raster_place_group < 483) and (raster_place_column >=
+      delay_tag.output_column <= (raster_place_group >= 3) and (raster_place_group < 483) and (raster_place_column >=
         51) and (raster_place_column < 511);
-      delay_tag_start_of_frame <= (raster_place_group = 3) and delay_tag_first_cost_is_equal;
-      delay_tag_end_of_line <= raster_place_column = 510;
+      delay_tag.start_of_frame <= (raster_place_group = 3) and delay_tag_first_cost_is_equal;
+      delay_tag.end_of_line <= raster_place_column = 510;
       -- rows
       rows_search_rows_read_newest_0 <= delay_ahead_0;
-      for i in 0 to 6 loop
-        rows_search_rows_ready_words(i) <= rows_search_rows_read_words(i);
-      end loop;
+      rows_search_rows_ready_words <= rows_search_rows_read_words;
       rows_search_rows_ready_newest_0 <= rows_search_rows_read_newest_0;
       rows_reference_rows_read_newest_0 <= delay_delayed_0;
-      for i in 0 to 6 loop
-        rows_reference_rows_ready_words(i) <= rows_reference_rows_read_words(i);
-      end loop;
+      rows_reference_rows_ready_words <= rows_reference_rows_read_words;
       rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
       rows_read_column <= delay_column;
-      rows_read_inside(0) <= delay_row_inside(0);
-      rows_read_inside(1) <= delay_row_inside(1);
-      rows_read_tag_valid <= delay_tag_valid;
-      rows_read_tag_row_start <= delay_tag_row_start;
-      rows_read_tag_first_group <= delay_tag_first_group;
-      rows_read_tag_border_column <= delay_tag_border_column;
-      rows_read_tag_first_cost <= delay_tag_first_cost;
-      rows_read_tag_leaves_window <= delay_tag_leaves_window;
-      rows_read_tag_output_column <= delay_tag_output_column;
-      rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
-      rows_read_tag_end_of_line <= delay_tag_end_of_line;
+      rows_read_inside <= delay_row_inside;
+      rows_read_tag <= delay_tag;
       rows_ready_column <= rows_read_column;
-      rows_ready_inside(0) <= rows_read_inside(0);
-      rows_ready_inside(1) <= rows_read_inside(1);
-      rows_ready_tag_valid <= rows_read_tag_valid;
-      rows_ready_tag_row_start <= rows_read_tag_row_start;
-      rows_ready_tag_first_group <= rows_read_tag_first_group;
-      rows_ready_tag_border_column <= rows_read_tag_border_column;
-      rows_ready_tag_first_cost <= rows_read_tag_first_cost;
-      rows_ready_tag_leaves_window <= rows_read_tag_leaves_window;
-      rows_ready_tag_output_column <= rows_read_tag_output_column;
-      rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
-      rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_tag_valid <= rows_ready_tag_valid;
-      rows_tag_row_start <= rows_ready_tag_row_start;
-      rows_tag_first_group <= rows_ready_tag_first_group;
-      rows_tag_border_column <= rows_ready_tag_border_column;
-      rows_tag_first_cost <= rows_ready_tag_first_cost;
-      rows_tag_leaves_window <= rows_ready_tag_leaves_window;
-      rows_tag_output_column <= rows_ready_tag_output_column;
-      rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
-      rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      rows_ready_inside <= rows_read_inside;
+      rows_ready_tag <= rows_read_tag;
+      rows_tag <= rows_ready_tag;
       if rows_ready_inside(0) then
         rows_search(0) <= rows_search_rows_ready_words(0);
         rows_reference(0) <= rows_reference_rows_ready_words(0);
@@ -2673,19 +1496,15 @@ begin
         rows_search(1) <= to_unsigned(0, 48);
         rows_reference(1) <= to_unsigned(0, 48);
       end if;
-      if rows_ready_tag_valid then
-        for i in 0 to 5 loop
-          rows_search_rows_write_words(i) <= rows_search_rows_ready_words(i + 1);
-        end loop;
+      if rows_ready_tag.valid then
+        rows_search_rows_write_words(0 to 5) <= rows_search_rows_ready_words(1 to 6);
         rows_search_rows_write_words(6) <= rows_search_rows_ready_newest_0;
-        for i in 0 to 5 loop
-          rows_reference_rows_write_words(i) <= rows_reference_rows_ready_words(i + 1);
-        end loop;
+        rows_reference_rows_write_words(0 to 5) <= rows_reference_rows_ready_words(1 to 6);
         rows_reference_rows_write_words(6) <= rows_reference_rows_ready_newest_0;
         rows_write_column <= rows_ready_column;
       end if;
       -- slice0shift
-      if rows_tag_valid then
+      if rows_tag.valid then
         for i in 0 to 1 loop
           for j in 0 to 11 loop
             slice0shift_search(i, j) <= slice0shift_search(i, j + 1);
@@ -2693,138 +1512,93 @@ begin
           slice0shift_search(i, 12) <= rows_search(i);
         end loop;
       end if;
-      slice0shift_reference(0) <= rows_reference(0);
-      slice0shift_reference(1) <= rows_reference(1);
+      slice0shift_reference <= rows_reference;
       slice0shift_search_out(0) <= slice0shift_search(0, 0);
       slice0shift_search_out(1) <= slice0shift_search(1, 0);
-      slice0shift_tag_valid <= rows_tag_valid;
-      slice0shift_tag_row_start <= rows_tag_row_start;
-      slice0shift_tag_first_group <= rows_tag_first_group;
-      slice0shift_tag_border_column <= rows_tag_border_column;
-      slice0shift_tag_first_cost <= rows_tag_first_cost;
-      slice0shift_tag_leaves_window <= rows_tag_leaves_window;
-      slice0shift_tag_output_column <= rows_tag_output_column;
-      slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
-      slice0shift_tag_end_of_line <= rows_tag_end_of_line;
+      slice0shift_tag <= rows_tag;
       -- slice0cost
       for i in 0 to 1 loop
-        slice0cost_pixels_first_0_count_value(i, 0) := slice0shift_reference(i)(2) = '1';
-        slice0cost_pixels_first_0_count_value_2(i, 0) := slice0shift_reference(i)(1) = '1';
-        slice0cost_pixels_first_0_count_value(i, 1) := slice0shift_reference(i)(3) = '1';
-        slice0cost_pixels_first_0_count_value_2(i, 1) := slice0shift_reference(i)(5) = '1';
-        slice0cost_pixels_first_0_count_1_value_3(i) := slice0shift_reference(i)(4) = '1';
-        slice0cost_pixels_first_0_count_value(i, 2) := slice0shift_reference(i)(8) = '1';
-        slice0cost_pixels_first_0_count_value_2(i, 2) := slice0shift_reference(i)(6) = '1';
+        slice0cost_pixels_first_0_count_value(i, 0, 1) := slice0shift_reference(i)(2) = '1';
+        slice0cost_pixels_first_0_count_value(i, 0, 2) := slice0shift_reference(i)(1) = '1';
+        slice0cost_pixels_first_0_count_value(i, 1, 1) := slice0shift_reference(i)(3) = '1';
+        slice0cost_pixels_first_0_count_value(i, 1, 2) := slice0shift_reference(i)(5) = '1';
+        slice0cost_pixels_first_0_count_value(i, 1, 3) := slice0shift_reference(i)(4) = '1';
+        slice0cost_pixels_first_0_count_value(i, 2, 1) := slice0shift_reference(i)(8) = '1';
+        slice0cost_pixels_first_0_count_value(i, 2, 2) := slice0shift_reference(i)(6) = '1';
         for j in 3 to 14 loop
-          slice0cost_pixels_first_0_count_value(i, j) := slice0shift_reference(i)(3 * j) = '1';
-          slice0cost_pixels_first_0_count_value_2(i, j) := slice0shift_reference(i)(3 * j + 2) = '1';
-          slice0cost_pixels_first_0_count_value_3(i, j) := slice0shift_reference(i)(3 * j + 1) = '1';
+          slice0cost_pixels_first_0_count_value(i, j, 1) := slice0shift_reference(i)(3 * j) = '1';
+          slice0cost_pixels_first_0_count_value(i, j, 2) := slice0shift_reference(i)(3 * j + 2) = '1';
+          slice0cost_pixels_first_0_count_value(i, j, 3) := slice0shift_reference(i)(3 * j + 1) = '1';
         end loop;
-        slice0cost_pixels_first_0_count_value(i, 15) := slice0shift_reference(i)(45) = '1';
-        slice0cost_pixels_first_0_count_value_2(i, 15) := slice0shift_reference(i)(46) = '1';
+        slice0cost_pixels_first_0_count_value(i, 15, 1) := slice0shift_reference(i)(45) = '1';
+        slice0cost_pixels_first_0_count_value(i, 15, 2) := slice0shift_reference(i)(46) = '1';
       end loop;
       for i in 0 to 3 loop
-        if slice0cost_ready_tag_first_group then
-          slice0cost_column_0_choice(3 * i) := 0;
-        else
-          slice0cost_column_0_choice(3 * i) := slice0cost_ready_words(i) mod 512;
-        end if;
-        if slice0cost_ready_tag_border_column then
-          slice0cost_column_0_choice_2(3 * i) := 0;
-        else
-          slice0cost_column_0_choice_2(3 * i) := (slice0cost_change_0(3 * i) + slice0cost_column_0_choice(3 * i)) mod
-            512;
-        end if;
-        if slice0cost_ready_tag_first_group then
-          slice0cost_column_0_choice(3 * i + 1) := 0;
-        else
-          slice0cost_column_0_choice(3 * i + 1) := (slice0cost_ready_words(i) / 512) mod 512;
-        end if;
-        if slice0cost_ready_tag_border_column then
-          slice0cost_column_0_choice_2(3 * i + 1) := 0;
-        else
-          slice0cost_column_0_choice_2(3 * i + 1) := (slice0cost_change_0(3 * i + 1) + slice0cost_column_0_choice(3 * i
-            + 1)) mod 512;
-        end if;
-        if slice0cost_ready_tag_first_group then
-          slice0cost_column_0_choice(3 * i + 2) := 0;
-        else
-          slice0cost_column_0_choice(3 * i + 2) := slice0cost_ready_words(i) / 262144;
-        end if;
-        if slice0cost_ready_tag_border_column then
-          slice0cost_column_0_choice_2(3 * i + 2) := 0;
-        else
-          slice0cost_column_0_choice_2(3 * i + 2) := (slice0cost_change_0(3 * i + 2) + slice0cost_column_0_choice(3 * i
-            + 2)) mod 512;
-        end if;
+        slice0cost_column_0_choice(3 * i, 1) := choice(slice0cost_ready_tag.first_group, 0, slice0cost_ready_words(i)
+          mod 512);
+        slice0cost_column_0_choice(3 * i, 2) := choice(slice0cost_ready_tag.border_column, 0, (slice0cost_change_0(3 *
+          i) + slice0cost_column_0_choice(3 * i, 1)) mod 512);
+        slice0cost_column_0_choice(3 * i + 1, 1) := choice(slice0cost_ready_tag.first_group, 0,
+          (slice0cost_ready_words(i) / 512) mod 512);
+        slice0cost_column_0_choice(3 * i + 1, 2) := choice(slice0cost_ready_tag.border_column, 0,
+          (slice0cost_change_0(3 * i + 1) + slice0cost_column_0_choice(3 * i + 1, 1)) mod 512);
+        slice0cost_column_0_choice(3 * i + 2, 1) := choice(slice0cost_ready_tag.first_group, 0,
+          slice0cost_ready_words(i) / 262144);
+        slice0cost_column_0_choice(3 * i + 2, 2) := choice(slice0cost_ready_tag.border_column, 0,
+          (slice0cost_change_0(3 * i + 2) + slice0cost_column_0_choice(3 * i + 2, 1)) mod 512);
       end loop;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_choice(12) := 0;
-      else
-        slice0cost_column_0_choice(12) := slice0cost_ready_words_4;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_choice_2(12) := 0;
-      else
-        slice0cost_column_0_choice_2(12) := (slice0cost_change_0(12) + slice0cost_column_0_choice(12)) mod 512;
-      end if;
+      slice0cost_column_0_choice(12, 1) := choice(slice0cost_ready_tag.first_group, 0, slice0cost_ready_words_4);
+      slice0cost_column_0_choice(12, 2) := choice(slice0cost_ready_tag.border_column, 0, (slice0cost_change_0(12) +
+        slice0cost_column_0_choice(12, 1)) mod 512);
       for i in 0 to 1 loop
         slice0cost_pixels_first_count(i, 0, 0) <= as_number(((slice0shift_search(i, 0)(0) = '1') /=
-          (slice0shift_reference(i)(0) = '1'))) + as_number((slice0cost_pixels_first_0_count_value(i, 0) /=
-          (slice0shift_search(i, 0)(2) = '1'))) + as_number((slice0cost_pixels_first_0_count_value_2(i, 0) /=
+          (slice0shift_reference(i)(0) = '1'))) + as_number((slice0cost_pixels_first_0_count_value(i, 0, 1) /=
+          (slice0shift_search(i, 0)(2) = '1'))) + as_number((slice0cost_pixels_first_0_count_value(i, 0, 2) /=
           (slice0shift_search(i, 0)(1) = '1')));
-        slice0cost_pixels_first_count(i, 0, 1) <= as_number((slice0cost_pixels_first_0_count_value(i, 1) /=
-          (slice0shift_search(i, 0)(3) = '1'))) + as_number((slice0cost_pixels_first_0_count_value_2(i, 1) /=
-          (slice0shift_search(i, 0)(5) = '1'))) + as_number((slice0cost_pixels_first_0_count_1_value_3(i) /=
+        slice0cost_pixels_first_count(i, 0, 1) <= as_number((slice0cost_pixels_first_0_count_value(i, 1, 1) /=
+          (slice0shift_search(i, 0)(3) = '1'))) + as_number((slice0cost_pixels_first_0_count_value(i, 1, 2) /=
+          (slice0shift_search(i, 0)(5) = '1'))) + as_number((slice0cost_pixels_first_0_count_value(i, 1, 3) /=
           (slice0shift_search(i, 0)(4) = '1')));
         slice0cost_pixels_first_count(i, 0, 2) <= (to_integer(((to_unsigned(to_integer(slice0shift_search(i, 0)(7
           downto 0)), 8)) xor (to_unsigned(to_integer(slice0shift_reference(i)(7 downto 0)), 8)))) / 128) +
-          as_number((slice0cost_pixels_first_0_count_value(i, 2) /= (slice0shift_search(i, 0)(8) = '1'))) +
-          as_number((slice0cost_pixels_first_0_count_value_2(i, 2) /= (slice0shift_search(i, 0)(6) = '1')));
+          as_number((slice0cost_pixels_first_0_count_value(i, 2, 1) /= (slice0shift_search(i, 0)(8) = '1'))) +
+          as_number((slice0cost_pixels_first_0_count_value(i, 2, 2) /= (slice0shift_search(i, 0)(6) = '1')));
         for j in 3 to 14 loop
-          slice0cost_pixels_first_count(i, 0, j) <= as_number((slice0cost_pixels_first_0_count_value(i, j) /=
-            (slice0shift_search(i, 0)(3 * j) = '1'))) + as_number((slice0cost_pixels_first_0_count_value_2(i, j) /=
-            (slice0shift_search(i, 0)(3 * j + 2) = '1'))) + as_number((slice0cost_pixels_first_0_count_value_3(i, j) /=
-            (slice0shift_search(i, 0)(3 * j + 1) = '1')));
+          slice0cost_pixels_first_count(i, 0, j) <= as_number((slice0cost_pixels_first_0_count_value(i, j, 1) /=
+            (slice0shift_search(i, 0)(3 * j) = '1'))) + as_number((slice0cost_pixels_first_0_count_value(i, j, 2) /=
+            (slice0shift_search(i, 0)(3 * j + 2) = '1'))) + as_number((slice0cost_pixels_first_0_count_value(i, j, 3)
+            /= (slice0shift_search(i, 0)(3 * j + 1) = '1')));
         end loop;
-        slice0cost_pixels_first_count(i, 0, 15) <= as_number((slice0cost_pixels_first_0_count_value(i, 15) /=
+        slice0cost_pixels_first_count(i, 0, 15) <= as_number((slice0cost_pixels_first_0_count_value(i, 15, 1) /=
           (slice0shift_search(i, 0)(45) = '1'))) + as_number(((slice0shift_reference(i)(47) = '1') /=
-          (slice0shift_search(i, 0)(47) = '1'))) + as_number((slice0cost_pixels_first_0_count_value_2(i, 15) /=
+          (slice0shift_search(i, 0)(47) = '1'))) + as_number((slice0cost_pixels_first_0_count_value(i, 15, 2) /=
           (slice0shift_search(i, 0)(46) = '1')));
         for j in 1 to 12 loop
           slice0cost_pixels_first_count(i, j, 0) <= as_number(((slice0shift_search(i, j)(0) = '1') /=
             (slice0shift_reference(i)(0) = '1'))) + as_number(((slice0shift_search(i, j)(2) = '1') /=
-            slice0cost_pixels_first_0_count_value(i, 0))) + as_number(((slice0shift_search(i, j)(1) = '1') /=
-            slice0cost_pixels_first_0_count_value_2(i, 0)));
+            slice0cost_pixels_first_0_count_value(i, 0, 1))) + as_number(((slice0shift_search(i, j)(1) = '1') /=
+            slice0cost_pixels_first_0_count_value(i, 0, 2)));
           slice0cost_pixels_first_count(i, j, 1) <= as_number(((slice0shift_search(i, j)(3) = '1') /=
-            slice0cost_pixels_first_0_count_value(i, 1))) + as_number(((slice0shift_search(i, j)(5) = '1') /=
-            slice0cost_pixels_first_0_count_value_2(i, 1))) + as_number(((slice0shift_search(i, j)(4) = '1') /=
-            slice0cost_pixels_first_0_count_1_value_3(i)));
+            slice0cost_pixels_first_0_count_value(i, 1, 1))) + as_number(((slice0shift_search(i, j)(5) = '1') /=
+            slice0cost_pixels_first_0_count_value(i, 1, 2))) + as_number(((slice0shift_search(i, j)(4) = '1') /=
+            slice0cost_pixels_first_0_count_value(i, 1, 3)));
           slice0cost_pixels_first_count(i, j, 2) <= (to_integer(((to_unsigned(to_integer(slice0shift_search(i, j)(7
             downto 0)), 8)) xor (to_unsigned(to_integer(slice0shift_reference(i)(7 downto 0)), 8)))) / 128) +
-            as_number(((slice0shift_search(i, j)(8) = '1') /= slice0cost_pixels_first_0_count_value(i, 2))) +
-            as_number(((slice0shift_search(i, j)(6) = '1') /= slice0cost_pixels_first_0_count_value_2(i, 2)));
+            as_number(((slice0shift_search(i, j)(8) = '1') /= slice0cost_pixels_first_0_count_value(i, 2, 1))) +
+            as_number(((slice0shift_search(i, j)(6) = '1') /= slice0cost_pixels_first_0_count_value(i, 2, 2)));
           for k in 3 to 14 loop
             slice0cost_pixels_first_count(i, j, k) <= as_number(((slice0shift_search(i, j)(3 * k) = '1') /=
-              slice0cost_pixels_first_0_count_value(i, k))) + as_number(((slice0shift_search(i, j)(3 * k + 2) = '1') /=
-              slice0cost_pixels_first_0_count_value_2(i, k))) + as_number(((slice0shift_search(i, j)(3 * k + 1) = '1')
-              /= slice0cost_pixels_first_0_count_value_3(i, k)));
+              slice0cost_pixels_first_0_count_value(i, k, 1))) + as_number(((slice0shift_search(i, j)(3 * k + 2) = '1')
+              /= slice0cost_pixels_first_0_count_value(i, k, 2))) + as_number(((slice0shift_search(i, j)(3 * k + 1) =
+              '1') /= slice0cost_pixels_first_0_count_value(i, k, 3)));
           end loop;
           slice0cost_pixels_first_count(i, j, 15) <= as_number(((slice0shift_search(i, j)(45) = '1') /=
-            slice0cost_pixels_first_0_count_value(i, 15))) + as_number(((slice0shift_search(i, j)(47) = '1') /=
+            slice0cost_pixels_first_0_count_value(i, 15, 1))) + as_number(((slice0shift_search(i, j)(47) = '1') /=
             (slice0shift_reference(i)(47) = '1'))) + as_number(((slice0shift_search(i, j)(46) = '1') /=
-            slice0cost_pixels_first_0_count_value_2(i, 15)));
+            slice0cost_pixels_first_0_count_value(i, 15, 2)));
         end loop;
       end loop;
-      slice0cost_pixels_first_tag_valid <= slice0shift_tag_valid;
-      slice0cost_pixels_first_tag_row_start <= slice0shift_tag_row_start;
-      slice0cost_pixels_first_tag_first_group <= slice0shift_tag_first_group;
-      slice0cost_pixels_first_tag_border_column <= slice0shift_tag_border_column;
-      slice0cost_pixels_first_tag_first_cost <= slice0shift_tag_first_cost;
-      slice0cost_pixels_first_tag_leaves_window <= slice0shift_tag_leaves_window;
-      slice0cost_pixels_first_tag_output_column <= slice0shift_tag_output_column;
-      slice0cost_pixels_first_tag_start_of_frame <= slice0shift_tag_start_of_frame;
-      slice0cost_pixels_first_tag_end_of_line <= slice0shift_tag_end_of_line;
+      slice0cost_pixels_first_tag <= slice0shift_tag;
       for i in 0 to 1 loop
         for j in 0 to 12 loop
           slice0cost_pixels_cost(i, j) <= slice0cost_pixels_first_count(i, j, 4) + slice0cost_pixels_first_count(i, j,
@@ -2837,15 +1611,7 @@ begin
             slice0cost_pixels_first_count(i, j, 0) + slice0cost_pixels_first_count(i, j, 6);
         end loop;
       end loop;
-      slice0cost_pixels_tag_valid <= slice0cost_pixels_first_tag_valid;
-      slice0cost_pixels_tag_row_start <= slice0cost_pixels_first_tag_row_start;
-      slice0cost_pixels_tag_first_group <= slice0cost_pixels_first_tag_first_group;
-      slice0cost_pixels_tag_border_column <= slice0cost_pixels_first_tag_border_column;
-      slice0cost_pixels_tag_first_cost <= slice0cost_pixels_first_tag_first_cost;
-      slice0cost_pixels_tag_leaves_window <= slice0cost_pixels_first_tag_leaves_window;
-      slice0cost_pixels_tag_output_column <= slice0cost_pixels_first_tag_output_column;
-      slice0cost_pixels_tag_start_of_frame <= slice0cost_pixels_first_tag_start_of_frame;
-      slice0cost_pixels_tag_end_of_line <= slice0cost_pixels_first_tag_end_of_line;
+      slice0cost_pixels_tag <= slice0cost_pixels_first_tag;
       for i in 0 to 12 loop
         slice0cost_change_0(i) <= slice0cost_pixels_cost(1, i) - slice0cost_pixels_cost(0, i);
       end loop;
@@ -2855,122 +1621,69 @@ begin
       slice0cost_ready_words(3) <= to_integer(slice0cost_read_words(3));
       slice0cost_ready_words_4 <= to_integer(slice0cost_read_words_4);
       slice0cost_ready_column <= slice0cost_change_column;
-      slice0cost_ready_tag_valid <= slice0cost_pixels_tag_valid;
-      slice0cost_ready_tag_row_start <= slice0cost_pixels_tag_row_start;
-      slice0cost_ready_tag_first_group <= slice0cost_pixels_tag_first_group;
-      slice0cost_ready_tag_border_column <= slice0cost_pixels_tag_border_column;
-      slice0cost_ready_tag_first_cost <= slice0cost_pixels_tag_first_cost;
-      slice0cost_ready_tag_leaves_window <= slice0cost_pixels_tag_leaves_window;
-      slice0cost_ready_tag_output_column <= slice0cost_pixels_tag_output_column;
-      slice0cost_ready_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
-      slice0cost_ready_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
+      slice0cost_ready_tag <= slice0cost_pixels_tag;
       for i in 0 to 12 loop
-        slice0cost_column_0(i) <= slice0cost_column_0_choice_2(i);
+        slice0cost_column_0(i) <= slice0cost_column_0_choice(i, 2);
       end loop;
       slice0cost_write_column <= slice0cost_ready_column;
-      slice0cost_tag_valid <= slice0cost_ready_tag_valid;
-      slice0cost_tag_first_group <= slice0cost_ready_tag_first_group;
-      slice0cost_tag_border_column <= slice0cost_ready_tag_border_column;
-      slice0cost_tag_first_cost <= slice0cost_ready_tag_first_cost;
-      slice0cost_tag_leaves_window <= slice0cost_ready_tag_leaves_window;
-      slice0cost_tag_output_column <= slice0cost_ready_tag_output_column;
-      slice0cost_tag_start_of_frame <= slice0cost_ready_tag_start_of_frame;
-      slice0cost_tag_end_of_line <= slice0cost_ready_tag_end_of_line;
-      if slice0shift_tag_valid then
-        if slice0shift_tag_row_start then
-          slice0cost_read_column <= 0;
-        else
-          slice0cost_read_column <= (slice0cost_read_column + 1) mod 512;
-        end if;
+      slice0cost_tag.valid <= slice0cost_ready_tag.valid;
+      slice0cost_tag.first_group <= slice0cost_ready_tag.first_group;
+      slice0cost_tag.border_column <= slice0cost_ready_tag.border_column;
+      slice0cost_tag.first_cost <= slice0cost_ready_tag.first_cost;
+      slice0cost_tag.leaves_window <= slice0cost_ready_tag.leaves_window;
+      slice0cost_tag.output_column <= slice0cost_ready_tag.output_column;
+      slice0cost_tag.start_of_frame <= slice0cost_ready_tag.start_of_frame;
+      slice0cost_tag.end_of_line <= slice0cost_ready_tag.end_of_line;
+      if slice0shift_tag.valid then
+        slice0cost_read_column <= choice(slice0shift_tag.row_start, 0, (slice0cost_read_column + 1) mod 512);
       end if;
-      if slice0cost_pixels_first_tag_valid then
-        if slice0cost_pixels_first_tag_row_start then
-          slice0cost_change_column <= 0;
-        else
-          slice0cost_change_column <= (slice0cost_change_column + 1) mod 512;
-        end if;
+      if slice0cost_pixels_first_tag.valid then
+        slice0cost_change_column <= choice(slice0cost_pixels_first_tag.row_start, 0, (slice0cost_change_column + 1) mod
+          512);
       end if;
-      if slice0cost_ready_tag_valid then
+      if slice0cost_ready_tag.valid then
         for i in 0 to 3 loop
-          slice0cost_write_words(i) <= (slice0cost_column_0_choice_2(3 * i + 1) * 512) + slice0cost_column_0_choice_2(3
-            * i) + (slice0cost_column_0_choice_2(3 * i + 2) * 262144);
+          slice0cost_write_words(i) <= (slice0cost_column_0_choice(3 * i + 1, 2) * 512) + slice0cost_column_0_choice(3
+            * i, 2) + (slice0cost_column_0_choice(3 * i + 2, 2) * 262144);
         end loop;
-        slice0cost_write_words_4 <= slice0cost_column_0_choice_2(12);
+        slice0cost_write_words(4) <= slice0cost_column_0_choice(12, 2);
       end if;
       -- slice0window
-      if slice0cost_tag_valid then
+      if slice0cost_tag.valid then
         slice0window_ring_write_address <= slice0window_ring_read_address;
-        if slice0window_ring_read_address = 7 then
-          slice0window_ring_read_address <= 0;
-        else
-          slice0window_ring_read_address <= (slice0window_ring_read_address + 1) mod 8;
-        end if;
+        slice0window_ring_read_address <= choice(slice0window_ring_read_address = 7, 0, (slice0window_ring_read_address
+          + 1) mod 8);
       end if;
-      for i in 0 to 1 loop
+      for i in 0 to 3 loop
         for j in 0 to 2 loop
-          if slice0window_entering_tag_leaves_window then
-            slice0window_change_0_choice(6 * i + j) := to_integer(slice0window_leaving(2 * i)(9 * j + 8 downto 9 * j));
-          else
-            slice0window_change_0_choice(6 * i + j) := 0;
-          end if;
-        end loop;
-        for j in 3 to 5 loop
-          if slice0window_entering_tag_leaves_window then
-            slice0window_change_0_choice(6 * i + j) := to_integer(slice0window_leaving(2 * i + 1)(9 * j - 19 downto 9 *
-              j - 27));
-          else
-            slice0window_change_0_choice(6 * i + j) := 0;
-          end if;
+          slice0window_change_0_choice(3 * i + j) := choice(slice0window_entering_tag.leaves_window,
+            to_integer(slice0window_leaving(i)(9 * j + 8 downto 9 * j)), 0);
         end loop;
       end loop;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_choice(12) := to_integer(slice0window_leaving_4);
-      else
-        slice0window_change_0_choice(12) := 0;
-      end if;
-      for i in 0 to 12 loop
-        slice0window_entering_0(i) <= slice0cost_column_0(i);
-      end loop;
-      slice0window_entering_tag_valid <= slice0cost_tag_valid;
-      slice0window_entering_tag_first_group <= slice0cost_tag_first_group;
-      slice0window_entering_tag_border_column <= slice0cost_tag_border_column;
-      slice0window_entering_tag_first_cost <= slice0cost_tag_first_cost;
-      slice0window_entering_tag_leaves_window <= slice0cost_tag_leaves_window;
-      slice0window_entering_tag_output_column <= slice0cost_tag_output_column;
-      slice0window_entering_tag_start_of_frame <= slice0cost_tag_start_of_frame;
-      slice0window_entering_tag_end_of_line <= slice0cost_tag_end_of_line;
+      slice0window_change_0_choice(12) := choice(slice0window_entering_tag.leaves_window,
+        to_integer(slice0window_leaving_4), 0);
+      slice0window_entering_0 <= slice0cost_column_0;
+      slice0window_entering_tag <= slice0cost_tag;
       for i in 0 to 12 loop
         slice0window_change_0(i) <= slice0window_entering_0(i) - slice0window_change_0_choice(i);
       end loop;
-      slice0window_change_tag_valid <= slice0window_entering_tag_valid;
-      slice0window_change_tag_first_group <= slice0window_entering_tag_first_group;
-      slice0window_change_tag_border_column <= slice0window_entering_tag_border_column;
-      slice0window_change_tag_first_cost <= slice0window_entering_tag_first_cost;
-      slice0window_change_tag_leaves_window <= slice0window_entering_tag_leaves_window;
-      slice0window_change_tag_output_column <= slice0window_entering_tag_output_column;
-      slice0window_change_tag_start_of_frame <= slice0window_entering_tag_start_of_frame;
-      slice0window_change_tag_end_of_line <= slice0window_entering_tag_end_of_line;
-      slice0window_centre_output_column_0 <= slice0window_change_tag_output_column;
-      slice0window_centre_first_column_0 <= slice0window_change_tag_first_cost;
-      slice0window_centre_start_of_frame(0) <= slice0window_change_tag_start_of_frame;
-      slice0window_centre_start_of_frame(1) <= slice0window_centre_start_of_frame(0);
-      slice0window_centre_start_of_frame(2) <= slice0window_centre_start_of_frame(1);
-      slice0window_centre_end_of_line_0 <= slice0window_change_tag_end_of_line;
-      slice0window_tag_valid <= slice0window_change_tag_valid;
+      slice0window_change_tag <= slice0window_entering_tag;
+      slice0window_centre_output_column_0 <= slice0window_change_tag.output_column;
+      slice0window_centre_first_column_0 <= slice0window_change_tag.first_cost;
+      slice0window_centre_start_of_frame(0) <= slice0window_change_tag.start_of_frame;
+      slice0window_centre_start_of_frame(1 to 2) <= slice0window_centre_start_of_frame(0 to 1);
+      slice0window_centre_end_of_line_0 <= slice0window_change_tag.end_of_line;
+      slice0window_tag.valid <= slice0window_change_tag.valid;
       for i in 0 to 12 loop
-        if slice0window_change_tag_first_cost then
-          slice0window_sum_0_choice(i) := 0;
-        else
-          slice0window_sum_0_choice(i) := slice0window_sum_0(i);
-        end if;
+        slice0window_sum_0_choice(i) := choice(slice0window_change_tag.first_cost, 0, slice0window_sum_0(i));
       end loop;
-      if slice0window_change_tag_valid then
+      if slice0window_change_tag.valid then
         for i in 0 to 12 loop
           slice0window_sum_0(i) <= (slice0window_sum_0_choice(i) + slice0window_change_0(i)) mod 4096;
         end loop;
       end if;
-      if slice0winner2_tag_valid then
-        slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame(2);
+      if slice0winner2_tag.valid then
+        slice0window_tag.start_of_frame <= slice0window_centre_start_of_frame(2);
       end if;
       -- slice0winner1
       for i in 0 to 5 loop
@@ -2978,50 +1691,17 @@ begin
       end loop;
       slice0winner1_best_cost_0(6) <= slice0window_sum_0(12);
       slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_is_less(0);
-      slice0winner1_best_index_0_6 <= 12;
-      slice0winner1_tag_valid <= slice0window_tag_valid;
-      if slice0winner1_best_cost_0_is_less(0) then
-        slice0winner1_best_cost_0(0) <= slice0window_sum_0(1);
-      else
-        slice0winner1_best_cost_0(0) <= slice0window_sum_0(0);
-      end if;
-      if slice0winner1_best_cost_0_is_less(1) then
-        slice0winner1_best_cost_0(1) <= slice0window_sum_0(3);
-        slice0winner1_best_index_0_1 <= 3;
-      else
-        slice0winner1_best_cost_0(1) <= slice0window_sum_0(2);
-        slice0winner1_best_index_0_1 <= 2;
-      end if;
-      if slice0winner1_best_cost_0_is_less(2) then
-        slice0winner1_best_cost_0(2) <= slice0window_sum_0(5);
-        slice0winner1_best_index_0_2 <= 5;
-      else
-        slice0winner1_best_cost_0(2) <= slice0window_sum_0(4);
-        slice0winner1_best_index_0_2 <= 4;
-      end if;
-      if slice0winner1_best_cost_0_is_less(3) then
-        slice0winner1_best_cost_0(3) <= slice0window_sum_0(7);
-        slice0winner1_best_index_0_3 <= 7;
-      else
-        slice0winner1_best_cost_0(3) <= slice0window_sum_0(6);
-        slice0winner1_best_index_0_3 <= 6;
-      end if;
-      if slice0winner1_best_cost_0_is_less(4) then
-        slice0winner1_best_cost_0(4) <= slice0window_sum_0(9);
-        slice0winner1_best_index_0_4 <= 9;
-      else
-        slice0winner1_best_cost_0(4) <= slice0window_sum_0(8);
-        slice0winner1_best_index_0_4 <= 8;
-      end if;
-      if slice0winner1_best_cost_0_is_less(5) then
-        slice0winner1_best_cost_0(5) <= slice0window_sum_0(11);
-        slice0winner1_best_index_0_5 <= 11;
-      else
-        slice0winner1_best_cost_0(5) <= slice0window_sum_0(10);
-        slice0winner1_best_index_0_5 <= 10;
-      end if;
-      if slice0winner2_tag_valid then
-        slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
+      slice0winner1_best_index_0(6) <= 12;
+      slice0winner1_tag.valid <= slice0window_tag.valid;
+      slice0winner1_best_cost_0(0) <= choice(slice0winner1_best_cost_0_is_less(0), slice0window_sum_0(1),
+        slice0window_sum_0(0));
+      for i in 1 to 5 loop
+        slice0winner1_best_cost_0(i) <= choice(slice0winner1_best_cost_0_is_less(i), slice0window_sum_0(2 * i + 1),
+          slice0window_sum_0(2 * i));
+        slice0winner1_best_index_0(i) <= choice(slice0winner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
+      end loop;
+      if slice0winner2_tag.valid then
+        slice0winner1_tag.start_of_frame <= slice0window_tag.start_of_frame;
       end if;
       -- slice0winner2
       for i in 0 to 2 loop
@@ -3029,77 +1709,46 @@ begin
           i)) < 0;
       end loop;
       slice0winner2_best_cost_0(3) <= slice0winner1_best_cost_0(6);
-      slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_6;
-      slice0winner2_tag_valid <= slice0winner1_tag_valid;
-      if slice0winner2_best_cost_0_is_less(0) then
-        slice0winner2_best_cost_0(0) <= slice0winner1_best_cost_0(1);
-        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
-      else
-        slice0winner2_best_cost_0(0) <= slice0winner1_best_cost_0(0);
-        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
-      end if;
-      if slice0winner2_best_cost_0_is_less(1) then
-        slice0winner2_best_cost_0(1) <= slice0winner1_best_cost_0(3);
-        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3;
-      else
-        slice0winner2_best_cost_0(1) <= slice0winner1_best_cost_0(2);
-        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2;
-      end if;
-      if slice0winner2_best_cost_0_is_less(2) then
-        slice0winner2_best_cost_0(2) <= slice0winner1_best_cost_0(5);
-        slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5;
-      else
-        slice0winner2_best_cost_0(2) <= slice0winner1_best_cost_0(4);
-        slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_4;
-      end if;
-      if slice0winner2_tag_valid then
-        slice0winner2_tag_output_column <= slice3window_centre_output_column(1);
-        slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-        slice0winner2_tag_end_of_line <= slice3window_centre_end_of_line(1);
+      slice0winner2_best_index_0(3) <= slice0winner1_best_index_0(6);
+      slice0winner2_tag.valid <= slice0winner1_tag.valid;
+      slice0winner2_best_cost_0(0) <= choice(slice0winner2_best_cost_0_is_less(0), slice0winner1_best_cost_0(1),
+        slice0winner1_best_cost_0(0));
+      slice0winner2_best_index_0(0) <= choice(slice0winner2_best_cost_0_is_less(0), slice0winner1_best_index_0(1),
+        as_number(slice0winner1_best_index_0_0));
+      for i in 1 to 2 loop
+        slice0winner2_best_cost_0(i) <= choice(slice0winner2_best_cost_0_is_less(i), slice0winner1_best_cost_0(2 * i +
+          1), slice0winner1_best_cost_0(2 * i));
+        slice0winner2_best_index_0(i) <= choice(slice0winner2_best_cost_0_is_less(i), slice0winner1_best_index_0(2 * i
+          + 1), slice0winner1_best_index_0(2 * i));
+      end loop;
+      if slice0winner2_tag.valid then
+        slice0winner2_tag.output_column <= slice3window_centre_output_column(1);
+        slice0winner2_tag.start_of_frame <= slice0winner1_tag.start_of_frame;
+        slice0winner2_tag.end_of_line <= slice3window_centre_end_of_line(1);
       end if;
       -- slice0winner3
       slice0winner3_best_cost_0_is_less(0) := (slice0winner2_best_cost_0(1) - slice0winner2_best_cost_0(0)) < 0;
       slice0winner3_best_cost_0_is_less(1) := (slice0winner2_best_cost_0(3) - slice0winner2_best_cost_0(2)) < 0;
-      slice0winner3_tag_valid <= slice0winner2_tag_valid;
-      slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
-      slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
-      if slice0winner3_best_cost_0_is_less(0) then
-        slice0winner3_best_cost_0(0) <= slice0winner2_best_cost_0(1);
-        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1;
-      else
-        slice0winner3_best_cost_0(0) <= slice0winner2_best_cost_0(0);
-        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_0;
-      end if;
-      if slice0winner3_best_cost_0_is_less(1) then
-        slice0winner3_best_cost_0(1) <= slice0winner2_best_cost_0(3);
-        slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3;
-      else
-        slice0winner3_best_cost_0(1) <= slice0winner2_best_cost_0(2);
-        slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_2;
-      end if;
+      slice0winner3_tag <= slice0winner2_tag;
+      for i in 0 to 1 loop
+        slice0winner3_best_cost_0(i) <= choice(slice0winner3_best_cost_0_is_less(i), slice0winner2_best_cost_0(2 * i +
+          1), slice0winner2_best_cost_0(2 * i));
+        slice0winner3_best_index_0(i) <= choice(slice0winner3_best_cost_0_is_less(i), slice0winner2_best_index_0(2 * i
+          + 1), slice0winner2_best_index_0(2 * i));
+      end loop;
       -- slice0winner4
       slice0winner4_best_cost_0_0_is_less := (slice0winner3_best_cost_0(1) - slice0winner3_best_cost_0(0)) < 0;
-      slice0winner4_tag_valid <= slice0winner3_tag_valid;
-      slice0winner4_tag_output_column <= slice0winner3_tag_output_column;
-      slice0winner4_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
-      slice0winner4_tag_end_of_line <= slice0winner3_tag_end_of_line;
-      if slice0winner4_best_cost_0_0_is_less then
-        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0(1);
-        slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1;
-      else
-        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0(0);
-        slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_0;
-      end if;
+      slice0winner4_tag <= slice0winner3_tag;
+      slice0winner4_best_cost_0_0 <= choice(slice0winner4_best_cost_0_0_is_less, slice0winner3_best_cost_0(1),
+        slice0winner3_best_cost_0(0));
+      slice0winner4_best_index_0_0 <= choice(slice0winner4_best_cost_0_0_is_less, slice0winner3_best_index_0(1),
+        slice0winner3_best_index_0(0));
       -- slice0
       slice0_best_cost_0_0 <= slice0winner4_best_cost_0_0;
       slice0_best_index_0_0 <= slice0winner4_best_index_0_0 + 39;
-      slice0_best_tag_valid <= slice0winner4_tag_valid;
-      slice0_best_tag_output_column <= slice0winner4_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner4_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner4_tag_end_of_line;
+      slice0_best_tag <= slice0winner4_tag;
       -- slice1shift
-      if slice0shift_tag_valid then
+      if slice0shift_tag.valid then
         for i in 0 to 1 loop
           for j in 0 to 11 loop
             slice1shift_search(i, j) <= slice1shift_search(i, j + 1);
@@ -3107,118 +1756,89 @@ begin
           slice1shift_search(i, 12) <= slice0shift_search_out(i);
         end loop;
       end if;
-      slice1shift_reference(0) <= slice0shift_reference(0);
-      slice1shift_reference(1) <= slice0shift_reference(1);
+      slice1shift_reference <= slice0shift_reference;
       slice1shift_search_out(0) <= slice1shift_search(0, 0);
       slice1shift_search_out(1) <= slice1shift_search(1, 0);
       -- slice1cost
       for i in 0 to 1 loop
-        slice1cost_pixels_first_0_count_value(i, 0) := slice1shift_reference(i)(2) = '1';
-        slice1cost_pixels_first_0_count_value_2(i, 0) := slice1shift_reference(i)(1) = '1';
-        slice1cost_pixels_first_0_count_value(i, 1) := slice1shift_reference(i)(3) = '1';
-        slice1cost_pixels_first_0_count_value_2(i, 1) := slice1shift_reference(i)(5) = '1';
-        slice1cost_pixels_first_0_count_1_value_3(i) := slice1shift_reference(i)(4) = '1';
-        slice1cost_pixels_first_0_count_value(i, 2) := slice1shift_reference(i)(8) = '1';
-        slice1cost_pixels_first_0_count_value_2(i, 2) := slice1shift_reference(i)(6) = '1';
+        slice1cost_pixels_first_0_count_value(i, 0, 1) := slice1shift_reference(i)(2) = '1';
+        slice1cost_pixels_first_0_count_value(i, 0, 2) := slice1shift_reference(i)(1) = '1';
+        slice1cost_pixels_first_0_count_value(i, 1, 1) := slice1shift_reference(i)(3) = '1';
+        slice1cost_pixels_first_0_count_value(i, 1, 2) := slice1shift_reference(i)(5) = '1';
+        slice1cost_pixels_first_0_count_value(i, 1, 3) := slice1shift_reference(i)(4) = '1';
+        slice1cost_pixels_first_0_count_value(i, 2, 1) := slice1shift_reference(i)(8) = '1';
+        slice1cost_pixels_first_0_count_value(i, 2, 2) := slice1shift_reference(i)(6) = '1';
         for j in 3 to 14 loop
-          slice1cost_pixels_first_0_count_value(i, j) := slice1shift_reference(i)(3 * j) = '1';
-          slice1cost_pixels_first_0_count_value_2(i, j) := slice1shift_reference(i)(3 * j + 2) = '1';
-          slice1cost_pixels_first_0_count_value_3(i, j) := slice1shift_reference(i)(3 * j + 1) = '1';
+          slice1cost_pixels_first_0_count_value(i, j, 1) := slice1shift_reference(i)(3 * j) = '1';
+          slice1cost_pixels_first_0_count_value(i, j, 2) := slice1shift_reference(i)(3 * j + 2) = '1';
+          slice1cost_pixels_first_0_count_value(i, j, 3) := slice1shift_reference(i)(3 * j + 1) = '1';
         end loop;
-        slice1cost_pixels_first_0_count_value(i, 15) := slice1shift_reference(i)(45) = '1';
-        slice1cost_pixels_first_0_count_value_2(i, 15) := slice1shift_reference(i)(46) = '1';
+        slice1cost_pixels_first_0_count_value(i, 15, 1) := slice1shift_reference(i)(45) = '1';
+        slice1cost_pixels_first_0_count_value(i, 15, 2) := slice1shift_reference(i)(46) = '1';
       end loop;
       for i in 0 to 3 loop
-        if slice0cost_tag_first_group then
-          slice1cost_column_0_choice(3 * i) := 0;
-        else
-          slice1cost_column_0_choice(3 * i) := slice1cost_ready_words(i) mod 512;
-        end if;
-        if slice0cost_tag_border_column then
-          slice1cost_column_0_choice_2(3 * i) := 0;
-        else
-          slice1cost_column_0_choice_2(3 * i) := (slice1cost_change_0(3 * i) + slice1cost_column_0_choice(3 * i)) mod
-            512;
-        end if;
-        if slice0cost_tag_first_group then
-          slice1cost_column_0_choice(3 * i + 1) := 0;
-        else
-          slice1cost_column_0_choice(3 * i + 1) := (slice1cost_ready_words(i) / 512) mod 512;
-        end if;
-        if slice0cost_tag_border_column then
-          slice1cost_column_0_choice_2(3 * i + 1) := 0;
-        else
-          slice1cost_column_0_choice_2(3 * i + 1) := (slice1cost_change_0(3 * i + 1) + slice1cost_column_0_choice(3 * i
-            + 1)) mod 512;
-        end if;
-        if slice0cost_tag_first_group then
-          slice1cost_column_0_choice(3 * i + 2) := 0;
-        else
-          slice1cost_column_0_choice(3 * i + 2) := slice1cost_ready_words(i) / 262144;
-        end if;
-        if slice0cost_tag_border_column then
-          slice1cost_column_0_choice_2(3 * i + 2) := 0;
-        else
-          slice1cost_column_0_choice_2(3 * i + 2) := (slice1cost_change_0(3 * i + 2) + slice1cost_column_0_choice(3 * i
-            + 2)) mod 512;
-        end if;
+        slice1cost_column_0_choice(3 * i, 1) := choice(slice0cost_tag.first_group, 0, slice1cost_ready_words(i) mod
+          512);
+        slice1cost_column_0_choice(3 * i, 2) := choice(slice0cost_tag.border_column, 0, (slice1cost_change_0(3 * i) +
+          slice1cost_column_0_choice(3 * i, 1)) mod 512);
+        slice1cost_column_0_choice(3 * i + 1, 1) := choice(slice0cost_tag.first_group, 0, (slice1cost_ready_words(i) /
+          512) mod 512);
+        slice1cost_column_0_choice(3 * i + 1, 2) := choice(slice0cost_tag.border_column, 0, (slice1cost_change_0(3 * i
+          + 1) + slice1cost_column_0_choice(3 * i + 1, 1)) mod 512);
+        slice1cost_column_0_choice(3 * i + 2, 1) := choice(slice0cost_tag.first_group, 0, slice1cost_ready_words(i) /
+          262144);
+        slice1cost_column_0_choice(3 * i + 2, 2) := choice(slice0cost_tag.border_column, 0, (slice1cost_change_0(3 * i
+          + 2) + slice1cost_column_0_choice(3 * i + 2, 1)) mod 512);
       end loop;
-      if slice0cost_tag_first_group then
-        slice1cost_column_0_choice(12) := 0;
-      else
-        slice1cost_column_0_choice(12) := slice1cost_ready_words_4;
-      end if;
-      if slice0cost_tag_border_column then
-        slice1cost_column_0_choice_2(12) := 0;
-      else
-        slice1cost_column_0_choice_2(12) := (slice1cost_change_0(12) + slice1cost_column_0_choice(12)) mod 512;
-      end if;
+      slice1cost_column_0_choice(12, 1) := choice(slice0cost_tag.first_group, 0, slice1cost_ready_words_4);
+      slice1cost_column_0_choice(12, 2) := choice(slice0cost_tag.border_column, 0, (slice1cost_change_0(12) +
+        slice1cost_column_0_choice(12, 1)) mod 512);
       for i in 0 to 1 loop
         slice1cost_pixels_first_count(i, 0, 0) <= as_number(((slice1shift_search(i, 0)(0) = '1') /=
-          (slice1shift_reference(i)(0) = '1'))) + as_number((slice1cost_pixels_first_0_count_value(i, 0) /=
-          (slice1shift_search(i, 0)(2) = '1'))) + as_number((slice1cost_pixels_first_0_count_value_2(i, 0) /=
+          (slice1shift_reference(i)(0) = '1'))) + as_number((slice1cost_pixels_first_0_count_value(i, 0, 1) /=
+          (slice1shift_search(i, 0)(2) = '1'))) + as_number((slice1cost_pixels_first_0_count_value(i, 0, 2) /=
           (slice1shift_search(i, 0)(1) = '1')));
-        slice1cost_pixels_first_count(i, 0, 1) <= as_number((slice1cost_pixels_first_0_count_value(i, 1) /=
-          (slice1shift_search(i, 0)(3) = '1'))) + as_number((slice1cost_pixels_first_0_count_value_2(i, 1) /=
-          (slice1shift_search(i, 0)(5) = '1'))) + as_number((slice1cost_pixels_first_0_count_1_value_3(i) /=
+        slice1cost_pixels_first_count(i, 0, 1) <= as_number((slice1cost_pixels_first_0_count_value(i, 1, 1) /=
+          (slice1shift_search(i, 0)(3) = '1'))) + as_number((slice1cost_pixels_first_0_count_value(i, 1, 2) /=
+          (slice1shift_search(i, 0)(5) = '1'))) + as_number((slice1cost_pixels_first_0_count_value(i, 1, 3) /=
           (slice1shift_search(i, 0)(4) = '1')));
         slice1cost_pixels_first_count(i, 0, 2) <= (to_integer(((to_unsigned(to_integer(slice1shift_search(i, 0)(7
           downto 0)), 8)) xor (to_unsigned(to_integer(slice1shift_reference(i)(7 downto 0)), 8)))) / 128) +
-          as_number((slice1cost_pixels_first_0_count_value(i, 2) /= (slice1shift_search(i, 0)(8) = '1'))) +
-          as_number((slice1cost_pixels_first_0_count_value_2(i, 2) /= (slice1shift_search(i, 0)(6) = '1')));
+          as_number((slice1cost_pixels_first_0_count_value(i, 2, 1) /= (slice1shift_search(i, 0)(8) = '1'))) +
+          as_number((slice1cost_pixels_first_0_count_value(i, 2, 2) /= (slice1shift_search(i, 0)(6) = '1')));
         for j in 3 to 14 loop
-          slice1cost_pixels_first_count(i, 0, j) <= as_number((slice1cost_pixels_first_0_count_value(i, j) /=
-            (slice1shift_search(i, 0)(3 * j) = '1'))) + as_number((slice1cost_pixels_first_0_count_value_2(i, j) /=
-            (slice1shift_search(i, 0)(3 * j + 2) = '1'))) + as_number((slice1cost_pixels_first_0_count_value_3(i, j) /=
-            (slice1shift_search(i, 0)(3 * j + 1) = '1')));
+          slice1cost_pixels_first_count(i, 0, j) <= as_number((slice1cost_pixels_first_0_count_value(i, j, 1) /=
+            (slice1shift_search(i, 0)(3 * j) = '1'))) + as_number((slice1cost_pixels_first_0_count_value(i, j, 2) /=
+            (slice1shift_search(i, 0)(3 * j + 2) = '1'))) + as_number((slice1cost_pixels_first_0_count_value(i, j, 3)
+            /= (slice1shift_search(i, 0)(3 * j + 1) = '1')));
         end loop;
-        slice1cost_pixels_first_count(i, 0, 15) <= as_number((slice1cost_pixels_first_0_count_value(i, 15) /=
+        slice1cost_pixels_first_count(i, 0, 15) <= as_number((slice1cost_pixels_first_0_count_value(i, 15, 1) /=
           (slice1shift_search(i, 0)(45) = '1'))) + as_number(((slice1shift_reference(i)(47) = '1') /=
-          (slice1shift_search(i, 0)(47) = '1'))) + as_number((slice1cost_pixels_first_0_count_value_2(i, 15) /=
+          (slice1shift_search(i, 0)(47) = '1'))) + as_number((slice1cost_pixels_first_0_count_value(i, 15, 2) /=
           (slice1shift_search(i, 0)(46) = '1')));
         for j in 1 to 12 loop
           slice1cost_pixels_first_count(i, j, 0) <= as_number(((slice1shift_search(i, j)(0) = '1') /=
             (slice1shift_reference(i)(0) = '1'))) + as_number(((slice1shift_search(i, j)(2) = '1') /=
-            slice1cost_pixels_first_0_count_value(i, 0))) + as_number(((slice1shift_search(i, j)(1) = '1') /=
-            slice1cost_pixels_first_0_count_value_2(i, 0)));
+            slice1cost_pixels_first_0_count_value(i, 0, 1))) + as_number(((slice1shift_search(i, j)(1) = '1') /=
+            slice1cost_pixels_first_0_count_value(i, 0, 2)));
           slice1cost_pixels_first_count(i, j, 1) <= as_number(((slice1shift_search(i, j)(3) = '1') /=
-            slice1cost_pixels_first_0_count_value(i, 1))) + as_number(((slice1shift_search(i, j)(5) = '1') /=
-            slice1cost_pixels_first_0_count_value_2(i, 1))) + as_number(((slice1shift_search(i, j)(4) = '1') /=
-            slice1cost_pixels_first_0_count_1_value_3(i)));
+            slice1cost_pixels_first_0_count_value(i, 1, 1))) + as_number(((slice1shift_search(i, j)(5) = '1') /=
+            slice1cost_pixels_first_0_count_value(i, 1, 2))) + as_number(((slice1shift_search(i, j)(4) = '1') /=
+            slice1cost_pixels_first_0_count_value(i, 1, 3)));
           slice1cost_pixels_first_count(i, j, 2) <= (to_integer(((to_unsigned(to_integer(slice1shift_search(i, j)(7
             downto 0)), 8)) xor (to_unsigned(to_integer(slice1shift_reference(i)(7 downto 0)), 8)))) / 128) +
-            as_number(((slice1shift_search(i, j)(8) = '1') /= slice1cost_pixels_first_0_count_value(i, 2))) +
-            as_number(((slice1shift_search(i, j)(6) = '1') /= slice1cost_pixels_first_0_count_value_2(i, 2)));
+            as_number(((slice1shift_search(i, j)(8) = '1') /= slice1cost_pixels_first_0_count_value(i, 2, 1))) +
+            as_number(((slice1shift_search(i, j)(6) = '1') /= slice1cost_pixels_first_0_count_value(i, 2, 2)));
           for k in 3 to 14 loop
             slice1cost_pixels_first_count(i, j, k) <= as_number(((slice1shift_search(i, j)(3 * k) = '1') /=
-              slice1cost_pixels_first_0_count_value(i, k))) + as_number(((slice1shift_search(i, j)(3 * k + 2) = '1') /=
-              slice1cost_pixels_first_0_count_value_2(i, k))) + as_number(((slice1shift_search(i, j)(3 * k + 1) = '1')
-              /= slice1cost_pixels_first_0_count_value_3(i, k)));
+              slice1cost_pixels_first_0_count_value(i, k, 1))) + as_number(((slice1shift_search(i, j)(3 * k + 2) = '1')
+              /= slice1cost_pixels_first_0_count_value(i, k, 2))) + as_number(((slice1shift_search(i, j)(3 * k + 1) =
+              '1') /= slice1cost_pixels_first_0_count_value(i, k, 3)));
           end loop;
           slice1cost_pixels_first_count(i, j, 15) <= as_number(((slice1shift_search(i, j)(45) = '1') /=
-            slice1cost_pixels_first_0_count_value(i, 15))) + as_number(((slice1shift_search(i, j)(47) = '1') /=
+            slice1cost_pixels_first_0_count_value(i, 15, 1))) + as_number(((slice1shift_search(i, j)(47) = '1') /=
             (slice1shift_reference(i)(47) = '1'))) + as_number(((slice1shift_search(i, j)(46) = '1') /=
-            slice1cost_pixels_first_0_count_value_2(i, 15)));
+            slice1cost_pixels_first_0_count_value(i, 15, 2)));
         end loop;
       end loop;
       for i in 0 to 1 loop
@@ -3244,68 +1864,45 @@ begin
       slice1cost_ready_words(3) <= to_integer(slice1cost_read_words(3));
       slice1cost_ready_words_4 <= to_integer(slice1cost_read_words_4);
       for i in 0 to 12 loop
-        slice1cost_column_0(i) <= slice1cost_column_0_choice_2(i);
+        slice1cost_column_0(i) <= slice1cost_column_0_choice(i, 2);
       end loop;
-      if slice0cost_ready_tag_valid then
+      if slice0cost_ready_tag.valid then
         slice1cost_ready_column <= slice1cost_change_column;
       end if;
-      if slice0cost_tag_valid then
+      if slice0cost_tag.valid then
         slice1cost_write_column <= slice0cost_write_column;
         for i in 0 to 3 loop
-          slice1cost_write_words(i) <= (slice1cost_column_0_choice_2(3 * i + 1) * 512) + slice1cost_column_0_choice_2(3
-            * i) + (slice1cost_column_0_choice_2(3 * i + 2) * 262144);
+          slice1cost_write_words(i) <= (slice1cost_column_0_choice(3 * i + 1, 2) * 512) + slice1cost_column_0_choice(3
+            * i, 2) + (slice1cost_column_0_choice(3 * i + 2, 2) * 262144);
         end loop;
-        slice1cost_write_words_4 <= slice1cost_column_0_choice_2(12);
+        slice1cost_write_words(4) <= slice1cost_column_0_choice(12, 2);
       end if;
       -- slice1window
-      if slice0window_entering_tag_valid then
+      if slice0window_entering_tag.valid then
         slice1window_ring_write_address <= slice1window_ring_read_address;
-        if slice1window_ring_read_address = 7 then
-          slice1window_ring_read_address <= 0;
-        else
-          slice1window_ring_read_address <= (slice1window_ring_read_address + 1) mod 8;
-        end if;
+        slice1window_ring_read_address <= choice(slice1window_ring_read_address = 7, 0, (slice1window_ring_read_address
+          + 1) mod 8);
       end if;
-      for i in 0 to 1 loop
+      for i in 0 to 3 loop
         for j in 0 to 2 loop
-          if slice0window_change_tag_leaves_window then
-            slice1window_change_0_choice(6 * i + j) := to_integer(slice1window_leaving(2 * i)(9 * j + 8 downto 9 * j));
-          else
-            slice1window_change_0_choice(6 * i + j) := 0;
-          end if;
-        end loop;
-        for j in 3 to 5 loop
-          if slice0window_change_tag_leaves_window then
-            slice1window_change_0_choice(6 * i + j) := to_integer(slice1window_leaving(2 * i + 1)(9 * j - 19 downto 9 *
-              j - 27));
-          else
-            slice1window_change_0_choice(6 * i + j) := 0;
-          end if;
+          slice1window_change_0_choice(3 * i + j) := choice(slice0window_change_tag.leaves_window,
+            to_integer(slice1window_leaving(i)(9 * j + 8 downto 9 * j)), 0);
         end loop;
       end loop;
-      if slice0window_change_tag_leaves_window then
-        slice1window_change_0_choice(12) := to_integer(slice1window_leaving_4);
-      else
-        slice1window_change_0_choice(12) := 0;
-      end if;
-      for i in 0 to 12 loop
-        slice1window_entering_0(i) <= slice1cost_column_0(i);
-      end loop;
+      slice1window_change_0_choice(12) := choice(slice0window_change_tag.leaves_window,
+        to_integer(slice1window_leaving_4), 0);
+      slice1window_entering_0 <= slice1cost_column_0;
       for i in 0 to 12 loop
         slice1window_change_0(i) <= slice1window_entering_0(i) - slice1window_change_0_choice(i);
       end loop;
-      slice1window_change_tag_leaves_window <= slice0window_change_tag_leaves_window;
+      slice1window_change_tag_leaves_window <= slice0window_change_tag.leaves_window;
       slice1window_centre_output_column_0 <= slice0window_centre_output_column_0;
       slice1window_centre_first_column_0 <= slice0window_centre_first_column_0;
       slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
       for i in 0 to 12 loop
-        if slice0window_centre_first_column_0 then
-          slice1window_sum_0_choice(i) := 0;
-        else
-          slice1window_sum_0_choice(i) := slice1window_sum_0(i);
-        end if;
+        slice1window_sum_0_choice(i) := choice(slice0window_centre_first_column_0, 0, slice1window_sum_0(i));
       end loop;
-      if slice0window_tag_valid then
+      if slice0window_tag.valid then
         for i in 0 to 12 loop
           slice1window_sum_0(i) <= (slice1window_sum_0_choice(i) + slice1window_change_0(i)) mod 4096;
         end loop;
@@ -3316,114 +1913,54 @@ begin
       end loop;
       slice1winner1_best_cost_0(6) <= slice1window_sum_0(12);
       slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_is_less(0);
-      if slice1winner1_best_cost_0_is_less(0) then
-        slice1winner1_best_cost_0(0) <= slice1window_sum_0(1);
-      else
-        slice1winner1_best_cost_0(0) <= slice1window_sum_0(0);
-      end if;
-      if slice1winner1_best_cost_0_is_less(1) then
-        slice1winner1_best_cost_0(1) <= slice1window_sum_0(3);
-        slice1winner1_best_index_0_1 <= 3;
-      else
-        slice1winner1_best_cost_0(1) <= slice1window_sum_0(2);
-        slice1winner1_best_index_0_1 <= 2;
-      end if;
-      if slice1winner1_best_cost_0_is_less(2) then
-        slice1winner1_best_cost_0(2) <= slice1window_sum_0(5);
-        slice1winner1_best_index_0_2 <= 5;
-      else
-        slice1winner1_best_cost_0(2) <= slice1window_sum_0(4);
-        slice1winner1_best_index_0_2 <= 4;
-      end if;
-      if slice1winner1_best_cost_0_is_less(3) then
-        slice1winner1_best_cost_0(3) <= slice1window_sum_0(7);
-        slice1winner1_best_index_0_3 <= 7;
-      else
-        slice1winner1_best_cost_0(3) <= slice1window_sum_0(6);
-        slice1winner1_best_index_0_3 <= 6;
-      end if;
-      if slice1winner1_best_cost_0_is_less(4) then
-        slice1winner1_best_cost_0(4) <= slice1window_sum_0(9);
-        slice1winner1_best_index_0_4 <= 9;
-      else
-        slice1winner1_best_cost_0(4) <= slice1window_sum_0(8);
-        slice1winner1_best_index_0_4 <= 8;
-      end if;
-      if slice1winner1_best_cost_0_is_less(5) then
-        slice1winner1_best_cost_0(5) <= slice1window_sum_0(11);
-        slice1winner1_best_index_0_5 <= 11;
-      else
-        slice1winner1_best_cost_0(5) <= slice1window_sum_0(10);
-        slice1winner1_best_index_0_5 <= 10;
-      end if;
+      slice1winner1_best_cost_0(0) <= choice(slice1winner1_best_cost_0_is_less(0), slice1window_sum_0(1),
+        slice1window_sum_0(0));
+      for i in 1 to 5 loop
+        slice1winner1_best_cost_0(i) <= choice(slice1winner1_best_cost_0_is_less(i), slice1window_sum_0(2 * i + 1),
+          slice1window_sum_0(2 * i));
+        slice1winner1_best_index_0(i) <= choice(slice1winner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
+      end loop;
       -- slice1winner2
       for i in 0 to 2 loop
         slice1winner2_best_cost_0_is_less(i) := (slice1winner1_best_cost_0(2 * i + 1) - slice1winner1_best_cost_0(2 *
           i)) < 0;
       end loop;
       slice1winner2_best_cost_0(3) <= slice1winner1_best_cost_0(6);
-      if slice1winner2_best_cost_0_is_less(0) then
-        slice1winner2_best_cost_0(0) <= slice1winner1_best_cost_0(1);
-        slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1;
-      else
-        slice1winner2_best_cost_0(0) <= slice1winner1_best_cost_0(0);
-        slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
-      end if;
-      if slice1winner2_best_cost_0_is_less(1) then
-        slice1winner2_best_cost_0(1) <= slice1winner1_best_cost_0(3);
-        slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3;
-      else
-        slice1winner2_best_cost_0(1) <= slice1winner1_best_cost_0(2);
-        slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_2;
-      end if;
-      if slice1winner2_best_cost_0_is_less(2) then
-        slice1winner2_best_cost_0(2) <= slice1winner1_best_cost_0(5);
-        slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5;
-      else
-        slice1winner2_best_cost_0(2) <= slice1winner1_best_cost_0(4);
-        slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_4;
-      end if;
+      slice1winner2_best_cost_0(0) <= choice(slice1winner2_best_cost_0_is_less(0), slice1winner1_best_cost_0(1),
+        slice1winner1_best_cost_0(0));
+      slice1winner2_best_index_0(0) <= choice(slice1winner2_best_cost_0_is_less(0), slice1winner1_best_index_0(1),
+        as_number(slice1winner1_best_index_0_0));
+      for i in 1 to 2 loop
+        slice1winner2_best_cost_0(i) <= choice(slice1winner2_best_cost_0_is_less(i), slice1winner1_best_cost_0(2 * i +
+          1), slice1winner1_best_cost_0(2 * i));
+        slice1winner2_best_index_0(i) <= choice(slice1winner2_best_cost_0_is_less(i), slice1winner1_best_index_0(2 * i
+          + 1), slice1winner1_best_index_0(2 * i));
+      end loop;
       -- slice1winner3
       slice1winner3_best_cost_0_is_less(0) := (slice1winner2_best_cost_0(1) - slice1winner2_best_cost_0(0)) < 0;
       slice1winner3_best_cost_0_is_less(1) := (slice1winner2_best_cost_0(3) - slice1winner2_best_cost_0(2)) < 0;
-      if slice1winner3_best_cost_0_is_less(0) then
-        slice1winner3_best_cost_0(0) <= slice1winner2_best_cost_0(1);
-        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1;
-      else
-        slice1winner3_best_cost_0(0) <= slice1winner2_best_cost_0(0);
-        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_0;
-      end if;
-      if slice1winner3_best_cost_0_is_less(1) then
-        slice1winner3_best_cost_0(1) <= slice1winner2_best_cost_0(3);
-        slice1winner3_best_index_0_1 <= slice0winner2_best_index_0_3;
-      else
-        slice1winner3_best_cost_0(1) <= slice1winner2_best_cost_0(2);
-        slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_2;
-      end if;
+      slice1winner3_best_cost_0(0) <= choice(slice1winner3_best_cost_0_is_less(0), slice1winner2_best_cost_0(1),
+        slice1winner2_best_cost_0(0));
+      slice1winner3_best_index_0(0) <= choice(slice1winner3_best_cost_0_is_less(0), slice1winner2_best_index_0(1),
+        slice1winner2_best_index_0(0));
+      slice1winner3_best_cost_0(1) <= choice(slice1winner3_best_cost_0_is_less(1), slice1winner2_best_cost_0(3),
+        slice1winner2_best_cost_0(2));
+      slice1winner3_best_index_0(1) <= choice(slice1winner3_best_cost_0_is_less(1), slice0winner2_best_index_0(3),
+        slice1winner2_best_index_0(2));
       -- slice1winner4
       slice1winner4_best_cost_0_0_is_less := (slice1winner3_best_cost_0(1) - slice1winner3_best_cost_0(0)) < 0;
-      if slice1winner4_best_cost_0_0_is_less then
-        slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0(1);
-        slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_1;
-      else
-        slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0(0);
-        slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_0;
-      end if;
+      slice1winner4_best_cost_0_0 <= choice(slice1winner4_best_cost_0_0_is_less, slice1winner3_best_cost_0(1),
+        slice1winner3_best_cost_0(0));
+      slice1winner4_best_index_0_0 <= choice(slice1winner4_best_cost_0_0_is_less, slice1winner3_best_index_0(1),
+        slice1winner3_best_index_0(0));
       -- slice1
       slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner4_best_cost_0_0) < 0;
-      slice1_best_tag_valid <= slice0_best_tag_valid;
-      slice1_best_tag_output_column <= slice0_best_tag_output_column;
-      slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
-      slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
-      if slice1_best_cost_0_0_is_less then
-        slice1_best_cost_0_0 <= slice0_best_cost_0_0;
-        slice1_best_index_0_0 <= slice0_best_index_0_0;
-      else
-        slice1_best_cost_0_0 <= slice1winner4_best_cost_0_0;
-        slice1_best_index_0_0 <= (((slice1winner4_best_index_0_0 / 2) + 13) * 2) + (slice1winner4_best_index_0_0 mod 2);
-      end if;
+      slice1_best_tag <= slice0_best_tag;
+      slice1_best_cost_0_0 <= choice(slice1_best_cost_0_0_is_less, slice0_best_cost_0_0, slice1winner4_best_cost_0_0);
+      slice1_best_index_0_0 <= choice(slice1_best_cost_0_0_is_less, slice0_best_index_0_0,
+        (((slice1winner4_best_index_0_0 / 2) + 13) * 2) + (slice1winner4_best_index_0_0 mod 2));
       -- slice2shift
-      if slice0cost_pixels_first_tag_valid then
+      if slice0cost_pixels_first_tag.valid then
         for i in 0 to 1 loop
           for j in 0 to 11 loop
             slice2shift_search(i, j) <= slice2shift_search(i, j + 1);
@@ -3431,118 +1968,89 @@ begin
           slice2shift_search(i, 12) <= slice1shift_search_out(i);
         end loop;
       end if;
-      slice2shift_reference(0) <= slice1shift_reference(0);
-      slice2shift_reference(1) <= slice1shift_reference(1);
+      slice2shift_reference <= slice1shift_reference;
       slice2shift_search_out(0) <= slice2shift_search(0, 0);
       slice2shift_search_out(1) <= slice2shift_search(1, 0);
       -- slice2cost
       for i in 0 to 1 loop
-        slice2cost_pixels_first_0_count_value(i, 0) := slice2shift_reference(i)(2) = '1';
-        slice2cost_pixels_first_0_count_value_2(i, 0) := slice2shift_reference(i)(1) = '1';
-        slice2cost_pixels_first_0_count_value(i, 1) := slice2shift_reference(i)(3) = '1';
-        slice2cost_pixels_first_0_count_value_2(i, 1) := slice2shift_reference(i)(5) = '1';
-        slice2cost_pixels_first_0_count_1_value_3(i) := slice2shift_reference(i)(4) = '1';
-        slice2cost_pixels_first_0_count_value(i, 2) := slice2shift_reference(i)(8) = '1';
-        slice2cost_pixels_first_0_count_value_2(i, 2) := slice2shift_reference(i)(6) = '1';
+        slice2cost_pixels_first_0_count_value(i, 0, 1) := slice2shift_reference(i)(2) = '1';
+        slice2cost_pixels_first_0_count_value(i, 0, 2) := slice2shift_reference(i)(1) = '1';
+        slice2cost_pixels_first_0_count_value(i, 1, 1) := slice2shift_reference(i)(3) = '1';
+        slice2cost_pixels_first_0_count_value(i, 1, 2) := slice2shift_reference(i)(5) = '1';
+        slice2cost_pixels_first_0_count_value(i, 1, 3) := slice2shift_reference(i)(4) = '1';
+        slice2cost_pixels_first_0_count_value(i, 2, 1) := slice2shift_reference(i)(8) = '1';
+        slice2cost_pixels_first_0_count_value(i, 2, 2) := slice2shift_reference(i)(6) = '1';
         for j in 3 to 14 loop
-          slice2cost_pixels_first_0_count_value(i, j) := slice2shift_reference(i)(3 * j) = '1';
-          slice2cost_pixels_first_0_count_value_2(i, j) := slice2shift_reference(i)(3 * j + 2) = '1';
-          slice2cost_pixels_first_0_count_value_3(i, j) := slice2shift_reference(i)(3 * j + 1) = '1';
+          slice2cost_pixels_first_0_count_value(i, j, 1) := slice2shift_reference(i)(3 * j) = '1';
+          slice2cost_pixels_first_0_count_value(i, j, 2) := slice2shift_reference(i)(3 * j + 2) = '1';
+          slice2cost_pixels_first_0_count_value(i, j, 3) := slice2shift_reference(i)(3 * j + 1) = '1';
         end loop;
-        slice2cost_pixels_first_0_count_value(i, 15) := slice2shift_reference(i)(45) = '1';
-        slice2cost_pixels_first_0_count_value_2(i, 15) := slice2shift_reference(i)(46) = '1';
+        slice2cost_pixels_first_0_count_value(i, 15, 1) := slice2shift_reference(i)(45) = '1';
+        slice2cost_pixels_first_0_count_value(i, 15, 2) := slice2shift_reference(i)(46) = '1';
       end loop;
       for i in 0 to 3 loop
-        if slice0window_entering_tag_first_group then
-          slice2cost_column_0_choice(3 * i) := 0;
-        else
-          slice2cost_column_0_choice(3 * i) := slice2cost_ready_words(i) mod 512;
-        end if;
-        if slice0window_entering_tag_border_column then
-          slice2cost_column_0_choice_2(3 * i) := 0;
-        else
-          slice2cost_column_0_choice_2(3 * i) := (slice2cost_change_0(3 * i) + slice2cost_column_0_choice(3 * i)) mod
-            512;
-        end if;
-        if slice0window_entering_tag_first_group then
-          slice2cost_column_0_choice(3 * i + 1) := 0;
-        else
-          slice2cost_column_0_choice(3 * i + 1) := (slice2cost_ready_words(i) / 512) mod 512;
-        end if;
-        if slice0window_entering_tag_border_column then
-          slice2cost_column_0_choice_2(3 * i + 1) := 0;
-        else
-          slice2cost_column_0_choice_2(3 * i + 1) := (slice2cost_change_0(3 * i + 1) + slice2cost_column_0_choice(3 * i
-            + 1)) mod 512;
-        end if;
-        if slice0window_entering_tag_first_group then
-          slice2cost_column_0_choice(3 * i + 2) := 0;
-        else
-          slice2cost_column_0_choice(3 * i + 2) := slice2cost_ready_words(i) / 262144;
-        end if;
-        if slice0window_entering_tag_border_column then
-          slice2cost_column_0_choice_2(3 * i + 2) := 0;
-        else
-          slice2cost_column_0_choice_2(3 * i + 2) := (slice2cost_change_0(3 * i + 2) + slice2cost_column_0_choice(3 * i
-            + 2)) mod 512;
-        end if;
+        slice2cost_column_0_choice(3 * i, 1) := choice(slice0window_entering_tag.first_group, 0,
+          slice2cost_ready_words(i) mod 512);
+        slice2cost_column_0_choice(3 * i, 2) := choice(slice0window_entering_tag.border_column, 0,
+          (slice2cost_change_0(3 * i) + slice2cost_column_0_choice(3 * i, 1)) mod 512);
+        slice2cost_column_0_choice(3 * i + 1, 1) := choice(slice0window_entering_tag.first_group, 0,
+          (slice2cost_ready_words(i) / 512) mod 512);
+        slice2cost_column_0_choice(3 * i + 1, 2) := choice(slice0window_entering_tag.border_column, 0,
+          (slice2cost_change_0(3 * i + 1) + slice2cost_column_0_choice(3 * i + 1, 1)) mod 512);
+        slice2cost_column_0_choice(3 * i + 2, 1) := choice(slice0window_entering_tag.first_group, 0,
+          slice2cost_ready_words(i) / 262144);
+        slice2cost_column_0_choice(3 * i + 2, 2) := choice(slice0window_entering_tag.border_column, 0,
+          (slice2cost_change_0(3 * i + 2) + slice2cost_column_0_choice(3 * i + 2, 1)) mod 512);
       end loop;
-      if slice0window_entering_tag_first_group then
-        slice2cost_column_0_choice(12) := 0;
-      else
-        slice2cost_column_0_choice(12) := slice2cost_ready_words_4;
-      end if;
-      if slice0window_entering_tag_border_column then
-        slice2cost_column_0_choice_2(12) := 0;
-      else
-        slice2cost_column_0_choice_2(12) := (slice2cost_change_0(12) + slice2cost_column_0_choice(12)) mod 512;
-      end if;
+      slice2cost_column_0_choice(12, 1) := choice(slice0window_entering_tag.first_group, 0, slice2cost_ready_words_4);
+      slice2cost_column_0_choice(12, 2) := choice(slice0window_entering_tag.border_column, 0, (slice2cost_change_0(12)
+        + slice2cost_column_0_choice(12, 1)) mod 512);
       for i in 0 to 1 loop
         slice2cost_pixels_first_count(i, 0, 0) <= as_number(((slice2shift_search(i, 0)(0) = '1') /=
-          (slice2shift_reference(i)(0) = '1'))) + as_number((slice2cost_pixels_first_0_count_value(i, 0) /=
-          (slice2shift_search(i, 0)(2) = '1'))) + as_number((slice2cost_pixels_first_0_count_value_2(i, 0) /=
+          (slice2shift_reference(i)(0) = '1'))) + as_number((slice2cost_pixels_first_0_count_value(i, 0, 1) /=
+          (slice2shift_search(i, 0)(2) = '1'))) + as_number((slice2cost_pixels_first_0_count_value(i, 0, 2) /=
           (slice2shift_search(i, 0)(1) = '1')));
-        slice2cost_pixels_first_count(i, 0, 1) <= as_number((slice2cost_pixels_first_0_count_value(i, 1) /=
-          (slice2shift_search(i, 0)(3) = '1'))) + as_number((slice2cost_pixels_first_0_count_value_2(i, 1) /=
-          (slice2shift_search(i, 0)(5) = '1'))) + as_number((slice2cost_pixels_first_0_count_1_value_3(i) /=
+        slice2cost_pixels_first_count(i, 0, 1) <= as_number((slice2cost_pixels_first_0_count_value(i, 1, 1) /=
+          (slice2shift_search(i, 0)(3) = '1'))) + as_number((slice2cost_pixels_first_0_count_value(i, 1, 2) /=
+          (slice2shift_search(i, 0)(5) = '1'))) + as_number((slice2cost_pixels_first_0_count_value(i, 1, 3) /=
           (slice2shift_search(i, 0)(4) = '1')));
         slice2cost_pixels_first_count(i, 0, 2) <= (to_integer(((to_unsigned(to_integer(slice2shift_search(i, 0)(7
           downto 0)), 8)) xor (to_unsigned(to_integer(slice2shift_reference(i)(7 downto 0)), 8)))) / 128) +
-          as_number((slice2cost_pixels_first_0_count_value(i, 2) /= (slice2shift_search(i, 0)(8) = '1'))) +
-          as_number((slice2cost_pixels_first_0_count_value_2(i, 2) /= (slice2shift_search(i, 0)(6) = '1')));
+          as_number((slice2cost_pixels_first_0_count_value(i, 2, 1) /= (slice2shift_search(i, 0)(8) = '1'))) +
+          as_number((slice2cost_pixels_first_0_count_value(i, 2, 2) /= (slice2shift_search(i, 0)(6) = '1')));
         for j in 3 to 14 loop
-          slice2cost_pixels_first_count(i, 0, j) <= as_number((slice2cost_pixels_first_0_count_value(i, j) /=
-            (slice2shift_search(i, 0)(3 * j) = '1'))) + as_number((slice2cost_pixels_first_0_count_value_2(i, j) /=
-            (slice2shift_search(i, 0)(3 * j + 2) = '1'))) + as_number((slice2cost_pixels_first_0_count_value_3(i, j) /=
-            (slice2shift_search(i, 0)(3 * j + 1) = '1')));
+          slice2cost_pixels_first_count(i, 0, j) <= as_number((slice2cost_pixels_first_0_count_value(i, j, 1) /=
+            (slice2shift_search(i, 0)(3 * j) = '1'))) + as_number((slice2cost_pixels_first_0_count_value(i, j, 2) /=
+            (slice2shift_search(i, 0)(3 * j + 2) = '1'))) + as_number((slice2cost_pixels_first_0_count_value(i, j, 3)
+            /= (slice2shift_search(i, 0)(3 * j + 1) = '1')));
         end loop;
-        slice2cost_pixels_first_count(i, 0, 15) <= as_number((slice2cost_pixels_first_0_count_value(i, 15) /=
+        slice2cost_pixels_first_count(i, 0, 15) <= as_number((slice2cost_pixels_first_0_count_value(i, 15, 1) /=
           (slice2shift_search(i, 0)(45) = '1'))) + as_number(((slice2shift_reference(i)(47) = '1') /=
-          (slice2shift_search(i, 0)(47) = '1'))) + as_number((slice2cost_pixels_first_0_count_value_2(i, 15) /=
+          (slice2shift_search(i, 0)(47) = '1'))) + as_number((slice2cost_pixels_first_0_count_value(i, 15, 2) /=
           (slice2shift_search(i, 0)(46) = '1')));
         for j in 1 to 12 loop
           slice2cost_pixels_first_count(i, j, 0) <= as_number(((slice2shift_search(i, j)(0) = '1') /=
             (slice2shift_reference(i)(0) = '1'))) + as_number(((slice2shift_search(i, j)(2) = '1') /=
-            slice2cost_pixels_first_0_count_value(i, 0))) + as_number(((slice2shift_search(i, j)(1) = '1') /=
-            slice2cost_pixels_first_0_count_value_2(i, 0)));
+            slice2cost_pixels_first_0_count_value(i, 0, 1))) + as_number(((slice2shift_search(i, j)(1) = '1') /=
+            slice2cost_pixels_first_0_count_value(i, 0, 2)));
           slice2cost_pixels_first_count(i, j, 1) <= as_number(((slice2shift_search(i, j)(3) = '1') /=
-            slice2cost_pixels_first_0_count_value(i, 1))) + as_number(((slice2shift_search(i, j)(5) = '1') /=
-            slice2cost_pixels_first_0_count_value_2(i, 1))) + as_number(((slice2shift_search(i, j)(4) = '1') /=
-            slice2cost_pixels_first_0_count_1_value_3(i)));
+            slice2cost_pixels_first_0_count_value(i, 1, 1))) + as_number(((slice2shift_search(i, j)(5) = '1') /=
+            slice2cost_pixels_first_0_count_value(i, 1, 2))) + as_number(((slice2shift_search(i, j)(4) = '1') /=
+            slice2cost_pixels_first_0_count_value(i, 1, 3)));
           slice2cost_pixels_first_count(i, j, 2) <= (to_integer(((to_unsigned(to_integer(slice2shift_search(i, j)(7
             downto 0)), 8)) xor (to_unsigned(to_integer(slice2shift_reference(i)(7 downto 0)), 8)))) / 128) +
-            as_number(((slice2shift_search(i, j)(8) = '1') /= slice2cost_pixels_first_0_count_value(i, 2))) +
-            as_number(((slice2shift_search(i, j)(6) = '1') /= slice2cost_pixels_first_0_count_value_2(i, 2)));
+            as_number(((slice2shift_search(i, j)(8) = '1') /= slice2cost_pixels_first_0_count_value(i, 2, 1))) +
+            as_number(((slice2shift_search(i, j)(6) = '1') /= slice2cost_pixels_first_0_count_value(i, 2, 2)));
           for k in 3 to 14 loop
             slice2cost_pixels_first_count(i, j, k) <= as_number(((slice2shift_search(i, j)(3 * k) = '1') /=
-              slice2cost_pixels_first_0_count_value(i, k))) + as_number(((slice2shift_search(i, j)(3 * k + 2) = '1') /=
-              slice2cost_pixels_first_0_count_value_2(i, k))) + as_number(((slice2shift_search(i, j)(3 * k + 1) = '1')
-              /= slice2cost_pixels_first_0_count_value_3(i, k)));
+              slice2cost_pixels_first_0_count_value(i, k, 1))) + as_number(((slice2shift_search(i, j)(3 * k + 2) = '1')
+              /= slice2cost_pixels_first_0_count_value(i, k, 2))) + as_number(((slice2shift_search(i, j)(3 * k + 1) =
+              '1') /= slice2cost_pixels_first_0_count_value(i, k, 3)));
           end loop;
           slice2cost_pixels_first_count(i, j, 15) <= as_number(((slice2shift_search(i, j)(45) = '1') /=
-            slice2cost_pixels_first_0_count_value(i, 15))) + as_number(((slice2shift_search(i, j)(47) = '1') /=
+            slice2cost_pixels_first_0_count_value(i, 15, 1))) + as_number(((slice2shift_search(i, j)(47) = '1') /=
             (slice2shift_reference(i)(47) = '1'))) + as_number(((slice2shift_search(i, j)(46) = '1') /=
-            slice2cost_pixels_first_0_count_value_2(i, 15)));
+            slice2cost_pixels_first_0_count_value(i, 15, 2)));
         end loop;
       end loop;
       for i in 0 to 1 loop
@@ -3567,64 +2075,37 @@ begin
       slice2cost_ready_words_4 <= to_integer(slice2cost_read_words_4);
       slice2cost_ready_column <= slice2cost_change_column;
       for i in 0 to 12 loop
-        slice2cost_column_0(i) <= slice2cost_column_0_choice_2(i);
+        slice2cost_column_0(i) <= slice2cost_column_0_choice(i, 2);
       end loop;
       slice2cost_write_column <= slice2cost_ready_column;
-      if slice0cost_pixels_tag_valid then
-        if slice0cost_pixels_tag_row_start then
-          slice2cost_read_column <= 0;
-        else
-          slice2cost_read_column <= (slice2cost_read_column + 1) mod 512;
-        end if;
+      if slice0cost_pixels_tag.valid then
+        slice2cost_read_column <= choice(slice0cost_pixels_tag.row_start, 0, (slice2cost_read_column + 1) mod 512);
       end if;
-      if slice0cost_ready_tag_valid then
-        if slice0cost_ready_tag_row_start then
-          slice2cost_change_column <= 0;
-        else
-          slice2cost_change_column <= (slice2cost_change_column + 1) mod 512;
-        end if;
+      if slice0cost_ready_tag.valid then
+        slice2cost_change_column <= choice(slice0cost_ready_tag.row_start, 0, (slice2cost_change_column + 1) mod 512);
       end if;
-      if slice0window_entering_tag_valid then
+      if slice0window_entering_tag.valid then
         for i in 0 to 3 loop
-          slice2cost_write_words(i) <= (slice2cost_column_0_choice_2(3 * i + 1) * 512) + slice2cost_column_0_choice_2(3
-            * i) + (slice2cost_column_0_choice_2(3 * i + 2) * 262144);
+          slice2cost_write_words(i) <= (slice2cost_column_0_choice(3 * i + 1, 2) * 512) + slice2cost_column_0_choice(3
+            * i, 2) + (slice2cost_column_0_choice(3 * i + 2, 2) * 262144);
         end loop;
-        slice2cost_write_words_4 <= slice2cost_column_0_choice_2(12);
+        slice2cost_write_words(4) <= slice2cost_column_0_choice(12, 2);
       end if;
       -- slice2window
-      if slice0window_change_tag_valid then
+      if slice0window_change_tag.valid then
         slice2window_ring_write_address <= slice2window_ring_read_address;
-        if slice2window_ring_read_address = 7 then
-          slice2window_ring_read_address <= 0;
-        else
-          slice2window_ring_read_address <= (slice2window_ring_read_address + 1) mod 8;
-        end if;
+        slice2window_ring_read_address <= choice(slice2window_ring_read_address = 7, 0, (slice2window_ring_read_address
+          + 1) mod 8);
       end if;
-      for i in 0 to 1 loop
+      for i in 0 to 3 loop
         for j in 0 to 2 loop
-          if slice1window_change_tag_leaves_window then
-            slice2window_change_0_choice(6 * i + j) := to_integer(slice2window_leaving(2 * i)(9 * j + 8 downto 9 * j));
-          else
-            slice2window_change_0_choice(6 * i + j) := 0;
-          end if;
-        end loop;
-        for j in 3 to 5 loop
-          if slice1window_change_tag_leaves_window then
-            slice2window_change_0_choice(6 * i + j) := to_integer(slice2window_leaving(2 * i + 1)(9 * j - 19 downto 9 *
-              j - 27));
-          else
-            slice2window_change_0_choice(6 * i + j) := 0;
-          end if;
+          slice2window_change_0_choice(3 * i + j) := choice(slice1window_change_tag_leaves_window,
+            to_integer(slice2window_leaving(i)(9 * j + 8 downto 9 * j)), 0);
         end loop;
       end loop;
-      if slice1window_change_tag_leaves_window then
-        slice2window_change_0_choice(12) := to_integer(slice2window_leaving_4);
-      else
-        slice2window_change_0_choice(12) := 0;
-      end if;
-      for i in 0 to 12 loop
-        slice2window_entering_0(i) <= slice2cost_column_0(i);
-      end loop;
+      slice2window_change_0_choice(12) := choice(slice1window_change_tag_leaves_window,
+        to_integer(slice2window_leaving_4), 0);
+      slice2window_entering_0 <= slice2cost_column_0;
       for i in 0 to 12 loop
         slice2window_change_0(i) <= slice2window_entering_0(i) - slice2window_change_0_choice(i);
       end loop;
@@ -3633,13 +2114,9 @@ begin
       slice2window_centre_first_column_0 <= slice1window_centre_first_column_0;
       slice2window_centre_end_of_line_0 <= slice1window_centre_end_of_line_0;
       for i in 0 to 12 loop
-        if slice1window_centre_first_column_0 then
-          slice2window_sum_0_choice(i) := 0;
-        else
-          slice2window_sum_0_choice(i) := slice2window_sum_0(i);
-        end if;
+        slice2window_sum_0_choice(i) := choice(slice1window_centre_first_column_0, 0, slice2window_sum_0(i));
       end loop;
-      if slice0winner1_tag_valid then
+      if slice0winner1_tag.valid then
         for i in 0 to 12 loop
           slice2window_sum_0(i) <= (slice2window_sum_0_choice(i) + slice2window_change_0(i)) mod 4096;
         end loop;
@@ -3650,114 +2127,54 @@ begin
       end loop;
       slice2winner1_best_cost_0(6) <= slice2window_sum_0(12);
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_is_less(0);
-      if slice2winner1_best_cost_0_is_less(0) then
-        slice2winner1_best_cost_0(0) <= slice2window_sum_0(1);
-      else
-        slice2winner1_best_cost_0(0) <= slice2window_sum_0(0);
-      end if;
-      if slice2winner1_best_cost_0_is_less(1) then
-        slice2winner1_best_cost_0(1) <= slice2window_sum_0(3);
-        slice2winner1_best_index_0_1 <= 3;
-      else
-        slice2winner1_best_cost_0(1) <= slice2window_sum_0(2);
-        slice2winner1_best_index_0_1 <= 2;
-      end if;
-      if slice2winner1_best_cost_0_is_less(2) then
-        slice2winner1_best_cost_0(2) <= slice2window_sum_0(5);
-        slice2winner1_best_index_0_2 <= 5;
-      else
-        slice2winner1_best_cost_0(2) <= slice2window_sum_0(4);
-        slice2winner1_best_index_0_2 <= 4;
-      end if;
-      if slice2winner1_best_cost_0_is_less(3) then
-        slice2winner1_best_cost_0(3) <= slice2window_sum_0(7);
-        slice2winner1_best_index_0_3 <= 7;
-      else
-        slice2winner1_best_cost_0(3) <= slice2window_sum_0(6);
-        slice2winner1_best_index_0_3 <= 6;
-      end if;
-      if slice2winner1_best_cost_0_is_less(4) then
-        slice2winner1_best_cost_0(4) <= slice2window_sum_0(9);
-        slice2winner1_best_index_0_4 <= 9;
-      else
-        slice2winner1_best_cost_0(4) <= slice2window_sum_0(8);
-        slice2winner1_best_index_0_4 <= 8;
-      end if;
-      if slice2winner1_best_cost_0_is_less(5) then
-        slice2winner1_best_cost_0(5) <= slice2window_sum_0(11);
-        slice2winner1_best_index_0_5 <= 11;
-      else
-        slice2winner1_best_cost_0(5) <= slice2window_sum_0(10);
-        slice2winner1_best_index_0_5 <= 10;
-      end if;
+      slice2winner1_best_cost_0(0) <= choice(slice2winner1_best_cost_0_is_less(0), slice2window_sum_0(1),
+        slice2window_sum_0(0));
+      for i in 1 to 5 loop
+        slice2winner1_best_cost_0(i) <= choice(slice2winner1_best_cost_0_is_less(i), slice2window_sum_0(2 * i + 1),
+          slice2window_sum_0(2 * i));
+        slice2winner1_best_index_0(i) <= choice(slice2winner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
+      end loop;
       -- slice2winner2
       for i in 0 to 2 loop
         slice2winner2_best_cost_0_is_less(i) := (slice2winner1_best_cost_0(2 * i + 1) - slice2winner1_best_cost_0(2 *
           i)) < 0;
       end loop;
       slice2winner2_best_cost_0(3) <= slice2winner1_best_cost_0(6);
-      if slice2winner2_best_cost_0_is_less(0) then
-        slice2winner2_best_cost_0(0) <= slice2winner1_best_cost_0(1);
-        slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_1;
-      else
-        slice2winner2_best_cost_0(0) <= slice2winner1_best_cost_0(0);
-        slice2winner2_best_index_0_0 <= as_number(slice2winner1_best_index_0_0);
-      end if;
-      if slice2winner2_best_cost_0_is_less(1) then
-        slice2winner2_best_cost_0(1) <= slice2winner1_best_cost_0(3);
-        slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_3;
-      else
-        slice2winner2_best_cost_0(1) <= slice2winner1_best_cost_0(2);
-        slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_2;
-      end if;
-      if slice2winner2_best_cost_0_is_less(2) then
-        slice2winner2_best_cost_0(2) <= slice2winner1_best_cost_0(5);
-        slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_5;
-      else
-        slice2winner2_best_cost_0(2) <= slice2winner1_best_cost_0(4);
-        slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_4;
-      end if;
+      slice2winner2_best_cost_0(0) <= choice(slice2winner2_best_cost_0_is_less(0), slice2winner1_best_cost_0(1),
+        slice2winner1_best_cost_0(0));
+      slice2winner2_best_index_0(0) <= choice(slice2winner2_best_cost_0_is_less(0), slice2winner1_best_index_0(1),
+        as_number(slice2winner1_best_index_0_0));
+      for i in 1 to 2 loop
+        slice2winner2_best_cost_0(i) <= choice(slice2winner2_best_cost_0_is_less(i), slice2winner1_best_cost_0(2 * i +
+          1), slice2winner1_best_cost_0(2 * i));
+        slice2winner2_best_index_0(i) <= choice(slice2winner2_best_cost_0_is_less(i), slice2winner1_best_index_0(2 * i
+          + 1), slice2winner1_best_index_0(2 * i));
+      end loop;
       -- slice2winner3
       slice2winner3_best_cost_0_is_less(0) := (slice2winner2_best_cost_0(1) - slice2winner2_best_cost_0(0)) < 0;
       slice2winner3_best_cost_0_is_less(1) := (slice2winner2_best_cost_0(3) - slice2winner2_best_cost_0(2)) < 0;
-      if slice2winner3_best_cost_0_is_less(0) then
-        slice2winner3_best_cost_0(0) <= slice2winner2_best_cost_0(1);
-        slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_1;
-      else
-        slice2winner3_best_cost_0(0) <= slice2winner2_best_cost_0(0);
-        slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
-      end if;
-      if slice2winner3_best_cost_0_is_less(1) then
-        slice2winner3_best_cost_0(1) <= slice2winner2_best_cost_0(3);
-        slice2winner3_best_index_0_1 <= slice0winner2_best_index_0_3;
-      else
-        slice2winner3_best_cost_0(1) <= slice2winner2_best_cost_0(2);
-        slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_2;
-      end if;
+      slice2winner3_best_cost_0(0) <= choice(slice2winner3_best_cost_0_is_less(0), slice2winner2_best_cost_0(1),
+        slice2winner2_best_cost_0(0));
+      slice2winner3_best_index_0(0) <= choice(slice2winner3_best_cost_0_is_less(0), slice2winner2_best_index_0(1),
+        slice2winner2_best_index_0(0));
+      slice2winner3_best_cost_0(1) <= choice(slice2winner3_best_cost_0_is_less(1), slice2winner2_best_cost_0(3),
+        slice2winner2_best_cost_0(2));
+      slice2winner3_best_index_0(1) <= choice(slice2winner3_best_cost_0_is_less(1), slice0winner2_best_index_0(3),
+        slice2winner2_best_index_0(2));
       -- slice2winner4
       slice2winner4_best_cost_0_0_is_less := (slice2winner3_best_cost_0(1) - slice2winner3_best_cost_0(0)) < 0;
-      if slice2winner4_best_cost_0_0_is_less then
-        slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0(1);
-        slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_1;
-      else
-        slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0(0);
-        slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_0;
-      end if;
+      slice2winner4_best_cost_0_0 <= choice(slice2winner4_best_cost_0_0_is_less, slice2winner3_best_cost_0(1),
+        slice2winner3_best_cost_0(0));
+      slice2winner4_best_index_0_0 <= choice(slice2winner4_best_cost_0_0_is_less, slice2winner3_best_index_0(1),
+        slice2winner3_best_index_0(0));
       -- slice2
       slice2_best_cost_0_0_is_less := (slice1_best_cost_0_0 - slice2winner4_best_cost_0_0) < 0;
-      slice2_best_tag_valid <= slice1_best_tag_valid;
-      slice2_best_tag_output_column <= slice1_best_tag_output_column;
-      slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
-      slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
-      if slice2_best_cost_0_0_is_less then
-        slice2_best_cost_0_0 <= slice1_best_cost_0_0;
-        slice2_best_index_0_0 <= slice1_best_index_0_0;
-      else
-        slice2_best_cost_0_0 <= slice2winner4_best_cost_0_0;
-        slice2_best_index_0_0 <= slice2winner4_best_index_0_0 + 13;
-      end if;
+      slice2_best_tag <= slice1_best_tag;
+      slice2_best_cost_0_0 <= choice(slice2_best_cost_0_0_is_less, slice1_best_cost_0_0, slice2winner4_best_cost_0_0);
+      slice2_best_index_0_0 <= choice(slice2_best_cost_0_0_is_less, slice1_best_index_0_0, slice2winner4_best_index_0_0
+        + 13);
       -- slice3shift
-      if slice0cost_pixels_tag_valid then
+      if slice0cost_pixels_tag.valid then
         for i in 0 to 1 loop
           for j in 0 to 11 loop
             slice3shift_search(i, j) <= slice3shift_search(i, j + 1);
@@ -3765,116 +2182,87 @@ begin
           slice3shift_search(i, 12) <= slice2shift_search_out(i);
         end loop;
       end if;
-      slice3shift_reference(0) <= slice2shift_reference(0);
-      slice3shift_reference(1) <= slice2shift_reference(1);
+      slice3shift_reference <= slice2shift_reference;
       -- slice3cost
       for i in 0 to 1 loop
-        slice3cost_pixels_first_0_count_value(i, 0) := slice3shift_reference(i)(2) = '1';
-        slice3cost_pixels_first_0_count_value_2(i, 0) := slice3shift_reference(i)(1) = '1';
-        slice3cost_pixels_first_0_count_value(i, 1) := slice3shift_reference(i)(3) = '1';
-        slice3cost_pixels_first_0_count_value_2(i, 1) := slice3shift_reference(i)(5) = '1';
-        slice3cost_pixels_first_0_count_1_value_3(i) := slice3shift_reference(i)(4) = '1';
-        slice3cost_pixels_first_0_count_value(i, 2) := slice3shift_reference(i)(8) = '1';
-        slice3cost_pixels_first_0_count_value_2(i, 2) := slice3shift_reference(i)(6) = '1';
+        slice3cost_pixels_first_0_count_value(i, 0, 1) := slice3shift_reference(i)(2) = '1';
+        slice3cost_pixels_first_0_count_value(i, 0, 2) := slice3shift_reference(i)(1) = '1';
+        slice3cost_pixels_first_0_count_value(i, 1, 1) := slice3shift_reference(i)(3) = '1';
+        slice3cost_pixels_first_0_count_value(i, 1, 2) := slice3shift_reference(i)(5) = '1';
+        slice3cost_pixels_first_0_count_value(i, 1, 3) := slice3shift_reference(i)(4) = '1';
+        slice3cost_pixels_first_0_count_value(i, 2, 1) := slice3shift_reference(i)(8) = '1';
+        slice3cost_pixels_first_0_count_value(i, 2, 2) := slice3shift_reference(i)(6) = '1';
         for j in 3 to 14 loop
-          slice3cost_pixels_first_0_count_value(i, j) := slice3shift_reference(i)(3 * j) = '1';
-          slice3cost_pixels_first_0_count_value_2(i, j) := slice3shift_reference(i)(3 * j + 2) = '1';
-          slice3cost_pixels_first_0_count_value_3(i, j) := slice3shift_reference(i)(3 * j + 1) = '1';
+          slice3cost_pixels_first_0_count_value(i, j, 1) := slice3shift_reference(i)(3 * j) = '1';
+          slice3cost_pixels_first_0_count_value(i, j, 2) := slice3shift_reference(i)(3 * j + 2) = '1';
+          slice3cost_pixels_first_0_count_value(i, j, 3) := slice3shift_reference(i)(3 * j + 1) = '1';
         end loop;
-        slice3cost_pixels_first_0_count_value(i, 15) := slice3shift_reference(i)(45) = '1';
-        slice3cost_pixels_first_0_count_value_2(i, 15) := slice3shift_reference(i)(46) = '1';
+        slice3cost_pixels_first_0_count_value(i, 15, 1) := slice3shift_reference(i)(45) = '1';
+        slice3cost_pixels_first_0_count_value(i, 15, 2) := slice3shift_reference(i)(46) = '1';
       end loop;
       for i in 0 to 3 loop
-        if slice0window_change_tag_first_group then
-          slice3cost_column_0_choice(3 * i) := 0;
-        else
-          slice3cost_column_0_choice(3 * i) := slice3cost_ready_words(i) mod 512;
-        end if;
-        if slice0window_change_tag_border_column then
-          slice3cost_column_0_choice_2(3 * i) := 0;
-        else
-          slice3cost_column_0_choice_2(3 * i) := (slice3cost_change_0(3 * i) + slice3cost_column_0_choice(3 * i)) mod
-            512;
-        end if;
-        if slice0window_change_tag_first_group then
-          slice3cost_column_0_choice(3 * i + 1) := 0;
-        else
-          slice3cost_column_0_choice(3 * i + 1) := (slice3cost_ready_words(i) / 512) mod 512;
-        end if;
-        if slice0window_change_tag_border_column then
-          slice3cost_column_0_choice_2(3 * i + 1) := 0;
-        else
-          slice3cost_column_0_choice_2(3 * i + 1) := (slice3cost_change_0(3 * i + 1) + slice3cost_column_0_choice(3 * i
-            + 1)) mod 512;
-        end if;
-        if slice0window_change_tag_first_group then
-          slice3cost_column_0_choice(3 * i + 2) := 0;
-        else
-          slice3cost_column_0_choice(3 * i + 2) := slice3cost_ready_words(i) / 262144;
-        end if;
-        if slice0window_change_tag_border_column then
-          slice3cost_column_0_choice_2(3 * i + 2) := 0;
-        else
-          slice3cost_column_0_choice_2(3 * i + 2) := (slice3cost_change_0(3 * i + 2) + slice3cost_column_0_choice(3 * i
-            + 2)) mod 512;
-        end if;
+        slice3cost_column_0_choice(3 * i, 1) := choice(slice0window_change_tag.first_group, 0,
+          slice3cost_ready_words(i) mod 512);
+        slice3cost_column_0_choice(3 * i, 2) := choice(slice0window_change_tag.border_column, 0, (slice3cost_change_0(3
+          * i) + slice3cost_column_0_choice(3 * i, 1)) mod 512);
+        slice3cost_column_0_choice(3 * i + 1, 1) := choice(slice0window_change_tag.first_group, 0,
+          (slice3cost_ready_words(i) / 512) mod 512);
+        slice3cost_column_0_choice(3 * i + 1, 2) := choice(slice0window_change_tag.border_column, 0,
+          (slice3cost_change_0(3 * i + 1) + slice3cost_column_0_choice(3 * i + 1, 1)) mod 512);
+        slice3cost_column_0_choice(3 * i + 2, 1) := choice(slice0window_change_tag.first_group, 0,
+          slice3cost_ready_words(i) / 262144);
+        slice3cost_column_0_choice(3 * i + 2, 2) := choice(slice0window_change_tag.border_column, 0,
+          (slice3cost_change_0(3 * i + 2) + slice3cost_column_0_choice(3 * i + 2, 1)) mod 512);
       end loop;
-      if slice0window_change_tag_first_group then
-        slice3cost_column_0_choice(12) := 0;
-      else
-        slice3cost_column_0_choice(12) := slice3cost_ready_words_4;
-      end if;
-      if slice0window_change_tag_border_column then
-        slice3cost_column_0_choice_2(12) := 0;
-      else
-        slice3cost_column_0_choice_2(12) := (slice3cost_change_0(12) + slice3cost_column_0_choice(12)) mod 512;
-      end if;
+      slice3cost_column_0_choice(12, 1) := choice(slice0window_change_tag.first_group, 0, slice3cost_ready_words_4);
+      slice3cost_column_0_choice(12, 2) := choice(slice0window_change_tag.border_column, 0, (slice3cost_change_0(12) +
+        slice3cost_column_0_choice(12, 1)) mod 512);
       for i in 0 to 1 loop
         slice3cost_pixels_first_count(i, 0, 0) <= as_number(((slice3shift_search(i, 0)(0) = '1') /=
-          (slice3shift_reference(i)(0) = '1'))) + as_number((slice3cost_pixels_first_0_count_value(i, 0) /=
-          (slice3shift_search(i, 0)(2) = '1'))) + as_number((slice3cost_pixels_first_0_count_value_2(i, 0) /=
+          (slice3shift_reference(i)(0) = '1'))) + as_number((slice3cost_pixels_first_0_count_value(i, 0, 1) /=
+          (slice3shift_search(i, 0)(2) = '1'))) + as_number((slice3cost_pixels_first_0_count_value(i, 0, 2) /=
           (slice3shift_search(i, 0)(1) = '1')));
-        slice3cost_pixels_first_count(i, 0, 1) <= as_number((slice3cost_pixels_first_0_count_value(i, 1) /=
-          (slice3shift_search(i, 0)(3) = '1'))) + as_number((slice3cost_pixels_first_0_count_value_2(i, 1) /=
-          (slice3shift_search(i, 0)(5) = '1'))) + as_number((slice3cost_pixels_first_0_count_1_value_3(i) /=
+        slice3cost_pixels_first_count(i, 0, 1) <= as_number((slice3cost_pixels_first_0_count_value(i, 1, 1) /=
+          (slice3shift_search(i, 0)(3) = '1'))) + as_number((slice3cost_pixels_first_0_count_value(i, 1, 2) /=
+          (slice3shift_search(i, 0)(5) = '1'))) + as_number((slice3cost_pixels_first_0_count_value(i, 1, 3) /=
           (slice3shift_search(i, 0)(4) = '1')));
         slice3cost_pixels_first_count(i, 0, 2) <= (to_integer(((to_unsigned(to_integer(slice3shift_search(i, 0)(7
           downto 0)), 8)) xor (to_unsigned(to_integer(slice3shift_reference(i)(7 downto 0)), 8)))) / 128) +
-          as_number((slice3cost_pixels_first_0_count_value(i, 2) /= (slice3shift_search(i, 0)(8) = '1'))) +
-          as_number((slice3cost_pixels_first_0_count_value_2(i, 2) /= (slice3shift_search(i, 0)(6) = '1')));
+          as_number((slice3cost_pixels_first_0_count_value(i, 2, 1) /= (slice3shift_search(i, 0)(8) = '1'))) +
+          as_number((slice3cost_pixels_first_0_count_value(i, 2, 2) /= (slice3shift_search(i, 0)(6) = '1')));
         for j in 3 to 14 loop
-          slice3cost_pixels_first_count(i, 0, j) <= as_number((slice3cost_pixels_first_0_count_value(i, j) /=
-            (slice3shift_search(i, 0)(3 * j) = '1'))) + as_number((slice3cost_pixels_first_0_count_value_2(i, j) /=
-            (slice3shift_search(i, 0)(3 * j + 2) = '1'))) + as_number((slice3cost_pixels_first_0_count_value_3(i, j) /=
-            (slice3shift_search(i, 0)(3 * j + 1) = '1')));
+          slice3cost_pixels_first_count(i, 0, j) <= as_number((slice3cost_pixels_first_0_count_value(i, j, 1) /=
+            (slice3shift_search(i, 0)(3 * j) = '1'))) + as_number((slice3cost_pixels_first_0_count_value(i, j, 2) /=
+            (slice3shift_search(i, 0)(3 * j + 2) = '1'))) + as_number((slice3cost_pixels_first_0_count_value(i, j, 3)
+            /= (slice3shift_search(i, 0)(3 * j + 1) = '1')));
         end loop;
-        slice3cost_pixels_first_count(i, 0, 15) <= as_number((slice3cost_pixels_first_0_count_value(i, 15) /=
+        slice3cost_pixels_first_count(i, 0, 15) <= as_number((slice3cost_pixels_first_0_count_value(i, 15, 1) /=
           (slice3shift_search(i, 0)(45) = '1'))) + as_number(((slice3shift_reference(i)(47) = '1') /=
-          (slice3shift_search(i, 0)(47) = '1'))) + as_number((slice3cost_pixels_first_0_count_value_2(i, 15) /=
+          (slice3shift_search(i, 0)(47) = '1'))) + as_number((slice3cost_pixels_first_0_count_value(i, 15, 2) /=
           (slice3shift_search(i, 0)(46) = '1')));
         for j in 1 to 12 loop
           slice3cost_pixels_first_count(i, j, 0) <= as_number(((slice3shift_search(i, j)(0) = '1') /=
             (slice3shift_reference(i)(0) = '1'))) + as_number(((slice3shift_search(i, j)(2) = '1') /=
-            slice3cost_pixels_first_0_count_value(i, 0))) + as_number(((slice3shift_search(i, j)(1) = '1') /=
-            slice3cost_pixels_first_0_count_value_2(i, 0)));
+            slice3cost_pixels_first_0_count_value(i, 0, 1))) + as_number(((slice3shift_search(i, j)(1) = '1') /=
+            slice3cost_pixels_first_0_count_value(i, 0, 2)));
           slice3cost_pixels_first_count(i, j, 1) <= as_number(((slice3shift_search(i, j)(3) = '1') /=
-            slice3cost_pixels_first_0_count_value(i, 1))) + as_number(((slice3shift_search(i, j)(5) = '1') /=
-            slice3cost_pixels_first_0_count_value_2(i, 1))) + as_number(((slice3shift_search(i, j)(4) = '1') /=
-            slice3cost_pixels_first_0_count_1_value_3(i)));
+            slice3cost_pixels_first_0_count_value(i, 1, 1))) + as_number(((slice3shift_search(i, j)(5) = '1') /=
+            slice3cost_pixels_first_0_count_value(i, 1, 2))) + as_number(((slice3shift_search(i, j)(4) = '1') /=
+            slice3cost_pixels_first_0_count_value(i, 1, 3)));
           slice3cost_pixels_first_count(i, j, 2) <= (to_integer(((to_unsigned(to_integer(slice3shift_search(i, j)(7
             downto 0)), 8)) xor (to_unsigned(to_integer(slice3shift_reference(i)(7 downto 0)), 8)))) / 128) +
-            as_number(((slice3shift_search(i, j)(8) = '1') /= slice3cost_pixels_first_0_count_value(i, 2))) +
-            as_number(((slice3shift_search(i, j)(6) = '1') /= slice3cost_pixels_first_0_count_value_2(i, 2)));
+            as_number(((slice3shift_search(i, j)(8) = '1') /= slice3cost_pixels_first_0_count_value(i, 2, 1))) +
+            as_number(((slice3shift_search(i, j)(6) = '1') /= slice3cost_pixels_first_0_count_value(i, 2, 2)));
           for k in 3 to 14 loop
             slice3cost_pixels_first_count(i, j, k) <= as_number(((slice3shift_search(i, j)(3 * k) = '1') /=
-              slice3cost_pixels_first_0_count_value(i, k))) + as_number(((slice3shift_search(i, j)(3 * k + 2) = '1') /=
-              slice3cost_pixels_first_0_count_value_2(i, k))) + as_number(((slice3shift_search(i, j)(3 * k + 1) = '1')
-              /= slice3cost_pixels_first_0_count_value_3(i, k)));
+              slice3cost_pixels_first_0_count_value(i, k, 1))) + as_number(((slice3shift_search(i, j)(3 * k + 2) = '1')
+              /= slice3cost_pixels_first_0_count_value(i, k, 2))) + as_number(((slice3shift_search(i, j)(3 * k + 1) =
+              '1') /= slice3cost_pixels_first_0_count_value(i, k, 3)));
           end loop;
           slice3cost_pixels_first_count(i, j, 15) <= as_number(((slice3shift_search(i, j)(45) = '1') /=
-            slice3cost_pixels_first_0_count_value(i, 15))) + as_number(((slice3shift_search(i, j)(47) = '1') /=
+            slice3cost_pixels_first_0_count_value(i, 15, 1))) + as_number(((slice3shift_search(i, j)(47) = '1') /=
             (slice3shift_reference(i)(47) = '1'))) + as_number(((slice3shift_search(i, j)(46) = '1') /=
-            slice3cost_pixels_first_0_count_value_2(i, 15)));
+            slice3cost_pixels_first_0_count_value(i, 15, 2)));
         end loop;
       end loop;
       for i in 0 to 1 loop
@@ -3900,64 +2288,41 @@ begin
       slice3cost_ready_words(3) <= to_integer(slice3cost_read_words(3));
       slice3cost_ready_words_4 <= to_integer(slice3cost_read_words_4);
       for i in 0 to 12 loop
-        slice3cost_column_0(i) <= slice3cost_column_0_choice_2(i);
+        slice3cost_column_0(i) <= slice3cost_column_0_choice(i, 2);
       end loop;
-      if slice0window_entering_tag_valid then
+      if slice0window_entering_tag.valid then
         slice3cost_ready_column <= slice3cost_change_column;
       end if;
-      if slice0window_change_tag_valid then
+      if slice0window_change_tag.valid then
         slice3cost_write_column <= slice2cost_write_column;
         for i in 0 to 3 loop
-          slice3cost_write_words(i) <= (slice3cost_column_0_choice_2(3 * i + 1) * 512) + slice3cost_column_0_choice_2(3
-            * i) + (slice3cost_column_0_choice_2(3 * i + 2) * 262144);
+          slice3cost_write_words(i) <= (slice3cost_column_0_choice(3 * i + 1, 2) * 512) + slice3cost_column_0_choice(3
+            * i, 2) + (slice3cost_column_0_choice(3 * i + 2, 2) * 262144);
         end loop;
-        slice3cost_write_words_4 <= slice3cost_column_0_choice_2(12);
+        slice3cost_write_words(4) <= slice3cost_column_0_choice(12, 2);
       end if;
       -- slice3window
-      if slice0window_tag_valid then
+      if slice0window_tag.valid then
         slice3window_ring_write_address <= slice3window_ring_read_address;
-        if slice3window_ring_read_address = 7 then
-          slice3window_ring_read_address <= 0;
-        else
-          slice3window_ring_read_address <= (slice3window_ring_read_address + 1) mod 8;
-        end if;
+        slice3window_ring_read_address <= choice(slice3window_ring_read_address = 7, 0, (slice3window_ring_read_address
+          + 1) mod 8);
       end if;
-      for i in 0 to 1 loop
+      for i in 0 to 3 loop
         for j in 0 to 2 loop
-          if slice2window_change_tag_leaves_window then
-            slice3window_change_0_choice(6 * i + j) := to_integer(slice3window_leaving(2 * i)(9 * j + 8 downto 9 * j));
-          else
-            slice3window_change_0_choice(6 * i + j) := 0;
-          end if;
-        end loop;
-        for j in 3 to 5 loop
-          if slice2window_change_tag_leaves_window then
-            slice3window_change_0_choice(6 * i + j) := to_integer(slice3window_leaving(2 * i + 1)(9 * j - 19 downto 9 *
-              j - 27));
-          else
-            slice3window_change_0_choice(6 * i + j) := 0;
-          end if;
+          slice3window_change_0_choice(3 * i + j) := choice(slice2window_change_tag_leaves_window,
+            to_integer(slice3window_leaving(i)(9 * j + 8 downto 9 * j)), 0);
         end loop;
       end loop;
-      if slice2window_change_tag_leaves_window then
-        slice3window_change_0_choice(12) := to_integer(slice3window_leaving_4);
-      else
-        slice3window_change_0_choice(12) := 0;
-      end if;
-      for i in 0 to 12 loop
-        slice3window_entering_0(i) <= slice3cost_column_0(i);
-      end loop;
+      slice3window_change_0_choice(12) := choice(slice2window_change_tag_leaves_window,
+        to_integer(slice3window_leaving_4), 0);
+      slice3window_entering_0 <= slice3cost_column_0;
       for i in 0 to 12 loop
         slice3window_change_0(i) <= slice3window_entering_0(i) - slice3window_change_0_choice(i);
       end loop;
       for i in 0 to 12 loop
-        if slice2window_centre_first_column_0 then
-          slice3window_sum_0_choice(i) := 0;
-        else
-          slice3window_sum_0_choice(i) := slice3window_sum_0(i);
-        end if;
+        slice3window_sum_0_choice(i) := choice(slice2window_centre_first_column_0, 0, slice3window_sum_0(i));
       end loop;
-      if slice0winner2_tag_valid then
+      if slice0winner2_tag.valid then
         for i in 0 to 12 loop
           slice3window_sum_0(i) <= (slice3window_sum_0_choice(i) + slice3window_change_0(i)) mod 4096;
         end loop;
@@ -3972,109 +2337,50 @@ begin
       end loop;
       slice3winner1_best_cost_0(6) <= slice3window_sum_0(12);
       slice3winner1_best_index_0_0 <= slice3winner1_best_cost_0_is_less(0);
-      if slice3winner1_best_cost_0_is_less(0) then
-        slice3winner1_best_cost_0(0) <= slice3window_sum_0(1);
-      else
-        slice3winner1_best_cost_0(0) <= slice3window_sum_0(0);
-      end if;
-      if slice3winner1_best_cost_0_is_less(1) then
-        slice3winner1_best_cost_0(1) <= slice3window_sum_0(3);
-        slice3winner1_best_index_0_1 <= 3;
-      else
-        slice3winner1_best_cost_0(1) <= slice3window_sum_0(2);
-        slice3winner1_best_index_0_1 <= 2;
-      end if;
-      if slice3winner1_best_cost_0_is_less(2) then
-        slice3winner1_best_cost_0(2) <= slice3window_sum_0(5);
-        slice3winner1_best_index_0_2 <= 5;
-      else
-        slice3winner1_best_cost_0(2) <= slice3window_sum_0(4);
-        slice3winner1_best_index_0_2 <= 4;
-      end if;
-      if slice3winner1_best_cost_0_is_less(3) then
-        slice3winner1_best_cost_0(3) <= slice3window_sum_0(7);
-        slice3winner1_best_index_0_3 <= 7;
-      else
-        slice3winner1_best_cost_0(3) <= slice3window_sum_0(6);
-        slice3winner1_best_index_0_3 <= 6;
-      end if;
-      if slice3winner1_best_cost_0_is_less(4) then
-        slice3winner1_best_cost_0(4) <= slice3window_sum_0(9);
-        slice3winner1_best_index_0_4 <= 9;
-      else
-        slice3winner1_best_cost_0(4) <= slice3window_sum_0(8);
-        slice3winner1_best_index_0_4 <= 8;
-      end if;
-      if slice3winner1_best_cost_0_is_less(5) then
-        slice3winner1_best_cost_0(5) <= slice3window_sum_0(11);
-        slice3winner1_best_index_0_5 <= 11;
-      else
-        slice3winner1_best_cost_0(5) <= slice3window_sum_0(10);
-        slice3winner1_best_index_0_5 <= 10;
-      end if;
+      slice3winner1_best_cost_0(0) <= choice(slice3winner1_best_cost_0_is_less(0), slice3window_sum_0(1),
+        slice3window_sum_0(0));
+      for i in 1 to 5 loop
+        slice3winner1_best_cost_0(i) <= choice(slice3winner1_best_cost_0_is_less(i), slice3window_sum_0(2 * i + 1),
+          slice3window_sum_0(2 * i));
+        slice3winner1_best_index_0(i) <= choice(slice3winner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
+      end loop;
       -- slice3winner2
       for i in 0 to 2 loop
         slice3winner2_best_cost_0_is_less(i) := (slice3winner1_best_cost_0(2 * i + 1) - slice3winner1_best_cost_0(2 *
           i)) < 0;
       end loop;
       slice3winner2_best_cost_0(3) <= slice3winner1_best_cost_0(6);
-      if slice3winner2_best_cost_0_is_less(0) then
-        slice3winner2_best_cost_0(0) <= slice3winner1_best_cost_0(1);
-        slice3winner2_best_index_0_0 <= slice3winner1_best_index_0_1;
-      else
-        slice3winner2_best_cost_0(0) <= slice3winner1_best_cost_0(0);
-        slice3winner2_best_index_0_0 <= as_number(slice3winner1_best_index_0_0);
-      end if;
-      if slice3winner2_best_cost_0_is_less(1) then
-        slice3winner2_best_cost_0(1) <= slice3winner1_best_cost_0(3);
-        slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_3;
-      else
-        slice3winner2_best_cost_0(1) <= slice3winner1_best_cost_0(2);
-        slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_2;
-      end if;
-      if slice3winner2_best_cost_0_is_less(2) then
-        slice3winner2_best_cost_0(2) <= slice3winner1_best_cost_0(5);
-        slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_5;
-      else
-        slice3winner2_best_cost_0(2) <= slice3winner1_best_cost_0(4);
-        slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_4;
-      end if;
+      slice3winner2_best_cost_0(0) <= choice(slice3winner2_best_cost_0_is_less(0), slice3winner1_best_cost_0(1),
+        slice3winner1_best_cost_0(0));
+      slice3winner2_best_index_0(0) <= choice(slice3winner2_best_cost_0_is_less(0), slice3winner1_best_index_0(1),
+        as_number(slice3winner1_best_index_0_0));
+      for i in 1 to 2 loop
+        slice3winner2_best_cost_0(i) <= choice(slice3winner2_best_cost_0_is_less(i), slice3winner1_best_cost_0(2 * i +
+          1), slice3winner1_best_cost_0(2 * i));
+        slice3winner2_best_index_0(i) <= choice(slice3winner2_best_cost_0_is_less(i), slice3winner1_best_index_0(2 * i
+          + 1), slice3winner1_best_index_0(2 * i));
+      end loop;
       -- slice3winner3
       slice3winner3_best_cost_0_is_less(0) := (slice3winner2_best_cost_0(1) - slice3winner2_best_cost_0(0)) < 0;
       slice3winner3_best_cost_0_is_less(1) := (slice3winner2_best_cost_0(3) - slice3winner2_best_cost_0(2)) < 0;
-      if slice3winner3_best_cost_0_is_less(0) then
-        slice3winner3_best_cost_0(0) <= slice3winner2_best_cost_0(1);
-        slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_1;
-      else
-        slice3winner3_best_cost_0(0) <= slice3winner2_best_cost_0(0);
-        slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_0;
-      end if;
-      if slice3winner3_best_cost_0_is_less(1) then
-        slice3winner3_best_cost_0(1) <= slice3winner2_best_cost_0(3);
-        slice3winner3_best_index_0_1 <= slice0winner2_best_index_0_3;
-      else
-        slice3winner3_best_cost_0(1) <= slice3winner2_best_cost_0(2);
-        slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_2;
-      end if;
+      slice3winner3_best_cost_0(0) <= choice(slice3winner3_best_cost_0_is_less(0), slice3winner2_best_cost_0(1),
+        slice3winner2_best_cost_0(0));
+      slice3winner3_best_index_0(0) <= choice(slice3winner3_best_cost_0_is_less(0), slice3winner2_best_index_0(1),
+        slice3winner2_best_index_0(0));
+      slice3winner3_best_cost_0(1) <= choice(slice3winner3_best_cost_0_is_less(1), slice3winner2_best_cost_0(3),
+        slice3winner2_best_cost_0(2));
+      slice3winner3_best_index_0(1) <= choice(slice3winner3_best_cost_0_is_less(1), slice0winner2_best_index_0(3),
+        slice3winner2_best_index_0(2));
       -- slice3winner4
       slice3winner4_best_cost_0_0_is_less := (slice3winner3_best_cost_0(1) - slice3winner3_best_cost_0(0)) < 0;
-      if slice3winner4_best_cost_0_0_is_less then
-        slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0(1);
-        slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_1;
-      else
-        slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0(0);
-        slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_0;
-      end if;
+      slice3winner4_best_cost_0_0 <= choice(slice3winner4_best_cost_0_0_is_less, slice3winner3_best_cost_0(1),
+        slice3winner3_best_cost_0(0));
+      slice3winner4_best_index_0_0 <= choice(slice3winner4_best_cost_0_0_is_less, slice3winner3_best_index_0(1),
+        slice3winner3_best_index_0(0));
       -- slice3
-      slice3_best_tag_valid <= slice2_best_tag_valid;
-      slice3_best_tag_output_column <= slice2_best_tag_output_column;
-      slice3_best_tag_start_of_frame <= slice2_best_tag_start_of_frame;
-      slice3_best_tag_end_of_line <= slice2_best_tag_end_of_line;
-      if (slice2_best_cost_0_0 - slice3winner4_best_cost_0_0) < 0 then
-        slice3_best_index_0_0 <= slice2_best_index_0_0;
-      else
-        slice3_best_index_0_0 <= slice3winner4_best_index_0_0;
-      end if;
+      slice3_best_tag <= slice2_best_tag;
+      slice3_best_index_0_0 <= choice((slice2_best_cost_0_0 - slice3winner4_best_cost_0_0) < 0, slice2_best_index_0_0,
+        slice3winner4_best_index_0_0);
       if reset = '1' then
         transform_valid <= false;
         transform_counter_column <= 0;
@@ -4099,92 +2405,76 @@ begin
         delay_ring_read_address <= 1;
         delay_ring_write_address <= 0;
         delay_column <= 0;
-        delay_tag_valid <= false;
-        delay_tag_row_start <= false;
-        delay_tag_output_column <= false;
-        delay_tag_start_of_frame <= false;
-        delay_tag_end_of_line <= false;
+        delay_tag.valid <= false;
+        delay_tag.row_start <= false;
+        delay_tag.output_column <= false;
+        delay_tag.start_of_frame <= false;
+        delay_tag.end_of_line <= false;
         rows_read_column <= 0;
-        rows_read_tag_valid <= false;
-        rows_read_tag_row_start <= false;
-        rows_read_tag_output_column <= false;
-        rows_read_tag_start_of_frame <= false;
-        rows_read_tag_end_of_line <= false;
+        rows_read_tag.valid <= false;
+        rows_read_tag.row_start <= false;
+        rows_read_tag.output_column <= false;
+        rows_read_tag.start_of_frame <= false;
+        rows_read_tag.end_of_line <= false;
         rows_ready_column <= 0;
-        rows_ready_tag_valid <= false;
-        rows_ready_tag_row_start <= false;
-        rows_ready_tag_output_column <= false;
-        rows_ready_tag_start_of_frame <= false;
-        rows_ready_tag_end_of_line <= false;
+        rows_ready_tag.valid <= false;
+        rows_ready_tag.row_start <= false;
+        rows_ready_tag.output_column <= false;
+        rows_ready_tag.start_of_frame <= false;
+        rows_ready_tag.end_of_line <= false;
         rows_write_column <= 0;
-        rows_tag_valid <= false;
-        rows_tag_row_start <= false;
-        rows_tag_output_column <= false;
-        rows_tag_start_of_frame <= false;
-        rows_tag_end_of_line <= false;
-        slice0shift_tag_valid <= false;
-        slice0shift_tag_row_start <= false;
-        slice0shift_tag_output_column <= false;
-        slice0shift_tag_start_of_frame <= false;
-        slice0shift_tag_end_of_line <= false;
-        slice0cost_pixels_first_tag_valid <= false;
-        slice0cost_pixels_first_tag_row_start <= false;
-        slice0cost_pixels_first_tag_output_column <= false;
-        slice0cost_pixels_first_tag_start_of_frame <= false;
-        slice0cost_pixels_first_tag_end_of_line <= false;
-        slice0cost_pixels_tag_valid <= false;
-        slice0cost_pixels_tag_row_start <= false;
-        slice0cost_pixels_tag_output_column <= false;
-        slice0cost_pixels_tag_start_of_frame <= false;
-        slice0cost_pixels_tag_end_of_line <= false;
+        rows_tag.valid <= false;
+        rows_tag.row_start <= false;
+        rows_tag.output_column <= false;
+        rows_tag.start_of_frame <= false;
+        rows_tag.end_of_line <= false;
+        slice0shift_tag.valid <= false;
+        slice0shift_tag.row_start <= false;
+        slice0shift_tag.output_column <= false;
+        slice0shift_tag.start_of_frame <= false;
+        slice0shift_tag.end_of_line <= false;
+        slice0cost_pixels_first_tag.valid <= false;
+        slice0cost_pixels_first_tag.row_start <= false;
+        slice0cost_pixels_first_tag.output_column <= false;
+        slice0cost_pixels_first_tag.start_of_frame <= false;
+        slice0cost_pixels_first_tag.end_of_line <= false;
+        slice0cost_pixels_tag.valid <= false;
+        slice0cost_pixels_tag.row_start <= false;
+        slice0cost_pixels_tag.output_column <= false;
+        slice0cost_pixels_tag.start_of_frame <= false;
+        slice0cost_pixels_tag.end_of_line <= false;
         slice0cost_read_column <= 0;
         slice0cost_change_column <= 0;
         slice0cost_ready_column <= 0;
-        slice0cost_ready_tag_valid <= false;
-        slice0cost_ready_tag_row_start <= false;
-        slice0cost_ready_tag_output_column <= false;
-        slice0cost_ready_tag_start_of_frame <= false;
-        slice0cost_ready_tag_end_of_line <= false;
+        slice0cost_ready_tag.valid <= false;
+        slice0cost_ready_tag.row_start <= false;
+        slice0cost_ready_tag.output_column <= false;
+        slice0cost_ready_tag.start_of_frame <= false;
+        slice0cost_ready_tag.end_of_line <= false;
         slice0cost_write_column <= 0;
-        slice0cost_tag_valid <= false;
-        slice0cost_tag_output_column <= false;
-        slice0cost_tag_start_of_frame <= false;
-        slice0cost_tag_end_of_line <= false;
+        slice0cost_tag.valid <= false;
+        slice0cost_tag.output_column <= false;
+        slice0cost_tag.start_of_frame <= false;
+        slice0cost_tag.end_of_line <= false;
         slice0window_ring_read_address <= 1;
         slice0window_ring_write_address <= 0;
-        slice0window_entering_tag_valid <= false;
-        slice0window_entering_tag_output_column <= false;
-        slice0window_entering_tag_start_of_frame <= false;
-        slice0window_entering_tag_end_of_line <= false;
-        slice0window_change_tag_valid <= false;
-        slice0window_change_tag_output_column <= false;
-        slice0window_change_tag_start_of_frame <= false;
-        slice0window_change_tag_end_of_line <= false;
+        slice0window_entering_tag.valid <= false;
+        slice0window_entering_tag.output_column <= false;
+        slice0window_entering_tag.start_of_frame <= false;
+        slice0window_entering_tag.end_of_line <= false;
+        slice0window_change_tag.valid <= false;
+        slice0window_change_tag.output_column <= false;
+        slice0window_change_tag.start_of_frame <= false;
+        slice0window_change_tag.end_of_line <= false;
         slice0window_centre_output_column_0 <= false;
-        slice0window_centre_start_of_frame(0) <= false;
-        slice0window_centre_start_of_frame(1) <= false;
-        slice0window_centre_start_of_frame(2) <= false;
+        slice0window_centre_start_of_frame <= (others => false);
         slice0window_centre_end_of_line_0 <= false;
-        slice0window_tag_valid <= false;
-        slice0window_tag_start_of_frame <= false;
-        slice0winner1_tag_valid <= false;
-        slice0winner1_tag_start_of_frame <= false;
-        slice0winner2_tag_valid <= false;
-        slice0winner2_tag_output_column <= false;
-        slice0winner2_tag_start_of_frame <= false;
-        slice0winner2_tag_end_of_line <= false;
-        slice0winner3_tag_valid <= false;
-        slice0winner3_tag_output_column <= false;
-        slice0winner3_tag_start_of_frame <= false;
-        slice0winner3_tag_end_of_line <= false;
-        slice0winner4_tag_valid <= false;
-        slice0winner4_tag_output_column <= false;
-        slice0winner4_tag_start_of_frame <= false;
-        slice0winner4_tag_end_of_line <= false;
-        slice0_best_tag_valid <= false;
-        slice0_best_tag_output_column <= false;
-        slice0_best_tag_start_of_frame <= false;
-        slice0_best_tag_end_of_line <= false;
+        slice0window_tag <= (others => false);
+        slice0winner1_tag <= (others => false);
+        slice0winner2_tag <= (others => false);
+        slice0winner3_tag <= (others => false);
+        slice0winner4_tag <= (others => false);
+        slice0_best_tag <= (others => false);
         slice1cost_read_column <= 0;
         slice1cost_change_column <= 0;
         slice1cost_ready_column <= 0;
@@ -4193,10 +2483,7 @@ begin
         slice1window_ring_write_address <= 0;
         slice1window_centre_output_column_0 <= false;
         slice1window_centre_end_of_line_0 <= false;
-        slice1_best_tag_valid <= false;
-        slice1_best_tag_output_column <= false;
-        slice1_best_tag_start_of_frame <= false;
-        slice1_best_tag_end_of_line <= false;
+        slice1_best_tag <= (others => false);
         slice2cost_read_column <= 0;
         slice2cost_change_column <= 0;
         slice2cost_ready_column <= 0;
@@ -4205,24 +2492,16 @@ begin
         slice2window_ring_write_address <= 0;
         slice2window_centre_output_column_0 <= false;
         slice2window_centre_end_of_line_0 <= false;
-        slice2_best_tag_valid <= false;
-        slice2_best_tag_output_column <= false;
-        slice2_best_tag_start_of_frame <= false;
-        slice2_best_tag_end_of_line <= false;
+        slice2_best_tag <= (others => false);
         slice3cost_read_column <= 0;
         slice3cost_change_column <= 0;
         slice3cost_ready_column <= 0;
         slice3cost_write_column <= 0;
         slice3window_ring_read_address <= 1;
         slice3window_ring_write_address <= 0;
-        slice3window_centre_output_column(0) <= false;
-        slice3window_centre_output_column(1) <= false;
-        slice3window_centre_end_of_line(0) <= false;
-        slice3window_centre_end_of_line(1) <= false;
-        slice3_best_tag_valid <= false;
-        slice3_best_tag_output_column <= false;
-        slice3_best_tag_start_of_frame <= false;
-        slice3_best_tag_end_of_line <= false;
+        slice3window_centre_output_column <= (others => false);
+        slice3window_centre_end_of_line <= (others => false);
+        slice3_best_tag <= (others => false);
       end if;
     end if;
   end process;

@@ -87,16 +87,59 @@ architecture rtl of stereo_core_miyajima_640_f5 is
     return '0';
   end function;
 
+  function choice(test : boolean; yes : boolean; no : boolean) return boolean is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
+  function choice(test : boolean; yes : integer; no : integer) return integer is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
   type boolean_1d is array (natural range <>) of boolean;
   type integer_minus_2047_to_2047_1d is array (natural range <>) of integer range -2047 to 2047;
   type integer_minus_255_to_255_1d is array (natural range <>) of integer range -255 to 255;
   type integer_minus_255_to_255_2d is array (natural range <>, natural range <>) of integer range -255 to 255;
+  type natural_1023_1d is array (natural range <>) of natural range 0 to 1023;
+  type natural_127_1d is array (natural range <>) of natural range 0 to 127;
+  type natural_14_1d is array (natural range <>) of natural range 0 to 14;
   type natural_16383_1d is array (natural range <>) of natural range 0 to 16383;
   type natural_2047_1d is array (natural range <>) of natural range 0 to 2047;
+  type natural_2047_2d is array (natural range <>, natural range <>) of natural range 0 to 2047;
+  type natural_24_1d is array (natural range <>) of natural range 0 to 24;
   type natural_255_1d is array (natural range <>) of natural range 0 to 255;
   type natural_255_2d is array (natural range <>, natural range <>) of natural range 0 to 255;
+  type natural_31_1d is array (natural range <>) of natural range 0 to 31;
   type natural_4194303_1d is array (natural range <>) of natural range 0 to 4194303;
   type unsigned_22_1d is array (natural range <>) of unsigned(21 downto 0);
+  type tag_5 is record
+    valid, row_start, first_group, output_column, start_of_frame : boolean;
+  end record;
+  type tag_8 is record
+    valid, row_start, first_group, border_column, first_cost, leaves_window, map_column, end_of_line : boolean;
+  end record;
+  type tag_7 is record
+    valid, row_start, first_group, border_column, first_cost, leaves_window, map_column : boolean;
+  end record;
+  type tag_6 is record
+    valid, first_group, border_column, first_cost, leaves_window, map_column : boolean;
+  end record;
+  type tag_4 is record
+    valid, first_cost, leaves_window, map_column : boolean;
+  end record;
+  type tag_3 is record
+    valid, map_column, first_column : boolean;
+  end record;
+  type tag_4_b is record
+    valid, output_column, start_of_frame, end_of_line : boolean;
+  end record;
   signal in_start_of_frame, in_valid : boolean;
   signal in_left_pixel, in_right_pixel : natural range 0 to 255;
   -- raster
@@ -108,8 +151,7 @@ architecture rtl of stereo_core_miyajima_640_f5 is
   signal delay_ahead_0, delay_delayed_0 : natural range 0 to 255;
   signal delay_column : natural range 0 to 1023;
   signal delay_row_inside : boolean_1d(0 to 1);
-  signal delay_tag_valid, delay_tag_row_start, delay_tag_first_group, delay_tag_output_column : boolean;
-  signal delay_tag_start_of_frame : boolean;
+  signal delay_tag : tag_5;
   -- rows
   signal rows_search_rows_read_words_0, rows_search_rows_ready_words_0 : unsigned(31 downto 0);
   signal rows_search_rows_write_words_0, rows_reference_rows_read_words_0 : unsigned(31 downto 0);
@@ -121,121 +163,77 @@ architecture rtl of stereo_core_miyajima_640_f5 is
   signal rows_reference_rows_ready_words_1, rows_reference_rows_write_words_1 : natural range 0 to 16777215;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 1023;
   signal rows_read_inside : boolean_1d(0 to 1);
-  signal rows_read_tag_valid, rows_read_tag_row_start, rows_read_tag_first_group, rows_read_tag_output_column : boolean;
-  signal rows_read_tag_start_of_frame : boolean;
+  signal rows_read_tag : tag_5;
   signal rows_ready_inside : boolean_1d(0 to 1);
-  signal rows_ready_tag_valid, rows_ready_tag_row_start, rows_ready_tag_first_group : boolean;
-  signal rows_ready_tag_output_column, rows_ready_tag_start_of_frame, rows_tag_valid, rows_tag_row_start : boolean;
-  signal rows_tag_first_group, rows_tag_output_column, rows_tag_start_of_frame : boolean;
+  signal rows_ready_tag, rows_tag : tag_5;
   signal rows_search, rows_reference : natural range 0 to 65535;
   -- passes
   signal passes_row, passes_coming_first_group, passes_coming_output, passes_coming_starts, passes_row_ended : boolean;
   signal passes_ended_last, passes_arrived, passes_shows, passes_showing_first_group, passes_showing_output : boolean;
   signal passes_showing_starts, passes_pass_ends, passes_last_pass, passes_leaving_output : boolean;
-  signal passes_leaving_starts, passes_read_tag_valid, passes_read_tag_row_start, passes_read_tag_first_group : boolean;
-  signal passes_read_tag_border_column, passes_read_tag_first_cost, passes_read_tag_leaves_window : boolean;
-  signal passes_read_tag_map_column, passes_read_tag_end_of_line, passes_tag_valid, passes_tag_row_start : boolean;
-  signal passes_tag_first_group, passes_tag_border_column, passes_tag_first_cost, passes_tag_leaves_window : boolean;
-  signal passes_tag_map_column : boolean;
+  signal passes_leaving_starts : boolean;
+  signal passes_read_tag : tag_8;
+  signal passes_tag : tag_7;
   signal passes_write_address, passes_search_address, passes_reference_address : natural range 0 to 2047;
   signal passes_write_search_0, passes_write_reference_0 : natural range 0 to 65535;
   signal passes_pass : natural range 0 to 7;
   signal passes_column : natural range 0 to 511;
   signal passes_search_start : natural range 0 to 1023;
   signal passes_read_search_0, passes_read_reference_0 : unsigned(15 downto 0);
-  signal passes_search : natural_255_1d(0 to 1);
-  signal passes_reference : natural_255_1d(0 to 1);
+  signal passes_search, passes_reference : natural_255_1d(0 to 1);
   -- slice0shift
   signal slice0shift_search : natural_255_2d(0 to 1, 0 to 24);
-  signal slice0shift_reference : natural_255_1d(0 to 1);
-  signal slice0shift_search_out : natural_255_1d(0 to 1);
-  signal slice0shift_tag_valid, slice0shift_tag_row_start, slice0shift_tag_first_group : boolean;
-  signal slice0shift_tag_border_column, slice0shift_tag_first_cost, slice0shift_tag_leaves_window : boolean;
-  signal slice0shift_tag_map_column : boolean;
+  signal slice0shift_reference, slice0shift_search_out : natural_255_1d(0 to 1);
+  signal slice0shift_tag : tag_7;
   -- slice0cost
   signal slice0cost_pixels_first : integer_minus_255_to_255_2d(0 to 1, 0 to 24);
   signal slice0cost_change_0 : integer_minus_255_to_255_1d(0 to 24);
-  signal slice0cost_pixels_first_tag_valid, slice0cost_pixels_first_tag_row_start : boolean;
-  signal slice0cost_pixels_first_tag_first_group, slice0cost_pixels_first_tag_border_column : boolean;
-  signal slice0cost_pixels_first_tag_first_cost, slice0cost_pixels_first_tag_leaves_window : boolean;
-  signal slice0cost_pixels_first_tag_map_column, slice0cost_pixels_tag_valid : boolean;
-  signal slice0cost_pixels_tag_first_group, slice0cost_pixels_tag_border_column : boolean;
-  signal slice0cost_pixels_tag_first_cost, slice0cost_pixels_tag_leaves_window : boolean;
-  signal slice0cost_pixels_tag_map_column, slice0cost_ready_tag_valid, slice0cost_ready_tag_first_group : boolean;
-  signal slice0cost_ready_tag_border_column, slice0cost_ready_tag_first_cost : boolean;
-  signal slice0cost_ready_tag_leaves_window, slice0cost_ready_tag_map_column, slice0cost_tag_valid : boolean;
-  signal slice0cost_tag_first_group, slice0cost_tag_border_column, slice0cost_tag_first_cost : boolean;
-  signal slice0cost_tag_leaves_window, slice0cost_tag_map_column : boolean;
+  signal slice0cost_pixels_first_tag : tag_7;
+  signal slice0cost_pixels_tag, slice0cost_ready_tag, slice0cost_tag : tag_6;
   signal slice0cost_pixels_cost : natural_255_2d(0 to 1, 0 to 24);
   signal slice0cost_read_column, slice0cost_change_column, slice0cost_ready_column : natural range 0 to 4095;
   signal slice0cost_write_column : natural range 0 to 4095;
   signal slice0cost_read_words : unsigned_22_1d(0 to 11);
   signal slice0cost_read_words_12 : unsigned(10 downto 0);
   signal slice0cost_ready_words : natural_4194303_1d(0 to 11);
-  signal slice0cost_write_words : natural_4194303_1d(0 to 11);
+  signal slice0cost_write_words : natural_4194303_1d(0 to 12);  -- slice0cost_write_words_# up to 4194303 x 12, 2047
   signal slice0cost_ready_words_12 : natural range 0 to 2047;
   signal slice0cost_column_0 : natural_2047_1d(0 to 24);
-  signal slice0cost_write_words_12 : natural range 0 to 2047;
   -- slice0window
   signal slice0window_ring_read_address, slice0window_ring_write_address : natural range 0 to 7;
   signal slice0window_leaving : unsigned_22_1d(0 to 11);
   signal slice0window_leaving_12 : unsigned(10 downto 0);
   signal slice0window_entering_0 : natural_2047_1d(0 to 24);
-  signal slice0window_entering_tag_valid, slice0window_entering_tag_first_cost : boolean;
-  signal slice0window_entering_tag_leaves_window, slice0window_entering_tag_map_column : boolean;
-  signal slice0window_change_tag_valid, slice0window_change_tag_first_cost : boolean;
-  signal slice0window_change_tag_leaves_window, slice0window_change_tag_map_column : boolean;
-  signal slice0window_centre_map_column : boolean_1d(0 to 2);
-  signal slice0window_centre_first_column : boolean_1d(0 to 2);
-  signal slice0window_tag_valid, slice0window_tag_map_column, slice0window_tag_first_column : boolean;
+  signal slice0window_entering_tag, slice0window_change_tag : tag_4;
+  signal slice0window_centre_map_column, slice0window_centre_first_column : boolean_1d(0 to 2);
+  signal slice0window_tag : tag_3;
   signal slice0window_change_0 : integer_minus_2047_to_2047_1d(0 to 24);
   signal slice0window_sum_0 : natural_16383_1d(0 to 24);
   -- slice0winner1
   signal slice0winner1_best_cost_0 : natural_16383_1d(0 to 12);
-  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_map_column : boolean;
-  signal slice0winner1_tag_first_column : boolean;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice0winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice0winner1_best_index_0_3 : natural range 0 to 7;
-  signal slice0winner1_best_index_0_4 : natural range 0 to 9;
-  signal slice0winner1_best_index_0_5 : natural range 0 to 11;
-  signal slice0winner1_best_index_0_6 : natural range 0 to 13;
-  signal slice0winner1_best_index_0_7 : natural range 0 to 15;
-  signal slice0winner1_best_index_0_8 : natural range 0 to 17;
-  signal slice0winner1_best_index_0_9 : natural range 0 to 19;
-  signal slice0winner1_best_index_0_10 : natural range 0 to 21;
-  signal slice0winner1_best_index_0_11 : natural range 0 to 23;
-  signal slice0winner1_best_index_0_12 : natural range 0 to 24;
+  signal slice0winner1_best_index_0_0 : boolean;
+  signal slice0winner1_tag : tag_3;
+  signal slice0winner1_best_index_0 : natural_24_1d(1 to 12);  -- slice0winner1_best_index_0_# up to 3, 5 .. 23, 24
   -- slice0winner2
   signal slice0winner2_best_cost_0 : natural_16383_1d(0 to 6);
-  signal slice0winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice0winner2_best_index_0_1 : natural range 0 to 7;
-  signal slice0winner2_best_index_0_2 : natural range 0 to 11;
-  signal slice0winner2_best_index_0_3 : natural range 0 to 15;
-  signal slice0winner2_best_index_0_4 : natural range 0 to 19;
-  signal slice0winner2_best_index_0_5 : natural range 0 to 23;
-  signal slice0winner2_best_index_0_6 : natural range 0 to 24;
-  signal slice0winner2_tag_valid, slice0winner2_tag_map_column, slice0winner2_tag_first_column : boolean;
+  signal slice0winner2_best_index_0 : natural_24_1d(0 to 6);  -- slice0winner2_best_index_0_# up to 3, 7 .. 23, 24
+  signal slice0winner2_tag : tag_3;
   -- slice0winner3
   signal slice0winner3_best_cost_0 : natural_16383_1d(0 to 3);
-  signal slice0winner3_best_index_0_0 : natural range 0 to 7;
-  signal slice0winner3_best_index_0_1 : natural range 0 to 15;
-  signal slice0winner3_best_index_0_2 : natural range 0 to 23;
-  signal slice0winner3_best_index_0_3 : natural range 0 to 24;
-  signal slice0winner3_tag_valid, slice0winner3_tag_map_column, slice0winner3_tag_first_column : boolean;
+  signal slice0winner3_best_index_0 : natural_24_1d(0 to 3);  -- slice0winner3_best_index_0_# up to 7, 15, 23, 24
+  signal slice0winner3_tag : tag_3;
   -- slice0winner4
   signal slice0winner4_best_cost_0 : natural_16383_1d(0 to 1);
-  signal slice0winner4_best_index_0_0 : natural range 0 to 15;
-  signal slice0winner4_best_index_0_1 : natural range 0 to 24;
-  signal slice0winner4_tag_valid, slice0winner4_tag_map_column, slice0winner4_tag_first_column : boolean;
+  signal slice0winner4_best_index_0 : natural_24_1d(0 to 1);  -- slice0winner4_best_index_0_# up to 15, 24
+  signal slice0winner4_tag : tag_3;
   -- slice0winner5
   signal slice0winner5_best_cost_0_0 : natural range 0 to 16383;
   signal slice0winner5_best_index_0_0 : natural range 0 to 24;
-  signal slice0winner5_tag_valid, slice0winner5_tag_map_column, slice0winner5_tag_first_column : boolean;
+  signal slice0winner5_tag : tag_3;
   -- slice0
   signal slice0_best_cost_0_0 : natural range 0 to 16383;
   signal slice0_best_index_0_0 : natural range 0 to 39;
-  signal slice0_best_tag_valid, slice0_best_tag_map_column, slice0_best_tag_first_column : boolean;
+  signal slice0_best_tag : tag_3;
   -- slice1shift
   signal slice1shift_search : natural_255_2d(0 to 1, 0 to 14);
   signal slice1shift_reference : natural_255_1d(0 to 1);
@@ -248,10 +246,9 @@ architecture rtl of stereo_core_miyajima_640_f5 is
   signal slice1cost_read_words : unsigned_22_1d(0 to 6);
   signal slice1cost_read_words_7 : unsigned(10 downto 0);
   signal slice1cost_ready_words : natural_4194303_1d(0 to 6);
-  signal slice1cost_write_words : natural_4194303_1d(0 to 6);
+  signal slice1cost_write_words : natural_4194303_1d(0 to 7);  -- slice1cost_write_words_# up to 4194303 x 7, 2047
   signal slice1cost_ready_words_7 : natural range 0 to 2047;
   signal slice1cost_column_0 : natural_2047_1d(0 to 14);
-  signal slice1cost_write_words_7 : natural range 0 to 2047;
   -- slice1window
   signal slice1window_ring_read_address, slice1window_ring_write_address : natural range 0 to 7;
   signal slice1window_leaving : unsigned_22_1d(0 to 6);
@@ -262,23 +259,13 @@ architecture rtl of stereo_core_miyajima_640_f5 is
   -- slice1winner1
   signal slice1winner1_best_cost_0 : natural_16383_1d(0 to 7);
   signal slice1winner1_best_index_0_0 : boolean;
-  signal slice1winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice1winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice1winner1_best_index_0_3 : natural range 0 to 7;
-  signal slice1winner1_best_index_0_4 : natural range 0 to 9;
-  signal slice1winner1_best_index_0_5 : natural range 0 to 11;
-  signal slice1winner1_best_index_0_6 : natural range 0 to 13;
-  signal slice1winner1_best_index_0_7 : natural range 0 to 14;
+  signal slice1winner1_best_index_0 : natural_14_1d(1 to 7);  -- slice1winner1_best_index_0_# up to 3, 5 .. 13, 14
   -- slice1winner2
   signal slice1winner2_best_cost_0 : natural_16383_1d(0 to 3);
-  signal slice1winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice1winner2_best_index_0_1 : natural range 0 to 7;
-  signal slice1winner2_best_index_0_2 : natural range 0 to 11;
-  signal slice1winner2_best_index_0_3 : natural range 0 to 14;
+  signal slice1winner2_best_index_0 : natural_14_1d(0 to 3);  -- slice1winner2_best_index_0_# up to 3, 7, 11, 14
   -- slice1winner3
   signal slice1winner3_best_cost_0 : natural_16383_1d(0 to 1);
-  signal slice1winner3_best_index_0_0 : natural range 0 to 7;
-  signal slice1winner3_best_index_0_1 : natural range 0 to 14;
+  signal slice1winner3_best_index_0 : natural_14_1d(0 to 1);  -- slice1winner3_best_index_0_# up to 7, 14
   -- slice1winner4
   signal slice1winner4_best_cost_0_0 : natural range 0 to 16383;
   signal slice1winner4_best_index_0_0 : natural range 0 to 14;
@@ -288,16 +275,14 @@ architecture rtl of stereo_core_miyajima_640_f5 is
   -- slice1
   signal slice1_best_cost_0_0 : natural range 0 to 16383;
   signal slice1_best_index_0_0 : natural range 0 to 39;
-  signal slice1_best_tag_valid, slice1_best_tag_map_column, slice1_best_tag_first_column : boolean;
+  signal slice1_best_tag : tag_3;
   -- best
   signal best_read_cost_0_0, best_waiting_cost_0_0, best_ready_cost_0_0 : natural range 0 to 16383;
   signal best_compared_cost_0_0, best_best_cost_0_0 : natural range 0 to 16383;
   signal best_read_index_0_0, best_waiting_index_0_0, best_ready_index_0_0 : natural range 0 to 39;
-  signal best_read_tag_valid, best_read_tag_map_column, best_read_tag_first_column, best_waiting_tag_valid : boolean;
-  signal best_waiting_tag_map_column, best_waiting_tag_first_column, best_ready_tag_valid : boolean;
-  signal best_ready_tag_map_column, best_ready_tag_first_column, best_compared_tag_valid : boolean;
-  signal best_compared_tag_map_column, best_compared_tag_first_column, best_last_pass, best_here_wins : boolean;
-  signal best_best_tag_valid, best_best_tag_map_column, best_best_tag_first_column : boolean;
+  signal best_read_tag, best_waiting_tag, best_ready_tag, best_compared_tag : tag_3;
+  signal best_last_pass, best_here_wins : boolean;
+  signal best_best_tag : tag_3;
   signal best_column, best_place_column, best_write_column : natural range 0 to 1023;
   signal best_read_words_0 : unsigned(21 downto 0);
   signal best_ready_words_0, best_compared_words_0 : natural range 0 to 4194303;
@@ -305,192 +290,12 @@ architecture rtl of stereo_core_miyajima_640_f5 is
   signal best_base : natural range 0 to 248;
   signal best_compared_index_0_0, best_best_index_0_0 : natural range 0 to 255;
   -- winners
-  signal winners_row, winners_read_tag_valid, winners_read_tag_output_column, winners_read_tag_start_of_frame : boolean;
-  signal winners_read_tag_end_of_line, winners_winners_tag_valid, winners_winners_tag_output_column : boolean;
-  signal winners_winners_tag_start_of_frame, winners_winners_tag_end_of_line : boolean;
+  signal winners_row : boolean;
+  signal winners_read_tag, winners_winners_tag : tag_4_b;
   signal winners_column : natural range 0 to 1023;
   signal winners_write_address : natural range 0 to 2047;
   signal winners_write_word_0, winners_winners_disparity_0 : natural range 0 to 255;
   signal winners_read_word_0 : unsigned(7 downto 0);
-  signal winners_read_word_0_memory_read_enable : boolean;
-  signal winners_read_word_0_memory_read_address, winners_read_word_0_memory_write_address : unsigned(10 downto 0);
-  signal winners_read_word_0_memory_write_data : unsigned(7 downto 0);
-  signal best_read_words_0_memory_read_enable : boolean;
-  signal best_read_words_0_memory_read_address, best_read_words_0_memory_write_address : unsigned(9 downto 0);
-  signal best_read_words_0_memory_write_data : unsigned(21 downto 0);
-  signal slice1window_leaving_7_memory_read_enable : boolean;
-  signal slice1window_leaving_7_memory_read_address, slice1window_leaving_7_memory_write_address : unsigned(2 downto 0);
-  signal slice1window_leaving_7_memory_write_data : unsigned(10 downto 0);
-  signal slice1window_leaving_6_memory_read_enable : boolean;
-  signal slice1window_leaving_6_memory_read_address, slice1window_leaving_6_memory_write_address : unsigned(2 downto 0);
-  signal slice1window_leaving_6_memory_write_data : unsigned(21 downto 0);
-  signal slice1window_leaving_5_memory_read_enable : boolean;
-  signal slice1window_leaving_5_memory_read_address, slice1window_leaving_5_memory_write_address : unsigned(2 downto 0);
-  signal slice1window_leaving_5_memory_write_data : unsigned(21 downto 0);
-  signal slice1window_leaving_4_memory_read_enable : boolean;
-  signal slice1window_leaving_4_memory_read_address, slice1window_leaving_4_memory_write_address : unsigned(2 downto 0);
-  signal slice1window_leaving_4_memory_write_data : unsigned(21 downto 0);
-  signal slice1window_leaving_3_memory_read_enable : boolean;
-  signal slice1window_leaving_3_memory_read_address, slice1window_leaving_3_memory_write_address : unsigned(2 downto 0);
-  signal slice1window_leaving_3_memory_write_data : unsigned(21 downto 0);
-  signal slice1window_leaving_2_memory_read_enable : boolean;
-  signal slice1window_leaving_2_memory_read_address, slice1window_leaving_2_memory_write_address : unsigned(2 downto 0);
-  signal slice1window_leaving_2_memory_write_data : unsigned(21 downto 0);
-  signal slice1window_leaving_1_memory_read_enable : boolean;
-  signal slice1window_leaving_1_memory_read_address, slice1window_leaving_1_memory_write_address : unsigned(2 downto 0);
-  signal slice1window_leaving_1_memory_write_data : unsigned(21 downto 0);
-  signal slice1window_leaving_0_memory_read_enable : boolean;
-  signal slice1window_leaving_0_memory_read_address, slice1window_leaving_0_memory_write_address : unsigned(2 downto 0);
-  signal slice1window_leaving_0_memory_write_data : unsigned(21 downto 0);
-  signal slice1cost_read_words_7_memory_read_enable : boolean;
-  signal slice1cost_read_words_7_memory_read_address : unsigned(11 downto 0);
-  signal slice1cost_read_words_7_memory_write_address : unsigned(11 downto 0);
-  signal slice1cost_read_words_7_memory_write_data : unsigned(10 downto 0);
-  signal slice1cost_read_words_6_memory_read_enable : boolean;
-  signal slice1cost_read_words_6_memory_read_address : unsigned(11 downto 0);
-  signal slice1cost_read_words_6_memory_write_address : unsigned(11 downto 0);
-  signal slice1cost_read_words_6_memory_write_data : unsigned(21 downto 0);
-  signal slice1cost_read_words_5_memory_read_enable : boolean;
-  signal slice1cost_read_words_5_memory_read_address : unsigned(11 downto 0);
-  signal slice1cost_read_words_5_memory_write_address : unsigned(11 downto 0);
-  signal slice1cost_read_words_5_memory_write_data : unsigned(21 downto 0);
-  signal slice1cost_read_words_4_memory_read_enable : boolean;
-  signal slice1cost_read_words_4_memory_read_address : unsigned(11 downto 0);
-  signal slice1cost_read_words_4_memory_write_address : unsigned(11 downto 0);
-  signal slice1cost_read_words_4_memory_write_data : unsigned(21 downto 0);
-  signal slice1cost_read_words_3_memory_read_enable : boolean;
-  signal slice1cost_read_words_3_memory_read_address : unsigned(11 downto 0);
-  signal slice1cost_read_words_3_memory_write_address : unsigned(11 downto 0);
-  signal slice1cost_read_words_3_memory_write_data : unsigned(21 downto 0);
-  signal slice1cost_read_words_2_memory_read_enable : boolean;
-  signal slice1cost_read_words_2_memory_read_address : unsigned(11 downto 0);
-  signal slice1cost_read_words_2_memory_write_address : unsigned(11 downto 0);
-  signal slice1cost_read_words_2_memory_write_data : unsigned(21 downto 0);
-  signal slice1cost_read_words_1_memory_read_enable : boolean;
-  signal slice1cost_read_words_1_memory_read_address : unsigned(11 downto 0);
-  signal slice1cost_read_words_1_memory_write_address : unsigned(11 downto 0);
-  signal slice1cost_read_words_1_memory_write_data : unsigned(21 downto 0);
-  signal slice1cost_read_words_0_memory_read_enable : boolean;
-  signal slice1cost_read_words_0_memory_read_address : unsigned(11 downto 0);
-  signal slice1cost_read_words_0_memory_write_address : unsigned(11 downto 0);
-  signal slice1cost_read_words_0_memory_write_data : unsigned(21 downto 0);
-  signal slice0window_leaving_12_memory_read_enable : boolean;
-  signal slice0window_leaving_12_memory_read_address : unsigned(2 downto 0);
-  signal slice0window_leaving_12_memory_write_address : unsigned(2 downto 0);
-  signal slice0window_leaving_12_memory_write_data : unsigned(10 downto 0);
-  signal slice0window_leaving_11_memory_read_enable : boolean;
-  signal slice0window_leaving_11_memory_read_address : unsigned(2 downto 0);
-  signal slice0window_leaving_11_memory_write_address : unsigned(2 downto 0);
-  signal slice0window_leaving_11_memory_write_data : unsigned(21 downto 0);
-  signal slice0window_leaving_10_memory_read_enable : boolean;
-  signal slice0window_leaving_10_memory_read_address : unsigned(2 downto 0);
-  signal slice0window_leaving_10_memory_write_address : unsigned(2 downto 0);
-  signal slice0window_leaving_10_memory_write_data : unsigned(21 downto 0);
-  signal slice0window_leaving_9_memory_read_enable : boolean;
-  signal slice0window_leaving_9_memory_read_address, slice0window_leaving_9_memory_write_address : unsigned(2 downto 0);
-  signal slice0window_leaving_9_memory_write_data : unsigned(21 downto 0);
-  signal slice0window_leaving_8_memory_read_enable : boolean;
-  signal slice0window_leaving_8_memory_read_address, slice0window_leaving_8_memory_write_address : unsigned(2 downto 0);
-  signal slice0window_leaving_8_memory_write_data : unsigned(21 downto 0);
-  signal slice0window_leaving_7_memory_read_enable : boolean;
-  signal slice0window_leaving_7_memory_read_address, slice0window_leaving_7_memory_write_address : unsigned(2 downto 0);
-  signal slice0window_leaving_7_memory_write_data : unsigned(21 downto 0);
-  signal slice0window_leaving_6_memory_read_enable : boolean;
-  signal slice0window_leaving_6_memory_read_address, slice0window_leaving_6_memory_write_address : unsigned(2 downto 0);
-  signal slice0window_leaving_6_memory_write_data : unsigned(21 downto 0);
-  signal slice0window_leaving_5_memory_read_enable : boolean;
-  signal slice0window_leaving_5_memory_read_address, slice0window_leaving_5_memory_write_address : unsigned(2 downto 0);
-  signal slice0window_leaving_5_memory_write_data : unsigned(21 downto 0);
-  signal slice0window_leaving_4_memory_read_enable : boolean;
-  signal slice0window_leaving_4_memory_read_address, slice0window_leaving_4_memory_write_address : unsigned(2 downto 0);
-  signal slice0window_leaving_4_memory_write_data : unsigned(21 downto 0);
-  signal slice0window_leaving_3_memory_read_enable : boolean;
-  signal slice0window_leaving_3_memory_read_address, slice0window_leaving_3_memory_write_address : unsigned(2 downto 0);
-  signal slice0window_leaving_3_memory_write_data : unsigned(21 downto 0);
-  signal slice0window_leaving_2_memory_read_enable : boolean;
-  signal slice0window_leaving_2_memory_read_address, slice0window_leaving_2_memory_write_address : unsigned(2 downto 0);
-  signal slice0window_leaving_2_memory_write_data : unsigned(21 downto 0);
-  signal slice0window_leaving_1_memory_read_enable : boolean;
-  signal slice0window_leaving_1_memory_read_address, slice0window_leaving_1_memory_write_address : unsigned(2 downto 0);
-  signal slice0window_leaving_1_memory_write_data : unsigned(21 downto 0);
-  signal slice0window_leaving_0_memory_read_enable : boolean;
-  signal slice0window_leaving_0_memory_read_address, slice0window_leaving_0_memory_write_address : unsigned(2 downto 0);
-  signal slice0window_leaving_0_memory_write_data : unsigned(21 downto 0);
-  signal slice0cost_read_words_12_memory_read_enable : boolean;
-  signal slice0cost_read_words_12_memory_read_address : unsigned(11 downto 0);
-  signal slice0cost_read_words_12_memory_write_address : unsigned(11 downto 0);
-  signal slice0cost_read_words_12_memory_write_data : unsigned(10 downto 0);
-  signal slice0cost_read_words_11_memory_read_enable : boolean;
-  signal slice0cost_read_words_11_memory_read_address : unsigned(11 downto 0);
-  signal slice0cost_read_words_11_memory_write_address : unsigned(11 downto 0);
-  signal slice0cost_read_words_11_memory_write_data : unsigned(21 downto 0);
-  signal slice0cost_read_words_10_memory_read_enable : boolean;
-  signal slice0cost_read_words_10_memory_read_address : unsigned(11 downto 0);
-  signal slice0cost_read_words_10_memory_write_address : unsigned(11 downto 0);
-  signal slice0cost_read_words_10_memory_write_data : unsigned(21 downto 0);
-  signal slice0cost_read_words_9_memory_read_enable : boolean;
-  signal slice0cost_read_words_9_memory_read_address : unsigned(11 downto 0);
-  signal slice0cost_read_words_9_memory_write_address : unsigned(11 downto 0);
-  signal slice0cost_read_words_9_memory_write_data : unsigned(21 downto 0);
-  signal slice0cost_read_words_8_memory_read_enable : boolean;
-  signal slice0cost_read_words_8_memory_read_address : unsigned(11 downto 0);
-  signal slice0cost_read_words_8_memory_write_address : unsigned(11 downto 0);
-  signal slice0cost_read_words_8_memory_write_data : unsigned(21 downto 0);
-  signal slice0cost_read_words_7_memory_read_enable : boolean;
-  signal slice0cost_read_words_7_memory_read_address : unsigned(11 downto 0);
-  signal slice0cost_read_words_7_memory_write_address : unsigned(11 downto 0);
-  signal slice0cost_read_words_7_memory_write_data : unsigned(21 downto 0);
-  signal slice0cost_read_words_6_memory_read_enable : boolean;
-  signal slice0cost_read_words_6_memory_read_address : unsigned(11 downto 0);
-  signal slice0cost_read_words_6_memory_write_address : unsigned(11 downto 0);
-  signal slice0cost_read_words_6_memory_write_data : unsigned(21 downto 0);
-  signal slice0cost_read_words_5_memory_read_enable : boolean;
-  signal slice0cost_read_words_5_memory_read_address : unsigned(11 downto 0);
-  signal slice0cost_read_words_5_memory_write_address : unsigned(11 downto 0);
-  signal slice0cost_read_words_5_memory_write_data : unsigned(21 downto 0);
-  signal slice0cost_read_words_4_memory_read_enable : boolean;
-  signal slice0cost_read_words_4_memory_read_address : unsigned(11 downto 0);
-  signal slice0cost_read_words_4_memory_write_address : unsigned(11 downto 0);
-  signal slice0cost_read_words_4_memory_write_data : unsigned(21 downto 0);
-  signal slice0cost_read_words_3_memory_read_enable : boolean;
-  signal slice0cost_read_words_3_memory_read_address : unsigned(11 downto 0);
-  signal slice0cost_read_words_3_memory_write_address : unsigned(11 downto 0);
-  signal slice0cost_read_words_3_memory_write_data : unsigned(21 downto 0);
-  signal slice0cost_read_words_2_memory_read_enable : boolean;
-  signal slice0cost_read_words_2_memory_read_address : unsigned(11 downto 0);
-  signal slice0cost_read_words_2_memory_write_address : unsigned(11 downto 0);
-  signal slice0cost_read_words_2_memory_write_data : unsigned(21 downto 0);
-  signal slice0cost_read_words_1_memory_read_enable : boolean;
-  signal slice0cost_read_words_1_memory_read_address : unsigned(11 downto 0);
-  signal slice0cost_read_words_1_memory_write_address : unsigned(11 downto 0);
-  signal slice0cost_read_words_1_memory_write_data : unsigned(21 downto 0);
-  signal slice0cost_read_words_0_memory_read_enable : boolean;
-  signal slice0cost_read_words_0_memory_read_address : unsigned(11 downto 0);
-  signal slice0cost_read_words_0_memory_write_address : unsigned(11 downto 0);
-  signal slice0cost_read_words_0_memory_write_data : unsigned(21 downto 0);
-  signal passes_read_search_0_memory_read_enable : boolean;
-  signal passes_read_search_0_memory_read_address, passes_read_search_0_memory_write_address : unsigned(10 downto 0);
-  signal passes_read_search_0_memory_write_data : unsigned(15 downto 0);
-  signal passes_read_reference_0_memory_read_enable : boolean;
-  signal passes_read_reference_0_memory_read_address : unsigned(10 downto 0);
-  signal passes_read_reference_0_memory_write_address : unsigned(10 downto 0);
-  signal passes_read_reference_0_memory_write_data : unsigned(15 downto 0);
-  signal rows_search_rows_read_words_1_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_1_memory_read_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_1_memory_write_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
-  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_0_memory_read_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal rows_reference_rows_read_words_1_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_1_memory_read_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_1_memory_write_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
-  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
 
 begin
   in_start_of_frame <= start_of_frame = '1';
@@ -499,568 +304,223 @@ begin
   in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
   disparity <= std_logic_vector(to_unsigned(winners_winners_disparity_0, 8));
   pixel_valid <= std_logic_vector(to_unsigned(1, 1));
-  disparity_valid <= as_bit(winners_winners_tag_valid and winners_winners_tag_output_column);
-  disparity_start_of_frame <= as_bit(winners_winners_tag_start_of_frame and winners_winners_tag_valid and winners_winners_tag_output_column);
-  disparity_end_of_line <= as_bit(winners_winners_tag_end_of_line and winners_winners_tag_valid and winners_winners_tag_output_column);
+  disparity_valid <= as_bit(winners_winners_tag.valid and winners_winners_tag.output_column);
+  disparity_start_of_frame <= as_bit(winners_winners_tag.start_of_frame and winners_winners_tag.valid and winners_winners_tag.output_column);
+  disparity_end_of_line <= as_bit(winners_winners_tag.end_of_line and winners_winners_tag.valid and winners_winners_tag.output_column);
 
-  winners_read_word_0_memory_read_enable <= true;
-  winners_read_word_0_memory_read_address <= to_unsigned(passes_write_address, 11);
-  winners_read_word_0_memory_write_address <= to_unsigned(winners_write_address, 11);
-  winners_read_word_0_memory_write_data <= to_unsigned(winners_write_word_0, 8);
-  winners_read_word_0_memory : entity work.line_memory
-    generic map (depth => 2048, width => 8, address_bits => 11)
-    port map (
-      clock => clock, read_enable => winners_read_word_0_memory_read_enable,
-      read_address => winners_read_word_0_memory_read_address, read_data => winners_read_word_0,
-      write_address => winners_read_word_0_memory_write_address, write_data => winners_read_word_0_memory_write_data);
+  winners_read_word_0_memory : block
+    signal read_address, write_address : unsigned(10 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(passes_write_address, 11);
+    write_address <= to_unsigned(winners_write_address, 11);
+    write_data <= to_unsigned(winners_write_word_0, 8);
+    cell : entity work.line_memory
+      generic map (depth => 2048, width => 8, address_bits => 11)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => winners_read_word_0,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  best_read_words_0_memory_read_enable <= true;
-  best_read_words_0_memory_read_address <= to_unsigned(best_column, 10);
-  best_read_words_0_memory_write_address <= to_unsigned(best_write_column, 10);
-  best_read_words_0_memory_write_data <= to_unsigned(best_best_index_0_0, 8) & to_unsigned(best_best_cost_0_0, 14);
-  best_read_words_0_memory : entity work.line_memory
-    generic map (depth => 1024, width => 22, address_bits => 10)
-    port map (
-      clock => clock, read_enable => best_read_words_0_memory_read_enable,
-      read_address => best_read_words_0_memory_read_address, read_data => best_read_words_0,
-      write_address => best_read_words_0_memory_write_address, write_data => best_read_words_0_memory_write_data);
+  best_read_words_0_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(21 downto 0);
+  begin
+    read_address <= to_unsigned(best_column, 10);
+    write_address <= to_unsigned(best_write_column, 10);
+    write_data <= to_unsigned(best_best_index_0_0, 8) & to_unsigned(best_best_cost_0_0, 14);
+    cell : entity work.line_memory
+      generic map (depth => 1024, width => 22, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => best_read_words_0,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  slice1window_leaving_7_memory_read_enable <= true;
-  slice1window_leaving_7_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
-  slice1window_leaving_7_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
-  slice1window_leaving_7_memory_write_data <= to_unsigned(slice1cost_column_0(14), 11);
-  slice1window_leaving_7_memory : entity work.line_memory
-    generic map (depth => 8, width => 11, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_7_memory_read_enable,
-      read_address => slice1window_leaving_7_memory_read_address, read_data => slice1window_leaving_7,
-      write_address => slice1window_leaving_7_memory_write_address, write_data => slice1window_leaving_7_memory_write_data);
+  slice1window_leaving_7_memory : block
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(10 downto 0);
+  begin
+    read_address <= to_unsigned(slice1window_ring_read_address, 3);
+    write_address <= to_unsigned(slice1window_ring_write_address, 3);
+    write_data <= to_unsigned(slice1cost_column_0(14), 11);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 11, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => slice1window_leaving_7,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  slice1window_leaving_6_memory_read_enable <= true;
-  slice1window_leaving_6_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
-  slice1window_leaving_6_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
-  slice1window_leaving_6_memory_write_data <= to_unsigned(slice1cost_column_0(13), 11) & to_unsigned(slice1cost_column_0(12), 11);
-  slice1window_leaving_6_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_6_memory_read_enable,
-      read_address => slice1window_leaving_6_memory_read_address, read_data => slice1window_leaving(6),
-      write_address => slice1window_leaving_6_memory_write_address, write_data => slice1window_leaving_6_memory_write_data);
+  slice1window_leaving_memory : for i in 6 downto 0 generate
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(21 downto 0);
+  begin
+    read_address <= to_unsigned(slice1window_ring_read_address, 3);
+    write_address <= to_unsigned(slice1window_ring_write_address, 3);
+    write_data <= to_unsigned(slice1cost_column_0(2 * i + 1), 11) & to_unsigned(slice1cost_column_0(2 * i), 11);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 22, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice1window_leaving(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  slice1window_leaving_5_memory_read_enable <= true;
-  slice1window_leaving_5_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
-  slice1window_leaving_5_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
-  slice1window_leaving_5_memory_write_data <= to_unsigned(slice1cost_column_0(11), 11) & to_unsigned(slice1cost_column_0(10), 11);
-  slice1window_leaving_5_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_5_memory_read_enable,
-      read_address => slice1window_leaving_5_memory_read_address, read_data => slice1window_leaving(5),
-      write_address => slice1window_leaving_5_memory_write_address, write_data => slice1window_leaving_5_memory_write_data);
+  slice1cost_read_words_7_memory : block
+    signal read_address, write_address : unsigned(11 downto 0);
+    signal write_data : unsigned(10 downto 0);
+  begin
+    read_address <= to_unsigned(slice0cost_change_column, 12);
+    write_address <= to_unsigned(slice1cost_write_column, 12);
+    write_data <= to_unsigned(slice1cost_write_words(7), 11);
+    cell : entity work.line_memory
+      generic map (depth => 2415, width => 11, address_bits => 12)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice1cost_read_words_7, write_address => write_address, write_data => write_data);
+  end block;
 
-  slice1window_leaving_4_memory_read_enable <= true;
-  slice1window_leaving_4_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
-  slice1window_leaving_4_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
-  slice1window_leaving_4_memory_write_data <= to_unsigned(slice1cost_column_0(9), 11) & to_unsigned(slice1cost_column_0(8), 11);
-  slice1window_leaving_4_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_4_memory_read_enable,
-      read_address => slice1window_leaving_4_memory_read_address, read_data => slice1window_leaving(4),
-      write_address => slice1window_leaving_4_memory_write_address, write_data => slice1window_leaving_4_memory_write_data);
+  slice1cost_read_words_memory : for i in 6 downto 0 generate
+    signal read_address, write_address : unsigned(11 downto 0);
+    signal write_data : unsigned(21 downto 0);
+  begin
+    read_address <= to_unsigned(slice0cost_change_column, 12);
+    write_address <= to_unsigned(slice1cost_write_column, 12);
+    write_data <= to_unsigned(slice1cost_write_words(i), 22);
+    cell : entity work.line_memory
+      generic map (depth => 2415, width => 22, address_bits => 12)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice1cost_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  slice1window_leaving_3_memory_read_enable <= true;
-  slice1window_leaving_3_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
-  slice1window_leaving_3_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
-  slice1window_leaving_3_memory_write_data <= to_unsigned(slice1cost_column_0(7), 11) & to_unsigned(slice1cost_column_0(6), 11);
-  slice1window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_3_memory_read_enable,
-      read_address => slice1window_leaving_3_memory_read_address, read_data => slice1window_leaving(3),
-      write_address => slice1window_leaving_3_memory_write_address, write_data => slice1window_leaving_3_memory_write_data);
+  slice0window_leaving_12_memory : block
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(10 downto 0);
+  begin
+    read_address <= to_unsigned(slice0window_ring_read_address, 3);
+    write_address <= to_unsigned(slice0window_ring_write_address, 3);
+    write_data <= to_unsigned(slice0cost_column_0(24), 11);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 11, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice0window_leaving_12, write_address => write_address, write_data => write_data);
+  end block;
 
-  slice1window_leaving_2_memory_read_enable <= true;
-  slice1window_leaving_2_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
-  slice1window_leaving_2_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
-  slice1window_leaving_2_memory_write_data <= to_unsigned(slice1cost_column_0(5), 11) & to_unsigned(slice1cost_column_0(4), 11);
-  slice1window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_2_memory_read_enable,
-      read_address => slice1window_leaving_2_memory_read_address, read_data => slice1window_leaving(2),
-      write_address => slice1window_leaving_2_memory_write_address, write_data => slice1window_leaving_2_memory_write_data);
+  slice0window_leaving_memory : for i in 11 downto 0 generate
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(21 downto 0);
+  begin
+    read_address <= to_unsigned(slice0window_ring_read_address, 3);
+    write_address <= to_unsigned(slice0window_ring_write_address, 3);
+    write_data <= to_unsigned(slice0cost_column_0(2 * i + 1), 11) & to_unsigned(slice0cost_column_0(2 * i), 11);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 22, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice0window_leaving(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  slice1window_leaving_1_memory_read_enable <= true;
-  slice1window_leaving_1_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
-  slice1window_leaving_1_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
-  slice1window_leaving_1_memory_write_data <= to_unsigned(slice1cost_column_0(3), 11) & to_unsigned(slice1cost_column_0(2), 11);
-  slice1window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_1_memory_read_enable,
-      read_address => slice1window_leaving_1_memory_read_address, read_data => slice1window_leaving(1),
-      write_address => slice1window_leaving_1_memory_write_address, write_data => slice1window_leaving_1_memory_write_data);
+  slice0cost_read_words_12_memory : block
+    signal read_address, write_address : unsigned(11 downto 0);
+    signal write_data : unsigned(10 downto 0);
+  begin
+    read_address <= to_unsigned(slice0cost_read_column, 12);
+    write_address <= to_unsigned(slice1cost_ready_column, 12);
+    write_data <= to_unsigned(slice0cost_write_words(12), 11);
+    cell : entity work.line_memory
+      generic map (depth => 2415, width => 11, address_bits => 12)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice0cost_read_words_12, write_address => write_address, write_data => write_data);
+  end block;
 
-  slice1window_leaving_0_memory_read_enable <= true;
-  slice1window_leaving_0_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
-  slice1window_leaving_0_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
-  slice1window_leaving_0_memory_write_data <= to_unsigned(slice1cost_column_0(1), 11) & to_unsigned(slice1cost_column_0(0), 11);
-  slice1window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_0_memory_read_enable,
-      read_address => slice1window_leaving_0_memory_read_address, read_data => slice1window_leaving(0),
-      write_address => slice1window_leaving_0_memory_write_address, write_data => slice1window_leaving_0_memory_write_data);
+  slice0cost_read_words_memory : for i in 11 downto 0 generate
+    signal read_address, write_address : unsigned(11 downto 0);
+    signal write_data : unsigned(21 downto 0);
+  begin
+    read_address <= to_unsigned(slice0cost_read_column, 12);
+    write_address <= to_unsigned(slice1cost_ready_column, 12);
+    write_data <= to_unsigned(slice0cost_write_words(i), 22);
+    cell : entity work.line_memory
+      generic map (depth => 2415, width => 22, address_bits => 12)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice0cost_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  slice1cost_read_words_7_memory_read_enable <= true;
-  slice1cost_read_words_7_memory_read_address <= to_unsigned(slice0cost_change_column, 12);
-  slice1cost_read_words_7_memory_write_address <= to_unsigned(slice1cost_write_column, 12);
-  slice1cost_read_words_7_memory_write_data <= to_unsigned(slice1cost_write_words_7, 11);
-  slice1cost_read_words_7_memory : entity work.line_memory
-    generic map (depth => 2415, width => 11, address_bits => 12)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_7_memory_read_enable,
-      read_address => slice1cost_read_words_7_memory_read_address, read_data => slice1cost_read_words_7,
-      write_address => slice1cost_read_words_7_memory_write_address, write_data => slice1cost_read_words_7_memory_write_data);
+  passes_read_search_0_memory : block
+    signal read_address, write_address : unsigned(10 downto 0);
+    signal write_data : unsigned(15 downto 0);
+  begin
+    read_address <= to_unsigned(passes_search_address, 11);
+    write_address <= to_unsigned(passes_write_address, 11);
+    write_data <= to_unsigned(passes_write_search_0, 16);
+    cell : entity work.line_memory
+      generic map (depth => 2048, width => 16, address_bits => 11)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => passes_read_search_0,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  slice1cost_read_words_6_memory_read_enable <= true;
-  slice1cost_read_words_6_memory_read_address <= to_unsigned(slice0cost_change_column, 12);
-  slice1cost_read_words_6_memory_write_address <= to_unsigned(slice1cost_write_column, 12);
-  slice1cost_read_words_6_memory_write_data <= to_unsigned(slice1cost_write_words(6), 22);
-  slice1cost_read_words_6_memory : entity work.line_memory
-    generic map (depth => 2415, width => 22, address_bits => 12)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_6_memory_read_enable,
-      read_address => slice1cost_read_words_6_memory_read_address, read_data => slice1cost_read_words(6),
-      write_address => slice1cost_read_words_6_memory_write_address, write_data => slice1cost_read_words_6_memory_write_data);
+  passes_read_reference_0_memory : block
+    signal read_address, write_address : unsigned(10 downto 0);
+    signal write_data : unsigned(15 downto 0);
+  begin
+    read_address <= to_unsigned(passes_reference_address, 11);
+    write_address <= to_unsigned(passes_write_address, 11);
+    write_data <= to_unsigned(passes_write_reference_0, 16);
+    cell : entity work.line_memory
+      generic map (depth => 2048, width => 16, address_bits => 11)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        passes_read_reference_0, write_address => write_address, write_data => write_data);
+  end block;
 
-  slice1cost_read_words_5_memory_read_enable <= true;
-  slice1cost_read_words_5_memory_read_address <= to_unsigned(slice0cost_change_column, 12);
-  slice1cost_read_words_5_memory_write_address <= to_unsigned(slice1cost_write_column, 12);
-  slice1cost_read_words_5_memory_write_data <= to_unsigned(slice1cost_write_words(5), 22);
-  slice1cost_read_words_5_memory : entity work.line_memory
-    generic map (depth => 2415, width => 22, address_bits => 12)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_5_memory_read_enable,
-      read_address => slice1cost_read_words_5_memory_read_address, read_data => slice1cost_read_words(5),
-      write_address => slice1cost_read_words_5_memory_write_address, write_data => slice1cost_read_words_5_memory_write_data);
+  rows_search_rows_read_words_1_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(23 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 10);
+    write_address <= to_unsigned(rows_write_column, 10);
+    write_data <= to_unsigned(rows_search_rows_write_words_1, 24);
+    cell : entity work.line_memory
+      generic map (depth => 640, width => 24, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_search_rows_read_words_1, write_address => write_address, write_data => write_data);
+  end block;
 
-  slice1cost_read_words_4_memory_read_enable <= true;
-  slice1cost_read_words_4_memory_read_address <= to_unsigned(slice0cost_change_column, 12);
-  slice1cost_read_words_4_memory_write_address <= to_unsigned(slice1cost_write_column, 12);
-  slice1cost_read_words_4_memory_write_data <= to_unsigned(slice1cost_write_words(4), 22);
-  slice1cost_read_words_4_memory : entity work.line_memory
-    generic map (depth => 2415, width => 22, address_bits => 12)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_4_memory_read_enable,
-      read_address => slice1cost_read_words_4_memory_read_address, read_data => slice1cost_read_words(4),
-      write_address => slice1cost_read_words_4_memory_write_address, write_data => slice1cost_read_words_4_memory_write_data);
+  rows_search_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 10);
+    write_address <= to_unsigned(rows_write_column, 10);
+    cell : entity work.line_memory
+      generic map (depth => 640, width => 32, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_search_rows_read_words_0, write_address => write_address, write_data => rows_search_rows_write_words_0);
+  end block;
 
-  slice1cost_read_words_3_memory_read_enable <= true;
-  slice1cost_read_words_3_memory_read_address <= to_unsigned(slice0cost_change_column, 12);
-  slice1cost_read_words_3_memory_write_address <= to_unsigned(slice1cost_write_column, 12);
-  slice1cost_read_words_3_memory_write_data <= to_unsigned(slice1cost_write_words(3), 22);
-  slice1cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 2415, width => 22, address_bits => 12)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_3_memory_read_enable,
-      read_address => slice1cost_read_words_3_memory_read_address, read_data => slice1cost_read_words(3),
-      write_address => slice1cost_read_words_3_memory_write_address, write_data => slice1cost_read_words_3_memory_write_data);
+  rows_reference_rows_read_words_1_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(23 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 10);
+    write_address <= to_unsigned(rows_write_column, 10);
+    write_data <= to_unsigned(rows_reference_rows_write_words_1, 24);
+    cell : entity work.line_memory
+      generic map (depth => 640, width => 24, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_reference_rows_read_words_1, write_address => write_address, write_data => write_data);
+  end block;
 
-  slice1cost_read_words_2_memory_read_enable <= true;
-  slice1cost_read_words_2_memory_read_address <= to_unsigned(slice0cost_change_column, 12);
-  slice1cost_read_words_2_memory_write_address <= to_unsigned(slice1cost_write_column, 12);
-  slice1cost_read_words_2_memory_write_data <= to_unsigned(slice1cost_write_words(2), 22);
-  slice1cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 2415, width => 22, address_bits => 12)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_2_memory_read_enable,
-      read_address => slice1cost_read_words_2_memory_read_address, read_data => slice1cost_read_words(2),
-      write_address => slice1cost_read_words_2_memory_write_address, write_data => slice1cost_read_words_2_memory_write_data);
-
-  slice1cost_read_words_1_memory_read_enable <= true;
-  slice1cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_change_column, 12);
-  slice1cost_read_words_1_memory_write_address <= to_unsigned(slice1cost_write_column, 12);
-  slice1cost_read_words_1_memory_write_data <= to_unsigned(slice1cost_write_words(1), 22);
-  slice1cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 2415, width => 22, address_bits => 12)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_1_memory_read_enable,
-      read_address => slice1cost_read_words_1_memory_read_address, read_data => slice1cost_read_words(1),
-      write_address => slice1cost_read_words_1_memory_write_address, write_data => slice1cost_read_words_1_memory_write_data);
-
-  slice1cost_read_words_0_memory_read_enable <= true;
-  slice1cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_change_column, 12);
-  slice1cost_read_words_0_memory_write_address <= to_unsigned(slice1cost_write_column, 12);
-  slice1cost_read_words_0_memory_write_data <= to_unsigned(slice1cost_write_words(0), 22);
-  slice1cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 2415, width => 22, address_bits => 12)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_0_memory_read_enable,
-      read_address => slice1cost_read_words_0_memory_read_address, read_data => slice1cost_read_words(0),
-      write_address => slice1cost_read_words_0_memory_write_address, write_data => slice1cost_read_words_0_memory_write_data);
-
-  slice0window_leaving_12_memory_read_enable <= true;
-  slice0window_leaving_12_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
-  slice0window_leaving_12_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_12_memory_write_data <= to_unsigned(slice0cost_column_0(24), 11);
-  slice0window_leaving_12_memory : entity work.line_memory
-    generic map (depth => 8, width => 11, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_12_memory_read_enable,
-      read_address => slice0window_leaving_12_memory_read_address, read_data => slice0window_leaving_12,
-      write_address => slice0window_leaving_12_memory_write_address, write_data => slice0window_leaving_12_memory_write_data);
-
-  slice0window_leaving_11_memory_read_enable <= true;
-  slice0window_leaving_11_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
-  slice0window_leaving_11_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_11_memory_write_data <= to_unsigned(slice0cost_column_0(23), 11) & to_unsigned(slice0cost_column_0(22), 11);
-  slice0window_leaving_11_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_11_memory_read_enable,
-      read_address => slice0window_leaving_11_memory_read_address, read_data => slice0window_leaving(11),
-      write_address => slice0window_leaving_11_memory_write_address, write_data => slice0window_leaving_11_memory_write_data);
-
-  slice0window_leaving_10_memory_read_enable <= true;
-  slice0window_leaving_10_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
-  slice0window_leaving_10_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_10_memory_write_data <= to_unsigned(slice0cost_column_0(21), 11) & to_unsigned(slice0cost_column_0(20), 11);
-  slice0window_leaving_10_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_10_memory_read_enable,
-      read_address => slice0window_leaving_10_memory_read_address, read_data => slice0window_leaving(10),
-      write_address => slice0window_leaving_10_memory_write_address, write_data => slice0window_leaving_10_memory_write_data);
-
-  slice0window_leaving_9_memory_read_enable <= true;
-  slice0window_leaving_9_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
-  slice0window_leaving_9_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_9_memory_write_data <= to_unsigned(slice0cost_column_0(19), 11) & to_unsigned(slice0cost_column_0(18), 11);
-  slice0window_leaving_9_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_9_memory_read_enable,
-      read_address => slice0window_leaving_9_memory_read_address, read_data => slice0window_leaving(9),
-      write_address => slice0window_leaving_9_memory_write_address, write_data => slice0window_leaving_9_memory_write_data);
-
-  slice0window_leaving_8_memory_read_enable <= true;
-  slice0window_leaving_8_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
-  slice0window_leaving_8_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_8_memory_write_data <= to_unsigned(slice0cost_column_0(17), 11) & to_unsigned(slice0cost_column_0(16), 11);
-  slice0window_leaving_8_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_8_memory_read_enable,
-      read_address => slice0window_leaving_8_memory_read_address, read_data => slice0window_leaving(8),
-      write_address => slice0window_leaving_8_memory_write_address, write_data => slice0window_leaving_8_memory_write_data);
-
-  slice0window_leaving_7_memory_read_enable <= true;
-  slice0window_leaving_7_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
-  slice0window_leaving_7_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_7_memory_write_data <= to_unsigned(slice0cost_column_0(15), 11) & to_unsigned(slice0cost_column_0(14), 11);
-  slice0window_leaving_7_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_7_memory_read_enable,
-      read_address => slice0window_leaving_7_memory_read_address, read_data => slice0window_leaving(7),
-      write_address => slice0window_leaving_7_memory_write_address, write_data => slice0window_leaving_7_memory_write_data);
-
-  slice0window_leaving_6_memory_read_enable <= true;
-  slice0window_leaving_6_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
-  slice0window_leaving_6_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_6_memory_write_data <= to_unsigned(slice0cost_column_0(13), 11) & to_unsigned(slice0cost_column_0(12), 11);
-  slice0window_leaving_6_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_6_memory_read_enable,
-      read_address => slice0window_leaving_6_memory_read_address, read_data => slice0window_leaving(6),
-      write_address => slice0window_leaving_6_memory_write_address, write_data => slice0window_leaving_6_memory_write_data);
-
-  slice0window_leaving_5_memory_read_enable <= true;
-  slice0window_leaving_5_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
-  slice0window_leaving_5_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_5_memory_write_data <= to_unsigned(slice0cost_column_0(11), 11) & to_unsigned(slice0cost_column_0(10), 11);
-  slice0window_leaving_5_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_5_memory_read_enable,
-      read_address => slice0window_leaving_5_memory_read_address, read_data => slice0window_leaving(5),
-      write_address => slice0window_leaving_5_memory_write_address, write_data => slice0window_leaving_5_memory_write_data);
-
-  slice0window_leaving_4_memory_read_enable <= true;
-  slice0window_leaving_4_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
-  slice0window_leaving_4_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_4_memory_write_data <= to_unsigned(slice0cost_column_0(9), 11) & to_unsigned(slice0cost_column_0(8), 11);
-  slice0window_leaving_4_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_4_memory_read_enable,
-      read_address => slice0window_leaving_4_memory_read_address, read_data => slice0window_leaving(4),
-      write_address => slice0window_leaving_4_memory_write_address, write_data => slice0window_leaving_4_memory_write_data);
-
-  slice0window_leaving_3_memory_read_enable <= true;
-  slice0window_leaving_3_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
-  slice0window_leaving_3_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_3_memory_write_data <= to_unsigned(slice0cost_column_0(7), 11) & to_unsigned(slice0cost_column_0(6), 11);
-  slice0window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_3_memory_read_enable,
-      read_address => slice0window_leaving_3_memory_read_address, read_data => slice0window_leaving(3),
-      write_address => slice0window_leaving_3_memory_write_address, write_data => slice0window_leaving_3_memory_write_data);
-
-  slice0window_leaving_2_memory_read_enable <= true;
-  slice0window_leaving_2_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
-  slice0window_leaving_2_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_2_memory_write_data <= to_unsigned(slice0cost_column_0(5), 11) & to_unsigned(slice0cost_column_0(4), 11);
-  slice0window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_2_memory_read_enable,
-      read_address => slice0window_leaving_2_memory_read_address, read_data => slice0window_leaving(2),
-      write_address => slice0window_leaving_2_memory_write_address, write_data => slice0window_leaving_2_memory_write_data);
-
-  slice0window_leaving_1_memory_read_enable <= true;
-  slice0window_leaving_1_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
-  slice0window_leaving_1_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_1_memory_write_data <= to_unsigned(slice0cost_column_0(3), 11) & to_unsigned(slice0cost_column_0(2), 11);
-  slice0window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_1_memory_read_enable,
-      read_address => slice0window_leaving_1_memory_read_address, read_data => slice0window_leaving(1),
-      write_address => slice0window_leaving_1_memory_write_address, write_data => slice0window_leaving_1_memory_write_data);
-
-  slice0window_leaving_0_memory_read_enable <= true;
-  slice0window_leaving_0_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
-  slice0window_leaving_0_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_0_memory_write_data <= to_unsigned(slice0cost_column_0(1), 11) & to_unsigned(slice0cost_column_0(0), 11);
-  slice0window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_0_memory_read_enable,
-      read_address => slice0window_leaving_0_memory_read_address, read_data => slice0window_leaving(0),
-      write_address => slice0window_leaving_0_memory_write_address, write_data => slice0window_leaving_0_memory_write_data);
-
-  slice0cost_read_words_12_memory_read_enable <= true;
-  slice0cost_read_words_12_memory_read_address <= to_unsigned(slice0cost_read_column, 12);
-  slice0cost_read_words_12_memory_write_address <= to_unsigned(slice1cost_ready_column, 12);
-  slice0cost_read_words_12_memory_write_data <= to_unsigned(slice0cost_write_words_12, 11);
-  slice0cost_read_words_12_memory : entity work.line_memory
-    generic map (depth => 2415, width => 11, address_bits => 12)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_12_memory_read_enable,
-      read_address => slice0cost_read_words_12_memory_read_address, read_data => slice0cost_read_words_12,
-      write_address => slice0cost_read_words_12_memory_write_address, write_data => slice0cost_read_words_12_memory_write_data);
-
-  slice0cost_read_words_11_memory_read_enable <= true;
-  slice0cost_read_words_11_memory_read_address <= to_unsigned(slice0cost_read_column, 12);
-  slice0cost_read_words_11_memory_write_address <= to_unsigned(slice1cost_ready_column, 12);
-  slice0cost_read_words_11_memory_write_data <= to_unsigned(slice0cost_write_words(11), 22);
-  slice0cost_read_words_11_memory : entity work.line_memory
-    generic map (depth => 2415, width => 22, address_bits => 12)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_11_memory_read_enable,
-      read_address => slice0cost_read_words_11_memory_read_address, read_data => slice0cost_read_words(11),
-      write_address => slice0cost_read_words_11_memory_write_address, write_data => slice0cost_read_words_11_memory_write_data);
-
-  slice0cost_read_words_10_memory_read_enable <= true;
-  slice0cost_read_words_10_memory_read_address <= to_unsigned(slice0cost_read_column, 12);
-  slice0cost_read_words_10_memory_write_address <= to_unsigned(slice1cost_ready_column, 12);
-  slice0cost_read_words_10_memory_write_data <= to_unsigned(slice0cost_write_words(10), 22);
-  slice0cost_read_words_10_memory : entity work.line_memory
-    generic map (depth => 2415, width => 22, address_bits => 12)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_10_memory_read_enable,
-      read_address => slice0cost_read_words_10_memory_read_address, read_data => slice0cost_read_words(10),
-      write_address => slice0cost_read_words_10_memory_write_address, write_data => slice0cost_read_words_10_memory_write_data);
-
-  slice0cost_read_words_9_memory_read_enable <= true;
-  slice0cost_read_words_9_memory_read_address <= to_unsigned(slice0cost_read_column, 12);
-  slice0cost_read_words_9_memory_write_address <= to_unsigned(slice1cost_ready_column, 12);
-  slice0cost_read_words_9_memory_write_data <= to_unsigned(slice0cost_write_words(9), 22);
-  slice0cost_read_words_9_memory : entity work.line_memory
-    generic map (depth => 2415, width => 22, address_bits => 12)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_9_memory_read_enable,
-      read_address => slice0cost_read_words_9_memory_read_address, read_data => slice0cost_read_words(9),
-      write_address => slice0cost_read_words_9_memory_write_address, write_data => slice0cost_read_words_9_memory_write_data);
-
-  slice0cost_read_words_8_memory_read_enable <= true;
-  slice0cost_read_words_8_memory_read_address <= to_unsigned(slice0cost_read_column, 12);
-  slice0cost_read_words_8_memory_write_address <= to_unsigned(slice1cost_ready_column, 12);
-  slice0cost_read_words_8_memory_write_data <= to_unsigned(slice0cost_write_words(8), 22);
-  slice0cost_read_words_8_memory : entity work.line_memory
-    generic map (depth => 2415, width => 22, address_bits => 12)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_8_memory_read_enable,
-      read_address => slice0cost_read_words_8_memory_read_address, read_data => slice0cost_read_words(8),
-      write_address => slice0cost_read_words_8_memory_write_address, write_data => slice0cost_read_words_8_memory_write_data);
-
-  slice0cost_read_words_7_memory_read_enable <= true;
-  slice0cost_read_words_7_memory_read_address <= to_unsigned(slice0cost_read_column, 12);
-  slice0cost_read_words_7_memory_write_address <= to_unsigned(slice1cost_ready_column, 12);
-  slice0cost_read_words_7_memory_write_data <= to_unsigned(slice0cost_write_words(7), 22);
-  slice0cost_read_words_7_memory : entity work.line_memory
-    generic map (depth => 2415, width => 22, address_bits => 12)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_7_memory_read_enable,
-      read_address => slice0cost_read_words_7_memory_read_address, read_data => slice0cost_read_words(7),
-      write_address => slice0cost_read_words_7_memory_write_address, write_data => slice0cost_read_words_7_memory_write_data);
-
-  slice0cost_read_words_6_memory_read_enable <= true;
-  slice0cost_read_words_6_memory_read_address <= to_unsigned(slice0cost_read_column, 12);
-  slice0cost_read_words_6_memory_write_address <= to_unsigned(slice1cost_ready_column, 12);
-  slice0cost_read_words_6_memory_write_data <= to_unsigned(slice0cost_write_words(6), 22);
-  slice0cost_read_words_6_memory : entity work.line_memory
-    generic map (depth => 2415, width => 22, address_bits => 12)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_6_memory_read_enable,
-      read_address => slice0cost_read_words_6_memory_read_address, read_data => slice0cost_read_words(6),
-      write_address => slice0cost_read_words_6_memory_write_address, write_data => slice0cost_read_words_6_memory_write_data);
-
-  slice0cost_read_words_5_memory_read_enable <= true;
-  slice0cost_read_words_5_memory_read_address <= to_unsigned(slice0cost_read_column, 12);
-  slice0cost_read_words_5_memory_write_address <= to_unsigned(slice1cost_ready_column, 12);
-  slice0cost_read_words_5_memory_write_data <= to_unsigned(slice0cost_write_words(5), 22);
-  slice0cost_read_words_5_memory : entity work.line_memory
-    generic map (depth => 2415, width => 22, address_bits => 12)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_5_memory_read_enable,
-      read_address => slice0cost_read_words_5_memory_read_address, read_data => slice0cost_read_words(5),
-      write_address => slice0cost_read_words_5_memory_write_address, write_data => slice0cost_read_words_5_memory_write_data);
-
-  slice0cost_read_words_4_memory_read_enable <= true;
-  slice0cost_read_words_4_memory_read_address <= to_unsigned(slice0cost_read_column, 12);
-  slice0cost_read_words_4_memory_write_address <= to_unsigned(slice1cost_ready_column, 12);
-  slice0cost_read_words_4_memory_write_data <= to_unsigned(slice0cost_write_words(4), 22);
-  slice0cost_read_words_4_memory : entity work.line_memory
-    generic map (depth => 2415, width => 22, address_bits => 12)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_4_memory_read_enable,
-      read_address => slice0cost_read_words_4_memory_read_address, read_data => slice0cost_read_words(4),
-      write_address => slice0cost_read_words_4_memory_write_address, write_data => slice0cost_read_words_4_memory_write_data);
-
-  slice0cost_read_words_3_memory_read_enable <= true;
-  slice0cost_read_words_3_memory_read_address <= to_unsigned(slice0cost_read_column, 12);
-  slice0cost_read_words_3_memory_write_address <= to_unsigned(slice1cost_ready_column, 12);
-  slice0cost_read_words_3_memory_write_data <= to_unsigned(slice0cost_write_words(3), 22);
-  slice0cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 2415, width => 22, address_bits => 12)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_3_memory_read_enable,
-      read_address => slice0cost_read_words_3_memory_read_address, read_data => slice0cost_read_words(3),
-      write_address => slice0cost_read_words_3_memory_write_address, write_data => slice0cost_read_words_3_memory_write_data);
-
-  slice0cost_read_words_2_memory_read_enable <= true;
-  slice0cost_read_words_2_memory_read_address <= to_unsigned(slice0cost_read_column, 12);
-  slice0cost_read_words_2_memory_write_address <= to_unsigned(slice1cost_ready_column, 12);
-  slice0cost_read_words_2_memory_write_data <= to_unsigned(slice0cost_write_words(2), 22);
-  slice0cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 2415, width => 22, address_bits => 12)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_2_memory_read_enable,
-      read_address => slice0cost_read_words_2_memory_read_address, read_data => slice0cost_read_words(2),
-      write_address => slice0cost_read_words_2_memory_write_address, write_data => slice0cost_read_words_2_memory_write_data);
-
-  slice0cost_read_words_1_memory_read_enable <= true;
-  slice0cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_read_column, 12);
-  slice0cost_read_words_1_memory_write_address <= to_unsigned(slice1cost_ready_column, 12);
-  slice0cost_read_words_1_memory_write_data <= to_unsigned(slice0cost_write_words(1), 22);
-  slice0cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 2415, width => 22, address_bits => 12)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_1_memory_read_enable,
-      read_address => slice0cost_read_words_1_memory_read_address, read_data => slice0cost_read_words(1),
-      write_address => slice0cost_read_words_1_memory_write_address, write_data => slice0cost_read_words_1_memory_write_data);
-
-  slice0cost_read_words_0_memory_read_enable <= true;
-  slice0cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_read_column, 12);
-  slice0cost_read_words_0_memory_write_address <= to_unsigned(slice1cost_ready_column, 12);
-  slice0cost_read_words_0_memory_write_data <= to_unsigned(slice0cost_write_words(0), 22);
-  slice0cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 2415, width => 22, address_bits => 12)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_0_memory_read_enable,
-      read_address => slice0cost_read_words_0_memory_read_address, read_data => slice0cost_read_words(0),
-      write_address => slice0cost_read_words_0_memory_write_address, write_data => slice0cost_read_words_0_memory_write_data);
-
-  passes_read_search_0_memory_read_enable <= true;
-  passes_read_search_0_memory_read_address <= to_unsigned(passes_search_address, 11);
-  passes_read_search_0_memory_write_address <= to_unsigned(passes_write_address, 11);
-  passes_read_search_0_memory_write_data <= to_unsigned(passes_write_search_0, 16);
-  passes_read_search_0_memory : entity work.line_memory
-    generic map (depth => 2048, width => 16, address_bits => 11)
-    port map (
-      clock => clock, read_enable => passes_read_search_0_memory_read_enable,
-      read_address => passes_read_search_0_memory_read_address, read_data => passes_read_search_0,
-      write_address => passes_read_search_0_memory_write_address, write_data => passes_read_search_0_memory_write_data);
-
-  passes_read_reference_0_memory_read_enable <= true;
-  passes_read_reference_0_memory_read_address <= to_unsigned(passes_reference_address, 11);
-  passes_read_reference_0_memory_write_address <= to_unsigned(passes_write_address, 11);
-  passes_read_reference_0_memory_write_data <= to_unsigned(passes_write_reference_0, 16);
-  passes_read_reference_0_memory : entity work.line_memory
-    generic map (depth => 2048, width => 16, address_bits => 11)
-    port map (
-      clock => clock, read_enable => passes_read_reference_0_memory_read_enable,
-      read_address => passes_read_reference_0_memory_read_address, read_data => passes_read_reference_0,
-      write_address => passes_read_reference_0_memory_write_address, write_data => passes_read_reference_0_memory_write_data);
-
-  rows_search_rows_read_words_1_memory_read_enable <= true;
-  rows_search_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_search_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 24);
-  rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 640, width => 24, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_1_memory_read_enable,
-      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words_1,
-      write_address => rows_search_rows_read_words_1_memory_write_address, write_data => rows_search_rows_read_words_1_memory_write_data);
-
-  rows_search_rows_read_words_0_memory_read_enable <= true;
-  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_search_rows_read_words_0_memory_write_data <= rows_search_rows_write_words_0;
-  rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 32, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
-      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
-      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
-
-  rows_reference_rows_read_words_1_memory_read_enable <= true;
-  rows_reference_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_reference_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words_1, 24);
-  rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 640, width => 24, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_1_memory_read_enable,
-      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words_1,
-      write_address => rows_reference_rows_read_words_1_memory_write_address, write_data => rows_reference_rows_read_words_1_memory_write_data);
-
-  rows_reference_rows_read_words_0_memory_read_enable <= true;
-  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_reference_rows_read_words_0_memory_write_data <= rows_reference_rows_write_words_0;
-  rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 32, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
-      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
+  rows_reference_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 10);
+    write_address <= to_unsigned(rows_write_column, 10);
+    cell : entity work.line_memory
+      generic map (depth => 640, width => 32, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_reference_rows_read_words_0, write_address => write_address, write_data =>
+        rows_reference_rows_write_words_0);
+  end block;
 
   process (clock)
     variable raster_place_group_is_equal, delay_tag_row_start_is_equal, passes_row_is_equal : boolean;
     variable passes_coming_first_group_all, passes_coming_first_group_any, passes_row_ended_all : boolean;
     variable passes_shows_any, passes_showing_first_group_differs, passes_showing_output_any : boolean;
-    variable passes_leaving_output_choice, passes_leaving_output_choice_2, passes_leaving_starts_choice : boolean;
-    variable passes_leaving_starts_choice_2, passes_read_tag_border_column_differs : boolean;
-    variable passes_read_tag_border_column_choice, passes_read_tag_first_cost_is_equal : boolean;
-    variable passes_read_tag_leaves_window_differs : boolean;
+    variable passes_leaving_output_choices : boolean_1d(1 to 2);  -- passes_leaving_output_choice_#
+    variable passes_leaving_starts_choices : boolean_1d(1 to 2);  -- passes_leaving_starts_choice_#
+    variable passes_read_tag_border_column_differs, passes_read_tag_border_column_choice : boolean;
+    variable passes_read_tag_first_cost_is_equal, passes_read_tag_leaves_window_differs : boolean;
     variable slice0winner1_best_cost_0_is_less : boolean_1d(0 to 11);  -- slice0winner1_best_cost_0_#_is_less
     variable slice0winner2_best_cost_0_is_less : boolean_1d(0 to 5);  -- slice0winner2_best_cost_0_#_is_less
     variable slice0winner3_best_cost_0_is_less : boolean_1d(0 to 2);  -- slice0winner3_best_cost_0_#_is_less
@@ -1071,22 +531,21 @@ begin
     variable slice1winner3_best_cost_0_is_less : boolean_1d(0 to 1);  -- slice1winner3_best_cost_0_#_is_less
     variable slice1winner4_best_cost_0_0_is_less, slice1_best_cost_0_0_is_less, best_base_any : boolean;
     variable best_base_is_equal, winners_row_differs, winners_column_any : boolean;
-    variable rows_search_choice, rows_search_choice_2, rows_reference_choice : natural range 0 to 255;
-    variable rows_reference_choice_2 : natural range 0 to 255;
-    variable passes_search_start_choice, passes_search_start_choice_2 : natural range 0 to 127;
+    variable rows_search_choices : natural_255_1d(1 to 2);  -- rows_search_choice_#
+    variable rows_reference_choices : natural_255_1d(1 to 2);  -- rows_reference_choice_#
+    variable passes_search_start_choices : natural_127_1d(1 to 2);  -- passes_search_start_choice_#
     variable passes_search_address_choice : natural range 0 to 127;
     variable passes_search_address_value : natural range 0 to 1024;
     variable passes_search_address_choice_2, passes_reference_address_choice : natural range 0 to 1023;
-    variable best_write_column_choice, best_write_column_choice_2, winners_column_choice : natural range 0 to 1023;
-    variable slice0cost_column_0_choice : natural_2047_1d(0 to 24);  -- slice0cost_column_0_#_choice
-    variable slice0cost_column_0_choice_2 : natural_2047_1d(0 to 24);  -- slice0cost_column_0_#_choice_2
+    variable best_write_column_choices : natural_1023_1d(1 to 2);  -- best_write_column_choice_#
+    variable winners_column_choice : natural range 0 to 1023;
+    variable slice0cost_column_0_choice : natural_2047_2d(0 to 24, 1 to 2);  -- slice0cost_column_0_#_choice_#
     variable slice0window_change_0_choice : natural_2047_1d(0 to 24);  -- slice0window_change_0_#_choice
-    variable slice1cost_column_0_choice : natural_2047_1d(0 to 14);  -- slice1cost_column_0_#_choice
-    variable slice1cost_column_0_choice_2 : natural_2047_1d(0 to 14);  -- slice1cost_column_0_#_choice_2
+    variable slice1cost_column_0_choice : natural_2047_2d(0 to 14, 1 to 2);  -- slice1cost_column_0_#_choice_#
     variable slice1window_change_0_choice : natural_2047_1d(0 to 14);  -- slice1window_change_0_#_choice
     variable slice0window_sum_0_choice : natural_16383_1d(0 to 24);  -- slice0window_sum_0_#_choice
     variable slice1window_sum_0_choice : natural_16383_1d(0 to 14);  -- slice1window_sum_0_#_choice
-    variable best_base_choice, best_base_choice_2 : natural range 0 to 31;
+    variable best_base_choices : natural_31_1d(1 to 2);  -- best_base_choice_#
   begin
     if rising_edge(clock) then
       -- raster
@@ -1094,18 +553,11 @@ begin
       raster_features_search_0 <= in_left_pixel;
       raster_features_reference_0 <= in_right_pixel;
       raster_features_valid <= in_valid;
-      if in_start_of_frame and in_valid then
-        raster_place_group <= 0;
-      else
-        raster_place_group <= (raster_place_group + as_number(((raster_place_group /= 483) and
-          raster_place_group_is_equal and in_valid))) mod 512;
-      end if;
+      raster_place_group <= choice(in_start_of_frame and in_valid, 0, (raster_place_group +
+        as_number(((raster_place_group /= 483) and raster_place_group_is_equal and in_valid))) mod 512);
       if in_valid then
-        if raster_place_group_is_equal or in_start_of_frame then
-          raster_place_column <= 0;
-        else
-          raster_place_column <= (raster_place_column + 1) mod 1024;
-        end if;
+        raster_place_column <= choice(raster_place_group_is_equal or in_start_of_frame, 0, (raster_place_column + 1)
+          mod 1024);
       end if;
       -- delay
       delay_tag_row_start_is_equal := raster_place_column = 0;
@@ -1114,33 +566,18 @@ begin
       delay_column <= raster_place_column;
       delay_row_inside(0) <= (raster_place_group >= 7) and (raster_place_group < 487);
       delay_row_inside(1) <= raster_place_group < 480;
-      delay_tag_valid <= raster_features_valid;
-      delay_tag_row_start <= delay_tag_row_start_is_equal;
-      delay_tag_first_group <= raster_place_group = 0;
-      delay_tag_output_column <= (raster_place_group >= 3) and (raster_place_group < 483) and (raster_place_column <
+      delay_tag.valid <= raster_features_valid;
+      delay_tag.row_start <= delay_tag_row_start_is_equal;
+      delay_tag.first_group <= raster_place_group = 0;
+      delay_tag.output_column <= (raster_place_group >= 3) and (raster_place_group < 483) and (raster_place_column <
         639);
-      delay_tag_start_of_frame <= (raster_place_group = 3) and delay_tag_row_start_is_equal;
+      delay_tag.start_of_frame <= (raster_place_group = 3) and delay_tag_row_start_is_equal;
       -- rows
-      if rows_ready_inside(0) then
-        rows_search_choice := to_integer(rows_search_rows_ready_words_0(7 downto 0));
-      else
-        rows_search_choice := 0;
-      end if;
-      if rows_ready_inside(1) then
-        rows_search_choice_2 := rows_search_rows_ready_newest_0;
-      else
-        rows_search_choice_2 := 0;
-      end if;
-      if rows_ready_inside(0) then
-        rows_reference_choice := to_integer(rows_reference_rows_ready_words_0(7 downto 0));
-      else
-        rows_reference_choice := 0;
-      end if;
-      if rows_ready_inside(1) then
-        rows_reference_choice_2 := rows_reference_rows_ready_newest_0;
-      else
-        rows_reference_choice_2 := 0;
-      end if;
+      rows_search_choices(1) := choice(rows_ready_inside(0), to_integer(rows_search_rows_ready_words_0(7 downto 0)), 0);
+      rows_search_choices(2) := choice(rows_ready_inside(1), rows_search_rows_ready_newest_0, 0);
+      rows_reference_choices(1) := choice(rows_ready_inside(0), to_integer(rows_reference_rows_ready_words_0(7 downto
+        0)), 0);
+      rows_reference_choices(2) := choice(rows_ready_inside(1), rows_reference_rows_ready_newest_0, 0);
       rows_search_rows_read_newest_0 <= delay_delayed_0;
       rows_search_rows_ready_words_0 <= rows_search_rows_read_words_0;
       rows_search_rows_ready_words_1 <= to_integer(rows_search_rows_read_words_1);
@@ -1150,29 +587,15 @@ begin
       rows_reference_rows_ready_words_1 <= to_integer(rows_reference_rows_read_words_1);
       rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
       rows_read_column <= delay_column;
-      rows_read_inside(0) <= delay_row_inside(0);
-      rows_read_inside(1) <= delay_row_inside(1);
-      rows_read_tag_valid <= delay_tag_valid;
-      rows_read_tag_row_start <= delay_tag_row_start;
-      rows_read_tag_first_group <= delay_tag_first_group;
-      rows_read_tag_output_column <= delay_tag_output_column;
-      rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
+      rows_read_inside <= delay_row_inside;
+      rows_read_tag <= delay_tag;
       rows_ready_column <= rows_read_column;
-      rows_ready_inside(0) <= rows_read_inside(0);
-      rows_ready_inside(1) <= rows_read_inside(1);
-      rows_ready_tag_valid <= rows_read_tag_valid;
-      rows_ready_tag_row_start <= rows_read_tag_row_start;
-      rows_ready_tag_first_group <= rows_read_tag_first_group;
-      rows_ready_tag_output_column <= rows_read_tag_output_column;
-      rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
-      rows_search <= rows_search_choice + (rows_search_choice_2 * 256);
-      rows_reference <= rows_reference_choice + (rows_reference_choice_2 * 256);
-      rows_tag_valid <= rows_ready_tag_valid;
-      rows_tag_row_start <= rows_ready_tag_row_start;
-      rows_tag_first_group <= rows_ready_tag_first_group;
-      rows_tag_output_column <= rows_ready_tag_output_column;
-      rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
-      if rows_ready_tag_valid then
+      rows_ready_inside <= rows_read_inside;
+      rows_ready_tag <= rows_read_tag;
+      rows_search <= rows_search_choices(1) + (rows_search_choices(2) * 256);
+      rows_reference <= rows_reference_choices(1) + (rows_reference_choices(2) * 256);
+      rows_tag <= rows_ready_tag;
+      if rows_ready_tag.valid then
         rows_search_rows_write_words_0 <= to_unsigned((rows_search_rows_ready_words_1 mod 256), 8) &
           rows_search_rows_ready_words_0(31 downto 8);
         rows_search_rows_write_words_1 <= (rows_search_rows_ready_newest_0 * 65536) + ((rows_search_rows_ready_words_1
@@ -1186,172 +609,97 @@ begin
       -- passes
       passes_row_is_equal := rows_write_column = 639;
       if passes_row_is_equal then
-        passes_row <= rows_tag_valid /= passes_row;
+        passes_row <= rows_tag.valid /= passes_row;
       end if;
-      passes_coming_first_group_all := rows_tag_row_start and rows_tag_valid;
-      passes_coming_first_group_any := (not rows_tag_row_start) or (not rows_tag_valid);
-      passes_row_ended_all := passes_row_is_equal and rows_tag_valid;
+      passes_coming_first_group_all := rows_tag.row_start and rows_tag.valid;
+      passes_coming_first_group_any := (not rows_tag.row_start) or (not rows_tag.valid);
+      passes_row_ended_all := passes_row_is_equal and rows_tag.valid;
       passes_shows_any := (not passes_last_pass) or (not passes_pass_ends);
       passes_showing_first_group_differs := rows_write_column /= 639;
-      passes_showing_output_any := passes_showing_first_group_differs or (not rows_tag_valid);
-      if passes_shows_any then
-        passes_search_start_choice := ((passes_search_start / 8) + 5) mod 128;
-      else
-        passes_search_start_choice := 5;
-      end if;
-      if passes_pass_ends then
-        passes_search_start_choice_2 := passes_search_start_choice;
-      else
-        passes_search_start_choice_2 := passes_search_start / 8;
-      end if;
+      passes_showing_output_any := passes_showing_first_group_differs or (not rows_tag.valid);
+      passes_search_start_choices(1) := choice(passes_shows_any, ((passes_search_start / 8) + 5) mod 128, 5);
+      passes_search_start_choices(2) := choice(passes_pass_ends, passes_search_start_choices(1), passes_search_start /
+        8);
       passes_search_address_value := as_number((not passes_row)) * 1024;
-      if passes_shows_any then
-        passes_search_address_choice := passes_search_start / 8;
-      else
-        passes_search_address_choice := 0;
-      end if;
-      if passes_pass_ends then
-        passes_search_address_choice_2 := passes_search_address_choice * 8;
-      else
-        passes_search_address_choice_2 := (passes_search_address + as_number(passes_shows)) mod 1024;
-      end if;
-      if passes_pass_ends then
-        passes_reference_address_choice := 985;
-      else
-        passes_reference_address_choice := (passes_reference_address + as_number(passes_shows)) mod 1024;
-      end if;
-      if passes_ended_last then
-        passes_leaving_output_choice := passes_leaving_output;
-      else
-        passes_leaving_output_choice := (not rows_tag_valid) and passes_leaving_output;
-      end if;
-      if rows_tag_row_start then
-        passes_leaving_output_choice_2 := passes_leaving_output_choice;
-      else
-        passes_leaving_output_choice_2 := passes_leaving_output;
-      end if;
-      if passes_row_is_equal then
-        passes_leaving_starts_choice := rows_tag_valid or passes_leaving_starts;
-      else
-        passes_leaving_starts_choice := passes_leaving_starts;
-      end if;
-      if passes_row_is_equal then
-        passes_leaving_starts_choice_2 := (not rows_tag_valid) and passes_leaving_starts;
-      else
-        passes_leaving_starts_choice_2 := passes_leaving_starts;
-      end if;
+      passes_search_address_choice := choice(passes_shows_any, passes_search_start / 8, 0);
+      passes_search_address_choice_2 := choice(passes_pass_ends, passes_search_address_choice * 8,
+        (passes_search_address + as_number(passes_shows)) mod 1024);
+      passes_reference_address_choice := choice(passes_pass_ends, 985, (passes_reference_address +
+        as_number(passes_shows)) mod 1024);
+      passes_leaving_output_choices(1) := choice(passes_ended_last, passes_leaving_output, (not rows_tag.valid) and
+        passes_leaving_output);
+      passes_leaving_output_choices(2) := choice(rows_tag.row_start, passes_leaving_output_choices(1),
+        passes_leaving_output);
+      passes_leaving_starts_choices(1) := choice(passes_row_is_equal, rows_tag.valid or passes_leaving_starts,
+        passes_leaving_starts);
+      passes_leaving_starts_choices(2) := choice(passes_row_is_equal, (not rows_tag.valid) and passes_leaving_starts,
+        passes_leaving_starts);
       passes_read_tag_border_column_differs := passes_column /= 39;
-      if passes_column = 0 then
-        passes_read_tag_border_column_choice := passes_read_tag_border_column_differs;
-      else
-        passes_read_tag_border_column_choice := (passes_column = 480) and passes_read_tag_border_column_differs;
-      end if;
+      passes_read_tag_border_column_choice := choice(passes_column = 0, passes_read_tag_border_column_differs,
+        (passes_column = 480) and passes_read_tag_border_column_differs);
       passes_read_tag_first_cost_is_equal := passes_column = 39;
       passes_read_tag_leaves_window_differs := passes_column /= 0;
       passes_row_ended <= passes_row_ended_all;
-      passes_arrived <= rows_tag_valid;
+      passes_arrived <= rows_tag.valid;
       passes_pass_ends <= passes_column = 481;
       passes_last_pass <= passes_pass = 4;
-      passes_search_start <= passes_search_start_choice_2 * 8;
+      passes_search_start <= passes_search_start_choices(2) * 8;
       passes_search_address <= passes_search_address_value + passes_search_address_choice_2;
       passes_reference_address <= passes_search_address_value + passes_reference_address_choice;
-      passes_read_tag_valid <= passes_shows;
-      passes_read_tag_row_start <= to_integer(((to_unsigned(passes_pass, 9)) or (to_unsigned(passes_column, 9)))) = 0;
-      passes_read_tag_first_group <= passes_showing_first_group;
-      passes_read_tag_first_cost <= passes_read_tag_first_cost_is_equal;
-      passes_read_tag_end_of_line <= passes_column = 478;
+      passes_read_tag.valid <= passes_shows;
+      passes_read_tag.row_start <= to_integer(((to_unsigned(passes_pass, 9)) or (to_unsigned(passes_column, 9)))) = 0;
+      passes_read_tag.first_group <= passes_showing_first_group;
+      passes_read_tag.first_cost <= passes_read_tag_first_cost_is_equal;
+      passes_read_tag.end_of_line <= passes_column = 478;
       passes_search(0) <= to_integer(passes_read_search_0(7 downto 0));
       passes_search(1) <= to_integer(passes_read_search_0(15 downto 8));
       passes_reference(0) <= to_integer(passes_read_reference_0(7 downto 0));
       passes_reference(1) <= to_integer(passes_read_reference_0(15 downto 8));
-      passes_tag_valid <= passes_read_tag_valid;
-      passes_tag_row_start <= passes_read_tag_row_start;
-      passes_tag_first_group <= passes_read_tag_first_group;
-      passes_tag_border_column <= passes_read_tag_border_column;
-      passes_tag_first_cost <= passes_read_tag_first_cost;
-      passes_tag_leaves_window <= passes_read_tag_leaves_window;
-      passes_tag_map_column <= passes_read_tag_map_column;
-      if rows_tag_first_group then
-        passes_coming_first_group <= passes_coming_first_group or passes_coming_first_group_all;
-      else
-        passes_coming_first_group <= passes_coming_first_group and passes_coming_first_group_any;
-      end if;
-      if rows_tag_output_column then
-        passes_coming_output <= passes_coming_output or passes_coming_first_group_all;
-      else
-        passes_coming_output <= passes_coming_output and passes_coming_first_group_any;
-      end if;
-      if rows_tag_start_of_frame then
-        passes_coming_starts <= passes_coming_starts or passes_coming_first_group_all;
-      else
-        passes_coming_starts <= passes_coming_starts and passes_coming_first_group_any;
-      end if;
-      if passes_row_ended then
-        passes_shows <= (not passes_shows) or (not passes_last_pass) or (not passes_pass_ends);
-      else
-        passes_shows <= passes_shows and passes_shows_any;
-      end if;
-      if passes_showing_first_group then
-        passes_showing_first_group <= passes_coming_first_group or passes_showing_first_group_differs or (not
-          rows_tag_valid);
-      else
-        passes_showing_first_group <= passes_coming_first_group and passes_row_is_equal and rows_tag_valid;
-      end if;
-      if passes_coming_output then
-        passes_showing_output <= passes_showing_output or passes_row_ended_all;
-      else
-        passes_showing_output <= passes_showing_output and passes_showing_output_any;
-      end if;
-      if passes_coming_starts then
-        passes_showing_starts <= passes_showing_starts or passes_row_ended_all;
-      else
-        passes_showing_starts <= passes_showing_starts and passes_showing_output_any;
-      end if;
-      if passes_pass_ends then
-        passes_column <= 0;
-      else
-        passes_column <= (passes_column + as_number(passes_shows)) mod 512;
-      end if;
-      if passes_leaving_output_choice_2 then
-        passes_leaving_output <= passes_showing_output or passes_showing_first_group_differs or (not rows_tag_valid);
-      else
-        passes_leaving_output <= passes_showing_output and passes_row_is_equal and rows_tag_valid;
-      end if;
-      if passes_showing_starts then
-        passes_leaving_starts <= passes_leaving_starts_choice;
-      else
-        passes_leaving_starts <= passes_leaving_starts_choice_2;
-      end if;
-      if passes_read_tag_border_column then
-        passes_read_tag_border_column <= passes_read_tag_border_column_differs;
-      else
-        passes_read_tag_border_column <= passes_read_tag_border_column_choice;
-      end if;
-      if passes_read_tag_leaves_window then
-        passes_read_tag_leaves_window <= passes_read_tag_leaves_window_differs;
-      else
-        passes_read_tag_leaves_window <= (passes_column = 46) and passes_read_tag_leaves_window_differs;
-      end if;
-      if passes_read_tag_map_column then
-        passes_read_tag_map_column <= passes_read_tag_first_cost_is_equal or (not passes_read_tag_end_of_line);
-      else
-        passes_read_tag_map_column <= passes_read_tag_first_cost_is_equal;
-      end if;
-      if rows_tag_valid then
+      passes_tag.valid <= passes_read_tag.valid;
+      passes_tag.row_start <= passes_read_tag.row_start;
+      passes_tag.first_group <= passes_read_tag.first_group;
+      passes_tag.border_column <= passes_read_tag.border_column;
+      passes_tag.first_cost <= passes_read_tag.first_cost;
+      passes_tag.leaves_window <= passes_read_tag.leaves_window;
+      passes_tag.map_column <= passes_read_tag.map_column;
+      passes_coming_first_group <= choice(rows_tag.first_group, passes_coming_first_group or
+        passes_coming_first_group_all, passes_coming_first_group and passes_coming_first_group_any);
+      passes_coming_output <= choice(rows_tag.output_column, passes_coming_output or passes_coming_first_group_all,
+        passes_coming_output and passes_coming_first_group_any);
+      passes_coming_starts <= choice(rows_tag.start_of_frame, passes_coming_starts or passes_coming_first_group_all,
+        passes_coming_starts and passes_coming_first_group_any);
+      passes_shows <= choice(passes_row_ended, (not passes_shows) or (not passes_last_pass) or (not passes_pass_ends),
+        passes_shows and passes_shows_any);
+      passes_showing_first_group <= choice(passes_showing_first_group, passes_coming_first_group or
+        passes_showing_first_group_differs or (not rows_tag.valid), passes_coming_first_group and passes_row_is_equal
+        and rows_tag.valid);
+      passes_showing_output <= choice(passes_coming_output, passes_showing_output or passes_row_ended_all,
+        passes_showing_output and passes_showing_output_any);
+      passes_showing_starts <= choice(passes_coming_starts, passes_showing_starts or passes_row_ended_all,
+        passes_showing_starts and passes_showing_output_any);
+      passes_column <= choice(passes_pass_ends, 0, (passes_column + as_number(passes_shows)) mod 512);
+      passes_leaving_output <= choice(passes_leaving_output_choices(2), passes_showing_output or
+        passes_showing_first_group_differs or (not rows_tag.valid), passes_showing_output and passes_row_is_equal and
+        rows_tag.valid);
+      passes_leaving_starts <= choice(passes_showing_starts, passes_leaving_starts_choices(1),
+        passes_leaving_starts_choices(2));
+      passes_read_tag.border_column <= choice(passes_read_tag.border_column, passes_read_tag_border_column_differs,
+        passes_read_tag_border_column_choice);
+      passes_read_tag.leaves_window <= choice(passes_read_tag.leaves_window, passes_read_tag_leaves_window_differs,
+        (passes_column = 46) and passes_read_tag_leaves_window_differs);
+      passes_read_tag.map_column <= choice(passes_read_tag.map_column, passes_read_tag_first_cost_is_equal or (not
+        passes_read_tag.end_of_line), passes_read_tag_first_cost_is_equal);
+      if rows_tag.valid then
         passes_ended_last <= passes_row_is_equal;
         passes_write_address <= rows_write_column + (as_number(passes_row) * 1024);
         passes_write_search_0 <= rows_search;
         passes_write_reference_0 <= rows_reference;
       end if;
       if passes_pass_ends then
-        if passes_shows_any then
-          passes_pass <= (passes_pass + 1) mod 8;
-        else
-          passes_pass <= 0;
-        end if;
+        passes_pass <= choice(passes_shows_any, (passes_pass + 1) mod 8, 0);
       end if;
       -- slice0shift
-      if passes_tag_valid then
+      if passes_tag.valid then
         for i in 0 to 1 loop
           for j in 0 to 23 loop
             slice0shift_search(i, j) <= slice0shift_search(i, j + 1);
@@ -1359,77 +707,43 @@ begin
           slice0shift_search(i, 24) <= passes_search(i);
         end loop;
       end if;
-      slice0shift_reference(0) <= passes_reference(0);
-      slice0shift_reference(1) <= passes_reference(1);
+      slice0shift_reference <= passes_reference;
       slice0shift_search_out(0) <= slice0shift_search(0, 0);
       slice0shift_search_out(1) <= slice0shift_search(1, 0);
-      slice0shift_tag_valid <= passes_tag_valid;
-      slice0shift_tag_row_start <= passes_tag_row_start;
-      slice0shift_tag_first_group <= passes_tag_first_group;
-      slice0shift_tag_border_column <= passes_tag_border_column;
-      slice0shift_tag_first_cost <= passes_tag_first_cost;
-      slice0shift_tag_leaves_window <= passes_tag_leaves_window;
-      slice0shift_tag_map_column <= passes_tag_map_column;
+      slice0shift_tag <= passes_tag;
       -- slice0cost
       for i in 0 to 11 loop
-        if slice0cost_ready_tag_first_group then
-          slice0cost_column_0_choice(2 * i) := 0;
-        else
-          slice0cost_column_0_choice(2 * i) := slice0cost_ready_words(i) mod 2048;
-        end if;
-        if slice0cost_ready_tag_border_column then
-          slice0cost_column_0_choice_2(2 * i) := 0;
-        else
-          slice0cost_column_0_choice_2(2 * i) := (slice0cost_change_0(2 * i) + slice0cost_column_0_choice(2 * i)) mod
-            2048;
-        end if;
-        if slice0cost_ready_tag_first_group then
-          slice0cost_column_0_choice(2 * i + 1) := 0;
-        else
-          slice0cost_column_0_choice(2 * i + 1) := slice0cost_ready_words(i) / 2048;
-        end if;
-        if slice0cost_ready_tag_border_column then
-          slice0cost_column_0_choice_2(2 * i + 1) := 0;
-        else
-          slice0cost_column_0_choice_2(2 * i + 1) := (slice0cost_change_0(2 * i + 1) + slice0cost_column_0_choice(2 * i
-            + 1)) mod 2048;
-        end if;
+        slice0cost_column_0_choice(2 * i, 1) := choice(slice0cost_ready_tag.first_group, 0, slice0cost_ready_words(i)
+          mod 2048);
+        slice0cost_column_0_choice(2 * i, 2) := choice(slice0cost_ready_tag.border_column, 0, (slice0cost_change_0(2 *
+          i) + slice0cost_column_0_choice(2 * i, 1)) mod 2048);
+        slice0cost_column_0_choice(2 * i + 1, 1) := choice(slice0cost_ready_tag.first_group, 0,
+          slice0cost_ready_words(i) / 2048);
+        slice0cost_column_0_choice(2 * i + 1, 2) := choice(slice0cost_ready_tag.border_column, 0,
+          (slice0cost_change_0(2 * i + 1) + slice0cost_column_0_choice(2 * i + 1, 1)) mod 2048);
       end loop;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_choice(24) := 0;
-      else
-        slice0cost_column_0_choice(24) := slice0cost_ready_words_12;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_choice_2(24) := 0;
-      else
-        slice0cost_column_0_choice_2(24) := (slice0cost_change_0(24) + slice0cost_column_0_choice(24)) mod 2048;
-      end if;
+      slice0cost_column_0_choice(24, 1) := choice(slice0cost_ready_tag.first_group, 0, slice0cost_ready_words_12);
+      slice0cost_column_0_choice(24, 2) := choice(slice0cost_ready_tag.border_column, 0, (slice0cost_change_0(24) +
+        slice0cost_column_0_choice(24, 1)) mod 2048);
       for i in 0 to 24 loop
         slice0cost_pixels_first(0, i) <= slice0shift_search(0, i) - slice0shift_reference(0);
       end loop;
       for i in 0 to 24 loop
         slice0cost_pixels_first(1, i) <= slice0shift_search(1, i) - slice0shift_reference(1);
       end loop;
-      slice0cost_pixels_first_tag_valid <= slice0shift_tag_valid;
-      slice0cost_pixels_first_tag_row_start <= slice0shift_tag_row_start;
-      slice0cost_pixels_first_tag_first_group <= slice0shift_tag_first_group;
-      slice0cost_pixels_first_tag_border_column <= slice0shift_tag_border_column;
-      slice0cost_pixels_first_tag_first_cost <= slice0shift_tag_first_cost;
-      slice0cost_pixels_first_tag_leaves_window <= slice0shift_tag_leaves_window;
-      slice0cost_pixels_first_tag_map_column <= slice0shift_tag_map_column;
+      slice0cost_pixels_first_tag <= slice0shift_tag;
       for i in 0 to 1 loop
         for j in 0 to 24 loop
           slice0cost_pixels_cost(i, j) <= (folded(slice0cost_pixels_first(i, j)) +
             as_number((slice0cost_pixels_first(i, j) < 0))) mod 256;
         end loop;
       end loop;
-      slice0cost_pixels_tag_valid <= slice0cost_pixels_first_tag_valid;
-      slice0cost_pixels_tag_first_group <= slice0cost_pixels_first_tag_first_group;
-      slice0cost_pixels_tag_border_column <= slice0cost_pixels_first_tag_border_column;
-      slice0cost_pixels_tag_first_cost <= slice0cost_pixels_first_tag_first_cost;
-      slice0cost_pixels_tag_leaves_window <= slice0cost_pixels_first_tag_leaves_window;
-      slice0cost_pixels_tag_map_column <= slice0cost_pixels_first_tag_map_column;
+      slice0cost_pixels_tag.valid <= slice0cost_pixels_first_tag.valid;
+      slice0cost_pixels_tag.first_group <= slice0cost_pixels_first_tag.first_group;
+      slice0cost_pixels_tag.border_column <= slice0cost_pixels_first_tag.border_column;
+      slice0cost_pixels_tag.first_cost <= slice0cost_pixels_first_tag.first_cost;
+      slice0cost_pixels_tag.leaves_window <= slice0cost_pixels_first_tag.leaves_window;
+      slice0cost_pixels_tag.map_column <= slice0cost_pixels_first_tag.map_column;
       for i in 0 to 24 loop
         slice0cost_change_0(i) <= slice0cost_pixels_cost(1, i) - slice0cost_pixels_cost(0, i);
       end loop;
@@ -1438,111 +752,65 @@ begin
       end loop;
       slice0cost_ready_words_12 <= to_integer(slice0cost_read_words_12);
       slice0cost_ready_column <= slice0cost_change_column;
-      slice0cost_ready_tag_valid <= slice0cost_pixels_tag_valid;
-      slice0cost_ready_tag_first_group <= slice0cost_pixels_tag_first_group;
-      slice0cost_ready_tag_border_column <= slice0cost_pixels_tag_border_column;
-      slice0cost_ready_tag_first_cost <= slice0cost_pixels_tag_first_cost;
-      slice0cost_ready_tag_leaves_window <= slice0cost_pixels_tag_leaves_window;
-      slice0cost_ready_tag_map_column <= slice0cost_pixels_tag_map_column;
+      slice0cost_ready_tag <= slice0cost_pixels_tag;
       for i in 0 to 24 loop
-        slice0cost_column_0(i) <= slice0cost_column_0_choice_2(i);
+        slice0cost_column_0(i) <= slice0cost_column_0_choice(i, 2);
       end loop;
       slice0cost_write_column <= slice0cost_ready_column;
-      slice0cost_tag_valid <= slice0cost_ready_tag_valid;
-      slice0cost_tag_first_group <= slice0cost_ready_tag_first_group;
-      slice0cost_tag_border_column <= slice0cost_ready_tag_border_column;
-      slice0cost_tag_first_cost <= slice0cost_ready_tag_first_cost;
-      slice0cost_tag_leaves_window <= slice0cost_ready_tag_leaves_window;
-      slice0cost_tag_map_column <= slice0cost_ready_tag_map_column;
-      if slice0shift_tag_valid then
-        if slice0shift_tag_row_start then
-          slice0cost_read_column <= 0;
-        else
-          slice0cost_read_column <= (slice0cost_read_column + 1) mod 4096;
-        end if;
+      slice0cost_tag <= slice0cost_ready_tag;
+      if slice0shift_tag.valid then
+        slice0cost_read_column <= choice(slice0shift_tag.row_start, 0, (slice0cost_read_column + 1) mod 4096);
       end if;
-      if slice0cost_pixels_first_tag_valid then
-        if slice0cost_pixels_first_tag_row_start then
-          slice0cost_change_column <= 0;
-        else
-          slice0cost_change_column <= (slice0cost_change_column + 1) mod 4096;
-        end if;
+      if slice0cost_pixels_first_tag.valid then
+        slice0cost_change_column <= choice(slice0cost_pixels_first_tag.row_start, 0, (slice0cost_change_column + 1) mod
+          4096);
       end if;
-      if slice0cost_ready_tag_valid then
+      if slice0cost_ready_tag.valid then
         for i in 0 to 11 loop
-          slice0cost_write_words(i) <= (slice0cost_column_0_choice_2(2 * i + 1) * 2048) +
-            slice0cost_column_0_choice_2(2 * i);
+          slice0cost_write_words(i) <= (slice0cost_column_0_choice(2 * i + 1, 2) * 2048) + slice0cost_column_0_choice(2
+            * i, 2);
         end loop;
-        slice0cost_write_words_12 <= slice0cost_column_0_choice_2(24);
+        slice0cost_write_words(12) <= slice0cost_column_0_choice(24, 2);
       end if;
       -- slice0window
-      if slice0cost_tag_valid then
+      if slice0cost_tag.valid then
         slice0window_ring_write_address <= slice0window_ring_read_address;
-        if slice0window_ring_read_address = 7 then
-          slice0window_ring_read_address <= 0;
-        else
-          slice0window_ring_read_address <= (slice0window_ring_read_address + 1) mod 8;
-        end if;
+        slice0window_ring_read_address <= choice(slice0window_ring_read_address = 7, 0, (slice0window_ring_read_address
+          + 1) mod 8);
       end if;
-      for i in 0 to 5 loop
-        for j in 0 to 1 loop
-          if slice0window_entering_tag_leaves_window then
-            slice0window_change_0_choice(4 * i + j) := to_integer(slice0window_leaving(2 * i)(11 * j + 10 downto 11 *
-              j));
-          else
-            slice0window_change_0_choice(4 * i + j) := 0;
-          end if;
-        end loop;
-        for j in 2 to 3 loop
-          if slice0window_entering_tag_leaves_window then
-            slice0window_change_0_choice(4 * i + j) := to_integer(slice0window_leaving(2 * i + 1)(11 * j - 12 downto 11
-              * j - 22));
-          else
-            slice0window_change_0_choice(4 * i + j) := 0;
-          end if;
-        end loop;
+      for i in 0 to 11 loop
+        slice0window_change_0_choice(2 * i) := choice(slice0window_entering_tag.leaves_window,
+          to_integer(slice0window_leaving(i)(10 downto 0)), 0);
+        slice0window_change_0_choice(2 * i + 1) := choice(slice0window_entering_tag.leaves_window,
+          to_integer(slice0window_leaving(i)(21 downto 11)), 0);
       end loop;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_choice(24) := to_integer(slice0window_leaving_12);
-      else
-        slice0window_change_0_choice(24) := 0;
-      end if;
-      for i in 0 to 24 loop
-        slice0window_entering_0(i) <= slice0cost_column_0(i);
-      end loop;
-      slice0window_entering_tag_valid <= slice0cost_tag_valid;
-      slice0window_entering_tag_first_cost <= slice0cost_tag_first_cost;
-      slice0window_entering_tag_leaves_window <= slice0cost_tag_leaves_window;
-      slice0window_entering_tag_map_column <= slice0cost_tag_map_column;
+      slice0window_change_0_choice(24) := choice(slice0window_entering_tag.leaves_window,
+        to_integer(slice0window_leaving_12), 0);
+      slice0window_entering_0 <= slice0cost_column_0;
+      slice0window_entering_tag.valid <= slice0cost_tag.valid;
+      slice0window_entering_tag.first_cost <= slice0cost_tag.first_cost;
+      slice0window_entering_tag.leaves_window <= slice0cost_tag.leaves_window;
+      slice0window_entering_tag.map_column <= slice0cost_tag.map_column;
       for i in 0 to 24 loop
         slice0window_change_0(i) <= slice0window_entering_0(i) - slice0window_change_0_choice(i);
       end loop;
-      slice0window_change_tag_valid <= slice0window_entering_tag_valid;
-      slice0window_change_tag_first_cost <= slice0window_entering_tag_first_cost;
-      slice0window_change_tag_leaves_window <= slice0window_entering_tag_leaves_window;
-      slice0window_change_tag_map_column <= slice0window_entering_tag_map_column;
-      slice0window_centre_map_column(0) <= slice0window_change_tag_map_column;
-      slice0window_centre_first_column(0) <= slice0window_change_tag_first_cost;
-      slice0window_tag_valid <= slice0window_change_tag_valid;
+      slice0window_change_tag <= slice0window_entering_tag;
+      slice0window_centre_map_column(0) <= slice0window_change_tag.map_column;
+      slice0window_centre_first_column(0) <= slice0window_change_tag.first_cost;
+      slice0window_tag.valid <= slice0window_change_tag.valid;
       for i in 0 to 24 loop
-        if slice0window_change_tag_first_cost then
-          slice0window_sum_0_choice(i) := 0;
-        else
-          slice0window_sum_0_choice(i) := slice0window_sum_0(i);
-        end if;
+        slice0window_sum_0_choice(i) := choice(slice0window_change_tag.first_cost, 0, slice0window_sum_0(i));
       end loop;
-      if slice0window_change_tag_valid then
+      if slice0window_change_tag.valid then
         for i in 0 to 24 loop
           slice0window_sum_0(i) <= (slice0window_sum_0_choice(i) + slice0window_change_0(i)) mod 16384;
         end loop;
       end if;
-      if slice0window_tag_valid then
-        slice0window_centre_map_column(1) <= slice0window_centre_map_column(0);
-        slice0window_centre_map_column(2) <= slice0window_centre_map_column(1);
-        slice0window_centre_first_column(1) <= slice0window_centre_first_column(0);
-        slice0window_centre_first_column(2) <= slice0window_centre_first_column(1);
-        slice0window_tag_map_column <= slice0window_centre_map_column(2);
-        slice0window_tag_first_column <= slice0window_centre_first_column(2);
+      if slice0window_tag.valid then
+        slice0window_centre_map_column(1 to 2) <= slice0window_centre_map_column(0 to 1);
+        slice0window_centre_first_column(1 to 2) <= slice0window_centre_first_column(0 to 1);
+        slice0window_tag.map_column <= slice0window_centre_map_column(2);
+        slice0window_tag.first_column <= slice0window_centre_first_column(2);
       end if;
       -- slice0winner1
       for i in 0 to 11 loop
@@ -1550,215 +818,70 @@ begin
       end loop;
       slice0winner1_best_cost_0(12) <= slice0window_sum_0(24);
       slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_is_less(0);
-      slice0winner1_best_index_0_12 <= 24;
-      slice0winner1_tag_valid <= slice0window_tag_valid;
-      slice0winner1_tag_map_column <= slice0window_tag_map_column;
-      slice0winner1_tag_first_column <= slice0window_tag_first_column;
-      if slice0winner1_best_cost_0_is_less(0) then
-        slice0winner1_best_cost_0(0) <= slice0window_sum_0(1);
-      else
-        slice0winner1_best_cost_0(0) <= slice0window_sum_0(0);
-      end if;
-      if slice0winner1_best_cost_0_is_less(1) then
-        slice0winner1_best_cost_0(1) <= slice0window_sum_0(3);
-        slice0winner1_best_index_0_1 <= 3;
-      else
-        slice0winner1_best_cost_0(1) <= slice0window_sum_0(2);
-        slice0winner1_best_index_0_1 <= 2;
-      end if;
-      if slice0winner1_best_cost_0_is_less(2) then
-        slice0winner1_best_cost_0(2) <= slice0window_sum_0(5);
-        slice0winner1_best_index_0_2 <= 5;
-      else
-        slice0winner1_best_cost_0(2) <= slice0window_sum_0(4);
-        slice0winner1_best_index_0_2 <= 4;
-      end if;
-      if slice0winner1_best_cost_0_is_less(3) then
-        slice0winner1_best_cost_0(3) <= slice0window_sum_0(7);
-        slice0winner1_best_index_0_3 <= 7;
-      else
-        slice0winner1_best_cost_0(3) <= slice0window_sum_0(6);
-        slice0winner1_best_index_0_3 <= 6;
-      end if;
-      if slice0winner1_best_cost_0_is_less(4) then
-        slice0winner1_best_cost_0(4) <= slice0window_sum_0(9);
-        slice0winner1_best_index_0_4 <= 9;
-      else
-        slice0winner1_best_cost_0(4) <= slice0window_sum_0(8);
-        slice0winner1_best_index_0_4 <= 8;
-      end if;
-      if slice0winner1_best_cost_0_is_less(5) then
-        slice0winner1_best_cost_0(5) <= slice0window_sum_0(11);
-        slice0winner1_best_index_0_5 <= 11;
-      else
-        slice0winner1_best_cost_0(5) <= slice0window_sum_0(10);
-        slice0winner1_best_index_0_5 <= 10;
-      end if;
-      if slice0winner1_best_cost_0_is_less(6) then
-        slice0winner1_best_cost_0(6) <= slice0window_sum_0(13);
-        slice0winner1_best_index_0_6 <= 13;
-      else
-        slice0winner1_best_cost_0(6) <= slice0window_sum_0(12);
-        slice0winner1_best_index_0_6 <= 12;
-      end if;
-      if slice0winner1_best_cost_0_is_less(7) then
-        slice0winner1_best_cost_0(7) <= slice0window_sum_0(15);
-        slice0winner1_best_index_0_7 <= 15;
-      else
-        slice0winner1_best_cost_0(7) <= slice0window_sum_0(14);
-        slice0winner1_best_index_0_7 <= 14;
-      end if;
-      if slice0winner1_best_cost_0_is_less(8) then
-        slice0winner1_best_cost_0(8) <= slice0window_sum_0(17);
-        slice0winner1_best_index_0_8 <= 17;
-      else
-        slice0winner1_best_cost_0(8) <= slice0window_sum_0(16);
-        slice0winner1_best_index_0_8 <= 16;
-      end if;
-      if slice0winner1_best_cost_0_is_less(9) then
-        slice0winner1_best_cost_0(9) <= slice0window_sum_0(19);
-        slice0winner1_best_index_0_9 <= 19;
-      else
-        slice0winner1_best_cost_0(9) <= slice0window_sum_0(18);
-        slice0winner1_best_index_0_9 <= 18;
-      end if;
-      if slice0winner1_best_cost_0_is_less(10) then
-        slice0winner1_best_cost_0(10) <= slice0window_sum_0(21);
-        slice0winner1_best_index_0_10 <= 21;
-      else
-        slice0winner1_best_cost_0(10) <= slice0window_sum_0(20);
-        slice0winner1_best_index_0_10 <= 20;
-      end if;
-      if slice0winner1_best_cost_0_is_less(11) then
-        slice0winner1_best_cost_0(11) <= slice0window_sum_0(23);
-        slice0winner1_best_index_0_11 <= 23;
-      else
-        slice0winner1_best_cost_0(11) <= slice0window_sum_0(22);
-        slice0winner1_best_index_0_11 <= 22;
-      end if;
+      slice0winner1_best_index_0(12) <= 24;
+      slice0winner1_tag <= slice0window_tag;
+      slice0winner1_best_cost_0(0) <= choice(slice0winner1_best_cost_0_is_less(0), slice0window_sum_0(1),
+        slice0window_sum_0(0));
+      for i in 1 to 11 loop
+        slice0winner1_best_cost_0(i) <= choice(slice0winner1_best_cost_0_is_less(i), slice0window_sum_0(2 * i + 1),
+          slice0window_sum_0(2 * i));
+        slice0winner1_best_index_0(i) <= choice(slice0winner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
+      end loop;
       -- slice0winner2
       for i in 0 to 5 loop
         slice0winner2_best_cost_0_is_less(i) := (slice0winner1_best_cost_0(2 * i + 1) - slice0winner1_best_cost_0(2 *
           i)) < 0;
       end loop;
       slice0winner2_best_cost_0(6) <= slice0winner1_best_cost_0(12);
-      slice0winner2_best_index_0_6 <= slice0winner1_best_index_0_12;
-      slice0winner2_tag_valid <= slice0winner1_tag_valid;
-      slice0winner2_tag_map_column <= slice0winner1_tag_map_column;
-      slice0winner2_tag_first_column <= slice0winner1_tag_first_column;
-      if slice0winner2_best_cost_0_is_less(0) then
-        slice0winner2_best_cost_0(0) <= slice0winner1_best_cost_0(1);
-        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
-      else
-        slice0winner2_best_cost_0(0) <= slice0winner1_best_cost_0(0);
-        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
-      end if;
-      if slice0winner2_best_cost_0_is_less(1) then
-        slice0winner2_best_cost_0(1) <= slice0winner1_best_cost_0(3);
-        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3;
-      else
-        slice0winner2_best_cost_0(1) <= slice0winner1_best_cost_0(2);
-        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2;
-      end if;
-      if slice0winner2_best_cost_0_is_less(2) then
-        slice0winner2_best_cost_0(2) <= slice0winner1_best_cost_0(5);
-        slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5;
-      else
-        slice0winner2_best_cost_0(2) <= slice0winner1_best_cost_0(4);
-        slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_4;
-      end if;
-      if slice0winner2_best_cost_0_is_less(3) then
-        slice0winner2_best_cost_0(3) <= slice0winner1_best_cost_0(7);
-        slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7;
-      else
-        slice0winner2_best_cost_0(3) <= slice0winner1_best_cost_0(6);
-        slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_6;
-      end if;
-      if slice0winner2_best_cost_0_is_less(4) then
-        slice0winner2_best_cost_0(4) <= slice0winner1_best_cost_0(9);
-        slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_9;
-      else
-        slice0winner2_best_cost_0(4) <= slice0winner1_best_cost_0(8);
-        slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_8;
-      end if;
-      if slice0winner2_best_cost_0_is_less(5) then
-        slice0winner2_best_cost_0(5) <= slice0winner1_best_cost_0(11);
-        slice0winner2_best_index_0_5 <= slice0winner1_best_index_0_11;
-      else
-        slice0winner2_best_cost_0(5) <= slice0winner1_best_cost_0(10);
-        slice0winner2_best_index_0_5 <= slice0winner1_best_index_0_10;
-      end if;
+      slice0winner2_best_index_0(6) <= slice0winner1_best_index_0(12);
+      slice0winner2_tag <= slice0winner1_tag;
+      slice0winner2_best_cost_0(0) <= choice(slice0winner2_best_cost_0_is_less(0), slice0winner1_best_cost_0(1),
+        slice0winner1_best_cost_0(0));
+      slice0winner2_best_index_0(0) <= choice(slice0winner2_best_cost_0_is_less(0), slice0winner1_best_index_0(1),
+        as_number(slice0winner1_best_index_0_0));
+      for i in 1 to 5 loop
+        slice0winner2_best_cost_0(i) <= choice(slice0winner2_best_cost_0_is_less(i), slice0winner1_best_cost_0(2 * i +
+          1), slice0winner1_best_cost_0(2 * i));
+        slice0winner2_best_index_0(i) <= choice(slice0winner2_best_cost_0_is_less(i), slice0winner1_best_index_0(2 * i
+          + 1), slice0winner1_best_index_0(2 * i));
+      end loop;
       -- slice0winner3
       for i in 0 to 2 loop
         slice0winner3_best_cost_0_is_less(i) := (slice0winner2_best_cost_0(2 * i + 1) - slice0winner2_best_cost_0(2 *
           i)) < 0;
       end loop;
       slice0winner3_best_cost_0(3) <= slice0winner2_best_cost_0(6);
-      slice0winner3_best_index_0_3 <= slice0winner2_best_index_0_6;
-      slice0winner3_tag_valid <= slice0winner2_tag_valid;
-      slice0winner3_tag_map_column <= slice0winner2_tag_map_column;
-      slice0winner3_tag_first_column <= slice0winner2_tag_first_column;
-      if slice0winner3_best_cost_0_is_less(0) then
-        slice0winner3_best_cost_0(0) <= slice0winner2_best_cost_0(1);
-        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1;
-      else
-        slice0winner3_best_cost_0(0) <= slice0winner2_best_cost_0(0);
-        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_0;
-      end if;
-      if slice0winner3_best_cost_0_is_less(1) then
-        slice0winner3_best_cost_0(1) <= slice0winner2_best_cost_0(3);
-        slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3;
-      else
-        slice0winner3_best_cost_0(1) <= slice0winner2_best_cost_0(2);
-        slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_2;
-      end if;
-      if slice0winner3_best_cost_0_is_less(2) then
-        slice0winner3_best_cost_0(2) <= slice0winner2_best_cost_0(5);
-        slice0winner3_best_index_0_2 <= slice0winner2_best_index_0_5;
-      else
-        slice0winner3_best_cost_0(2) <= slice0winner2_best_cost_0(4);
-        slice0winner3_best_index_0_2 <= slice0winner2_best_index_0_4;
-      end if;
+      slice0winner3_best_index_0(3) <= slice0winner2_best_index_0(6);
+      slice0winner3_tag <= slice0winner2_tag;
+      for i in 0 to 2 loop
+        slice0winner3_best_cost_0(i) <= choice(slice0winner3_best_cost_0_is_less(i), slice0winner2_best_cost_0(2 * i +
+          1), slice0winner2_best_cost_0(2 * i));
+        slice0winner3_best_index_0(i) <= choice(slice0winner3_best_cost_0_is_less(i), slice0winner2_best_index_0(2 * i
+          + 1), slice0winner2_best_index_0(2 * i));
+      end loop;
       -- slice0winner4
       slice0winner4_best_cost_0_is_less(0) := (slice0winner3_best_cost_0(1) - slice0winner3_best_cost_0(0)) < 0;
       slice0winner4_best_cost_0_is_less(1) := (slice0winner3_best_cost_0(3) - slice0winner3_best_cost_0(2)) < 0;
-      slice0winner4_tag_valid <= slice0winner3_tag_valid;
-      slice0winner4_tag_map_column <= slice0winner3_tag_map_column;
-      slice0winner4_tag_first_column <= slice0winner3_tag_first_column;
-      if slice0winner4_best_cost_0_is_less(0) then
-        slice0winner4_best_cost_0(0) <= slice0winner3_best_cost_0(1);
-        slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1;
-      else
-        slice0winner4_best_cost_0(0) <= slice0winner3_best_cost_0(0);
-        slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_0;
-      end if;
-      if slice0winner4_best_cost_0_is_less(1) then
-        slice0winner4_best_cost_0(1) <= slice0winner3_best_cost_0(3);
-        slice0winner4_best_index_0_1 <= slice0winner3_best_index_0_3;
-      else
-        slice0winner4_best_cost_0(1) <= slice0winner3_best_cost_0(2);
-        slice0winner4_best_index_0_1 <= slice0winner3_best_index_0_2;
-      end if;
+      slice0winner4_tag <= slice0winner3_tag;
+      for i in 0 to 1 loop
+        slice0winner4_best_cost_0(i) <= choice(slice0winner4_best_cost_0_is_less(i), slice0winner3_best_cost_0(2 * i +
+          1), slice0winner3_best_cost_0(2 * i));
+        slice0winner4_best_index_0(i) <= choice(slice0winner4_best_cost_0_is_less(i), slice0winner3_best_index_0(2 * i
+          + 1), slice0winner3_best_index_0(2 * i));
+      end loop;
       -- slice0winner5
       slice0winner5_best_cost_0_0_is_less := (slice0winner4_best_cost_0(1) - slice0winner4_best_cost_0(0)) < 0;
-      slice0winner5_tag_valid <= slice0winner4_tag_valid;
-      slice0winner5_tag_map_column <= slice0winner4_tag_map_column;
-      slice0winner5_tag_first_column <= slice0winner4_tag_first_column;
-      if slice0winner5_best_cost_0_0_is_less then
-        slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0(1);
-        slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_1;
-      else
-        slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0(0);
-        slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_0;
-      end if;
+      slice0winner5_tag <= slice0winner4_tag;
+      slice0winner5_best_cost_0_0 <= choice(slice0winner5_best_cost_0_0_is_less, slice0winner4_best_cost_0(1),
+        slice0winner4_best_cost_0(0));
+      slice0winner5_best_index_0_0 <= choice(slice0winner5_best_cost_0_0_is_less, slice0winner4_best_index_0(1),
+        slice0winner4_best_index_0(0));
       -- slice0
       slice0_best_cost_0_0 <= slice0winner5_best_cost_0_0;
       slice0_best_index_0_0 <= slice0winner5_best_index_0_0 + 15;
-      slice0_best_tag_valid <= slice0winner5_tag_valid;
-      slice0_best_tag_map_column <= slice0winner5_tag_map_column;
-      slice0_best_tag_first_column <= slice0winner5_tag_first_column;
+      slice0_best_tag <= slice0winner5_tag;
       -- slice1shift
-      if slice0shift_tag_valid then
+      if slice0shift_tag.valid then
         for i in 0 to 1 loop
           for j in 0 to 13 loop
             slice1shift_search(i, j) <= slice1shift_search(i, j + 1);
@@ -1766,43 +889,21 @@ begin
           slice1shift_search(i, 14) <= slice0shift_search_out(i);
         end loop;
       end if;
-      slice1shift_reference(0) <= slice0shift_reference(0);
-      slice1shift_reference(1) <= slice0shift_reference(1);
+      slice1shift_reference <= slice0shift_reference;
       -- slice1cost
       for i in 0 to 6 loop
-        if slice0cost_tag_first_group then
-          slice1cost_column_0_choice(2 * i) := 0;
-        else
-          slice1cost_column_0_choice(2 * i) := slice1cost_ready_words(i) mod 2048;
-        end if;
-        if slice0cost_tag_border_column then
-          slice1cost_column_0_choice_2(2 * i) := 0;
-        else
-          slice1cost_column_0_choice_2(2 * i) := (slice1cost_change_0(2 * i) + slice1cost_column_0_choice(2 * i)) mod
-            2048;
-        end if;
-        if slice0cost_tag_first_group then
-          slice1cost_column_0_choice(2 * i + 1) := 0;
-        else
-          slice1cost_column_0_choice(2 * i + 1) := slice1cost_ready_words(i) / 2048;
-        end if;
-        if slice0cost_tag_border_column then
-          slice1cost_column_0_choice_2(2 * i + 1) := 0;
-        else
-          slice1cost_column_0_choice_2(2 * i + 1) := (slice1cost_change_0(2 * i + 1) + slice1cost_column_0_choice(2 * i
-            + 1)) mod 2048;
-        end if;
+        slice1cost_column_0_choice(2 * i, 1) := choice(slice0cost_tag.first_group, 0, slice1cost_ready_words(i) mod
+          2048);
+        slice1cost_column_0_choice(2 * i, 2) := choice(slice0cost_tag.border_column, 0, (slice1cost_change_0(2 * i) +
+          slice1cost_column_0_choice(2 * i, 1)) mod 2048);
+        slice1cost_column_0_choice(2 * i + 1, 1) := choice(slice0cost_tag.first_group, 0, slice1cost_ready_words(i) /
+          2048);
+        slice1cost_column_0_choice(2 * i + 1, 2) := choice(slice0cost_tag.border_column, 0, (slice1cost_change_0(2 * i
+          + 1) + slice1cost_column_0_choice(2 * i + 1, 1)) mod 2048);
       end loop;
-      if slice0cost_tag_first_group then
-        slice1cost_column_0_choice(14) := 0;
-      else
-        slice1cost_column_0_choice(14) := slice1cost_ready_words_7;
-      end if;
-      if slice0cost_tag_border_column then
-        slice1cost_column_0_choice_2(14) := 0;
-      else
-        slice1cost_column_0_choice_2(14) := (slice1cost_change_0(14) + slice1cost_column_0_choice(14)) mod 2048;
-      end if;
+      slice1cost_column_0_choice(14, 1) := choice(slice0cost_tag.first_group, 0, slice1cost_ready_words_7);
+      slice1cost_column_0_choice(14, 2) := choice(slice0cost_tag.border_column, 0, (slice1cost_change_0(14) +
+        slice1cost_column_0_choice(14, 1)) mod 2048);
       for i in 0 to 14 loop
         slice1cost_pixels_first(0, i) <= slice1shift_search(0, i) - slice1shift_reference(0);
       end loop;
@@ -1825,72 +926,41 @@ begin
       end loop;
       slice1cost_ready_words_7 <= to_integer(slice1cost_read_words_7);
       for i in 0 to 14 loop
-        slice1cost_column_0(i) <= slice1cost_column_0_choice_2(i);
+        slice1cost_column_0(i) <= slice1cost_column_0_choice(i, 2);
       end loop;
-      if slice0cost_ready_tag_valid then
+      if slice0cost_ready_tag.valid then
         slice1cost_ready_column <= slice1cost_change_column;
       end if;
-      if slice0cost_tag_valid then
+      if slice0cost_tag.valid then
         slice1cost_write_column <= slice0cost_write_column;
         for i in 0 to 6 loop
-          slice1cost_write_words(i) <= (slice1cost_column_0_choice_2(2 * i + 1) * 2048) +
-            slice1cost_column_0_choice_2(2 * i);
+          slice1cost_write_words(i) <= (slice1cost_column_0_choice(2 * i + 1, 2) * 2048) + slice1cost_column_0_choice(2
+            * i, 2);
         end loop;
-        slice1cost_write_words_7 <= slice1cost_column_0_choice_2(14);
+        slice1cost_write_words(7) <= slice1cost_column_0_choice(14, 2);
       end if;
       -- slice1window
-      if slice0window_entering_tag_valid then
+      if slice0window_entering_tag.valid then
         slice1window_ring_write_address <= slice1window_ring_read_address;
-        if slice1window_ring_read_address = 7 then
-          slice1window_ring_read_address <= 0;
-        else
-          slice1window_ring_read_address <= (slice1window_ring_read_address + 1) mod 8;
-        end if;
+        slice1window_ring_read_address <= choice(slice1window_ring_read_address = 7, 0, (slice1window_ring_read_address
+          + 1) mod 8);
       end if;
-      for i in 0 to 2 loop
-        for j in 0 to 1 loop
-          if slice0window_change_tag_leaves_window then
-            slice1window_change_0_choice(4 * i + j) := to_integer(slice1window_leaving(2 * i)(11 * j + 10 downto 11 *
-              j));
-          else
-            slice1window_change_0_choice(4 * i + j) := 0;
-          end if;
-        end loop;
-        for j in 2 to 3 loop
-          if slice0window_change_tag_leaves_window then
-            slice1window_change_0_choice(4 * i + j) := to_integer(slice1window_leaving(2 * i + 1)(11 * j - 12 downto 11
-              * j - 22));
-          else
-            slice1window_change_0_choice(4 * i + j) := 0;
-          end if;
-        end loop;
+      for i in 0 to 6 loop
+        slice1window_change_0_choice(2 * i) := choice(slice0window_change_tag.leaves_window,
+          to_integer(slice1window_leaving(i)(10 downto 0)), 0);
+        slice1window_change_0_choice(2 * i + 1) := choice(slice0window_change_tag.leaves_window,
+          to_integer(slice1window_leaving(i)(21 downto 11)), 0);
       end loop;
-      for i in 12 to 13 loop
-        if slice0window_change_tag_leaves_window then
-          slice1window_change_0_choice(i) := to_integer(slice1window_leaving(6)(11 * i - 122 downto 11 * i - 132));
-        else
-          slice1window_change_0_choice(i) := 0;
-        end if;
-      end loop;
-      if slice0window_change_tag_leaves_window then
-        slice1window_change_0_choice(14) := to_integer(slice1window_leaving_7);
-      else
-        slice1window_change_0_choice(14) := 0;
-      end if;
-      for i in 0 to 14 loop
-        slice1window_entering_0(i) <= slice1cost_column_0(i);
-      end loop;
+      slice1window_change_0_choice(14) := choice(slice0window_change_tag.leaves_window,
+        to_integer(slice1window_leaving_7), 0);
+      slice1window_entering_0 <= slice1cost_column_0;
       for i in 0 to 14 loop
         slice1window_change_0(i) <= slice1window_entering_0(i) - slice1window_change_0_choice(i);
       end loop;
       for i in 0 to 14 loop
-        if slice0window_centre_first_column(0) then
-          slice1window_sum_0_choice(i) := 0;
-        else
-          slice1window_sum_0_choice(i) := slice1window_sum_0(i);
-        end if;
+        slice1window_sum_0_choice(i) := choice(slice0window_centre_first_column(0), 0, slice1window_sum_0(i));
       end loop;
-      if slice0window_tag_valid then
+      if slice0window_tag.valid then
         for i in 0 to 14 loop
           slice1window_sum_0(i) <= (slice1window_sum_0_choice(i) + slice1window_change_0(i)) mod 16384;
         end loop;
@@ -1901,266 +971,137 @@ begin
       end loop;
       slice1winner1_best_cost_0(7) <= slice1window_sum_0(14);
       slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_is_less(0);
-      slice1winner1_best_index_0_7 <= 14;
-      if slice1winner1_best_cost_0_is_less(0) then
-        slice1winner1_best_cost_0(0) <= slice1window_sum_0(1);
-      else
-        slice1winner1_best_cost_0(0) <= slice1window_sum_0(0);
-      end if;
-      if slice1winner1_best_cost_0_is_less(1) then
-        slice1winner1_best_cost_0(1) <= slice1window_sum_0(3);
-        slice1winner1_best_index_0_1 <= 3;
-      else
-        slice1winner1_best_cost_0(1) <= slice1window_sum_0(2);
-        slice1winner1_best_index_0_1 <= 2;
-      end if;
-      if slice1winner1_best_cost_0_is_less(2) then
-        slice1winner1_best_cost_0(2) <= slice1window_sum_0(5);
-        slice1winner1_best_index_0_2 <= 5;
-      else
-        slice1winner1_best_cost_0(2) <= slice1window_sum_0(4);
-        slice1winner1_best_index_0_2 <= 4;
-      end if;
-      if slice1winner1_best_cost_0_is_less(3) then
-        slice1winner1_best_cost_0(3) <= slice1window_sum_0(7);
-        slice1winner1_best_index_0_3 <= 7;
-      else
-        slice1winner1_best_cost_0(3) <= slice1window_sum_0(6);
-        slice1winner1_best_index_0_3 <= 6;
-      end if;
-      if slice1winner1_best_cost_0_is_less(4) then
-        slice1winner1_best_cost_0(4) <= slice1window_sum_0(9);
-        slice1winner1_best_index_0_4 <= 9;
-      else
-        slice1winner1_best_cost_0(4) <= slice1window_sum_0(8);
-        slice1winner1_best_index_0_4 <= 8;
-      end if;
-      if slice1winner1_best_cost_0_is_less(5) then
-        slice1winner1_best_cost_0(5) <= slice1window_sum_0(11);
-        slice1winner1_best_index_0_5 <= 11;
-      else
-        slice1winner1_best_cost_0(5) <= slice1window_sum_0(10);
-        slice1winner1_best_index_0_5 <= 10;
-      end if;
-      if slice1winner1_best_cost_0_is_less(6) then
-        slice1winner1_best_cost_0(6) <= slice1window_sum_0(13);
-        slice1winner1_best_index_0_6 <= 13;
-      else
-        slice1winner1_best_cost_0(6) <= slice1window_sum_0(12);
-        slice1winner1_best_index_0_6 <= 12;
-      end if;
+      slice1winner1_best_index_0(7) <= 14;
+      slice1winner1_best_cost_0(0) <= choice(slice1winner1_best_cost_0_is_less(0), slice1window_sum_0(1),
+        slice1window_sum_0(0));
+      for i in 1 to 6 loop
+        slice1winner1_best_cost_0(i) <= choice(slice1winner1_best_cost_0_is_less(i), slice1window_sum_0(2 * i + 1),
+          slice1window_sum_0(2 * i));
+        slice1winner1_best_index_0(i) <= choice(slice1winner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
+      end loop;
       -- slice1winner2
       for i in 0 to 3 loop
         slice1winner2_best_cost_0_is_less(i) := (slice1winner1_best_cost_0(2 * i + 1) - slice1winner1_best_cost_0(2 *
           i)) < 0;
       end loop;
-      if slice1winner2_best_cost_0_is_less(0) then
-        slice1winner2_best_cost_0(0) <= slice1winner1_best_cost_0(1);
-        slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1;
-      else
-        slice1winner2_best_cost_0(0) <= slice1winner1_best_cost_0(0);
-        slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
-      end if;
-      if slice1winner2_best_cost_0_is_less(1) then
-        slice1winner2_best_cost_0(1) <= slice1winner1_best_cost_0(3);
-        slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3;
-      else
-        slice1winner2_best_cost_0(1) <= slice1winner1_best_cost_0(2);
-        slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_2;
-      end if;
-      if slice1winner2_best_cost_0_is_less(2) then
-        slice1winner2_best_cost_0(2) <= slice1winner1_best_cost_0(5);
-        slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5;
-      else
-        slice1winner2_best_cost_0(2) <= slice1winner1_best_cost_0(4);
-        slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_4;
-      end if;
-      if slice1winner2_best_cost_0_is_less(3) then
-        slice1winner2_best_cost_0(3) <= slice1winner1_best_cost_0(7);
-        slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_7;
-      else
-        slice1winner2_best_cost_0(3) <= slice1winner1_best_cost_0(6);
-        slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_6;
-      end if;
+      slice1winner2_best_cost_0(0) <= choice(slice1winner2_best_cost_0_is_less(0), slice1winner1_best_cost_0(1),
+        slice1winner1_best_cost_0(0));
+      slice1winner2_best_index_0(0) <= choice(slice1winner2_best_cost_0_is_less(0), slice1winner1_best_index_0(1),
+        as_number(slice1winner1_best_index_0_0));
+      for i in 1 to 3 loop
+        slice1winner2_best_cost_0(i) <= choice(slice1winner2_best_cost_0_is_less(i), slice1winner1_best_cost_0(2 * i +
+          1), slice1winner1_best_cost_0(2 * i));
+        slice1winner2_best_index_0(i) <= choice(slice1winner2_best_cost_0_is_less(i), slice1winner1_best_index_0(2 * i
+          + 1), slice1winner1_best_index_0(2 * i));
+      end loop;
       -- slice1winner3
       slice1winner3_best_cost_0_is_less(0) := (slice1winner2_best_cost_0(1) - slice1winner2_best_cost_0(0)) < 0;
       slice1winner3_best_cost_0_is_less(1) := (slice1winner2_best_cost_0(3) - slice1winner2_best_cost_0(2)) < 0;
-      if slice1winner3_best_cost_0_is_less(0) then
-        slice1winner3_best_cost_0(0) <= slice1winner2_best_cost_0(1);
-        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1;
-      else
-        slice1winner3_best_cost_0(0) <= slice1winner2_best_cost_0(0);
-        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_0;
-      end if;
-      if slice1winner3_best_cost_0_is_less(1) then
-        slice1winner3_best_cost_0(1) <= slice1winner2_best_cost_0(3);
-        slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_3;
-      else
-        slice1winner3_best_cost_0(1) <= slice1winner2_best_cost_0(2);
-        slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_2;
-      end if;
+      for i in 0 to 1 loop
+        slice1winner3_best_cost_0(i) <= choice(slice1winner3_best_cost_0_is_less(i), slice1winner2_best_cost_0(2 * i +
+          1), slice1winner2_best_cost_0(2 * i));
+        slice1winner3_best_index_0(i) <= choice(slice1winner3_best_cost_0_is_less(i), slice1winner2_best_index_0(2 * i
+          + 1), slice1winner2_best_index_0(2 * i));
+      end loop;
       -- slice1winner4
       slice1winner4_best_cost_0_0_is_less := (slice1winner3_best_cost_0(1) - slice1winner3_best_cost_0(0)) < 0;
-      if slice1winner4_best_cost_0_0_is_less then
-        slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0(1);
-        slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_1;
-      else
-        slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0(0);
-        slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_0;
-      end if;
+      slice1winner4_best_cost_0_0 <= choice(slice1winner4_best_cost_0_0_is_less, slice1winner3_best_cost_0(1),
+        slice1winner3_best_cost_0(0));
+      slice1winner4_best_index_0_0 <= choice(slice1winner4_best_cost_0_0_is_less, slice1winner3_best_index_0(1),
+        slice1winner3_best_index_0(0));
       -- slice1winner5
       slice1winner5_best_cost_0_0 <= slice1winner4_best_cost_0_0;
       slice1winner5_best_index_0_0 <= slice1winner4_best_index_0_0;
       -- slice1
       slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner5_best_cost_0_0) < 0;
-      slice1_best_tag_valid <= slice0_best_tag_valid;
-      slice1_best_tag_map_column <= slice0_best_tag_map_column;
-      slice1_best_tag_first_column <= slice0_best_tag_first_column;
-      if slice1_best_cost_0_0_is_less then
-        slice1_best_cost_0_0 <= slice0_best_cost_0_0;
-        slice1_best_index_0_0 <= slice0_best_index_0_0;
-      else
-        slice1_best_cost_0_0 <= slice1winner5_best_cost_0_0;
-        slice1_best_index_0_0 <= slice1winner5_best_index_0_0;
-      end if;
+      slice1_best_tag <= slice0_best_tag;
+      slice1_best_cost_0_0 <= choice(slice1_best_cost_0_0_is_less, slice0_best_cost_0_0, slice1winner5_best_cost_0_0);
+      slice1_best_index_0_0 <= choice(slice1_best_cost_0_0_is_less, slice0_best_index_0_0,
+        slice1winner5_best_index_0_0);
       -- best
-      best_base_any := (not best_waiting_tag_valid) or (not best_waiting_tag_first_column);
+      best_base_any := (not best_waiting_tag.valid) or (not best_waiting_tag.first_column);
       best_base_is_equal := best_pass = 4;
-      if best_base_is_equal then
-        best_base_choice := 0;
-      else
-        best_base_choice := ((best_base / 8) + 5) mod 32;
-      end if;
-      if best_base_any then
-        best_base_choice_2 := best_base / 8;
-      else
-        best_base_choice_2 := best_base_choice;
-      end if;
-      if best_compared_tag_first_column then
-        best_write_column_choice := 0;
-      else
-        best_write_column_choice := (best_place_column + 1) mod 1024;
-      end if;
-      if best_compared_tag_valid then
-        best_write_column_choice_2 := best_write_column_choice;
-      else
-        best_write_column_choice_2 := best_place_column;
-      end if;
+      best_base_choices(1) := choice(best_base_is_equal, 0, ((best_base / 8) + 5) mod 32);
+      best_base_choices(2) := choice(best_base_any, best_base / 8, best_base_choices(1));
+      best_write_column_choices(1) := choice(best_compared_tag.first_column, 0, (best_place_column + 1) mod 1024);
+      best_write_column_choices(2) := choice(best_compared_tag.valid, best_write_column_choices(1), best_place_column);
       best_read_cost_0_0 <= slice1_best_cost_0_0;
       best_read_index_0_0 <= slice1_best_index_0_0;
-      best_read_tag_valid <= slice1_best_tag_valid;
-      best_read_tag_map_column <= slice1_best_tag_map_column;
-      best_read_tag_first_column <= slice1_best_tag_first_column;
+      best_read_tag <= slice1_best_tag;
       best_waiting_cost_0_0 <= best_read_cost_0_0;
       best_waiting_index_0_0 <= best_read_index_0_0;
-      best_waiting_tag_valid <= best_read_tag_valid;
-      best_waiting_tag_map_column <= best_read_tag_map_column;
-      best_waiting_tag_first_column <= best_read_tag_first_column;
+      best_waiting_tag <= best_read_tag;
       best_ready_cost_0_0 <= best_waiting_cost_0_0;
       best_ready_index_0_0 <= best_waiting_index_0_0;
-      best_ready_tag_valid <= best_waiting_tag_valid;
-      best_ready_tag_map_column <= best_waiting_tag_map_column;
-      best_ready_tag_first_column <= best_waiting_tag_first_column;
+      best_ready_tag <= best_waiting_tag;
       best_ready_words_0 <= to_integer(best_read_words_0);
-      best_base <= best_base_choice_2 * 8;
+      best_base <= best_base_choices(2) * 8;
       best_compared_cost_0_0 <= best_ready_cost_0_0;
       best_compared_index_0_0 <= ((((best_base / 8) + (best_ready_index_0_0 / 8)) mod 32) * 8) + (best_ready_index_0_0
         mod 8);
-      best_compared_tag_valid <= best_ready_tag_valid;
-      best_compared_tag_map_column <= best_ready_tag_map_column;
-      best_compared_tag_first_column <= best_ready_tag_first_column;
+      best_compared_tag <= best_ready_tag;
       best_compared_words_0 <= best_ready_words_0;
       best_last_pass <= best_base_is_equal;
       best_here_wins <= ((best_ready_cost_0_0 - (best_ready_words_0 mod 16384)) < 0) or (best_pass = 0);
-      best_best_tag_valid <= best_compared_tag_valid;
-      best_best_tag_map_column <= best_last_pass and best_compared_tag_map_column;
-      best_best_tag_first_column <= best_last_pass and best_compared_tag_first_column;
-      if best_here_wins then
-        best_best_cost_0_0 <= best_compared_cost_0_0;
-        best_best_index_0_0 <= best_compared_index_0_0;
-      else
-        best_best_cost_0_0 <= best_compared_words_0 mod 16384;
-        best_best_index_0_0 <= best_compared_words_0 / 16384;
-      end if;
-      if (not best_compared_tag_map_column) or (not best_compared_tag_valid) then
-        best_write_column <= 1023;
-      else
-        best_write_column <= best_write_column_choice_2;
-      end if;
-      if slice1_best_tag_valid then
-        if slice1_best_tag_first_column then
-          best_column <= 0;
-        else
-          best_column <= (best_column + 1) mod 1024;
-        end if;
+      best_best_tag.valid <= best_compared_tag.valid;
+      best_best_tag.map_column <= best_last_pass and best_compared_tag.map_column;
+      best_best_tag.first_column <= best_last_pass and best_compared_tag.first_column;
+      best_best_cost_0_0 <= choice(best_here_wins, best_compared_cost_0_0, best_compared_words_0 mod 16384);
+      best_best_index_0_0 <= choice(best_here_wins, best_compared_index_0_0, best_compared_words_0 / 16384);
+      best_write_column <= choice((not best_compared_tag.map_column) or (not best_compared_tag.valid), 1023,
+        best_write_column_choices(2));
+      if slice1_best_tag.valid then
+        best_column <= choice(slice1_best_tag.first_column, 0, (best_column + 1) mod 1024);
       end if;
       if not best_base_any then
-        if best_base_is_equal then
-          best_pass <= 0;
-        else
-          best_pass <= (best_pass + 1) mod 8;
-        end if;
+        best_pass <= choice(best_base_is_equal, 0, (best_pass + 1) mod 8);
       end if;
-      if best_compared_tag_valid then
-        best_place_column <= best_write_column_choice;
+      if best_compared_tag.valid then
+        best_place_column <= best_write_column_choices(1);
       end if;
       -- winners
-      winners_row_differs := winners_row /= best_best_tag_first_column;
-      if best_best_tag_valid then
-        if best_best_tag_map_column then
-          winners_row <= winners_row_differs;
-        else
-          winners_row <= winners_row;
-        end if;
+      winners_row_differs := winners_row /= best_best_tag.first_column;
+      if best_best_tag.valid then
+        winners_row <= choice(best_best_tag.map_column, winners_row_differs, winners_row);
       end if;
-      if best_best_tag_first_column then
-        winners_column_choice := 0;
-      else
-        winners_column_choice := winners_column;
-      end if;
-      winners_column_any := (not best_best_tag_valid) or (not best_best_tag_map_column);
+      winners_column_choice := choice(best_best_tag.first_column, 0, winners_column);
+      winners_column_any := (not best_best_tag.valid) or (not best_best_tag.map_column);
       if not winners_column_any then
         winners_column <= (winners_column_choice + 1) mod 1024;
       end if;
       winners_write_word_0 <= best_best_index_0_0;
-      winners_read_tag_valid <= passes_arrived;
-      winners_read_tag_output_column <= ((passes_write_address mod 1024) < 440) and passes_leaving_output;
-      winners_read_tag_start_of_frame <= ((passes_write_address mod 1024) = 0) and passes_leaving_starts;
-      winners_read_tag_end_of_line <= (passes_write_address mod 1024) = 439;
+      winners_read_tag.valid <= passes_arrived;
+      winners_read_tag.output_column <= ((passes_write_address mod 1024) < 440) and passes_leaving_output;
+      winners_read_tag.start_of_frame <= ((passes_write_address mod 1024) = 0) and passes_leaving_starts;
+      winners_read_tag.end_of_line <= (passes_write_address mod 1024) = 439;
       winners_winners_disparity_0 <= to_integer(winners_read_word_0);
-      winners_winners_tag_valid <= winners_read_tag_valid;
-      winners_winners_tag_output_column <= winners_read_tag_output_column;
-      winners_winners_tag_start_of_frame <= winners_read_tag_start_of_frame;
-      winners_winners_tag_end_of_line <= winners_read_tag_end_of_line;
-      if winners_column_any then
-        winners_write_address <= 2047;
-      else
-        winners_write_address <= winners_column_choice + (as_number(winners_row_differs) * 1024);
-      end if;
+      winners_winners_tag <= winners_read_tag;
+      winners_write_address <= choice(winners_column_any, 2047, winners_column_choice + (as_number(winners_row_differs)
+        * 1024));
       if reset = '1' then
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 483;
         delay_column <= 0;
-        delay_tag_valid <= false;
-        delay_tag_row_start <= false;
-        delay_tag_output_column <= false;
-        delay_tag_start_of_frame <= false;
+        delay_tag.valid <= false;
+        delay_tag.row_start <= false;
+        delay_tag.output_column <= false;
+        delay_tag.start_of_frame <= false;
         rows_read_column <= 0;
-        rows_read_tag_valid <= false;
-        rows_read_tag_row_start <= false;
-        rows_read_tag_output_column <= false;
-        rows_read_tag_start_of_frame <= false;
+        rows_read_tag.valid <= false;
+        rows_read_tag.row_start <= false;
+        rows_read_tag.output_column <= false;
+        rows_read_tag.start_of_frame <= false;
         rows_ready_column <= 0;
-        rows_ready_tag_valid <= false;
-        rows_ready_tag_row_start <= false;
-        rows_ready_tag_output_column <= false;
-        rows_ready_tag_start_of_frame <= false;
+        rows_ready_tag.valid <= false;
+        rows_ready_tag.row_start <= false;
+        rows_ready_tag.output_column <= false;
+        rows_ready_tag.start_of_frame <= false;
         rows_write_column <= 0;
-        rows_tag_valid <= false;
-        rows_tag_row_start <= false;
-        rows_tag_output_column <= false;
-        rows_tag_start_of_frame <= false;
+        rows_tag.valid <= false;
+        rows_tag.row_start <= false;
+        rows_tag.output_column <= false;
+        rows_tag.start_of_frame <= false;
         passes_row <= false;
         passes_coming_output <= false;
         passes_coming_starts <= false;
@@ -2180,111 +1121,75 @@ begin
         passes_reference_address <= 985;
         passes_leaving_output <= false;
         passes_leaving_starts <= false;
-        passes_read_tag_valid <= false;
-        passes_read_tag_row_start <= false;
-        passes_read_tag_first_cost <= false;
-        passes_read_tag_map_column <= false;
-        passes_read_tag_end_of_line <= false;
-        passes_tag_valid <= false;
-        passes_tag_row_start <= false;
-        passes_tag_first_cost <= false;
-        passes_tag_map_column <= false;
-        slice0shift_tag_valid <= false;
-        slice0shift_tag_row_start <= false;
-        slice0shift_tag_first_cost <= false;
-        slice0shift_tag_map_column <= false;
-        slice0cost_pixels_first_tag_valid <= false;
-        slice0cost_pixels_first_tag_row_start <= false;
-        slice0cost_pixels_first_tag_first_cost <= false;
-        slice0cost_pixels_first_tag_map_column <= false;
-        slice0cost_pixels_tag_valid <= false;
-        slice0cost_pixels_tag_first_cost <= false;
-        slice0cost_pixels_tag_map_column <= false;
+        passes_read_tag.valid <= false;
+        passes_read_tag.row_start <= false;
+        passes_read_tag.first_cost <= false;
+        passes_read_tag.map_column <= false;
+        passes_read_tag.end_of_line <= false;
+        passes_tag.valid <= false;
+        passes_tag.row_start <= false;
+        passes_tag.first_cost <= false;
+        passes_tag.map_column <= false;
+        slice0shift_tag.valid <= false;
+        slice0shift_tag.row_start <= false;
+        slice0shift_tag.first_cost <= false;
+        slice0shift_tag.map_column <= false;
+        slice0cost_pixels_first_tag.valid <= false;
+        slice0cost_pixels_first_tag.row_start <= false;
+        slice0cost_pixels_first_tag.first_cost <= false;
+        slice0cost_pixels_first_tag.map_column <= false;
+        slice0cost_pixels_tag.valid <= false;
+        slice0cost_pixels_tag.first_cost <= false;
+        slice0cost_pixels_tag.map_column <= false;
         slice0cost_read_column <= 0;
         slice0cost_change_column <= 0;
         slice0cost_ready_column <= 0;
-        slice0cost_ready_tag_valid <= false;
-        slice0cost_ready_tag_first_cost <= false;
-        slice0cost_ready_tag_map_column <= false;
+        slice0cost_ready_tag.valid <= false;
+        slice0cost_ready_tag.first_cost <= false;
+        slice0cost_ready_tag.map_column <= false;
         slice0cost_write_column <= 0;
-        slice0cost_tag_valid <= false;
-        slice0cost_tag_first_cost <= false;
-        slice0cost_tag_map_column <= false;
+        slice0cost_tag.valid <= false;
+        slice0cost_tag.first_cost <= false;
+        slice0cost_tag.map_column <= false;
         slice0window_ring_read_address <= 1;
         slice0window_ring_write_address <= 0;
-        slice0window_entering_tag_valid <= false;
-        slice0window_entering_tag_first_cost <= false;
-        slice0window_entering_tag_map_column <= false;
-        slice0window_change_tag_valid <= false;
-        slice0window_change_tag_first_cost <= false;
-        slice0window_change_tag_map_column <= false;
-        slice0window_centre_map_column(0) <= false;
-        slice0window_centre_map_column(1) <= false;
-        slice0window_centre_map_column(2) <= false;
-        slice0window_centre_first_column(0) <= false;
-        slice0window_centre_first_column(1) <= false;
-        slice0window_centre_first_column(2) <= false;
-        slice0window_tag_valid <= false;
-        slice0window_tag_map_column <= false;
-        slice0window_tag_first_column <= false;
-        slice0winner1_tag_valid <= false;
-        slice0winner1_tag_map_column <= false;
-        slice0winner1_tag_first_column <= false;
-        slice0winner2_tag_valid <= false;
-        slice0winner2_tag_map_column <= false;
-        slice0winner2_tag_first_column <= false;
-        slice0winner3_tag_valid <= false;
-        slice0winner3_tag_map_column <= false;
-        slice0winner3_tag_first_column <= false;
-        slice0winner4_tag_valid <= false;
-        slice0winner4_tag_map_column <= false;
-        slice0winner4_tag_first_column <= false;
-        slice0winner5_tag_valid <= false;
-        slice0winner5_tag_map_column <= false;
-        slice0winner5_tag_first_column <= false;
-        slice0_best_tag_valid <= false;
-        slice0_best_tag_map_column <= false;
-        slice0_best_tag_first_column <= false;
+        slice0window_entering_tag.valid <= false;
+        slice0window_entering_tag.first_cost <= false;
+        slice0window_entering_tag.map_column <= false;
+        slice0window_change_tag.valid <= false;
+        slice0window_change_tag.first_cost <= false;
+        slice0window_change_tag.map_column <= false;
+        slice0window_centre_map_column <= (others => false);
+        slice0window_centre_first_column <= (others => false);
+        slice0window_tag <= (others => false);
+        slice0winner1_tag <= (others => false);
+        slice0winner2_tag <= (others => false);
+        slice0winner3_tag <= (others => false);
+        slice0winner4_tag <= (others => false);
+        slice0winner5_tag <= (others => false);
+        slice0_best_tag <= (others => false);
         slice1cost_read_column <= 0;
         slice1cost_change_column <= 0;
         slice1cost_ready_column <= 0;
         slice1cost_write_column <= 0;
         slice1window_ring_read_address <= 1;
         slice1window_ring_write_address <= 0;
-        slice1_best_tag_valid <= false;
-        slice1_best_tag_map_column <= false;
-        slice1_best_tag_first_column <= false;
-        best_read_tag_valid <= false;
-        best_read_tag_map_column <= false;
-        best_read_tag_first_column <= false;
+        slice1_best_tag <= (others => false);
+        best_read_tag <= (others => false);
         best_column <= 0;
-        best_waiting_tag_valid <= false;
-        best_waiting_tag_map_column <= false;
-        best_waiting_tag_first_column <= false;
-        best_ready_tag_valid <= false;
-        best_ready_tag_map_column <= false;
-        best_ready_tag_first_column <= false;
+        best_waiting_tag <= (others => false);
+        best_ready_tag <= (others => false);
         best_pass <= 4;
-        best_compared_tag_valid <= false;
-        best_compared_tag_map_column <= false;
-        best_compared_tag_first_column <= false;
+        best_compared_tag <= (others => false);
         best_last_pass <= false;
-        best_best_tag_valid <= false;
-        best_best_tag_map_column <= false;
-        best_best_tag_first_column <= false;
+        best_best_tag <= (others => false);
         best_place_column <= 0;
         best_write_column <= 0;
         winners_row <= true;
         winners_column <= 0;
         winners_write_address <= 0;
-        winners_read_tag_valid <= false;
-        winners_read_tag_output_column <= false;
-        winners_read_tag_start_of_frame <= false;
-        winners_read_tag_end_of_line <= false;
-        winners_winners_tag_valid <= false;
-        winners_winners_tag_output_column <= false;
-        winners_winners_tag_start_of_frame <= false;
-        winners_winners_tag_end_of_line <= false;
+        winners_read_tag <= (others => false);
+        winners_winners_tag <= (others => false);
       end if;
     end if;
   end process;

@@ -93,16 +93,52 @@ architecture rtl of stereo_core_niitsuma_320 is
     return (value / 2 ** place) mod 2 = 1;
   end function;
 
+  function choice(test : boolean; yes : boolean; no : boolean) return boolean is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
+  function choice(test : boolean; yes : integer; no : integer) return integer is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
   type boolean_1d is array (natural range <>) of boolean;
   type integer_minus_2047_to_2047_1d is array (natural range <>) of integer range -2047 to 2047;
   type integer_minus_255_to_255_1d is array (natural range <>) of integer range -255 to 255;
   type integer_minus_255_to_255_2d is array (natural range <>, natural range <>) of integer range -255 to 255;
   type natural_16383_1d is array (natural range <>) of natural range 0 to 16383;
   type natural_2047_1d is array (natural range <>) of natural range 0 to 2047;
+  type natural_2047_2d is array (natural range <>, natural range <>) of natural range 0 to 2047;
+  type natural_20_1d is array (natural range <>) of natural range 0 to 20;
+  type natural_23_1d is array (natural range <>) of natural range 0 to 23;
+  type natural_24_1d is array (natural range <>) of natural range 0 to 24;
   type natural_255_1d is array (natural range <>) of natural range 0 to 255;
   type natural_255_2d is array (natural range <>, natural range <>) of natural range 0 to 255;
   type natural_4194303_1d is array (natural range <>) of natural range 0 to 4194303;
   type unsigned_22_1d is array (natural range <>) of unsigned(21 downto 0);
+  type tag_9 is record
+    valid, row_start, first_group, border_column, first_cost, leaves_window, output_column, start_of_frame : boolean;
+    end_of_line : boolean;
+  end record;
+  type tag_8 is record
+    valid, first_group, border_column, first_cost, leaves_window, output_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_2 is record
+    valid, start_of_frame : boolean;
+  end record;
+  type tag_4 is record
+    valid, output_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_3 is record
+    first_group, border_column, leaves_window : boolean;
+  end record;
   signal in_start_of_frame, in_valid : boolean;
   signal in_left_pixel, in_right_pixel : natural range 0 to 255;
   -- raster
@@ -115,9 +151,7 @@ architecture rtl of stereo_core_niitsuma_320 is
   signal delay_delayed_0 : unsigned(7 downto 0);
   signal delay_column : natural range 0 to 511;
   signal delay_row_inside : boolean_1d(0 to 1);
-  signal delay_tag_valid, delay_tag_row_start, delay_tag_first_group, delay_tag_border_column : boolean;
-  signal delay_tag_first_cost, delay_tag_leaves_window, delay_tag_output_column, delay_tag_start_of_frame : boolean;
-  signal delay_tag_end_of_line : boolean;
+  signal delay_tag : tag_9;
   -- rows
   signal rows_search_rows_read_words_0, rows_search_rows_ready_words_0 : unsigned(31 downto 0);
   signal rows_search_rows_write_words_0, rows_reference_rows_read_words_0 : unsigned(31 downto 0);
@@ -125,129 +159,71 @@ architecture rtl of stereo_core_niitsuma_320 is
   signal rows_search_rows_read_words_1, rows_reference_rows_read_words_1 : unsigned(23 downto 0);
   signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 255;
   signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0 : natural range 0 to 255;
-  signal rows_search : natural_255_1d(0 to 1);
-  signal rows_reference : natural_255_1d(0 to 1);
+  signal rows_search, rows_reference : natural_255_1d(0 to 1);
   signal rows_search_rows_ready_words_1, rows_search_rows_write_words_1 : natural range 0 to 16777215;
   signal rows_reference_rows_ready_words_1, rows_reference_rows_write_words_1 : natural range 0 to 16777215;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
   signal rows_read_inside : boolean_1d(0 to 1);
-  signal rows_read_tag_valid, rows_read_tag_row_start, rows_read_tag_first_group, rows_read_tag_border_column : boolean;
-  signal rows_read_tag_first_cost, rows_read_tag_leaves_window, rows_read_tag_output_column : boolean;
-  signal rows_read_tag_start_of_frame, rows_read_tag_end_of_line : boolean;
+  signal rows_read_tag : tag_9;
   signal rows_ready_inside : boolean_1d(0 to 1);
-  signal rows_ready_tag_valid, rows_ready_tag_row_start, rows_ready_tag_first_group : boolean;
-  signal rows_ready_tag_border_column, rows_ready_tag_first_cost, rows_ready_tag_leaves_window : boolean;
-  signal rows_ready_tag_output_column, rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line : boolean;
-  signal rows_tag_valid, rows_tag_row_start, rows_tag_first_group, rows_tag_border_column : boolean;
-  signal rows_tag_first_cost, rows_tag_leaves_window, rows_tag_output_column, rows_tag_start_of_frame : boolean;
-  signal rows_tag_end_of_line : boolean;
+  signal rows_ready_tag, rows_tag : tag_9;
   -- slice0shift
   signal slice0shift_search : natural_255_2d(0 to 1, 0 to 24);
-  signal slice0shift_reference : natural_255_1d(0 to 1);
-  signal slice0shift_search_out : natural_255_1d(0 to 1);
-  signal slice0shift_tag_valid, slice0shift_tag_row_start, slice0shift_tag_first_group : boolean;
-  signal slice0shift_tag_border_column, slice0shift_tag_first_cost, slice0shift_tag_leaves_window : boolean;
-  signal slice0shift_tag_output_column, slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
+  signal slice0shift_reference, slice0shift_search_out : natural_255_1d(0 to 1);
+  signal slice0shift_tag : tag_9;
   -- slice0cost
   signal slice0cost_pixels_first : integer_minus_255_to_255_2d(0 to 1, 0 to 24);
   signal slice0cost_change_0 : integer_minus_255_to_255_1d(0 to 24);
-  signal slice0cost_pixels_first_tag_valid, slice0cost_pixels_first_tag_row_start : boolean;
-  signal slice0cost_pixels_first_tag_first_group, slice0cost_pixels_first_tag_border_column : boolean;
-  signal slice0cost_pixels_first_tag_first_cost, slice0cost_pixels_first_tag_leaves_window : boolean;
-  signal slice0cost_pixels_first_tag_output_column, slice0cost_pixels_first_tag_start_of_frame : boolean;
-  signal slice0cost_pixels_first_tag_end_of_line, slice0cost_pixels_tag_valid : boolean;
-  signal slice0cost_pixels_tag_row_start, slice0cost_pixels_tag_first_group : boolean;
-  signal slice0cost_pixels_tag_border_column, slice0cost_pixels_tag_first_cost : boolean;
-  signal slice0cost_pixels_tag_leaves_window, slice0cost_pixels_tag_output_column : boolean;
-  signal slice0cost_pixels_tag_start_of_frame, slice0cost_pixels_tag_end_of_line, slice0cost_ready_tag_valid : boolean;
-  signal slice0cost_ready_tag_row_start, slice0cost_ready_tag_first_group, slice0cost_ready_tag_border_column : boolean;
-  signal slice0cost_ready_tag_first_cost, slice0cost_ready_tag_leaves_window : boolean;
-  signal slice0cost_ready_tag_output_column, slice0cost_ready_tag_start_of_frame : boolean;
-  signal slice0cost_ready_tag_end_of_line, slice0cost_tag_valid, slice0cost_tag_row_start : boolean;
-  signal slice0cost_tag_first_group, slice0cost_tag_border_column, slice0cost_tag_first_cost : boolean;
-  signal slice0cost_tag_leaves_window, slice0cost_tag_output_column, slice0cost_tag_start_of_frame : boolean;
-  signal slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pixels_first_tag, slice0cost_pixels_tag, slice0cost_ready_tag, slice0cost_tag : tag_9;
   signal slice0cost_pixels_cost : natural_255_2d(0 to 1, 0 to 24);
   signal slice0cost_read_column, slice0cost_change_column, slice0cost_ready_column : natural range 0 to 511;
   signal slice0cost_write_column : natural range 0 to 511;
   signal slice0cost_read_words : unsigned_22_1d(0 to 11);
   signal slice0cost_read_words_12 : unsigned(10 downto 0);
   signal slice0cost_ready_words : natural_4194303_1d(0 to 11);
-  signal slice0cost_write_words : natural_4194303_1d(0 to 11);
+  signal slice0cost_write_words : natural_4194303_1d(0 to 12);  -- slice0cost_write_words_# up to 4194303 x 12, 2047
   signal slice0cost_ready_words_12 : natural range 0 to 2047;
   signal slice0cost_column_0 : natural_2047_1d(0 to 24);
-  signal slice0cost_write_words_12 : natural range 0 to 2047;
   -- slice0window
   signal slice0window_ring_read_address, slice0window_ring_write_address : natural range 0 to 7;
   signal slice0window_leaving : unsigned_22_1d(0 to 11);
   signal slice0window_leaving_12 : unsigned(10 downto 0);
   signal slice0window_entering_0 : natural_2047_1d(0 to 24);
-  signal slice0window_entering_tag_valid, slice0window_entering_tag_first_group : boolean;
-  signal slice0window_entering_tag_border_column, slice0window_entering_tag_first_cost : boolean;
-  signal slice0window_entering_tag_leaves_window, slice0window_entering_tag_output_column : boolean;
-  signal slice0window_entering_tag_start_of_frame, slice0window_entering_tag_end_of_line : boolean;
-  signal slice0window_change_tag_valid, slice0window_change_tag_first_group : boolean;
-  signal slice0window_change_tag_border_column, slice0window_change_tag_first_cost : boolean;
-  signal slice0window_change_tag_leaves_window, slice0window_change_tag_output_column : boolean;
-  signal slice0window_change_tag_start_of_frame, slice0window_change_tag_end_of_line : boolean;
+  signal slice0window_entering_tag, slice0window_change_tag : tag_8;
   signal slice0window_centre_output_column_0, slice0window_centre_first_column_0 : boolean;
   signal slice0window_centre_start_of_frame : boolean_1d(0 to 2);
-  signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_start_of_frame : boolean;
+  signal slice0window_centre_end_of_line_0 : boolean;
+  signal slice0window_tag : tag_2;
   signal slice0window_change_0 : integer_minus_2047_to_2047_1d(0 to 24);
   signal slice0window_sum_0 : natural_16383_1d(0 to 24);
   -- slice0winner1
   signal slice0winner1_best_cost_0 : natural_16383_1d(0 to 12);
-  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_start_of_frame : boolean;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice0winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice0winner1_best_index_0_3 : natural range 0 to 7;
-  signal slice0winner1_best_index_0_4 : natural range 0 to 9;
-  signal slice0winner1_best_index_0_5 : natural range 0 to 11;
-  signal slice0winner1_best_index_0_6 : natural range 0 to 13;
-  signal slice0winner1_best_index_0_7 : natural range 0 to 15;
-  signal slice0winner1_best_index_0_8 : natural range 0 to 17;
-  signal slice0winner1_best_index_0_9 : natural range 0 to 19;
-  signal slice0winner1_best_index_0_10 : natural range 0 to 21;
-  signal slice0winner1_best_index_0_11 : natural range 0 to 23;
-  signal slice0winner1_best_index_0_12 : natural range 0 to 24;
+  signal slice0winner1_best_index_0_0 : boolean;
+  signal slice0winner1_tag : tag_2;
+  signal slice0winner1_best_index_0 : natural_24_1d(1 to 12);  -- slice0winner1_best_index_0_# up to 3, 5 .. 23, 24
   -- slice0winner2
   signal slice0winner2_best_cost_0 : natural_16383_1d(0 to 6);
-  signal slice0winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice0winner2_best_index_0_1 : natural range 0 to 7;
-  signal slice0winner2_best_index_0_2 : natural range 0 to 11;
-  signal slice0winner2_best_index_0_3 : natural range 0 to 15;
-  signal slice0winner2_best_index_0_4 : natural range 0 to 19;
-  signal slice0winner2_best_index_0_5 : natural range 0 to 23;
-  signal slice0winner2_best_index_0_6 : natural range 0 to 24;
-  signal slice0winner2_tag_valid, slice0winner2_tag_start_of_frame : boolean;
+  signal slice0winner2_best_index_0 : natural_24_1d(0 to 6);  -- slice0winner2_best_index_0_# up to 3, 7 .. 23, 24
+  signal slice0winner2_tag : tag_2;
   -- slice0winner3
   signal slice0winner3_best_cost_0 : natural_16383_1d(0 to 3);
-  signal slice0winner3_best_index_0_0 : natural range 0 to 7;
-  signal slice0winner3_best_index_0_1 : natural range 0 to 15;
-  signal slice0winner3_best_index_0_2 : natural range 0 to 23;
-  signal slice0winner3_best_index_0_3 : natural range 0 to 24;
-  signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
-  signal slice0winner3_tag_end_of_line : boolean;
+  signal slice0winner3_best_index_0 : natural_24_1d(0 to 3);  -- slice0winner3_best_index_0_# up to 7, 15, 23, 24
+  signal slice0winner3_tag : tag_4;
   -- slice0winner4
   signal slice0winner4_best_cost_0 : natural_16383_1d(0 to 1);
-  signal slice0winner4_best_index_0_0 : natural range 0 to 15;
-  signal slice0winner4_best_index_0_1 : natural range 0 to 24;
-  signal slice0winner4_tag_valid, slice0winner4_tag_output_column, slice0winner4_tag_start_of_frame : boolean;
-  signal slice0winner4_tag_end_of_line : boolean;
+  signal slice0winner4_best_index_0 : natural_24_1d(0 to 1);  -- slice0winner4_best_index_0_# up to 15, 24
+  signal slice0winner4_tag : tag_4;
   -- slice0winner5
   signal slice0winner5_best_cost_0_0 : natural range 0 to 16383;
   signal slice0winner5_best_index_0_0 : natural range 0 to 24;
-  signal slice0winner5_tag_valid, slice0winner5_tag_output_column, slice0winner5_tag_start_of_frame : boolean;
-  signal slice0winner5_tag_end_of_line : boolean;
+  signal slice0winner5_tag : tag_4;
   -- slice0
   signal slice0_best_cost_0_0 : natural range 0 to 16383;
   signal slice0_best_index_0_0 : natural range 0 to 120;
-  signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
-  signal slice0_best_tag_end_of_line : boolean;
+  signal slice0_best_tag : tag_4;
   -- slice1shift
   signal slice1shift_search : natural_255_2d(0 to 1, 0 to 24);
-  signal slice1shift_reference : natural_255_1d(0 to 1);
-  signal slice1shift_search_out : natural_255_1d(0 to 1);
+  signal slice1shift_reference, slice1shift_search_out : natural_255_1d(0 to 1);
   -- slice1cost
   signal slice1cost_pixels_first : integer_minus_255_to_255_2d(0 to 1, 0 to 24);
   signal slice1cost_change_0 : integer_minus_255_to_255_1d(0 to 24);
@@ -257,63 +233,42 @@ architecture rtl of stereo_core_niitsuma_320 is
   signal slice1cost_read_words : unsigned_22_1d(0 to 11);
   signal slice1cost_read_words_12 : unsigned(10 downto 0);
   signal slice1cost_ready_words : natural_4194303_1d(0 to 11);
-  signal slice1cost_write_words : natural_4194303_1d(0 to 11);
+  signal slice1cost_write_words : natural_4194303_1d(0 to 12);  -- slice1cost_write_words_# up to 4194303 x 12, 2047
   signal slice1cost_ready_words_12 : natural range 0 to 2047;
   signal slice1cost_column_0 : natural_2047_1d(0 to 24);
-  signal slice1cost_write_words_12 : natural range 0 to 2047;
   -- slice1window
   signal slice1window_ring_read_address, slice1window_ring_write_address : natural range 0 to 7;
   signal slice1window_leaving : unsigned_22_1d(0 to 11);
   signal slice1window_leaving_12 : unsigned(10 downto 0);
   signal slice1window_entering_0 : natural_2047_1d(0 to 24);
   signal slice1window_change_0 : integer_minus_2047_to_2047_1d(0 to 24);
-  signal slice1window_change_tag_first_group, slice1window_change_tag_border_column : boolean;
-  signal slice1window_change_tag_leaves_window, slice1window_centre_output_column_0 : boolean;
-  signal slice1window_centre_first_column_0, slice1window_centre_end_of_line_0 : boolean;
+  signal slice1window_change_tag : tag_3;
+  signal slice1window_centre_output_column_0, slice1window_centre_first_column_0 : boolean;
+  signal slice1window_centre_end_of_line_0 : boolean;
   signal slice1window_sum_0 : natural_16383_1d(0 to 24);
   -- slice1winner1
   signal slice1winner1_best_cost_0 : natural_16383_1d(0 to 12);
   signal slice1winner1_best_index_0_0 : boolean;
-  signal slice1winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice1winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice1winner1_best_index_0_3 : natural range 0 to 7;
-  signal slice1winner1_best_index_0_4 : natural range 0 to 9;
-  signal slice1winner1_best_index_0_5 : natural range 0 to 11;
-  signal slice1winner1_best_index_0_6 : natural range 0 to 13;
-  signal slice1winner1_best_index_0_7 : natural range 0 to 15;
-  signal slice1winner1_best_index_0_8 : natural range 0 to 17;
-  signal slice1winner1_best_index_0_9 : natural range 0 to 19;
-  signal slice1winner1_best_index_0_10 : natural range 0 to 21;
-  signal slice1winner1_best_index_0_11 : natural range 0 to 23;
+  signal slice1winner1_best_index_0 : natural_23_1d(1 to 11);  -- slice1winner1_best_index_0_# up to 3, 5 .. 23
   -- slice1winner2
   signal slice1winner2_best_cost_0 : natural_16383_1d(0 to 6);
-  signal slice1winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice1winner2_best_index_0_1 : natural range 0 to 7;
-  signal slice1winner2_best_index_0_2 : natural range 0 to 11;
-  signal slice1winner2_best_index_0_3 : natural range 0 to 15;
-  signal slice1winner2_best_index_0_4 : natural range 0 to 19;
-  signal slice1winner2_best_index_0_5 : natural range 0 to 23;
+  signal slice1winner2_best_index_0 : natural_23_1d(0 to 5);  -- slice1winner2_best_index_0_# up to 3, 7 .. 23
   -- slice1winner3
   signal slice1winner3_best_cost_0 : natural_16383_1d(0 to 3);
-  signal slice1winner3_best_index_0_0 : natural range 0 to 7;
-  signal slice1winner3_best_index_0_1 : natural range 0 to 15;
-  signal slice1winner3_best_index_0_2 : natural range 0 to 23;
+  signal slice1winner3_best_index_0 : natural_23_1d(0 to 2);  -- slice1winner3_best_index_0_# up to 7, 15, 23
   -- slice1winner4
   signal slice1winner4_best_cost_0 : natural_16383_1d(0 to 1);
-  signal slice1winner4_best_index_0_0 : natural range 0 to 15;
-  signal slice1winner4_best_index_0_1 : natural range 0 to 24;
+  signal slice1winner4_best_index_0 : natural_24_1d(0 to 1);  -- slice1winner4_best_index_0_# up to 15, 24
   -- slice1winner5
   signal slice1winner5_best_cost_0_0 : natural range 0 to 16383;
   signal slice1winner5_best_index_0_0 : natural range 0 to 24;
   -- slice1
   signal slice1_best_cost_0_0 : natural range 0 to 16383;
   signal slice1_best_index_0_0 : natural range 0 to 120;
-  signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
-  signal slice1_best_tag_end_of_line : boolean;
+  signal slice1_best_tag : tag_4;
   -- slice2shift
   signal slice2shift_search : natural_255_2d(0 to 1, 0 to 24);
-  signal slice2shift_reference : natural_255_1d(0 to 1);
-  signal slice2shift_search_out : natural_255_1d(0 to 1);
+  signal slice2shift_reference, slice2shift_search_out : natural_255_1d(0 to 1);
   -- slice2cost
   signal slice2cost_pixels_first : integer_minus_255_to_255_2d(0 to 1, 0 to 24);
   signal slice2cost_change_0 : integer_minus_255_to_255_1d(0 to 24);
@@ -323,10 +278,9 @@ architecture rtl of stereo_core_niitsuma_320 is
   signal slice2cost_read_words : unsigned_22_1d(0 to 11);
   signal slice2cost_read_words_12 : unsigned(10 downto 0);
   signal slice2cost_ready_words : natural_4194303_1d(0 to 11);
-  signal slice2cost_write_words : natural_4194303_1d(0 to 11);
+  signal slice2cost_write_words : natural_4194303_1d(0 to 12);  -- slice2cost_write_words_# up to 4194303 x 12, 2047
   signal slice2cost_ready_words_12 : natural range 0 to 2047;
   signal slice2cost_column_0 : natural_2047_1d(0 to 24);
-  signal slice2cost_write_words_12 : natural range 0 to 2047;
   -- slice2window
   signal slice2window_ring_read_address, slice2window_ring_write_address : natural range 0 to 7;
   signal slice2window_leaving : unsigned_22_1d(0 to 11);
@@ -339,46 +293,26 @@ architecture rtl of stereo_core_niitsuma_320 is
   -- slice2winner1
   signal slice2winner1_best_cost_0 : natural_16383_1d(0 to 12);
   signal slice2winner1_best_index_0_0 : boolean;
-  signal slice2winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice2winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice2winner1_best_index_0_3 : natural range 0 to 7;
-  signal slice2winner1_best_index_0_4 : natural range 0 to 9;
-  signal slice2winner1_best_index_0_5 : natural range 0 to 11;
-  signal slice2winner1_best_index_0_6 : natural range 0 to 13;
-  signal slice2winner1_best_index_0_7 : natural range 0 to 15;
-  signal slice2winner1_best_index_0_8 : natural range 0 to 17;
-  signal slice2winner1_best_index_0_9 : natural range 0 to 19;
-  signal slice2winner1_best_index_0_10 : natural range 0 to 21;
-  signal slice2winner1_best_index_0_11 : natural range 0 to 23;
+  signal slice2winner1_best_index_0 : natural_23_1d(1 to 11);  -- slice2winner1_best_index_0_# up to 3, 5 .. 23
   -- slice2winner2
   signal slice2winner2_best_cost_0 : natural_16383_1d(0 to 6);
-  signal slice2winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice2winner2_best_index_0_1 : natural range 0 to 7;
-  signal slice2winner2_best_index_0_2 : natural range 0 to 11;
-  signal slice2winner2_best_index_0_3 : natural range 0 to 15;
-  signal slice2winner2_best_index_0_4 : natural range 0 to 19;
-  signal slice2winner2_best_index_0_5 : natural range 0 to 23;
+  signal slice2winner2_best_index_0 : natural_23_1d(0 to 5);  -- slice2winner2_best_index_0_# up to 3, 7 .. 23
   -- slice2winner3
   signal slice2winner3_best_cost_0 : natural_16383_1d(0 to 3);
-  signal slice2winner3_best_index_0_0 : natural range 0 to 7;
-  signal slice2winner3_best_index_0_1 : natural range 0 to 15;
-  signal slice2winner3_best_index_0_2 : natural range 0 to 23;
+  signal slice2winner3_best_index_0 : natural_23_1d(0 to 2);  -- slice2winner3_best_index_0_# up to 7, 15, 23
   -- slice2winner4
   signal slice2winner4_best_cost_0 : natural_16383_1d(0 to 1);
-  signal slice2winner4_best_index_0_0 : natural range 0 to 15;
-  signal slice2winner4_best_index_0_1 : natural range 0 to 24;
+  signal slice2winner4_best_index_0 : natural_24_1d(0 to 1);  -- slice2winner4_best_index_0_# up to 15, 24
   -- slice2winner5
   signal slice2winner5_best_cost_0_0 : natural range 0 to 16383;
   signal slice2winner5_best_index_0_0 : natural range 0 to 24;
   -- slice2
   signal slice2_best_cost_0_0 : natural range 0 to 16383;
   signal slice2_best_index_0_0 : natural range 0 to 120;
-  signal slice2_best_tag_valid, slice2_best_tag_output_column, slice2_best_tag_start_of_frame : boolean;
-  signal slice2_best_tag_end_of_line : boolean;
+  signal slice2_best_tag : tag_4;
   -- slice3shift
   signal slice3shift_search : natural_255_2d(0 to 1, 0 to 24);
-  signal slice3shift_reference : natural_255_1d(0 to 1);
-  signal slice3shift_search_out : natural_255_1d(0 to 1);
+  signal slice3shift_reference, slice3shift_search_out : natural_255_1d(0 to 1);
   -- slice3cost
   signal slice3cost_pixels_first : integer_minus_255_to_255_2d(0 to 1, 0 to 24);
   signal slice3cost_change_0 : integer_minus_255_to_255_1d(0 to 24);
@@ -388,10 +322,9 @@ architecture rtl of stereo_core_niitsuma_320 is
   signal slice3cost_read_words : unsigned_22_1d(0 to 11);
   signal slice3cost_read_words_12 : unsigned(10 downto 0);
   signal slice3cost_ready_words : natural_4194303_1d(0 to 11);
-  signal slice3cost_write_words : natural_4194303_1d(0 to 11);
+  signal slice3cost_write_words : natural_4194303_1d(0 to 12);  -- slice3cost_write_words_# up to 4194303 x 12, 2047
   signal slice3cost_ready_words_12 : natural range 0 to 2047;
   signal slice3cost_column_0 : natural_2047_1d(0 to 24);
-  signal slice3cost_write_words_12 : natural range 0 to 2047;
   -- slice3window
   signal slice3window_ring_read_address, slice3window_ring_write_address : natural range 0 to 7;
   signal slice3window_leaving : unsigned_22_1d(0 to 11);
@@ -404,42 +337,23 @@ architecture rtl of stereo_core_niitsuma_320 is
   -- slice3winner1
   signal slice3winner1_best_cost_0 : natural_16383_1d(0 to 12);
   signal slice3winner1_best_index_0_0 : boolean;
-  signal slice3winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice3winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice3winner1_best_index_0_3 : natural range 0 to 7;
-  signal slice3winner1_best_index_0_4 : natural range 0 to 9;
-  signal slice3winner1_best_index_0_5 : natural range 0 to 11;
-  signal slice3winner1_best_index_0_6 : natural range 0 to 13;
-  signal slice3winner1_best_index_0_7 : natural range 0 to 15;
-  signal slice3winner1_best_index_0_8 : natural range 0 to 17;
-  signal slice3winner1_best_index_0_9 : natural range 0 to 19;
-  signal slice3winner1_best_index_0_10 : natural range 0 to 21;
-  signal slice3winner1_best_index_0_11 : natural range 0 to 23;
+  signal slice3winner1_best_index_0 : natural_23_1d(1 to 11);  -- slice3winner1_best_index_0_# up to 3, 5 .. 23
   -- slice3winner2
   signal slice3winner2_best_cost_0 : natural_16383_1d(0 to 6);
-  signal slice3winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice3winner2_best_index_0_1 : natural range 0 to 7;
-  signal slice3winner2_best_index_0_2 : natural range 0 to 11;
-  signal slice3winner2_best_index_0_3 : natural range 0 to 15;
-  signal slice3winner2_best_index_0_4 : natural range 0 to 19;
-  signal slice3winner2_best_index_0_5 : natural range 0 to 23;
+  signal slice3winner2_best_index_0 : natural_23_1d(0 to 5);  -- slice3winner2_best_index_0_# up to 3, 7 .. 23
   -- slice3winner3
   signal slice3winner3_best_cost_0 : natural_16383_1d(0 to 3);
-  signal slice3winner3_best_index_0_0 : natural range 0 to 7;
-  signal slice3winner3_best_index_0_1 : natural range 0 to 15;
-  signal slice3winner3_best_index_0_2 : natural range 0 to 23;
+  signal slice3winner3_best_index_0 : natural_23_1d(0 to 2);  -- slice3winner3_best_index_0_# up to 7, 15, 23
   -- slice3winner4
   signal slice3winner4_best_cost_0 : natural_16383_1d(0 to 1);
-  signal slice3winner4_best_index_0_0 : natural range 0 to 15;
-  signal slice3winner4_best_index_0_1 : natural range 0 to 24;
+  signal slice3winner4_best_index_0 : natural_24_1d(0 to 1);  -- slice3winner4_best_index_0_# up to 15, 24
   -- slice3winner5
   signal slice3winner5_best_cost_0_0 : natural range 0 to 16383;
   signal slice3winner5_best_index_0_0 : natural range 0 to 24;
   -- slice3
   signal slice3_best_cost_0_0 : natural range 0 to 16383;
   signal slice3_best_index_0_0 : natural range 0 to 120;
-  signal slice3_best_tag_valid, slice3_best_tag_output_column, slice3_best_tag_start_of_frame : boolean;
-  signal slice3_best_tag_end_of_line : boolean;
+  signal slice3_best_tag : tag_4;
   -- slice4shift
   signal slice4shift_search : natural_255_2d(0 to 1, 0 to 20);
   signal slice4shift_reference : natural_255_1d(0 to 1);
@@ -452,10 +366,9 @@ architecture rtl of stereo_core_niitsuma_320 is
   signal slice4cost_read_words : unsigned_22_1d(0 to 9);
   signal slice4cost_read_words_10 : unsigned(10 downto 0);
   signal slice4cost_ready_words : natural_4194303_1d(0 to 9);
-  signal slice4cost_write_words : natural_4194303_1d(0 to 9);
+  signal slice4cost_write_words : natural_4194303_1d(0 to 10);  -- slice4cost_write_words_# up to 4194303 x 10, 2047
   signal slice4cost_ready_words_10 : natural range 0 to 2047;
   signal slice4cost_column_0 : natural_2047_1d(0 to 20);
-  signal slice4cost_write_words_10 : natural range 0 to 2047;
   -- slice4window
   signal slice4window_ring_read_address, slice4window_ring_write_address : natural range 0 to 7;
   signal slice4window_leaving : unsigned_22_1d(0 to 9);
@@ -463,517 +376,26 @@ architecture rtl of stereo_core_niitsuma_320 is
   signal slice4window_entering_0 : natural_2047_1d(0 to 20);
   signal slice4window_change_0 : integer_minus_2047_to_2047_1d(0 to 20);
   signal slice4window_sum_0 : natural_16383_1d(0 to 20);
-  signal slice4window_centre_output_column : boolean_1d(0 to 1);
-  signal slice4window_centre_end_of_line : boolean_1d(0 to 1);
+  signal slice4window_centre_output_column, slice4window_centre_end_of_line : boolean_1d(0 to 1);
   -- slice4winner1
   signal slice4winner1_best_cost_0 : natural_16383_1d(0 to 10);
   signal slice4winner1_best_index_0_0 : boolean;
-  signal slice4winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice4winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice4winner1_best_index_0_3 : natural range 0 to 7;
-  signal slice4winner1_best_index_0_4 : natural range 0 to 9;
-  signal slice4winner1_best_index_0_5 : natural range 0 to 11;
-  signal slice4winner1_best_index_0_6 : natural range 0 to 13;
-  signal slice4winner1_best_index_0_7 : natural range 0 to 15;
-  signal slice4winner1_best_index_0_8 : natural range 0 to 17;
-  signal slice4winner1_best_index_0_9 : natural range 0 to 19;
-  signal slice4winner1_best_index_0_10 : natural range 0 to 20;
+  signal slice4winner1_best_index_0 : natural_20_1d(1 to 10);  -- slice4winner1_best_index_0_# up to 3, 5 .. 19, 20
   -- slice4winner2
   signal slice4winner2_best_cost_0 : natural_16383_1d(0 to 5);
-  signal slice4winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice4winner2_best_index_0_1 : natural range 0 to 7;
-  signal slice4winner2_best_index_0_2 : natural range 0 to 11;
-  signal slice4winner2_best_index_0_3 : natural range 0 to 15;
-  signal slice4winner2_best_index_0_4 : natural range 0 to 19;
-  signal slice4winner2_best_index_0_5 : natural range 0 to 20;
+  signal slice4winner2_best_index_0 : natural_20_1d(0 to 5);  -- slice4winner2_best_index_0_# up to 3, 7 .. 19, 20
   -- slice4winner3
   signal slice4winner3_best_cost_0 : natural_16383_1d(0 to 2);
-  signal slice4winner3_best_index_0_0 : natural range 0 to 7;
-  signal slice4winner3_best_index_0_1 : natural range 0 to 15;
-  signal slice4winner3_best_index_0_2 : natural range 0 to 20;
+  signal slice4winner3_best_index_0 : natural_20_1d(0 to 2);  -- slice4winner3_best_index_0_# up to 7, 15, 20
   -- slice4winner4
   signal slice4winner4_best_cost_0 : natural_16383_1d(0 to 1);
-  signal slice4winner4_best_index_0_0 : natural range 0 to 15;
-  signal slice4winner4_best_index_0_1 : natural range 0 to 20;
+  signal slice4winner4_best_index_0 : natural_20_1d(0 to 1);  -- slice4winner4_best_index_0_# up to 15, 20
   -- slice4winner5
   signal slice4winner5_best_cost_0_0 : natural range 0 to 16383;
   signal slice4winner5_best_index_0_0 : natural range 0 to 20;
   -- slice4
   signal slice4_best_index_0_0 : natural range 0 to 120;
-  signal slice4_best_tag_valid, slice4_best_tag_output_column, slice4_best_tag_start_of_frame : boolean;
-  signal slice4_best_tag_end_of_line, slice4window_leaving_10_memory_read_enable : boolean;
-  signal slice4window_leaving_10_memory_read_address : unsigned(2 downto 0);
-  signal slice4window_leaving_10_memory_write_address : unsigned(2 downto 0);
-  signal slice4window_leaving_10_memory_write_data : unsigned(10 downto 0);
-  signal slice4window_leaving_9_memory_read_enable : boolean;
-  signal slice4window_leaving_9_memory_read_address, slice4window_leaving_9_memory_write_address : unsigned(2 downto 0);
-  signal slice4window_leaving_9_memory_write_data : unsigned(21 downto 0);
-  signal slice4window_leaving_8_memory_read_enable : boolean;
-  signal slice4window_leaving_8_memory_read_address, slice4window_leaving_8_memory_write_address : unsigned(2 downto 0);
-  signal slice4window_leaving_8_memory_write_data : unsigned(21 downto 0);
-  signal slice4window_leaving_7_memory_read_enable : boolean;
-  signal slice4window_leaving_7_memory_read_address, slice4window_leaving_7_memory_write_address : unsigned(2 downto 0);
-  signal slice4window_leaving_7_memory_write_data : unsigned(21 downto 0);
-  signal slice4window_leaving_6_memory_read_enable : boolean;
-  signal slice4window_leaving_6_memory_read_address, slice4window_leaving_6_memory_write_address : unsigned(2 downto 0);
-  signal slice4window_leaving_6_memory_write_data : unsigned(21 downto 0);
-  signal slice4window_leaving_5_memory_read_enable : boolean;
-  signal slice4window_leaving_5_memory_read_address, slice4window_leaving_5_memory_write_address : unsigned(2 downto 0);
-  signal slice4window_leaving_5_memory_write_data : unsigned(21 downto 0);
-  signal slice4window_leaving_4_memory_read_enable : boolean;
-  signal slice4window_leaving_4_memory_read_address, slice4window_leaving_4_memory_write_address : unsigned(2 downto 0);
-  signal slice4window_leaving_4_memory_write_data : unsigned(21 downto 0);
-  signal slice4window_leaving_3_memory_read_enable : boolean;
-  signal slice4window_leaving_3_memory_read_address, slice4window_leaving_3_memory_write_address : unsigned(2 downto 0);
-  signal slice4window_leaving_3_memory_write_data : unsigned(21 downto 0);
-  signal slice4window_leaving_2_memory_read_enable : boolean;
-  signal slice4window_leaving_2_memory_read_address, slice4window_leaving_2_memory_write_address : unsigned(2 downto 0);
-  signal slice4window_leaving_2_memory_write_data : unsigned(21 downto 0);
-  signal slice4window_leaving_1_memory_read_enable : boolean;
-  signal slice4window_leaving_1_memory_read_address, slice4window_leaving_1_memory_write_address : unsigned(2 downto 0);
-  signal slice4window_leaving_1_memory_write_data : unsigned(21 downto 0);
-  signal slice4window_leaving_0_memory_read_enable : boolean;
-  signal slice4window_leaving_0_memory_read_address, slice4window_leaving_0_memory_write_address : unsigned(2 downto 0);
-  signal slice4window_leaving_0_memory_write_data : unsigned(21 downto 0);
-  signal slice4cost_read_words_10_memory_read_enable : boolean;
-  signal slice4cost_read_words_10_memory_read_address : unsigned(8 downto 0);
-  signal slice4cost_read_words_10_memory_write_address : unsigned(8 downto 0);
-  signal slice4cost_read_words_10_memory_write_data : unsigned(10 downto 0);
-  signal slice4cost_read_words_9_memory_read_enable : boolean;
-  signal slice4cost_read_words_9_memory_read_address : unsigned(8 downto 0);
-  signal slice4cost_read_words_9_memory_write_address : unsigned(8 downto 0);
-  signal slice4cost_read_words_9_memory_write_data : unsigned(21 downto 0);
-  signal slice4cost_read_words_8_memory_read_enable : boolean;
-  signal slice4cost_read_words_8_memory_read_address : unsigned(8 downto 0);
-  signal slice4cost_read_words_8_memory_write_address : unsigned(8 downto 0);
-  signal slice4cost_read_words_8_memory_write_data : unsigned(21 downto 0);
-  signal slice4cost_read_words_7_memory_read_enable : boolean;
-  signal slice4cost_read_words_7_memory_read_address : unsigned(8 downto 0);
-  signal slice4cost_read_words_7_memory_write_address : unsigned(8 downto 0);
-  signal slice4cost_read_words_7_memory_write_data : unsigned(21 downto 0);
-  signal slice4cost_read_words_6_memory_read_enable : boolean;
-  signal slice4cost_read_words_6_memory_read_address : unsigned(8 downto 0);
-  signal slice4cost_read_words_6_memory_write_address : unsigned(8 downto 0);
-  signal slice4cost_read_words_6_memory_write_data : unsigned(21 downto 0);
-  signal slice4cost_read_words_5_memory_read_enable : boolean;
-  signal slice4cost_read_words_5_memory_read_address : unsigned(8 downto 0);
-  signal slice4cost_read_words_5_memory_write_address : unsigned(8 downto 0);
-  signal slice4cost_read_words_5_memory_write_data : unsigned(21 downto 0);
-  signal slice4cost_read_words_4_memory_read_enable : boolean;
-  signal slice4cost_read_words_4_memory_read_address : unsigned(8 downto 0);
-  signal slice4cost_read_words_4_memory_write_address : unsigned(8 downto 0);
-  signal slice4cost_read_words_4_memory_write_data : unsigned(21 downto 0);
-  signal slice4cost_read_words_3_memory_read_enable : boolean;
-  signal slice4cost_read_words_3_memory_read_address : unsigned(8 downto 0);
-  signal slice4cost_read_words_3_memory_write_address : unsigned(8 downto 0);
-  signal slice4cost_read_words_3_memory_write_data : unsigned(21 downto 0);
-  signal slice4cost_read_words_2_memory_read_enable : boolean;
-  signal slice4cost_read_words_2_memory_read_address : unsigned(8 downto 0);
-  signal slice4cost_read_words_2_memory_write_address : unsigned(8 downto 0);
-  signal slice4cost_read_words_2_memory_write_data : unsigned(21 downto 0);
-  signal slice4cost_read_words_1_memory_read_enable : boolean;
-  signal slice4cost_read_words_1_memory_read_address : unsigned(8 downto 0);
-  signal slice4cost_read_words_1_memory_write_address : unsigned(8 downto 0);
-  signal slice4cost_read_words_1_memory_write_data : unsigned(21 downto 0);
-  signal slice4cost_read_words_0_memory_read_enable : boolean;
-  signal slice4cost_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal slice4cost_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal slice4cost_read_words_0_memory_write_data : unsigned(21 downto 0);
-  signal slice3window_leaving_12_memory_read_enable : boolean;
-  signal slice3window_leaving_12_memory_read_address : unsigned(2 downto 0);
-  signal slice3window_leaving_12_memory_write_address : unsigned(2 downto 0);
-  signal slice3window_leaving_12_memory_write_data : unsigned(10 downto 0);
-  signal slice3window_leaving_11_memory_read_enable : boolean;
-  signal slice3window_leaving_11_memory_read_address : unsigned(2 downto 0);
-  signal slice3window_leaving_11_memory_write_address : unsigned(2 downto 0);
-  signal slice3window_leaving_11_memory_write_data : unsigned(21 downto 0);
-  signal slice3window_leaving_10_memory_read_enable : boolean;
-  signal slice3window_leaving_10_memory_read_address : unsigned(2 downto 0);
-  signal slice3window_leaving_10_memory_write_address : unsigned(2 downto 0);
-  signal slice3window_leaving_10_memory_write_data : unsigned(21 downto 0);
-  signal slice3window_leaving_9_memory_read_enable : boolean;
-  signal slice3window_leaving_9_memory_read_address, slice3window_leaving_9_memory_write_address : unsigned(2 downto 0);
-  signal slice3window_leaving_9_memory_write_data : unsigned(21 downto 0);
-  signal slice3window_leaving_8_memory_read_enable : boolean;
-  signal slice3window_leaving_8_memory_read_address, slice3window_leaving_8_memory_write_address : unsigned(2 downto 0);
-  signal slice3window_leaving_8_memory_write_data : unsigned(21 downto 0);
-  signal slice3window_leaving_7_memory_read_enable : boolean;
-  signal slice3window_leaving_7_memory_read_address, slice3window_leaving_7_memory_write_address : unsigned(2 downto 0);
-  signal slice3window_leaving_7_memory_write_data : unsigned(21 downto 0);
-  signal slice3window_leaving_6_memory_read_enable : boolean;
-  signal slice3window_leaving_6_memory_read_address, slice3window_leaving_6_memory_write_address : unsigned(2 downto 0);
-  signal slice3window_leaving_6_memory_write_data : unsigned(21 downto 0);
-  signal slice3window_leaving_5_memory_read_enable : boolean;
-  signal slice3window_leaving_5_memory_read_address, slice3window_leaving_5_memory_write_address : unsigned(2 downto 0);
-  signal slice3window_leaving_5_memory_write_data : unsigned(21 downto 0);
-  signal slice3window_leaving_4_memory_read_enable : boolean;
-  signal slice3window_leaving_4_memory_read_address, slice3window_leaving_4_memory_write_address : unsigned(2 downto 0);
-  signal slice3window_leaving_4_memory_write_data : unsigned(21 downto 0);
-  signal slice3window_leaving_3_memory_read_enable : boolean;
-  signal slice3window_leaving_3_memory_read_address, slice3window_leaving_3_memory_write_address : unsigned(2 downto 0);
-  signal slice3window_leaving_3_memory_write_data : unsigned(21 downto 0);
-  signal slice3window_leaving_2_memory_read_enable : boolean;
-  signal slice3window_leaving_2_memory_read_address, slice3window_leaving_2_memory_write_address : unsigned(2 downto 0);
-  signal slice3window_leaving_2_memory_write_data : unsigned(21 downto 0);
-  signal slice3window_leaving_1_memory_read_enable : boolean;
-  signal slice3window_leaving_1_memory_read_address, slice3window_leaving_1_memory_write_address : unsigned(2 downto 0);
-  signal slice3window_leaving_1_memory_write_data : unsigned(21 downto 0);
-  signal slice3window_leaving_0_memory_read_enable : boolean;
-  signal slice3window_leaving_0_memory_read_address, slice3window_leaving_0_memory_write_address : unsigned(2 downto 0);
-  signal slice3window_leaving_0_memory_write_data : unsigned(21 downto 0);
-  signal slice3cost_read_words_12_memory_read_enable : boolean;
-  signal slice3cost_read_words_12_memory_read_address : unsigned(8 downto 0);
-  signal slice3cost_read_words_12_memory_write_address : unsigned(8 downto 0);
-  signal slice3cost_read_words_12_memory_write_data : unsigned(10 downto 0);
-  signal slice3cost_read_words_11_memory_read_enable : boolean;
-  signal slice3cost_read_words_11_memory_read_address : unsigned(8 downto 0);
-  signal slice3cost_read_words_11_memory_write_address : unsigned(8 downto 0);
-  signal slice3cost_read_words_11_memory_write_data : unsigned(21 downto 0);
-  signal slice3cost_read_words_10_memory_read_enable : boolean;
-  signal slice3cost_read_words_10_memory_read_address : unsigned(8 downto 0);
-  signal slice3cost_read_words_10_memory_write_address : unsigned(8 downto 0);
-  signal slice3cost_read_words_10_memory_write_data : unsigned(21 downto 0);
-  signal slice3cost_read_words_9_memory_read_enable : boolean;
-  signal slice3cost_read_words_9_memory_read_address : unsigned(8 downto 0);
-  signal slice3cost_read_words_9_memory_write_address : unsigned(8 downto 0);
-  signal slice3cost_read_words_9_memory_write_data : unsigned(21 downto 0);
-  signal slice3cost_read_words_8_memory_read_enable : boolean;
-  signal slice3cost_read_words_8_memory_read_address : unsigned(8 downto 0);
-  signal slice3cost_read_words_8_memory_write_address : unsigned(8 downto 0);
-  signal slice3cost_read_words_8_memory_write_data : unsigned(21 downto 0);
-  signal slice3cost_read_words_7_memory_read_enable : boolean;
-  signal slice3cost_read_words_7_memory_read_address : unsigned(8 downto 0);
-  signal slice3cost_read_words_7_memory_write_address : unsigned(8 downto 0);
-  signal slice3cost_read_words_7_memory_write_data : unsigned(21 downto 0);
-  signal slice3cost_read_words_6_memory_read_enable : boolean;
-  signal slice3cost_read_words_6_memory_read_address : unsigned(8 downto 0);
-  signal slice3cost_read_words_6_memory_write_address : unsigned(8 downto 0);
-  signal slice3cost_read_words_6_memory_write_data : unsigned(21 downto 0);
-  signal slice3cost_read_words_5_memory_read_enable : boolean;
-  signal slice3cost_read_words_5_memory_read_address : unsigned(8 downto 0);
-  signal slice3cost_read_words_5_memory_write_address : unsigned(8 downto 0);
-  signal slice3cost_read_words_5_memory_write_data : unsigned(21 downto 0);
-  signal slice3cost_read_words_4_memory_read_enable : boolean;
-  signal slice3cost_read_words_4_memory_read_address : unsigned(8 downto 0);
-  signal slice3cost_read_words_4_memory_write_address : unsigned(8 downto 0);
-  signal slice3cost_read_words_4_memory_write_data : unsigned(21 downto 0);
-  signal slice3cost_read_words_3_memory_read_enable : boolean;
-  signal slice3cost_read_words_3_memory_read_address : unsigned(8 downto 0);
-  signal slice3cost_read_words_3_memory_write_address : unsigned(8 downto 0);
-  signal slice3cost_read_words_3_memory_write_data : unsigned(21 downto 0);
-  signal slice3cost_read_words_2_memory_read_enable : boolean;
-  signal slice3cost_read_words_2_memory_read_address : unsigned(8 downto 0);
-  signal slice3cost_read_words_2_memory_write_address : unsigned(8 downto 0);
-  signal slice3cost_read_words_2_memory_write_data : unsigned(21 downto 0);
-  signal slice3cost_read_words_1_memory_read_enable : boolean;
-  signal slice3cost_read_words_1_memory_read_address : unsigned(8 downto 0);
-  signal slice3cost_read_words_1_memory_write_address : unsigned(8 downto 0);
-  signal slice3cost_read_words_1_memory_write_data : unsigned(21 downto 0);
-  signal slice3cost_read_words_0_memory_read_enable : boolean;
-  signal slice3cost_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal slice3cost_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal slice3cost_read_words_0_memory_write_data : unsigned(21 downto 0);
-  signal slice2window_leaving_12_memory_read_enable : boolean;
-  signal slice2window_leaving_12_memory_read_address : unsigned(2 downto 0);
-  signal slice2window_leaving_12_memory_write_address : unsigned(2 downto 0);
-  signal slice2window_leaving_12_memory_write_data : unsigned(10 downto 0);
-  signal slice2window_leaving_11_memory_read_enable : boolean;
-  signal slice2window_leaving_11_memory_read_address : unsigned(2 downto 0);
-  signal slice2window_leaving_11_memory_write_address : unsigned(2 downto 0);
-  signal slice2window_leaving_11_memory_write_data : unsigned(21 downto 0);
-  signal slice2window_leaving_10_memory_read_enable : boolean;
-  signal slice2window_leaving_10_memory_read_address : unsigned(2 downto 0);
-  signal slice2window_leaving_10_memory_write_address : unsigned(2 downto 0);
-  signal slice2window_leaving_10_memory_write_data : unsigned(21 downto 0);
-  signal slice2window_leaving_9_memory_read_enable : boolean;
-  signal slice2window_leaving_9_memory_read_address, slice2window_leaving_9_memory_write_address : unsigned(2 downto 0);
-  signal slice2window_leaving_9_memory_write_data : unsigned(21 downto 0);
-  signal slice2window_leaving_8_memory_read_enable : boolean;
-  signal slice2window_leaving_8_memory_read_address, slice2window_leaving_8_memory_write_address : unsigned(2 downto 0);
-  signal slice2window_leaving_8_memory_write_data : unsigned(21 downto 0);
-  signal slice2window_leaving_7_memory_read_enable : boolean;
-  signal slice2window_leaving_7_memory_read_address, slice2window_leaving_7_memory_write_address : unsigned(2 downto 0);
-  signal slice2window_leaving_7_memory_write_data : unsigned(21 downto 0);
-  signal slice2window_leaving_6_memory_read_enable : boolean;
-  signal slice2window_leaving_6_memory_read_address, slice2window_leaving_6_memory_write_address : unsigned(2 downto 0);
-  signal slice2window_leaving_6_memory_write_data : unsigned(21 downto 0);
-  signal slice2window_leaving_5_memory_read_enable : boolean;
-  signal slice2window_leaving_5_memory_read_address, slice2window_leaving_5_memory_write_address : unsigned(2 downto 0);
-  signal slice2window_leaving_5_memory_write_data : unsigned(21 downto 0);
-  signal slice2window_leaving_4_memory_read_enable : boolean;
-  signal slice2window_leaving_4_memory_read_address, slice2window_leaving_4_memory_write_address : unsigned(2 downto 0);
-  signal slice2window_leaving_4_memory_write_data : unsigned(21 downto 0);
-  signal slice2window_leaving_3_memory_read_enable : boolean;
-  signal slice2window_leaving_3_memory_read_address, slice2window_leaving_3_memory_write_address : unsigned(2 downto 0);
-  signal slice2window_leaving_3_memory_write_data : unsigned(21 downto 0);
-  signal slice2window_leaving_2_memory_read_enable : boolean;
-  signal slice2window_leaving_2_memory_read_address, slice2window_leaving_2_memory_write_address : unsigned(2 downto 0);
-  signal slice2window_leaving_2_memory_write_data : unsigned(21 downto 0);
-  signal slice2window_leaving_1_memory_read_enable : boolean;
-  signal slice2window_leaving_1_memory_read_address, slice2window_leaving_1_memory_write_address : unsigned(2 downto 0);
-  signal slice2window_leaving_1_memory_write_data : unsigned(21 downto 0);
-  signal slice2window_leaving_0_memory_read_enable : boolean;
-  signal slice2window_leaving_0_memory_read_address, slice2window_leaving_0_memory_write_address : unsigned(2 downto 0);
-  signal slice2window_leaving_0_memory_write_data : unsigned(21 downto 0);
-  signal slice2cost_read_words_12_memory_read_enable : boolean;
-  signal slice2cost_read_words_12_memory_read_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_12_memory_write_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_12_memory_write_data : unsigned(10 downto 0);
-  signal slice2cost_read_words_11_memory_read_enable : boolean;
-  signal slice2cost_read_words_11_memory_read_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_11_memory_write_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_11_memory_write_data : unsigned(21 downto 0);
-  signal slice2cost_read_words_10_memory_read_enable : boolean;
-  signal slice2cost_read_words_10_memory_read_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_10_memory_write_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_10_memory_write_data : unsigned(21 downto 0);
-  signal slice2cost_read_words_9_memory_read_enable : boolean;
-  signal slice2cost_read_words_9_memory_read_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_9_memory_write_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_9_memory_write_data : unsigned(21 downto 0);
-  signal slice2cost_read_words_8_memory_read_enable : boolean;
-  signal slice2cost_read_words_8_memory_read_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_8_memory_write_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_8_memory_write_data : unsigned(21 downto 0);
-  signal slice2cost_read_words_7_memory_read_enable : boolean;
-  signal slice2cost_read_words_7_memory_read_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_7_memory_write_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_7_memory_write_data : unsigned(21 downto 0);
-  signal slice2cost_read_words_6_memory_read_enable : boolean;
-  signal slice2cost_read_words_6_memory_read_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_6_memory_write_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_6_memory_write_data : unsigned(21 downto 0);
-  signal slice2cost_read_words_5_memory_read_enable : boolean;
-  signal slice2cost_read_words_5_memory_read_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_5_memory_write_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_5_memory_write_data : unsigned(21 downto 0);
-  signal slice2cost_read_words_4_memory_read_enable : boolean;
-  signal slice2cost_read_words_4_memory_read_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_4_memory_write_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_4_memory_write_data : unsigned(21 downto 0);
-  signal slice2cost_read_words_3_memory_read_enable : boolean;
-  signal slice2cost_read_words_3_memory_read_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_3_memory_write_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_3_memory_write_data : unsigned(21 downto 0);
-  signal slice2cost_read_words_2_memory_read_enable : boolean;
-  signal slice2cost_read_words_2_memory_read_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_2_memory_write_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_2_memory_write_data : unsigned(21 downto 0);
-  signal slice2cost_read_words_1_memory_read_enable : boolean;
-  signal slice2cost_read_words_1_memory_read_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_1_memory_write_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_1_memory_write_data : unsigned(21 downto 0);
-  signal slice2cost_read_words_0_memory_read_enable : boolean;
-  signal slice2cost_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal slice2cost_read_words_0_memory_write_data : unsigned(21 downto 0);
-  signal slice1window_leaving_12_memory_read_enable : boolean;
-  signal slice1window_leaving_12_memory_read_address : unsigned(2 downto 0);
-  signal slice1window_leaving_12_memory_write_address : unsigned(2 downto 0);
-  signal slice1window_leaving_12_memory_write_data : unsigned(10 downto 0);
-  signal slice1window_leaving_11_memory_read_enable : boolean;
-  signal slice1window_leaving_11_memory_read_address : unsigned(2 downto 0);
-  signal slice1window_leaving_11_memory_write_address : unsigned(2 downto 0);
-  signal slice1window_leaving_11_memory_write_data : unsigned(21 downto 0);
-  signal slice1window_leaving_10_memory_read_enable : boolean;
-  signal slice1window_leaving_10_memory_read_address : unsigned(2 downto 0);
-  signal slice1window_leaving_10_memory_write_address : unsigned(2 downto 0);
-  signal slice1window_leaving_10_memory_write_data : unsigned(21 downto 0);
-  signal slice1window_leaving_9_memory_read_enable : boolean;
-  signal slice1window_leaving_9_memory_read_address, slice1window_leaving_9_memory_write_address : unsigned(2 downto 0);
-  signal slice1window_leaving_9_memory_write_data : unsigned(21 downto 0);
-  signal slice1window_leaving_8_memory_read_enable : boolean;
-  signal slice1window_leaving_8_memory_read_address, slice1window_leaving_8_memory_write_address : unsigned(2 downto 0);
-  signal slice1window_leaving_8_memory_write_data : unsigned(21 downto 0);
-  signal slice1window_leaving_7_memory_read_enable : boolean;
-  signal slice1window_leaving_7_memory_read_address, slice1window_leaving_7_memory_write_address : unsigned(2 downto 0);
-  signal slice1window_leaving_7_memory_write_data : unsigned(21 downto 0);
-  signal slice1window_leaving_6_memory_read_enable : boolean;
-  signal slice1window_leaving_6_memory_read_address, slice1window_leaving_6_memory_write_address : unsigned(2 downto 0);
-  signal slice1window_leaving_6_memory_write_data : unsigned(21 downto 0);
-  signal slice1window_leaving_5_memory_read_enable : boolean;
-  signal slice1window_leaving_5_memory_read_address, slice1window_leaving_5_memory_write_address : unsigned(2 downto 0);
-  signal slice1window_leaving_5_memory_write_data : unsigned(21 downto 0);
-  signal slice1window_leaving_4_memory_read_enable : boolean;
-  signal slice1window_leaving_4_memory_read_address, slice1window_leaving_4_memory_write_address : unsigned(2 downto 0);
-  signal slice1window_leaving_4_memory_write_data : unsigned(21 downto 0);
-  signal slice1window_leaving_3_memory_read_enable : boolean;
-  signal slice1window_leaving_3_memory_read_address, slice1window_leaving_3_memory_write_address : unsigned(2 downto 0);
-  signal slice1window_leaving_3_memory_write_data : unsigned(21 downto 0);
-  signal slice1window_leaving_2_memory_read_enable : boolean;
-  signal slice1window_leaving_2_memory_read_address, slice1window_leaving_2_memory_write_address : unsigned(2 downto 0);
-  signal slice1window_leaving_2_memory_write_data : unsigned(21 downto 0);
-  signal slice1window_leaving_1_memory_read_enable : boolean;
-  signal slice1window_leaving_1_memory_read_address, slice1window_leaving_1_memory_write_address : unsigned(2 downto 0);
-  signal slice1window_leaving_1_memory_write_data : unsigned(21 downto 0);
-  signal slice1window_leaving_0_memory_read_enable : boolean;
-  signal slice1window_leaving_0_memory_read_address, slice1window_leaving_0_memory_write_address : unsigned(2 downto 0);
-  signal slice1window_leaving_0_memory_write_data : unsigned(21 downto 0);
-  signal slice1cost_read_words_12_memory_read_enable : boolean;
-  signal slice1cost_read_words_12_memory_read_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_12_memory_write_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_12_memory_write_data : unsigned(10 downto 0);
-  signal slice1cost_read_words_11_memory_read_enable : boolean;
-  signal slice1cost_read_words_11_memory_read_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_11_memory_write_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_11_memory_write_data : unsigned(21 downto 0);
-  signal slice1cost_read_words_10_memory_read_enable : boolean;
-  signal slice1cost_read_words_10_memory_read_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_10_memory_write_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_10_memory_write_data : unsigned(21 downto 0);
-  signal slice1cost_read_words_9_memory_read_enable : boolean;
-  signal slice1cost_read_words_9_memory_read_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_9_memory_write_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_9_memory_write_data : unsigned(21 downto 0);
-  signal slice1cost_read_words_8_memory_read_enable : boolean;
-  signal slice1cost_read_words_8_memory_read_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_8_memory_write_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_8_memory_write_data : unsigned(21 downto 0);
-  signal slice1cost_read_words_7_memory_read_enable : boolean;
-  signal slice1cost_read_words_7_memory_read_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_7_memory_write_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_7_memory_write_data : unsigned(21 downto 0);
-  signal slice1cost_read_words_6_memory_read_enable : boolean;
-  signal slice1cost_read_words_6_memory_read_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_6_memory_write_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_6_memory_write_data : unsigned(21 downto 0);
-  signal slice1cost_read_words_5_memory_read_enable : boolean;
-  signal slice1cost_read_words_5_memory_read_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_5_memory_write_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_5_memory_write_data : unsigned(21 downto 0);
-  signal slice1cost_read_words_4_memory_read_enable : boolean;
-  signal slice1cost_read_words_4_memory_read_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_4_memory_write_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_4_memory_write_data : unsigned(21 downto 0);
-  signal slice1cost_read_words_3_memory_read_enable : boolean;
-  signal slice1cost_read_words_3_memory_read_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_3_memory_write_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_3_memory_write_data : unsigned(21 downto 0);
-  signal slice1cost_read_words_2_memory_read_enable : boolean;
-  signal slice1cost_read_words_2_memory_read_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_2_memory_write_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_2_memory_write_data : unsigned(21 downto 0);
-  signal slice1cost_read_words_1_memory_read_enable : boolean;
-  signal slice1cost_read_words_1_memory_read_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_1_memory_write_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_1_memory_write_data : unsigned(21 downto 0);
-  signal slice1cost_read_words_0_memory_read_enable : boolean;
-  signal slice1cost_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_0_memory_write_data : unsigned(21 downto 0);
-  signal slice0window_leaving_12_memory_read_enable : boolean;
-  signal slice0window_leaving_12_memory_read_address : unsigned(2 downto 0);
-  signal slice0window_leaving_12_memory_write_address : unsigned(2 downto 0);
-  signal slice0window_leaving_12_memory_write_data : unsigned(10 downto 0);
-  signal slice0window_leaving_11_memory_read_enable : boolean;
-  signal slice0window_leaving_11_memory_read_address : unsigned(2 downto 0);
-  signal slice0window_leaving_11_memory_write_address : unsigned(2 downto 0);
-  signal slice0window_leaving_11_memory_write_data : unsigned(21 downto 0);
-  signal slice0window_leaving_10_memory_read_enable : boolean;
-  signal slice0window_leaving_10_memory_read_address : unsigned(2 downto 0);
-  signal slice0window_leaving_10_memory_write_address : unsigned(2 downto 0);
-  signal slice0window_leaving_10_memory_write_data : unsigned(21 downto 0);
-  signal slice0window_leaving_9_memory_read_enable : boolean;
-  signal slice0window_leaving_9_memory_read_address, slice0window_leaving_9_memory_write_address : unsigned(2 downto 0);
-  signal slice0window_leaving_9_memory_write_data : unsigned(21 downto 0);
-  signal slice0window_leaving_8_memory_read_enable : boolean;
-  signal slice0window_leaving_8_memory_read_address, slice0window_leaving_8_memory_write_address : unsigned(2 downto 0);
-  signal slice0window_leaving_8_memory_write_data : unsigned(21 downto 0);
-  signal slice0window_leaving_7_memory_read_enable : boolean;
-  signal slice0window_leaving_7_memory_read_address, slice0window_leaving_7_memory_write_address : unsigned(2 downto 0);
-  signal slice0window_leaving_7_memory_write_data : unsigned(21 downto 0);
-  signal slice0window_leaving_6_memory_read_enable : boolean;
-  signal slice0window_leaving_6_memory_read_address, slice0window_leaving_6_memory_write_address : unsigned(2 downto 0);
-  signal slice0window_leaving_6_memory_write_data : unsigned(21 downto 0);
-  signal slice0window_leaving_5_memory_read_enable : boolean;
-  signal slice0window_leaving_5_memory_read_address, slice0window_leaving_5_memory_write_address : unsigned(2 downto 0);
-  signal slice0window_leaving_5_memory_write_data : unsigned(21 downto 0);
-  signal slice0window_leaving_4_memory_read_enable : boolean;
-  signal slice0window_leaving_4_memory_read_address, slice0window_leaving_4_memory_write_address : unsigned(2 downto 0);
-  signal slice0window_leaving_4_memory_write_data : unsigned(21 downto 0);
-  signal slice0window_leaving_3_memory_read_enable : boolean;
-  signal slice0window_leaving_3_memory_read_address, slice0window_leaving_3_memory_write_address : unsigned(2 downto 0);
-  signal slice0window_leaving_3_memory_write_data : unsigned(21 downto 0);
-  signal slice0window_leaving_2_memory_read_enable : boolean;
-  signal slice0window_leaving_2_memory_read_address, slice0window_leaving_2_memory_write_address : unsigned(2 downto 0);
-  signal slice0window_leaving_2_memory_write_data : unsigned(21 downto 0);
-  signal slice0window_leaving_1_memory_read_enable : boolean;
-  signal slice0window_leaving_1_memory_read_address, slice0window_leaving_1_memory_write_address : unsigned(2 downto 0);
-  signal slice0window_leaving_1_memory_write_data : unsigned(21 downto 0);
-  signal slice0window_leaving_0_memory_read_enable : boolean;
-  signal slice0window_leaving_0_memory_read_address, slice0window_leaving_0_memory_write_address : unsigned(2 downto 0);
-  signal slice0window_leaving_0_memory_write_data : unsigned(21 downto 0);
-  signal slice0cost_read_words_12_memory_read_enable : boolean;
-  signal slice0cost_read_words_12_memory_read_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_12_memory_write_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_12_memory_write_data : unsigned(10 downto 0);
-  signal slice0cost_read_words_11_memory_read_enable : boolean;
-  signal slice0cost_read_words_11_memory_read_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_11_memory_write_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_11_memory_write_data : unsigned(21 downto 0);
-  signal slice0cost_read_words_10_memory_read_enable : boolean;
-  signal slice0cost_read_words_10_memory_read_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_10_memory_write_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_10_memory_write_data : unsigned(21 downto 0);
-  signal slice0cost_read_words_9_memory_read_enable : boolean;
-  signal slice0cost_read_words_9_memory_read_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_9_memory_write_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_9_memory_write_data : unsigned(21 downto 0);
-  signal slice0cost_read_words_8_memory_read_enable : boolean;
-  signal slice0cost_read_words_8_memory_read_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_8_memory_write_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_8_memory_write_data : unsigned(21 downto 0);
-  signal slice0cost_read_words_7_memory_read_enable : boolean;
-  signal slice0cost_read_words_7_memory_read_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_7_memory_write_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_7_memory_write_data : unsigned(21 downto 0);
-  signal slice0cost_read_words_6_memory_read_enable : boolean;
-  signal slice0cost_read_words_6_memory_read_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_6_memory_write_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_6_memory_write_data : unsigned(21 downto 0);
-  signal slice0cost_read_words_5_memory_read_enable : boolean;
-  signal slice0cost_read_words_5_memory_read_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_5_memory_write_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_5_memory_write_data : unsigned(21 downto 0);
-  signal slice0cost_read_words_4_memory_read_enable : boolean;
-  signal slice0cost_read_words_4_memory_read_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_4_memory_write_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_4_memory_write_data : unsigned(21 downto 0);
-  signal slice0cost_read_words_3_memory_read_enable : boolean;
-  signal slice0cost_read_words_3_memory_read_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_3_memory_write_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_3_memory_write_data : unsigned(21 downto 0);
-  signal slice0cost_read_words_2_memory_read_enable : boolean;
-  signal slice0cost_read_words_2_memory_read_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_2_memory_write_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_2_memory_write_data : unsigned(21 downto 0);
-  signal slice0cost_read_words_1_memory_read_enable : boolean;
-  signal slice0cost_read_words_1_memory_read_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_1_memory_write_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_1_memory_write_data : unsigned(21 downto 0);
-  signal slice0cost_read_words_0_memory_read_enable : boolean;
-  signal slice0cost_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_0_memory_write_data : unsigned(21 downto 0);
-  signal rows_search_rows_read_words_1_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_1_memory_read_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_1_memory_write_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
-  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal rows_reference_rows_read_words_1_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_1_memory_read_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_1_memory_write_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
-  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal delay_delayed_0_memory_read_enable : boolean;
-  signal delay_delayed_0_memory_read_address, delay_delayed_0_memory_write_address : unsigned(6 downto 0);
-  signal delay_delayed_0_memory_write_data : unsigned(7 downto 0);
+  signal slice4_best_tag : tag_4;
 
 begin
   in_start_of_frame <= start_of_frame = '1';
@@ -982,1450 +404,331 @@ begin
   in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
   disparity <= std_logic_vector(to_unsigned(slice4_best_index_0_0, 8));
   pixel_valid <= std_logic_vector(to_unsigned(1, 1));
-  disparity_valid <= as_bit(slice4_best_tag_valid and slice4_best_tag_output_column);
-  disparity_start_of_frame <= as_bit(slice4_best_tag_start_of_frame and slice4_best_tag_valid and slice4_best_tag_output_column);
-  disparity_end_of_line <= as_bit(slice4_best_tag_end_of_line and slice4_best_tag_valid and slice4_best_tag_output_column);
-
-  slice4window_leaving_10_memory_read_enable <= true;
-  slice4window_leaving_10_memory_read_address <= to_unsigned(slice4window_ring_read_address, 3);
-  slice4window_leaving_10_memory_write_address <= to_unsigned(slice4window_ring_write_address, 3);
-  slice4window_leaving_10_memory_write_data <= to_unsigned(slice4cost_column_0(20), 11);
-  slice4window_leaving_10_memory : entity work.line_memory
-    generic map (depth => 8, width => 11, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice4window_leaving_10_memory_read_enable,
-      read_address => slice4window_leaving_10_memory_read_address, read_data => slice4window_leaving_10,
-      write_address => slice4window_leaving_10_memory_write_address, write_data => slice4window_leaving_10_memory_write_data);
-
-  slice4window_leaving_9_memory_read_enable <= true;
-  slice4window_leaving_9_memory_read_address <= to_unsigned(slice4window_ring_read_address, 3);
-  slice4window_leaving_9_memory_write_address <= to_unsigned(slice4window_ring_write_address, 3);
-  slice4window_leaving_9_memory_write_data <= to_unsigned(slice4cost_column_0(19), 11) & to_unsigned(slice4cost_column_0(18), 11);
-  slice4window_leaving_9_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice4window_leaving_9_memory_read_enable,
-      read_address => slice4window_leaving_9_memory_read_address, read_data => slice4window_leaving(9),
-      write_address => slice4window_leaving_9_memory_write_address, write_data => slice4window_leaving_9_memory_write_data);
-
-  slice4window_leaving_8_memory_read_enable <= true;
-  slice4window_leaving_8_memory_read_address <= to_unsigned(slice4window_ring_read_address, 3);
-  slice4window_leaving_8_memory_write_address <= to_unsigned(slice4window_ring_write_address, 3);
-  slice4window_leaving_8_memory_write_data <= to_unsigned(slice4cost_column_0(17), 11) & to_unsigned(slice4cost_column_0(16), 11);
-  slice4window_leaving_8_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice4window_leaving_8_memory_read_enable,
-      read_address => slice4window_leaving_8_memory_read_address, read_data => slice4window_leaving(8),
-      write_address => slice4window_leaving_8_memory_write_address, write_data => slice4window_leaving_8_memory_write_data);
-
-  slice4window_leaving_7_memory_read_enable <= true;
-  slice4window_leaving_7_memory_read_address <= to_unsigned(slice4window_ring_read_address, 3);
-  slice4window_leaving_7_memory_write_address <= to_unsigned(slice4window_ring_write_address, 3);
-  slice4window_leaving_7_memory_write_data <= to_unsigned(slice4cost_column_0(15), 11) & to_unsigned(slice4cost_column_0(14), 11);
-  slice4window_leaving_7_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice4window_leaving_7_memory_read_enable,
-      read_address => slice4window_leaving_7_memory_read_address, read_data => slice4window_leaving(7),
-      write_address => slice4window_leaving_7_memory_write_address, write_data => slice4window_leaving_7_memory_write_data);
-
-  slice4window_leaving_6_memory_read_enable <= true;
-  slice4window_leaving_6_memory_read_address <= to_unsigned(slice4window_ring_read_address, 3);
-  slice4window_leaving_6_memory_write_address <= to_unsigned(slice4window_ring_write_address, 3);
-  slice4window_leaving_6_memory_write_data <= to_unsigned(slice4cost_column_0(13), 11) & to_unsigned(slice4cost_column_0(12), 11);
-  slice4window_leaving_6_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice4window_leaving_6_memory_read_enable,
-      read_address => slice4window_leaving_6_memory_read_address, read_data => slice4window_leaving(6),
-      write_address => slice4window_leaving_6_memory_write_address, write_data => slice4window_leaving_6_memory_write_data);
-
-  slice4window_leaving_5_memory_read_enable <= true;
-  slice4window_leaving_5_memory_read_address <= to_unsigned(slice4window_ring_read_address, 3);
-  slice4window_leaving_5_memory_write_address <= to_unsigned(slice4window_ring_write_address, 3);
-  slice4window_leaving_5_memory_write_data <= to_unsigned(slice4cost_column_0(11), 11) & to_unsigned(slice4cost_column_0(10), 11);
-  slice4window_leaving_5_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice4window_leaving_5_memory_read_enable,
-      read_address => slice4window_leaving_5_memory_read_address, read_data => slice4window_leaving(5),
-      write_address => slice4window_leaving_5_memory_write_address, write_data => slice4window_leaving_5_memory_write_data);
-
-  slice4window_leaving_4_memory_read_enable <= true;
-  slice4window_leaving_4_memory_read_address <= to_unsigned(slice4window_ring_read_address, 3);
-  slice4window_leaving_4_memory_write_address <= to_unsigned(slice4window_ring_write_address, 3);
-  slice4window_leaving_4_memory_write_data <= to_unsigned(slice4cost_column_0(9), 11) & to_unsigned(slice4cost_column_0(8), 11);
-  slice4window_leaving_4_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice4window_leaving_4_memory_read_enable,
-      read_address => slice4window_leaving_4_memory_read_address, read_data => slice4window_leaving(4),
-      write_address => slice4window_leaving_4_memory_write_address, write_data => slice4window_leaving_4_memory_write_data);
-
-  slice4window_leaving_3_memory_read_enable <= true;
-  slice4window_leaving_3_memory_read_address <= to_unsigned(slice4window_ring_read_address, 3);
-  slice4window_leaving_3_memory_write_address <= to_unsigned(slice4window_ring_write_address, 3);
-  slice4window_leaving_3_memory_write_data <= to_unsigned(slice4cost_column_0(7), 11) & to_unsigned(slice4cost_column_0(6), 11);
-  slice4window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice4window_leaving_3_memory_read_enable,
-      read_address => slice4window_leaving_3_memory_read_address, read_data => slice4window_leaving(3),
-      write_address => slice4window_leaving_3_memory_write_address, write_data => slice4window_leaving_3_memory_write_data);
-
-  slice4window_leaving_2_memory_read_enable <= true;
-  slice4window_leaving_2_memory_read_address <= to_unsigned(slice4window_ring_read_address, 3);
-  slice4window_leaving_2_memory_write_address <= to_unsigned(slice4window_ring_write_address, 3);
-  slice4window_leaving_2_memory_write_data <= to_unsigned(slice4cost_column_0(5), 11) & to_unsigned(slice4cost_column_0(4), 11);
-  slice4window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice4window_leaving_2_memory_read_enable,
-      read_address => slice4window_leaving_2_memory_read_address, read_data => slice4window_leaving(2),
-      write_address => slice4window_leaving_2_memory_write_address, write_data => slice4window_leaving_2_memory_write_data);
-
-  slice4window_leaving_1_memory_read_enable <= true;
-  slice4window_leaving_1_memory_read_address <= to_unsigned(slice4window_ring_read_address, 3);
-  slice4window_leaving_1_memory_write_address <= to_unsigned(slice4window_ring_write_address, 3);
-  slice4window_leaving_1_memory_write_data <= to_unsigned(slice4cost_column_0(3), 11) & to_unsigned(slice4cost_column_0(2), 11);
-  slice4window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice4window_leaving_1_memory_read_enable,
-      read_address => slice4window_leaving_1_memory_read_address, read_data => slice4window_leaving(1),
-      write_address => slice4window_leaving_1_memory_write_address, write_data => slice4window_leaving_1_memory_write_data);
-
-  slice4window_leaving_0_memory_read_enable <= true;
-  slice4window_leaving_0_memory_read_address <= to_unsigned(slice4window_ring_read_address, 3);
-  slice4window_leaving_0_memory_write_address <= to_unsigned(slice4window_ring_write_address, 3);
-  slice4window_leaving_0_memory_write_data <= to_unsigned(slice4cost_column_0(1), 11) & to_unsigned(slice4cost_column_0(0), 11);
-  slice4window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice4window_leaving_0_memory_read_enable,
-      read_address => slice4window_leaving_0_memory_read_address, read_data => slice4window_leaving(0),
-      write_address => slice4window_leaving_0_memory_write_address, write_data => slice4window_leaving_0_memory_write_data);
-
-  slice4cost_read_words_10_memory_read_enable <= true;
-  slice4cost_read_words_10_memory_read_address <= to_unsigned(slice3cost_change_column, 9);
-  slice4cost_read_words_10_memory_write_address <= to_unsigned(slice4cost_write_column, 9);
-  slice4cost_read_words_10_memory_write_data <= to_unsigned(slice4cost_write_words_10, 11);
-  slice4cost_read_words_10_memory : entity work.line_memory
-    generic map (depth => 320, width => 11, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice4cost_read_words_10_memory_read_enable,
-      read_address => slice4cost_read_words_10_memory_read_address, read_data => slice4cost_read_words_10,
-      write_address => slice4cost_read_words_10_memory_write_address, write_data => slice4cost_read_words_10_memory_write_data);
-
-  slice4cost_read_words_9_memory_read_enable <= true;
-  slice4cost_read_words_9_memory_read_address <= to_unsigned(slice3cost_change_column, 9);
-  slice4cost_read_words_9_memory_write_address <= to_unsigned(slice4cost_write_column, 9);
-  slice4cost_read_words_9_memory_write_data <= to_unsigned(slice4cost_write_words(9), 22);
-  slice4cost_read_words_9_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice4cost_read_words_9_memory_read_enable,
-      read_address => slice4cost_read_words_9_memory_read_address, read_data => slice4cost_read_words(9),
-      write_address => slice4cost_read_words_9_memory_write_address, write_data => slice4cost_read_words_9_memory_write_data);
-
-  slice4cost_read_words_8_memory_read_enable <= true;
-  slice4cost_read_words_8_memory_read_address <= to_unsigned(slice3cost_change_column, 9);
-  slice4cost_read_words_8_memory_write_address <= to_unsigned(slice4cost_write_column, 9);
-  slice4cost_read_words_8_memory_write_data <= to_unsigned(slice4cost_write_words(8), 22);
-  slice4cost_read_words_8_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice4cost_read_words_8_memory_read_enable,
-      read_address => slice4cost_read_words_8_memory_read_address, read_data => slice4cost_read_words(8),
-      write_address => slice4cost_read_words_8_memory_write_address, write_data => slice4cost_read_words_8_memory_write_data);
-
-  slice4cost_read_words_7_memory_read_enable <= true;
-  slice4cost_read_words_7_memory_read_address <= to_unsigned(slice3cost_change_column, 9);
-  slice4cost_read_words_7_memory_write_address <= to_unsigned(slice4cost_write_column, 9);
-  slice4cost_read_words_7_memory_write_data <= to_unsigned(slice4cost_write_words(7), 22);
-  slice4cost_read_words_7_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice4cost_read_words_7_memory_read_enable,
-      read_address => slice4cost_read_words_7_memory_read_address, read_data => slice4cost_read_words(7),
-      write_address => slice4cost_read_words_7_memory_write_address, write_data => slice4cost_read_words_7_memory_write_data);
-
-  slice4cost_read_words_6_memory_read_enable <= true;
-  slice4cost_read_words_6_memory_read_address <= to_unsigned(slice3cost_change_column, 9);
-  slice4cost_read_words_6_memory_write_address <= to_unsigned(slice4cost_write_column, 9);
-  slice4cost_read_words_6_memory_write_data <= to_unsigned(slice4cost_write_words(6), 22);
-  slice4cost_read_words_6_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice4cost_read_words_6_memory_read_enable,
-      read_address => slice4cost_read_words_6_memory_read_address, read_data => slice4cost_read_words(6),
-      write_address => slice4cost_read_words_6_memory_write_address, write_data => slice4cost_read_words_6_memory_write_data);
-
-  slice4cost_read_words_5_memory_read_enable <= true;
-  slice4cost_read_words_5_memory_read_address <= to_unsigned(slice3cost_change_column, 9);
-  slice4cost_read_words_5_memory_write_address <= to_unsigned(slice4cost_write_column, 9);
-  slice4cost_read_words_5_memory_write_data <= to_unsigned(slice4cost_write_words(5), 22);
-  slice4cost_read_words_5_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice4cost_read_words_5_memory_read_enable,
-      read_address => slice4cost_read_words_5_memory_read_address, read_data => slice4cost_read_words(5),
-      write_address => slice4cost_read_words_5_memory_write_address, write_data => slice4cost_read_words_5_memory_write_data);
-
-  slice4cost_read_words_4_memory_read_enable <= true;
-  slice4cost_read_words_4_memory_read_address <= to_unsigned(slice3cost_change_column, 9);
-  slice4cost_read_words_4_memory_write_address <= to_unsigned(slice4cost_write_column, 9);
-  slice4cost_read_words_4_memory_write_data <= to_unsigned(slice4cost_write_words(4), 22);
-  slice4cost_read_words_4_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice4cost_read_words_4_memory_read_enable,
-      read_address => slice4cost_read_words_4_memory_read_address, read_data => slice4cost_read_words(4),
-      write_address => slice4cost_read_words_4_memory_write_address, write_data => slice4cost_read_words_4_memory_write_data);
-
-  slice4cost_read_words_3_memory_read_enable <= true;
-  slice4cost_read_words_3_memory_read_address <= to_unsigned(slice3cost_change_column, 9);
-  slice4cost_read_words_3_memory_write_address <= to_unsigned(slice4cost_write_column, 9);
-  slice4cost_read_words_3_memory_write_data <= to_unsigned(slice4cost_write_words(3), 22);
-  slice4cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice4cost_read_words_3_memory_read_enable,
-      read_address => slice4cost_read_words_3_memory_read_address, read_data => slice4cost_read_words(3),
-      write_address => slice4cost_read_words_3_memory_write_address, write_data => slice4cost_read_words_3_memory_write_data);
-
-  slice4cost_read_words_2_memory_read_enable <= true;
-  slice4cost_read_words_2_memory_read_address <= to_unsigned(slice3cost_change_column, 9);
-  slice4cost_read_words_2_memory_write_address <= to_unsigned(slice4cost_write_column, 9);
-  slice4cost_read_words_2_memory_write_data <= to_unsigned(slice4cost_write_words(2), 22);
-  slice4cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice4cost_read_words_2_memory_read_enable,
-      read_address => slice4cost_read_words_2_memory_read_address, read_data => slice4cost_read_words(2),
-      write_address => slice4cost_read_words_2_memory_write_address, write_data => slice4cost_read_words_2_memory_write_data);
-
-  slice4cost_read_words_1_memory_read_enable <= true;
-  slice4cost_read_words_1_memory_read_address <= to_unsigned(slice3cost_change_column, 9);
-  slice4cost_read_words_1_memory_write_address <= to_unsigned(slice4cost_write_column, 9);
-  slice4cost_read_words_1_memory_write_data <= to_unsigned(slice4cost_write_words(1), 22);
-  slice4cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice4cost_read_words_1_memory_read_enable,
-      read_address => slice4cost_read_words_1_memory_read_address, read_data => slice4cost_read_words(1),
-      write_address => slice4cost_read_words_1_memory_write_address, write_data => slice4cost_read_words_1_memory_write_data);
-
-  slice4cost_read_words_0_memory_read_enable <= true;
-  slice4cost_read_words_0_memory_read_address <= to_unsigned(slice3cost_change_column, 9);
-  slice4cost_read_words_0_memory_write_address <= to_unsigned(slice4cost_write_column, 9);
-  slice4cost_read_words_0_memory_write_data <= to_unsigned(slice4cost_write_words(0), 22);
-  slice4cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice4cost_read_words_0_memory_read_enable,
-      read_address => slice4cost_read_words_0_memory_read_address, read_data => slice4cost_read_words(0),
-      write_address => slice4cost_read_words_0_memory_write_address, write_data => slice4cost_read_words_0_memory_write_data);
-
-  slice3window_leaving_12_memory_read_enable <= true;
-  slice3window_leaving_12_memory_read_address <= to_unsigned(slice3window_ring_read_address, 3);
-  slice3window_leaving_12_memory_write_address <= to_unsigned(slice3window_ring_write_address, 3);
-  slice3window_leaving_12_memory_write_data <= to_unsigned(slice3cost_column_0(24), 11);
-  slice3window_leaving_12_memory : entity work.line_memory
-    generic map (depth => 8, width => 11, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice3window_leaving_12_memory_read_enable,
-      read_address => slice3window_leaving_12_memory_read_address, read_data => slice3window_leaving_12,
-      write_address => slice3window_leaving_12_memory_write_address, write_data => slice3window_leaving_12_memory_write_data);
-
-  slice3window_leaving_11_memory_read_enable <= true;
-  slice3window_leaving_11_memory_read_address <= to_unsigned(slice3window_ring_read_address, 3);
-  slice3window_leaving_11_memory_write_address <= to_unsigned(slice3window_ring_write_address, 3);
-  slice3window_leaving_11_memory_write_data <= to_unsigned(slice3cost_column_0(23), 11) & to_unsigned(slice3cost_column_0(22), 11);
-  slice3window_leaving_11_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice3window_leaving_11_memory_read_enable,
-      read_address => slice3window_leaving_11_memory_read_address, read_data => slice3window_leaving(11),
-      write_address => slice3window_leaving_11_memory_write_address, write_data => slice3window_leaving_11_memory_write_data);
-
-  slice3window_leaving_10_memory_read_enable <= true;
-  slice3window_leaving_10_memory_read_address <= to_unsigned(slice3window_ring_read_address, 3);
-  slice3window_leaving_10_memory_write_address <= to_unsigned(slice3window_ring_write_address, 3);
-  slice3window_leaving_10_memory_write_data <= to_unsigned(slice3cost_column_0(21), 11) & to_unsigned(slice3cost_column_0(20), 11);
-  slice3window_leaving_10_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice3window_leaving_10_memory_read_enable,
-      read_address => slice3window_leaving_10_memory_read_address, read_data => slice3window_leaving(10),
-      write_address => slice3window_leaving_10_memory_write_address, write_data => slice3window_leaving_10_memory_write_data);
-
-  slice3window_leaving_9_memory_read_enable <= true;
-  slice3window_leaving_9_memory_read_address <= to_unsigned(slice3window_ring_read_address, 3);
-  slice3window_leaving_9_memory_write_address <= to_unsigned(slice3window_ring_write_address, 3);
-  slice3window_leaving_9_memory_write_data <= to_unsigned(slice3cost_column_0(19), 11) & to_unsigned(slice3cost_column_0(18), 11);
-  slice3window_leaving_9_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice3window_leaving_9_memory_read_enable,
-      read_address => slice3window_leaving_9_memory_read_address, read_data => slice3window_leaving(9),
-      write_address => slice3window_leaving_9_memory_write_address, write_data => slice3window_leaving_9_memory_write_data);
-
-  slice3window_leaving_8_memory_read_enable <= true;
-  slice3window_leaving_8_memory_read_address <= to_unsigned(slice3window_ring_read_address, 3);
-  slice3window_leaving_8_memory_write_address <= to_unsigned(slice3window_ring_write_address, 3);
-  slice3window_leaving_8_memory_write_data <= to_unsigned(slice3cost_column_0(17), 11) & to_unsigned(slice3cost_column_0(16), 11);
-  slice3window_leaving_8_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice3window_leaving_8_memory_read_enable,
-      read_address => slice3window_leaving_8_memory_read_address, read_data => slice3window_leaving(8),
-      write_address => slice3window_leaving_8_memory_write_address, write_data => slice3window_leaving_8_memory_write_data);
-
-  slice3window_leaving_7_memory_read_enable <= true;
-  slice3window_leaving_7_memory_read_address <= to_unsigned(slice3window_ring_read_address, 3);
-  slice3window_leaving_7_memory_write_address <= to_unsigned(slice3window_ring_write_address, 3);
-  slice3window_leaving_7_memory_write_data <= to_unsigned(slice3cost_column_0(15), 11) & to_unsigned(slice3cost_column_0(14), 11);
-  slice3window_leaving_7_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice3window_leaving_7_memory_read_enable,
-      read_address => slice3window_leaving_7_memory_read_address, read_data => slice3window_leaving(7),
-      write_address => slice3window_leaving_7_memory_write_address, write_data => slice3window_leaving_7_memory_write_data);
-
-  slice3window_leaving_6_memory_read_enable <= true;
-  slice3window_leaving_6_memory_read_address <= to_unsigned(slice3window_ring_read_address, 3);
-  slice3window_leaving_6_memory_write_address <= to_unsigned(slice3window_ring_write_address, 3);
-  slice3window_leaving_6_memory_write_data <= to_unsigned(slice3cost_column_0(13), 11) & to_unsigned(slice3cost_column_0(12), 11);
-  slice3window_leaving_6_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice3window_leaving_6_memory_read_enable,
-      read_address => slice3window_leaving_6_memory_read_address, read_data => slice3window_leaving(6),
-      write_address => slice3window_leaving_6_memory_write_address, write_data => slice3window_leaving_6_memory_write_data);
-
-  slice3window_leaving_5_memory_read_enable <= true;
-  slice3window_leaving_5_memory_read_address <= to_unsigned(slice3window_ring_read_address, 3);
-  slice3window_leaving_5_memory_write_address <= to_unsigned(slice3window_ring_write_address, 3);
-  slice3window_leaving_5_memory_write_data <= to_unsigned(slice3cost_column_0(11), 11) & to_unsigned(slice3cost_column_0(10), 11);
-  slice3window_leaving_5_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice3window_leaving_5_memory_read_enable,
-      read_address => slice3window_leaving_5_memory_read_address, read_data => slice3window_leaving(5),
-      write_address => slice3window_leaving_5_memory_write_address, write_data => slice3window_leaving_5_memory_write_data);
-
-  slice3window_leaving_4_memory_read_enable <= true;
-  slice3window_leaving_4_memory_read_address <= to_unsigned(slice3window_ring_read_address, 3);
-  slice3window_leaving_4_memory_write_address <= to_unsigned(slice3window_ring_write_address, 3);
-  slice3window_leaving_4_memory_write_data <= to_unsigned(slice3cost_column_0(9), 11) & to_unsigned(slice3cost_column_0(8), 11);
-  slice3window_leaving_4_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice3window_leaving_4_memory_read_enable,
-      read_address => slice3window_leaving_4_memory_read_address, read_data => slice3window_leaving(4),
-      write_address => slice3window_leaving_4_memory_write_address, write_data => slice3window_leaving_4_memory_write_data);
-
-  slice3window_leaving_3_memory_read_enable <= true;
-  slice3window_leaving_3_memory_read_address <= to_unsigned(slice3window_ring_read_address, 3);
-  slice3window_leaving_3_memory_write_address <= to_unsigned(slice3window_ring_write_address, 3);
-  slice3window_leaving_3_memory_write_data <= to_unsigned(slice3cost_column_0(7), 11) & to_unsigned(slice3cost_column_0(6), 11);
-  slice3window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice3window_leaving_3_memory_read_enable,
-      read_address => slice3window_leaving_3_memory_read_address, read_data => slice3window_leaving(3),
-      write_address => slice3window_leaving_3_memory_write_address, write_data => slice3window_leaving_3_memory_write_data);
-
-  slice3window_leaving_2_memory_read_enable <= true;
-  slice3window_leaving_2_memory_read_address <= to_unsigned(slice3window_ring_read_address, 3);
-  slice3window_leaving_2_memory_write_address <= to_unsigned(slice3window_ring_write_address, 3);
-  slice3window_leaving_2_memory_write_data <= to_unsigned(slice3cost_column_0(5), 11) & to_unsigned(slice3cost_column_0(4), 11);
-  slice3window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice3window_leaving_2_memory_read_enable,
-      read_address => slice3window_leaving_2_memory_read_address, read_data => slice3window_leaving(2),
-      write_address => slice3window_leaving_2_memory_write_address, write_data => slice3window_leaving_2_memory_write_data);
-
-  slice3window_leaving_1_memory_read_enable <= true;
-  slice3window_leaving_1_memory_read_address <= to_unsigned(slice3window_ring_read_address, 3);
-  slice3window_leaving_1_memory_write_address <= to_unsigned(slice3window_ring_write_address, 3);
-  slice3window_leaving_1_memory_write_data <= to_unsigned(slice3cost_column_0(3), 11) & to_unsigned(slice3cost_column_0(2), 11);
-  slice3window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice3window_leaving_1_memory_read_enable,
-      read_address => slice3window_leaving_1_memory_read_address, read_data => slice3window_leaving(1),
-      write_address => slice3window_leaving_1_memory_write_address, write_data => slice3window_leaving_1_memory_write_data);
-
-  slice3window_leaving_0_memory_read_enable <= true;
-  slice3window_leaving_0_memory_read_address <= to_unsigned(slice3window_ring_read_address, 3);
-  slice3window_leaving_0_memory_write_address <= to_unsigned(slice3window_ring_write_address, 3);
-  slice3window_leaving_0_memory_write_data <= to_unsigned(slice3cost_column_0(1), 11) & to_unsigned(slice3cost_column_0(0), 11);
-  slice3window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice3window_leaving_0_memory_read_enable,
-      read_address => slice3window_leaving_0_memory_read_address, read_data => slice3window_leaving(0),
-      write_address => slice3window_leaving_0_memory_write_address, write_data => slice3window_leaving_0_memory_write_data);
-
-  slice3cost_read_words_12_memory_read_enable <= true;
-  slice3cost_read_words_12_memory_read_address <= to_unsigned(slice3cost_read_column, 9);
-  slice3cost_read_words_12_memory_write_address <= to_unsigned(slice4cost_ready_column, 9);
-  slice3cost_read_words_12_memory_write_data <= to_unsigned(slice3cost_write_words_12, 11);
-  slice3cost_read_words_12_memory : entity work.line_memory
-    generic map (depth => 320, width => 11, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice3cost_read_words_12_memory_read_enable,
-      read_address => slice3cost_read_words_12_memory_read_address, read_data => slice3cost_read_words_12,
-      write_address => slice3cost_read_words_12_memory_write_address, write_data => slice3cost_read_words_12_memory_write_data);
-
-  slice3cost_read_words_11_memory_read_enable <= true;
-  slice3cost_read_words_11_memory_read_address <= to_unsigned(slice3cost_read_column, 9);
-  slice3cost_read_words_11_memory_write_address <= to_unsigned(slice4cost_ready_column, 9);
-  slice3cost_read_words_11_memory_write_data <= to_unsigned(slice3cost_write_words(11), 22);
-  slice3cost_read_words_11_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice3cost_read_words_11_memory_read_enable,
-      read_address => slice3cost_read_words_11_memory_read_address, read_data => slice3cost_read_words(11),
-      write_address => slice3cost_read_words_11_memory_write_address, write_data => slice3cost_read_words_11_memory_write_data);
-
-  slice3cost_read_words_10_memory_read_enable <= true;
-  slice3cost_read_words_10_memory_read_address <= to_unsigned(slice3cost_read_column, 9);
-  slice3cost_read_words_10_memory_write_address <= to_unsigned(slice4cost_ready_column, 9);
-  slice3cost_read_words_10_memory_write_data <= to_unsigned(slice3cost_write_words(10), 22);
-  slice3cost_read_words_10_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice3cost_read_words_10_memory_read_enable,
-      read_address => slice3cost_read_words_10_memory_read_address, read_data => slice3cost_read_words(10),
-      write_address => slice3cost_read_words_10_memory_write_address, write_data => slice3cost_read_words_10_memory_write_data);
-
-  slice3cost_read_words_9_memory_read_enable <= true;
-  slice3cost_read_words_9_memory_read_address <= to_unsigned(slice3cost_read_column, 9);
-  slice3cost_read_words_9_memory_write_address <= to_unsigned(slice4cost_ready_column, 9);
-  slice3cost_read_words_9_memory_write_data <= to_unsigned(slice3cost_write_words(9), 22);
-  slice3cost_read_words_9_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice3cost_read_words_9_memory_read_enable,
-      read_address => slice3cost_read_words_9_memory_read_address, read_data => slice3cost_read_words(9),
-      write_address => slice3cost_read_words_9_memory_write_address, write_data => slice3cost_read_words_9_memory_write_data);
-
-  slice3cost_read_words_8_memory_read_enable <= true;
-  slice3cost_read_words_8_memory_read_address <= to_unsigned(slice3cost_read_column, 9);
-  slice3cost_read_words_8_memory_write_address <= to_unsigned(slice4cost_ready_column, 9);
-  slice3cost_read_words_8_memory_write_data <= to_unsigned(slice3cost_write_words(8), 22);
-  slice3cost_read_words_8_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice3cost_read_words_8_memory_read_enable,
-      read_address => slice3cost_read_words_8_memory_read_address, read_data => slice3cost_read_words(8),
-      write_address => slice3cost_read_words_8_memory_write_address, write_data => slice3cost_read_words_8_memory_write_data);
-
-  slice3cost_read_words_7_memory_read_enable <= true;
-  slice3cost_read_words_7_memory_read_address <= to_unsigned(slice3cost_read_column, 9);
-  slice3cost_read_words_7_memory_write_address <= to_unsigned(slice4cost_ready_column, 9);
-  slice3cost_read_words_7_memory_write_data <= to_unsigned(slice3cost_write_words(7), 22);
-  slice3cost_read_words_7_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice3cost_read_words_7_memory_read_enable,
-      read_address => slice3cost_read_words_7_memory_read_address, read_data => slice3cost_read_words(7),
-      write_address => slice3cost_read_words_7_memory_write_address, write_data => slice3cost_read_words_7_memory_write_data);
-
-  slice3cost_read_words_6_memory_read_enable <= true;
-  slice3cost_read_words_6_memory_read_address <= to_unsigned(slice3cost_read_column, 9);
-  slice3cost_read_words_6_memory_write_address <= to_unsigned(slice4cost_ready_column, 9);
-  slice3cost_read_words_6_memory_write_data <= to_unsigned(slice3cost_write_words(6), 22);
-  slice3cost_read_words_6_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice3cost_read_words_6_memory_read_enable,
-      read_address => slice3cost_read_words_6_memory_read_address, read_data => slice3cost_read_words(6),
-      write_address => slice3cost_read_words_6_memory_write_address, write_data => slice3cost_read_words_6_memory_write_data);
-
-  slice3cost_read_words_5_memory_read_enable <= true;
-  slice3cost_read_words_5_memory_read_address <= to_unsigned(slice3cost_read_column, 9);
-  slice3cost_read_words_5_memory_write_address <= to_unsigned(slice4cost_ready_column, 9);
-  slice3cost_read_words_5_memory_write_data <= to_unsigned(slice3cost_write_words(5), 22);
-  slice3cost_read_words_5_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice3cost_read_words_5_memory_read_enable,
-      read_address => slice3cost_read_words_5_memory_read_address, read_data => slice3cost_read_words(5),
-      write_address => slice3cost_read_words_5_memory_write_address, write_data => slice3cost_read_words_5_memory_write_data);
-
-  slice3cost_read_words_4_memory_read_enable <= true;
-  slice3cost_read_words_4_memory_read_address <= to_unsigned(slice3cost_read_column, 9);
-  slice3cost_read_words_4_memory_write_address <= to_unsigned(slice4cost_ready_column, 9);
-  slice3cost_read_words_4_memory_write_data <= to_unsigned(slice3cost_write_words(4), 22);
-  slice3cost_read_words_4_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice3cost_read_words_4_memory_read_enable,
-      read_address => slice3cost_read_words_4_memory_read_address, read_data => slice3cost_read_words(4),
-      write_address => slice3cost_read_words_4_memory_write_address, write_data => slice3cost_read_words_4_memory_write_data);
-
-  slice3cost_read_words_3_memory_read_enable <= true;
-  slice3cost_read_words_3_memory_read_address <= to_unsigned(slice3cost_read_column, 9);
-  slice3cost_read_words_3_memory_write_address <= to_unsigned(slice4cost_ready_column, 9);
-  slice3cost_read_words_3_memory_write_data <= to_unsigned(slice3cost_write_words(3), 22);
-  slice3cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice3cost_read_words_3_memory_read_enable,
-      read_address => slice3cost_read_words_3_memory_read_address, read_data => slice3cost_read_words(3),
-      write_address => slice3cost_read_words_3_memory_write_address, write_data => slice3cost_read_words_3_memory_write_data);
-
-  slice3cost_read_words_2_memory_read_enable <= true;
-  slice3cost_read_words_2_memory_read_address <= to_unsigned(slice3cost_read_column, 9);
-  slice3cost_read_words_2_memory_write_address <= to_unsigned(slice4cost_ready_column, 9);
-  slice3cost_read_words_2_memory_write_data <= to_unsigned(slice3cost_write_words(2), 22);
-  slice3cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice3cost_read_words_2_memory_read_enable,
-      read_address => slice3cost_read_words_2_memory_read_address, read_data => slice3cost_read_words(2),
-      write_address => slice3cost_read_words_2_memory_write_address, write_data => slice3cost_read_words_2_memory_write_data);
-
-  slice3cost_read_words_1_memory_read_enable <= true;
-  slice3cost_read_words_1_memory_read_address <= to_unsigned(slice3cost_read_column, 9);
-  slice3cost_read_words_1_memory_write_address <= to_unsigned(slice4cost_ready_column, 9);
-  slice3cost_read_words_1_memory_write_data <= to_unsigned(slice3cost_write_words(1), 22);
-  slice3cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice3cost_read_words_1_memory_read_enable,
-      read_address => slice3cost_read_words_1_memory_read_address, read_data => slice3cost_read_words(1),
-      write_address => slice3cost_read_words_1_memory_write_address, write_data => slice3cost_read_words_1_memory_write_data);
-
-  slice3cost_read_words_0_memory_read_enable <= true;
-  slice3cost_read_words_0_memory_read_address <= to_unsigned(slice3cost_read_column, 9);
-  slice3cost_read_words_0_memory_write_address <= to_unsigned(slice4cost_ready_column, 9);
-  slice3cost_read_words_0_memory_write_data <= to_unsigned(slice3cost_write_words(0), 22);
-  slice3cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice3cost_read_words_0_memory_read_enable,
-      read_address => slice3cost_read_words_0_memory_read_address, read_data => slice3cost_read_words(0),
-      write_address => slice3cost_read_words_0_memory_write_address, write_data => slice3cost_read_words_0_memory_write_data);
-
-  slice2window_leaving_12_memory_read_enable <= true;
-  slice2window_leaving_12_memory_read_address <= to_unsigned(slice2window_ring_read_address, 3);
-  slice2window_leaving_12_memory_write_address <= to_unsigned(slice2window_ring_write_address, 3);
-  slice2window_leaving_12_memory_write_data <= to_unsigned(slice2cost_column_0(24), 11);
-  slice2window_leaving_12_memory : entity work.line_memory
-    generic map (depth => 8, width => 11, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice2window_leaving_12_memory_read_enable,
-      read_address => slice2window_leaving_12_memory_read_address, read_data => slice2window_leaving_12,
-      write_address => slice2window_leaving_12_memory_write_address, write_data => slice2window_leaving_12_memory_write_data);
-
-  slice2window_leaving_11_memory_read_enable <= true;
-  slice2window_leaving_11_memory_read_address <= to_unsigned(slice2window_ring_read_address, 3);
-  slice2window_leaving_11_memory_write_address <= to_unsigned(slice2window_ring_write_address, 3);
-  slice2window_leaving_11_memory_write_data <= to_unsigned(slice2cost_column_0(23), 11) & to_unsigned(slice2cost_column_0(22), 11);
-  slice2window_leaving_11_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice2window_leaving_11_memory_read_enable,
-      read_address => slice2window_leaving_11_memory_read_address, read_data => slice2window_leaving(11),
-      write_address => slice2window_leaving_11_memory_write_address, write_data => slice2window_leaving_11_memory_write_data);
-
-  slice2window_leaving_10_memory_read_enable <= true;
-  slice2window_leaving_10_memory_read_address <= to_unsigned(slice2window_ring_read_address, 3);
-  slice2window_leaving_10_memory_write_address <= to_unsigned(slice2window_ring_write_address, 3);
-  slice2window_leaving_10_memory_write_data <= to_unsigned(slice2cost_column_0(21), 11) & to_unsigned(slice2cost_column_0(20), 11);
-  slice2window_leaving_10_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice2window_leaving_10_memory_read_enable,
-      read_address => slice2window_leaving_10_memory_read_address, read_data => slice2window_leaving(10),
-      write_address => slice2window_leaving_10_memory_write_address, write_data => slice2window_leaving_10_memory_write_data);
-
-  slice2window_leaving_9_memory_read_enable <= true;
-  slice2window_leaving_9_memory_read_address <= to_unsigned(slice2window_ring_read_address, 3);
-  slice2window_leaving_9_memory_write_address <= to_unsigned(slice2window_ring_write_address, 3);
-  slice2window_leaving_9_memory_write_data <= to_unsigned(slice2cost_column_0(19), 11) & to_unsigned(slice2cost_column_0(18), 11);
-  slice2window_leaving_9_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice2window_leaving_9_memory_read_enable,
-      read_address => slice2window_leaving_9_memory_read_address, read_data => slice2window_leaving(9),
-      write_address => slice2window_leaving_9_memory_write_address, write_data => slice2window_leaving_9_memory_write_data);
-
-  slice2window_leaving_8_memory_read_enable <= true;
-  slice2window_leaving_8_memory_read_address <= to_unsigned(slice2window_ring_read_address, 3);
-  slice2window_leaving_8_memory_write_address <= to_unsigned(slice2window_ring_write_address, 3);
-  slice2window_leaving_8_memory_write_data <= to_unsigned(slice2cost_column_0(17), 11) & to_unsigned(slice2cost_column_0(16), 11);
-  slice2window_leaving_8_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice2window_leaving_8_memory_read_enable,
-      read_address => slice2window_leaving_8_memory_read_address, read_data => slice2window_leaving(8),
-      write_address => slice2window_leaving_8_memory_write_address, write_data => slice2window_leaving_8_memory_write_data);
-
-  slice2window_leaving_7_memory_read_enable <= true;
-  slice2window_leaving_7_memory_read_address <= to_unsigned(slice2window_ring_read_address, 3);
-  slice2window_leaving_7_memory_write_address <= to_unsigned(slice2window_ring_write_address, 3);
-  slice2window_leaving_7_memory_write_data <= to_unsigned(slice2cost_column_0(15), 11) & to_unsigned(slice2cost_column_0(14), 11);
-  slice2window_leaving_7_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice2window_leaving_7_memory_read_enable,
-      read_address => slice2window_leaving_7_memory_read_address, read_data => slice2window_leaving(7),
-      write_address => slice2window_leaving_7_memory_write_address, write_data => slice2window_leaving_7_memory_write_data);
-
-  slice2window_leaving_6_memory_read_enable <= true;
-  slice2window_leaving_6_memory_read_address <= to_unsigned(slice2window_ring_read_address, 3);
-  slice2window_leaving_6_memory_write_address <= to_unsigned(slice2window_ring_write_address, 3);
-  slice2window_leaving_6_memory_write_data <= to_unsigned(slice2cost_column_0(13), 11) & to_unsigned(slice2cost_column_0(12), 11);
-  slice2window_leaving_6_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice2window_leaving_6_memory_read_enable,
-      read_address => slice2window_leaving_6_memory_read_address, read_data => slice2window_leaving(6),
-      write_address => slice2window_leaving_6_memory_write_address, write_data => slice2window_leaving_6_memory_write_data);
-
-  slice2window_leaving_5_memory_read_enable <= true;
-  slice2window_leaving_5_memory_read_address <= to_unsigned(slice2window_ring_read_address, 3);
-  slice2window_leaving_5_memory_write_address <= to_unsigned(slice2window_ring_write_address, 3);
-  slice2window_leaving_5_memory_write_data <= to_unsigned(slice2cost_column_0(11), 11) & to_unsigned(slice2cost_column_0(10), 11);
-  slice2window_leaving_5_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice2window_leaving_5_memory_read_enable,
-      read_address => slice2window_leaving_5_memory_read_address, read_data => slice2window_leaving(5),
-      write_address => slice2window_leaving_5_memory_write_address, write_data => slice2window_leaving_5_memory_write_data);
-
-  slice2window_leaving_4_memory_read_enable <= true;
-  slice2window_leaving_4_memory_read_address <= to_unsigned(slice2window_ring_read_address, 3);
-  slice2window_leaving_4_memory_write_address <= to_unsigned(slice2window_ring_write_address, 3);
-  slice2window_leaving_4_memory_write_data <= to_unsigned(slice2cost_column_0(9), 11) & to_unsigned(slice2cost_column_0(8), 11);
-  slice2window_leaving_4_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice2window_leaving_4_memory_read_enable,
-      read_address => slice2window_leaving_4_memory_read_address, read_data => slice2window_leaving(4),
-      write_address => slice2window_leaving_4_memory_write_address, write_data => slice2window_leaving_4_memory_write_data);
-
-  slice2window_leaving_3_memory_read_enable <= true;
-  slice2window_leaving_3_memory_read_address <= to_unsigned(slice2window_ring_read_address, 3);
-  slice2window_leaving_3_memory_write_address <= to_unsigned(slice2window_ring_write_address, 3);
-  slice2window_leaving_3_memory_write_data <= to_unsigned(slice2cost_column_0(7), 11) & to_unsigned(slice2cost_column_0(6), 11);
-  slice2window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice2window_leaving_3_memory_read_enable,
-      read_address => slice2window_leaving_3_memory_read_address, read_data => slice2window_leaving(3),
-      write_address => slice2window_leaving_3_memory_write_address, write_data => slice2window_leaving_3_memory_write_data);
-
-  slice2window_leaving_2_memory_read_enable <= true;
-  slice2window_leaving_2_memory_read_address <= to_unsigned(slice2window_ring_read_address, 3);
-  slice2window_leaving_2_memory_write_address <= to_unsigned(slice2window_ring_write_address, 3);
-  slice2window_leaving_2_memory_write_data <= to_unsigned(slice2cost_column_0(5), 11) & to_unsigned(slice2cost_column_0(4), 11);
-  slice2window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice2window_leaving_2_memory_read_enable,
-      read_address => slice2window_leaving_2_memory_read_address, read_data => slice2window_leaving(2),
-      write_address => slice2window_leaving_2_memory_write_address, write_data => slice2window_leaving_2_memory_write_data);
-
-  slice2window_leaving_1_memory_read_enable <= true;
-  slice2window_leaving_1_memory_read_address <= to_unsigned(slice2window_ring_read_address, 3);
-  slice2window_leaving_1_memory_write_address <= to_unsigned(slice2window_ring_write_address, 3);
-  slice2window_leaving_1_memory_write_data <= to_unsigned(slice2cost_column_0(3), 11) & to_unsigned(slice2cost_column_0(2), 11);
-  slice2window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice2window_leaving_1_memory_read_enable,
-      read_address => slice2window_leaving_1_memory_read_address, read_data => slice2window_leaving(1),
-      write_address => slice2window_leaving_1_memory_write_address, write_data => slice2window_leaving_1_memory_write_data);
-
-  slice2window_leaving_0_memory_read_enable <= true;
-  slice2window_leaving_0_memory_read_address <= to_unsigned(slice2window_ring_read_address, 3);
-  slice2window_leaving_0_memory_write_address <= to_unsigned(slice2window_ring_write_address, 3);
-  slice2window_leaving_0_memory_write_data <= to_unsigned(slice2cost_column_0(1), 11) & to_unsigned(slice2cost_column_0(0), 11);
-  slice2window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice2window_leaving_0_memory_read_enable,
-      read_address => slice2window_leaving_0_memory_read_address, read_data => slice2window_leaving(0),
-      write_address => slice2window_leaving_0_memory_write_address, write_data => slice2window_leaving_0_memory_write_data);
-
-  slice2cost_read_words_12_memory_read_enable <= true;
-  slice2cost_read_words_12_memory_read_address <= to_unsigned(slice0cost_ready_column, 9);
-  slice2cost_read_words_12_memory_write_address <= to_unsigned(slice2cost_write_column, 9);
-  slice2cost_read_words_12_memory_write_data <= to_unsigned(slice2cost_write_words_12, 11);
-  slice2cost_read_words_12_memory : entity work.line_memory
-    generic map (depth => 320, width => 11, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice2cost_read_words_12_memory_read_enable,
-      read_address => slice2cost_read_words_12_memory_read_address, read_data => slice2cost_read_words_12,
-      write_address => slice2cost_read_words_12_memory_write_address, write_data => slice2cost_read_words_12_memory_write_data);
-
-  slice2cost_read_words_11_memory_read_enable <= true;
-  slice2cost_read_words_11_memory_read_address <= to_unsigned(slice0cost_ready_column, 9);
-  slice2cost_read_words_11_memory_write_address <= to_unsigned(slice2cost_write_column, 9);
-  slice2cost_read_words_11_memory_write_data <= to_unsigned(slice2cost_write_words(11), 22);
-  slice2cost_read_words_11_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice2cost_read_words_11_memory_read_enable,
-      read_address => slice2cost_read_words_11_memory_read_address, read_data => slice2cost_read_words(11),
-      write_address => slice2cost_read_words_11_memory_write_address, write_data => slice2cost_read_words_11_memory_write_data);
-
-  slice2cost_read_words_10_memory_read_enable <= true;
-  slice2cost_read_words_10_memory_read_address <= to_unsigned(slice0cost_ready_column, 9);
-  slice2cost_read_words_10_memory_write_address <= to_unsigned(slice2cost_write_column, 9);
-  slice2cost_read_words_10_memory_write_data <= to_unsigned(slice2cost_write_words(10), 22);
-  slice2cost_read_words_10_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice2cost_read_words_10_memory_read_enable,
-      read_address => slice2cost_read_words_10_memory_read_address, read_data => slice2cost_read_words(10),
-      write_address => slice2cost_read_words_10_memory_write_address, write_data => slice2cost_read_words_10_memory_write_data);
-
-  slice2cost_read_words_9_memory_read_enable <= true;
-  slice2cost_read_words_9_memory_read_address <= to_unsigned(slice0cost_ready_column, 9);
-  slice2cost_read_words_9_memory_write_address <= to_unsigned(slice2cost_write_column, 9);
-  slice2cost_read_words_9_memory_write_data <= to_unsigned(slice2cost_write_words(9), 22);
-  slice2cost_read_words_9_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice2cost_read_words_9_memory_read_enable,
-      read_address => slice2cost_read_words_9_memory_read_address, read_data => slice2cost_read_words(9),
-      write_address => slice2cost_read_words_9_memory_write_address, write_data => slice2cost_read_words_9_memory_write_data);
-
-  slice2cost_read_words_8_memory_read_enable <= true;
-  slice2cost_read_words_8_memory_read_address <= to_unsigned(slice0cost_ready_column, 9);
-  slice2cost_read_words_8_memory_write_address <= to_unsigned(slice2cost_write_column, 9);
-  slice2cost_read_words_8_memory_write_data <= to_unsigned(slice2cost_write_words(8), 22);
-  slice2cost_read_words_8_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice2cost_read_words_8_memory_read_enable,
-      read_address => slice2cost_read_words_8_memory_read_address, read_data => slice2cost_read_words(8),
-      write_address => slice2cost_read_words_8_memory_write_address, write_data => slice2cost_read_words_8_memory_write_data);
-
-  slice2cost_read_words_7_memory_read_enable <= true;
-  slice2cost_read_words_7_memory_read_address <= to_unsigned(slice0cost_ready_column, 9);
-  slice2cost_read_words_7_memory_write_address <= to_unsigned(slice2cost_write_column, 9);
-  slice2cost_read_words_7_memory_write_data <= to_unsigned(slice2cost_write_words(7), 22);
-  slice2cost_read_words_7_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice2cost_read_words_7_memory_read_enable,
-      read_address => slice2cost_read_words_7_memory_read_address, read_data => slice2cost_read_words(7),
-      write_address => slice2cost_read_words_7_memory_write_address, write_data => slice2cost_read_words_7_memory_write_data);
-
-  slice2cost_read_words_6_memory_read_enable <= true;
-  slice2cost_read_words_6_memory_read_address <= to_unsigned(slice0cost_ready_column, 9);
-  slice2cost_read_words_6_memory_write_address <= to_unsigned(slice2cost_write_column, 9);
-  slice2cost_read_words_6_memory_write_data <= to_unsigned(slice2cost_write_words(6), 22);
-  slice2cost_read_words_6_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice2cost_read_words_6_memory_read_enable,
-      read_address => slice2cost_read_words_6_memory_read_address, read_data => slice2cost_read_words(6),
-      write_address => slice2cost_read_words_6_memory_write_address, write_data => slice2cost_read_words_6_memory_write_data);
-
-  slice2cost_read_words_5_memory_read_enable <= true;
-  slice2cost_read_words_5_memory_read_address <= to_unsigned(slice0cost_ready_column, 9);
-  slice2cost_read_words_5_memory_write_address <= to_unsigned(slice2cost_write_column, 9);
-  slice2cost_read_words_5_memory_write_data <= to_unsigned(slice2cost_write_words(5), 22);
-  slice2cost_read_words_5_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice2cost_read_words_5_memory_read_enable,
-      read_address => slice2cost_read_words_5_memory_read_address, read_data => slice2cost_read_words(5),
-      write_address => slice2cost_read_words_5_memory_write_address, write_data => slice2cost_read_words_5_memory_write_data);
-
-  slice2cost_read_words_4_memory_read_enable <= true;
-  slice2cost_read_words_4_memory_read_address <= to_unsigned(slice0cost_ready_column, 9);
-  slice2cost_read_words_4_memory_write_address <= to_unsigned(slice2cost_write_column, 9);
-  slice2cost_read_words_4_memory_write_data <= to_unsigned(slice2cost_write_words(4), 22);
-  slice2cost_read_words_4_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice2cost_read_words_4_memory_read_enable,
-      read_address => slice2cost_read_words_4_memory_read_address, read_data => slice2cost_read_words(4),
-      write_address => slice2cost_read_words_4_memory_write_address, write_data => slice2cost_read_words_4_memory_write_data);
-
-  slice2cost_read_words_3_memory_read_enable <= true;
-  slice2cost_read_words_3_memory_read_address <= to_unsigned(slice0cost_ready_column, 9);
-  slice2cost_read_words_3_memory_write_address <= to_unsigned(slice2cost_write_column, 9);
-  slice2cost_read_words_3_memory_write_data <= to_unsigned(slice2cost_write_words(3), 22);
-  slice2cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice2cost_read_words_3_memory_read_enable,
-      read_address => slice2cost_read_words_3_memory_read_address, read_data => slice2cost_read_words(3),
-      write_address => slice2cost_read_words_3_memory_write_address, write_data => slice2cost_read_words_3_memory_write_data);
-
-  slice2cost_read_words_2_memory_read_enable <= true;
-  slice2cost_read_words_2_memory_read_address <= to_unsigned(slice0cost_ready_column, 9);
-  slice2cost_read_words_2_memory_write_address <= to_unsigned(slice2cost_write_column, 9);
-  slice2cost_read_words_2_memory_write_data <= to_unsigned(slice2cost_write_words(2), 22);
-  slice2cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice2cost_read_words_2_memory_read_enable,
-      read_address => slice2cost_read_words_2_memory_read_address, read_data => slice2cost_read_words(2),
-      write_address => slice2cost_read_words_2_memory_write_address, write_data => slice2cost_read_words_2_memory_write_data);
-
-  slice2cost_read_words_1_memory_read_enable <= true;
-  slice2cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_ready_column, 9);
-  slice2cost_read_words_1_memory_write_address <= to_unsigned(slice2cost_write_column, 9);
-  slice2cost_read_words_1_memory_write_data <= to_unsigned(slice2cost_write_words(1), 22);
-  slice2cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice2cost_read_words_1_memory_read_enable,
-      read_address => slice2cost_read_words_1_memory_read_address, read_data => slice2cost_read_words(1),
-      write_address => slice2cost_read_words_1_memory_write_address, write_data => slice2cost_read_words_1_memory_write_data);
-
-  slice2cost_read_words_0_memory_read_enable <= true;
-  slice2cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_ready_column, 9);
-  slice2cost_read_words_0_memory_write_address <= to_unsigned(slice2cost_write_column, 9);
-  slice2cost_read_words_0_memory_write_data <= to_unsigned(slice2cost_write_words(0), 22);
-  slice2cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice2cost_read_words_0_memory_read_enable,
-      read_address => slice2cost_read_words_0_memory_read_address, read_data => slice2cost_read_words(0),
-      write_address => slice2cost_read_words_0_memory_write_address, write_data => slice2cost_read_words_0_memory_write_data);
-
-  slice1window_leaving_12_memory_read_enable <= true;
-  slice1window_leaving_12_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
-  slice1window_leaving_12_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
-  slice1window_leaving_12_memory_write_data <= to_unsigned(slice1cost_column_0(24), 11);
-  slice1window_leaving_12_memory : entity work.line_memory
-    generic map (depth => 8, width => 11, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_12_memory_read_enable,
-      read_address => slice1window_leaving_12_memory_read_address, read_data => slice1window_leaving_12,
-      write_address => slice1window_leaving_12_memory_write_address, write_data => slice1window_leaving_12_memory_write_data);
-
-  slice1window_leaving_11_memory_read_enable <= true;
-  slice1window_leaving_11_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
-  slice1window_leaving_11_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
-  slice1window_leaving_11_memory_write_data <= to_unsigned(slice1cost_column_0(23), 11) & to_unsigned(slice1cost_column_0(22), 11);
-  slice1window_leaving_11_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_11_memory_read_enable,
-      read_address => slice1window_leaving_11_memory_read_address, read_data => slice1window_leaving(11),
-      write_address => slice1window_leaving_11_memory_write_address, write_data => slice1window_leaving_11_memory_write_data);
-
-  slice1window_leaving_10_memory_read_enable <= true;
-  slice1window_leaving_10_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
-  slice1window_leaving_10_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
-  slice1window_leaving_10_memory_write_data <= to_unsigned(slice1cost_column_0(21), 11) & to_unsigned(slice1cost_column_0(20), 11);
-  slice1window_leaving_10_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_10_memory_read_enable,
-      read_address => slice1window_leaving_10_memory_read_address, read_data => slice1window_leaving(10),
-      write_address => slice1window_leaving_10_memory_write_address, write_data => slice1window_leaving_10_memory_write_data);
-
-  slice1window_leaving_9_memory_read_enable <= true;
-  slice1window_leaving_9_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
-  slice1window_leaving_9_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
-  slice1window_leaving_9_memory_write_data <= to_unsigned(slice1cost_column_0(19), 11) & to_unsigned(slice1cost_column_0(18), 11);
-  slice1window_leaving_9_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_9_memory_read_enable,
-      read_address => slice1window_leaving_9_memory_read_address, read_data => slice1window_leaving(9),
-      write_address => slice1window_leaving_9_memory_write_address, write_data => slice1window_leaving_9_memory_write_data);
-
-  slice1window_leaving_8_memory_read_enable <= true;
-  slice1window_leaving_8_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
-  slice1window_leaving_8_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
-  slice1window_leaving_8_memory_write_data <= to_unsigned(slice1cost_column_0(17), 11) & to_unsigned(slice1cost_column_0(16), 11);
-  slice1window_leaving_8_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_8_memory_read_enable,
-      read_address => slice1window_leaving_8_memory_read_address, read_data => slice1window_leaving(8),
-      write_address => slice1window_leaving_8_memory_write_address, write_data => slice1window_leaving_8_memory_write_data);
-
-  slice1window_leaving_7_memory_read_enable <= true;
-  slice1window_leaving_7_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
-  slice1window_leaving_7_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
-  slice1window_leaving_7_memory_write_data <= to_unsigned(slice1cost_column_0(15), 11) & to_unsigned(slice1cost_column_0(14), 11);
-  slice1window_leaving_7_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_7_memory_read_enable,
-      read_address => slice1window_leaving_7_memory_read_address, read_data => slice1window_leaving(7),
-      write_address => slice1window_leaving_7_memory_write_address, write_data => slice1window_leaving_7_memory_write_data);
-
-  slice1window_leaving_6_memory_read_enable <= true;
-  slice1window_leaving_6_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
-  slice1window_leaving_6_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
-  slice1window_leaving_6_memory_write_data <= to_unsigned(slice1cost_column_0(13), 11) & to_unsigned(slice1cost_column_0(12), 11);
-  slice1window_leaving_6_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_6_memory_read_enable,
-      read_address => slice1window_leaving_6_memory_read_address, read_data => slice1window_leaving(6),
-      write_address => slice1window_leaving_6_memory_write_address, write_data => slice1window_leaving_6_memory_write_data);
-
-  slice1window_leaving_5_memory_read_enable <= true;
-  slice1window_leaving_5_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
-  slice1window_leaving_5_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
-  slice1window_leaving_5_memory_write_data <= to_unsigned(slice1cost_column_0(11), 11) & to_unsigned(slice1cost_column_0(10), 11);
-  slice1window_leaving_5_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_5_memory_read_enable,
-      read_address => slice1window_leaving_5_memory_read_address, read_data => slice1window_leaving(5),
-      write_address => slice1window_leaving_5_memory_write_address, write_data => slice1window_leaving_5_memory_write_data);
-
-  slice1window_leaving_4_memory_read_enable <= true;
-  slice1window_leaving_4_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
-  slice1window_leaving_4_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
-  slice1window_leaving_4_memory_write_data <= to_unsigned(slice1cost_column_0(9), 11) & to_unsigned(slice1cost_column_0(8), 11);
-  slice1window_leaving_4_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_4_memory_read_enable,
-      read_address => slice1window_leaving_4_memory_read_address, read_data => slice1window_leaving(4),
-      write_address => slice1window_leaving_4_memory_write_address, write_data => slice1window_leaving_4_memory_write_data);
-
-  slice1window_leaving_3_memory_read_enable <= true;
-  slice1window_leaving_3_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
-  slice1window_leaving_3_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
-  slice1window_leaving_3_memory_write_data <= to_unsigned(slice1cost_column_0(7), 11) & to_unsigned(slice1cost_column_0(6), 11);
-  slice1window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_3_memory_read_enable,
-      read_address => slice1window_leaving_3_memory_read_address, read_data => slice1window_leaving(3),
-      write_address => slice1window_leaving_3_memory_write_address, write_data => slice1window_leaving_3_memory_write_data);
-
-  slice1window_leaving_2_memory_read_enable <= true;
-  slice1window_leaving_2_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
-  slice1window_leaving_2_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
-  slice1window_leaving_2_memory_write_data <= to_unsigned(slice1cost_column_0(5), 11) & to_unsigned(slice1cost_column_0(4), 11);
-  slice1window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_2_memory_read_enable,
-      read_address => slice1window_leaving_2_memory_read_address, read_data => slice1window_leaving(2),
-      write_address => slice1window_leaving_2_memory_write_address, write_data => slice1window_leaving_2_memory_write_data);
-
-  slice1window_leaving_1_memory_read_enable <= true;
-  slice1window_leaving_1_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
-  slice1window_leaving_1_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
-  slice1window_leaving_1_memory_write_data <= to_unsigned(slice1cost_column_0(3), 11) & to_unsigned(slice1cost_column_0(2), 11);
-  slice1window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_1_memory_read_enable,
-      read_address => slice1window_leaving_1_memory_read_address, read_data => slice1window_leaving(1),
-      write_address => slice1window_leaving_1_memory_write_address, write_data => slice1window_leaving_1_memory_write_data);
-
-  slice1window_leaving_0_memory_read_enable <= true;
-  slice1window_leaving_0_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
-  slice1window_leaving_0_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
-  slice1window_leaving_0_memory_write_data <= to_unsigned(slice1cost_column_0(1), 11) & to_unsigned(slice1cost_column_0(0), 11);
-  slice1window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_0_memory_read_enable,
-      read_address => slice1window_leaving_0_memory_read_address, read_data => slice1window_leaving(0),
-      write_address => slice1window_leaving_0_memory_write_address, write_data => slice1window_leaving_0_memory_write_data);
-
-  slice1cost_read_words_12_memory_read_enable <= true;
-  slice1cost_read_words_12_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
-  slice1cost_read_words_12_memory_write_address <= to_unsigned(slice2cost_ready_column, 9);
-  slice1cost_read_words_12_memory_write_data <= to_unsigned(slice1cost_write_words_12, 11);
-  slice1cost_read_words_12_memory : entity work.line_memory
-    generic map (depth => 320, width => 11, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_12_memory_read_enable,
-      read_address => slice1cost_read_words_12_memory_read_address, read_data => slice1cost_read_words_12,
-      write_address => slice1cost_read_words_12_memory_write_address, write_data => slice1cost_read_words_12_memory_write_data);
-
-  slice1cost_read_words_11_memory_read_enable <= true;
-  slice1cost_read_words_11_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
-  slice1cost_read_words_11_memory_write_address <= to_unsigned(slice2cost_ready_column, 9);
-  slice1cost_read_words_11_memory_write_data <= to_unsigned(slice1cost_write_words(11), 22);
-  slice1cost_read_words_11_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_11_memory_read_enable,
-      read_address => slice1cost_read_words_11_memory_read_address, read_data => slice1cost_read_words(11),
-      write_address => slice1cost_read_words_11_memory_write_address, write_data => slice1cost_read_words_11_memory_write_data);
-
-  slice1cost_read_words_10_memory_read_enable <= true;
-  slice1cost_read_words_10_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
-  slice1cost_read_words_10_memory_write_address <= to_unsigned(slice2cost_ready_column, 9);
-  slice1cost_read_words_10_memory_write_data <= to_unsigned(slice1cost_write_words(10), 22);
-  slice1cost_read_words_10_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_10_memory_read_enable,
-      read_address => slice1cost_read_words_10_memory_read_address, read_data => slice1cost_read_words(10),
-      write_address => slice1cost_read_words_10_memory_write_address, write_data => slice1cost_read_words_10_memory_write_data);
-
-  slice1cost_read_words_9_memory_read_enable <= true;
-  slice1cost_read_words_9_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
-  slice1cost_read_words_9_memory_write_address <= to_unsigned(slice2cost_ready_column, 9);
-  slice1cost_read_words_9_memory_write_data <= to_unsigned(slice1cost_write_words(9), 22);
-  slice1cost_read_words_9_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_9_memory_read_enable,
-      read_address => slice1cost_read_words_9_memory_read_address, read_data => slice1cost_read_words(9),
-      write_address => slice1cost_read_words_9_memory_write_address, write_data => slice1cost_read_words_9_memory_write_data);
-
-  slice1cost_read_words_8_memory_read_enable <= true;
-  slice1cost_read_words_8_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
-  slice1cost_read_words_8_memory_write_address <= to_unsigned(slice2cost_ready_column, 9);
-  slice1cost_read_words_8_memory_write_data <= to_unsigned(slice1cost_write_words(8), 22);
-  slice1cost_read_words_8_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_8_memory_read_enable,
-      read_address => slice1cost_read_words_8_memory_read_address, read_data => slice1cost_read_words(8),
-      write_address => slice1cost_read_words_8_memory_write_address, write_data => slice1cost_read_words_8_memory_write_data);
-
-  slice1cost_read_words_7_memory_read_enable <= true;
-  slice1cost_read_words_7_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
-  slice1cost_read_words_7_memory_write_address <= to_unsigned(slice2cost_ready_column, 9);
-  slice1cost_read_words_7_memory_write_data <= to_unsigned(slice1cost_write_words(7), 22);
-  slice1cost_read_words_7_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_7_memory_read_enable,
-      read_address => slice1cost_read_words_7_memory_read_address, read_data => slice1cost_read_words(7),
-      write_address => slice1cost_read_words_7_memory_write_address, write_data => slice1cost_read_words_7_memory_write_data);
-
-  slice1cost_read_words_6_memory_read_enable <= true;
-  slice1cost_read_words_6_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
-  slice1cost_read_words_6_memory_write_address <= to_unsigned(slice2cost_ready_column, 9);
-  slice1cost_read_words_6_memory_write_data <= to_unsigned(slice1cost_write_words(6), 22);
-  slice1cost_read_words_6_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_6_memory_read_enable,
-      read_address => slice1cost_read_words_6_memory_read_address, read_data => slice1cost_read_words(6),
-      write_address => slice1cost_read_words_6_memory_write_address, write_data => slice1cost_read_words_6_memory_write_data);
-
-  slice1cost_read_words_5_memory_read_enable <= true;
-  slice1cost_read_words_5_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
-  slice1cost_read_words_5_memory_write_address <= to_unsigned(slice2cost_ready_column, 9);
-  slice1cost_read_words_5_memory_write_data <= to_unsigned(slice1cost_write_words(5), 22);
-  slice1cost_read_words_5_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_5_memory_read_enable,
-      read_address => slice1cost_read_words_5_memory_read_address, read_data => slice1cost_read_words(5),
-      write_address => slice1cost_read_words_5_memory_write_address, write_data => slice1cost_read_words_5_memory_write_data);
-
-  slice1cost_read_words_4_memory_read_enable <= true;
-  slice1cost_read_words_4_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
-  slice1cost_read_words_4_memory_write_address <= to_unsigned(slice2cost_ready_column, 9);
-  slice1cost_read_words_4_memory_write_data <= to_unsigned(slice1cost_write_words(4), 22);
-  slice1cost_read_words_4_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_4_memory_read_enable,
-      read_address => slice1cost_read_words_4_memory_read_address, read_data => slice1cost_read_words(4),
-      write_address => slice1cost_read_words_4_memory_write_address, write_data => slice1cost_read_words_4_memory_write_data);
-
-  slice1cost_read_words_3_memory_read_enable <= true;
-  slice1cost_read_words_3_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
-  slice1cost_read_words_3_memory_write_address <= to_unsigned(slice2cost_ready_column, 9);
-  slice1cost_read_words_3_memory_write_data <= to_unsigned(slice1cost_write_words(3), 22);
-  slice1cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_3_memory_read_enable,
-      read_address => slice1cost_read_words_3_memory_read_address, read_data => slice1cost_read_words(3),
-      write_address => slice1cost_read_words_3_memory_write_address, write_data => slice1cost_read_words_3_memory_write_data);
-
-  slice1cost_read_words_2_memory_read_enable <= true;
-  slice1cost_read_words_2_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
-  slice1cost_read_words_2_memory_write_address <= to_unsigned(slice2cost_ready_column, 9);
-  slice1cost_read_words_2_memory_write_data <= to_unsigned(slice1cost_write_words(2), 22);
-  slice1cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_2_memory_read_enable,
-      read_address => slice1cost_read_words_2_memory_read_address, read_data => slice1cost_read_words(2),
-      write_address => slice1cost_read_words_2_memory_write_address, write_data => slice1cost_read_words_2_memory_write_data);
-
-  slice1cost_read_words_1_memory_read_enable <= true;
-  slice1cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
-  slice1cost_read_words_1_memory_write_address <= to_unsigned(slice2cost_ready_column, 9);
-  slice1cost_read_words_1_memory_write_data <= to_unsigned(slice1cost_write_words(1), 22);
-  slice1cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_1_memory_read_enable,
-      read_address => slice1cost_read_words_1_memory_read_address, read_data => slice1cost_read_words(1),
-      write_address => slice1cost_read_words_1_memory_write_address, write_data => slice1cost_read_words_1_memory_write_data);
-
-  slice1cost_read_words_0_memory_read_enable <= true;
-  slice1cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
-  slice1cost_read_words_0_memory_write_address <= to_unsigned(slice2cost_ready_column, 9);
-  slice1cost_read_words_0_memory_write_data <= to_unsigned(slice1cost_write_words(0), 22);
-  slice1cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_0_memory_read_enable,
-      read_address => slice1cost_read_words_0_memory_read_address, read_data => slice1cost_read_words(0),
-      write_address => slice1cost_read_words_0_memory_write_address, write_data => slice1cost_read_words_0_memory_write_data);
-
-  slice0window_leaving_12_memory_read_enable <= true;
-  slice0window_leaving_12_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
-  slice0window_leaving_12_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_12_memory_write_data <= to_unsigned(slice0cost_column_0(24), 11);
-  slice0window_leaving_12_memory : entity work.line_memory
-    generic map (depth => 8, width => 11, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_12_memory_read_enable,
-      read_address => slice0window_leaving_12_memory_read_address, read_data => slice0window_leaving_12,
-      write_address => slice0window_leaving_12_memory_write_address, write_data => slice0window_leaving_12_memory_write_data);
-
-  slice0window_leaving_11_memory_read_enable <= true;
-  slice0window_leaving_11_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
-  slice0window_leaving_11_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_11_memory_write_data <= to_unsigned(slice0cost_column_0(23), 11) & to_unsigned(slice0cost_column_0(22), 11);
-  slice0window_leaving_11_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_11_memory_read_enable,
-      read_address => slice0window_leaving_11_memory_read_address, read_data => slice0window_leaving(11),
-      write_address => slice0window_leaving_11_memory_write_address, write_data => slice0window_leaving_11_memory_write_data);
-
-  slice0window_leaving_10_memory_read_enable <= true;
-  slice0window_leaving_10_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
-  slice0window_leaving_10_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_10_memory_write_data <= to_unsigned(slice0cost_column_0(21), 11) & to_unsigned(slice0cost_column_0(20), 11);
-  slice0window_leaving_10_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_10_memory_read_enable,
-      read_address => slice0window_leaving_10_memory_read_address, read_data => slice0window_leaving(10),
-      write_address => slice0window_leaving_10_memory_write_address, write_data => slice0window_leaving_10_memory_write_data);
-
-  slice0window_leaving_9_memory_read_enable <= true;
-  slice0window_leaving_9_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
-  slice0window_leaving_9_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_9_memory_write_data <= to_unsigned(slice0cost_column_0(19), 11) & to_unsigned(slice0cost_column_0(18), 11);
-  slice0window_leaving_9_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_9_memory_read_enable,
-      read_address => slice0window_leaving_9_memory_read_address, read_data => slice0window_leaving(9),
-      write_address => slice0window_leaving_9_memory_write_address, write_data => slice0window_leaving_9_memory_write_data);
-
-  slice0window_leaving_8_memory_read_enable <= true;
-  slice0window_leaving_8_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
-  slice0window_leaving_8_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_8_memory_write_data <= to_unsigned(slice0cost_column_0(17), 11) & to_unsigned(slice0cost_column_0(16), 11);
-  slice0window_leaving_8_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_8_memory_read_enable,
-      read_address => slice0window_leaving_8_memory_read_address, read_data => slice0window_leaving(8),
-      write_address => slice0window_leaving_8_memory_write_address, write_data => slice0window_leaving_8_memory_write_data);
-
-  slice0window_leaving_7_memory_read_enable <= true;
-  slice0window_leaving_7_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
-  slice0window_leaving_7_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_7_memory_write_data <= to_unsigned(slice0cost_column_0(15), 11) & to_unsigned(slice0cost_column_0(14), 11);
-  slice0window_leaving_7_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_7_memory_read_enable,
-      read_address => slice0window_leaving_7_memory_read_address, read_data => slice0window_leaving(7),
-      write_address => slice0window_leaving_7_memory_write_address, write_data => slice0window_leaving_7_memory_write_data);
-
-  slice0window_leaving_6_memory_read_enable <= true;
-  slice0window_leaving_6_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
-  slice0window_leaving_6_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_6_memory_write_data <= to_unsigned(slice0cost_column_0(13), 11) & to_unsigned(slice0cost_column_0(12), 11);
-  slice0window_leaving_6_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_6_memory_read_enable,
-      read_address => slice0window_leaving_6_memory_read_address, read_data => slice0window_leaving(6),
-      write_address => slice0window_leaving_6_memory_write_address, write_data => slice0window_leaving_6_memory_write_data);
-
-  slice0window_leaving_5_memory_read_enable <= true;
-  slice0window_leaving_5_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
-  slice0window_leaving_5_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_5_memory_write_data <= to_unsigned(slice0cost_column_0(11), 11) & to_unsigned(slice0cost_column_0(10), 11);
-  slice0window_leaving_5_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_5_memory_read_enable,
-      read_address => slice0window_leaving_5_memory_read_address, read_data => slice0window_leaving(5),
-      write_address => slice0window_leaving_5_memory_write_address, write_data => slice0window_leaving_5_memory_write_data);
-
-  slice0window_leaving_4_memory_read_enable <= true;
-  slice0window_leaving_4_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
-  slice0window_leaving_4_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_4_memory_write_data <= to_unsigned(slice0cost_column_0(9), 11) & to_unsigned(slice0cost_column_0(8), 11);
-  slice0window_leaving_4_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_4_memory_read_enable,
-      read_address => slice0window_leaving_4_memory_read_address, read_data => slice0window_leaving(4),
-      write_address => slice0window_leaving_4_memory_write_address, write_data => slice0window_leaving_4_memory_write_data);
-
-  slice0window_leaving_3_memory_read_enable <= true;
-  slice0window_leaving_3_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
-  slice0window_leaving_3_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_3_memory_write_data <= to_unsigned(slice0cost_column_0(7), 11) & to_unsigned(slice0cost_column_0(6), 11);
-  slice0window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_3_memory_read_enable,
-      read_address => slice0window_leaving_3_memory_read_address, read_data => slice0window_leaving(3),
-      write_address => slice0window_leaving_3_memory_write_address, write_data => slice0window_leaving_3_memory_write_data);
-
-  slice0window_leaving_2_memory_read_enable <= true;
-  slice0window_leaving_2_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
-  slice0window_leaving_2_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_2_memory_write_data <= to_unsigned(slice0cost_column_0(5), 11) & to_unsigned(slice0cost_column_0(4), 11);
-  slice0window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_2_memory_read_enable,
-      read_address => slice0window_leaving_2_memory_read_address, read_data => slice0window_leaving(2),
-      write_address => slice0window_leaving_2_memory_write_address, write_data => slice0window_leaving_2_memory_write_data);
-
-  slice0window_leaving_1_memory_read_enable <= true;
-  slice0window_leaving_1_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
-  slice0window_leaving_1_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_1_memory_write_data <= to_unsigned(slice0cost_column_0(3), 11) & to_unsigned(slice0cost_column_0(2), 11);
-  slice0window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_1_memory_read_enable,
-      read_address => slice0window_leaving_1_memory_read_address, read_data => slice0window_leaving(1),
-      write_address => slice0window_leaving_1_memory_write_address, write_data => slice0window_leaving_1_memory_write_data);
-
-  slice0window_leaving_0_memory_read_enable <= true;
-  slice0window_leaving_0_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
-  slice0window_leaving_0_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
-  slice0window_leaving_0_memory_write_data <= to_unsigned(slice0cost_column_0(1), 11) & to_unsigned(slice0cost_column_0(0), 11);
-  slice0window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 22, address_bits => 3)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_0_memory_read_enable,
-      read_address => slice0window_leaving_0_memory_read_address, read_data => slice0window_leaving(0),
-      write_address => slice0window_leaving_0_memory_write_address, write_data => slice0window_leaving_0_memory_write_data);
-
-  slice0cost_read_words_12_memory_read_enable <= true;
-  slice0cost_read_words_12_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
-  slice0cost_read_words_12_memory_write_address <= to_unsigned(slice2cost_change_column, 9);
-  slice0cost_read_words_12_memory_write_data <= to_unsigned(slice0cost_write_words_12, 11);
-  slice0cost_read_words_12_memory : entity work.line_memory
-    generic map (depth => 320, width => 11, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_12_memory_read_enable,
-      read_address => slice0cost_read_words_12_memory_read_address, read_data => slice0cost_read_words_12,
-      write_address => slice0cost_read_words_12_memory_write_address, write_data => slice0cost_read_words_12_memory_write_data);
-
-  slice0cost_read_words_11_memory_read_enable <= true;
-  slice0cost_read_words_11_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
-  slice0cost_read_words_11_memory_write_address <= to_unsigned(slice2cost_change_column, 9);
-  slice0cost_read_words_11_memory_write_data <= to_unsigned(slice0cost_write_words(11), 22);
-  slice0cost_read_words_11_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_11_memory_read_enable,
-      read_address => slice0cost_read_words_11_memory_read_address, read_data => slice0cost_read_words(11),
-      write_address => slice0cost_read_words_11_memory_write_address, write_data => slice0cost_read_words_11_memory_write_data);
-
-  slice0cost_read_words_10_memory_read_enable <= true;
-  slice0cost_read_words_10_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
-  slice0cost_read_words_10_memory_write_address <= to_unsigned(slice2cost_change_column, 9);
-  slice0cost_read_words_10_memory_write_data <= to_unsigned(slice0cost_write_words(10), 22);
-  slice0cost_read_words_10_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_10_memory_read_enable,
-      read_address => slice0cost_read_words_10_memory_read_address, read_data => slice0cost_read_words(10),
-      write_address => slice0cost_read_words_10_memory_write_address, write_data => slice0cost_read_words_10_memory_write_data);
-
-  slice0cost_read_words_9_memory_read_enable <= true;
-  slice0cost_read_words_9_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
-  slice0cost_read_words_9_memory_write_address <= to_unsigned(slice2cost_change_column, 9);
-  slice0cost_read_words_9_memory_write_data <= to_unsigned(slice0cost_write_words(9), 22);
-  slice0cost_read_words_9_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_9_memory_read_enable,
-      read_address => slice0cost_read_words_9_memory_read_address, read_data => slice0cost_read_words(9),
-      write_address => slice0cost_read_words_9_memory_write_address, write_data => slice0cost_read_words_9_memory_write_data);
-
-  slice0cost_read_words_8_memory_read_enable <= true;
-  slice0cost_read_words_8_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
-  slice0cost_read_words_8_memory_write_address <= to_unsigned(slice2cost_change_column, 9);
-  slice0cost_read_words_8_memory_write_data <= to_unsigned(slice0cost_write_words(8), 22);
-  slice0cost_read_words_8_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_8_memory_read_enable,
-      read_address => slice0cost_read_words_8_memory_read_address, read_data => slice0cost_read_words(8),
-      write_address => slice0cost_read_words_8_memory_write_address, write_data => slice0cost_read_words_8_memory_write_data);
-
-  slice0cost_read_words_7_memory_read_enable <= true;
-  slice0cost_read_words_7_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
-  slice0cost_read_words_7_memory_write_address <= to_unsigned(slice2cost_change_column, 9);
-  slice0cost_read_words_7_memory_write_data <= to_unsigned(slice0cost_write_words(7), 22);
-  slice0cost_read_words_7_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_7_memory_read_enable,
-      read_address => slice0cost_read_words_7_memory_read_address, read_data => slice0cost_read_words(7),
-      write_address => slice0cost_read_words_7_memory_write_address, write_data => slice0cost_read_words_7_memory_write_data);
-
-  slice0cost_read_words_6_memory_read_enable <= true;
-  slice0cost_read_words_6_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
-  slice0cost_read_words_6_memory_write_address <= to_unsigned(slice2cost_change_column, 9);
-  slice0cost_read_words_6_memory_write_data <= to_unsigned(slice0cost_write_words(6), 22);
-  slice0cost_read_words_6_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_6_memory_read_enable,
-      read_address => slice0cost_read_words_6_memory_read_address, read_data => slice0cost_read_words(6),
-      write_address => slice0cost_read_words_6_memory_write_address, write_data => slice0cost_read_words_6_memory_write_data);
-
-  slice0cost_read_words_5_memory_read_enable <= true;
-  slice0cost_read_words_5_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
-  slice0cost_read_words_5_memory_write_address <= to_unsigned(slice2cost_change_column, 9);
-  slice0cost_read_words_5_memory_write_data <= to_unsigned(slice0cost_write_words(5), 22);
-  slice0cost_read_words_5_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_5_memory_read_enable,
-      read_address => slice0cost_read_words_5_memory_read_address, read_data => slice0cost_read_words(5),
-      write_address => slice0cost_read_words_5_memory_write_address, write_data => slice0cost_read_words_5_memory_write_data);
-
-  slice0cost_read_words_4_memory_read_enable <= true;
-  slice0cost_read_words_4_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
-  slice0cost_read_words_4_memory_write_address <= to_unsigned(slice2cost_change_column, 9);
-  slice0cost_read_words_4_memory_write_data <= to_unsigned(slice0cost_write_words(4), 22);
-  slice0cost_read_words_4_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_4_memory_read_enable,
-      read_address => slice0cost_read_words_4_memory_read_address, read_data => slice0cost_read_words(4),
-      write_address => slice0cost_read_words_4_memory_write_address, write_data => slice0cost_read_words_4_memory_write_data);
-
-  slice0cost_read_words_3_memory_read_enable <= true;
-  slice0cost_read_words_3_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
-  slice0cost_read_words_3_memory_write_address <= to_unsigned(slice2cost_change_column, 9);
-  slice0cost_read_words_3_memory_write_data <= to_unsigned(slice0cost_write_words(3), 22);
-  slice0cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_3_memory_read_enable,
-      read_address => slice0cost_read_words_3_memory_read_address, read_data => slice0cost_read_words(3),
-      write_address => slice0cost_read_words_3_memory_write_address, write_data => slice0cost_read_words_3_memory_write_data);
-
-  slice0cost_read_words_2_memory_read_enable <= true;
-  slice0cost_read_words_2_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
-  slice0cost_read_words_2_memory_write_address <= to_unsigned(slice2cost_change_column, 9);
-  slice0cost_read_words_2_memory_write_data <= to_unsigned(slice0cost_write_words(2), 22);
-  slice0cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_2_memory_read_enable,
-      read_address => slice0cost_read_words_2_memory_read_address, read_data => slice0cost_read_words(2),
-      write_address => slice0cost_read_words_2_memory_write_address, write_data => slice0cost_read_words_2_memory_write_data);
-
-  slice0cost_read_words_1_memory_read_enable <= true;
-  slice0cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
-  slice0cost_read_words_1_memory_write_address <= to_unsigned(slice2cost_change_column, 9);
-  slice0cost_read_words_1_memory_write_data <= to_unsigned(slice0cost_write_words(1), 22);
-  slice0cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_1_memory_read_enable,
-      read_address => slice0cost_read_words_1_memory_read_address, read_data => slice0cost_read_words(1),
-      write_address => slice0cost_read_words_1_memory_write_address, write_data => slice0cost_read_words_1_memory_write_data);
-
-  slice0cost_read_words_0_memory_read_enable <= true;
-  slice0cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
-  slice0cost_read_words_0_memory_write_address <= to_unsigned(slice2cost_change_column, 9);
-  slice0cost_read_words_0_memory_write_data <= to_unsigned(slice0cost_write_words(0), 22);
-  slice0cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 22, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_0_memory_read_enable,
-      read_address => slice0cost_read_words_0_memory_read_address, read_data => slice0cost_read_words(0),
-      write_address => slice0cost_read_words_0_memory_write_address, write_data => slice0cost_read_words_0_memory_write_data);
-
-  rows_search_rows_read_words_1_memory_read_enable <= true;
-  rows_search_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_search_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 24);
-  rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 320, width => 24, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_1_memory_read_enable,
-      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words_1,
-      write_address => rows_search_rows_read_words_1_memory_write_address, write_data => rows_search_rows_read_words_1_memory_write_data);
-
-  rows_search_rows_read_words_0_memory_read_enable <= true;
-  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_0_memory_write_data <= rows_search_rows_write_words_0;
-  rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 32, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
-      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
-      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
-
-  rows_reference_rows_read_words_1_memory_read_enable <= true;
-  rows_reference_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_reference_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words_1, 24);
-  rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 320, width => 24, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_1_memory_read_enable,
-      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words_1,
-      write_address => rows_reference_rows_read_words_1_memory_write_address, write_data => rows_reference_rows_read_words_1_memory_write_data);
-
-  rows_reference_rows_read_words_0_memory_read_enable <= true;
-  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_0_memory_write_data <= rows_reference_rows_write_words_0;
-  rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 32, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
-      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
-
-  delay_delayed_0_memory_read_enable <= true;
-  delay_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 7);
-  delay_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 7);
-  delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 8);
-  delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 121, width => 8, address_bits => 7)
-    port map (
-      clock => clock, read_enable => delay_delayed_0_memory_read_enable,
-      read_address => delay_delayed_0_memory_read_address, read_data => delay_delayed_0,
-      write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
+  disparity_valid <= as_bit(slice4_best_tag.valid and slice4_best_tag.output_column);
+  disparity_start_of_frame <= as_bit(slice4_best_tag.start_of_frame and slice4_best_tag.valid and slice4_best_tag.output_column);
+  disparity_end_of_line <= as_bit(slice4_best_tag.end_of_line and slice4_best_tag.valid and slice4_best_tag.output_column);
+
+  slice4window_leaving_10_memory : block
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(10 downto 0);
+  begin
+    read_address <= to_unsigned(slice4window_ring_read_address, 3);
+    write_address <= to_unsigned(slice4window_ring_write_address, 3);
+    write_data <= to_unsigned(slice4cost_column_0(20), 11);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 11, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice4window_leaving_10, write_address => write_address, write_data => write_data);
+  end block;
+
+  slice4window_leaving_memory : for i in 9 downto 0 generate
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(21 downto 0);
+  begin
+    read_address <= to_unsigned(slice4window_ring_read_address, 3);
+    write_address <= to_unsigned(slice4window_ring_write_address, 3);
+    write_data <= to_unsigned(slice4cost_column_0(2 * i + 1), 11) & to_unsigned(slice4cost_column_0(2 * i), 11);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 22, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice4window_leaving(i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  slice4cost_read_words_10_memory : block
+    signal read_address, write_address : unsigned(8 downto 0);
+    signal write_data : unsigned(10 downto 0);
+  begin
+    read_address <= to_unsigned(slice3cost_change_column, 9);
+    write_address <= to_unsigned(slice4cost_write_column, 9);
+    write_data <= to_unsigned(slice4cost_write_words(10), 11);
+    cell : entity work.line_memory
+      generic map (depth => 320, width => 11, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice4cost_read_words_10, write_address => write_address, write_data => write_data);
+  end block;
+
+  slice4cost_read_words_memory : for i in 9 downto 0 generate
+    signal read_address, write_address : unsigned(8 downto 0);
+    signal write_data : unsigned(21 downto 0);
+  begin
+    read_address <= to_unsigned(slice3cost_change_column, 9);
+    write_address <= to_unsigned(slice4cost_write_column, 9);
+    write_data <= to_unsigned(slice4cost_write_words(i), 22);
+    cell : entity work.line_memory
+      generic map (depth => 320, width => 22, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice4cost_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  slice3window_leaving_12_memory : block
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(10 downto 0);
+  begin
+    read_address <= to_unsigned(slice3window_ring_read_address, 3);
+    write_address <= to_unsigned(slice3window_ring_write_address, 3);
+    write_data <= to_unsigned(slice3cost_column_0(24), 11);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 11, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice3window_leaving_12, write_address => write_address, write_data => write_data);
+  end block;
+
+  slice3window_leaving_memory : for i in 11 downto 0 generate
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(21 downto 0);
+  begin
+    read_address <= to_unsigned(slice3window_ring_read_address, 3);
+    write_address <= to_unsigned(slice3window_ring_write_address, 3);
+    write_data <= to_unsigned(slice3cost_column_0(2 * i + 1), 11) & to_unsigned(slice3cost_column_0(2 * i), 11);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 22, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice3window_leaving(i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  slice3cost_read_words_12_memory : block
+    signal read_address, write_address : unsigned(8 downto 0);
+    signal write_data : unsigned(10 downto 0);
+  begin
+    read_address <= to_unsigned(slice3cost_read_column, 9);
+    write_address <= to_unsigned(slice4cost_ready_column, 9);
+    write_data <= to_unsigned(slice3cost_write_words(12), 11);
+    cell : entity work.line_memory
+      generic map (depth => 320, width => 11, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice3cost_read_words_12, write_address => write_address, write_data => write_data);
+  end block;
+
+  slice3cost_read_words_memory : for i in 11 downto 0 generate
+    signal read_address, write_address : unsigned(8 downto 0);
+    signal write_data : unsigned(21 downto 0);
+  begin
+    read_address <= to_unsigned(slice3cost_read_column, 9);
+    write_address <= to_unsigned(slice4cost_ready_column, 9);
+    write_data <= to_unsigned(slice3cost_write_words(i), 22);
+    cell : entity work.line_memory
+      generic map (depth => 320, width => 22, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice3cost_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  slice2window_leaving_12_memory : block
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(10 downto 0);
+  begin
+    read_address <= to_unsigned(slice2window_ring_read_address, 3);
+    write_address <= to_unsigned(slice2window_ring_write_address, 3);
+    write_data <= to_unsigned(slice2cost_column_0(24), 11);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 11, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice2window_leaving_12, write_address => write_address, write_data => write_data);
+  end block;
+
+  slice2window_leaving_memory : for i in 11 downto 0 generate
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(21 downto 0);
+  begin
+    read_address <= to_unsigned(slice2window_ring_read_address, 3);
+    write_address <= to_unsigned(slice2window_ring_write_address, 3);
+    write_data <= to_unsigned(slice2cost_column_0(2 * i + 1), 11) & to_unsigned(slice2cost_column_0(2 * i), 11);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 22, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice2window_leaving(i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  slice2cost_read_words_12_memory : block
+    signal read_address, write_address : unsigned(8 downto 0);
+    signal write_data : unsigned(10 downto 0);
+  begin
+    read_address <= to_unsigned(slice0cost_ready_column, 9);
+    write_address <= to_unsigned(slice2cost_write_column, 9);
+    write_data <= to_unsigned(slice2cost_write_words(12), 11);
+    cell : entity work.line_memory
+      generic map (depth => 320, width => 11, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice2cost_read_words_12, write_address => write_address, write_data => write_data);
+  end block;
+
+  slice2cost_read_words_memory : for i in 11 downto 0 generate
+    signal read_address, write_address : unsigned(8 downto 0);
+    signal write_data : unsigned(21 downto 0);
+  begin
+    read_address <= to_unsigned(slice0cost_ready_column, 9);
+    write_address <= to_unsigned(slice2cost_write_column, 9);
+    write_data <= to_unsigned(slice2cost_write_words(i), 22);
+    cell : entity work.line_memory
+      generic map (depth => 320, width => 22, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice2cost_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  slice1window_leaving_12_memory : block
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(10 downto 0);
+  begin
+    read_address <= to_unsigned(slice1window_ring_read_address, 3);
+    write_address <= to_unsigned(slice1window_ring_write_address, 3);
+    write_data <= to_unsigned(slice1cost_column_0(24), 11);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 11, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice1window_leaving_12, write_address => write_address, write_data => write_data);
+  end block;
+
+  slice1window_leaving_memory : for i in 11 downto 0 generate
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(21 downto 0);
+  begin
+    read_address <= to_unsigned(slice1window_ring_read_address, 3);
+    write_address <= to_unsigned(slice1window_ring_write_address, 3);
+    write_data <= to_unsigned(slice1cost_column_0(2 * i + 1), 11) & to_unsigned(slice1cost_column_0(2 * i), 11);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 22, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice1window_leaving(i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  slice1cost_read_words_12_memory : block
+    signal read_address, write_address : unsigned(8 downto 0);
+    signal write_data : unsigned(10 downto 0);
+  begin
+    read_address <= to_unsigned(slice0cost_change_column, 9);
+    write_address <= to_unsigned(slice2cost_ready_column, 9);
+    write_data <= to_unsigned(slice1cost_write_words(12), 11);
+    cell : entity work.line_memory
+      generic map (depth => 320, width => 11, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice1cost_read_words_12, write_address => write_address, write_data => write_data);
+  end block;
+
+  slice1cost_read_words_memory : for i in 11 downto 0 generate
+    signal read_address, write_address : unsigned(8 downto 0);
+    signal write_data : unsigned(21 downto 0);
+  begin
+    read_address <= to_unsigned(slice0cost_change_column, 9);
+    write_address <= to_unsigned(slice2cost_ready_column, 9);
+    write_data <= to_unsigned(slice1cost_write_words(i), 22);
+    cell : entity work.line_memory
+      generic map (depth => 320, width => 22, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice1cost_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  slice0window_leaving_12_memory : block
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(10 downto 0);
+  begin
+    read_address <= to_unsigned(slice0window_ring_read_address, 3);
+    write_address <= to_unsigned(slice0window_ring_write_address, 3);
+    write_data <= to_unsigned(slice0cost_column_0(24), 11);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 11, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice0window_leaving_12, write_address => write_address, write_data => write_data);
+  end block;
+
+  slice0window_leaving_memory : for i in 11 downto 0 generate
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(21 downto 0);
+  begin
+    read_address <= to_unsigned(slice0window_ring_read_address, 3);
+    write_address <= to_unsigned(slice0window_ring_write_address, 3);
+    write_data <= to_unsigned(slice0cost_column_0(2 * i + 1), 11) & to_unsigned(slice0cost_column_0(2 * i), 11);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 22, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice0window_leaving(i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  slice0cost_read_words_12_memory : block
+    signal read_address, write_address : unsigned(8 downto 0);
+    signal write_data : unsigned(10 downto 0);
+  begin
+    read_address <= to_unsigned(slice0cost_read_column, 9);
+    write_address <= to_unsigned(slice2cost_change_column, 9);
+    write_data <= to_unsigned(slice0cost_write_words(12), 11);
+    cell : entity work.line_memory
+      generic map (depth => 320, width => 11, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice0cost_read_words_12, write_address => write_address, write_data => write_data);
+  end block;
+
+  slice0cost_read_words_memory : for i in 11 downto 0 generate
+    signal read_address, write_address : unsigned(8 downto 0);
+    signal write_data : unsigned(21 downto 0);
+  begin
+    read_address <= to_unsigned(slice0cost_read_column, 9);
+    write_address <= to_unsigned(slice2cost_change_column, 9);
+    write_data <= to_unsigned(slice0cost_write_words(i), 22);
+    cell : entity work.line_memory
+      generic map (depth => 320, width => 22, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice0cost_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  rows_search_rows_read_words_1_memory : block
+    signal read_address, write_address : unsigned(8 downto 0);
+    signal write_data : unsigned(23 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 9);
+    write_address <= to_unsigned(rows_write_column, 9);
+    write_data <= to_unsigned(rows_search_rows_write_words_1, 24);
+    cell : entity work.line_memory
+      generic map (depth => 320, width => 24, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_search_rows_read_words_1, write_address => write_address, write_data => write_data);
+  end block;
+
+  rows_search_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 9);
+    write_address <= to_unsigned(rows_write_column, 9);
+    cell : entity work.line_memory
+      generic map (depth => 320, width => 32, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_search_rows_read_words_0, write_address => write_address, write_data => rows_search_rows_write_words_0);
+  end block;
+
+  rows_reference_rows_read_words_1_memory : block
+    signal read_address, write_address : unsigned(8 downto 0);
+    signal write_data : unsigned(23 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 9);
+    write_address <= to_unsigned(rows_write_column, 9);
+    write_data <= to_unsigned(rows_reference_rows_write_words_1, 24);
+    cell : entity work.line_memory
+      generic map (depth => 320, width => 24, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_reference_rows_read_words_1, write_address => write_address, write_data => write_data);
+  end block;
+
+  rows_reference_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 9);
+    write_address <= to_unsigned(rows_write_column, 9);
+    cell : entity work.line_memory
+      generic map (depth => 320, width => 32, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_reference_rows_read_words_0, write_address => write_address, write_data =>
+        rows_reference_rows_write_words_0);
+  end block;
+
+  delay_delayed_0_memory : block
+    signal read_address, write_address : unsigned(6 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(delay_ring_read_address, 7);
+    write_address <= to_unsigned(delay_ring_write_address, 7);
+    write_data <= to_unsigned(raster_features_reference_0, 8);
+    cell : entity work.line_memory
+      generic map (depth => 121, width => 8, address_bits => 7)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => delay_delayed_0,
+        write_address => write_address, write_data => write_data);
+  end block;
 
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_choice, delay_tag_first_cost_is_equal : boolean;
@@ -2453,20 +756,15 @@ begin
     variable slice4winner2_best_cost_0_is_less : boolean_1d(0 to 4);  -- slice4winner2_best_cost_0_#_is_less
     variable slice4winner3_best_cost_0_is_less : boolean_1d(0 to 2);  -- slice4winner3_best_cost_0_#_is_less
     variable slice4winner4_best_cost_0_0_is_less, slice4winner5_best_cost_0_0_is_less : boolean;
-    variable slice0cost_column_0_choice : natural_2047_1d(0 to 24);  -- slice0cost_column_0_#_choice
-    variable slice0cost_column_0_choice_2 : natural_2047_1d(0 to 24);  -- slice0cost_column_0_#_choice_2
+    variable slice0cost_column_0_choice : natural_2047_2d(0 to 24, 1 to 2);  -- slice0cost_column_0_#_choice_#
     variable slice0window_change_0_choice : natural_2047_1d(0 to 24);  -- slice0window_change_0_#_choice
-    variable slice1cost_column_0_choice : natural_2047_1d(0 to 24);  -- slice1cost_column_0_#_choice
-    variable slice1cost_column_0_choice_2 : natural_2047_1d(0 to 24);  -- slice1cost_column_0_#_choice_2
+    variable slice1cost_column_0_choice : natural_2047_2d(0 to 24, 1 to 2);  -- slice1cost_column_0_#_choice_#
     variable slice1window_change_0_choice : natural_2047_1d(0 to 24);  -- slice1window_change_0_#_choice
-    variable slice2cost_column_0_choice : natural_2047_1d(0 to 24);  -- slice2cost_column_0_#_choice
-    variable slice2cost_column_0_choice_2 : natural_2047_1d(0 to 24);  -- slice2cost_column_0_#_choice_2
+    variable slice2cost_column_0_choice : natural_2047_2d(0 to 24, 1 to 2);  -- slice2cost_column_0_#_choice_#
     variable slice2window_change_0_choice : natural_2047_1d(0 to 24);  -- slice2window_change_0_#_choice
-    variable slice3cost_column_0_choice : natural_2047_1d(0 to 24);  -- slice3cost_column_0_#_choice
-    variable slice3cost_column_0_choice_2 : natural_2047_1d(0 to 24);  -- slice3cost_column_0_#_choice_2
+    variable slice3cost_column_0_choice : natural_2047_2d(0 to 24, 1 to 2);  -- slice3cost_column_0_#_choice_#
     variable slice3window_change_0_choice : natural_2047_1d(0 to 24);  -- slice3window_change_0_#_choice
-    variable slice4cost_column_0_choice : natural_2047_1d(0 to 20);  -- slice4cost_column_0_#_choice
-    variable slice4cost_column_0_choice_2 : natural_2047_1d(0 to 20);  -- slice4cost_column_0_#_choice_2
+    variable slice4cost_column_0_choice : natural_2047_2d(0 to 20, 1 to 2);  -- slice4cost_column_0_#_choice_#
     variable slice4window_change_0_choice : natural_2047_1d(0 to 20);  -- slice4window_change_0_#_choice
     variable slice0window_sum_0_choice : natural_16383_1d(0 to 24);  -- slice0window_sum_0_#_choice
     variable slice1window_sum_0_choice : natural_16383_1d(0 to 24);  -- slice1window_sum_0_#_choice
@@ -2477,35 +775,22 @@ begin
     if rising_edge(clock) then
       -- raster
       raster_place_group_is_equal := raster_place_column = 319;
-      if ((raster_place_group mod 16) = 3) and is_set(raster_place_group, 7) and (((raster_place_group / 16) mod 4) =
-        3) then
-        raster_place_group_choice := raster_place_group_is_equal and in_valid and (not is_set(raster_place_group, 6));
-      else
-        raster_place_group_choice := raster_place_group_is_equal and in_valid;
-      end if;
+      raster_place_group_choice := choice(((raster_place_group mod 16) = 3) and is_set(raster_place_group, 7) and
+        (((raster_place_group / 16) mod 4) = 3), raster_place_group_is_equal and in_valid and (not
+        is_set(raster_place_group, 6)), raster_place_group_is_equal and in_valid);
       raster_features_search_0 <= in_left_pixel;
       raster_features_reference_0 <= in_right_pixel;
       raster_features_valid <= in_valid;
-      if in_start_of_frame and in_valid then
-        raster_place_group <= 0;
-      else
-        raster_place_group <= (raster_place_group + as_number(raster_place_group_choice)) mod 256;
-      end if;
+      raster_place_group <= choice(in_start_of_frame and in_valid, 0, (raster_place_group +
+        as_number(raster_place_group_choice)) mod 256);
       if in_valid then
-        if raster_place_group_is_equal or in_start_of_frame then
-          raster_place_column <= 0;
-        else
-          raster_place_column <= (raster_place_column + 1) mod 512;
-        end if;
+        raster_place_column <= choice(raster_place_group_is_equal or in_start_of_frame, 0, (raster_place_column + 1)
+          mod 512);
       end if;
       -- delay
       if raster_features_valid then
         delay_ring_write_address <= delay_ring_read_address;
-        if delay_ring_read_address = 120 then
-          delay_ring_read_address <= 0;
-        else
-          delay_ring_read_address <= (delay_ring_read_address + 1) mod 128;
-        end if;
+        delay_ring_read_address <= choice(delay_ring_read_address = 120, 0, (delay_ring_read_address + 1) mod 128);
       end if;
       delay_tag_first_cost_is_equal := raster_place_column = 120;
       delay_ahead_0 <= raster_features_search_0;
@@ -2513,16 +798,16 @@ begin
       delay_row_inside(0) <= (raster_place_group >= 7) and (raster_place_group < 247);
       delay_row_inside(1) <= (not is_set(raster_place_group, 7)) or (not is_set(raster_place_group, 6)) or (not
         is_set(raster_place_group, 5)) or (not is_set(raster_place_group, 4));
-      delay_tag_valid <= raster_features_valid;
-      delay_tag_row_start <= raster_place_column = 0;
-      delay_tag_first_group <= raster_place_group = 0;
-      delay_tag_border_column <= raster_place_column < 120;
-      delay_tag_first_cost <= delay_tag_first_cost_is_equal;
-      delay_tag_leaves_window <= ((raster_place_column + 65409) mod 65536) < 65412;
-      delay_tag_output_column <= (raster_place_group >= 3) and (raster_place_group < 243) and ((((((raster_place_column
+      delay_tag.valid <= raster_features_valid;
+      delay_tag.row_start <= raster_place_column = 0;
+      delay_tag.first_group <= raster_place_group = 0;
+      delay_tag.border_column <= raster_place_column < 120;
+      delay_tag.first_cost <= delay_tag_first_cost_is_equal;
+      delay_tag.leaves_window <= ((raster_place_column + 65409) mod 65536) < 65412;
+      delay_tag.output_column <= (raster_place_group >= 3) and (raster_place_group < 243) and ((((((raster_place_column
         / 8) + 8177) mod 8192) * 8) + (raster_place_column mod 8)) < 199);
-      delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 3);
-      delay_tag_end_of_line <= raster_place_column = 318;
+      delay_tag.start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 3);
+      delay_tag.end_of_line <= raster_place_column = 318;
       -- rows
       rows_search_rows_read_newest_0 <= delay_ahead_0;
       rows_search_rows_ready_words_0 <= rows_search_rows_read_words_0;
@@ -2533,53 +818,17 @@ begin
       rows_reference_rows_ready_words_1 <= to_integer(rows_reference_rows_read_words_1);
       rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
       rows_read_column <= delay_column;
-      rows_read_inside(0) <= delay_row_inside(0);
-      rows_read_inside(1) <= delay_row_inside(1);
-      rows_read_tag_valid <= delay_tag_valid;
-      rows_read_tag_row_start <= delay_tag_row_start;
-      rows_read_tag_first_group <= delay_tag_first_group;
-      rows_read_tag_border_column <= delay_tag_border_column;
-      rows_read_tag_first_cost <= delay_tag_first_cost;
-      rows_read_tag_leaves_window <= delay_tag_leaves_window;
-      rows_read_tag_output_column <= delay_tag_output_column;
-      rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
-      rows_read_tag_end_of_line <= delay_tag_end_of_line;
+      rows_read_inside <= delay_row_inside;
+      rows_read_tag <= delay_tag;
       rows_ready_column <= rows_read_column;
-      rows_ready_inside(0) <= rows_read_inside(0);
-      rows_ready_inside(1) <= rows_read_inside(1);
-      rows_ready_tag_valid <= rows_read_tag_valid;
-      rows_ready_tag_row_start <= rows_read_tag_row_start;
-      rows_ready_tag_first_group <= rows_read_tag_first_group;
-      rows_ready_tag_border_column <= rows_read_tag_border_column;
-      rows_ready_tag_first_cost <= rows_read_tag_first_cost;
-      rows_ready_tag_leaves_window <= rows_read_tag_leaves_window;
-      rows_ready_tag_output_column <= rows_read_tag_output_column;
-      rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
-      rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_tag_valid <= rows_ready_tag_valid;
-      rows_tag_row_start <= rows_ready_tag_row_start;
-      rows_tag_first_group <= rows_ready_tag_first_group;
-      rows_tag_border_column <= rows_ready_tag_border_column;
-      rows_tag_first_cost <= rows_ready_tag_first_cost;
-      rows_tag_leaves_window <= rows_ready_tag_leaves_window;
-      rows_tag_output_column <= rows_ready_tag_output_column;
-      rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
-      rows_tag_end_of_line <= rows_ready_tag_end_of_line;
-      if rows_ready_inside(0) then
-        rows_search(0) <= to_integer(rows_search_rows_ready_words_0(7 downto 0));
-        rows_reference(0) <= to_integer(rows_reference_rows_ready_words_0(7 downto 0));
-      else
-        rows_search(0) <= 0;
-        rows_reference(0) <= 0;
-      end if;
-      if rows_ready_inside(1) then
-        rows_search(1) <= rows_search_rows_ready_newest_0;
-        rows_reference(1) <= rows_reference_rows_ready_newest_0;
-      else
-        rows_search(1) <= 0;
-        rows_reference(1) <= 0;
-      end if;
-      if rows_ready_tag_valid then
+      rows_ready_inside <= rows_read_inside;
+      rows_ready_tag <= rows_read_tag;
+      rows_tag <= rows_ready_tag;
+      rows_search(0) <= choice(rows_ready_inside(0), to_integer(rows_search_rows_ready_words_0(7 downto 0)), 0);
+      rows_reference(0) <= choice(rows_ready_inside(0), to_integer(rows_reference_rows_ready_words_0(7 downto 0)), 0);
+      rows_search(1) <= choice(rows_ready_inside(1), rows_search_rows_ready_newest_0, 0);
+      rows_reference(1) <= choice(rows_ready_inside(1), rows_reference_rows_ready_newest_0, 0);
+      if rows_ready_tag.valid then
         rows_search_rows_write_words_0 <= to_unsigned((rows_search_rows_ready_words_1 mod 256), 8) &
           rows_search_rows_ready_words_0(31 downto 8);
         rows_search_rows_write_words_1 <= (rows_search_rows_ready_newest_0 * 65536) + ((rows_search_rows_ready_words_1
@@ -2591,7 +840,7 @@ begin
         rows_write_column <= rows_ready_column;
       end if;
       -- slice0shift
-      if rows_tag_valid then
+      if rows_tag.valid then
         for i in 0 to 1 loop
           for j in 0 to 23 loop
             slice0shift_search(i, j) <= slice0shift_search(i, j + 1);
@@ -2599,84 +848,38 @@ begin
           slice0shift_search(i, 24) <= rows_search(i);
         end loop;
       end if;
-      slice0shift_reference(0) <= rows_reference(0);
-      slice0shift_reference(1) <= rows_reference(1);
+      slice0shift_reference <= rows_reference;
       slice0shift_search_out(0) <= slice0shift_search(0, 0);
       slice0shift_search_out(1) <= slice0shift_search(1, 0);
-      slice0shift_tag_valid <= rows_tag_valid;
-      slice0shift_tag_row_start <= rows_tag_row_start;
-      slice0shift_tag_first_group <= rows_tag_first_group;
-      slice0shift_tag_border_column <= rows_tag_border_column;
-      slice0shift_tag_first_cost <= rows_tag_first_cost;
-      slice0shift_tag_leaves_window <= rows_tag_leaves_window;
-      slice0shift_tag_output_column <= rows_tag_output_column;
-      slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
-      slice0shift_tag_end_of_line <= rows_tag_end_of_line;
+      slice0shift_tag <= rows_tag;
       -- slice0cost
       for i in 0 to 11 loop
-        if slice0cost_ready_tag_first_group then
-          slice0cost_column_0_choice(2 * i) := 0;
-        else
-          slice0cost_column_0_choice(2 * i) := slice0cost_ready_words(i) mod 2048;
-        end if;
-        if slice0cost_ready_tag_border_column then
-          slice0cost_column_0_choice_2(2 * i) := 0;
-        else
-          slice0cost_column_0_choice_2(2 * i) := (slice0cost_change_0(2 * i) + slice0cost_column_0_choice(2 * i)) mod
-            2048;
-        end if;
-        if slice0cost_ready_tag_first_group then
-          slice0cost_column_0_choice(2 * i + 1) := 0;
-        else
-          slice0cost_column_0_choice(2 * i + 1) := slice0cost_ready_words(i) / 2048;
-        end if;
-        if slice0cost_ready_tag_border_column then
-          slice0cost_column_0_choice_2(2 * i + 1) := 0;
-        else
-          slice0cost_column_0_choice_2(2 * i + 1) := (slice0cost_change_0(2 * i + 1) + slice0cost_column_0_choice(2 * i
-            + 1)) mod 2048;
-        end if;
+        slice0cost_column_0_choice(2 * i, 1) := choice(slice0cost_ready_tag.first_group, 0, slice0cost_ready_words(i)
+          mod 2048);
+        slice0cost_column_0_choice(2 * i, 2) := choice(slice0cost_ready_tag.border_column, 0, (slice0cost_change_0(2 *
+          i) + slice0cost_column_0_choice(2 * i, 1)) mod 2048);
+        slice0cost_column_0_choice(2 * i + 1, 1) := choice(slice0cost_ready_tag.first_group, 0,
+          slice0cost_ready_words(i) / 2048);
+        slice0cost_column_0_choice(2 * i + 1, 2) := choice(slice0cost_ready_tag.border_column, 0,
+          (slice0cost_change_0(2 * i + 1) + slice0cost_column_0_choice(2 * i + 1, 1)) mod 2048);
       end loop;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_choice(24) := 0;
-      else
-        slice0cost_column_0_choice(24) := slice0cost_ready_words_12;
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_choice_2(24) := 0;
-      else
-        slice0cost_column_0_choice_2(24) := (slice0cost_change_0(24) + slice0cost_column_0_choice(24)) mod 2048;
-      end if;
+      slice0cost_column_0_choice(24, 1) := choice(slice0cost_ready_tag.first_group, 0, slice0cost_ready_words_12);
+      slice0cost_column_0_choice(24, 2) := choice(slice0cost_ready_tag.border_column, 0, (slice0cost_change_0(24) +
+        slice0cost_column_0_choice(24, 1)) mod 2048);
       for i in 0 to 24 loop
         slice0cost_pixels_first(0, i) <= slice0shift_search(0, i) - slice0shift_reference(0);
       end loop;
       for i in 0 to 24 loop
         slice0cost_pixels_first(1, i) <= slice0shift_search(1, i) - slice0shift_reference(1);
       end loop;
-      slice0cost_pixels_first_tag_valid <= slice0shift_tag_valid;
-      slice0cost_pixels_first_tag_row_start <= slice0shift_tag_row_start;
-      slice0cost_pixels_first_tag_first_group <= slice0shift_tag_first_group;
-      slice0cost_pixels_first_tag_border_column <= slice0shift_tag_border_column;
-      slice0cost_pixels_first_tag_first_cost <= slice0shift_tag_first_cost;
-      slice0cost_pixels_first_tag_leaves_window <= slice0shift_tag_leaves_window;
-      slice0cost_pixels_first_tag_output_column <= slice0shift_tag_output_column;
-      slice0cost_pixels_first_tag_start_of_frame <= slice0shift_tag_start_of_frame;
-      slice0cost_pixels_first_tag_end_of_line <= slice0shift_tag_end_of_line;
+      slice0cost_pixels_first_tag <= slice0shift_tag;
       for i in 0 to 1 loop
         for j in 0 to 24 loop
           slice0cost_pixels_cost(i, j) <= (folded(slice0cost_pixels_first(i, j)) +
             as_number((slice0cost_pixels_first(i, j) < 0))) mod 256;
         end loop;
       end loop;
-      slice0cost_pixels_tag_valid <= slice0cost_pixels_first_tag_valid;
-      slice0cost_pixels_tag_row_start <= slice0cost_pixels_first_tag_row_start;
-      slice0cost_pixels_tag_first_group <= slice0cost_pixels_first_tag_first_group;
-      slice0cost_pixels_tag_border_column <= slice0cost_pixels_first_tag_border_column;
-      slice0cost_pixels_tag_first_cost <= slice0cost_pixels_first_tag_first_cost;
-      slice0cost_pixels_tag_leaves_window <= slice0cost_pixels_first_tag_leaves_window;
-      slice0cost_pixels_tag_output_column <= slice0cost_pixels_first_tag_output_column;
-      slice0cost_pixels_tag_start_of_frame <= slice0cost_pixels_first_tag_start_of_frame;
-      slice0cost_pixels_tag_end_of_line <= slice0cost_pixels_first_tag_end_of_line;
+      slice0cost_pixels_tag <= slice0cost_pixels_first_tag;
       for i in 0 to 24 loop
         slice0cost_change_0(i) <= slice0cost_pixels_cost(1, i) - slice0cost_pixels_cost(0, i);
       end loop;
@@ -2684,126 +887,67 @@ begin
         slice0cost_ready_words(i) <= to_integer(slice0cost_read_words(i));
       end loop;
       slice0cost_ready_words_12 <= to_integer(slice0cost_read_words_12);
-      slice0cost_ready_tag_valid <= slice0cost_pixels_tag_valid;
-      slice0cost_ready_tag_row_start <= slice0cost_pixels_tag_row_start;
-      slice0cost_ready_tag_first_group <= slice0cost_pixels_tag_first_group;
-      slice0cost_ready_tag_border_column <= slice0cost_pixels_tag_border_column;
-      slice0cost_ready_tag_first_cost <= slice0cost_pixels_tag_first_cost;
-      slice0cost_ready_tag_leaves_window <= slice0cost_pixels_tag_leaves_window;
-      slice0cost_ready_tag_output_column <= slice0cost_pixels_tag_output_column;
-      slice0cost_ready_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
-      slice0cost_ready_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
+      slice0cost_ready_tag <= slice0cost_pixels_tag;
       for i in 0 to 24 loop
-        slice0cost_column_0(i) <= slice0cost_column_0_choice_2(i);
+        slice0cost_column_0(i) <= slice0cost_column_0_choice(i, 2);
       end loop;
       slice0cost_write_column <= slice0cost_ready_column;
-      slice0cost_tag_valid <= slice0cost_ready_tag_valid;
-      slice0cost_tag_row_start <= slice0cost_ready_tag_row_start;
-      slice0cost_tag_first_group <= slice0cost_ready_tag_first_group;
-      slice0cost_tag_border_column <= slice0cost_ready_tag_border_column;
-      slice0cost_tag_first_cost <= slice0cost_ready_tag_first_cost;
-      slice0cost_tag_leaves_window <= slice0cost_ready_tag_leaves_window;
-      slice0cost_tag_output_column <= slice0cost_ready_tag_output_column;
-      slice0cost_tag_start_of_frame <= slice0cost_ready_tag_start_of_frame;
-      slice0cost_tag_end_of_line <= slice0cost_ready_tag_end_of_line;
-      if slice0shift_tag_valid then
-        if slice0shift_tag_row_start then
-          slice0cost_read_column <= 0;
-        else
-          slice0cost_read_column <= (slice0cost_read_column + 1) mod 512;
-        end if;
+      slice0cost_tag <= slice0cost_ready_tag;
+      if slice0shift_tag.valid then
+        slice0cost_read_column <= choice(slice0shift_tag.row_start, 0, (slice0cost_read_column + 1) mod 512);
       end if;
-      if slice0cost_pixels_first_tag_valid then
-        if slice0cost_pixels_first_tag_row_start then
-          slice0cost_change_column <= 0;
-        else
-          slice0cost_change_column <= (slice0cost_change_column + 1) mod 512;
-        end if;
+      if slice0cost_pixels_first_tag.valid then
+        slice0cost_change_column <= choice(slice0cost_pixels_first_tag.row_start, 0, (slice0cost_change_column + 1) mod
+          512);
       end if;
-      if slice0cost_pixels_tag_valid then
-        if slice0cost_pixels_tag_row_start then
-          slice0cost_ready_column <= 0;
-        else
-          slice0cost_ready_column <= (slice0cost_ready_column + 1) mod 512;
-        end if;
+      if slice0cost_pixels_tag.valid then
+        slice0cost_ready_column <= choice(slice0cost_pixels_tag.row_start, 0, (slice0cost_ready_column + 1) mod 512);
       end if;
-      if slice0cost_ready_tag_valid then
+      if slice0cost_ready_tag.valid then
         for i in 0 to 11 loop
-          slice0cost_write_words(i) <= (slice0cost_column_0_choice_2(2 * i + 1) * 2048) +
-            slice0cost_column_0_choice_2(2 * i);
+          slice0cost_write_words(i) <= (slice0cost_column_0_choice(2 * i + 1, 2) * 2048) + slice0cost_column_0_choice(2
+            * i, 2);
         end loop;
-        slice0cost_write_words_12 <= slice0cost_column_0_choice_2(24);
+        slice0cost_write_words(12) <= slice0cost_column_0_choice(24, 2);
       end if;
       -- slice0window
-      if slice0cost_tag_valid then
+      if slice0cost_tag.valid then
         slice0window_ring_write_address <= slice0window_ring_read_address;
-        if slice0window_ring_read_address = 7 then
-          slice0window_ring_read_address <= 0;
-        else
-          slice0window_ring_read_address <= (slice0window_ring_read_address + 1) mod 8;
-        end if;
+        slice0window_ring_read_address <= choice(slice0window_ring_read_address = 7, 0, (slice0window_ring_read_address
+          + 1) mod 8);
       end if;
-      for i in 0 to 5 loop
-        for j in 0 to 1 loop
-          if slice0window_entering_tag_leaves_window then
-            slice0window_change_0_choice(4 * i + j) := to_integer(slice0window_leaving(2 * i)(11 * j + 10 downto 11 *
-              j));
-          else
-            slice0window_change_0_choice(4 * i + j) := 0;
-          end if;
-        end loop;
-        for j in 2 to 3 loop
-          if slice0window_entering_tag_leaves_window then
-            slice0window_change_0_choice(4 * i + j) := to_integer(slice0window_leaving(2 * i + 1)(11 * j - 12 downto 11
-              * j - 22));
-          else
-            slice0window_change_0_choice(4 * i + j) := 0;
-          end if;
-        end loop;
+      for i in 0 to 11 loop
+        slice0window_change_0_choice(2 * i) := choice(slice0window_entering_tag.leaves_window,
+          to_integer(slice0window_leaving(i)(10 downto 0)), 0);
+        slice0window_change_0_choice(2 * i + 1) := choice(slice0window_entering_tag.leaves_window,
+          to_integer(slice0window_leaving(i)(21 downto 11)), 0);
       end loop;
-      if slice0window_entering_tag_leaves_window then
-        slice0window_change_0_choice(24) := to_integer(slice0window_leaving_12);
-      else
-        slice0window_change_0_choice(24) := 0;
-      end if;
-      for i in 0 to 24 loop
-        slice0window_entering_0(i) <= slice0cost_column_0(i);
-      end loop;
-      slice0window_entering_tag_valid <= slice0cost_tag_valid;
-      slice0window_entering_tag_first_group <= slice0cost_tag_first_group;
-      slice0window_entering_tag_border_column <= slice0cost_tag_border_column;
-      slice0window_entering_tag_first_cost <= slice0cost_tag_first_cost;
-      slice0window_entering_tag_leaves_window <= slice0cost_tag_leaves_window;
-      slice0window_entering_tag_output_column <= slice0cost_tag_output_column;
-      slice0window_entering_tag_start_of_frame <= slice0cost_tag_start_of_frame;
-      slice0window_entering_tag_end_of_line <= slice0cost_tag_end_of_line;
+      slice0window_change_0_choice(24) := choice(slice0window_entering_tag.leaves_window,
+        to_integer(slice0window_leaving_12), 0);
+      slice0window_entering_0 <= slice0cost_column_0;
+      slice0window_entering_tag.valid <= slice0cost_tag.valid;
+      slice0window_entering_tag.first_group <= slice0cost_tag.first_group;
+      slice0window_entering_tag.border_column <= slice0cost_tag.border_column;
+      slice0window_entering_tag.first_cost <= slice0cost_tag.first_cost;
+      slice0window_entering_tag.leaves_window <= slice0cost_tag.leaves_window;
+      slice0window_entering_tag.output_column <= slice0cost_tag.output_column;
+      slice0window_entering_tag.start_of_frame <= slice0cost_tag.start_of_frame;
+      slice0window_entering_tag.end_of_line <= slice0cost_tag.end_of_line;
       for i in 0 to 24 loop
         slice0window_change_0(i) <= slice0window_entering_0(i) - slice0window_change_0_choice(i);
       end loop;
-      slice0window_change_tag_valid <= slice0window_entering_tag_valid;
-      slice0window_change_tag_first_group <= slice0window_entering_tag_first_group;
-      slice0window_change_tag_border_column <= slice0window_entering_tag_border_column;
-      slice0window_change_tag_first_cost <= slice0window_entering_tag_first_cost;
-      slice0window_change_tag_leaves_window <= slice0window_entering_tag_leaves_window;
-      slice0window_change_tag_output_column <= slice0window_entering_tag_output_column;
-      slice0window_change_tag_start_of_frame <= slice0window_entering_tag_start_of_frame;
-      slice0window_change_tag_end_of_line <= slice0window_entering_tag_end_of_line;
-      slice0window_centre_output_column_0 <= slice0window_change_tag_output_column;
-      slice0window_centre_first_column_0 <= slice0window_change_tag_first_cost;
-      slice0window_centre_start_of_frame(0) <= slice0window_change_tag_start_of_frame;
-      slice0window_centre_start_of_frame(1) <= slice0window_centre_start_of_frame(0);
-      slice0window_centre_start_of_frame(2) <= slice0window_centre_start_of_frame(1);
-      slice0window_centre_end_of_line_0 <= slice0window_change_tag_end_of_line;
-      slice0window_tag_valid <= slice0window_change_tag_valid;
-      slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame(2);
+      slice0window_change_tag <= slice0window_entering_tag;
+      slice0window_centre_output_column_0 <= slice0window_change_tag.output_column;
+      slice0window_centre_first_column_0 <= slice0window_change_tag.first_cost;
+      slice0window_centre_start_of_frame(0) <= slice0window_change_tag.start_of_frame;
+      slice0window_centre_start_of_frame(1 to 2) <= slice0window_centre_start_of_frame(0 to 1);
+      slice0window_centre_end_of_line_0 <= slice0window_change_tag.end_of_line;
+      slice0window_tag.valid <= slice0window_change_tag.valid;
+      slice0window_tag.start_of_frame <= slice0window_centre_start_of_frame(2);
       for i in 0 to 24 loop
-        if slice0window_change_tag_first_cost then
-          slice0window_sum_0_choice(i) := 0;
-        else
-          slice0window_sum_0_choice(i) := slice0window_sum_0(i);
-        end if;
+        slice0window_sum_0_choice(i) := choice(slice0window_change_tag.first_cost, 0, slice0window_sum_0(i));
       end loop;
-      if slice0window_change_tag_valid then
+      if slice0window_change_tag.valid then
         for i in 0 to 24 loop
           slice0window_sum_0(i) <= (slice0window_sum_0_choice(i) + slice0window_change_0(i)) mod 16384;
         end loop;
@@ -2814,92 +958,17 @@ begin
       end loop;
       slice0winner1_best_cost_0(12) <= slice0window_sum_0(24);
       slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_is_less(0);
-      slice0winner1_best_index_0_12 <= 24;
-      slice0winner1_tag_valid <= slice0window_tag_valid;
-      if slice0winner1_best_cost_0_is_less(0) then
-        slice0winner1_best_cost_0(0) <= slice0window_sum_0(1);
-      else
-        slice0winner1_best_cost_0(0) <= slice0window_sum_0(0);
-      end if;
-      if slice0winner1_best_cost_0_is_less(1) then
-        slice0winner1_best_cost_0(1) <= slice0window_sum_0(3);
-        slice0winner1_best_index_0_1 <= 3;
-      else
-        slice0winner1_best_cost_0(1) <= slice0window_sum_0(2);
-        slice0winner1_best_index_0_1 <= 2;
-      end if;
-      if slice0winner1_best_cost_0_is_less(2) then
-        slice0winner1_best_cost_0(2) <= slice0window_sum_0(5);
-        slice0winner1_best_index_0_2 <= 5;
-      else
-        slice0winner1_best_cost_0(2) <= slice0window_sum_0(4);
-        slice0winner1_best_index_0_2 <= 4;
-      end if;
-      if slice0winner1_best_cost_0_is_less(3) then
-        slice0winner1_best_cost_0(3) <= slice0window_sum_0(7);
-        slice0winner1_best_index_0_3 <= 7;
-      else
-        slice0winner1_best_cost_0(3) <= slice0window_sum_0(6);
-        slice0winner1_best_index_0_3 <= 6;
-      end if;
-      if slice0winner1_best_cost_0_is_less(4) then
-        slice0winner1_best_cost_0(4) <= slice0window_sum_0(9);
-        slice0winner1_best_index_0_4 <= 9;
-      else
-        slice0winner1_best_cost_0(4) <= slice0window_sum_0(8);
-        slice0winner1_best_index_0_4 <= 8;
-      end if;
-      if slice0winner1_best_cost_0_is_less(5) then
-        slice0winner1_best_cost_0(5) <= slice0window_sum_0(11);
-        slice0winner1_best_index_0_5 <= 11;
-      else
-        slice0winner1_best_cost_0(5) <= slice0window_sum_0(10);
-        slice0winner1_best_index_0_5 <= 10;
-      end if;
-      if slice0winner1_best_cost_0_is_less(6) then
-        slice0winner1_best_cost_0(6) <= slice0window_sum_0(13);
-        slice0winner1_best_index_0_6 <= 13;
-      else
-        slice0winner1_best_cost_0(6) <= slice0window_sum_0(12);
-        slice0winner1_best_index_0_6 <= 12;
-      end if;
-      if slice0winner1_best_cost_0_is_less(7) then
-        slice0winner1_best_cost_0(7) <= slice0window_sum_0(15);
-        slice0winner1_best_index_0_7 <= 15;
-      else
-        slice0winner1_best_cost_0(7) <= slice0window_sum_0(14);
-        slice0winner1_best_index_0_7 <= 14;
-      end if;
-      if slice0winner1_best_cost_0_is_less(8) then
-        slice0winner1_best_cost_0(8) <= slice0window_sum_0(17);
-        slice0winner1_best_index_0_8 <= 17;
-      else
-        slice0winner1_best_cost_0(8) <= slice0window_sum_0(16);
-        slice0winner1_best_index_0_8 <= 16;
-      end if;
-      if slice0winner1_best_cost_0_is_less(9) then
-        slice0winner1_best_cost_0(9) <= slice0window_sum_0(19);
-        slice0winner1_best_index_0_9 <= 19;
-      else
-        slice0winner1_best_cost_0(9) <= slice0window_sum_0(18);
-        slice0winner1_best_index_0_9 <= 18;
-      end if;
-      if slice0winner1_best_cost_0_is_less(10) then
-        slice0winner1_best_cost_0(10) <= slice0window_sum_0(21);
-        slice0winner1_best_index_0_10 <= 21;
-      else
-        slice0winner1_best_cost_0(10) <= slice0window_sum_0(20);
-        slice0winner1_best_index_0_10 <= 20;
-      end if;
-      if slice0winner1_best_cost_0_is_less(11) then
-        slice0winner1_best_cost_0(11) <= slice0window_sum_0(23);
-        slice0winner1_best_index_0_11 <= 23;
-      else
-        slice0winner1_best_cost_0(11) <= slice0window_sum_0(22);
-        slice0winner1_best_index_0_11 <= 22;
-      end if;
-      if slice0winner3_tag_valid then
-        slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
+      slice0winner1_best_index_0(12) <= 24;
+      slice0winner1_tag.valid <= slice0window_tag.valid;
+      slice0winner1_best_cost_0(0) <= choice(slice0winner1_best_cost_0_is_less(0), slice0window_sum_0(1),
+        slice0window_sum_0(0));
+      for i in 1 to 11 loop
+        slice0winner1_best_cost_0(i) <= choice(slice0winner1_best_cost_0_is_less(i), slice0window_sum_0(2 * i + 1),
+          slice0window_sum_0(2 * i));
+        slice0winner1_best_index_0(i) <= choice(slice0winner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
+      end loop;
+      if slice0winner3_tag.valid then
+        slice0winner1_tag.start_of_frame <= slice0window_tag.start_of_frame;
       end if;
       -- slice0winner2
       for i in 0 to 5 loop
@@ -2907,52 +976,20 @@ begin
           i)) < 0;
       end loop;
       slice0winner2_best_cost_0(6) <= slice0winner1_best_cost_0(12);
-      slice0winner2_best_index_0_6 <= slice0winner1_best_index_0_12;
-      slice0winner2_tag_valid <= slice0winner1_tag_valid;
-      if slice0winner2_best_cost_0_is_less(0) then
-        slice0winner2_best_cost_0(0) <= slice0winner1_best_cost_0(1);
-        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
-      else
-        slice0winner2_best_cost_0(0) <= slice0winner1_best_cost_0(0);
-        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
-      end if;
-      if slice0winner2_best_cost_0_is_less(1) then
-        slice0winner2_best_cost_0(1) <= slice0winner1_best_cost_0(3);
-        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3;
-      else
-        slice0winner2_best_cost_0(1) <= slice0winner1_best_cost_0(2);
-        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2;
-      end if;
-      if slice0winner2_best_cost_0_is_less(2) then
-        slice0winner2_best_cost_0(2) <= slice0winner1_best_cost_0(5);
-        slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5;
-      else
-        slice0winner2_best_cost_0(2) <= slice0winner1_best_cost_0(4);
-        slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_4;
-      end if;
-      if slice0winner2_best_cost_0_is_less(3) then
-        slice0winner2_best_cost_0(3) <= slice0winner1_best_cost_0(7);
-        slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7;
-      else
-        slice0winner2_best_cost_0(3) <= slice0winner1_best_cost_0(6);
-        slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_6;
-      end if;
-      if slice0winner2_best_cost_0_is_less(4) then
-        slice0winner2_best_cost_0(4) <= slice0winner1_best_cost_0(9);
-        slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_9;
-      else
-        slice0winner2_best_cost_0(4) <= slice0winner1_best_cost_0(8);
-        slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_8;
-      end if;
-      if slice0winner2_best_cost_0_is_less(5) then
-        slice0winner2_best_cost_0(5) <= slice0winner1_best_cost_0(11);
-        slice0winner2_best_index_0_5 <= slice0winner1_best_index_0_11;
-      else
-        slice0winner2_best_cost_0(5) <= slice0winner1_best_cost_0(10);
-        slice0winner2_best_index_0_5 <= slice0winner1_best_index_0_10;
-      end if;
-      if slice0winner3_tag_valid then
-        slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0winner2_best_index_0(6) <= slice0winner1_best_index_0(12);
+      slice0winner2_tag.valid <= slice0winner1_tag.valid;
+      slice0winner2_best_cost_0(0) <= choice(slice0winner2_best_cost_0_is_less(0), slice0winner1_best_cost_0(1),
+        slice0winner1_best_cost_0(0));
+      slice0winner2_best_index_0(0) <= choice(slice0winner2_best_cost_0_is_less(0), slice0winner1_best_index_0(1),
+        as_number(slice0winner1_best_index_0_0));
+      for i in 1 to 5 loop
+        slice0winner2_best_cost_0(i) <= choice(slice0winner2_best_cost_0_is_less(i), slice0winner1_best_cost_0(2 * i +
+          1), slice0winner1_best_cost_0(2 * i));
+        slice0winner2_best_index_0(i) <= choice(slice0winner2_best_cost_0_is_less(i), slice0winner1_best_index_0(2 * i
+          + 1), slice0winner1_best_index_0(2 * i));
+      end loop;
+      if slice0winner3_tag.valid then
+        slice0winner2_tag.start_of_frame <= slice0winner1_tag.start_of_frame;
       end if;
       -- slice0winner3
       for i in 0 to 2 loop
@@ -2960,77 +997,42 @@ begin
           i)) < 0;
       end loop;
       slice0winner3_best_cost_0(3) <= slice0winner2_best_cost_0(6);
-      slice0winner3_best_index_0_3 <= slice0winner2_best_index_0_6;
-      slice0winner3_tag_valid <= slice0winner2_tag_valid;
-      if slice0winner3_best_cost_0_is_less(0) then
-        slice0winner3_best_cost_0(0) <= slice0winner2_best_cost_0(1);
-        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1;
-      else
-        slice0winner3_best_cost_0(0) <= slice0winner2_best_cost_0(0);
-        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_0;
-      end if;
-      if slice0winner3_best_cost_0_is_less(1) then
-        slice0winner3_best_cost_0(1) <= slice0winner2_best_cost_0(3);
-        slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3;
-      else
-        slice0winner3_best_cost_0(1) <= slice0winner2_best_cost_0(2);
-        slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_2;
-      end if;
-      if slice0winner3_best_cost_0_is_less(2) then
-        slice0winner3_best_cost_0(2) <= slice0winner2_best_cost_0(5);
-        slice0winner3_best_index_0_2 <= slice0winner2_best_index_0_5;
-      else
-        slice0winner3_best_cost_0(2) <= slice0winner2_best_cost_0(4);
-        slice0winner3_best_index_0_2 <= slice0winner2_best_index_0_4;
-      end if;
-      if slice0winner3_tag_valid then
-        slice0winner3_tag_output_column <= slice4window_centre_output_column(1);
-        slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-        slice0winner3_tag_end_of_line <= slice4window_centre_end_of_line(1);
+      slice0winner3_best_index_0(3) <= slice0winner2_best_index_0(6);
+      slice0winner3_tag.valid <= slice0winner2_tag.valid;
+      for i in 0 to 2 loop
+        slice0winner3_best_cost_0(i) <= choice(slice0winner3_best_cost_0_is_less(i), slice0winner2_best_cost_0(2 * i +
+          1), slice0winner2_best_cost_0(2 * i));
+        slice0winner3_best_index_0(i) <= choice(slice0winner3_best_cost_0_is_less(i), slice0winner2_best_index_0(2 * i
+          + 1), slice0winner2_best_index_0(2 * i));
+      end loop;
+      if slice0winner3_tag.valid then
+        slice0winner3_tag.output_column <= slice4window_centre_output_column(1);
+        slice0winner3_tag.start_of_frame <= slice0winner2_tag.start_of_frame;
+        slice0winner3_tag.end_of_line <= slice4window_centre_end_of_line(1);
       end if;
       -- slice0winner4
       slice0winner4_best_cost_0_is_less(0) := (slice0winner3_best_cost_0(1) - slice0winner3_best_cost_0(0)) < 0;
       slice0winner4_best_cost_0_is_less(1) := (slice0winner3_best_cost_0(3) - slice0winner3_best_cost_0(2)) < 0;
-      slice0winner4_tag_valid <= slice0winner3_tag_valid;
-      slice0winner4_tag_output_column <= slice0winner3_tag_output_column;
-      slice0winner4_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
-      slice0winner4_tag_end_of_line <= slice0winner3_tag_end_of_line;
-      if slice0winner4_best_cost_0_is_less(0) then
-        slice0winner4_best_cost_0(0) <= slice0winner3_best_cost_0(1);
-        slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1;
-      else
-        slice0winner4_best_cost_0(0) <= slice0winner3_best_cost_0(0);
-        slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_0;
-      end if;
-      if slice0winner4_best_cost_0_is_less(1) then
-        slice0winner4_best_cost_0(1) <= slice0winner3_best_cost_0(3);
-        slice0winner4_best_index_0_1 <= slice0winner3_best_index_0_3;
-      else
-        slice0winner4_best_cost_0(1) <= slice0winner3_best_cost_0(2);
-        slice0winner4_best_index_0_1 <= slice0winner3_best_index_0_2;
-      end if;
+      slice0winner4_tag <= slice0winner3_tag;
+      for i in 0 to 1 loop
+        slice0winner4_best_cost_0(i) <= choice(slice0winner4_best_cost_0_is_less(i), slice0winner3_best_cost_0(2 * i +
+          1), slice0winner3_best_cost_0(2 * i));
+        slice0winner4_best_index_0(i) <= choice(slice0winner4_best_cost_0_is_less(i), slice0winner3_best_index_0(2 * i
+          + 1), slice0winner3_best_index_0(2 * i));
+      end loop;
       -- slice0winner5
       slice0winner5_best_cost_0_0_is_less := (slice0winner4_best_cost_0(1) - slice0winner4_best_cost_0(0)) < 0;
-      slice0winner5_tag_valid <= slice0winner4_tag_valid;
-      slice0winner5_tag_output_column <= slice0winner4_tag_output_column;
-      slice0winner5_tag_start_of_frame <= slice0winner4_tag_start_of_frame;
-      slice0winner5_tag_end_of_line <= slice0winner4_tag_end_of_line;
-      if slice0winner5_best_cost_0_0_is_less then
-        slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0(1);
-        slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_1;
-      else
-        slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0(0);
-        slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_0;
-      end if;
+      slice0winner5_tag <= slice0winner4_tag;
+      slice0winner5_best_cost_0_0 <= choice(slice0winner5_best_cost_0_0_is_less, slice0winner4_best_cost_0(1),
+        slice0winner4_best_cost_0(0));
+      slice0winner5_best_index_0_0 <= choice(slice0winner5_best_cost_0_0_is_less, slice0winner4_best_index_0(1),
+        slice0winner4_best_index_0(0));
       -- slice0
       slice0_best_cost_0_0 <= slice0winner5_best_cost_0_0;
       slice0_best_index_0_0 <= slice0winner5_best_index_0_0 + 96;
-      slice0_best_tag_valid <= slice0winner5_tag_valid;
-      slice0_best_tag_output_column <= slice0winner5_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner5_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner5_tag_end_of_line;
+      slice0_best_tag <= slice0winner5_tag;
       -- slice1shift
-      if slice0shift_tag_valid then
+      if slice0shift_tag.valid then
         for i in 0 to 1 loop
           for j in 0 to 23 loop
             slice1shift_search(i, j) <= slice1shift_search(i, j + 1);
@@ -3038,45 +1040,23 @@ begin
           slice1shift_search(i, 24) <= slice0shift_search_out(i);
         end loop;
       end if;
-      slice1shift_reference(0) <= slice0shift_reference(0);
-      slice1shift_reference(1) <= slice0shift_reference(1);
+      slice1shift_reference <= slice0shift_reference;
       slice1shift_search_out(0) <= slice1shift_search(0, 0);
       slice1shift_search_out(1) <= slice1shift_search(1, 0);
       -- slice1cost
       for i in 0 to 11 loop
-        if slice0cost_tag_first_group then
-          slice1cost_column_0_choice(2 * i) := 0;
-        else
-          slice1cost_column_0_choice(2 * i) := slice1cost_ready_words(i) mod 2048;
-        end if;
-        if slice0cost_tag_border_column then
-          slice1cost_column_0_choice_2(2 * i) := 0;
-        else
-          slice1cost_column_0_choice_2(2 * i) := (slice1cost_change_0(2 * i) + slice1cost_column_0_choice(2 * i)) mod
-            2048;
-        end if;
-        if slice0cost_tag_first_group then
-          slice1cost_column_0_choice(2 * i + 1) := 0;
-        else
-          slice1cost_column_0_choice(2 * i + 1) := slice1cost_ready_words(i) / 2048;
-        end if;
-        if slice0cost_tag_border_column then
-          slice1cost_column_0_choice_2(2 * i + 1) := 0;
-        else
-          slice1cost_column_0_choice_2(2 * i + 1) := (slice1cost_change_0(2 * i + 1) + slice1cost_column_0_choice(2 * i
-            + 1)) mod 2048;
-        end if;
+        slice1cost_column_0_choice(2 * i, 1) := choice(slice0cost_tag.first_group, 0, slice1cost_ready_words(i) mod
+          2048);
+        slice1cost_column_0_choice(2 * i, 2) := choice(slice0cost_tag.border_column, 0, (slice1cost_change_0(2 * i) +
+          slice1cost_column_0_choice(2 * i, 1)) mod 2048);
+        slice1cost_column_0_choice(2 * i + 1, 1) := choice(slice0cost_tag.first_group, 0, slice1cost_ready_words(i) /
+          2048);
+        slice1cost_column_0_choice(2 * i + 1, 2) := choice(slice0cost_tag.border_column, 0, (slice1cost_change_0(2 * i
+          + 1) + slice1cost_column_0_choice(2 * i + 1, 1)) mod 2048);
       end loop;
-      if slice0cost_tag_first_group then
-        slice1cost_column_0_choice(24) := 0;
-      else
-        slice1cost_column_0_choice(24) := slice1cost_ready_words_12;
-      end if;
-      if slice0cost_tag_border_column then
-        slice1cost_column_0_choice_2(24) := 0;
-      else
-        slice1cost_column_0_choice_2(24) := (slice1cost_change_0(24) + slice1cost_column_0_choice(24)) mod 2048;
-      end if;
+      slice1cost_column_0_choice(24, 1) := choice(slice0cost_tag.first_group, 0, slice1cost_ready_words_12);
+      slice1cost_column_0_choice(24, 2) := choice(slice0cost_tag.border_column, 0, (slice1cost_change_0(24) +
+        slice1cost_column_0_choice(24, 1)) mod 2048);
       for i in 0 to 24 loop
         slice1cost_pixels_first(0, i) <= slice1shift_search(0, i) - slice1shift_reference(0);
       end loop;
@@ -3100,68 +1080,44 @@ begin
       slice1cost_ready_words_12 <= to_integer(slice1cost_read_words_12);
       slice1cost_ready_column <= slice1cost_change_column;
       for i in 0 to 24 loop
-        slice1cost_column_0(i) <= slice1cost_column_0_choice_2(i);
+        slice1cost_column_0(i) <= slice1cost_column_0_choice(i, 2);
       end loop;
       slice1cost_write_column <= slice0cost_write_column;
-      if slice0cost_tag_valid then
+      if slice0cost_tag.valid then
         for i in 0 to 11 loop
-          slice1cost_write_words(i) <= (slice1cost_column_0_choice_2(2 * i + 1) * 2048) +
-            slice1cost_column_0_choice_2(2 * i);
+          slice1cost_write_words(i) <= (slice1cost_column_0_choice(2 * i + 1, 2) * 2048) + slice1cost_column_0_choice(2
+            * i, 2);
         end loop;
-        slice1cost_write_words_12 <= slice1cost_column_0_choice_2(24);
+        slice1cost_write_words(12) <= slice1cost_column_0_choice(24, 2);
       end if;
       -- slice1window
-      if slice0window_entering_tag_valid then
+      if slice0window_entering_tag.valid then
         slice1window_ring_write_address <= slice1window_ring_read_address;
-        if slice1window_ring_read_address = 7 then
-          slice1window_ring_read_address <= 0;
-        else
-          slice1window_ring_read_address <= (slice1window_ring_read_address + 1) mod 8;
-        end if;
+        slice1window_ring_read_address <= choice(slice1window_ring_read_address = 7, 0, (slice1window_ring_read_address
+          + 1) mod 8);
       end if;
-      for i in 0 to 5 loop
-        for j in 0 to 1 loop
-          if slice0window_change_tag_leaves_window then
-            slice1window_change_0_choice(4 * i + j) := to_integer(slice1window_leaving(2 * i)(11 * j + 10 downto 11 *
-              j));
-          else
-            slice1window_change_0_choice(4 * i + j) := 0;
-          end if;
-        end loop;
-        for j in 2 to 3 loop
-          if slice0window_change_tag_leaves_window then
-            slice1window_change_0_choice(4 * i + j) := to_integer(slice1window_leaving(2 * i + 1)(11 * j - 12 downto 11
-              * j - 22));
-          else
-            slice1window_change_0_choice(4 * i + j) := 0;
-          end if;
-        end loop;
+      for i in 0 to 11 loop
+        slice1window_change_0_choice(2 * i) := choice(slice0window_change_tag.leaves_window,
+          to_integer(slice1window_leaving(i)(10 downto 0)), 0);
+        slice1window_change_0_choice(2 * i + 1) := choice(slice0window_change_tag.leaves_window,
+          to_integer(slice1window_leaving(i)(21 downto 11)), 0);
       end loop;
-      if slice0window_change_tag_leaves_window then
-        slice1window_change_0_choice(24) := to_integer(slice1window_leaving_12);
-      else
-        slice1window_change_0_choice(24) := 0;
-      end if;
-      for i in 0 to 24 loop
-        slice1window_entering_0(i) <= slice1cost_column_0(i);
-      end loop;
+      slice1window_change_0_choice(24) := choice(slice0window_change_tag.leaves_window,
+        to_integer(slice1window_leaving_12), 0);
+      slice1window_entering_0 <= slice1cost_column_0;
       for i in 0 to 24 loop
         slice1window_change_0(i) <= slice1window_entering_0(i) - slice1window_change_0_choice(i);
       end loop;
-      slice1window_change_tag_first_group <= slice0window_change_tag_first_group;
-      slice1window_change_tag_border_column <= slice0window_change_tag_border_column;
-      slice1window_change_tag_leaves_window <= slice0window_change_tag_leaves_window;
+      slice1window_change_tag.first_group <= slice0window_change_tag.first_group;
+      slice1window_change_tag.border_column <= slice0window_change_tag.border_column;
+      slice1window_change_tag.leaves_window <= slice0window_change_tag.leaves_window;
       slice1window_centre_output_column_0 <= slice0window_centre_output_column_0;
       slice1window_centre_first_column_0 <= slice0window_centre_first_column_0;
       slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
       for i in 0 to 24 loop
-        if slice0window_centre_first_column_0 then
-          slice1window_sum_0_choice(i) := 0;
-        else
-          slice1window_sum_0_choice(i) := slice1window_sum_0(i);
-        end if;
+        slice1window_sum_0_choice(i) := choice(slice0window_centre_first_column_0, 0, slice1window_sum_0(i));
       end loop;
-      if slice0window_tag_valid then
+      if slice0window_tag.valid then
         for i in 0 to 24 loop
           slice1window_sum_0(i) <= (slice1window_sum_0_choice(i) + slice1window_change_0(i)) mod 16384;
         end loop;
@@ -3172,204 +1128,66 @@ begin
       end loop;
       slice1winner1_best_cost_0(12) <= slice1window_sum_0(24);
       slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_is_less(0);
-      if slice1winner1_best_cost_0_is_less(0) then
-        slice1winner1_best_cost_0(0) <= slice1window_sum_0(1);
-      else
-        slice1winner1_best_cost_0(0) <= slice1window_sum_0(0);
-      end if;
-      if slice1winner1_best_cost_0_is_less(1) then
-        slice1winner1_best_cost_0(1) <= slice1window_sum_0(3);
-        slice1winner1_best_index_0_1 <= 3;
-      else
-        slice1winner1_best_cost_0(1) <= slice1window_sum_0(2);
-        slice1winner1_best_index_0_1 <= 2;
-      end if;
-      if slice1winner1_best_cost_0_is_less(2) then
-        slice1winner1_best_cost_0(2) <= slice1window_sum_0(5);
-        slice1winner1_best_index_0_2 <= 5;
-      else
-        slice1winner1_best_cost_0(2) <= slice1window_sum_0(4);
-        slice1winner1_best_index_0_2 <= 4;
-      end if;
-      if slice1winner1_best_cost_0_is_less(3) then
-        slice1winner1_best_cost_0(3) <= slice1window_sum_0(7);
-        slice1winner1_best_index_0_3 <= 7;
-      else
-        slice1winner1_best_cost_0(3) <= slice1window_sum_0(6);
-        slice1winner1_best_index_0_3 <= 6;
-      end if;
-      if slice1winner1_best_cost_0_is_less(4) then
-        slice1winner1_best_cost_0(4) <= slice1window_sum_0(9);
-        slice1winner1_best_index_0_4 <= 9;
-      else
-        slice1winner1_best_cost_0(4) <= slice1window_sum_0(8);
-        slice1winner1_best_index_0_4 <= 8;
-      end if;
-      if slice1winner1_best_cost_0_is_less(5) then
-        slice1winner1_best_cost_0(5) <= slice1window_sum_0(11);
-        slice1winner1_best_index_0_5 <= 11;
-      else
-        slice1winner1_best_cost_0(5) <= slice1window_sum_0(10);
-        slice1winner1_best_index_0_5 <= 10;
-      end if;
-      if slice1winner1_best_cost_0_is_less(6) then
-        slice1winner1_best_cost_0(6) <= slice1window_sum_0(13);
-        slice1winner1_best_index_0_6 <= 13;
-      else
-        slice1winner1_best_cost_0(6) <= slice1window_sum_0(12);
-        slice1winner1_best_index_0_6 <= 12;
-      end if;
-      if slice1winner1_best_cost_0_is_less(7) then
-        slice1winner1_best_cost_0(7) <= slice1window_sum_0(15);
-        slice1winner1_best_index_0_7 <= 15;
-      else
-        slice1winner1_best_cost_0(7) <= slice1window_sum_0(14);
-        slice1winner1_best_index_0_7 <= 14;
-      end if;
-      if slice1winner1_best_cost_0_is_less(8) then
-        slice1winner1_best_cost_0(8) <= slice1window_sum_0(17);
-        slice1winner1_best_index_0_8 <= 17;
-      else
-        slice1winner1_best_cost_0(8) <= slice1window_sum_0(16);
-        slice1winner1_best_index_0_8 <= 16;
-      end if;
-      if slice1winner1_best_cost_0_is_less(9) then
-        slice1winner1_best_cost_0(9) <= slice1window_sum_0(19);
-        slice1winner1_best_index_0_9 <= 19;
-      else
-        slice1winner1_best_cost_0(9) <= slice1window_sum_0(18);
-        slice1winner1_best_index_0_9 <= 18;
-      end if;
-      if slice1winner1_best_cost_0_is_less(10) then
-        slice1winner1_best_cost_0(10) <= slice1window_sum_0(21);
-        slice1winner1_best_index_0_10 <= 21;
-      else
-        slice1winner1_best_cost_0(10) <= slice1window_sum_0(20);
-        slice1winner1_best_index_0_10 <= 20;
-      end if;
-      if slice1winner1_best_cost_0_is_less(11) then
-        slice1winner1_best_cost_0(11) <= slice1window_sum_0(23);
-        slice1winner1_best_index_0_11 <= 23;
-      else
-        slice1winner1_best_cost_0(11) <= slice1window_sum_0(22);
-        slice1winner1_best_index_0_11 <= 22;
-      end if;
+      slice1winner1_best_cost_0(0) <= choice(slice1winner1_best_cost_0_is_less(0), slice1window_sum_0(1),
+        slice1window_sum_0(0));
+      for i in 1 to 11 loop
+        slice1winner1_best_cost_0(i) <= choice(slice1winner1_best_cost_0_is_less(i), slice1window_sum_0(2 * i + 1),
+          slice1window_sum_0(2 * i));
+        slice1winner1_best_index_0(i) <= choice(slice1winner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
+      end loop;
       -- slice1winner2
       for i in 0 to 5 loop
         slice1winner2_best_cost_0_is_less(i) := (slice1winner1_best_cost_0(2 * i + 1) - slice1winner1_best_cost_0(2 *
           i)) < 0;
       end loop;
       slice1winner2_best_cost_0(6) <= slice1winner1_best_cost_0(12);
-      if slice1winner2_best_cost_0_is_less(0) then
-        slice1winner2_best_cost_0(0) <= slice1winner1_best_cost_0(1);
-        slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1;
-      else
-        slice1winner2_best_cost_0(0) <= slice1winner1_best_cost_0(0);
-        slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
-      end if;
-      if slice1winner2_best_cost_0_is_less(1) then
-        slice1winner2_best_cost_0(1) <= slice1winner1_best_cost_0(3);
-        slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3;
-      else
-        slice1winner2_best_cost_0(1) <= slice1winner1_best_cost_0(2);
-        slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_2;
-      end if;
-      if slice1winner2_best_cost_0_is_less(2) then
-        slice1winner2_best_cost_0(2) <= slice1winner1_best_cost_0(5);
-        slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5;
-      else
-        slice1winner2_best_cost_0(2) <= slice1winner1_best_cost_0(4);
-        slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_4;
-      end if;
-      if slice1winner2_best_cost_0_is_less(3) then
-        slice1winner2_best_cost_0(3) <= slice1winner1_best_cost_0(7);
-        slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_7;
-      else
-        slice1winner2_best_cost_0(3) <= slice1winner1_best_cost_0(6);
-        slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_6;
-      end if;
-      if slice1winner2_best_cost_0_is_less(4) then
-        slice1winner2_best_cost_0(4) <= slice1winner1_best_cost_0(9);
-        slice1winner2_best_index_0_4 <= slice1winner1_best_index_0_9;
-      else
-        slice1winner2_best_cost_0(4) <= slice1winner1_best_cost_0(8);
-        slice1winner2_best_index_0_4 <= slice1winner1_best_index_0_8;
-      end if;
-      if slice1winner2_best_cost_0_is_less(5) then
-        slice1winner2_best_cost_0(5) <= slice1winner1_best_cost_0(11);
-        slice1winner2_best_index_0_5 <= slice1winner1_best_index_0_11;
-      else
-        slice1winner2_best_cost_0(5) <= slice1winner1_best_cost_0(10);
-        slice1winner2_best_index_0_5 <= slice1winner1_best_index_0_10;
-      end if;
+      slice1winner2_best_cost_0(0) <= choice(slice1winner2_best_cost_0_is_less(0), slice1winner1_best_cost_0(1),
+        slice1winner1_best_cost_0(0));
+      slice1winner2_best_index_0(0) <= choice(slice1winner2_best_cost_0_is_less(0), slice1winner1_best_index_0(1),
+        as_number(slice1winner1_best_index_0_0));
+      for i in 1 to 5 loop
+        slice1winner2_best_cost_0(i) <= choice(slice1winner2_best_cost_0_is_less(i), slice1winner1_best_cost_0(2 * i +
+          1), slice1winner1_best_cost_0(2 * i));
+        slice1winner2_best_index_0(i) <= choice(slice1winner2_best_cost_0_is_less(i), slice1winner1_best_index_0(2 * i
+          + 1), slice1winner1_best_index_0(2 * i));
+      end loop;
       -- slice1winner3
       for i in 0 to 2 loop
         slice1winner3_best_cost_0_is_less(i) := (slice1winner2_best_cost_0(2 * i + 1) - slice1winner2_best_cost_0(2 *
           i)) < 0;
       end loop;
       slice1winner3_best_cost_0(3) <= slice1winner2_best_cost_0(6);
-      if slice1winner3_best_cost_0_is_less(0) then
-        slice1winner3_best_cost_0(0) <= slice1winner2_best_cost_0(1);
-        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1;
-      else
-        slice1winner3_best_cost_0(0) <= slice1winner2_best_cost_0(0);
-        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_0;
-      end if;
-      if slice1winner3_best_cost_0_is_less(1) then
-        slice1winner3_best_cost_0(1) <= slice1winner2_best_cost_0(3);
-        slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_3;
-      else
-        slice1winner3_best_cost_0(1) <= slice1winner2_best_cost_0(2);
-        slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_2;
-      end if;
-      if slice1winner3_best_cost_0_is_less(2) then
-        slice1winner3_best_cost_0(2) <= slice1winner2_best_cost_0(5);
-        slice1winner3_best_index_0_2 <= slice1winner2_best_index_0_5;
-      else
-        slice1winner3_best_cost_0(2) <= slice1winner2_best_cost_0(4);
-        slice1winner3_best_index_0_2 <= slice1winner2_best_index_0_4;
-      end if;
+      for i in 0 to 2 loop
+        slice1winner3_best_cost_0(i) <= choice(slice1winner3_best_cost_0_is_less(i), slice1winner2_best_cost_0(2 * i +
+          1), slice1winner2_best_cost_0(2 * i));
+        slice1winner3_best_index_0(i) <= choice(slice1winner3_best_cost_0_is_less(i), slice1winner2_best_index_0(2 * i
+          + 1), slice1winner2_best_index_0(2 * i));
+      end loop;
       -- slice1winner4
       slice1winner4_best_cost_0_is_less(0) := (slice1winner3_best_cost_0(1) - slice1winner3_best_cost_0(0)) < 0;
       slice1winner4_best_cost_0_is_less(1) := (slice1winner3_best_cost_0(3) - slice1winner3_best_cost_0(2)) < 0;
-      if slice1winner4_best_cost_0_is_less(0) then
-        slice1winner4_best_cost_0(0) <= slice1winner3_best_cost_0(1);
-        slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_1;
-      else
-        slice1winner4_best_cost_0(0) <= slice1winner3_best_cost_0(0);
-        slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_0;
-      end if;
-      if slice1winner4_best_cost_0_is_less(1) then
-        slice1winner4_best_cost_0(1) <= slice1winner3_best_cost_0(3);
-        slice1winner4_best_index_0_1 <= slice0winner3_best_index_0_3;
-      else
-        slice1winner4_best_cost_0(1) <= slice1winner3_best_cost_0(2);
-        slice1winner4_best_index_0_1 <= slice1winner3_best_index_0_2;
-      end if;
+      slice1winner4_best_cost_0(0) <= choice(slice1winner4_best_cost_0_is_less(0), slice1winner3_best_cost_0(1),
+        slice1winner3_best_cost_0(0));
+      slice1winner4_best_index_0(0) <= choice(slice1winner4_best_cost_0_is_less(0), slice1winner3_best_index_0(1),
+        slice1winner3_best_index_0(0));
+      slice1winner4_best_cost_0(1) <= choice(slice1winner4_best_cost_0_is_less(1), slice1winner3_best_cost_0(3),
+        slice1winner3_best_cost_0(2));
+      slice1winner4_best_index_0(1) <= choice(slice1winner4_best_cost_0_is_less(1), slice0winner3_best_index_0(3),
+        slice1winner3_best_index_0(2));
       -- slice1winner5
       slice1winner5_best_cost_0_0_is_less := (slice1winner4_best_cost_0(1) - slice1winner4_best_cost_0(0)) < 0;
-      if slice1winner5_best_cost_0_0_is_less then
-        slice1winner5_best_cost_0_0 <= slice1winner4_best_cost_0(1);
-        slice1winner5_best_index_0_0 <= slice1winner4_best_index_0_1;
-      else
-        slice1winner5_best_cost_0_0 <= slice1winner4_best_cost_0(0);
-        slice1winner5_best_index_0_0 <= slice1winner4_best_index_0_0;
-      end if;
+      slice1winner5_best_cost_0_0 <= choice(slice1winner5_best_cost_0_0_is_less, slice1winner4_best_cost_0(1),
+        slice1winner4_best_cost_0(0));
+      slice1winner5_best_index_0_0 <= choice(slice1winner5_best_cost_0_0_is_less, slice1winner4_best_index_0(1),
+        slice1winner4_best_index_0(0));
       -- slice1
       slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner5_best_cost_0_0) < 0;
-      slice1_best_tag_valid <= slice0_best_tag_valid;
-      slice1_best_tag_output_column <= slice0_best_tag_output_column;
-      slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
-      slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
-      if slice1_best_cost_0_0_is_less then
-        slice1_best_cost_0_0 <= slice0_best_cost_0_0;
-        slice1_best_index_0_0 <= slice0_best_index_0_0;
-      else
-        slice1_best_cost_0_0 <= slice1winner5_best_cost_0_0;
-        slice1_best_index_0_0 <= slice1winner5_best_index_0_0 + 71;
-      end if;
+      slice1_best_tag <= slice0_best_tag;
+      slice1_best_cost_0_0 <= choice(slice1_best_cost_0_0_is_less, slice0_best_cost_0_0, slice1winner5_best_cost_0_0);
+      slice1_best_index_0_0 <= choice(slice1_best_cost_0_0_is_less, slice0_best_index_0_0, slice1winner5_best_index_0_0
+        + 71);
       -- slice2shift
-      if slice0cost_pixels_first_tag_valid then
+      if slice0cost_pixels_first_tag.valid then
         for i in 0 to 1 loop
           for j in 0 to 23 loop
             slice2shift_search(i, j) <= slice2shift_search(i, j + 1);
@@ -3377,45 +1195,23 @@ begin
           slice2shift_search(i, 24) <= slice1shift_search_out(i);
         end loop;
       end if;
-      slice2shift_reference(0) <= slice1shift_reference(0);
-      slice2shift_reference(1) <= slice1shift_reference(1);
+      slice2shift_reference <= slice1shift_reference;
       slice2shift_search_out(0) <= slice2shift_search(0, 0);
       slice2shift_search_out(1) <= slice2shift_search(1, 0);
       -- slice2cost
       for i in 0 to 11 loop
-        if slice0window_entering_tag_first_group then
-          slice2cost_column_0_choice(2 * i) := 0;
-        else
-          slice2cost_column_0_choice(2 * i) := slice2cost_ready_words(i) mod 2048;
-        end if;
-        if slice0window_entering_tag_border_column then
-          slice2cost_column_0_choice_2(2 * i) := 0;
-        else
-          slice2cost_column_0_choice_2(2 * i) := (slice2cost_change_0(2 * i) + slice2cost_column_0_choice(2 * i)) mod
-            2048;
-        end if;
-        if slice0window_entering_tag_first_group then
-          slice2cost_column_0_choice(2 * i + 1) := 0;
-        else
-          slice2cost_column_0_choice(2 * i + 1) := slice2cost_ready_words(i) / 2048;
-        end if;
-        if slice0window_entering_tag_border_column then
-          slice2cost_column_0_choice_2(2 * i + 1) := 0;
-        else
-          slice2cost_column_0_choice_2(2 * i + 1) := (slice2cost_change_0(2 * i + 1) + slice2cost_column_0_choice(2 * i
-            + 1)) mod 2048;
-        end if;
+        slice2cost_column_0_choice(2 * i, 1) := choice(slice0window_entering_tag.first_group, 0,
+          slice2cost_ready_words(i) mod 2048);
+        slice2cost_column_0_choice(2 * i, 2) := choice(slice0window_entering_tag.border_column, 0,
+          (slice2cost_change_0(2 * i) + slice2cost_column_0_choice(2 * i, 1)) mod 2048);
+        slice2cost_column_0_choice(2 * i + 1, 1) := choice(slice0window_entering_tag.first_group, 0,
+          slice2cost_ready_words(i) / 2048);
+        slice2cost_column_0_choice(2 * i + 1, 2) := choice(slice0window_entering_tag.border_column, 0,
+          (slice2cost_change_0(2 * i + 1) + slice2cost_column_0_choice(2 * i + 1, 1)) mod 2048);
       end loop;
-      if slice0window_entering_tag_first_group then
-        slice2cost_column_0_choice(24) := 0;
-      else
-        slice2cost_column_0_choice(24) := slice2cost_ready_words_12;
-      end if;
-      if slice0window_entering_tag_border_column then
-        slice2cost_column_0_choice_2(24) := 0;
-      else
-        slice2cost_column_0_choice_2(24) := (slice2cost_change_0(24) + slice2cost_column_0_choice(24)) mod 2048;
-      end if;
+      slice2cost_column_0_choice(24, 1) := choice(slice0window_entering_tag.first_group, 0, slice2cost_ready_words_12);
+      slice2cost_column_0_choice(24, 2) := choice(slice0window_entering_tag.border_column, 0, (slice2cost_change_0(24)
+        + slice2cost_column_0_choice(24, 1)) mod 2048);
       for i in 0 to 24 loop
         slice2cost_pixels_first(0, i) <= slice2shift_search(0, i) - slice2shift_reference(0);
       end loop;
@@ -3437,72 +1233,48 @@ begin
       end loop;
       slice2cost_ready_words_12 <= to_integer(slice2cost_read_words_12);
       for i in 0 to 24 loop
-        slice2cost_column_0(i) <= slice2cost_column_0_choice_2(i);
+        slice2cost_column_0(i) <= slice2cost_column_0_choice(i, 2);
       end loop;
-      if slice0cost_ready_tag_valid then
+      if slice0cost_ready_tag.valid then
         slice2cost_change_column <= slice2cost_read_column;
       end if;
-      if slice0cost_tag_valid then
+      if slice0cost_tag.valid then
         slice2cost_ready_column <= slice1cost_ready_column;
       end if;
-      if slice0window_entering_tag_valid then
+      if slice0window_entering_tag.valid then
         slice2cost_write_column <= slice1cost_write_column;
         for i in 0 to 11 loop
-          slice2cost_write_words(i) <= (slice2cost_column_0_choice_2(2 * i + 1) * 2048) +
-            slice2cost_column_0_choice_2(2 * i);
+          slice2cost_write_words(i) <= (slice2cost_column_0_choice(2 * i + 1, 2) * 2048) + slice2cost_column_0_choice(2
+            * i, 2);
         end loop;
-        slice2cost_write_words_12 <= slice2cost_column_0_choice_2(24);
+        slice2cost_write_words(12) <= slice2cost_column_0_choice(24, 2);
       end if;
       -- slice2window
-      if slice0window_change_tag_valid then
+      if slice0window_change_tag.valid then
         slice2window_ring_write_address <= slice2window_ring_read_address;
-        if slice2window_ring_read_address = 7 then
-          slice2window_ring_read_address <= 0;
-        else
-          slice2window_ring_read_address <= (slice2window_ring_read_address + 1) mod 8;
-        end if;
+        slice2window_ring_read_address <= choice(slice2window_ring_read_address = 7, 0, (slice2window_ring_read_address
+          + 1) mod 8);
       end if;
-      for i in 0 to 5 loop
-        for j in 0 to 1 loop
-          if slice1window_change_tag_leaves_window then
-            slice2window_change_0_choice(4 * i + j) := to_integer(slice2window_leaving(2 * i)(11 * j + 10 downto 11 *
-              j));
-          else
-            slice2window_change_0_choice(4 * i + j) := 0;
-          end if;
-        end loop;
-        for j in 2 to 3 loop
-          if slice1window_change_tag_leaves_window then
-            slice2window_change_0_choice(4 * i + j) := to_integer(slice2window_leaving(2 * i + 1)(11 * j - 12 downto 11
-              * j - 22));
-          else
-            slice2window_change_0_choice(4 * i + j) := 0;
-          end if;
-        end loop;
+      for i in 0 to 11 loop
+        slice2window_change_0_choice(2 * i) := choice(slice1window_change_tag.leaves_window,
+          to_integer(slice2window_leaving(i)(10 downto 0)), 0);
+        slice2window_change_0_choice(2 * i + 1) := choice(slice1window_change_tag.leaves_window,
+          to_integer(slice2window_leaving(i)(21 downto 11)), 0);
       end loop;
-      if slice1window_change_tag_leaves_window then
-        slice2window_change_0_choice(24) := to_integer(slice2window_leaving_12);
-      else
-        slice2window_change_0_choice(24) := 0;
-      end if;
-      for i in 0 to 24 loop
-        slice2window_entering_0(i) <= slice2cost_column_0(i);
-      end loop;
+      slice2window_change_0_choice(24) := choice(slice1window_change_tag.leaves_window,
+        to_integer(slice2window_leaving_12), 0);
+      slice2window_entering_0 <= slice2cost_column_0;
       for i in 0 to 24 loop
         slice2window_change_0(i) <= slice2window_entering_0(i) - slice2window_change_0_choice(i);
       end loop;
-      slice2window_change_tag_leaves_window <= slice1window_change_tag_leaves_window;
+      slice2window_change_tag_leaves_window <= slice1window_change_tag.leaves_window;
       slice2window_centre_output_column_0 <= slice1window_centre_output_column_0;
       slice2window_centre_first_column_0 <= slice1window_centre_first_column_0;
       slice2window_centre_end_of_line_0 <= slice1window_centre_end_of_line_0;
       for i in 0 to 24 loop
-        if slice1window_centre_first_column_0 then
-          slice2window_sum_0_choice(i) := 0;
-        else
-          slice2window_sum_0_choice(i) := slice2window_sum_0(i);
-        end if;
+        slice2window_sum_0_choice(i) := choice(slice1window_centre_first_column_0, 0, slice2window_sum_0(i));
       end loop;
-      if slice0winner1_tag_valid then
+      if slice0winner1_tag.valid then
         for i in 0 to 24 loop
           slice2window_sum_0(i) <= (slice2window_sum_0_choice(i) + slice2window_change_0(i)) mod 16384;
         end loop;
@@ -3513,204 +1285,66 @@ begin
       end loop;
       slice2winner1_best_cost_0(12) <= slice2window_sum_0(24);
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_is_less(0);
-      if slice2winner1_best_cost_0_is_less(0) then
-        slice2winner1_best_cost_0(0) <= slice2window_sum_0(1);
-      else
-        slice2winner1_best_cost_0(0) <= slice2window_sum_0(0);
-      end if;
-      if slice2winner1_best_cost_0_is_less(1) then
-        slice2winner1_best_cost_0(1) <= slice2window_sum_0(3);
-        slice2winner1_best_index_0_1 <= 3;
-      else
-        slice2winner1_best_cost_0(1) <= slice2window_sum_0(2);
-        slice2winner1_best_index_0_1 <= 2;
-      end if;
-      if slice2winner1_best_cost_0_is_less(2) then
-        slice2winner1_best_cost_0(2) <= slice2window_sum_0(5);
-        slice2winner1_best_index_0_2 <= 5;
-      else
-        slice2winner1_best_cost_0(2) <= slice2window_sum_0(4);
-        slice2winner1_best_index_0_2 <= 4;
-      end if;
-      if slice2winner1_best_cost_0_is_less(3) then
-        slice2winner1_best_cost_0(3) <= slice2window_sum_0(7);
-        slice2winner1_best_index_0_3 <= 7;
-      else
-        slice2winner1_best_cost_0(3) <= slice2window_sum_0(6);
-        slice2winner1_best_index_0_3 <= 6;
-      end if;
-      if slice2winner1_best_cost_0_is_less(4) then
-        slice2winner1_best_cost_0(4) <= slice2window_sum_0(9);
-        slice2winner1_best_index_0_4 <= 9;
-      else
-        slice2winner1_best_cost_0(4) <= slice2window_sum_0(8);
-        slice2winner1_best_index_0_4 <= 8;
-      end if;
-      if slice2winner1_best_cost_0_is_less(5) then
-        slice2winner1_best_cost_0(5) <= slice2window_sum_0(11);
-        slice2winner1_best_index_0_5 <= 11;
-      else
-        slice2winner1_best_cost_0(5) <= slice2window_sum_0(10);
-        slice2winner1_best_index_0_5 <= 10;
-      end if;
-      if slice2winner1_best_cost_0_is_less(6) then
-        slice2winner1_best_cost_0(6) <= slice2window_sum_0(13);
-        slice2winner1_best_index_0_6 <= 13;
-      else
-        slice2winner1_best_cost_0(6) <= slice2window_sum_0(12);
-        slice2winner1_best_index_0_6 <= 12;
-      end if;
-      if slice2winner1_best_cost_0_is_less(7) then
-        slice2winner1_best_cost_0(7) <= slice2window_sum_0(15);
-        slice2winner1_best_index_0_7 <= 15;
-      else
-        slice2winner1_best_cost_0(7) <= slice2window_sum_0(14);
-        slice2winner1_best_index_0_7 <= 14;
-      end if;
-      if slice2winner1_best_cost_0_is_less(8) then
-        slice2winner1_best_cost_0(8) <= slice2window_sum_0(17);
-        slice2winner1_best_index_0_8 <= 17;
-      else
-        slice2winner1_best_cost_0(8) <= slice2window_sum_0(16);
-        slice2winner1_best_index_0_8 <= 16;
-      end if;
-      if slice2winner1_best_cost_0_is_less(9) then
-        slice2winner1_best_cost_0(9) <= slice2window_sum_0(19);
-        slice2winner1_best_index_0_9 <= 19;
-      else
-        slice2winner1_best_cost_0(9) <= slice2window_sum_0(18);
-        slice2winner1_best_index_0_9 <= 18;
-      end if;
-      if slice2winner1_best_cost_0_is_less(10) then
-        slice2winner1_best_cost_0(10) <= slice2window_sum_0(21);
-        slice2winner1_best_index_0_10 <= 21;
-      else
-        slice2winner1_best_cost_0(10) <= slice2window_sum_0(20);
-        slice2winner1_best_index_0_10 <= 20;
-      end if;
-      if slice2winner1_best_cost_0_is_less(11) then
-        slice2winner1_best_cost_0(11) <= slice2window_sum_0(23);
-        slice2winner1_best_index_0_11 <= 23;
-      else
-        slice2winner1_best_cost_0(11) <= slice2window_sum_0(22);
-        slice2winner1_best_index_0_11 <= 22;
-      end if;
+      slice2winner1_best_cost_0(0) <= choice(slice2winner1_best_cost_0_is_less(0), slice2window_sum_0(1),
+        slice2window_sum_0(0));
+      for i in 1 to 11 loop
+        slice2winner1_best_cost_0(i) <= choice(slice2winner1_best_cost_0_is_less(i), slice2window_sum_0(2 * i + 1),
+          slice2window_sum_0(2 * i));
+        slice2winner1_best_index_0(i) <= choice(slice2winner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
+      end loop;
       -- slice2winner2
       for i in 0 to 5 loop
         slice2winner2_best_cost_0_is_less(i) := (slice2winner1_best_cost_0(2 * i + 1) - slice2winner1_best_cost_0(2 *
           i)) < 0;
       end loop;
       slice2winner2_best_cost_0(6) <= slice2winner1_best_cost_0(12);
-      if slice2winner2_best_cost_0_is_less(0) then
-        slice2winner2_best_cost_0(0) <= slice2winner1_best_cost_0(1);
-        slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_1;
-      else
-        slice2winner2_best_cost_0(0) <= slice2winner1_best_cost_0(0);
-        slice2winner2_best_index_0_0 <= as_number(slice2winner1_best_index_0_0);
-      end if;
-      if slice2winner2_best_cost_0_is_less(1) then
-        slice2winner2_best_cost_0(1) <= slice2winner1_best_cost_0(3);
-        slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_3;
-      else
-        slice2winner2_best_cost_0(1) <= slice2winner1_best_cost_0(2);
-        slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_2;
-      end if;
-      if slice2winner2_best_cost_0_is_less(2) then
-        slice2winner2_best_cost_0(2) <= slice2winner1_best_cost_0(5);
-        slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_5;
-      else
-        slice2winner2_best_cost_0(2) <= slice2winner1_best_cost_0(4);
-        slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_4;
-      end if;
-      if slice2winner2_best_cost_0_is_less(3) then
-        slice2winner2_best_cost_0(3) <= slice2winner1_best_cost_0(7);
-        slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_7;
-      else
-        slice2winner2_best_cost_0(3) <= slice2winner1_best_cost_0(6);
-        slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_6;
-      end if;
-      if slice2winner2_best_cost_0_is_less(4) then
-        slice2winner2_best_cost_0(4) <= slice2winner1_best_cost_0(9);
-        slice2winner2_best_index_0_4 <= slice2winner1_best_index_0_9;
-      else
-        slice2winner2_best_cost_0(4) <= slice2winner1_best_cost_0(8);
-        slice2winner2_best_index_0_4 <= slice2winner1_best_index_0_8;
-      end if;
-      if slice2winner2_best_cost_0_is_less(5) then
-        slice2winner2_best_cost_0(5) <= slice2winner1_best_cost_0(11);
-        slice2winner2_best_index_0_5 <= slice2winner1_best_index_0_11;
-      else
-        slice2winner2_best_cost_0(5) <= slice2winner1_best_cost_0(10);
-        slice2winner2_best_index_0_5 <= slice2winner1_best_index_0_10;
-      end if;
+      slice2winner2_best_cost_0(0) <= choice(slice2winner2_best_cost_0_is_less(0), slice2winner1_best_cost_0(1),
+        slice2winner1_best_cost_0(0));
+      slice2winner2_best_index_0(0) <= choice(slice2winner2_best_cost_0_is_less(0), slice2winner1_best_index_0(1),
+        as_number(slice2winner1_best_index_0_0));
+      for i in 1 to 5 loop
+        slice2winner2_best_cost_0(i) <= choice(slice2winner2_best_cost_0_is_less(i), slice2winner1_best_cost_0(2 * i +
+          1), slice2winner1_best_cost_0(2 * i));
+        slice2winner2_best_index_0(i) <= choice(slice2winner2_best_cost_0_is_less(i), slice2winner1_best_index_0(2 * i
+          + 1), slice2winner1_best_index_0(2 * i));
+      end loop;
       -- slice2winner3
       for i in 0 to 2 loop
         slice2winner3_best_cost_0_is_less(i) := (slice2winner2_best_cost_0(2 * i + 1) - slice2winner2_best_cost_0(2 *
           i)) < 0;
       end loop;
       slice2winner3_best_cost_0(3) <= slice2winner2_best_cost_0(6);
-      if slice2winner3_best_cost_0_is_less(0) then
-        slice2winner3_best_cost_0(0) <= slice2winner2_best_cost_0(1);
-        slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_1;
-      else
-        slice2winner3_best_cost_0(0) <= slice2winner2_best_cost_0(0);
-        slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
-      end if;
-      if slice2winner3_best_cost_0_is_less(1) then
-        slice2winner3_best_cost_0(1) <= slice2winner2_best_cost_0(3);
-        slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_3;
-      else
-        slice2winner3_best_cost_0(1) <= slice2winner2_best_cost_0(2);
-        slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_2;
-      end if;
-      if slice2winner3_best_cost_0_is_less(2) then
-        slice2winner3_best_cost_0(2) <= slice2winner2_best_cost_0(5);
-        slice2winner3_best_index_0_2 <= slice2winner2_best_index_0_5;
-      else
-        slice2winner3_best_cost_0(2) <= slice2winner2_best_cost_0(4);
-        slice2winner3_best_index_0_2 <= slice2winner2_best_index_0_4;
-      end if;
+      for i in 0 to 2 loop
+        slice2winner3_best_cost_0(i) <= choice(slice2winner3_best_cost_0_is_less(i), slice2winner2_best_cost_0(2 * i +
+          1), slice2winner2_best_cost_0(2 * i));
+        slice2winner3_best_index_0(i) <= choice(slice2winner3_best_cost_0_is_less(i), slice2winner2_best_index_0(2 * i
+          + 1), slice2winner2_best_index_0(2 * i));
+      end loop;
       -- slice2winner4
       slice2winner4_best_cost_0_is_less(0) := (slice2winner3_best_cost_0(1) - slice2winner3_best_cost_0(0)) < 0;
       slice2winner4_best_cost_0_is_less(1) := (slice2winner3_best_cost_0(3) - slice2winner3_best_cost_0(2)) < 0;
-      if slice2winner4_best_cost_0_is_less(0) then
-        slice2winner4_best_cost_0(0) <= slice2winner3_best_cost_0(1);
-        slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_1;
-      else
-        slice2winner4_best_cost_0(0) <= slice2winner3_best_cost_0(0);
-        slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_0;
-      end if;
-      if slice2winner4_best_cost_0_is_less(1) then
-        slice2winner4_best_cost_0(1) <= slice2winner3_best_cost_0(3);
-        slice2winner4_best_index_0_1 <= slice0winner3_best_index_0_3;
-      else
-        slice2winner4_best_cost_0(1) <= slice2winner3_best_cost_0(2);
-        slice2winner4_best_index_0_1 <= slice2winner3_best_index_0_2;
-      end if;
+      slice2winner4_best_cost_0(0) <= choice(slice2winner4_best_cost_0_is_less(0), slice2winner3_best_cost_0(1),
+        slice2winner3_best_cost_0(0));
+      slice2winner4_best_index_0(0) <= choice(slice2winner4_best_cost_0_is_less(0), slice2winner3_best_index_0(1),
+        slice2winner3_best_index_0(0));
+      slice2winner4_best_cost_0(1) <= choice(slice2winner4_best_cost_0_is_less(1), slice2winner3_best_cost_0(3),
+        slice2winner3_best_cost_0(2));
+      slice2winner4_best_index_0(1) <= choice(slice2winner4_best_cost_0_is_less(1), slice0winner3_best_index_0(3),
+        slice2winner3_best_index_0(2));
       -- slice2winner5
       slice2winner5_best_cost_0_0_is_less := (slice2winner4_best_cost_0(1) - slice2winner4_best_cost_0(0)) < 0;
-      if slice2winner5_best_cost_0_0_is_less then
-        slice2winner5_best_cost_0_0 <= slice2winner4_best_cost_0(1);
-        slice2winner5_best_index_0_0 <= slice2winner4_best_index_0_1;
-      else
-        slice2winner5_best_cost_0_0 <= slice2winner4_best_cost_0(0);
-        slice2winner5_best_index_0_0 <= slice2winner4_best_index_0_0;
-      end if;
+      slice2winner5_best_cost_0_0 <= choice(slice2winner5_best_cost_0_0_is_less, slice2winner4_best_cost_0(1),
+        slice2winner4_best_cost_0(0));
+      slice2winner5_best_index_0_0 <= choice(slice2winner5_best_cost_0_0_is_less, slice2winner4_best_index_0(1),
+        slice2winner4_best_index_0(0));
       -- slice2
       slice2_best_cost_0_0_is_less := (slice1_best_cost_0_0 - slice2winner5_best_cost_0_0) < 0;
-      slice2_best_tag_valid <= slice1_best_tag_valid;
-      slice2_best_tag_output_column <= slice1_best_tag_output_column;
-      slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
-      slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
-      if slice2_best_cost_0_0_is_less then
-        slice2_best_cost_0_0 <= slice1_best_cost_0_0;
-        slice2_best_index_0_0 <= slice1_best_index_0_0;
-      else
-        slice2_best_cost_0_0 <= slice2winner5_best_cost_0_0;
-        slice2_best_index_0_0 <= (((slice2winner5_best_index_0_0 / 2) + 23) * 2) + (slice2winner5_best_index_0_0 mod 2);
-      end if;
+      slice2_best_tag <= slice1_best_tag;
+      slice2_best_cost_0_0 <= choice(slice2_best_cost_0_0_is_less, slice1_best_cost_0_0, slice2winner5_best_cost_0_0);
+      slice2_best_index_0_0 <= choice(slice2_best_cost_0_0_is_less, slice1_best_index_0_0,
+        (((slice2winner5_best_index_0_0 / 2) + 23) * 2) + (slice2winner5_best_index_0_0 mod 2));
       -- slice3shift
-      if slice0cost_pixels_tag_valid then
+      if slice0cost_pixels_tag.valid then
         for i in 0 to 1 loop
           for j in 0 to 23 loop
             slice3shift_search(i, j) <= slice3shift_search(i, j + 1);
@@ -3718,45 +1352,23 @@ begin
           slice3shift_search(i, 24) <= slice2shift_search_out(i);
         end loop;
       end if;
-      slice3shift_reference(0) <= slice2shift_reference(0);
-      slice3shift_reference(1) <= slice2shift_reference(1);
+      slice3shift_reference <= slice2shift_reference;
       slice3shift_search_out(0) <= slice3shift_search(0, 0);
       slice3shift_search_out(1) <= slice3shift_search(1, 0);
       -- slice3cost
       for i in 0 to 11 loop
-        if slice0window_change_tag_first_group then
-          slice3cost_column_0_choice(2 * i) := 0;
-        else
-          slice3cost_column_0_choice(2 * i) := slice3cost_ready_words(i) mod 2048;
-        end if;
-        if slice0window_change_tag_border_column then
-          slice3cost_column_0_choice_2(2 * i) := 0;
-        else
-          slice3cost_column_0_choice_2(2 * i) := (slice3cost_change_0(2 * i) + slice3cost_column_0_choice(2 * i)) mod
-            2048;
-        end if;
-        if slice0window_change_tag_first_group then
-          slice3cost_column_0_choice(2 * i + 1) := 0;
-        else
-          slice3cost_column_0_choice(2 * i + 1) := slice3cost_ready_words(i) / 2048;
-        end if;
-        if slice0window_change_tag_border_column then
-          slice3cost_column_0_choice_2(2 * i + 1) := 0;
-        else
-          slice3cost_column_0_choice_2(2 * i + 1) := (slice3cost_change_0(2 * i + 1) + slice3cost_column_0_choice(2 * i
-            + 1)) mod 2048;
-        end if;
+        slice3cost_column_0_choice(2 * i, 1) := choice(slice0window_change_tag.first_group, 0,
+          slice3cost_ready_words(i) mod 2048);
+        slice3cost_column_0_choice(2 * i, 2) := choice(slice0window_change_tag.border_column, 0, (slice3cost_change_0(2
+          * i) + slice3cost_column_0_choice(2 * i, 1)) mod 2048);
+        slice3cost_column_0_choice(2 * i + 1, 1) := choice(slice0window_change_tag.first_group, 0,
+          slice3cost_ready_words(i) / 2048);
+        slice3cost_column_0_choice(2 * i + 1, 2) := choice(slice0window_change_tag.border_column, 0,
+          (slice3cost_change_0(2 * i + 1) + slice3cost_column_0_choice(2 * i + 1, 1)) mod 2048);
       end loop;
-      if slice0window_change_tag_first_group then
-        slice3cost_column_0_choice(24) := 0;
-      else
-        slice3cost_column_0_choice(24) := slice3cost_ready_words_12;
-      end if;
-      if slice0window_change_tag_border_column then
-        slice3cost_column_0_choice_2(24) := 0;
-      else
-        slice3cost_column_0_choice_2(24) := (slice3cost_change_0(24) + slice3cost_column_0_choice(24)) mod 2048;
-      end if;
+      slice3cost_column_0_choice(24, 1) := choice(slice0window_change_tag.first_group, 0, slice3cost_ready_words_12);
+      slice3cost_column_0_choice(24, 2) := choice(slice0window_change_tag.border_column, 0, (slice3cost_change_0(24) +
+        slice3cost_column_0_choice(24, 1)) mod 2048);
       for i in 0 to 24 loop
         slice3cost_pixels_first(0, i) <= slice3shift_search(0, i) - slice3shift_reference(0);
       end loop;
@@ -3778,65 +1390,37 @@ begin
       slice3cost_ready_words_12 <= to_integer(slice3cost_read_words_12);
       slice3cost_ready_column <= slice3cost_change_column;
       for i in 0 to 24 loop
-        slice3cost_column_0(i) <= slice3cost_column_0_choice_2(i);
+        slice3cost_column_0(i) <= slice3cost_column_0_choice(i, 2);
       end loop;
       slice3cost_write_column <= slice3cost_ready_column;
-      if slice0cost_ready_tag_valid then
-        if slice0cost_ready_tag_row_start then
-          slice3cost_read_column <= 0;
-        else
-          slice3cost_read_column <= (slice3cost_read_column + 1) mod 512;
-        end if;
+      if slice0cost_ready_tag.valid then
+        slice3cost_read_column <= choice(slice0cost_ready_tag.row_start, 0, (slice3cost_read_column + 1) mod 512);
       end if;
-      if slice0cost_tag_valid then
-        if slice0cost_tag_row_start then
-          slice3cost_change_column <= 0;
-        else
-          slice3cost_change_column <= (slice3cost_change_column + 1) mod 512;
-        end if;
+      if slice0cost_tag.valid then
+        slice3cost_change_column <= choice(slice0cost_tag.row_start, 0, (slice3cost_change_column + 1) mod 512);
       end if;
-      if slice0window_change_tag_valid then
+      if slice0window_change_tag.valid then
         for i in 0 to 11 loop
-          slice3cost_write_words(i) <= (slice3cost_column_0_choice_2(2 * i + 1) * 2048) +
-            slice3cost_column_0_choice_2(2 * i);
+          slice3cost_write_words(i) <= (slice3cost_column_0_choice(2 * i + 1, 2) * 2048) + slice3cost_column_0_choice(2
+            * i, 2);
         end loop;
-        slice3cost_write_words_12 <= slice3cost_column_0_choice_2(24);
+        slice3cost_write_words(12) <= slice3cost_column_0_choice(24, 2);
       end if;
       -- slice3window
-      if slice0window_tag_valid then
+      if slice0window_tag.valid then
         slice3window_ring_write_address <= slice3window_ring_read_address;
-        if slice3window_ring_read_address = 7 then
-          slice3window_ring_read_address <= 0;
-        else
-          slice3window_ring_read_address <= (slice3window_ring_read_address + 1) mod 8;
-        end if;
+        slice3window_ring_read_address <= choice(slice3window_ring_read_address = 7, 0, (slice3window_ring_read_address
+          + 1) mod 8);
       end if;
-      for i in 0 to 5 loop
-        for j in 0 to 1 loop
-          if slice2window_change_tag_leaves_window then
-            slice3window_change_0_choice(4 * i + j) := to_integer(slice3window_leaving(2 * i)(11 * j + 10 downto 11 *
-              j));
-          else
-            slice3window_change_0_choice(4 * i + j) := 0;
-          end if;
-        end loop;
-        for j in 2 to 3 loop
-          if slice2window_change_tag_leaves_window then
-            slice3window_change_0_choice(4 * i + j) := to_integer(slice3window_leaving(2 * i + 1)(11 * j - 12 downto 11
-              * j - 22));
-          else
-            slice3window_change_0_choice(4 * i + j) := 0;
-          end if;
-        end loop;
+      for i in 0 to 11 loop
+        slice3window_change_0_choice(2 * i) := choice(slice2window_change_tag_leaves_window,
+          to_integer(slice3window_leaving(i)(10 downto 0)), 0);
+        slice3window_change_0_choice(2 * i + 1) := choice(slice2window_change_tag_leaves_window,
+          to_integer(slice3window_leaving(i)(21 downto 11)), 0);
       end loop;
-      if slice2window_change_tag_leaves_window then
-        slice3window_change_0_choice(24) := to_integer(slice3window_leaving_12);
-      else
-        slice3window_change_0_choice(24) := 0;
-      end if;
-      for i in 0 to 24 loop
-        slice3window_entering_0(i) <= slice3cost_column_0(i);
-      end loop;
+      slice3window_change_0_choice(24) := choice(slice2window_change_tag_leaves_window,
+        to_integer(slice3window_leaving_12), 0);
+      slice3window_entering_0 <= slice3cost_column_0;
       for i in 0 to 24 loop
         slice3window_change_0(i) <= slice3window_entering_0(i) - slice3window_change_0_choice(i);
       end loop;
@@ -3845,13 +1429,9 @@ begin
       slice3window_centre_first_column_0 <= slice2window_centre_first_column_0;
       slice3window_centre_end_of_line_0 <= slice2window_centre_end_of_line_0;
       for i in 0 to 24 loop
-        if slice2window_centre_first_column_0 then
-          slice3window_sum_0_choice(i) := 0;
-        else
-          slice3window_sum_0_choice(i) := slice3window_sum_0(i);
-        end if;
+        slice3window_sum_0_choice(i) := choice(slice2window_centre_first_column_0, 0, slice3window_sum_0(i));
       end loop;
-      if slice0winner2_tag_valid then
+      if slice0winner2_tag.valid then
         for i in 0 to 24 loop
           slice3window_sum_0(i) <= (slice3window_sum_0_choice(i) + slice3window_change_0(i)) mod 16384;
         end loop;
@@ -3862,204 +1442,66 @@ begin
       end loop;
       slice3winner1_best_cost_0(12) <= slice3window_sum_0(24);
       slice3winner1_best_index_0_0 <= slice3winner1_best_cost_0_is_less(0);
-      if slice3winner1_best_cost_0_is_less(0) then
-        slice3winner1_best_cost_0(0) <= slice3window_sum_0(1);
-      else
-        slice3winner1_best_cost_0(0) <= slice3window_sum_0(0);
-      end if;
-      if slice3winner1_best_cost_0_is_less(1) then
-        slice3winner1_best_cost_0(1) <= slice3window_sum_0(3);
-        slice3winner1_best_index_0_1 <= 3;
-      else
-        slice3winner1_best_cost_0(1) <= slice3window_sum_0(2);
-        slice3winner1_best_index_0_1 <= 2;
-      end if;
-      if slice3winner1_best_cost_0_is_less(2) then
-        slice3winner1_best_cost_0(2) <= slice3window_sum_0(5);
-        slice3winner1_best_index_0_2 <= 5;
-      else
-        slice3winner1_best_cost_0(2) <= slice3window_sum_0(4);
-        slice3winner1_best_index_0_2 <= 4;
-      end if;
-      if slice3winner1_best_cost_0_is_less(3) then
-        slice3winner1_best_cost_0(3) <= slice3window_sum_0(7);
-        slice3winner1_best_index_0_3 <= 7;
-      else
-        slice3winner1_best_cost_0(3) <= slice3window_sum_0(6);
-        slice3winner1_best_index_0_3 <= 6;
-      end if;
-      if slice3winner1_best_cost_0_is_less(4) then
-        slice3winner1_best_cost_0(4) <= slice3window_sum_0(9);
-        slice3winner1_best_index_0_4 <= 9;
-      else
-        slice3winner1_best_cost_0(4) <= slice3window_sum_0(8);
-        slice3winner1_best_index_0_4 <= 8;
-      end if;
-      if slice3winner1_best_cost_0_is_less(5) then
-        slice3winner1_best_cost_0(5) <= slice3window_sum_0(11);
-        slice3winner1_best_index_0_5 <= 11;
-      else
-        slice3winner1_best_cost_0(5) <= slice3window_sum_0(10);
-        slice3winner1_best_index_0_5 <= 10;
-      end if;
-      if slice3winner1_best_cost_0_is_less(6) then
-        slice3winner1_best_cost_0(6) <= slice3window_sum_0(13);
-        slice3winner1_best_index_0_6 <= 13;
-      else
-        slice3winner1_best_cost_0(6) <= slice3window_sum_0(12);
-        slice3winner1_best_index_0_6 <= 12;
-      end if;
-      if slice3winner1_best_cost_0_is_less(7) then
-        slice3winner1_best_cost_0(7) <= slice3window_sum_0(15);
-        slice3winner1_best_index_0_7 <= 15;
-      else
-        slice3winner1_best_cost_0(7) <= slice3window_sum_0(14);
-        slice3winner1_best_index_0_7 <= 14;
-      end if;
-      if slice3winner1_best_cost_0_is_less(8) then
-        slice3winner1_best_cost_0(8) <= slice3window_sum_0(17);
-        slice3winner1_best_index_0_8 <= 17;
-      else
-        slice3winner1_best_cost_0(8) <= slice3window_sum_0(16);
-        slice3winner1_best_index_0_8 <= 16;
-      end if;
-      if slice3winner1_best_cost_0_is_less(9) then
-        slice3winner1_best_cost_0(9) <= slice3window_sum_0(19);
-        slice3winner1_best_index_0_9 <= 19;
-      else
-        slice3winner1_best_cost_0(9) <= slice3window_sum_0(18);
-        slice3winner1_best_index_0_9 <= 18;
-      end if;
-      if slice3winner1_best_cost_0_is_less(10) then
-        slice3winner1_best_cost_0(10) <= slice3window_sum_0(21);
-        slice3winner1_best_index_0_10 <= 21;
-      else
-        slice3winner1_best_cost_0(10) <= slice3window_sum_0(20);
-        slice3winner1_best_index_0_10 <= 20;
-      end if;
-      if slice3winner1_best_cost_0_is_less(11) then
-        slice3winner1_best_cost_0(11) <= slice3window_sum_0(23);
-        slice3winner1_best_index_0_11 <= 23;
-      else
-        slice3winner1_best_cost_0(11) <= slice3window_sum_0(22);
-        slice3winner1_best_index_0_11 <= 22;
-      end if;
+      slice3winner1_best_cost_0(0) <= choice(slice3winner1_best_cost_0_is_less(0), slice3window_sum_0(1),
+        slice3window_sum_0(0));
+      for i in 1 to 11 loop
+        slice3winner1_best_cost_0(i) <= choice(slice3winner1_best_cost_0_is_less(i), slice3window_sum_0(2 * i + 1),
+          slice3window_sum_0(2 * i));
+        slice3winner1_best_index_0(i) <= choice(slice3winner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
+      end loop;
       -- slice3winner2
       for i in 0 to 5 loop
         slice3winner2_best_cost_0_is_less(i) := (slice3winner1_best_cost_0(2 * i + 1) - slice3winner1_best_cost_0(2 *
           i)) < 0;
       end loop;
       slice3winner2_best_cost_0(6) <= slice3winner1_best_cost_0(12);
-      if slice3winner2_best_cost_0_is_less(0) then
-        slice3winner2_best_cost_0(0) <= slice3winner1_best_cost_0(1);
-        slice3winner2_best_index_0_0 <= slice3winner1_best_index_0_1;
-      else
-        slice3winner2_best_cost_0(0) <= slice3winner1_best_cost_0(0);
-        slice3winner2_best_index_0_0 <= as_number(slice3winner1_best_index_0_0);
-      end if;
-      if slice3winner2_best_cost_0_is_less(1) then
-        slice3winner2_best_cost_0(1) <= slice3winner1_best_cost_0(3);
-        slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_3;
-      else
-        slice3winner2_best_cost_0(1) <= slice3winner1_best_cost_0(2);
-        slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_2;
-      end if;
-      if slice3winner2_best_cost_0_is_less(2) then
-        slice3winner2_best_cost_0(2) <= slice3winner1_best_cost_0(5);
-        slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_5;
-      else
-        slice3winner2_best_cost_0(2) <= slice3winner1_best_cost_0(4);
-        slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_4;
-      end if;
-      if slice3winner2_best_cost_0_is_less(3) then
-        slice3winner2_best_cost_0(3) <= slice3winner1_best_cost_0(7);
-        slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_7;
-      else
-        slice3winner2_best_cost_0(3) <= slice3winner1_best_cost_0(6);
-        slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_6;
-      end if;
-      if slice3winner2_best_cost_0_is_less(4) then
-        slice3winner2_best_cost_0(4) <= slice3winner1_best_cost_0(9);
-        slice3winner2_best_index_0_4 <= slice3winner1_best_index_0_9;
-      else
-        slice3winner2_best_cost_0(4) <= slice3winner1_best_cost_0(8);
-        slice3winner2_best_index_0_4 <= slice3winner1_best_index_0_8;
-      end if;
-      if slice3winner2_best_cost_0_is_less(5) then
-        slice3winner2_best_cost_0(5) <= slice3winner1_best_cost_0(11);
-        slice3winner2_best_index_0_5 <= slice3winner1_best_index_0_11;
-      else
-        slice3winner2_best_cost_0(5) <= slice3winner1_best_cost_0(10);
-        slice3winner2_best_index_0_5 <= slice3winner1_best_index_0_10;
-      end if;
+      slice3winner2_best_cost_0(0) <= choice(slice3winner2_best_cost_0_is_less(0), slice3winner1_best_cost_0(1),
+        slice3winner1_best_cost_0(0));
+      slice3winner2_best_index_0(0) <= choice(slice3winner2_best_cost_0_is_less(0), slice3winner1_best_index_0(1),
+        as_number(slice3winner1_best_index_0_0));
+      for i in 1 to 5 loop
+        slice3winner2_best_cost_0(i) <= choice(slice3winner2_best_cost_0_is_less(i), slice3winner1_best_cost_0(2 * i +
+          1), slice3winner1_best_cost_0(2 * i));
+        slice3winner2_best_index_0(i) <= choice(slice3winner2_best_cost_0_is_less(i), slice3winner1_best_index_0(2 * i
+          + 1), slice3winner1_best_index_0(2 * i));
+      end loop;
       -- slice3winner3
       for i in 0 to 2 loop
         slice3winner3_best_cost_0_is_less(i) := (slice3winner2_best_cost_0(2 * i + 1) - slice3winner2_best_cost_0(2 *
           i)) < 0;
       end loop;
       slice3winner3_best_cost_0(3) <= slice3winner2_best_cost_0(6);
-      if slice3winner3_best_cost_0_is_less(0) then
-        slice3winner3_best_cost_0(0) <= slice3winner2_best_cost_0(1);
-        slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_1;
-      else
-        slice3winner3_best_cost_0(0) <= slice3winner2_best_cost_0(0);
-        slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_0;
-      end if;
-      if slice3winner3_best_cost_0_is_less(1) then
-        slice3winner3_best_cost_0(1) <= slice3winner2_best_cost_0(3);
-        slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_3;
-      else
-        slice3winner3_best_cost_0(1) <= slice3winner2_best_cost_0(2);
-        slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_2;
-      end if;
-      if slice3winner3_best_cost_0_is_less(2) then
-        slice3winner3_best_cost_0(2) <= slice3winner2_best_cost_0(5);
-        slice3winner3_best_index_0_2 <= slice3winner2_best_index_0_5;
-      else
-        slice3winner3_best_cost_0(2) <= slice3winner2_best_cost_0(4);
-        slice3winner3_best_index_0_2 <= slice3winner2_best_index_0_4;
-      end if;
+      for i in 0 to 2 loop
+        slice3winner3_best_cost_0(i) <= choice(slice3winner3_best_cost_0_is_less(i), slice3winner2_best_cost_0(2 * i +
+          1), slice3winner2_best_cost_0(2 * i));
+        slice3winner3_best_index_0(i) <= choice(slice3winner3_best_cost_0_is_less(i), slice3winner2_best_index_0(2 * i
+          + 1), slice3winner2_best_index_0(2 * i));
+      end loop;
       -- slice3winner4
       slice3winner4_best_cost_0_is_less(0) := (slice3winner3_best_cost_0(1) - slice3winner3_best_cost_0(0)) < 0;
       slice3winner4_best_cost_0_is_less(1) := (slice3winner3_best_cost_0(3) - slice3winner3_best_cost_0(2)) < 0;
-      if slice3winner4_best_cost_0_is_less(0) then
-        slice3winner4_best_cost_0(0) <= slice3winner3_best_cost_0(1);
-        slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_1;
-      else
-        slice3winner4_best_cost_0(0) <= slice3winner3_best_cost_0(0);
-        slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_0;
-      end if;
-      if slice3winner4_best_cost_0_is_less(1) then
-        slice3winner4_best_cost_0(1) <= slice3winner3_best_cost_0(3);
-        slice3winner4_best_index_0_1 <= slice0winner3_best_index_0_3;
-      else
-        slice3winner4_best_cost_0(1) <= slice3winner3_best_cost_0(2);
-        slice3winner4_best_index_0_1 <= slice3winner3_best_index_0_2;
-      end if;
+      slice3winner4_best_cost_0(0) <= choice(slice3winner4_best_cost_0_is_less(0), slice3winner3_best_cost_0(1),
+        slice3winner3_best_cost_0(0));
+      slice3winner4_best_index_0(0) <= choice(slice3winner4_best_cost_0_is_less(0), slice3winner3_best_index_0(1),
+        slice3winner3_best_index_0(0));
+      slice3winner4_best_cost_0(1) <= choice(slice3winner4_best_cost_0_is_less(1), slice3winner3_best_cost_0(3),
+        slice3winner3_best_cost_0(2));
+      slice3winner4_best_index_0(1) <= choice(slice3winner4_best_cost_0_is_less(1), slice0winner3_best_index_0(3),
+        slice3winner3_best_index_0(2));
       -- slice3winner5
       slice3winner5_best_cost_0_0_is_less := (slice3winner4_best_cost_0(1) - slice3winner4_best_cost_0(0)) < 0;
-      if slice3winner5_best_cost_0_0_is_less then
-        slice3winner5_best_cost_0_0 <= slice3winner4_best_cost_0(1);
-        slice3winner5_best_index_0_0 <= slice3winner4_best_index_0_1;
-      else
-        slice3winner5_best_cost_0_0 <= slice3winner4_best_cost_0(0);
-        slice3winner5_best_index_0_0 <= slice3winner4_best_index_0_0;
-      end if;
+      slice3winner5_best_cost_0_0 <= choice(slice3winner5_best_cost_0_0_is_less, slice3winner4_best_cost_0(1),
+        slice3winner4_best_cost_0(0));
+      slice3winner5_best_index_0_0 <= choice(slice3winner5_best_cost_0_0_is_less, slice3winner4_best_index_0(1),
+        slice3winner4_best_index_0(0));
       -- slice3
       slice3_best_cost_0_0_is_less := (slice2_best_cost_0_0 - slice3winner5_best_cost_0_0) < 0;
-      slice3_best_tag_valid <= slice2_best_tag_valid;
-      slice3_best_tag_output_column <= slice2_best_tag_output_column;
-      slice3_best_tag_start_of_frame <= slice2_best_tag_start_of_frame;
-      slice3_best_tag_end_of_line <= slice2_best_tag_end_of_line;
-      if slice3_best_cost_0_0_is_less then
-        slice3_best_cost_0_0 <= slice2_best_cost_0_0;
-        slice3_best_index_0_0 <= slice2_best_index_0_0;
-      else
-        slice3_best_cost_0_0 <= slice3winner5_best_cost_0_0;
-        slice3_best_index_0_0 <= slice3winner5_best_index_0_0 + 21;
-      end if;
+      slice3_best_tag <= slice2_best_tag;
+      slice3_best_cost_0_0 <= choice(slice3_best_cost_0_0_is_less, slice2_best_cost_0_0, slice3winner5_best_cost_0_0);
+      slice3_best_index_0_0 <= choice(slice3_best_cost_0_0_is_less, slice2_best_index_0_0, slice3winner5_best_index_0_0
+        + 21);
       -- slice4shift
-      if slice0cost_ready_tag_valid then
+      if slice0cost_ready_tag.valid then
         for i in 0 to 1 loop
           for j in 0 to 19 loop
             slice4shift_search(i, j) <= slice4shift_search(i, j + 1);
@@ -4067,43 +1509,21 @@ begin
           slice4shift_search(i, 20) <= slice3shift_search_out(i);
         end loop;
       end if;
-      slice4shift_reference(0) <= slice3shift_reference(0);
-      slice4shift_reference(1) <= slice3shift_reference(1);
+      slice4shift_reference <= slice3shift_reference;
       -- slice4cost
       for i in 0 to 9 loop
-        if slice1window_change_tag_first_group then
-          slice4cost_column_0_choice(2 * i) := 0;
-        else
-          slice4cost_column_0_choice(2 * i) := slice4cost_ready_words(i) mod 2048;
-        end if;
-        if slice1window_change_tag_border_column then
-          slice4cost_column_0_choice_2(2 * i) := 0;
-        else
-          slice4cost_column_0_choice_2(2 * i) := (slice4cost_change_0(2 * i) + slice4cost_column_0_choice(2 * i)) mod
-            2048;
-        end if;
-        if slice1window_change_tag_first_group then
-          slice4cost_column_0_choice(2 * i + 1) := 0;
-        else
-          slice4cost_column_0_choice(2 * i + 1) := slice4cost_ready_words(i) / 2048;
-        end if;
-        if slice1window_change_tag_border_column then
-          slice4cost_column_0_choice_2(2 * i + 1) := 0;
-        else
-          slice4cost_column_0_choice_2(2 * i + 1) := (slice4cost_change_0(2 * i + 1) + slice4cost_column_0_choice(2 * i
-            + 1)) mod 2048;
-        end if;
+        slice4cost_column_0_choice(2 * i, 1) := choice(slice1window_change_tag.first_group, 0,
+          slice4cost_ready_words(i) mod 2048);
+        slice4cost_column_0_choice(2 * i, 2) := choice(slice1window_change_tag.border_column, 0, (slice4cost_change_0(2
+          * i) + slice4cost_column_0_choice(2 * i, 1)) mod 2048);
+        slice4cost_column_0_choice(2 * i + 1, 1) := choice(slice1window_change_tag.first_group, 0,
+          slice4cost_ready_words(i) / 2048);
+        slice4cost_column_0_choice(2 * i + 1, 2) := choice(slice1window_change_tag.border_column, 0,
+          (slice4cost_change_0(2 * i + 1) + slice4cost_column_0_choice(2 * i + 1, 1)) mod 2048);
       end loop;
-      if slice1window_change_tag_first_group then
-        slice4cost_column_0_choice(20) := 0;
-      else
-        slice4cost_column_0_choice(20) := slice4cost_ready_words_10;
-      end if;
-      if slice1window_change_tag_border_column then
-        slice4cost_column_0_choice_2(20) := 0;
-      else
-        slice4cost_column_0_choice_2(20) := (slice4cost_change_0(20) + slice4cost_column_0_choice(20)) mod 2048;
-      end if;
+      slice4cost_column_0_choice(20, 1) := choice(slice1window_change_tag.first_group, 0, slice4cost_ready_words_10);
+      slice4cost_column_0_choice(20, 2) := choice(slice1window_change_tag.border_column, 0, (slice4cost_change_0(20) +
+        slice4cost_column_0_choice(20, 1)) mod 2048);
       for i in 0 to 20 loop
         slice4cost_pixels_first(0, i) <= slice4shift_search(0, i) - slice4shift_reference(0);
       end loop;
@@ -4126,65 +1546,41 @@ begin
       end loop;
       slice4cost_ready_words_10 <= to_integer(slice4cost_read_words_10);
       for i in 0 to 20 loop
-        slice4cost_column_0(i) <= slice4cost_column_0_choice_2(i);
+        slice4cost_column_0(i) <= slice4cost_column_0_choice(i, 2);
       end loop;
-      if slice0window_change_tag_valid then
+      if slice0window_change_tag.valid then
         slice4cost_ready_column <= slice4cost_change_column;
       end if;
-      if slice0window_tag_valid then
+      if slice0window_tag.valid then
         slice4cost_write_column <= slice3cost_write_column;
         for i in 0 to 9 loop
-          slice4cost_write_words(i) <= (slice4cost_column_0_choice_2(2 * i + 1) * 2048) +
-            slice4cost_column_0_choice_2(2 * i);
+          slice4cost_write_words(i) <= (slice4cost_column_0_choice(2 * i + 1, 2) * 2048) + slice4cost_column_0_choice(2
+            * i, 2);
         end loop;
-        slice4cost_write_words_10 <= slice4cost_column_0_choice_2(20);
+        slice4cost_write_words(10) <= slice4cost_column_0_choice(20, 2);
       end if;
       -- slice4window
-      if slice0winner1_tag_valid then
+      if slice0winner1_tag.valid then
         slice4window_ring_write_address <= slice4window_ring_read_address;
-        if slice4window_ring_read_address = 7 then
-          slice4window_ring_read_address <= 0;
-        else
-          slice4window_ring_read_address <= (slice4window_ring_read_address + 1) mod 8;
-        end if;
+        slice4window_ring_read_address <= choice(slice4window_ring_read_address = 7, 0, (slice4window_ring_read_address
+          + 1) mod 8);
       end if;
-      for i in 0 to 4 loop
-        for j in 0 to 1 loop
-          if slice3window_change_tag_leaves_window then
-            slice4window_change_0_choice(4 * i + j) := to_integer(slice4window_leaving(2 * i)(11 * j + 10 downto 11 *
-              j));
-          else
-            slice4window_change_0_choice(4 * i + j) := 0;
-          end if;
-        end loop;
-        for j in 2 to 3 loop
-          if slice3window_change_tag_leaves_window then
-            slice4window_change_0_choice(4 * i + j) := to_integer(slice4window_leaving(2 * i + 1)(11 * j - 12 downto 11
-              * j - 22));
-          else
-            slice4window_change_0_choice(4 * i + j) := 0;
-          end if;
-        end loop;
+      for i in 0 to 9 loop
+        slice4window_change_0_choice(2 * i) := choice(slice3window_change_tag_leaves_window,
+          to_integer(slice4window_leaving(i)(10 downto 0)), 0);
+        slice4window_change_0_choice(2 * i + 1) := choice(slice3window_change_tag_leaves_window,
+          to_integer(slice4window_leaving(i)(21 downto 11)), 0);
       end loop;
-      if slice3window_change_tag_leaves_window then
-        slice4window_change_0_choice(20) := to_integer(slice4window_leaving_10);
-      else
-        slice4window_change_0_choice(20) := 0;
-      end if;
-      for i in 0 to 20 loop
-        slice4window_entering_0(i) <= slice4cost_column_0(i);
-      end loop;
+      slice4window_change_0_choice(20) := choice(slice3window_change_tag_leaves_window,
+        to_integer(slice4window_leaving_10), 0);
+      slice4window_entering_0 <= slice4cost_column_0;
       for i in 0 to 20 loop
         slice4window_change_0(i) <= slice4window_entering_0(i) - slice4window_change_0_choice(i);
       end loop;
       for i in 0 to 20 loop
-        if slice3window_centre_first_column_0 then
-          slice4window_sum_0_choice(i) := 0;
-        else
-          slice4window_sum_0_choice(i) := slice4window_sum_0(i);
-        end if;
+        slice4window_sum_0_choice(i) := choice(slice3window_centre_first_column_0, 0, slice4window_sum_0(i));
       end loop;
-      if slice0winner3_tag_valid then
+      if slice0winner3_tag.valid then
         for i in 0 to 20 loop
           slice4window_sum_0(i) <= (slice4window_sum_0_choice(i) + slice4window_change_0(i)) mod 16384;
         end loop;
@@ -4199,173 +1595,60 @@ begin
       end loop;
       slice4winner1_best_cost_0(10) <= slice4window_sum_0(20);
       slice4winner1_best_index_0_0 <= slice4winner1_best_cost_0_is_less(0);
-      slice4winner1_best_index_0_10 <= 20;
-      if slice4winner1_best_cost_0_is_less(0) then
-        slice4winner1_best_cost_0(0) <= slice4window_sum_0(1);
-      else
-        slice4winner1_best_cost_0(0) <= slice4window_sum_0(0);
-      end if;
-      if slice4winner1_best_cost_0_is_less(1) then
-        slice4winner1_best_cost_0(1) <= slice4window_sum_0(3);
-        slice4winner1_best_index_0_1 <= 3;
-      else
-        slice4winner1_best_cost_0(1) <= slice4window_sum_0(2);
-        slice4winner1_best_index_0_1 <= 2;
-      end if;
-      if slice4winner1_best_cost_0_is_less(2) then
-        slice4winner1_best_cost_0(2) <= slice4window_sum_0(5);
-        slice4winner1_best_index_0_2 <= 5;
-      else
-        slice4winner1_best_cost_0(2) <= slice4window_sum_0(4);
-        slice4winner1_best_index_0_2 <= 4;
-      end if;
-      if slice4winner1_best_cost_0_is_less(3) then
-        slice4winner1_best_cost_0(3) <= slice4window_sum_0(7);
-        slice4winner1_best_index_0_3 <= 7;
-      else
-        slice4winner1_best_cost_0(3) <= slice4window_sum_0(6);
-        slice4winner1_best_index_0_3 <= 6;
-      end if;
-      if slice4winner1_best_cost_0_is_less(4) then
-        slice4winner1_best_cost_0(4) <= slice4window_sum_0(9);
-        slice4winner1_best_index_0_4 <= 9;
-      else
-        slice4winner1_best_cost_0(4) <= slice4window_sum_0(8);
-        slice4winner1_best_index_0_4 <= 8;
-      end if;
-      if slice4winner1_best_cost_0_is_less(5) then
-        slice4winner1_best_cost_0(5) <= slice4window_sum_0(11);
-        slice4winner1_best_index_0_5 <= 11;
-      else
-        slice4winner1_best_cost_0(5) <= slice4window_sum_0(10);
-        slice4winner1_best_index_0_5 <= 10;
-      end if;
-      if slice4winner1_best_cost_0_is_less(6) then
-        slice4winner1_best_cost_0(6) <= slice4window_sum_0(13);
-        slice4winner1_best_index_0_6 <= 13;
-      else
-        slice4winner1_best_cost_0(6) <= slice4window_sum_0(12);
-        slice4winner1_best_index_0_6 <= 12;
-      end if;
-      if slice4winner1_best_cost_0_is_less(7) then
-        slice4winner1_best_cost_0(7) <= slice4window_sum_0(15);
-        slice4winner1_best_index_0_7 <= 15;
-      else
-        slice4winner1_best_cost_0(7) <= slice4window_sum_0(14);
-        slice4winner1_best_index_0_7 <= 14;
-      end if;
-      if slice4winner1_best_cost_0_is_less(8) then
-        slice4winner1_best_cost_0(8) <= slice4window_sum_0(17);
-        slice4winner1_best_index_0_8 <= 17;
-      else
-        slice4winner1_best_cost_0(8) <= slice4window_sum_0(16);
-        slice4winner1_best_index_0_8 <= 16;
-      end if;
-      if slice4winner1_best_cost_0_is_less(9) then
-        slice4winner1_best_cost_0(9) <= slice4window_sum_0(19);
-        slice4winner1_best_index_0_9 <= 19;
-      else
-        slice4winner1_best_cost_0(9) <= slice4window_sum_0(18);
-        slice4winner1_best_index_0_9 <= 18;
-      end if;
+      slice4winner1_best_index_0(10) <= 20;
+      slice4winner1_best_cost_0(0) <= choice(slice4winner1_best_cost_0_is_less(0), slice4window_sum_0(1),
+        slice4window_sum_0(0));
+      for i in 1 to 9 loop
+        slice4winner1_best_cost_0(i) <= choice(slice4winner1_best_cost_0_is_less(i), slice4window_sum_0(2 * i + 1),
+          slice4window_sum_0(2 * i));
+        slice4winner1_best_index_0(i) <= choice(slice4winner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
+      end loop;
       -- slice4winner2
       for i in 0 to 4 loop
         slice4winner2_best_cost_0_is_less(i) := (slice4winner1_best_cost_0(2 * i + 1) - slice4winner1_best_cost_0(2 *
           i)) < 0;
       end loop;
       slice4winner2_best_cost_0(5) <= slice4winner1_best_cost_0(10);
-      slice4winner2_best_index_0_5 <= slice4winner1_best_index_0_10;
-      if slice4winner2_best_cost_0_is_less(0) then
-        slice4winner2_best_cost_0(0) <= slice4winner1_best_cost_0(1);
-        slice4winner2_best_index_0_0 <= slice4winner1_best_index_0_1;
-      else
-        slice4winner2_best_cost_0(0) <= slice4winner1_best_cost_0(0);
-        slice4winner2_best_index_0_0 <= as_number(slice4winner1_best_index_0_0);
-      end if;
-      if slice4winner2_best_cost_0_is_less(1) then
-        slice4winner2_best_cost_0(1) <= slice4winner1_best_cost_0(3);
-        slice4winner2_best_index_0_1 <= slice4winner1_best_index_0_3;
-      else
-        slice4winner2_best_cost_0(1) <= slice4winner1_best_cost_0(2);
-        slice4winner2_best_index_0_1 <= slice4winner1_best_index_0_2;
-      end if;
-      if slice4winner2_best_cost_0_is_less(2) then
-        slice4winner2_best_cost_0(2) <= slice4winner1_best_cost_0(5);
-        slice4winner2_best_index_0_2 <= slice4winner1_best_index_0_5;
-      else
-        slice4winner2_best_cost_0(2) <= slice4winner1_best_cost_0(4);
-        slice4winner2_best_index_0_2 <= slice4winner1_best_index_0_4;
-      end if;
-      if slice4winner2_best_cost_0_is_less(3) then
-        slice4winner2_best_cost_0(3) <= slice4winner1_best_cost_0(7);
-        slice4winner2_best_index_0_3 <= slice4winner1_best_index_0_7;
-      else
-        slice4winner2_best_cost_0(3) <= slice4winner1_best_cost_0(6);
-        slice4winner2_best_index_0_3 <= slice4winner1_best_index_0_6;
-      end if;
-      if slice4winner2_best_cost_0_is_less(4) then
-        slice4winner2_best_cost_0(4) <= slice4winner1_best_cost_0(9);
-        slice4winner2_best_index_0_4 <= slice4winner1_best_index_0_9;
-      else
-        slice4winner2_best_cost_0(4) <= slice4winner1_best_cost_0(8);
-        slice4winner2_best_index_0_4 <= slice4winner1_best_index_0_8;
-      end if;
+      slice4winner2_best_index_0(5) <= slice4winner1_best_index_0(10);
+      slice4winner2_best_cost_0(0) <= choice(slice4winner2_best_cost_0_is_less(0), slice4winner1_best_cost_0(1),
+        slice4winner1_best_cost_0(0));
+      slice4winner2_best_index_0(0) <= choice(slice4winner2_best_cost_0_is_less(0), slice4winner1_best_index_0(1),
+        as_number(slice4winner1_best_index_0_0));
+      for i in 1 to 4 loop
+        slice4winner2_best_cost_0(i) <= choice(slice4winner2_best_cost_0_is_less(i), slice4winner1_best_cost_0(2 * i +
+          1), slice4winner1_best_cost_0(2 * i));
+        slice4winner2_best_index_0(i) <= choice(slice4winner2_best_cost_0_is_less(i), slice4winner1_best_index_0(2 * i
+          + 1), slice4winner1_best_index_0(2 * i));
+      end loop;
       -- slice4winner3
       for i in 0 to 2 loop
         slice4winner3_best_cost_0_is_less(i) := (slice4winner2_best_cost_0(2 * i + 1) - slice4winner2_best_cost_0(2 *
           i)) < 0;
       end loop;
-      if slice4winner3_best_cost_0_is_less(0) then
-        slice4winner3_best_cost_0(0) <= slice4winner2_best_cost_0(1);
-        slice4winner3_best_index_0_0 <= slice4winner2_best_index_0_1;
-      else
-        slice4winner3_best_cost_0(0) <= slice4winner2_best_cost_0(0);
-        slice4winner3_best_index_0_0 <= slice4winner2_best_index_0_0;
-      end if;
-      if slice4winner3_best_cost_0_is_less(1) then
-        slice4winner3_best_cost_0(1) <= slice4winner2_best_cost_0(3);
-        slice4winner3_best_index_0_1 <= slice4winner2_best_index_0_3;
-      else
-        slice4winner3_best_cost_0(1) <= slice4winner2_best_cost_0(2);
-        slice4winner3_best_index_0_1 <= slice4winner2_best_index_0_2;
-      end if;
-      if slice4winner3_best_cost_0_is_less(2) then
-        slice4winner3_best_cost_0(2) <= slice4winner2_best_cost_0(5);
-        slice4winner3_best_index_0_2 <= slice4winner2_best_index_0_5;
-      else
-        slice4winner3_best_cost_0(2) <= slice4winner2_best_cost_0(4);
-        slice4winner3_best_index_0_2 <= slice4winner2_best_index_0_4;
-      end if;
+      for i in 0 to 2 loop
+        slice4winner3_best_cost_0(i) <= choice(slice4winner3_best_cost_0_is_less(i), slice4winner2_best_cost_0(2 * i +
+          1), slice4winner2_best_cost_0(2 * i));
+        slice4winner3_best_index_0(i) <= choice(slice4winner3_best_cost_0_is_less(i), slice4winner2_best_index_0(2 * i
+          + 1), slice4winner2_best_index_0(2 * i));
+      end loop;
       -- slice4winner4
       slice4winner4_best_cost_0_0_is_less := (slice4winner3_best_cost_0(1) - slice4winner3_best_cost_0(0)) < 0;
       slice4winner4_best_cost_0(1) <= slice4winner3_best_cost_0(2);
-      slice4winner4_best_index_0_1 <= slice4winner3_best_index_0_2;
-      if slice4winner4_best_cost_0_0_is_less then
-        slice4winner4_best_cost_0(0) <= slice4winner3_best_cost_0(1);
-        slice4winner4_best_index_0_0 <= slice4winner3_best_index_0_1;
-      else
-        slice4winner4_best_cost_0(0) <= slice4winner3_best_cost_0(0);
-        slice4winner4_best_index_0_0 <= slice4winner3_best_index_0_0;
-      end if;
+      slice4winner4_best_index_0(1) <= slice4winner3_best_index_0(2);
+      slice4winner4_best_cost_0(0) <= choice(slice4winner4_best_cost_0_0_is_less, slice4winner3_best_cost_0(1),
+        slice4winner3_best_cost_0(0));
+      slice4winner4_best_index_0(0) <= choice(slice4winner4_best_cost_0_0_is_less, slice4winner3_best_index_0(1),
+        slice4winner3_best_index_0(0));
       -- slice4winner5
       slice4winner5_best_cost_0_0_is_less := (slice4winner4_best_cost_0(1) - slice4winner4_best_cost_0(0)) < 0;
-      if slice4winner5_best_cost_0_0_is_less then
-        slice4winner5_best_cost_0_0 <= slice4winner4_best_cost_0(1);
-        slice4winner5_best_index_0_0 <= slice4winner4_best_index_0_1;
-      else
-        slice4winner5_best_cost_0_0 <= slice4winner4_best_cost_0(0);
-        slice4winner5_best_index_0_0 <= slice4winner4_best_index_0_0;
-      end if;
+      slice4winner5_best_cost_0_0 <= choice(slice4winner5_best_cost_0_0_is_less, slice4winner4_best_cost_0(1),
+        slice4winner4_best_cost_0(0));
+      slice4winner5_best_index_0_0 <= choice(slice4winner5_best_cost_0_0_is_less, slice4winner4_best_index_0(1),
+        slice4winner4_best_index_0(0));
       -- slice4
-      slice4_best_tag_valid <= slice3_best_tag_valid;
-      slice4_best_tag_output_column <= slice3_best_tag_output_column;
-      slice4_best_tag_start_of_frame <= slice3_best_tag_start_of_frame;
-      slice4_best_tag_end_of_line <= slice3_best_tag_end_of_line;
-      if (slice3_best_cost_0_0 - slice4winner5_best_cost_0_0) < 0 then
-        slice4_best_index_0_0 <= slice3_best_index_0_0;
-      else
-        slice4_best_index_0_0 <= slice4winner5_best_index_0_0;
-      end if;
+      slice4_best_tag <= slice3_best_tag;
+      slice4_best_index_0_0 <= choice((slice3_best_cost_0_0 - slice4winner5_best_cost_0_0) < 0, slice3_best_index_0_0,
+        slice4winner5_best_index_0_0);
       if reset = '1' then
         raster_features_valid <= false;
         raster_place_column <= 0;
@@ -4373,95 +1656,78 @@ begin
         delay_ring_read_address <= 1;
         delay_ring_write_address <= 0;
         delay_column <= 0;
-        delay_tag_valid <= false;
-        delay_tag_row_start <= false;
-        delay_tag_output_column <= false;
-        delay_tag_start_of_frame <= false;
-        delay_tag_end_of_line <= false;
+        delay_tag.valid <= false;
+        delay_tag.row_start <= false;
+        delay_tag.output_column <= false;
+        delay_tag.start_of_frame <= false;
+        delay_tag.end_of_line <= false;
         rows_read_column <= 0;
-        rows_read_tag_valid <= false;
-        rows_read_tag_row_start <= false;
-        rows_read_tag_output_column <= false;
-        rows_read_tag_start_of_frame <= false;
-        rows_read_tag_end_of_line <= false;
+        rows_read_tag.valid <= false;
+        rows_read_tag.row_start <= false;
+        rows_read_tag.output_column <= false;
+        rows_read_tag.start_of_frame <= false;
+        rows_read_tag.end_of_line <= false;
         rows_ready_column <= 0;
-        rows_ready_tag_valid <= false;
-        rows_ready_tag_row_start <= false;
-        rows_ready_tag_output_column <= false;
-        rows_ready_tag_start_of_frame <= false;
-        rows_ready_tag_end_of_line <= false;
+        rows_ready_tag.valid <= false;
+        rows_ready_tag.row_start <= false;
+        rows_ready_tag.output_column <= false;
+        rows_ready_tag.start_of_frame <= false;
+        rows_ready_tag.end_of_line <= false;
         rows_write_column <= 0;
-        rows_tag_valid <= false;
-        rows_tag_row_start <= false;
-        rows_tag_output_column <= false;
-        rows_tag_start_of_frame <= false;
-        rows_tag_end_of_line <= false;
-        slice0shift_tag_valid <= false;
-        slice0shift_tag_row_start <= false;
-        slice0shift_tag_output_column <= false;
-        slice0shift_tag_start_of_frame <= false;
-        slice0shift_tag_end_of_line <= false;
-        slice0cost_pixels_first_tag_valid <= false;
-        slice0cost_pixels_first_tag_row_start <= false;
-        slice0cost_pixels_first_tag_output_column <= false;
-        slice0cost_pixels_first_tag_start_of_frame <= false;
-        slice0cost_pixels_first_tag_end_of_line <= false;
-        slice0cost_pixels_tag_valid <= false;
-        slice0cost_pixels_tag_row_start <= false;
-        slice0cost_pixels_tag_output_column <= false;
-        slice0cost_pixels_tag_start_of_frame <= false;
-        slice0cost_pixels_tag_end_of_line <= false;
+        rows_tag.valid <= false;
+        rows_tag.row_start <= false;
+        rows_tag.output_column <= false;
+        rows_tag.start_of_frame <= false;
+        rows_tag.end_of_line <= false;
+        slice0shift_tag.valid <= false;
+        slice0shift_tag.row_start <= false;
+        slice0shift_tag.output_column <= false;
+        slice0shift_tag.start_of_frame <= false;
+        slice0shift_tag.end_of_line <= false;
+        slice0cost_pixels_first_tag.valid <= false;
+        slice0cost_pixels_first_tag.row_start <= false;
+        slice0cost_pixels_first_tag.output_column <= false;
+        slice0cost_pixels_first_tag.start_of_frame <= false;
+        slice0cost_pixels_first_tag.end_of_line <= false;
+        slice0cost_pixels_tag.valid <= false;
+        slice0cost_pixels_tag.row_start <= false;
+        slice0cost_pixels_tag.output_column <= false;
+        slice0cost_pixels_tag.start_of_frame <= false;
+        slice0cost_pixels_tag.end_of_line <= false;
         slice0cost_read_column <= 0;
         slice0cost_change_column <= 0;
         slice0cost_ready_column <= 0;
-        slice0cost_ready_tag_valid <= false;
-        slice0cost_ready_tag_row_start <= false;
-        slice0cost_ready_tag_output_column <= false;
-        slice0cost_ready_tag_start_of_frame <= false;
-        slice0cost_ready_tag_end_of_line <= false;
+        slice0cost_ready_tag.valid <= false;
+        slice0cost_ready_tag.row_start <= false;
+        slice0cost_ready_tag.output_column <= false;
+        slice0cost_ready_tag.start_of_frame <= false;
+        slice0cost_ready_tag.end_of_line <= false;
         slice0cost_write_column <= 0;
-        slice0cost_tag_valid <= false;
-        slice0cost_tag_row_start <= false;
-        slice0cost_tag_output_column <= false;
-        slice0cost_tag_start_of_frame <= false;
-        slice0cost_tag_end_of_line <= false;
+        slice0cost_tag.valid <= false;
+        slice0cost_tag.row_start <= false;
+        slice0cost_tag.output_column <= false;
+        slice0cost_tag.start_of_frame <= false;
+        slice0cost_tag.end_of_line <= false;
         slice0window_ring_read_address <= 1;
         slice0window_ring_write_address <= 0;
-        slice0window_entering_tag_valid <= false;
-        slice0window_entering_tag_output_column <= false;
-        slice0window_entering_tag_start_of_frame <= false;
-        slice0window_entering_tag_end_of_line <= false;
-        slice0window_change_tag_valid <= false;
-        slice0window_change_tag_output_column <= false;
-        slice0window_change_tag_start_of_frame <= false;
-        slice0window_change_tag_end_of_line <= false;
+        slice0window_entering_tag.valid <= false;
+        slice0window_entering_tag.output_column <= false;
+        slice0window_entering_tag.start_of_frame <= false;
+        slice0window_entering_tag.end_of_line <= false;
+        slice0window_change_tag.valid <= false;
+        slice0window_change_tag.output_column <= false;
+        slice0window_change_tag.start_of_frame <= false;
+        slice0window_change_tag.end_of_line <= false;
         slice0window_centre_output_column_0 <= false;
-        slice0window_centre_start_of_frame(0) <= false;
-        slice0window_centre_start_of_frame(1) <= false;
-        slice0window_centre_start_of_frame(2) <= false;
+        slice0window_centre_start_of_frame <= (others => false);
         slice0window_centre_end_of_line_0 <= false;
-        slice0window_tag_valid <= false;
-        slice0window_tag_start_of_frame <= false;
-        slice0winner1_tag_valid <= false;
-        slice0winner1_tag_start_of_frame <= false;
-        slice0winner2_tag_valid <= false;
-        slice0winner2_tag_start_of_frame <= false;
-        slice0winner3_tag_valid <= false;
-        slice0winner3_tag_output_column <= false;
-        slice0winner3_tag_start_of_frame <= false;
-        slice0winner3_tag_end_of_line <= false;
-        slice0winner4_tag_valid <= false;
-        slice0winner4_tag_output_column <= false;
-        slice0winner4_tag_start_of_frame <= false;
-        slice0winner4_tag_end_of_line <= false;
-        slice0winner5_tag_valid <= false;
-        slice0winner5_tag_output_column <= false;
-        slice0winner5_tag_start_of_frame <= false;
-        slice0winner5_tag_end_of_line <= false;
-        slice0_best_tag_valid <= false;
-        slice0_best_tag_output_column <= false;
-        slice0_best_tag_start_of_frame <= false;
-        slice0_best_tag_end_of_line <= false;
+        slice0window_tag <= (others => false);
+        slice0winner1_tag <= (others => false);
+        slice0winner2_tag <= (others => false);
+        slice0winner3_tag <= (others => false);
+        slice0winner4_tag <= (others => false);
+        slice0winner5_tag <= (others => false);
+        slice0_best_tag <= (others => false);
         slice1cost_read_column <= 0;
         slice1cost_change_column <= 0;
         slice1cost_ready_column <= 0;
@@ -4470,10 +1736,7 @@ begin
         slice1window_ring_write_address <= 0;
         slice1window_centre_output_column_0 <= false;
         slice1window_centre_end_of_line_0 <= false;
-        slice1_best_tag_valid <= false;
-        slice1_best_tag_output_column <= false;
-        slice1_best_tag_start_of_frame <= false;
-        slice1_best_tag_end_of_line <= false;
+        slice1_best_tag <= (others => false);
         slice2cost_read_column <= 0;
         slice2cost_change_column <= 0;
         slice2cost_ready_column <= 0;
@@ -4482,10 +1745,7 @@ begin
         slice2window_ring_write_address <= 0;
         slice2window_centre_output_column_0 <= false;
         slice2window_centre_end_of_line_0 <= false;
-        slice2_best_tag_valid <= false;
-        slice2_best_tag_output_column <= false;
-        slice2_best_tag_start_of_frame <= false;
-        slice2_best_tag_end_of_line <= false;
+        slice2_best_tag <= (others => false);
         slice3cost_read_column <= 0;
         slice3cost_change_column <= 0;
         slice3cost_ready_column <= 0;
@@ -4494,24 +1754,16 @@ begin
         slice3window_ring_write_address <= 0;
         slice3window_centre_output_column_0 <= false;
         slice3window_centre_end_of_line_0 <= false;
-        slice3_best_tag_valid <= false;
-        slice3_best_tag_output_column <= false;
-        slice3_best_tag_start_of_frame <= false;
-        slice3_best_tag_end_of_line <= false;
+        slice3_best_tag <= (others => false);
         slice4cost_read_column <= 0;
         slice4cost_change_column <= 0;
         slice4cost_ready_column <= 0;
         slice4cost_write_column <= 0;
         slice4window_ring_read_address <= 1;
         slice4window_ring_write_address <= 0;
-        slice4window_centre_output_column(0) <= false;
-        slice4window_centre_output_column(1) <= false;
-        slice4window_centre_end_of_line(0) <= false;
-        slice4window_centre_end_of_line(1) <= false;
-        slice4_best_tag_valid <= false;
-        slice4_best_tag_output_column <= false;
-        slice4_best_tag_start_of_frame <= false;
-        slice4_best_tag_end_of_line <= false;
+        slice4window_centre_output_column <= (others => false);
+        slice4window_centre_end_of_line <= (others => false);
+        slice4_best_tag <= (others => false);
       end if;
     end if;
   end process;

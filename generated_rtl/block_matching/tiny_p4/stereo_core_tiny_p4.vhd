@@ -93,6 +93,22 @@ architecture rtl of stereo_core_tiny_p4 is
     return (value / 2 ** place) mod 2 = 1;
   end function;
 
+  function choice(test : boolean; yes : boolean; no : boolean) return boolean is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
+  function choice(test : boolean; yes : integer; no : integer) return integer is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
   type boolean_1d is array (natural range <>) of boolean;
   type boolean_2d is array (natural range <>, natural range <>) of boolean;
   type integer_minus_255_to_255_2d is array (natural range <>, natural range <>) of integer range -255 to 255;
@@ -105,6 +121,12 @@ architecture rtl of stereo_core_tiny_p4 is
   type natural_511_2d is array (natural range <>, natural range <>) of natural range 0 to 511;
   type natural_767_2d is array (natural range <>, natural range <>) of natural range 0 to 767;
   type natural_7_1d is array (natural range <>) of natural range 0 to 7;
+  type tag_5 is record
+    valid, border_column, output_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_4 is record
+    valid, output_column, start_of_frame, end_of_line : boolean;
+  end record;
   signal in_valid, in_start_of_frame : boolean;
   signal in_left_pixel, in_right_pixel : unsigned(31 downto 0);
   -- raster
@@ -119,8 +141,8 @@ architecture rtl of stereo_core_tiny_p4 is
   signal delay_delayed_0 : unsigned(31 downto 0);
   signal delay_column : natural range 0 to 31;
   signal delay_row_inside : boolean_1d(0 to 1);
-  signal delay_row_inside_5, delay_tag_valid, delay_tag_border_column, delay_tag_output_column : boolean;
-  signal delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
+  signal delay_row_inside_5 : boolean;
+  signal delay_tag : tag_5;
   -- rows
   signal rows_search_rows_read_words_0, rows_search_rows_ready_words_0 : unsigned(31 downto 0);
   signal rows_search_rows_write_words_0, rows_reference_rows_read_words_0 : unsigned(31 downto 0);
@@ -134,33 +156,23 @@ architecture rtl of stereo_core_tiny_p4 is
   signal rows_reference_rows_ready_words_1 : natural range 0 to 255;
   signal rows_reference_rows_ready_newest : natural_255_1d(0 to 3);
   signal rows_reference_rows_write_words_1 : natural range 0 to 255;
-  signal rows_search : natural_255_1d(0 to 5);
-  signal rows_reference : natural_255_1d(0 to 5);
+  signal rows_search, rows_reference : natural_255_1d(0 to 5);
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 31;
   signal rows_read_inside : boolean_1d(0 to 1);
-  signal rows_read_inside_5, rows_read_tag_valid, rows_read_tag_border_column, rows_read_tag_output_column : boolean;
-  signal rows_read_tag_start_of_frame, rows_read_tag_end_of_line : boolean;
+  signal rows_read_inside_5 : boolean;
+  signal rows_read_tag : tag_5;
   signal rows_ready_inside : boolean_1d(0 to 1);
-  signal rows_ready_inside_5, rows_ready_tag_valid, rows_ready_tag_border_column : boolean;
-  signal rows_ready_tag_output_column, rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line : boolean;
-  signal rows_tag_valid, rows_tag_border_column, rows_tag_output_column, rows_tag_start_of_frame : boolean;
-  signal rows_tag_end_of_line : boolean;
+  signal rows_ready_inside_5 : boolean;
+  signal rows_ready_tag, rows_tag : tag_5;
   -- slice0shift
   signal slice0shift_search : natural_255_2d(0 to 5, 0 to 2);
-  signal slice0shift_reference : natural_255_1d(0 to 5);
-  signal slice0shift_search_out : natural_255_1d(0 to 5);
-  signal slice0shift_tag_valid, slice0shift_tag_border_column, slice0shift_tag_output_column : boolean;
-  signal slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
+  signal slice0shift_reference, slice0shift_search_out : natural_255_1d(0 to 5);
+  signal slice0shift_tag : tag_5;
   -- slice0cost
   signal slice0cost_difference : integer_minus_255_to_255_2d(0 to 5, 0 to 2);
-  signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
-  signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame : boolean;
-  signal slice0cost_difference_tag_end_of_line : boolean;
+  signal slice0cost_difference_tag : tag_5;
   signal slice0cost_negative : boolean_2d(0 to 1, 0 to 2);
-  signal slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column, slice0cost_pair_tag_output_column : boolean;
-  signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
-  signal slice0cost_tag_border_column, slice0cost_tag_output_column, slice0cost_tag_start_of_frame : boolean;
-  signal slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pair_tag, slice0cost_tag : tag_5;
   signal slice0cost_pair : natural_511_2d(0 to 1, 0 to 2);
   signal slice0cost_single_0 : natural_255_1d(0 to 2);
   signal slice0cost_single : natural_255_2d(2 to 3, 0 to 2);
@@ -170,29 +182,25 @@ architecture rtl of stereo_core_tiny_p4 is
   signal slice0window_partial_0 : natural_767_2d(0 to 3, 0 to 2);  -- slice0window_partial_#_0_#
   signal slice0window_partial_1 : natural_1534_2d(0 to 3, 0 to 2);  -- slice0window_partial_#_1_#
   signal slice0window_centre_output_column_0, slice0window_centre_start_of_frame_0 : boolean;
-  signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_output_column : boolean;
-  signal slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
+  signal slice0window_centre_end_of_line_0 : boolean;
+  signal slice0window_tag : tag_4;
   signal slice0window_sum : natural_2301_2d(0 to 3, 0 to 2);
   -- slice0winner1
   signal slice0winner1_best_cost : natural_2301_2d(0 to 3, 0 to 1);
   signal slice0winner1_best_index_0 : boolean_1d(0 to 3);  -- slice0winner1_best_index_#_0
-  signal slice0winner1_tag_valid, slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame : boolean;
-  signal slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_tag : tag_4;
   signal slice0winner1_best_index_0_1 : natural range 0 to 2;
   -- slice0winner2
   signal slice0winner2_best_cost_0 : natural_2301_1d(0 to 3);  -- slice0winner2_best_cost_#_0
   signal slice0winner2_best_index_0 : natural_2_1d(0 to 3);  -- slice0winner2_best_index_#_0
-  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
-  signal slice0winner2_tag_end_of_line : boolean;
+  signal slice0winner2_tag : tag_4;
   -- slice0
   signal slice0_best_cost_0 : natural_2301_1d(0 to 3);  -- slice0_best_cost_#_0
   signal slice0_best_index_0 : natural_7_1d(0 to 3);  -- slice0_best_index_#_0
-  signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
-  signal slice0_best_tag_end_of_line : boolean;
+  signal slice0_best_tag : tag_4;
   -- slice1shift
   signal slice1shift_search : natural_255_2d(0 to 5, 0 to 2);
-  signal slice1shift_reference : natural_255_1d(0 to 5);
-  signal slice1shift_search_out : natural_255_1d(0 to 5);
+  signal slice1shift_reference, slice1shift_search_out : natural_255_1d(0 to 5);
   -- slice1cost
   signal slice1cost_difference : integer_minus_255_to_255_2d(0 to 5, 0 to 2);
   signal slice1cost_pair : natural_511_2d(0 to 1, 0 to 2);
@@ -215,8 +223,7 @@ architecture rtl of stereo_core_tiny_p4 is
   -- slice1
   signal slice1_best_cost_0 : natural_2301_1d(0 to 3);  -- slice1_best_cost_#_0
   signal slice1_best_index_0 : natural_7_1d(0 to 3);  -- slice1_best_index_#_0
-  signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
-  signal slice1_best_tag_end_of_line : boolean;
+  signal slice1_best_tag : tag_4;
   -- slice2shift
   signal slice2shift_search : natural_255_2d(0 to 5, 0 to 1);
   signal slice2shift_reference : natural_255_1d(0 to 5);
@@ -240,26 +247,7 @@ architecture rtl of stereo_core_tiny_p4 is
   signal slice2winner2_best_index_0 : boolean_1d(0 to 3);  -- slice2winner2_best_index_#_0
   -- slice2
   signal slice2_best_index_0 : natural_7_1d(0 to 3);  -- slice2_best_index_#_0
-  signal slice2_best_tag_valid, slice2_best_tag_output_column, slice2_best_tag_start_of_frame : boolean;
-  signal slice2_best_tag_end_of_line, rows_search_rows_read_words_1_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_1_memory_read_address : unsigned(4 downto 0);
-  signal rows_search_rows_read_words_1_memory_write_address : unsigned(4 downto 0);
-  signal rows_search_rows_read_words_1_memory_write_data : unsigned(7 downto 0);
-  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal rows_reference_rows_read_words_1_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_1_memory_read_address : unsigned(4 downto 0);
-  signal rows_reference_rows_read_words_1_memory_write_address : unsigned(4 downto 0);
-  signal rows_reference_rows_read_words_1_memory_write_data : unsigned(7 downto 0);
-  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal delay_delayed_0_memory_read_enable : boolean;
-  signal delay_delayed_0_memory_read_address, delay_delayed_0_memory_write_address : unsigned(2 downto 0);
-  signal delay_delayed_0_memory_write_data : unsigned(31 downto 0);
+  signal slice2_best_tag : tag_4;
 
 begin
   in_valid <= valid = '1';
@@ -268,69 +256,74 @@ begin
   in_right_pixel <= unsigned(right_pixel);
   disparity <= std_logic_vector(unsigned'(to_unsigned(slice2_best_index_0(3), 8) & to_unsigned(slice2_best_index_0(2), 8) & to_unsigned(slice2_best_index_0(1), 8) & to_unsigned(slice2_best_index_0(0), 8)));
   pixel_valid <= std_logic_vector(to_unsigned(15, 4));
-  disparity_valid <= as_bit(slice2_best_tag_valid and slice2_best_tag_output_column);
-  disparity_start_of_frame <= as_bit(slice2_best_tag_start_of_frame and slice2_best_tag_valid and slice2_best_tag_output_column);
-  disparity_end_of_line <= as_bit(slice2_best_tag_end_of_line and slice2_best_tag_valid and slice2_best_tag_output_column);
+  disparity_valid <= as_bit(slice2_best_tag.valid and slice2_best_tag.output_column);
+  disparity_start_of_frame <= as_bit(slice2_best_tag.start_of_frame and slice2_best_tag.valid and slice2_best_tag.output_column);
+  disparity_end_of_line <= as_bit(slice2_best_tag.end_of_line and slice2_best_tag.valid and slice2_best_tag.output_column);
 
-  rows_search_rows_read_words_1_memory_read_enable <= true;
-  rows_search_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 5);
-  rows_search_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 5);
-  rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 8);
-  rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 32, width => 8, address_bits => 5)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_1_memory_read_enable,
-      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words_1,
-      write_address => rows_search_rows_read_words_1_memory_write_address, write_data => rows_search_rows_read_words_1_memory_write_data);
+  rows_search_rows_read_words_1_memory : block
+    signal read_address, write_address : unsigned(4 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 5);
+    write_address <= to_unsigned(rows_write_column, 5);
+    write_data <= to_unsigned(rows_search_rows_write_words_1, 8);
+    cell : entity work.line_memory
+      generic map (depth => 32, width => 8, address_bits => 5)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_search_rows_read_words_1, write_address => write_address, write_data => write_data);
+  end block;
 
-  rows_search_rows_read_words_0_memory_read_enable <= true;
-  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
-  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 5);
-  rows_search_rows_read_words_0_memory_write_data <= rows_search_rows_write_words_0;
-  rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 32, address_bits => 5)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
-      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
-      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
+  rows_search_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(4 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 5);
+    write_address <= to_unsigned(rows_write_column, 5);
+    cell : entity work.line_memory
+      generic map (depth => 32, width => 32, address_bits => 5)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_search_rows_read_words_0, write_address => write_address, write_data => rows_search_rows_write_words_0);
+  end block;
 
-  rows_reference_rows_read_words_1_memory_read_enable <= true;
-  rows_reference_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 5);
-  rows_reference_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 5);
-  rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words_1, 8);
-  rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 32, width => 8, address_bits => 5)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_1_memory_read_enable,
-      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words_1,
-      write_address => rows_reference_rows_read_words_1_memory_write_address, write_data => rows_reference_rows_read_words_1_memory_write_data);
+  rows_reference_rows_read_words_1_memory : block
+    signal read_address, write_address : unsigned(4 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 5);
+    write_address <= to_unsigned(rows_write_column, 5);
+    write_data <= to_unsigned(rows_reference_rows_write_words_1, 8);
+    cell : entity work.line_memory
+      generic map (depth => 32, width => 8, address_bits => 5)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_reference_rows_read_words_1, write_address => write_address, write_data => write_data);
+  end block;
 
-  rows_reference_rows_read_words_0_memory_read_enable <= true;
-  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
-  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 5);
-  rows_reference_rows_read_words_0_memory_write_data <= rows_reference_rows_write_words_0;
-  rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 32, address_bits => 5)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
-      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
+  rows_reference_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(4 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 5);
+    write_address <= to_unsigned(rows_write_column, 5);
+    cell : entity work.line_memory
+      generic map (depth => 32, width => 32, address_bits => 5)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_reference_rows_read_words_0, write_address => write_address, write_data =>
+        rows_reference_rows_write_words_0);
+  end block;
 
-  delay_delayed_0_memory_read_enable <= true;
-  delay_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 3);
-  delay_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 3);
-  delay_delayed_0_memory_write_data <= raster_features_reference;
-  delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 32, address_bits => 3)
-    port map (
-      clock => clock, read_enable => delay_delayed_0_memory_read_enable,
-      read_address => delay_delayed_0_memory_read_address, read_data => delay_delayed_0,
-      write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
+  delay_delayed_0_memory : block
+    signal read_address, write_address : unsigned(2 downto 0);
+  begin
+    read_address <= to_unsigned(delay_ring_read_address, 3);
+    write_address <= to_unsigned(delay_ring_write_address, 3);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 32, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => delay_delayed_0,
+        write_address => write_address, write_data => raster_features_reference);
+  end block;
 
   process (clock)
-    variable raster_place_group_is_equal, raster_place_group_all, raster_place_group_is_equal_2 : boolean;
-    variable raster_place_next_frame_all, raster_place_next_frame_choice, delay_row_inside_0_is_equal : boolean;
-    variable delay_row_inside_1_choice : boolean;
+    variable raster_place_group_is_equals : boolean_1d(1 to 2);  -- raster_place_group_is_equal_#
+    variable raster_place_group_all, raster_place_next_frame_all, raster_place_next_frame_choice : boolean;
+    variable delay_row_inside_0_is_equal, delay_row_inside_1_choice : boolean;
     variable slice0cost_pair_1_is_less : boolean_1d(0 to 2);  -- slice0cost_pair_1_#_is_less
     variable slice0cost_negative_0_is_less : boolean_1d(0 to 2);  -- slice0cost_negative_0_#_is_less
     variable slice0winner1_best_cost_0_is_less : boolean_1d(0 to 3);  -- slice0winner1_best_cost_#_0_is_less
@@ -351,170 +344,89 @@ begin
   begin
     if rising_edge(clock) then
       -- raster
-      raster_place_group_is_equal := raster_place_column = 31;
-      raster_place_group_all := raster_place_group_is_equal and (raster_place_group = 2);
-      if raster_place_group_all then
-        raster_place_group_choice := 3;
-      else
-        raster_place_group_choice := 0;
-      end if;
-      raster_place_group_is_equal_2 := raster_place_group = 3;
-      if raster_place_next_frame and raster_place_group_is_equal_2 then
-        raster_place_group_choices(2) := 1;
-      else
-        raster_place_group_choices(2) := (raster_place_group + 1) mod 8;
-      end if;
-      if (raster_place_group /= 4) and raster_place_group_is_equal and in_valid then
-        raster_place_group_choices(3) := raster_place_group_choices(2);
-      else
-        raster_place_group_choices(3) := raster_place_group;
-      end if;
+      raster_place_group_is_equals(1) := raster_place_column = 31;
+      raster_place_group_all := raster_place_group_is_equals(1) and (raster_place_group = 2);
+      raster_place_group_choice := choice(raster_place_group_all, 3, 0);
+      raster_place_group_is_equals(2) := raster_place_group = 3;
+      raster_place_group_choices(2) := choice(raster_place_next_frame and raster_place_group_is_equals(2), 1,
+        (raster_place_group + 1) mod 8);
+      raster_place_group_choices(3) := choice((raster_place_group /= 4) and raster_place_group_is_equals(1) and
+        in_valid, raster_place_group_choices(2), raster_place_group);
       raster_features_search(0) <= to_integer(in_left_pixel(7 downto 0));
       raster_features_search(1) <= to_integer(in_left_pixel(15 downto 8));
       raster_features_search(2) <= to_integer(in_left_pixel(23 downto 16));
       raster_features_search(3) <= to_integer(in_left_pixel(31 downto 24));
       raster_features_reference <= in_right_pixel;
       raster_features_valid <= in_valid;
-      if in_start_of_frame and in_valid then
-        raster_place_group <= raster_place_group_choice;
-      else
-        raster_place_group <= raster_place_group_choices(3);
-      end if;
-      raster_place_next_frame_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
-      if raster_place_next_frame_all then
-        raster_place_next_frame_choice := in_start_of_frame;
-      else
-        raster_place_next_frame_choice := raster_place_next_frame or in_start_of_frame;
-      end if;
+      raster_place_group <= choice(in_start_of_frame and in_valid, raster_place_group_choice,
+        raster_place_group_choices(3));
+      raster_place_next_frame_all := raster_place_group_is_equals(1) and raster_place_group_is_equals(2);
+      raster_place_next_frame_choice := choice(raster_place_next_frame_all, in_start_of_frame, raster_place_next_frame
+        or in_start_of_frame);
       if in_valid then
-        if raster_place_group_is_equal or in_start_of_frame then
-          raster_place_column <= 0;
-        else
-          raster_place_column <= (raster_place_column + 1) mod 32;
-        end if;
-        if raster_place_group_all then
-          raster_place_next_frame <= raster_place_next_frame_choice;
-        else
-          raster_place_next_frame <= (not raster_place_next_frame_all) and raster_place_next_frame and (not
-            in_start_of_frame);
-        end if;
+        raster_place_column <= choice(raster_place_group_is_equals(1) or in_start_of_frame, 0, (raster_place_column +
+          1) mod 32);
+        raster_place_next_frame <= choice(raster_place_group_all, raster_place_next_frame_choice, (not
+          raster_place_next_frame_all) and raster_place_next_frame and (not in_start_of_frame));
       end if;
       -- delay
       if raster_features_valid then
         delay_ring_write_address <= delay_ring_read_address;
-        if delay_ring_read_address = 7 then
-          delay_ring_read_address <= 0;
-        else
-          delay_ring_read_address <= (delay_ring_read_address + 1) mod 8;
-        end if;
+        delay_ring_read_address <= choice(delay_ring_read_address = 7, 0, (delay_ring_read_address + 1) mod 8);
       end if;
       delay_row_inside_0_is_equal := (raster_place_group / 2) = 1;
-      if is_set(raster_place_group, 0) then
-        delay_row_inside_1_choice := not is_set(raster_place_group, 2);
-      else
-        delay_row_inside_1_choice := delay_row_inside_0_is_equal;
-      end if;
-      delay_ahead(0) <= raster_features_search(0);
-      delay_ahead(1) <= raster_features_search(1);
-      delay_ahead(2) <= raster_features_search(2);
-      delay_ahead(3) <= raster_features_search(3);
+      delay_row_inside_1_choice := choice(is_set(raster_place_group, 0), not is_set(raster_place_group, 2),
+        delay_row_inside_0_is_equal);
+      delay_ahead <= raster_features_search;
       delay_column <= raster_place_column;
       delay_row_inside(1) <= delay_row_inside_1_choice;
-      delay_tag_valid <= raster_features_valid;
-      delay_tag_output_column <= (raster_place_column >= 7) and (raster_place_column < 31) and
+      delay_tag.valid <= raster_features_valid;
+      delay_tag.output_column <= (raster_place_column >= 7) and (raster_place_column < 31) and
         delay_row_inside_1_choice;
-      delay_tag_start_of_frame <= (raster_place_column = 7) and (raster_place_group = 1);
-      delay_tag_end_of_line <= raster_place_column = 30;
-      if is_set(raster_place_group, 0) then
-        delay_row_inside(0) <= delay_row_inside_0_is_equal;
-        delay_row_inside_5 <= (raster_place_group / 2) = 0;
-      else
-        delay_row_inside(0) <= is_set(raster_place_group, 2) /= is_set(raster_place_group, 1);
-        delay_row_inside_5 <= not is_set(raster_place_group, 2);
-      end if;
-      if (raster_place_column mod 4) = 3 then
-        delay_tag_border_column <= (raster_place_column / 4) = 0;
-      else
-        delay_tag_border_column <= (raster_place_column / 8) = 0;
-      end if;
+      delay_tag.start_of_frame <= (raster_place_column = 7) and (raster_place_group = 1);
+      delay_tag.end_of_line <= raster_place_column = 30;
+      delay_row_inside(0) <= choice(is_set(raster_place_group, 0), delay_row_inside_0_is_equal,
+        is_set(raster_place_group, 2) /= is_set(raster_place_group, 1));
+      delay_row_inside_5 <= choice(is_set(raster_place_group, 0), (raster_place_group / 2) = 0, not
+        is_set(raster_place_group, 2));
+      delay_tag.border_column <= choice((raster_place_column mod 4) = 3, (raster_place_column / 4) = 0,
+        (raster_place_column / 8) = 0);
       -- rows
-      rows_search_rows_read_newest(0) <= delay_ahead(0);
-      rows_search_rows_read_newest(1) <= delay_ahead(1);
-      rows_search_rows_read_newest(2) <= delay_ahead(2);
-      rows_search_rows_read_newest(3) <= delay_ahead(3);
+      rows_search_rows_read_newest <= delay_ahead;
       rows_search_rows_ready_words_0 <= rows_search_rows_read_words_0;
       rows_search_rows_ready_words_1 <= to_integer(rows_search_rows_read_words_1);
-      rows_search_rows_ready_newest(0) <= rows_search_rows_read_newest(0);
-      rows_search_rows_ready_newest(1) <= rows_search_rows_read_newest(1);
-      rows_search_rows_ready_newest(2) <= rows_search_rows_read_newest(2);
-      rows_search_rows_ready_newest(3) <= rows_search_rows_read_newest(3);
+      rows_search_rows_ready_newest <= rows_search_rows_read_newest;
       rows_reference_rows_read_newest(0) <= to_integer(delay_delayed_0(7 downto 0));
       rows_reference_rows_read_newest(1) <= to_integer(delay_delayed_0(15 downto 8));
       rows_reference_rows_read_newest(2) <= to_integer(delay_delayed_0(23 downto 16));
       rows_reference_rows_read_newest(3) <= to_integer(delay_delayed_0(31 downto 24));
       rows_reference_rows_ready_words_0 <= rows_reference_rows_read_words_0;
       rows_reference_rows_ready_words_1 <= to_integer(rows_reference_rows_read_words_1);
-      rows_reference_rows_ready_newest(0) <= rows_reference_rows_read_newest(0);
-      rows_reference_rows_ready_newest(1) <= rows_reference_rows_read_newest(1);
-      rows_reference_rows_ready_newest(2) <= rows_reference_rows_read_newest(2);
-      rows_reference_rows_ready_newest(3) <= rows_reference_rows_read_newest(3);
+      rows_reference_rows_ready_newest <= rows_reference_rows_read_newest;
       rows_read_column <= delay_column;
-      rows_read_inside(0) <= delay_row_inside(0);
-      rows_read_inside(1) <= delay_row_inside(1);
+      rows_read_inside <= delay_row_inside;
       rows_read_inside_5 <= delay_row_inside_5;
-      rows_read_tag_valid <= delay_tag_valid;
-      rows_read_tag_border_column <= delay_tag_border_column;
-      rows_read_tag_output_column <= delay_tag_output_column;
-      rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
-      rows_read_tag_end_of_line <= delay_tag_end_of_line;
+      rows_read_tag <= delay_tag;
       rows_ready_column <= rows_read_column;
-      rows_ready_inside(0) <= rows_read_inside(0);
-      rows_ready_inside(1) <= rows_read_inside(1);
+      rows_ready_inside <= rows_read_inside;
       rows_ready_inside_5 <= rows_read_inside_5;
-      rows_ready_tag_valid <= rows_read_tag_valid;
-      rows_ready_tag_border_column <= rows_read_tag_border_column;
-      rows_ready_tag_output_column <= rows_read_tag_output_column;
-      rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
-      rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_tag_valid <= rows_ready_tag_valid;
-      rows_tag_border_column <= rows_ready_tag_border_column;
-      rows_tag_output_column <= rows_ready_tag_output_column;
-      rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
-      rows_tag_end_of_line <= rows_ready_tag_end_of_line;
-      if rows_ready_inside(0) then
-        rows_search(0) <= to_integer(rows_search_rows_ready_words_0(7 downto 0));
-        rows_reference(0) <= to_integer(rows_reference_rows_ready_words_0(7 downto 0));
-      else
-        rows_search(0) <= 0;
-        rows_reference(0) <= 0;
-      end if;
-      if rows_ready_inside(1) then
-        rows_search(1) <= to_integer(rows_search_rows_ready_words_0(15 downto 8));
-        rows_search(2) <= to_integer(rows_search_rows_ready_words_0(23 downto 16));
-        rows_search(3) <= to_integer(rows_search_rows_ready_words_0(31 downto 24));
-        rows_search(4) <= rows_search_rows_ready_words_1;
-        rows_reference(1) <= to_integer(rows_reference_rows_ready_words_0(15 downto 8));
-        rows_reference(2) <= to_integer(rows_reference_rows_ready_words_0(23 downto 16));
-        rows_reference(3) <= to_integer(rows_reference_rows_ready_words_0(31 downto 24));
-        rows_reference(4) <= rows_reference_rows_ready_words_1;
-      else
-        rows_search(1) <= 0;
-        rows_search(2) <= 0;
-        rows_search(3) <= 0;
-        rows_search(4) <= 0;
-        rows_reference(1) <= 0;
-        rows_reference(2) <= 0;
-        rows_reference(3) <= 0;
-        rows_reference(4) <= 0;
-      end if;
-      if rows_ready_inside_5 then
-        rows_search(5) <= rows_search_rows_ready_newest(0);
-        rows_reference(5) <= rows_reference_rows_ready_newest(0);
-      else
-        rows_search(5) <= 0;
-        rows_reference(5) <= 0;
-      end if;
-      if rows_ready_tag_valid then
+      rows_ready_tag <= rows_read_tag;
+      rows_tag <= rows_ready_tag;
+      rows_search(0) <= choice(rows_ready_inside(0), to_integer(rows_search_rows_ready_words_0(7 downto 0)), 0);
+      rows_reference(0) <= choice(rows_ready_inside(0), to_integer(rows_reference_rows_ready_words_0(7 downto 0)), 0);
+      for i in 1 to 3 loop
+        rows_search(i) <= choice(rows_ready_inside(1), to_integer(rows_search_rows_ready_words_0(8 * i + 7 downto 8 *
+          i)), 0);
+      end loop;
+      rows_search(4) <= choice(rows_ready_inside(1), rows_search_rows_ready_words_1, 0);
+      for i in 1 to 3 loop
+        rows_reference(i) <= choice(rows_ready_inside(1), to_integer(rows_reference_rows_ready_words_0(8 * i + 7 downto
+          8 * i)), 0);
+      end loop;
+      rows_reference(4) <= choice(rows_ready_inside(1), rows_reference_rows_ready_words_1, 0);
+      rows_search(5) <= choice(rows_ready_inside_5, rows_search_rows_ready_newest(0), 0);
+      rows_reference(5) <= choice(rows_ready_inside_5, rows_reference_rows_ready_newest(0), 0);
+      if rows_ready_tag.valid then
         rows_search_rows_write_words_0 <= to_unsigned(rows_search_rows_ready_newest(2), 8) &
           to_unsigned(rows_search_rows_ready_newest(1), 8) & to_unsigned(rows_search_rows_ready_newest(0), 8) &
           to_unsigned(rows_search_rows_ready_words_1, 8);
@@ -526,24 +438,18 @@ begin
         rows_write_column <= rows_ready_column;
       end if;
       -- slice0shift
-      if rows_tag_valid then
+      if rows_tag.valid then
         for i in 0 to 5 loop
           slice0shift_search(i, 0) <= slice0shift_search(i, 1);
           slice0shift_search(i, 1) <= slice0shift_search(i, 2);
           slice0shift_search(i, 2) <= rows_search(i);
         end loop;
       end if;
-      for i in 0 to 5 loop
-        slice0shift_reference(i) <= rows_reference(i);
-      end loop;
+      slice0shift_reference <= rows_reference;
       for i in 0 to 5 loop
         slice0shift_search_out(i) <= slice0shift_search(i, 0);
       end loop;
-      slice0shift_tag_valid <= rows_tag_valid;
-      slice0shift_tag_border_column <= rows_tag_border_column;
-      slice0shift_tag_output_column <= rows_tag_output_column;
-      slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
-      slice0shift_tag_end_of_line <= rows_tag_end_of_line;
+      slice0shift_tag <= rows_tag;
       -- slice0cost
       slice0cost_pair_folded_value(0, 0) := folded(slice0cost_difference(2, 0));
       slice0cost_pair_folded_value(0, 1) := folded(slice0cost_difference(2, 1));
@@ -560,11 +466,7 @@ begin
         slice0cost_difference(i, 1) <= slice0shift_search(i, 1) - slice0shift_reference(i);
         slice0cost_difference(i, 2) <= slice0shift_search(i, 2) - slice0shift_reference(i);
       end loop;
-      slice0cost_difference_tag_valid <= slice0shift_tag_valid;
-      slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
-      slice0cost_difference_tag_output_column <= slice0shift_tag_output_column;
-      slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
-      slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
+      slice0cost_difference_tag <= slice0shift_tag;
       for i in 0 to 2 loop
         slice0cost_pair(0, i) <= slice0cost_pair_folded_value(0, i) + folded(slice0cost_difference(1, i)) +
           as_number((slice0cost_difference(1, i) < 0));
@@ -595,40 +497,24 @@ begin
         slice0cost_single_5(i) <= (folded(slice0cost_difference(5, i)) + as_number((slice0cost_difference(5, i) < 0)))
           mod 256;
       end loop;
-      slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
-      slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
-      slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
-      slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
-      slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
-      slice0cost_tag_valid <= slice0cost_pair_tag_valid;
-      slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
-      slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
-      slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
-      slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
-      if slice0cost_pair_tag_border_column then
-        for i in 0 to 3 loop
-          slice0cost_column(i, 0) <= 0;
-          slice0cost_column(i, 1) <= 0;
-          slice0cost_column(i, 2) <= 0;
+      slice0cost_pair_tag <= slice0cost_difference_tag;
+      slice0cost_tag <= slice0cost_pair_tag;
+      for i in 0 to 2 loop
+        slice0cost_column(0, i) <= choice(slice0cost_pair_tag.border_column, 0, slice0cost_pair(0, i) +
+          as_number(slice0cost_negative(0, i)) + slice0cost_single_0(i));
+      end loop;
+      for i in 1 to 2 loop
+        for j in 0 to 2 loop
+          slice0cost_column(i, j) <= choice(slice0cost_pair_tag.border_column, 0, slice0cost_pair(i - 1, j) +
+            as_number(slice0cost_negative(i - 1, j)) + slice0cost_single(4 - i, j));
         end loop;
-      else
-        for i in 0 to 2 loop
-          slice0cost_column(0, i) <= slice0cost_pair(0, i) + as_number(slice0cost_negative(0, i)) +
-            slice0cost_single_0(i);
-        end loop;
-        for i in 1 to 2 loop
-          for j in 0 to 2 loop
-            slice0cost_column(i, j) <= slice0cost_pair(i - 1, j) + as_number(slice0cost_negative(i - 1, j)) +
-              slice0cost_single(4 - i, j);
-          end loop;
-        end loop;
-        for i in 0 to 2 loop
-          slice0cost_column(3, i) <= slice0cost_pair(1, i) + as_number(slice0cost_negative(1, i)) +
-            slice0cost_single_5(i);
-        end loop;
-      end if;
+      end loop;
+      for i in 0 to 2 loop
+        slice0cost_column(3, i) <= choice(slice0cost_pair_tag.border_column, 0, slice0cost_pair(1, i) +
+          as_number(slice0cost_negative(1, i)) + slice0cost_single_5(i));
+      end loop;
       -- slice0window
-      if slice0cost_tag_valid then
+      if slice0cost_tag.valid then
         for i in 0 to 3 loop
           slice0window_partial_0(i, 0) <= slice0cost_column(i, 0);
           slice0window_partial_0(i, 1) <= slice0cost_column(i, 1);
@@ -638,18 +524,18 @@ begin
           slice0window_partial_1(i, 2) <= slice0cost_column(i, 2) + slice0window_partial_0(i, 2);
         end loop;
       end if;
-      slice0window_centre_output_column_0 <= slice0cost_tag_output_column;
-      slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
-      slice0window_centre_end_of_line_0 <= slice0cost_tag_end_of_line;
+      slice0window_centre_output_column_0 <= slice0cost_tag.output_column;
+      slice0window_centre_start_of_frame_0 <= slice0cost_tag.start_of_frame;
+      slice0window_centre_end_of_line_0 <= slice0cost_tag.end_of_line;
       for i in 0 to 3 loop
         slice0window_sum(i, 0) <= slice0cost_column(i, 0) + slice0window_partial_1(i, 0);
         slice0window_sum(i, 1) <= slice0cost_column(i, 1) + slice0window_partial_1(i, 1);
         slice0window_sum(i, 2) <= slice0cost_column(i, 2) + slice0window_partial_1(i, 2);
       end loop;
-      slice0window_tag_valid <= slice0cost_tag_valid;
-      slice0window_tag_output_column <= slice0window_centre_output_column_0;
-      slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
-      slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
+      slice0window_tag.valid <= slice0cost_tag.valid;
+      slice0window_tag.output_column <= slice0window_centre_output_column_0;
+      slice0window_tag.start_of_frame <= slice0window_centre_start_of_frame_0;
+      slice0window_tag.end_of_line <= slice0window_centre_end_of_line_0;
       -- slice0winner1
       slice0winner1_best_cost_0_is_less(0) := (slice0window_sum(0, 1) - slice0window_sum(0, 0)) < 0;
       slice0winner1_best_cost_0_is_less(1) := (slice0window_sum(1, 1) - slice0window_sum(1, 0)) < 0;
@@ -661,63 +547,44 @@ begin
       slice0winner1_best_cost(3, 1) <= slice0window_sum(3, 2);
       slice0winner1_best_index_0(0) <= slice0winner1_best_cost_0_is_less(0);
       slice0winner1_best_index_0_1 <= 2;
-      slice0winner1_best_index_0(1) <= slice0winner1_best_cost_0_is_less(1);
-      slice0winner1_best_index_0(2) <= slice0winner1_best_cost_0_is_less(2);
-      slice0winner1_best_index_0(3) <= slice0winner1_best_cost_0_is_less(3);
-      slice0winner1_tag_valid <= slice0window_tag_valid;
+      slice0winner1_best_index_0(1 to 3) <= slice0winner1_best_cost_0_is_less(1 to 3);
+      slice0winner1_tag.valid <= slice0window_tag.valid;
       for i in 0 to 3 loop
-        if slice0winner1_best_cost_0_is_less(i) then
-          slice0winner1_best_cost(i, 0) <= slice0window_sum(i, 1);
-        else
-          slice0winner1_best_cost(i, 0) <= slice0window_sum(i, 0);
-        end if;
+        slice0winner1_best_cost(i, 0) <= choice(slice0winner1_best_cost_0_is_less(i), slice0window_sum(i, 1),
+          slice0window_sum(i, 0));
       end loop;
-      if slice0winner1_tag_valid then
-        slice0winner1_tag_output_column <= slice0window_tag_output_column;
-        slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
-        slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
+      if slice0winner1_tag.valid then
+        slice0winner1_tag.output_column <= slice0window_tag.output_column;
+        slice0winner1_tag.start_of_frame <= slice0window_tag.start_of_frame;
+        slice0winner1_tag.end_of_line <= slice0window_tag.end_of_line;
       end if;
       -- slice0winner2
       for i in 0 to 3 loop
         slice0winner2_best_cost_0_is_less(i) := (slice0winner1_best_cost(i, 1) - slice0winner1_best_cost(i, 0)) < 0;
       end loop;
-      slice0winner2_tag_valid <= slice0winner1_tag_valid;
-      slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
-      slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-      slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      slice0winner2_tag <= slice0winner1_tag;
       for i in 0 to 3 loop
-        if slice0winner2_best_cost_0_is_less(i) then
-          slice0winner2_best_cost_0(i) <= slice0winner1_best_cost(i, 1);
-          slice0winner2_best_index_0(i) <= slice0winner1_best_index_0_1;
-        else
-          slice0winner2_best_cost_0(i) <= slice0winner1_best_cost(i, 0);
-          slice0winner2_best_index_0(i) <= as_number(slice0winner1_best_index_0(i));
-        end if;
+        slice0winner2_best_cost_0(i) <= choice(slice0winner2_best_cost_0_is_less(i), slice0winner1_best_cost(i, 1),
+          slice0winner1_best_cost(i, 0));
+        slice0winner2_best_index_0(i) <= choice(slice0winner2_best_cost_0_is_less(i), slice0winner1_best_index_0_1,
+          as_number(slice0winner1_best_index_0(i)));
       end loop;
       -- slice0
-      slice0_best_cost_0(0) <= slice0winner2_best_cost_0(0);
-      slice0_best_cost_0(1) <= slice0winner2_best_cost_0(1);
-      slice0_best_cost_0(2) <= slice0winner2_best_cost_0(2);
-      slice0_best_cost_0(3) <= slice0winner2_best_cost_0(3);
+      slice0_best_cost_0 <= slice0winner2_best_cost_0;
       slice0_best_index_0(0) <= slice0winner2_best_index_0(0) + 5;
       slice0_best_index_0(1) <= slice0winner2_best_index_0(1) + 5;
       slice0_best_index_0(2) <= slice0winner2_best_index_0(2) + 5;
       slice0_best_index_0(3) <= slice0winner2_best_index_0(3) + 5;
-      slice0_best_tag_valid <= slice0winner2_tag_valid;
-      slice0_best_tag_output_column <= slice0winner2_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      slice0_best_tag <= slice0winner2_tag;
       -- slice1shift
-      if slice0shift_tag_valid then
+      if slice0shift_tag.valid then
         for i in 0 to 5 loop
           slice1shift_search(i, 0) <= slice1shift_search(i, 1);
           slice1shift_search(i, 1) <= slice1shift_search(i, 2);
           slice1shift_search(i, 2) <= slice0shift_search_out(i);
         end loop;
       end if;
-      for i in 0 to 5 loop
-        slice1shift_reference(i) <= slice0shift_reference(i);
-      end loop;
+      slice1shift_reference <= slice0shift_reference;
       for i in 0 to 5 loop
         slice1shift_search_out(i) <= slice1shift_search(i, 0);
       end loop;
@@ -767,31 +634,23 @@ begin
         slice1cost_single_5(i) <= (folded(slice1cost_difference(5, i)) + as_number((slice1cost_difference(5, i) < 0)))
           mod 256;
       end loop;
-      slice1cost_tag_border_column <= slice0cost_tag_border_column;
-      if slice0cost_tag_border_column then
-        for i in 0 to 3 loop
-          slice1cost_column(i, 0) <= 0;
-          slice1cost_column(i, 1) <= 0;
-          slice1cost_column(i, 2) <= 0;
+      slice1cost_tag_border_column <= slice0cost_tag.border_column;
+      for i in 0 to 2 loop
+        slice1cost_column(0, i) <= choice(slice0cost_tag.border_column, 0, slice1cost_pair(0, i) +
+          as_number(slice1cost_negative(0, i)) + slice1cost_single_0(i));
+      end loop;
+      for i in 1 to 2 loop
+        for j in 0 to 2 loop
+          slice1cost_column(i, j) <= choice(slice0cost_tag.border_column, 0, slice1cost_pair(i - 1, j) +
+            as_number(slice1cost_negative(i - 1, j)) + slice1cost_single(4 - i, j));
         end loop;
-      else
-        for i in 0 to 2 loop
-          slice1cost_column(0, i) <= slice1cost_pair(0, i) + as_number(slice1cost_negative(0, i)) +
-            slice1cost_single_0(i);
-        end loop;
-        for i in 1 to 2 loop
-          for j in 0 to 2 loop
-            slice1cost_column(i, j) <= slice1cost_pair(i - 1, j) + as_number(slice1cost_negative(i - 1, j)) +
-              slice1cost_single(4 - i, j);
-          end loop;
-        end loop;
-        for i in 0 to 2 loop
-          slice1cost_column(3, i) <= slice1cost_pair(1, i) + as_number(slice1cost_negative(1, i)) +
-            slice1cost_single_5(i);
-        end loop;
-      end if;
+      end loop;
+      for i in 0 to 2 loop
+        slice1cost_column(3, i) <= choice(slice0cost_tag.border_column, 0, slice1cost_pair(1, i) +
+          as_number(slice1cost_negative(1, i)) + slice1cost_single_5(i));
+      end loop;
       -- slice1window
-      if slice0window_tag_valid then
+      if slice0window_tag.valid then
         for i in 0 to 3 loop
           slice1window_partial_0(i, 0) <= slice1cost_column(i, 0);
           slice1window_partial_0(i, 1) <= slice1cost_column(i, 1);
@@ -815,59 +674,41 @@ begin
       slice1winner1_best_cost(1, 1) <= slice1window_sum(1, 2);
       slice1winner1_best_cost(2, 1) <= slice1window_sum(2, 2);
       slice1winner1_best_cost(3, 1) <= slice1window_sum(3, 2);
-      slice1winner1_best_index_0(0) <= slice1winner1_best_cost_0_is_less(0);
-      slice1winner1_best_index_0(1) <= slice1winner1_best_cost_0_is_less(1);
-      slice1winner1_best_index_0(2) <= slice1winner1_best_cost_0_is_less(2);
-      slice1winner1_best_index_0(3) <= slice1winner1_best_cost_0_is_less(3);
+      slice1winner1_best_index_0 <= slice1winner1_best_cost_0_is_less;
       for i in 0 to 3 loop
-        if slice1winner1_best_cost_0_is_less(i) then
-          slice1winner1_best_cost(i, 0) <= slice1window_sum(i, 1);
-        else
-          slice1winner1_best_cost(i, 0) <= slice1window_sum(i, 0);
-        end if;
+        slice1winner1_best_cost(i, 0) <= choice(slice1winner1_best_cost_0_is_less(i), slice1window_sum(i, 1),
+          slice1window_sum(i, 0));
       end loop;
       -- slice1winner2
       for i in 0 to 3 loop
         slice1winner2_best_cost_0_is_less(i) := (slice1winner1_best_cost(i, 1) - slice1winner1_best_cost(i, 0)) < 0;
       end loop;
       for i in 0 to 3 loop
-        if slice1winner2_best_cost_0_is_less(i) then
-          slice1winner2_best_cost_0(i) <= slice1winner1_best_cost(i, 1);
-          slice1winner2_best_index_0(i) <= slice0winner1_best_index_0_1;
-        else
-          slice1winner2_best_cost_0(i) <= slice1winner1_best_cost(i, 0);
-          slice1winner2_best_index_0(i) <= as_number(slice1winner1_best_index_0(i));
-        end if;
+        slice1winner2_best_cost_0(i) <= choice(slice1winner2_best_cost_0_is_less(i), slice1winner1_best_cost(i, 1),
+          slice1winner1_best_cost(i, 0));
+        slice1winner2_best_index_0(i) <= choice(slice1winner2_best_cost_0_is_less(i), slice0winner1_best_index_0_1,
+          as_number(slice1winner1_best_index_0(i)));
       end loop;
       -- slice1
       slice1_best_cost_0_is_less(0) := (slice0_best_cost_0(0) - slice1winner2_best_cost_0(0)) < 0;
       slice1_best_cost_0_is_less(1) := (slice0_best_cost_0(1) - slice1winner2_best_cost_0(1)) < 0;
       slice1_best_cost_0_is_less(2) := (slice0_best_cost_0(2) - slice1winner2_best_cost_0(2)) < 0;
       slice1_best_cost_0_is_less(3) := (slice0_best_cost_0(3) - slice1winner2_best_cost_0(3)) < 0;
-      slice1_best_tag_valid <= slice0_best_tag_valid;
-      slice1_best_tag_output_column <= slice0_best_tag_output_column;
-      slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
-      slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      slice1_best_tag <= slice0_best_tag;
       for i in 0 to 3 loop
-        if slice1_best_cost_0_is_less(i) then
-          slice1_best_cost_0(i) <= slice0_best_cost_0(i);
-          slice1_best_index_0(i) <= slice0_best_index_0(i);
-        else
-          slice1_best_cost_0(i) <= slice1winner2_best_cost_0(i);
-          slice1_best_index_0(i) <= (((slice1winner2_best_index_0(i) / 2) + 1) * 2) + (slice1winner2_best_index_0(i)
-            mod 2);
-        end if;
+        slice1_best_cost_0(i) <= choice(slice1_best_cost_0_is_less(i), slice0_best_cost_0(i),
+          slice1winner2_best_cost_0(i));
+        slice1_best_index_0(i) <= choice(slice1_best_cost_0_is_less(i), slice0_best_index_0(i),
+          (((slice1winner2_best_index_0(i) / 2) + 1) * 2) + (slice1winner2_best_index_0(i) mod 2));
       end loop;
       -- slice2shift
-      if slice0cost_difference_tag_valid then
+      if slice0cost_difference_tag.valid then
         for i in 0 to 5 loop
           slice2shift_search(i, 0) <= slice2shift_search(i, 1);
           slice2shift_search(i, 1) <= slice1shift_search_out(i);
         end loop;
       end if;
-      for i in 0 to 5 loop
-        slice2shift_reference(i) <= slice1shift_reference(i);
-      end loop;
+      slice2shift_reference <= slice1shift_reference;
       -- slice2cost
       slice2cost_pair_folded_value(0, 0) := folded(slice2cost_difference(2, 0));
       slice2cost_pair_folded_value(0, 1) := folded(slice2cost_difference(2, 1));
@@ -907,29 +748,22 @@ begin
         mod 256;
       slice2cost_single_5(1) <= (folded(slice2cost_difference(5, 1)) + as_number((slice2cost_difference(5, 1) < 0)))
         mod 256;
-      if slice1cost_tag_border_column then
-        for i in 0 to 3 loop
-          slice2cost_column(i, 0) <= 0;
-          slice2cost_column(i, 1) <= 0;
-        end loop;
-      else
-        slice2cost_column(0, 0) <= slice2cost_pair(0, 0) + as_number(slice2cost_negative(0, 0)) +
-          slice2cost_single_0(0);
-        slice2cost_column(0, 1) <= slice2cost_pair(0, 1) + as_number(slice2cost_negative(0, 1)) +
-          slice2cost_single_0(1);
-        for i in 1 to 2 loop
-          slice2cost_column(i, 0) <= slice2cost_pair(i - 1, 0) + as_number(slice2cost_negative(i - 1, 0)) +
-            slice2cost_single(4 - i, 0);
-          slice2cost_column(i, 1) <= slice2cost_pair(i - 1, 1) + as_number(slice2cost_negative(i - 1, 1)) +
-            slice2cost_single(4 - i, 1);
-        end loop;
-        slice2cost_column(3, 0) <= slice2cost_pair(1, 0) + as_number(slice2cost_negative(1, 0)) +
-          slice2cost_single_5(0);
-        slice2cost_column(3, 1) <= slice2cost_pair(1, 1) + as_number(slice2cost_negative(1, 1)) +
-          slice2cost_single_5(1);
-      end if;
+      slice2cost_column(0, 0) <= choice(slice1cost_tag_border_column, 0, slice2cost_pair(0, 0) +
+        as_number(slice2cost_negative(0, 0)) + slice2cost_single_0(0));
+      slice2cost_column(0, 1) <= choice(slice1cost_tag_border_column, 0, slice2cost_pair(0, 1) +
+        as_number(slice2cost_negative(0, 1)) + slice2cost_single_0(1));
+      for i in 1 to 2 loop
+        slice2cost_column(i, 0) <= choice(slice1cost_tag_border_column, 0, slice2cost_pair(i - 1, 0) +
+          as_number(slice2cost_negative(i - 1, 0)) + slice2cost_single(4 - i, 0));
+        slice2cost_column(i, 1) <= choice(slice1cost_tag_border_column, 0, slice2cost_pair(i - 1, 1) +
+          as_number(slice2cost_negative(i - 1, 1)) + slice2cost_single(4 - i, 1));
+      end loop;
+      slice2cost_column(3, 0) <= choice(slice1cost_tag_border_column, 0, slice2cost_pair(1, 0) +
+        as_number(slice2cost_negative(1, 0)) + slice2cost_single_5(0));
+      slice2cost_column(3, 1) <= choice(slice1cost_tag_border_column, 0, slice2cost_pair(1, 1) +
+        as_number(slice2cost_negative(1, 1)) + slice2cost_single_5(1));
       -- slice2window
-      if slice0winner1_tag_valid then
+      if slice0winner1_tag.valid then
         for i in 0 to 3 loop
           slice2window_partial_0(i, 0) <= slice2cost_column(i, 0);
           slice2window_partial_0(i, 1) <= slice2cost_column(i, 1);
@@ -946,37 +780,19 @@ begin
       slice2winner1_best_cost_0_is_less(1) := (slice2window_sum(1, 1) - slice2window_sum(1, 0)) < 0;
       slice2winner1_best_cost_0_is_less(2) := (slice2window_sum(2, 1) - slice2window_sum(2, 0)) < 0;
       slice2winner1_best_cost_0_is_less(3) := (slice2window_sum(3, 1) - slice2window_sum(3, 0)) < 0;
-      slice2winner1_best_index_0(0) <= slice2winner1_best_cost_0_is_less(0);
-      slice2winner1_best_index_0(1) <= slice2winner1_best_cost_0_is_less(1);
-      slice2winner1_best_index_0(2) <= slice2winner1_best_cost_0_is_less(2);
-      slice2winner1_best_index_0(3) <= slice2winner1_best_cost_0_is_less(3);
+      slice2winner1_best_index_0 <= slice2winner1_best_cost_0_is_less;
       for i in 0 to 3 loop
-        if slice2winner1_best_cost_0_is_less(i) then
-          slice2winner1_best_cost_0(i) <= slice2window_sum(i, 1);
-        else
-          slice2winner1_best_cost_0(i) <= slice2window_sum(i, 0);
-        end if;
+        slice2winner1_best_cost_0(i) <= choice(slice2winner1_best_cost_0_is_less(i), slice2window_sum(i, 1),
+          slice2window_sum(i, 0));
       end loop;
       -- slice2winner2
-      slice2winner2_best_cost_0(0) <= slice2winner1_best_cost_0(0);
-      slice2winner2_best_cost_0(1) <= slice2winner1_best_cost_0(1);
-      slice2winner2_best_cost_0(2) <= slice2winner1_best_cost_0(2);
-      slice2winner2_best_cost_0(3) <= slice2winner1_best_cost_0(3);
-      slice2winner2_best_index_0(0) <= slice2winner1_best_index_0(0);
-      slice2winner2_best_index_0(1) <= slice2winner1_best_index_0(1);
-      slice2winner2_best_index_0(2) <= slice2winner1_best_index_0(2);
-      slice2winner2_best_index_0(3) <= slice2winner1_best_index_0(3);
+      slice2winner2_best_cost_0 <= slice2winner1_best_cost_0;
+      slice2winner2_best_index_0 <= slice2winner1_best_index_0;
       -- slice2
-      slice2_best_tag_valid <= slice1_best_tag_valid;
-      slice2_best_tag_output_column <= slice1_best_tag_output_column;
-      slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
-      slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
+      slice2_best_tag <= slice1_best_tag;
       for i in 0 to 3 loop
-        if (slice1_best_cost_0(i) - slice2winner2_best_cost_0(i)) < 0 then
-          slice2_best_index_0(i) <= slice1_best_index_0(i);
-        else
-          slice2_best_index_0(i) <= as_number(slice2winner2_best_index_0(i));
-        end if;
+        slice2_best_index_0(i) <= choice((slice1_best_cost_0(i) - slice2winner2_best_cost_0(i)) < 0,
+          slice1_best_index_0(i), as_number(slice2winner2_best_index_0(i)));
       end loop;
       if reset = '1' then
         raster_features_valid <= false;
@@ -986,68 +802,50 @@ begin
         delay_ring_read_address <= 1;
         delay_ring_write_address <= 0;
         delay_column <= 0;
-        delay_tag_valid <= false;
-        delay_tag_output_column <= false;
-        delay_tag_start_of_frame <= false;
-        delay_tag_end_of_line <= false;
+        delay_tag.valid <= false;
+        delay_tag.output_column <= false;
+        delay_tag.start_of_frame <= false;
+        delay_tag.end_of_line <= false;
         rows_read_column <= 0;
-        rows_read_tag_valid <= false;
-        rows_read_tag_output_column <= false;
-        rows_read_tag_start_of_frame <= false;
-        rows_read_tag_end_of_line <= false;
+        rows_read_tag.valid <= false;
+        rows_read_tag.output_column <= false;
+        rows_read_tag.start_of_frame <= false;
+        rows_read_tag.end_of_line <= false;
         rows_ready_column <= 0;
-        rows_ready_tag_valid <= false;
-        rows_ready_tag_output_column <= false;
-        rows_ready_tag_start_of_frame <= false;
-        rows_ready_tag_end_of_line <= false;
+        rows_ready_tag.valid <= false;
+        rows_ready_tag.output_column <= false;
+        rows_ready_tag.start_of_frame <= false;
+        rows_ready_tag.end_of_line <= false;
         rows_write_column <= 0;
-        rows_tag_valid <= false;
-        rows_tag_output_column <= false;
-        rows_tag_start_of_frame <= false;
-        rows_tag_end_of_line <= false;
-        slice0shift_tag_valid <= false;
-        slice0shift_tag_output_column <= false;
-        slice0shift_tag_start_of_frame <= false;
-        slice0shift_tag_end_of_line <= false;
-        slice0cost_difference_tag_valid <= false;
-        slice0cost_difference_tag_output_column <= false;
-        slice0cost_difference_tag_start_of_frame <= false;
-        slice0cost_difference_tag_end_of_line <= false;
-        slice0cost_pair_tag_valid <= false;
-        slice0cost_pair_tag_output_column <= false;
-        slice0cost_pair_tag_start_of_frame <= false;
-        slice0cost_pair_tag_end_of_line <= false;
-        slice0cost_tag_valid <= false;
-        slice0cost_tag_output_column <= false;
-        slice0cost_tag_start_of_frame <= false;
-        slice0cost_tag_end_of_line <= false;
+        rows_tag.valid <= false;
+        rows_tag.output_column <= false;
+        rows_tag.start_of_frame <= false;
+        rows_tag.end_of_line <= false;
+        slice0shift_tag.valid <= false;
+        slice0shift_tag.output_column <= false;
+        slice0shift_tag.start_of_frame <= false;
+        slice0shift_tag.end_of_line <= false;
+        slice0cost_difference_tag.valid <= false;
+        slice0cost_difference_tag.output_column <= false;
+        slice0cost_difference_tag.start_of_frame <= false;
+        slice0cost_difference_tag.end_of_line <= false;
+        slice0cost_pair_tag.valid <= false;
+        slice0cost_pair_tag.output_column <= false;
+        slice0cost_pair_tag.start_of_frame <= false;
+        slice0cost_pair_tag.end_of_line <= false;
+        slice0cost_tag.valid <= false;
+        slice0cost_tag.output_column <= false;
+        slice0cost_tag.start_of_frame <= false;
+        slice0cost_tag.end_of_line <= false;
         slice0window_centre_output_column_0 <= false;
         slice0window_centre_start_of_frame_0 <= false;
         slice0window_centre_end_of_line_0 <= false;
-        slice0window_tag_valid <= false;
-        slice0window_tag_output_column <= false;
-        slice0window_tag_start_of_frame <= false;
-        slice0window_tag_end_of_line <= false;
-        slice0winner1_tag_valid <= false;
-        slice0winner1_tag_output_column <= false;
-        slice0winner1_tag_start_of_frame <= false;
-        slice0winner1_tag_end_of_line <= false;
-        slice0winner2_tag_valid <= false;
-        slice0winner2_tag_output_column <= false;
-        slice0winner2_tag_start_of_frame <= false;
-        slice0winner2_tag_end_of_line <= false;
-        slice0_best_tag_valid <= false;
-        slice0_best_tag_output_column <= false;
-        slice0_best_tag_start_of_frame <= false;
-        slice0_best_tag_end_of_line <= false;
-        slice1_best_tag_valid <= false;
-        slice1_best_tag_output_column <= false;
-        slice1_best_tag_start_of_frame <= false;
-        slice1_best_tag_end_of_line <= false;
-        slice2_best_tag_valid <= false;
-        slice2_best_tag_output_column <= false;
-        slice2_best_tag_start_of_frame <= false;
-        slice2_best_tag_end_of_line <= false;
+        slice0window_tag <= (others => false);
+        slice0winner1_tag <= (others => false);
+        slice0winner2_tag <= (others => false);
+        slice0_best_tag <= (others => false);
+        slice1_best_tag <= (others => false);
+        slice2_best_tag <= (others => false);
       end if;
     end if;
   end process;

@@ -95,35 +95,101 @@ architecture rtl of stereo_core_vga_64 is
     return (value / 2 ** place) mod 2 = 1;
   end function;
 
+  -- the majority: a comparison or a sum as a chain of its bits
+  function carry(before : boolean; a : boolean; b : boolean) return boolean is
+  begin
+    if before then
+      return a or b;
+    end if;
+    return a and b;
+  end function;
+
+  function inverted_carry(before : boolean; a : boolean; b : boolean) return boolean is
+  begin
+    if before then
+      return a and b;
+    end if;
+    return a or b;
+  end function;
+
+  function choice(test : boolean; yes : boolean; no : boolean) return boolean is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
+  function choice(test : boolean; yes : integer; no : integer) return integer is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
   type boolean_1d is array (natural range <>) of boolean;
-  type boolean_2d is array (natural range <>, natural range <>) of boolean;
+  type boolean_3d is array (natural range <>, natural range <>, natural range <>) of boolean;
   type integer_minus_255_to_255_1d is array (natural range <>) of integer range -255 to 255;
   type integer_minus_26_to_26_1d is array (natural range <>) of integer range -26 to 26;
+  type natural_15_1d is array (natural range <>) of natural range 0 to 15;
   type natural_255_1d is array (natural range <>) of natural range 0 to 255;
   type natural_255_2d is array (natural range <>, natural range <>) of natural range 0 to 255;
   type natural_26_2d is array (natural range <>, natural range <>) of natural range 0 to 26;
   type natural_2_2d is array (natural range <>, natural range <>) of natural range 0 to 2;
+  type natural_31_1d is array (natural range <>) of natural range 0 to 31;
   type natural_32767_1d is array (natural range <>) of natural range 0 to 32767;
   type natural_3_3d is array (natural range <>, natural range <>, natural range <>) of natural range 0 to 3;
   type natural_4095_1d is array (natural range <>) of natural range 0 to 4095;
   type natural_4095_2d is array (natural range <>, natural range <>) of natural range 0 to 4095;
   type natural_4097_to_16382_1d is array (natural range <>) of natural range 4097 to 16382;
+  type natural_47_1d is array (natural range <>) of natural range 0 to 47;
   type natural_511_1d is array (natural range <>) of natural range 0 to 511;
   type natural_63_1d is array (natural range <>) of natural range 0 to 63;
   type natural_67108863_1d is array (natural range <>) of natural range 0 to 67108863;
   type natural_67108863_2d is array (natural range <>, natural range <>) of natural range 0 to 67108863;
   type unsigned_26_1d is array (natural range <>) of unsigned(25 downto 0);
   type unsigned_32_1d is array (natural range <>) of unsigned(31 downto 0);
+  type tag_11 is record
+    valid, row_start, first_group, border_column, first_cost, leaves_window, map_column, output_column : boolean;
+    first_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_10 is record
+    valid, first_group, border_column, first_cost, leaves_window, map_column, output_column, first_column : boolean;
+    start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_4 is record
+    valid, output_column, first_column, start_of_frame : boolean;
+  end record;
+  type tag_6 is record
+    valid, map_column, output_column, first_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_5 is record
+    valid, map_column, output_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_4_b is record
+    first_cost, leaves_window, output_column, first_column : boolean;
+  end record;
+  type tag_2 is record
+    output_column, first_column : boolean;
+  end record;
+  type tag_3 is record
+    first_cost, output_column, first_column : boolean;
+  end record;
+  type tag_4_c is record
+    valid, map_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_5_b is record
+    valid, row_start, map_column, start_of_frame, end_of_line : boolean;
+  end record;
   signal in_valid, in_start_of_frame : boolean;
   signal in_right_pixel, in_left_pixel : natural range 0 to 255;
   -- transform
   signal transform_left_0, transform_right_0, transform_left_rows_read_newest_0 : natural range 0 to 255;
   signal transform_left_rows_ready_newest_0, transform_right_rows_read_newest_0 : natural range 0 to 255;
   signal transform_right_rows_ready_newest_0 : natural range 0 to 255;
-  signal transform_left_column : natural_255_1d(0 to 2);
-  signal transform_right_column : natural_255_1d(0 to 2);
-  signal transform_left_filter_column : natural_255_2d(0 to 8, 0 to 2);
-  signal transform_right_filter_column : natural_255_2d(0 to 8, 0 to 2);
+  signal transform_left_column, transform_right_column : natural_255_1d(0 to 2);
+  signal transform_left_filter_column, transform_right_filter_column : natural_255_2d(0 to 8, 0 to 2);
   signal transform_valid, transform_counter_next_frame : boolean;
   signal transform_read_row_inside : boolean_1d(0 to 2);
   signal transform_read_column_inside : boolean_1d(0 to 8);
@@ -153,12 +219,9 @@ architecture rtl of stereo_core_vga_64 is
   signal delay_ahead_0, delay_delayed_0 : natural range 0 to 67108863;
   signal delay_column : natural range 0 to 1023;
   signal delay_row_inside : boolean_1d(0 to 1);
-  signal delay_tag_valid, delay_tag_row_start, delay_tag_first_group, delay_tag_border_column : boolean;
-  signal delay_tag_first_cost, delay_tag_leaves_window, delay_tag_map_column, delay_tag_output_column : boolean;
-  signal delay_tag_first_column, delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
+  signal delay_tag : tag_11;
   -- rows
-  signal rows_search_rows_read_words : unsigned_26_1d(0 to 8);
-  signal rows_reference_rows_read_words : unsigned_26_1d(0 to 8);
+  signal rows_search_rows_read_words, rows_reference_rows_read_words : unsigned_26_1d(0 to 8);
   signal rows_search_rows_read_newest_0 : natural range 0 to 67108863;
   signal rows_search_rows_ready_words : natural_67108863_1d(0 to 8);
   signal rows_search_rows_ready_newest_0 : natural range 0 to 67108863;
@@ -167,153 +230,75 @@ architecture rtl of stereo_core_vga_64 is
   signal rows_reference_rows_ready_words : natural_67108863_1d(0 to 8);
   signal rows_reference_rows_ready_newest_0 : natural range 0 to 67108863;
   signal rows_reference_rows_write_words : natural_67108863_1d(0 to 8);
-  signal rows_search : natural_67108863_1d(0 to 1);
-  signal rows_reference : natural_67108863_1d(0 to 1);
+  signal rows_search, rows_reference : natural_67108863_1d(0 to 1);
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 1023;
   signal rows_read_inside : boolean_1d(0 to 1);
-  signal rows_read_tag_valid, rows_read_tag_row_start, rows_read_tag_first_group, rows_read_tag_border_column : boolean;
-  signal rows_read_tag_first_cost, rows_read_tag_leaves_window, rows_read_tag_map_column : boolean;
-  signal rows_read_tag_output_column, rows_read_tag_first_column, rows_read_tag_start_of_frame : boolean;
-  signal rows_read_tag_end_of_line : boolean;
+  signal rows_read_tag : tag_11;
   signal rows_ready_inside : boolean_1d(0 to 1);
-  signal rows_ready_tag_valid, rows_ready_tag_row_start, rows_ready_tag_first_group : boolean;
-  signal rows_ready_tag_border_column, rows_ready_tag_first_cost, rows_ready_tag_leaves_window : boolean;
-  signal rows_ready_tag_map_column, rows_ready_tag_output_column, rows_ready_tag_first_column : boolean;
-  signal rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line, rows_tag_valid, rows_tag_row_start : boolean;
-  signal rows_tag_first_group, rows_tag_border_column, rows_tag_first_cost, rows_tag_leaves_window : boolean;
-  signal rows_tag_map_column, rows_tag_output_column, rows_tag_first_column, rows_tag_start_of_frame : boolean;
-  signal rows_tag_end_of_line : boolean;
+  signal rows_ready_tag, rows_tag : tag_11;
   -- slice0shift
   signal slice0shift_search : natural_67108863_2d(0 to 1, 0 to 15);
-  signal slice0shift_reference : natural_67108863_1d(0 to 1);
-  signal slice0shift_search_out : natural_67108863_1d(0 to 1);
-  signal slice0shift_tag_valid, slice0shift_tag_row_start, slice0shift_tag_first_group : boolean;
-  signal slice0shift_tag_border_column, slice0shift_tag_first_cost, slice0shift_tag_leaves_window : boolean;
-  signal slice0shift_tag_map_column, slice0shift_tag_output_column, slice0shift_tag_first_column : boolean;
-  signal slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
+  signal slice0shift_reference, slice0shift_search_out : natural_67108863_1d(0 to 1);
+  signal slice0shift_tag : tag_11;
   -- slice0cost
   signal slice0cost_pixels_first_count : natural_3_3d(0 to 1, 0 to 15, 0 to 7);  -- slice0cost_pixels_first_#_#_count_#
   signal slice0cost_pixels_first_count_8 : natural_2_2d(0 to 1, 0 to 15);  -- slice0cost_pixels_first_#_#_count_8
-  signal slice0cost_pixels_first_tag_valid, slice0cost_pixels_first_tag_row_start : boolean;
-  signal slice0cost_pixels_first_tag_first_group, slice0cost_pixels_first_tag_border_column : boolean;
-  signal slice0cost_pixels_first_tag_first_cost, slice0cost_pixels_first_tag_leaves_window : boolean;
-  signal slice0cost_pixels_first_tag_map_column, slice0cost_pixels_first_tag_output_column : boolean;
-  signal slice0cost_pixels_first_tag_first_column, slice0cost_pixels_first_tag_start_of_frame : boolean;
-  signal slice0cost_pixels_first_tag_end_of_line, slice0cost_pixels_tag_valid : boolean;
-  signal slice0cost_pixels_tag_row_start, slice0cost_pixels_tag_first_group : boolean;
-  signal slice0cost_pixels_tag_border_column, slice0cost_pixels_tag_first_cost : boolean;
-  signal slice0cost_pixels_tag_leaves_window, slice0cost_pixels_tag_map_column : boolean;
-  signal slice0cost_pixels_tag_output_column, slice0cost_pixels_tag_first_column : boolean;
-  signal slice0cost_pixels_tag_start_of_frame, slice0cost_pixels_tag_end_of_line, slice0cost_ready_tag_valid : boolean;
-  signal slice0cost_ready_tag_row_start, slice0cost_ready_tag_first_group, slice0cost_ready_tag_border_column : boolean;
-  signal slice0cost_ready_tag_first_cost, slice0cost_ready_tag_leaves_window, slice0cost_ready_tag_map_column : boolean;
-  signal slice0cost_ready_tag_output_column, slice0cost_ready_tag_first_column : boolean;
-  signal slice0cost_ready_tag_start_of_frame, slice0cost_ready_tag_end_of_line, slice0cost_tag_valid : boolean;
-  signal slice0cost_tag_first_group, slice0cost_tag_border_column, slice0cost_tag_first_cost : boolean;
-  signal slice0cost_tag_leaves_window, slice0cost_tag_map_column, slice0cost_tag_output_column : boolean;
-  signal slice0cost_tag_first_column, slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pixels_first_tag, slice0cost_pixels_tag, slice0cost_ready_tag : tag_11;
+  signal slice0cost_tag : tag_10;
   signal slice0cost_pixels_cost : natural_26_2d(0 to 1, 0 to 15);
   signal slice0cost_read_column, slice0cost_change_column, slice0cost_ready_column : natural range 0 to 1023;
   signal slice0cost_write_column : natural range 0 to 1023;
-  signal slice0cost_read_words : unsigned_32_1d(0 to 3);
-  signal slice0cost_ready_words : unsigned_32_1d(0 to 3);
-  signal slice0cost_write_words : unsigned_32_1d(0 to 3);
+  signal slice0cost_read_words, slice0cost_ready_words, slice0cost_write_words : unsigned_32_1d(0 to 3);
   signal slice0cost_change_0 : integer_minus_26_to_26_1d(0 to 15);
   signal slice0cost_column_0 : natural_255_1d(0 to 15);
   -- slice0window
   signal slice0window_ring_read_address, slice0window_ring_write_address : natural range 0 to 15;
   signal slice0window_leaving : unsigned_32_1d(0 to 3);
   signal slice0window_entering_0 : natural_255_1d(0 to 15);
-  signal slice0window_entering_tag_valid, slice0window_entering_tag_first_group : boolean;
-  signal slice0window_entering_tag_border_column, slice0window_entering_tag_first_cost : boolean;
-  signal slice0window_entering_tag_leaves_window, slice0window_entering_tag_map_column : boolean;
-  signal slice0window_entering_tag_output_column, slice0window_entering_tag_first_column : boolean;
-  signal slice0window_entering_tag_start_of_frame, slice0window_entering_tag_end_of_line : boolean;
-  signal slice0window_change_tag_valid, slice0window_change_tag_first_group : boolean;
-  signal slice0window_change_tag_border_column, slice0window_change_tag_first_cost : boolean;
-  signal slice0window_change_tag_leaves_window, slice0window_change_tag_map_column : boolean;
-  signal slice0window_change_tag_output_column, slice0window_change_tag_first_column : boolean;
-  signal slice0window_change_tag_start_of_frame, slice0window_change_tag_end_of_line : boolean;
+  signal slice0window_entering_tag, slice0window_change_tag : tag_10;
   signal slice0window_centre_map_column_0 : boolean;
-  signal slice0window_centre_output_column : boolean_1d(0 to 3);
-  signal slice0window_centre_first_column : boolean_1d(0 to 3);
+  signal slice0window_centre_output_column, slice0window_centre_first_column : boolean_1d(0 to 3);
   signal slice0window_centre_start_of_frame : boolean_1d(0 to 3);
-  signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_output_column : boolean;
-  signal slice0window_tag_first_column, slice0window_tag_start_of_frame : boolean;
+  signal slice0window_centre_end_of_line_0 : boolean;
+  signal slice0window_tag : tag_4;
   signal slice0window_change_0 : integer_minus_255_to_255_1d(0 to 15);
   signal slice0window_sum_0 : natural_4095_1d(0 to 15);
   -- slice0other
   signal slice0other_cost_0 : natural_4095_1d(0 to 15);
   signal slice0other_cost_out_0 : natural range 0 to 4095;
   signal slice0other_winner_0_1 : boolean;
-  signal slice0other_winner_0_2 : natural range 0 to 2;
-  signal slice0other_winner_0_3 : natural range 0 to 3;
-  signal slice0other_winner_0_4 : natural range 0 to 4;
-  signal slice0other_winner_0_5 : natural range 0 to 5;
-  signal slice0other_winner_0_6 : natural range 0 to 6;
-  signal slice0other_winner_0_7 : natural range 0 to 7;
-  signal slice0other_winner_0_8 : natural range 0 to 8;
-  signal slice0other_winner_0_9 : natural range 0 to 9;
-  signal slice0other_winner_0_10 : natural range 0 to 10;
-  signal slice0other_winner_0_11 : natural range 0 to 11;
-  signal slice0other_winner_0_12 : natural range 0 to 12;
-  signal slice0other_winner_0_13 : natural range 0 to 13;
-  signal slice0other_winner_0_14 : natural range 0 to 14;
-  signal slice0other_winner_0_15, slice0other_winner_out_0 : natural range 0 to 15;
+  signal slice0other_winner_0 : natural_15_1d(2 to 15);  -- slice0other_winner_0_# up to 2, 3 .. 15
+  signal slice0other_winner_out_0 : natural range 0 to 15;
   -- slice0winner1
   signal slice0winner1_held_0 : natural_4095_1d(0 to 15);
-  signal slice0winner1_best_cost_0 : natural_4095_1d(0 to 7);
-  signal slice0winner1_best_below_0 : natural_4095_1d(0 to 7);
-  signal slice0winner1_best_above_0 : natural_4095_1d(0 to 7);
+  signal slice0winner1_best_cost_0, slice0winner1_best_below_0, slice0winner1_best_above_0 : natural_4095_1d(0 to 7);
   signal slice0winner1_best_late_cost_0 : natural_4095_1d(0 to 7);
   signal slice0winner1_best_but_first_0 : natural_4095_1d(1 to 7);
   signal slice0winner1_best_but_last_0 : natural_4095_1d(0 to 7);
   signal slice0winner1_best_index_0_0, slice0winner1_best_place_0_2, slice0winner1_best_place_0_4 : boolean;
-  signal slice0winner1_best_place_0_6, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
-  signal slice0winner1_tag_first_column, slice0winner1_tag_start_of_frame : boolean;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice0winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice0winner1_best_index_0_3 : natural range 0 to 7;
-  signal slice0winner1_best_index_0_4 : natural range 0 to 9;
-  signal slice0winner1_best_index_0_5 : natural range 0 to 11;
-  signal slice0winner1_best_index_0_6 : natural range 0 to 13;
-  signal slice0winner1_best_index_0_7 : natural range 0 to 15;
+  signal slice0winner1_best_place_0_6 : boolean;
+  signal slice0winner1_tag : tag_4;
+  signal slice0winner1_best_index_0 : natural_15_1d(1 to 7);  -- slice0winner1_best_index_0_# up to 3, 5 .. 15
   -- slice0winner2
-  signal slice0winner2_best_cost_0 : natural_4095_1d(0 to 3);
-  signal slice0winner2_best_below_0 : natural_4095_1d(0 to 3);
-  signal slice0winner2_best_above_0 : natural_4095_1d(0 to 3);
+  signal slice0winner2_best_cost_0, slice0winner2_best_below_0, slice0winner2_best_above_0 : natural_4095_1d(0 to 3);
   signal slice0winner2_best_first_0 : natural_4095_1d(1 to 3);
-  signal slice0winner2_best_last_0 : natural_4095_1d(0 to 3);
-  signal slice0winner2_best_late_cost_0 : natural_4095_1d(0 to 3);
+  signal slice0winner2_best_last_0, slice0winner2_best_late_cost_0 : natural_4095_1d(0 to 3);
   signal slice0winner2_best_second_0 : natural_4095_1d(0 to 3);
   signal slice0winner2_best_but_first_0 : natural_4095_1d(1 to 3);
   signal slice0winner2_best_but_last_0 : natural_4095_1d(0 to 3);
-  signal slice0winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice0winner2_best_index_0_1 : natural range 0 to 7;
-  signal slice0winner2_best_index_0_2 : natural range 0 to 11;
-  signal slice0winner2_best_index_0_3 : natural range 0 to 15;
-  signal slice0winner2_best_place_0 : boolean_1d(0 to 3);
-  signal slice0winner2_best_at_start_0 : boolean_1d(0 to 3);
-  signal slice0winner2_best_at_end_0 : boolean_1d(0 to 3);
-  signal slice0winner2_tag_valid, slice0winner2_tag_map_column, slice0winner2_tag_output_column : boolean;
-  signal slice0winner2_tag_first_column, slice0winner2_tag_start_of_frame, slice0winner2_tag_end_of_line : boolean;
+  signal slice0winner2_best_index_0 : natural_15_1d(0 to 3);  -- slice0winner2_best_index_0_# up to 3, 7 .. 15
+  signal slice0winner2_best_place_0, slice0winner2_best_at_start_0, slice0winner2_best_at_end_0 : boolean_1d(0 to 3);
+  signal slice0winner2_tag : tag_6;
   -- slice0winner3
-  signal slice0winner3_best_cost_0 : natural_4095_1d(0 to 1);
-  signal slice0winner3_best_below_0 : natural_4095_1d(0 to 1);
-  signal slice0winner3_best_above_0 : natural_4095_1d(0 to 1);
+  signal slice0winner3_best_cost_0, slice0winner3_best_below_0, slice0winner3_best_above_0 : natural_4095_1d(0 to 1);
   signal slice0winner3_best_first_0_1 : natural range 0 to 4095;
-  signal slice0winner3_best_last_0 : natural_4095_1d(0 to 1);
-  signal slice0winner3_best_late_cost_0 : natural_4095_1d(0 to 1);
+  signal slice0winner3_best_last_0, slice0winner3_best_late_cost_0 : natural_4095_1d(0 to 1);
   signal slice0winner3_best_second_0 : natural_4095_1d(0 to 1);
   signal slice0winner3_best_but_first_0_1 : natural range 0 to 4095;
   signal slice0winner3_best_but_last_0 : natural_4095_1d(0 to 1);
-  signal slice0winner3_best_index_0_0 : natural range 0 to 7;
-  signal slice0winner3_best_index_0_1 : natural range 0 to 15;
-  signal slice0winner3_best_place_0 : boolean_1d(0 to 1);
-  signal slice0winner3_best_at_start_0 : boolean_1d(0 to 1);
-  signal slice0winner3_best_at_end_0 : boolean_1d(0 to 1);
-  signal slice0winner3_tag_valid, slice0winner3_tag_map_column, slice0winner3_tag_output_column : boolean;
-  signal slice0winner3_tag_first_column, slice0winner3_tag_start_of_frame, slice0winner3_tag_end_of_line : boolean;
+  signal slice0winner3_best_index_0 : natural_15_1d(0 to 1);  -- slice0winner3_best_index_0_# up to 7, 15
+  signal slice0winner3_best_place_0, slice0winner3_best_at_start_0, slice0winner3_best_at_end_0 : boolean_1d(0 to 1);
+  signal slice0winner3_tag : tag_6;
   -- slice0winner4
   signal slice0winner4_best_cost_0_0, slice0winner4_best_below_0_0 : natural range 0 to 4095;
   signal slice0winner4_best_above_0_0, slice0winner4_best_last_0_0 : natural range 0 to 4095;
@@ -321,27 +306,22 @@ architecture rtl of stereo_core_vga_64 is
   signal slice0winner4_best_but_last_0_0 : natural range 0 to 4095;
   signal slice0winner4_best_index_0_0 : natural range 0 to 15;
   signal slice0winner4_best_place_0_0, slice0winner4_best_at_start_0_0, slice0winner4_best_at_end_0_0 : boolean;
-  signal slice0winner4_tag_valid, slice0winner4_tag_map_column, slice0winner4_tag_output_column : boolean;
-  signal slice0winner4_tag_start_of_frame, slice0winner4_tag_end_of_line : boolean;
+  signal slice0winner4_tag : tag_5;
   -- slice0
   signal slice0_best_index_0_0 : natural range 0 to 15;
   signal slice0_best_below_0_0, slice0_best_above_0_0, slice0_best_last_0_0 : natural range 0 to 4095;
   signal slice0_best_late_cost_0_0, slice0_best_second_0_0, slice0_best_but_last_0_0 : natural range 0 to 4095;
-  signal slice0_best_tag_valid, slice0_best_tag_map_column, slice0_best_tag_output_column : boolean;
-  signal slice0_best_tag_start_of_frame, slice0_best_tag_end_of_line : boolean;
+  signal slice0_best_tag : tag_5;
   -- slice1shift
   signal slice1shift_search : natural_67108863_2d(0 to 1, 0 to 15);
-  signal slice1shift_reference : natural_67108863_1d(0 to 1);
-  signal slice1shift_search_out : natural_67108863_1d(0 to 1);
+  signal slice1shift_reference, slice1shift_search_out : natural_67108863_1d(0 to 1);
   -- slice1cost
   signal slice1cost_pixels_first_count : natural_3_3d(0 to 1, 0 to 15, 0 to 7);  -- slice1cost_pixels_first_#_#_count_#
   signal slice1cost_pixels_first_count_8 : natural_2_2d(0 to 1, 0 to 15);  -- slice1cost_pixels_first_#_#_count_8
   signal slice1cost_pixels_cost : natural_26_2d(0 to 1, 0 to 15);
   signal slice1cost_read_column, slice1cost_change_column, slice1cost_ready_column : natural range 0 to 1023;
   signal slice1cost_write_column : natural range 0 to 1023;
-  signal slice1cost_read_words : unsigned_32_1d(0 to 3);
-  signal slice1cost_ready_words : unsigned_32_1d(0 to 3);
-  signal slice1cost_write_words : unsigned_32_1d(0 to 3);
+  signal slice1cost_read_words, slice1cost_ready_words, slice1cost_write_words : unsigned_32_1d(0 to 3);
   signal slice1cost_change_0 : integer_minus_26_to_26_1d(0 to 15);
   signal slice1cost_column_0 : natural_255_1d(0 to 15);
   -- slice1window
@@ -349,81 +329,40 @@ architecture rtl of stereo_core_vga_64 is
   signal slice1window_leaving : unsigned_32_1d(0 to 3);
   signal slice1window_entering_0 : natural_255_1d(0 to 15);
   signal slice1window_change_0 : integer_minus_255_to_255_1d(0 to 15);
-  signal slice1window_change_tag_first_cost, slice1window_change_tag_leaves_window : boolean;
-  signal slice1window_change_tag_output_column, slice1window_change_tag_first_column : boolean;
+  signal slice1window_change_tag : tag_4_b;
   signal slice1window_centre_map_column_0 : boolean;
-  signal slice1window_centre_output_column : boolean_1d(0 to 3);
-  signal slice1window_centre_first_column : boolean_1d(0 to 3);
-  signal slice1window_centre_end_of_line_0, slice1window_tag_output_column, slice1window_tag_first_column : boolean;
+  signal slice1window_centre_output_column, slice1window_centre_first_column : boolean_1d(0 to 3);
+  signal slice1window_centre_end_of_line_0 : boolean;
+  signal slice1window_tag : tag_2;
   signal slice1window_sum_0 : natural_4095_1d(0 to 15);
   -- slice1other
   signal slice1other_cost_0 : natural_4095_1d(0 to 15);
   signal slice1other_cost_out_0 : natural range 0 to 4095;
-  signal slice1other_winner_0_0 : natural range 0 to 16;
-  signal slice1other_winner_0_1 : natural range 0 to 17;
-  signal slice1other_winner_0_2 : natural range 0 to 18;
-  signal slice1other_winner_0_3 : natural range 0 to 19;
-  signal slice1other_winner_0_4 : natural range 0 to 20;
-  signal slice1other_winner_0_5 : natural range 0 to 21;
-  signal slice1other_winner_0_6 : natural range 0 to 22;
-  signal slice1other_winner_0_7 : natural range 0 to 23;
-  signal slice1other_winner_0_8 : natural range 0 to 24;
-  signal slice1other_winner_0_9 : natural range 0 to 25;
-  signal slice1other_winner_0_10 : natural range 0 to 26;
-  signal slice1other_winner_0_11 : natural range 0 to 27;
-  signal slice1other_winner_0_12 : natural range 0 to 28;
-  signal slice1other_winner_0_13 : natural range 0 to 29;
-  signal slice1other_winner_0_14 : natural range 0 to 30;
-  signal slice1other_winner_0_15, slice1other_winner_out_0 : natural range 0 to 31;
+  signal slice1other_winner_0 : natural_31_1d(0 to 15);  -- slice1other_winner_0_# up to 16, 17 .. 31
+  signal slice1other_winner_out_0 : natural range 0 to 31;
   -- slice1winner1
   signal slice1winner1_held_0 : natural_4095_1d(0 to 15);
-  signal slice1winner1_best_cost_0 : natural_4095_1d(0 to 7);
-  signal slice1winner1_best_below_0 : natural_4095_1d(0 to 7);
-  signal slice1winner1_best_above_0 : natural_4095_1d(0 to 7);
-  signal slice1winner1_best_late_cost_0 : natural_4095_1d(0 to 7);
-  signal slice1winner1_best_but_first_0 : natural_4095_1d(0 to 7);
+  signal slice1winner1_best_cost_0, slice1winner1_best_below_0, slice1winner1_best_above_0 : natural_4095_1d(0 to 7);
+  signal slice1winner1_best_late_cost_0, slice1winner1_best_but_first_0 : natural_4095_1d(0 to 7);
   signal slice1winner1_best_but_last_0 : natural_4095_1d(0 to 7);
   signal slice1winner1_best_index_0_0, slice1winner1_best_place_0_2, slice1winner1_best_place_0_4 : boolean;
-  signal slice1winner1_best_place_0_6, slice1winner1_tag_output_column, slice1winner1_tag_first_column : boolean;
-  signal slice1winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice1winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice1winner1_best_index_0_3 : natural range 0 to 7;
-  signal slice1winner1_best_index_0_4 : natural range 0 to 9;
-  signal slice1winner1_best_index_0_5 : natural range 0 to 11;
-  signal slice1winner1_best_index_0_6 : natural range 0 to 13;
-  signal slice1winner1_best_index_0_7 : natural range 0 to 15;
+  signal slice1winner1_best_place_0_6 : boolean;
+  signal slice1winner1_tag : tag_2;
+  signal slice1winner1_best_index_0 : natural_15_1d(1 to 7);  -- slice1winner1_best_index_0_# up to 3, 5 .. 15
   -- slice1winner2
-  signal slice1winner2_best_cost_0 : natural_4095_1d(0 to 3);
-  signal slice1winner2_best_below_0 : natural_4095_1d(0 to 3);
-  signal slice1winner2_best_above_0 : natural_4095_1d(0 to 3);
-  signal slice1winner2_best_first_0 : natural_4095_1d(0 to 3);
-  signal slice1winner2_best_last_0 : natural_4095_1d(0 to 3);
-  signal slice1winner2_best_late_cost_0 : natural_4095_1d(0 to 3);
-  signal slice1winner2_best_second_0 : natural_4095_1d(0 to 3);
-  signal slice1winner2_best_but_first_0 : natural_4095_1d(0 to 3);
-  signal slice1winner2_best_but_last_0 : natural_4095_1d(0 to 3);
-  signal slice1winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice1winner2_best_index_0_1 : natural range 0 to 7;
-  signal slice1winner2_best_index_0_2 : natural range 0 to 11;
-  signal slice1winner2_best_index_0_3 : natural range 0 to 15;
-  signal slice1winner2_best_place_0 : boolean_1d(0 to 3);
-  signal slice1winner2_best_at_start_0 : boolean_1d(0 to 3);
-  signal slice1winner2_best_at_end_0 : boolean_1d(0 to 3);
+  signal slice1winner2_best_cost_0, slice1winner2_best_below_0, slice1winner2_best_above_0 : natural_4095_1d(0 to 3);
+  signal slice1winner2_best_first_0, slice1winner2_best_last_0 : natural_4095_1d(0 to 3);
+  signal slice1winner2_best_late_cost_0, slice1winner2_best_second_0 : natural_4095_1d(0 to 3);
+  signal slice1winner2_best_but_first_0, slice1winner2_best_but_last_0 : natural_4095_1d(0 to 3);
+  signal slice1winner2_best_index_0 : natural_15_1d(0 to 3);  -- slice1winner2_best_index_0_# up to 3, 7 .. 15
+  signal slice1winner2_best_place_0, slice1winner2_best_at_start_0, slice1winner2_best_at_end_0 : boolean_1d(0 to 3);
   -- slice1winner3
-  signal slice1winner3_best_cost_0 : natural_4095_1d(0 to 1);
-  signal slice1winner3_best_below_0 : natural_4095_1d(0 to 1);
-  signal slice1winner3_best_above_0 : natural_4095_1d(0 to 1);
-  signal slice1winner3_best_first_0 : natural_4095_1d(0 to 1);
-  signal slice1winner3_best_last_0 : natural_4095_1d(0 to 1);
-  signal slice1winner3_best_late_cost_0 : natural_4095_1d(0 to 1);
-  signal slice1winner3_best_second_0 : natural_4095_1d(0 to 1);
-  signal slice1winner3_best_but_first_0 : natural_4095_1d(0 to 1);
-  signal slice1winner3_best_but_last_0 : natural_4095_1d(0 to 1);
-  signal slice1winner3_best_index_0_0 : natural range 0 to 7;
-  signal slice1winner3_best_index_0_1 : natural range 0 to 15;
-  signal slice1winner3_best_place_0 : boolean_1d(0 to 1);
-  signal slice1winner3_best_at_start_0 : boolean_1d(0 to 1);
-  signal slice1winner3_best_at_end_0 : boolean_1d(0 to 1);
+  signal slice1winner3_best_cost_0, slice1winner3_best_below_0, slice1winner3_best_above_0 : natural_4095_1d(0 to 1);
+  signal slice1winner3_best_first_0, slice1winner3_best_last_0 : natural_4095_1d(0 to 1);
+  signal slice1winner3_best_late_cost_0, slice1winner3_best_second_0 : natural_4095_1d(0 to 1);
+  signal slice1winner3_best_but_first_0, slice1winner3_best_but_last_0 : natural_4095_1d(0 to 1);
+  signal slice1winner3_best_index_0 : natural_15_1d(0 to 1);  -- slice1winner3_best_index_0_# up to 7, 15
+  signal slice1winner3_best_place_0, slice1winner3_best_at_start_0, slice1winner3_best_at_end_0 : boolean_1d(0 to 1);
   -- slice1winner4
   signal slice1winner4_best_cost_0_0, slice1winner4_best_below_0_0 : natural range 0 to 4095;
   signal slice1winner4_best_above_0_0, slice1winner4_best_first_0_0 : natural range 0 to 4095;
@@ -437,22 +376,18 @@ architecture rtl of stereo_core_vga_64 is
   signal slice1_best_last_0_0, slice1_best_late_cost_0_0, slice1_best_second_0_0 : natural range 0 to 4095;
   signal slice1_best_but_last_0_0 : natural range 0 to 4095;
   signal slice1_best_index_0_0 : natural range 0 to 31;
-  signal slice1_best_place_0_0, slice1_best_at_start_0_0, slice1_best_at_end_0_0, slice1_best_tag_valid : boolean;
-  signal slice1_best_tag_map_column, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
-  signal slice1_best_tag_end_of_line : boolean;
+  signal slice1_best_place_0_0, slice1_best_at_start_0_0, slice1_best_at_end_0_0 : boolean;
+  signal slice1_best_tag : tag_5;
   -- slice2shift
   signal slice2shift_search : natural_67108863_2d(0 to 1, 0 to 15);
-  signal slice2shift_reference : natural_67108863_1d(0 to 1);
-  signal slice2shift_search_out : natural_67108863_1d(0 to 1);
+  signal slice2shift_reference, slice2shift_search_out : natural_67108863_1d(0 to 1);
   -- slice2cost
   signal slice2cost_pixels_first_count : natural_3_3d(0 to 1, 0 to 15, 0 to 7);  -- slice2cost_pixels_first_#_#_count_#
   signal slice2cost_pixels_first_count_8 : natural_2_2d(0 to 1, 0 to 15);  -- slice2cost_pixels_first_#_#_count_8
   signal slice2cost_pixels_cost : natural_26_2d(0 to 1, 0 to 15);
   signal slice2cost_read_column, slice2cost_change_column, slice2cost_ready_column : natural range 0 to 1023;
   signal slice2cost_write_column : natural range 0 to 1023;
-  signal slice2cost_read_words : unsigned_32_1d(0 to 3);
-  signal slice2cost_ready_words : unsigned_32_1d(0 to 3);
-  signal slice2cost_write_words : unsigned_32_1d(0 to 3);
+  signal slice2cost_read_words, slice2cost_ready_words, slice2cost_write_words : unsigned_32_1d(0 to 3);
   signal slice2cost_change_0 : integer_minus_26_to_26_1d(0 to 15);
   signal slice2cost_column_0 : natural_255_1d(0 to 15);
   -- slice2window
@@ -460,81 +395,38 @@ architecture rtl of stereo_core_vga_64 is
   signal slice2window_leaving : unsigned_32_1d(0 to 3);
   signal slice2window_entering_0 : natural_255_1d(0 to 15);
   signal slice2window_change_0 : integer_minus_255_to_255_1d(0 to 15);
-  signal slice2window_change_tag_first_cost, slice2window_change_tag_leaves_window : boolean;
-  signal slice2window_change_tag_output_column, slice2window_change_tag_first_column : boolean;
+  signal slice2window_change_tag : tag_4_b;
   signal slice2window_centre_map_column_0 : boolean;
-  signal slice2window_centre_output_column : boolean_1d(0 to 2);
-  signal slice2window_centre_first_column : boolean_1d(0 to 2);
+  signal slice2window_centre_output_column, slice2window_centre_first_column : boolean_1d(0 to 2);
   signal slice2window_centre_end_of_line_0 : boolean;
   signal slice2window_sum_0 : natural_4095_1d(0 to 15);
   -- slice2other
   signal slice2other_cost_0 : natural_4095_1d(0 to 15);
   signal slice2other_cost_out_0 : natural range 0 to 4095;
-  signal slice2other_winner_0_0 : natural range 0 to 32;
-  signal slice2other_winner_0_1 : natural range 0 to 33;
-  signal slice2other_winner_0_2 : natural range 0 to 34;
-  signal slice2other_winner_0_3 : natural range 0 to 35;
-  signal slice2other_winner_0_4 : natural range 0 to 36;
-  signal slice2other_winner_0_5 : natural range 0 to 37;
-  signal slice2other_winner_0_6 : natural range 0 to 38;
-  signal slice2other_winner_0_7 : natural range 0 to 39;
-  signal slice2other_winner_0_8 : natural range 0 to 40;
-  signal slice2other_winner_0_9 : natural range 0 to 41;
-  signal slice2other_winner_0_10 : natural range 0 to 42;
-  signal slice2other_winner_0_11 : natural range 0 to 43;
-  signal slice2other_winner_0_12 : natural range 0 to 44;
-  signal slice2other_winner_0_13 : natural range 0 to 45;
-  signal slice2other_winner_0_14 : natural range 0 to 46;
-  signal slice2other_winner_0_15, slice2other_winner_out_0 : natural range 0 to 47;
+  signal slice2other_winner_0 : natural_47_1d(0 to 15);  -- slice2other_winner_0_# up to 32, 33 .. 47
+  signal slice2other_winner_out_0 : natural range 0 to 47;
   -- slice2winner1
   signal slice2winner1_held_0 : natural_4095_1d(0 to 15);
-  signal slice2winner1_best_cost_0 : natural_4095_1d(0 to 7);
-  signal slice2winner1_best_below_0 : natural_4095_1d(0 to 7);
-  signal slice2winner1_best_above_0 : natural_4095_1d(0 to 7);
-  signal slice2winner1_best_late_cost_0 : natural_4095_1d(0 to 7);
-  signal slice2winner1_best_but_first_0 : natural_4095_1d(0 to 7);
+  signal slice2winner1_best_cost_0, slice2winner1_best_below_0, slice2winner1_best_above_0 : natural_4095_1d(0 to 7);
+  signal slice2winner1_best_late_cost_0, slice2winner1_best_but_first_0 : natural_4095_1d(0 to 7);
   signal slice2winner1_best_but_last_0 : natural_4095_1d(0 to 7);
   signal slice2winner1_best_index_0_0, slice2winner1_best_place_0_2, slice2winner1_best_place_0_4 : boolean;
   signal slice2winner1_best_place_0_6 : boolean;
-  signal slice2winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice2winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice2winner1_best_index_0_3 : natural range 0 to 7;
-  signal slice2winner1_best_index_0_4 : natural range 0 to 9;
-  signal slice2winner1_best_index_0_5 : natural range 0 to 11;
-  signal slice2winner1_best_index_0_6 : natural range 0 to 13;
-  signal slice2winner1_best_index_0_7 : natural range 0 to 15;
+  signal slice2winner1_best_index_0 : natural_15_1d(1 to 7);  -- slice2winner1_best_index_0_# up to 3, 5 .. 15
   -- slice2winner2
-  signal slice2winner2_best_cost_0 : natural_4095_1d(0 to 3);
-  signal slice2winner2_best_below_0 : natural_4095_1d(0 to 3);
-  signal slice2winner2_best_above_0 : natural_4095_1d(0 to 3);
-  signal slice2winner2_best_first_0 : natural_4095_1d(0 to 3);
-  signal slice2winner2_best_last_0 : natural_4095_1d(0 to 3);
-  signal slice2winner2_best_late_cost_0 : natural_4095_1d(0 to 3);
-  signal slice2winner2_best_second_0 : natural_4095_1d(0 to 3);
-  signal slice2winner2_best_but_first_0 : natural_4095_1d(0 to 3);
-  signal slice2winner2_best_but_last_0 : natural_4095_1d(0 to 3);
-  signal slice2winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice2winner2_best_index_0_1 : natural range 0 to 7;
-  signal slice2winner2_best_index_0_2 : natural range 0 to 11;
-  signal slice2winner2_best_index_0_3 : natural range 0 to 15;
-  signal slice2winner2_best_place_0 : boolean_1d(0 to 3);
-  signal slice2winner2_best_at_start_0 : boolean_1d(0 to 3);
-  signal slice2winner2_best_at_end_0 : boolean_1d(0 to 3);
+  signal slice2winner2_best_cost_0, slice2winner2_best_below_0, slice2winner2_best_above_0 : natural_4095_1d(0 to 3);
+  signal slice2winner2_best_first_0, slice2winner2_best_last_0 : natural_4095_1d(0 to 3);
+  signal slice2winner2_best_late_cost_0, slice2winner2_best_second_0 : natural_4095_1d(0 to 3);
+  signal slice2winner2_best_but_first_0, slice2winner2_best_but_last_0 : natural_4095_1d(0 to 3);
+  signal slice2winner2_best_index_0 : natural_15_1d(0 to 3);  -- slice2winner2_best_index_0_# up to 3, 7 .. 15
+  signal slice2winner2_best_place_0, slice2winner2_best_at_start_0, slice2winner2_best_at_end_0 : boolean_1d(0 to 3);
   -- slice2winner3
-  signal slice2winner3_best_cost_0 : natural_4095_1d(0 to 1);
-  signal slice2winner3_best_below_0 : natural_4095_1d(0 to 1);
-  signal slice2winner3_best_above_0 : natural_4095_1d(0 to 1);
-  signal slice2winner3_best_first_0 : natural_4095_1d(0 to 1);
-  signal slice2winner3_best_last_0 : natural_4095_1d(0 to 1);
-  signal slice2winner3_best_late_cost_0 : natural_4095_1d(0 to 1);
-  signal slice2winner3_best_second_0 : natural_4095_1d(0 to 1);
-  signal slice2winner3_best_but_first_0 : natural_4095_1d(0 to 1);
-  signal slice2winner3_best_but_last_0 : natural_4095_1d(0 to 1);
-  signal slice2winner3_best_index_0_0 : natural range 0 to 7;
-  signal slice2winner3_best_index_0_1 : natural range 0 to 15;
-  signal slice2winner3_best_place_0 : boolean_1d(0 to 1);
-  signal slice2winner3_best_at_start_0 : boolean_1d(0 to 1);
-  signal slice2winner3_best_at_end_0 : boolean_1d(0 to 1);
+  signal slice2winner3_best_cost_0, slice2winner3_best_below_0, slice2winner3_best_above_0 : natural_4095_1d(0 to 1);
+  signal slice2winner3_best_first_0, slice2winner3_best_last_0 : natural_4095_1d(0 to 1);
+  signal slice2winner3_best_late_cost_0, slice2winner3_best_second_0 : natural_4095_1d(0 to 1);
+  signal slice2winner3_best_but_first_0, slice2winner3_best_but_last_0 : natural_4095_1d(0 to 1);
+  signal slice2winner3_best_index_0 : natural_15_1d(0 to 1);  -- slice2winner3_best_index_0_# up to 7, 15
+  signal slice2winner3_best_place_0, slice2winner3_best_at_start_0, slice2winner3_best_at_end_0 : boolean_1d(0 to 1);
   -- slice2winner4
   signal slice2winner4_best_cost_0_0, slice2winner4_best_below_0_0 : natural range 0 to 4095;
   signal slice2winner4_best_above_0_0, slice2winner4_best_first_0_0 : natural range 0 to 4095;
@@ -548,9 +440,8 @@ architecture rtl of stereo_core_vga_64 is
   signal slice2_best_last_0_0, slice2_best_late_cost_0_0, slice2_best_second_0_0 : natural range 0 to 4095;
   signal slice2_best_but_last_0_0 : natural range 0 to 4095;
   signal slice2_best_index_0_0 : natural range 0 to 47;
-  signal slice2_best_place_0_0, slice2_best_at_start_0_0, slice2_best_at_end_0_0, slice2_best_tag_valid : boolean;
-  signal slice2_best_tag_map_column, slice2_best_tag_output_column, slice2_best_tag_start_of_frame : boolean;
-  signal slice2_best_tag_end_of_line : boolean;
+  signal slice2_best_place_0_0, slice2_best_at_start_0_0, slice2_best_at_end_0_0 : boolean;
+  signal slice2_best_tag : tag_5;
   -- slice3shift
   signal slice3shift_search : natural_67108863_2d(0 to 1, 0 to 15);
   signal slice3shift_reference : natural_67108863_1d(0 to 1);
@@ -560,9 +451,7 @@ architecture rtl of stereo_core_vga_64 is
   signal slice3cost_pixels_cost : natural_26_2d(0 to 1, 0 to 15);
   signal slice3cost_read_column, slice3cost_change_column, slice3cost_ready_column : natural range 0 to 1023;
   signal slice3cost_write_column : natural range 0 to 1023;
-  signal slice3cost_read_words : unsigned_32_1d(0 to 3);
-  signal slice3cost_ready_words : unsigned_32_1d(0 to 3);
-  signal slice3cost_write_words : unsigned_32_1d(0 to 3);
+  signal slice3cost_read_words, slice3cost_ready_words, slice3cost_write_words : unsigned_32_1d(0 to 3);
   signal slice3cost_change_0 : integer_minus_26_to_26_1d(0 to 15);
   signal slice3cost_column_0 : natural_255_1d(0 to 15);
   -- slice3window
@@ -570,80 +459,40 @@ architecture rtl of stereo_core_vga_64 is
   signal slice3window_leaving : unsigned_32_1d(0 to 3);
   signal slice3window_entering_0 : natural_255_1d(0 to 15);
   signal slice3window_change_0 : integer_minus_255_to_255_1d(0 to 15);
-  signal slice3window_change_tag_first_cost, slice3window_change_tag_output_column : boolean;
-  signal slice3window_change_tag_first_column : boolean;
-  signal slice3window_centre_map_column : boolean_1d(0 to 2);
-  signal slice3window_centre_output_column : boolean_1d(0 to 2);
-  signal slice3window_centre_first_column : boolean_1d(0 to 2);
-  signal slice3window_centre_end_of_line : boolean_1d(0 to 2);
+  signal slice3window_change_tag : tag_3;
+  signal slice3window_centre_map_column, slice3window_centre_output_column : boolean_1d(0 to 2);
+  signal slice3window_centre_first_column, slice3window_centre_end_of_line : boolean_1d(0 to 2);
   signal slice3window_sum_0 : natural_4095_1d(0 to 15);
   -- slice3other
   signal slice3other_cost_0 : natural_4095_1d(0 to 14);
-  signal slice3other_winner_0_0 : natural range 0 to 48;
-  signal slice3other_winner_0_1 : natural range 0 to 49;
-  signal slice3other_winner_0_2 : natural range 0 to 50;
-  signal slice3other_winner_0_3 : natural range 0 to 51;
-  signal slice3other_winner_0_4 : natural range 0 to 52;
-  signal slice3other_winner_0_5 : natural range 0 to 53;
-  signal slice3other_winner_0_6 : natural range 0 to 54;
-  signal slice3other_winner_0_7 : natural range 0 to 55;
-  signal slice3other_winner_0_8 : natural range 0 to 56;
-  signal slice3other_winner_0_9 : natural range 0 to 57;
-  signal slice3other_winner_0_10 : natural range 0 to 58;
-  signal slice3other_winner_0_11 : natural range 0 to 59;
-  signal slice3other_winner_0_12 : natural range 0 to 60;
-  signal slice3other_winner_0_13 : natural range 0 to 61;
-  signal slice3other_winner_0_14 : natural range 0 to 62;
-  signal slice3other_winner_0_15, slice3other_winner_out_0 : natural range 0 to 63;
+  signal slice3other_winner_0 : natural_63_1d(0 to 15);  -- slice3other_winner_0_# up to 48, 49 .. 63
+  signal slice3other_winner_out_0 : natural range 0 to 63;
   -- slice3winner1
   signal slice3winner1_held_0 : natural_4095_1d(0 to 15);
-  signal slice3winner1_best_cost_0 : natural_4095_1d(0 to 7);
-  signal slice3winner1_best_below_0 : natural_4095_1d(0 to 7);
-  signal slice3winner1_best_above_0 : natural_4095_1d(0 to 7);
-  signal slice3winner1_best_late_cost_0 : natural_4095_1d(0 to 7);
-  signal slice3winner1_best_but_first_0 : natural_4095_1d(0 to 7);
+  signal slice3winner1_best_cost_0, slice3winner1_best_below_0, slice3winner1_best_above_0 : natural_4095_1d(0 to 7);
+  signal slice3winner1_best_late_cost_0, slice3winner1_best_but_first_0 : natural_4095_1d(0 to 7);
   signal slice3winner1_best_but_last_0 : natural_4095_1d(0 to 6);
   signal slice3winner1_best_index_0_0, slice3winner1_best_place_0_2, slice3winner1_best_place_0_4 : boolean;
   signal slice3winner1_best_place_0_6 : boolean;
-  signal slice3winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice3winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice3winner1_best_index_0_3 : natural range 0 to 7;
-  signal slice3winner1_best_index_0_4 : natural range 0 to 9;
-  signal slice3winner1_best_index_0_5 : natural range 0 to 11;
-  signal slice3winner1_best_index_0_6 : natural range 0 to 13;
-  signal slice3winner1_best_index_0_7 : natural range 0 to 15;
+  signal slice3winner1_best_index_0 : natural_15_1d(1 to 7);  -- slice3winner1_best_index_0_# up to 3, 5 .. 15
   -- slice3winner2
-  signal slice3winner2_best_cost_0 : natural_4095_1d(0 to 3);
-  signal slice3winner2_best_below_0 : natural_4095_1d(0 to 3);
-  signal slice3winner2_best_above_0 : natural_4095_1d(0 to 3);
+  signal slice3winner2_best_cost_0, slice3winner2_best_below_0, slice3winner2_best_above_0 : natural_4095_1d(0 to 3);
   signal slice3winner2_best_first_0 : natural_4095_1d(0 to 3);
   signal slice3winner2_best_last_0 : natural_4095_1d(0 to 2);
-  signal slice3winner2_best_late_cost_0 : natural_4095_1d(0 to 3);
-  signal slice3winner2_best_second_0 : natural_4095_1d(0 to 3);
+  signal slice3winner2_best_late_cost_0, slice3winner2_best_second_0 : natural_4095_1d(0 to 3);
   signal slice3winner2_best_but_first_0 : natural_4095_1d(0 to 3);
   signal slice3winner2_best_but_last_0 : natural_4095_1d(0 to 2);
-  signal slice3winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice3winner2_best_index_0_1 : natural range 0 to 7;
-  signal slice3winner2_best_index_0_2 : natural range 0 to 11;
-  signal slice3winner2_best_index_0_3 : natural range 0 to 15;
-  signal slice3winner2_best_place_0 : boolean_1d(0 to 3);
-  signal slice3winner2_best_at_start_0 : boolean_1d(0 to 3);
-  signal slice3winner2_best_at_end_0 : boolean_1d(0 to 3);
+  signal slice3winner2_best_index_0 : natural_15_1d(0 to 3);  -- slice3winner2_best_index_0_# up to 3, 7 .. 15
+  signal slice3winner2_best_place_0, slice3winner2_best_at_start_0, slice3winner2_best_at_end_0 : boolean_1d(0 to 3);
   -- slice3winner3
-  signal slice3winner3_best_cost_0 : natural_4095_1d(0 to 1);
-  signal slice3winner3_best_below_0 : natural_4095_1d(0 to 1);
-  signal slice3winner3_best_above_0 : natural_4095_1d(0 to 1);
+  signal slice3winner3_best_cost_0, slice3winner3_best_below_0, slice3winner3_best_above_0 : natural_4095_1d(0 to 1);
   signal slice3winner3_best_first_0 : natural_4095_1d(0 to 1);
   signal slice3winner3_best_last_0_0 : natural range 0 to 4095;
-  signal slice3winner3_best_late_cost_0 : natural_4095_1d(0 to 1);
-  signal slice3winner3_best_second_0 : natural_4095_1d(0 to 1);
+  signal slice3winner3_best_late_cost_0, slice3winner3_best_second_0 : natural_4095_1d(0 to 1);
   signal slice3winner3_best_but_first_0 : natural_4095_1d(0 to 1);
   signal slice3winner3_best_but_last_0_0 : natural range 0 to 4095;
-  signal slice3winner3_best_index_0_0 : natural range 0 to 7;
-  signal slice3winner3_best_index_0_1 : natural range 0 to 15;
-  signal slice3winner3_best_place_0 : boolean_1d(0 to 1);
-  signal slice3winner3_best_at_start_0 : boolean_1d(0 to 1);
-  signal slice3winner3_best_at_end_0 : boolean_1d(0 to 1);
+  signal slice3winner3_best_index_0 : natural_15_1d(0 to 1);  -- slice3winner3_best_index_0_# up to 7, 15
+  signal slice3winner3_best_place_0, slice3winner3_best_at_start_0, slice3winner3_best_at_end_0 : boolean_1d(0 to 1);
   -- slice3winner4
   signal slice3winner4_best_cost_0_0, slice3winner4_best_below_0_0 : natural range 0 to 4095;
   signal slice3winner4_best_above_0_0, slice3winner4_best_first_0_0 : natural range 0 to 4095;
@@ -655,9 +504,8 @@ architecture rtl of stereo_core_vga_64 is
   signal slice3_best_cost_0_0, slice3_best_below_0_0, slice3_best_above_0_0 : natural range 0 to 4095;
   signal slice3_best_late_cost_0_0, slice3_best_second_0_0 : natural range 0 to 4095;
   signal slice3_best_index_0_0 : natural range 0 to 63;
-  signal slice3_best_place_0_0, slice3_best_at_start_0_0, slice3_best_at_end_0_0, slice3_best_tag_valid : boolean;
-  signal slice3_best_tag_map_column, slice3_best_tag_output_column, slice3_best_tag_start_of_frame : boolean;
-  signal slice3_best_tag_end_of_line : boolean;
+  signal slice3_best_place_0_0, slice3_best_at_start_0_0, slice3_best_at_end_0_0 : boolean;
+  signal slice3_best_tag : tag_5;
   -- refinement
   signal refinement_disparity_0 : natural_63_1d(0 to 11);  -- refinement_disparity_#_0
   signal refinement_passed_0 : boolean_1d(0 to 11);  -- refinement_passed_#_0
@@ -681,13 +529,12 @@ architecture rtl of stereo_core_vga_64 is
   signal leftright_ring_read_address, leftright_ring_write_address : natural range 0 to 63;
   signal leftright_asking_disparity_0, leftright_answered_disparity_0 : natural range 0 to 63;
   signal leftright_checked_disparity_0 : natural range 0 to 63;
-  signal leftright_holds_winners, leftright_held_valid, leftright_asking_passed_0, leftright_asking_tag_valid : boolean;
-  signal leftright_asking_tag_map_column, leftright_asking_tag_start_of_frame : boolean;
-  signal leftright_asking_tag_end_of_line, leftright_answered_passed_0, leftright_answered_tag_valid : boolean;
-  signal leftright_answered_tag_map_column, leftright_answered_tag_start_of_frame : boolean;
-  signal leftright_answered_tag_end_of_line, leftright_checked_passed_0, leftright_checked_tag_valid : boolean;
-  signal leftright_checked_tag_row_start, leftright_checked_tag_map_column : boolean;
-  signal leftright_checked_tag_start_of_frame, leftright_checked_tag_end_of_line : boolean;
+  signal leftright_holds_winners, leftright_held_valid, leftright_asking_passed_0 : boolean;
+  signal leftright_asking_tag : tag_4_c;
+  signal leftright_answered_passed_0 : boolean;
+  signal leftright_answered_tag : tag_4_c;
+  signal leftright_checked_passed_0 : boolean;
+  signal leftright_checked_tag : tag_5_b;
   signal leftright_position, leftright_held_position, leftright_address_0 : natural range 0 to 127;
   signal leftright_held_0 : unsigned(17 downto 0);
   signal leftright_asking_fraction_0, leftright_answered_fraction_0 : natural range 0 to 31;
@@ -737,207 +584,6 @@ architecture rtl of stereo_core_vga_64 is
   signal other_7 : natural range 0 to 224;
   signal other_8 : natural range 0 to 192;
   signal other_9 : natural range 0 to 128;
-  signal transform_left_rows_read_words_0_memory_read_enable : boolean;
-  signal transform_left_rows_read_words_0_memory_read_address : unsigned(9 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_address : unsigned(9 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
-  signal transform_right_rows_read_words_0_memory_read_enable : boolean;
-  signal transform_right_rows_read_words_0_memory_read_address : unsigned(9 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_address : unsigned(9 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
-  signal map_rows_read_words_0_memory_read_enable : boolean;
-  signal map_rows_read_words_0_memory_read_address, map_rows_read_words_0_memory_write_address : unsigned(9 downto 0);
-  signal map_rows_read_words_0_memory_write_data : unsigned(25 downto 0);
-  signal leftright_found_0_memory_read_enable : boolean;
-  signal leftright_found_0_memory_read_address, leftright_found_0_memory_write_address : unsigned(6 downto 0);
-  signal leftright_found_0_memory_write_data : unsigned(5 downto 0);
-  signal leftright_held_0_memory_read_enable : boolean;
-  signal leftright_held_0_memory_read_address, leftright_held_0_memory_write_address : unsigned(5 downto 0);
-  signal leftright_held_0_memory_write_data : unsigned(17 downto 0);
-  signal slice3window_leaving_3_memory_read_enable : boolean;
-  signal slice3window_leaving_3_memory_read_address, slice3window_leaving_3_memory_write_address : unsigned(3 downto 0);
-  signal slice3window_leaving_3_memory_write_data : unsigned(31 downto 0);
-  signal slice3window_leaving_2_memory_read_enable : boolean;
-  signal slice3window_leaving_2_memory_read_address, slice3window_leaving_2_memory_write_address : unsigned(3 downto 0);
-  signal slice3window_leaving_2_memory_write_data : unsigned(31 downto 0);
-  signal slice3window_leaving_1_memory_read_enable : boolean;
-  signal slice3window_leaving_1_memory_read_address, slice3window_leaving_1_memory_write_address : unsigned(3 downto 0);
-  signal slice3window_leaving_1_memory_write_data : unsigned(31 downto 0);
-  signal slice3window_leaving_0_memory_read_enable : boolean;
-  signal slice3window_leaving_0_memory_read_address, slice3window_leaving_0_memory_write_address : unsigned(3 downto 0);
-  signal slice3window_leaving_0_memory_write_data : unsigned(31 downto 0);
-  signal slice3cost_read_words_3_memory_read_enable : boolean;
-  signal slice3cost_read_words_3_memory_read_address : unsigned(9 downto 0);
-  signal slice3cost_read_words_3_memory_write_address : unsigned(9 downto 0);
-  signal slice3cost_read_words_3_memory_write_data : unsigned(31 downto 0);
-  signal slice3cost_read_words_2_memory_read_enable : boolean;
-  signal slice3cost_read_words_2_memory_read_address : unsigned(9 downto 0);
-  signal slice3cost_read_words_2_memory_write_address : unsigned(9 downto 0);
-  signal slice3cost_read_words_2_memory_write_data : unsigned(31 downto 0);
-  signal slice3cost_read_words_1_memory_read_enable : boolean;
-  signal slice3cost_read_words_1_memory_read_address : unsigned(9 downto 0);
-  signal slice3cost_read_words_1_memory_write_address : unsigned(9 downto 0);
-  signal slice3cost_read_words_1_memory_write_data : unsigned(31 downto 0);
-  signal slice3cost_read_words_0_memory_read_enable : boolean;
-  signal slice3cost_read_words_0_memory_read_address : unsigned(9 downto 0);
-  signal slice3cost_read_words_0_memory_write_address : unsigned(9 downto 0);
-  signal slice3cost_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal slice2window_leaving_3_memory_read_enable : boolean;
-  signal slice2window_leaving_3_memory_read_address, slice2window_leaving_3_memory_write_address : unsigned(3 downto 0);
-  signal slice2window_leaving_3_memory_write_data : unsigned(31 downto 0);
-  signal slice2window_leaving_2_memory_read_enable : boolean;
-  signal slice2window_leaving_2_memory_read_address, slice2window_leaving_2_memory_write_address : unsigned(3 downto 0);
-  signal slice2window_leaving_2_memory_write_data : unsigned(31 downto 0);
-  signal slice2window_leaving_1_memory_read_enable : boolean;
-  signal slice2window_leaving_1_memory_read_address, slice2window_leaving_1_memory_write_address : unsigned(3 downto 0);
-  signal slice2window_leaving_1_memory_write_data : unsigned(31 downto 0);
-  signal slice2window_leaving_0_memory_read_enable : boolean;
-  signal slice2window_leaving_0_memory_read_address, slice2window_leaving_0_memory_write_address : unsigned(3 downto 0);
-  signal slice2window_leaving_0_memory_write_data : unsigned(31 downto 0);
-  signal slice2cost_read_words_3_memory_read_enable : boolean;
-  signal slice2cost_read_words_3_memory_read_address : unsigned(9 downto 0);
-  signal slice2cost_read_words_3_memory_write_address : unsigned(9 downto 0);
-  signal slice2cost_read_words_3_memory_write_data : unsigned(31 downto 0);
-  signal slice2cost_read_words_2_memory_read_enable : boolean;
-  signal slice2cost_read_words_2_memory_read_address : unsigned(9 downto 0);
-  signal slice2cost_read_words_2_memory_write_address : unsigned(9 downto 0);
-  signal slice2cost_read_words_2_memory_write_data : unsigned(31 downto 0);
-  signal slice2cost_read_words_1_memory_read_enable : boolean;
-  signal slice2cost_read_words_1_memory_read_address : unsigned(9 downto 0);
-  signal slice2cost_read_words_1_memory_write_address : unsigned(9 downto 0);
-  signal slice2cost_read_words_1_memory_write_data : unsigned(31 downto 0);
-  signal slice2cost_read_words_0_memory_read_enable : boolean;
-  signal slice2cost_read_words_0_memory_read_address : unsigned(9 downto 0);
-  signal slice2cost_read_words_0_memory_write_address : unsigned(9 downto 0);
-  signal slice2cost_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal slice1window_leaving_3_memory_read_enable : boolean;
-  signal slice1window_leaving_3_memory_read_address, slice1window_leaving_3_memory_write_address : unsigned(3 downto 0);
-  signal slice1window_leaving_3_memory_write_data : unsigned(31 downto 0);
-  signal slice1window_leaving_2_memory_read_enable : boolean;
-  signal slice1window_leaving_2_memory_read_address, slice1window_leaving_2_memory_write_address : unsigned(3 downto 0);
-  signal slice1window_leaving_2_memory_write_data : unsigned(31 downto 0);
-  signal slice1window_leaving_1_memory_read_enable : boolean;
-  signal slice1window_leaving_1_memory_read_address, slice1window_leaving_1_memory_write_address : unsigned(3 downto 0);
-  signal slice1window_leaving_1_memory_write_data : unsigned(31 downto 0);
-  signal slice1window_leaving_0_memory_read_enable : boolean;
-  signal slice1window_leaving_0_memory_read_address, slice1window_leaving_0_memory_write_address : unsigned(3 downto 0);
-  signal slice1window_leaving_0_memory_write_data : unsigned(31 downto 0);
-  signal slice1cost_read_words_3_memory_read_enable : boolean;
-  signal slice1cost_read_words_3_memory_read_address : unsigned(9 downto 0);
-  signal slice1cost_read_words_3_memory_write_address : unsigned(9 downto 0);
-  signal slice1cost_read_words_3_memory_write_data : unsigned(31 downto 0);
-  signal slice1cost_read_words_2_memory_read_enable : boolean;
-  signal slice1cost_read_words_2_memory_read_address : unsigned(9 downto 0);
-  signal slice1cost_read_words_2_memory_write_address : unsigned(9 downto 0);
-  signal slice1cost_read_words_2_memory_write_data : unsigned(31 downto 0);
-  signal slice1cost_read_words_1_memory_read_enable : boolean;
-  signal slice1cost_read_words_1_memory_read_address : unsigned(9 downto 0);
-  signal slice1cost_read_words_1_memory_write_address : unsigned(9 downto 0);
-  signal slice1cost_read_words_1_memory_write_data : unsigned(31 downto 0);
-  signal slice1cost_read_words_0_memory_read_enable : boolean;
-  signal slice1cost_read_words_0_memory_read_address : unsigned(9 downto 0);
-  signal slice1cost_read_words_0_memory_write_address : unsigned(9 downto 0);
-  signal slice1cost_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal slice0window_leaving_3_memory_read_enable : boolean;
-  signal slice0window_leaving_3_memory_read_address, slice0window_leaving_3_memory_write_address : unsigned(3 downto 0);
-  signal slice0window_leaving_3_memory_write_data : unsigned(31 downto 0);
-  signal slice0window_leaving_2_memory_read_enable : boolean;
-  signal slice0window_leaving_2_memory_read_address, slice0window_leaving_2_memory_write_address : unsigned(3 downto 0);
-  signal slice0window_leaving_2_memory_write_data : unsigned(31 downto 0);
-  signal slice0window_leaving_1_memory_read_enable : boolean;
-  signal slice0window_leaving_1_memory_read_address, slice0window_leaving_1_memory_write_address : unsigned(3 downto 0);
-  signal slice0window_leaving_1_memory_write_data : unsigned(31 downto 0);
-  signal slice0window_leaving_0_memory_read_enable : boolean;
-  signal slice0window_leaving_0_memory_read_address, slice0window_leaving_0_memory_write_address : unsigned(3 downto 0);
-  signal slice0window_leaving_0_memory_write_data : unsigned(31 downto 0);
-  signal slice0cost_read_words_3_memory_read_enable : boolean;
-  signal slice0cost_read_words_3_memory_read_address : unsigned(9 downto 0);
-  signal slice0cost_read_words_3_memory_write_address : unsigned(9 downto 0);
-  signal slice0cost_read_words_3_memory_write_data : unsigned(31 downto 0);
-  signal slice0cost_read_words_2_memory_read_enable : boolean;
-  signal slice0cost_read_words_2_memory_read_address : unsigned(9 downto 0);
-  signal slice0cost_read_words_2_memory_write_address : unsigned(9 downto 0);
-  signal slice0cost_read_words_2_memory_write_data : unsigned(31 downto 0);
-  signal slice0cost_read_words_1_memory_read_enable : boolean;
-  signal slice0cost_read_words_1_memory_read_address : unsigned(9 downto 0);
-  signal slice0cost_read_words_1_memory_write_address : unsigned(9 downto 0);
-  signal slice0cost_read_words_1_memory_write_data : unsigned(31 downto 0);
-  signal slice0cost_read_words_0_memory_read_enable : boolean;
-  signal slice0cost_read_words_0_memory_read_address : unsigned(9 downto 0);
-  signal slice0cost_read_words_0_memory_write_address : unsigned(9 downto 0);
-  signal slice0cost_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal rows_search_rows_read_words_8_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_8_memory_read_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_8_memory_write_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_8_memory_write_data : unsigned(25 downto 0);
-  signal rows_search_rows_read_words_7_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_7_memory_read_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_7_memory_write_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_7_memory_write_data : unsigned(25 downto 0);
-  signal rows_search_rows_read_words_6_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_6_memory_read_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_6_memory_write_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_6_memory_write_data : unsigned(25 downto 0);
-  signal rows_search_rows_read_words_5_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_5_memory_read_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_5_memory_write_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_5_memory_write_data : unsigned(25 downto 0);
-  signal rows_search_rows_read_words_4_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_4_memory_read_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_4_memory_write_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_4_memory_write_data : unsigned(25 downto 0);
-  signal rows_search_rows_read_words_3_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_3_memory_read_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_3_memory_write_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_3_memory_write_data : unsigned(25 downto 0);
-  signal rows_search_rows_read_words_2_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_2_memory_read_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_2_memory_write_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_2_memory_write_data : unsigned(25 downto 0);
-  signal rows_search_rows_read_words_1_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_1_memory_read_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_1_memory_write_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_1_memory_write_data : unsigned(25 downto 0);
-  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_0_memory_read_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_data : unsigned(25 downto 0);
-  signal rows_reference_rows_read_words_8_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_8_memory_read_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_8_memory_write_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_8_memory_write_data : unsigned(25 downto 0);
-  signal rows_reference_rows_read_words_7_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_7_memory_read_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_7_memory_write_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_7_memory_write_data : unsigned(25 downto 0);
-  signal rows_reference_rows_read_words_6_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_6_memory_read_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_6_memory_write_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_6_memory_write_data : unsigned(25 downto 0);
-  signal rows_reference_rows_read_words_5_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_5_memory_read_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_5_memory_write_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_5_memory_write_data : unsigned(25 downto 0);
-  signal rows_reference_rows_read_words_4_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_4_memory_read_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_4_memory_write_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_4_memory_write_data : unsigned(25 downto 0);
-  signal rows_reference_rows_read_words_3_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_3_memory_read_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_3_memory_write_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_3_memory_write_data : unsigned(25 downto 0);
-  signal rows_reference_rows_read_words_2_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_2_memory_read_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_2_memory_write_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_2_memory_write_data : unsigned(25 downto 0);
-  signal rows_reference_rows_read_words_1_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_1_memory_read_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_1_memory_write_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_1_memory_write_data : unsigned(25 downto 0);
-  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(25 downto 0);
 
 begin
   in_valid <= valid = '1';
@@ -950,631 +596,216 @@ begin
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
 
-  transform_left_rows_read_words_0_memory_read_enable <= true;
-  transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 10);
-  transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 10);
-  transform_left_rows_read_words_0_memory_write_data <= to_unsigned(transform_left_rows_write_words_0, 16);
-  transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 16, address_bits => 10)
-    port map (
-      clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
-      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words_0,
-      write_address => transform_left_rows_read_words_0_memory_write_address, write_data => transform_left_rows_read_words_0_memory_write_data);
+  transform_left_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(15 downto 0);
+  begin
+    read_address <= to_unsigned(transform_counter_column, 10);
+    write_address <= to_unsigned(transform_write_column, 10);
+    write_data <= to_unsigned(transform_left_rows_write_words_0, 16);
+    cell : entity work.line_memory
+      generic map (depth => 640, width => 16, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        transform_left_rows_read_words_0, write_address => write_address, write_data => write_data);
+  end block;
 
-  transform_right_rows_read_words_0_memory_read_enable <= true;
-  transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 10);
-  transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 10);
-  transform_right_rows_read_words_0_memory_write_data <= to_unsigned(transform_right_rows_write_words_0, 16);
-  transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 16, address_bits => 10)
-    port map (
-      clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
-      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words_0,
-      write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
+  transform_right_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(15 downto 0);
+  begin
+    read_address <= to_unsigned(transform_counter_column, 10);
+    write_address <= to_unsigned(transform_write_column, 10);
+    write_data <= to_unsigned(transform_right_rows_write_words_0, 16);
+    cell : entity work.line_memory
+      generic map (depth => 640, width => 16, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        transform_right_rows_read_words_0, write_address => write_address, write_data => write_data);
+  end block;
 
-  map_rows_read_words_0_memory_read_enable <= true;
-  map_rows_read_words_0_memory_read_address <= to_unsigned(map_counter_column, 10);
-  map_rows_read_words_0_memory_write_address <= to_unsigned(map_at_column, 10);
-  map_rows_read_words_0_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
-  map_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 576, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => map_rows_read_words_0_memory_read_enable,
-      read_address => map_rows_read_words_0_memory_read_address, read_data => map_rows_read_words_0,
-      write_address => map_rows_read_words_0_memory_write_address, write_data => map_rows_read_words_0_memory_write_data);
+  map_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(25 downto 0);
+  begin
+    read_address <= to_unsigned(map_counter_column, 10);
+    write_address <= to_unsigned(map_at_column, 10);
+    write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
+    cell : entity work.line_memory
+      generic map (depth => 576, width => 26, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => map_rows_read_words_0,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  leftright_found_0_memory_read_enable <= true;
-  leftright_found_0_memory_read_address <= to_unsigned(leftright_address_0, 7);
-  leftright_found_0_memory_write_address <= to_unsigned(leftright_position, 7);
-  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_0(15), 6);
-  leftright_found_0_memory : entity work.line_memory
-    generic map (depth => 128, width => 6, address_bits => 7)
-    port map (
-      clock => clock, read_enable => leftright_found_0_memory_read_enable,
-      read_address => leftright_found_0_memory_read_address, read_data => leftright_found_0,
-      write_address => leftright_found_0_memory_write_address, write_data => leftright_found_0_memory_write_data);
+  leftright_found_0_memory : block
+    signal read_address, write_address : unsigned(6 downto 0);
+    signal write_data : unsigned(5 downto 0);
+  begin
+    read_address <= to_unsigned(leftright_address_0, 7);
+    write_address <= to_unsigned(leftright_position, 7);
+    write_data <= to_unsigned(leftright_other_0(15), 6);
+    cell : entity work.line_memory
+      generic map (depth => 128, width => 6, address_bits => 7)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => leftright_found_0,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  leftright_held_0_memory_read_enable <= true;
-  leftright_held_0_memory_read_address <= to_unsigned(leftright_ring_read_address, 6);
-  leftright_held_0_memory_write_address <= to_unsigned(leftright_ring_write_address, 6);
-  leftright_held_0_memory_write_data <= to_unsigned(refinement_fraction_0, 5) & to_unsigned(as_number(refinement_passed_0(11)), 1) & to_unsigned(refinement_disparity_0(11), 8) & to_unsigned(as_number(refinement_tag_end_of_line(11)), 1) & to_unsigned(as_number(refinement_tag_start_of_frame(11)), 1) & to_unsigned(as_number(refinement_tag_output_column(11)), 1) & to_unsigned(as_number(refinement_tag_map_column(11)), 1);
-  leftright_held_0_memory : entity work.line_memory
-    generic map (depth => 64, width => 18, address_bits => 6)
-    port map (
-      clock => clock, read_enable => leftright_held_0_memory_read_enable,
-      read_address => leftright_held_0_memory_read_address, read_data => leftright_held_0,
-      write_address => leftright_held_0_memory_write_address, write_data => leftright_held_0_memory_write_data);
+  leftright_held_0_memory : block
+    signal read_address, write_address : unsigned(5 downto 0);
+    signal write_data : unsigned(17 downto 0);
+  begin
+    read_address <= to_unsigned(leftright_ring_read_address, 6);
+    write_address <= to_unsigned(leftright_ring_write_address, 6);
+    write_data <= to_unsigned(refinement_fraction_0, 5) & to_unsigned(as_number(refinement_passed_0(11)), 1) &
+      to_unsigned(refinement_disparity_0(11), 8) & to_unsigned(as_number(refinement_tag_end_of_line(11)), 1) &
+      to_unsigned(as_number(refinement_tag_start_of_frame(11)), 1) &
+      to_unsigned(as_number(refinement_tag_output_column(11)), 1) &
+      to_unsigned(as_number(refinement_tag_map_column(11)), 1);
+    cell : entity work.line_memory
+      generic map (depth => 64, width => 18, address_bits => 6)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => leftright_held_0,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  slice3window_leaving_3_memory_read_enable <= true;
-  slice3window_leaving_3_memory_read_address <= to_unsigned(slice3window_ring_read_address, 4);
-  slice3window_leaving_3_memory_write_address <= to_unsigned(slice3window_ring_write_address, 4);
-  slice3window_leaving_3_memory_write_data <= to_unsigned(slice3cost_column_0(15), 8) & to_unsigned(slice3cost_column_0(14), 8) & to_unsigned(slice3cost_column_0(13), 8) & to_unsigned(slice3cost_column_0(12), 8);
-  slice3window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => slice3window_leaving_3_memory_read_enable,
-      read_address => slice3window_leaving_3_memory_read_address, read_data => slice3window_leaving(3),
-      write_address => slice3window_leaving_3_memory_write_address, write_data => slice3window_leaving_3_memory_write_data);
+  slice3window_leaving_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(31 downto 0);
+  begin
+    read_address <= to_unsigned(slice3window_ring_read_address, 4);
+    write_address <= to_unsigned(slice3window_ring_write_address, 4);
+    write_data <= to_unsigned(slice3cost_column_0(4 * i + 3), 8) & to_unsigned(slice3cost_column_0(4 * i + 2), 8) &
+      to_unsigned(slice3cost_column_0(4 * i + 1), 8) & to_unsigned(slice3cost_column_0(4 * i), 8);
+    cell : entity work.line_memory
+      generic map (depth => 10, width => 32, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice3window_leaving(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  slice3window_leaving_2_memory_read_enable <= true;
-  slice3window_leaving_2_memory_read_address <= to_unsigned(slice3window_ring_read_address, 4);
-  slice3window_leaving_2_memory_write_address <= to_unsigned(slice3window_ring_write_address, 4);
-  slice3window_leaving_2_memory_write_data <= to_unsigned(slice3cost_column_0(11), 8) & to_unsigned(slice3cost_column_0(10), 8) & to_unsigned(slice3cost_column_0(9), 8) & to_unsigned(slice3cost_column_0(8), 8);
-  slice3window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => slice3window_leaving_2_memory_read_enable,
-      read_address => slice3window_leaving_2_memory_read_address, read_data => slice3window_leaving(2),
-      write_address => slice3window_leaving_2_memory_write_address, write_data => slice3window_leaving_2_memory_write_data);
+  slice3cost_read_words_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(9 downto 0);
+  begin
+    read_address <= to_unsigned(slice3cost_read_column, 10);
+    write_address <= to_unsigned(slice3cost_write_column, 10);
+    cell : entity work.line_memory
+      generic map (depth => 640, width => 32, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice3cost_read_words(i), write_address => write_address, write_data => slice3cost_write_words(i));
+  end generate;
 
-  slice3window_leaving_1_memory_read_enable <= true;
-  slice3window_leaving_1_memory_read_address <= to_unsigned(slice3window_ring_read_address, 4);
-  slice3window_leaving_1_memory_write_address <= to_unsigned(slice3window_ring_write_address, 4);
-  slice3window_leaving_1_memory_write_data <= to_unsigned(slice3cost_column_0(7), 8) & to_unsigned(slice3cost_column_0(6), 8) & to_unsigned(slice3cost_column_0(5), 8) & to_unsigned(slice3cost_column_0(4), 8);
-  slice3window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => slice3window_leaving_1_memory_read_enable,
-      read_address => slice3window_leaving_1_memory_read_address, read_data => slice3window_leaving(1),
-      write_address => slice3window_leaving_1_memory_write_address, write_data => slice3window_leaving_1_memory_write_data);
+  slice2window_leaving_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(31 downto 0);
+  begin
+    read_address <= to_unsigned(slice2window_ring_read_address, 4);
+    write_address <= to_unsigned(slice2window_ring_write_address, 4);
+    write_data <= to_unsigned(slice2cost_column_0(4 * i + 3), 8) & to_unsigned(slice2cost_column_0(4 * i + 2), 8) &
+      to_unsigned(slice2cost_column_0(4 * i + 1), 8) & to_unsigned(slice2cost_column_0(4 * i), 8);
+    cell : entity work.line_memory
+      generic map (depth => 10, width => 32, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice2window_leaving(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  slice3window_leaving_0_memory_read_enable <= true;
-  slice3window_leaving_0_memory_read_address <= to_unsigned(slice3window_ring_read_address, 4);
-  slice3window_leaving_0_memory_write_address <= to_unsigned(slice3window_ring_write_address, 4);
-  slice3window_leaving_0_memory_write_data <= to_unsigned(slice3cost_column_0(3), 8) & to_unsigned(slice3cost_column_0(2), 8) & to_unsigned(slice3cost_column_0(1), 8) & to_unsigned(slice3cost_column_0(0), 8);
-  slice3window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => slice3window_leaving_0_memory_read_enable,
-      read_address => slice3window_leaving_0_memory_read_address, read_data => slice3window_leaving(0),
-      write_address => slice3window_leaving_0_memory_write_address, write_data => slice3window_leaving_0_memory_write_data);
+  slice2cost_read_words_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(9 downto 0);
+  begin
+    read_address <= to_unsigned(slice0cost_ready_column, 10);
+    write_address <= to_unsigned(slice2cost_write_column, 10);
+    cell : entity work.line_memory
+      generic map (depth => 640, width => 32, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice2cost_read_words(i), write_address => write_address, write_data => slice2cost_write_words(i));
+  end generate;
 
-  slice3cost_read_words_3_memory_read_enable <= true;
-  slice3cost_read_words_3_memory_read_address <= to_unsigned(slice3cost_read_column, 10);
-  slice3cost_read_words_3_memory_write_address <= to_unsigned(slice3cost_write_column, 10);
-  slice3cost_read_words_3_memory_write_data <= slice3cost_write_words(3);
-  slice3cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 640, width => 32, address_bits => 10)
-    port map (
-      clock => clock, read_enable => slice3cost_read_words_3_memory_read_enable,
-      read_address => slice3cost_read_words_3_memory_read_address, read_data => slice3cost_read_words(3),
-      write_address => slice3cost_read_words_3_memory_write_address, write_data => slice3cost_read_words_3_memory_write_data);
+  slice1window_leaving_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(31 downto 0);
+  begin
+    read_address <= to_unsigned(slice1window_ring_read_address, 4);
+    write_address <= to_unsigned(slice1window_ring_write_address, 4);
+    write_data <= to_unsigned(slice1cost_column_0(4 * i + 3), 8) & to_unsigned(slice1cost_column_0(4 * i + 2), 8) &
+      to_unsigned(slice1cost_column_0(4 * i + 1), 8) & to_unsigned(slice1cost_column_0(4 * i), 8);
+    cell : entity work.line_memory
+      generic map (depth => 10, width => 32, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice1window_leaving(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  slice3cost_read_words_2_memory_read_enable <= true;
-  slice3cost_read_words_2_memory_read_address <= to_unsigned(slice3cost_read_column, 10);
-  slice3cost_read_words_2_memory_write_address <= to_unsigned(slice3cost_write_column, 10);
-  slice3cost_read_words_2_memory_write_data <= slice3cost_write_words(2);
-  slice3cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 640, width => 32, address_bits => 10)
-    port map (
-      clock => clock, read_enable => slice3cost_read_words_2_memory_read_enable,
-      read_address => slice3cost_read_words_2_memory_read_address, read_data => slice3cost_read_words(2),
-      write_address => slice3cost_read_words_2_memory_write_address, write_data => slice3cost_read_words_2_memory_write_data);
+  slice1cost_read_words_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(9 downto 0);
+  begin
+    read_address <= to_unsigned(slice0cost_change_column, 10);
+    write_address <= to_unsigned(slice2cost_ready_column, 10);
+    cell : entity work.line_memory
+      generic map (depth => 640, width => 32, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice1cost_read_words(i), write_address => write_address, write_data => slice1cost_write_words(i));
+  end generate;
 
-  slice3cost_read_words_1_memory_read_enable <= true;
-  slice3cost_read_words_1_memory_read_address <= to_unsigned(slice3cost_read_column, 10);
-  slice3cost_read_words_1_memory_write_address <= to_unsigned(slice3cost_write_column, 10);
-  slice3cost_read_words_1_memory_write_data <= slice3cost_write_words(1);
-  slice3cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 640, width => 32, address_bits => 10)
-    port map (
-      clock => clock, read_enable => slice3cost_read_words_1_memory_read_enable,
-      read_address => slice3cost_read_words_1_memory_read_address, read_data => slice3cost_read_words(1),
-      write_address => slice3cost_read_words_1_memory_write_address, write_data => slice3cost_read_words_1_memory_write_data);
+  slice0window_leaving_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(31 downto 0);
+  begin
+    read_address <= to_unsigned(slice0window_ring_read_address, 4);
+    write_address <= to_unsigned(slice0window_ring_write_address, 4);
+    write_data <= to_unsigned(slice0cost_column_0(4 * i + 3), 8) & to_unsigned(slice0cost_column_0(4 * i + 2), 8) &
+      to_unsigned(slice0cost_column_0(4 * i + 1), 8) & to_unsigned(slice0cost_column_0(4 * i), 8);
+    cell : entity work.line_memory
+      generic map (depth => 10, width => 32, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice0window_leaving(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  slice3cost_read_words_0_memory_read_enable <= true;
-  slice3cost_read_words_0_memory_read_address <= to_unsigned(slice3cost_read_column, 10);
-  slice3cost_read_words_0_memory_write_address <= to_unsigned(slice3cost_write_column, 10);
-  slice3cost_read_words_0_memory_write_data <= slice3cost_write_words(0);
-  slice3cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 32, address_bits => 10)
-    port map (
-      clock => clock, read_enable => slice3cost_read_words_0_memory_read_enable,
-      read_address => slice3cost_read_words_0_memory_read_address, read_data => slice3cost_read_words(0),
-      write_address => slice3cost_read_words_0_memory_write_address, write_data => slice3cost_read_words_0_memory_write_data);
+  slice0cost_read_words_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(9 downto 0);
+  begin
+    read_address <= to_unsigned(slice0cost_read_column, 10);
+    write_address <= to_unsigned(slice2cost_change_column, 10);
+    cell : entity work.line_memory
+      generic map (depth => 640, width => 32, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice0cost_read_words(i), write_address => write_address, write_data => slice0cost_write_words(i));
+  end generate;
 
-  slice2window_leaving_3_memory_read_enable <= true;
-  slice2window_leaving_3_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
-  slice2window_leaving_3_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
-  slice2window_leaving_3_memory_write_data <= to_unsigned(slice2cost_column_0(15), 8) & to_unsigned(slice2cost_column_0(14), 8) & to_unsigned(slice2cost_column_0(13), 8) & to_unsigned(slice2cost_column_0(12), 8);
-  slice2window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => slice2window_leaving_3_memory_read_enable,
-      read_address => slice2window_leaving_3_memory_read_address, read_data => slice2window_leaving(3),
-      write_address => slice2window_leaving_3_memory_write_address, write_data => slice2window_leaving_3_memory_write_data);
+  rows_search_rows_read_words_memory : for i in 8 downto 0 generate
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(25 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 10);
+    write_address <= to_unsigned(rows_write_column, 10);
+    write_data <= to_unsigned(rows_search_rows_write_words(i), 26);
+    cell : entity work.line_memory
+      generic map (depth => 640, width => 26, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_search_rows_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  slice2window_leaving_2_memory_read_enable <= true;
-  slice2window_leaving_2_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
-  slice2window_leaving_2_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
-  slice2window_leaving_2_memory_write_data <= to_unsigned(slice2cost_column_0(11), 8) & to_unsigned(slice2cost_column_0(10), 8) & to_unsigned(slice2cost_column_0(9), 8) & to_unsigned(slice2cost_column_0(8), 8);
-  slice2window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => slice2window_leaving_2_memory_read_enable,
-      read_address => slice2window_leaving_2_memory_read_address, read_data => slice2window_leaving(2),
-      write_address => slice2window_leaving_2_memory_write_address, write_data => slice2window_leaving_2_memory_write_data);
-
-  slice2window_leaving_1_memory_read_enable <= true;
-  slice2window_leaving_1_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
-  slice2window_leaving_1_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
-  slice2window_leaving_1_memory_write_data <= to_unsigned(slice2cost_column_0(7), 8) & to_unsigned(slice2cost_column_0(6), 8) & to_unsigned(slice2cost_column_0(5), 8) & to_unsigned(slice2cost_column_0(4), 8);
-  slice2window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => slice2window_leaving_1_memory_read_enable,
-      read_address => slice2window_leaving_1_memory_read_address, read_data => slice2window_leaving(1),
-      write_address => slice2window_leaving_1_memory_write_address, write_data => slice2window_leaving_1_memory_write_data);
-
-  slice2window_leaving_0_memory_read_enable <= true;
-  slice2window_leaving_0_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
-  slice2window_leaving_0_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
-  slice2window_leaving_0_memory_write_data <= to_unsigned(slice2cost_column_0(3), 8) & to_unsigned(slice2cost_column_0(2), 8) & to_unsigned(slice2cost_column_0(1), 8) & to_unsigned(slice2cost_column_0(0), 8);
-  slice2window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => slice2window_leaving_0_memory_read_enable,
-      read_address => slice2window_leaving_0_memory_read_address, read_data => slice2window_leaving(0),
-      write_address => slice2window_leaving_0_memory_write_address, write_data => slice2window_leaving_0_memory_write_data);
-
-  slice2cost_read_words_3_memory_read_enable <= true;
-  slice2cost_read_words_3_memory_read_address <= to_unsigned(slice0cost_ready_column, 10);
-  slice2cost_read_words_3_memory_write_address <= to_unsigned(slice2cost_write_column, 10);
-  slice2cost_read_words_3_memory_write_data <= slice2cost_write_words(3);
-  slice2cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 640, width => 32, address_bits => 10)
-    port map (
-      clock => clock, read_enable => slice2cost_read_words_3_memory_read_enable,
-      read_address => slice2cost_read_words_3_memory_read_address, read_data => slice2cost_read_words(3),
-      write_address => slice2cost_read_words_3_memory_write_address, write_data => slice2cost_read_words_3_memory_write_data);
-
-  slice2cost_read_words_2_memory_read_enable <= true;
-  slice2cost_read_words_2_memory_read_address <= to_unsigned(slice0cost_ready_column, 10);
-  slice2cost_read_words_2_memory_write_address <= to_unsigned(slice2cost_write_column, 10);
-  slice2cost_read_words_2_memory_write_data <= slice2cost_write_words(2);
-  slice2cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 640, width => 32, address_bits => 10)
-    port map (
-      clock => clock, read_enable => slice2cost_read_words_2_memory_read_enable,
-      read_address => slice2cost_read_words_2_memory_read_address, read_data => slice2cost_read_words(2),
-      write_address => slice2cost_read_words_2_memory_write_address, write_data => slice2cost_read_words_2_memory_write_data);
-
-  slice2cost_read_words_1_memory_read_enable <= true;
-  slice2cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_ready_column, 10);
-  slice2cost_read_words_1_memory_write_address <= to_unsigned(slice2cost_write_column, 10);
-  slice2cost_read_words_1_memory_write_data <= slice2cost_write_words(1);
-  slice2cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 640, width => 32, address_bits => 10)
-    port map (
-      clock => clock, read_enable => slice2cost_read_words_1_memory_read_enable,
-      read_address => slice2cost_read_words_1_memory_read_address, read_data => slice2cost_read_words(1),
-      write_address => slice2cost_read_words_1_memory_write_address, write_data => slice2cost_read_words_1_memory_write_data);
-
-  slice2cost_read_words_0_memory_read_enable <= true;
-  slice2cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_ready_column, 10);
-  slice2cost_read_words_0_memory_write_address <= to_unsigned(slice2cost_write_column, 10);
-  slice2cost_read_words_0_memory_write_data <= slice2cost_write_words(0);
-  slice2cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 32, address_bits => 10)
-    port map (
-      clock => clock, read_enable => slice2cost_read_words_0_memory_read_enable,
-      read_address => slice2cost_read_words_0_memory_read_address, read_data => slice2cost_read_words(0),
-      write_address => slice2cost_read_words_0_memory_write_address, write_data => slice2cost_read_words_0_memory_write_data);
-
-  slice1window_leaving_3_memory_read_enable <= true;
-  slice1window_leaving_3_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
-  slice1window_leaving_3_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
-  slice1window_leaving_3_memory_write_data <= to_unsigned(slice1cost_column_0(15), 8) & to_unsigned(slice1cost_column_0(14), 8) & to_unsigned(slice1cost_column_0(13), 8) & to_unsigned(slice1cost_column_0(12), 8);
-  slice1window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_3_memory_read_enable,
-      read_address => slice1window_leaving_3_memory_read_address, read_data => slice1window_leaving(3),
-      write_address => slice1window_leaving_3_memory_write_address, write_data => slice1window_leaving_3_memory_write_data);
-
-  slice1window_leaving_2_memory_read_enable <= true;
-  slice1window_leaving_2_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
-  slice1window_leaving_2_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
-  slice1window_leaving_2_memory_write_data <= to_unsigned(slice1cost_column_0(11), 8) & to_unsigned(slice1cost_column_0(10), 8) & to_unsigned(slice1cost_column_0(9), 8) & to_unsigned(slice1cost_column_0(8), 8);
-  slice1window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_2_memory_read_enable,
-      read_address => slice1window_leaving_2_memory_read_address, read_data => slice1window_leaving(2),
-      write_address => slice1window_leaving_2_memory_write_address, write_data => slice1window_leaving_2_memory_write_data);
-
-  slice1window_leaving_1_memory_read_enable <= true;
-  slice1window_leaving_1_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
-  slice1window_leaving_1_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
-  slice1window_leaving_1_memory_write_data <= to_unsigned(slice1cost_column_0(7), 8) & to_unsigned(slice1cost_column_0(6), 8) & to_unsigned(slice1cost_column_0(5), 8) & to_unsigned(slice1cost_column_0(4), 8);
-  slice1window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_1_memory_read_enable,
-      read_address => slice1window_leaving_1_memory_read_address, read_data => slice1window_leaving(1),
-      write_address => slice1window_leaving_1_memory_write_address, write_data => slice1window_leaving_1_memory_write_data);
-
-  slice1window_leaving_0_memory_read_enable <= true;
-  slice1window_leaving_0_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
-  slice1window_leaving_0_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
-  slice1window_leaving_0_memory_write_data <= to_unsigned(slice1cost_column_0(3), 8) & to_unsigned(slice1cost_column_0(2), 8) & to_unsigned(slice1cost_column_0(1), 8) & to_unsigned(slice1cost_column_0(0), 8);
-  slice1window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_0_memory_read_enable,
-      read_address => slice1window_leaving_0_memory_read_address, read_data => slice1window_leaving(0),
-      write_address => slice1window_leaving_0_memory_write_address, write_data => slice1window_leaving_0_memory_write_data);
-
-  slice1cost_read_words_3_memory_read_enable <= true;
-  slice1cost_read_words_3_memory_read_address <= to_unsigned(slice0cost_change_column, 10);
-  slice1cost_read_words_3_memory_write_address <= to_unsigned(slice2cost_ready_column, 10);
-  slice1cost_read_words_3_memory_write_data <= slice1cost_write_words(3);
-  slice1cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 640, width => 32, address_bits => 10)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_3_memory_read_enable,
-      read_address => slice1cost_read_words_3_memory_read_address, read_data => slice1cost_read_words(3),
-      write_address => slice1cost_read_words_3_memory_write_address, write_data => slice1cost_read_words_3_memory_write_data);
-
-  slice1cost_read_words_2_memory_read_enable <= true;
-  slice1cost_read_words_2_memory_read_address <= to_unsigned(slice0cost_change_column, 10);
-  slice1cost_read_words_2_memory_write_address <= to_unsigned(slice2cost_ready_column, 10);
-  slice1cost_read_words_2_memory_write_data <= slice1cost_write_words(2);
-  slice1cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 640, width => 32, address_bits => 10)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_2_memory_read_enable,
-      read_address => slice1cost_read_words_2_memory_read_address, read_data => slice1cost_read_words(2),
-      write_address => slice1cost_read_words_2_memory_write_address, write_data => slice1cost_read_words_2_memory_write_data);
-
-  slice1cost_read_words_1_memory_read_enable <= true;
-  slice1cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_change_column, 10);
-  slice1cost_read_words_1_memory_write_address <= to_unsigned(slice2cost_ready_column, 10);
-  slice1cost_read_words_1_memory_write_data <= slice1cost_write_words(1);
-  slice1cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 640, width => 32, address_bits => 10)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_1_memory_read_enable,
-      read_address => slice1cost_read_words_1_memory_read_address, read_data => slice1cost_read_words(1),
-      write_address => slice1cost_read_words_1_memory_write_address, write_data => slice1cost_read_words_1_memory_write_data);
-
-  slice1cost_read_words_0_memory_read_enable <= true;
-  slice1cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_change_column, 10);
-  slice1cost_read_words_0_memory_write_address <= to_unsigned(slice2cost_ready_column, 10);
-  slice1cost_read_words_0_memory_write_data <= slice1cost_write_words(0);
-  slice1cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 32, address_bits => 10)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_0_memory_read_enable,
-      read_address => slice1cost_read_words_0_memory_read_address, read_data => slice1cost_read_words(0),
-      write_address => slice1cost_read_words_0_memory_write_address, write_data => slice1cost_read_words_0_memory_write_data);
-
-  slice0window_leaving_3_memory_read_enable <= true;
-  slice0window_leaving_3_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
-  slice0window_leaving_3_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
-  slice0window_leaving_3_memory_write_data <= to_unsigned(slice0cost_column_0(15), 8) & to_unsigned(slice0cost_column_0(14), 8) & to_unsigned(slice0cost_column_0(13), 8) & to_unsigned(slice0cost_column_0(12), 8);
-  slice0window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_3_memory_read_enable,
-      read_address => slice0window_leaving_3_memory_read_address, read_data => slice0window_leaving(3),
-      write_address => slice0window_leaving_3_memory_write_address, write_data => slice0window_leaving_3_memory_write_data);
-
-  slice0window_leaving_2_memory_read_enable <= true;
-  slice0window_leaving_2_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
-  slice0window_leaving_2_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
-  slice0window_leaving_2_memory_write_data <= to_unsigned(slice0cost_column_0(11), 8) & to_unsigned(slice0cost_column_0(10), 8) & to_unsigned(slice0cost_column_0(9), 8) & to_unsigned(slice0cost_column_0(8), 8);
-  slice0window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_2_memory_read_enable,
-      read_address => slice0window_leaving_2_memory_read_address, read_data => slice0window_leaving(2),
-      write_address => slice0window_leaving_2_memory_write_address, write_data => slice0window_leaving_2_memory_write_data);
-
-  slice0window_leaving_1_memory_read_enable <= true;
-  slice0window_leaving_1_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
-  slice0window_leaving_1_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
-  slice0window_leaving_1_memory_write_data <= to_unsigned(slice0cost_column_0(7), 8) & to_unsigned(slice0cost_column_0(6), 8) & to_unsigned(slice0cost_column_0(5), 8) & to_unsigned(slice0cost_column_0(4), 8);
-  slice0window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_1_memory_read_enable,
-      read_address => slice0window_leaving_1_memory_read_address, read_data => slice0window_leaving(1),
-      write_address => slice0window_leaving_1_memory_write_address, write_data => slice0window_leaving_1_memory_write_data);
-
-  slice0window_leaving_0_memory_read_enable <= true;
-  slice0window_leaving_0_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
-  slice0window_leaving_0_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
-  slice0window_leaving_0_memory_write_data <= to_unsigned(slice0cost_column_0(3), 8) & to_unsigned(slice0cost_column_0(2), 8) & to_unsigned(slice0cost_column_0(1), 8) & to_unsigned(slice0cost_column_0(0), 8);
-  slice0window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_0_memory_read_enable,
-      read_address => slice0window_leaving_0_memory_read_address, read_data => slice0window_leaving(0),
-      write_address => slice0window_leaving_0_memory_write_address, write_data => slice0window_leaving_0_memory_write_data);
-
-  slice0cost_read_words_3_memory_read_enable <= true;
-  slice0cost_read_words_3_memory_read_address <= to_unsigned(slice0cost_read_column, 10);
-  slice0cost_read_words_3_memory_write_address <= to_unsigned(slice2cost_change_column, 10);
-  slice0cost_read_words_3_memory_write_data <= slice0cost_write_words(3);
-  slice0cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 640, width => 32, address_bits => 10)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_3_memory_read_enable,
-      read_address => slice0cost_read_words_3_memory_read_address, read_data => slice0cost_read_words(3),
-      write_address => slice0cost_read_words_3_memory_write_address, write_data => slice0cost_read_words_3_memory_write_data);
-
-  slice0cost_read_words_2_memory_read_enable <= true;
-  slice0cost_read_words_2_memory_read_address <= to_unsigned(slice0cost_read_column, 10);
-  slice0cost_read_words_2_memory_write_address <= to_unsigned(slice2cost_change_column, 10);
-  slice0cost_read_words_2_memory_write_data <= slice0cost_write_words(2);
-  slice0cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 640, width => 32, address_bits => 10)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_2_memory_read_enable,
-      read_address => slice0cost_read_words_2_memory_read_address, read_data => slice0cost_read_words(2),
-      write_address => slice0cost_read_words_2_memory_write_address, write_data => slice0cost_read_words_2_memory_write_data);
-
-  slice0cost_read_words_1_memory_read_enable <= true;
-  slice0cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_read_column, 10);
-  slice0cost_read_words_1_memory_write_address <= to_unsigned(slice2cost_change_column, 10);
-  slice0cost_read_words_1_memory_write_data <= slice0cost_write_words(1);
-  slice0cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 640, width => 32, address_bits => 10)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_1_memory_read_enable,
-      read_address => slice0cost_read_words_1_memory_read_address, read_data => slice0cost_read_words(1),
-      write_address => slice0cost_read_words_1_memory_write_address, write_data => slice0cost_read_words_1_memory_write_data);
-
-  slice0cost_read_words_0_memory_read_enable <= true;
-  slice0cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_read_column, 10);
-  slice0cost_read_words_0_memory_write_address <= to_unsigned(slice2cost_change_column, 10);
-  slice0cost_read_words_0_memory_write_data <= slice0cost_write_words(0);
-  slice0cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 32, address_bits => 10)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_0_memory_read_enable,
-      read_address => slice0cost_read_words_0_memory_read_address, read_data => slice0cost_read_words(0),
-      write_address => slice0cost_read_words_0_memory_write_address, write_data => slice0cost_read_words_0_memory_write_data);
-
-  rows_search_rows_read_words_8_memory_read_enable <= true;
-  rows_search_rows_read_words_8_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_search_rows_read_words_8_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_search_rows_read_words_8_memory_write_data <= to_unsigned(rows_search_rows_write_words(8), 26);
-  rows_search_rows_read_words_8_memory : entity work.line_memory
-    generic map (depth => 640, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_8_memory_read_enable,
-      read_address => rows_search_rows_read_words_8_memory_read_address, read_data => rows_search_rows_read_words(8),
-      write_address => rows_search_rows_read_words_8_memory_write_address, write_data => rows_search_rows_read_words_8_memory_write_data);
-
-  rows_search_rows_read_words_7_memory_read_enable <= true;
-  rows_search_rows_read_words_7_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_search_rows_read_words_7_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_search_rows_read_words_7_memory_write_data <= to_unsigned(rows_search_rows_write_words(7), 26);
-  rows_search_rows_read_words_7_memory : entity work.line_memory
-    generic map (depth => 640, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_7_memory_read_enable,
-      read_address => rows_search_rows_read_words_7_memory_read_address, read_data => rows_search_rows_read_words(7),
-      write_address => rows_search_rows_read_words_7_memory_write_address, write_data => rows_search_rows_read_words_7_memory_write_data);
-
-  rows_search_rows_read_words_6_memory_read_enable <= true;
-  rows_search_rows_read_words_6_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_search_rows_read_words_6_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_search_rows_read_words_6_memory_write_data <= to_unsigned(rows_search_rows_write_words(6), 26);
-  rows_search_rows_read_words_6_memory : entity work.line_memory
-    generic map (depth => 640, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_6_memory_read_enable,
-      read_address => rows_search_rows_read_words_6_memory_read_address, read_data => rows_search_rows_read_words(6),
-      write_address => rows_search_rows_read_words_6_memory_write_address, write_data => rows_search_rows_read_words_6_memory_write_data);
-
-  rows_search_rows_read_words_5_memory_read_enable <= true;
-  rows_search_rows_read_words_5_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_search_rows_read_words_5_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_search_rows_read_words_5_memory_write_data <= to_unsigned(rows_search_rows_write_words(5), 26);
-  rows_search_rows_read_words_5_memory : entity work.line_memory
-    generic map (depth => 640, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_5_memory_read_enable,
-      read_address => rows_search_rows_read_words_5_memory_read_address, read_data => rows_search_rows_read_words(5),
-      write_address => rows_search_rows_read_words_5_memory_write_address, write_data => rows_search_rows_read_words_5_memory_write_data);
-
-  rows_search_rows_read_words_4_memory_read_enable <= true;
-  rows_search_rows_read_words_4_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_search_rows_read_words_4_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_search_rows_read_words_4_memory_write_data <= to_unsigned(rows_search_rows_write_words(4), 26);
-  rows_search_rows_read_words_4_memory : entity work.line_memory
-    generic map (depth => 640, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_4_memory_read_enable,
-      read_address => rows_search_rows_read_words_4_memory_read_address, read_data => rows_search_rows_read_words(4),
-      write_address => rows_search_rows_read_words_4_memory_write_address, write_data => rows_search_rows_read_words_4_memory_write_data);
-
-  rows_search_rows_read_words_3_memory_read_enable <= true;
-  rows_search_rows_read_words_3_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_search_rows_read_words_3_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_search_rows_read_words_3_memory_write_data <= to_unsigned(rows_search_rows_write_words(3), 26);
-  rows_search_rows_read_words_3_memory : entity work.line_memory
-    generic map (depth => 640, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_3_memory_read_enable,
-      read_address => rows_search_rows_read_words_3_memory_read_address, read_data => rows_search_rows_read_words(3),
-      write_address => rows_search_rows_read_words_3_memory_write_address, write_data => rows_search_rows_read_words_3_memory_write_data);
-
-  rows_search_rows_read_words_2_memory_read_enable <= true;
-  rows_search_rows_read_words_2_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_search_rows_read_words_2_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_search_rows_read_words_2_memory_write_data <= to_unsigned(rows_search_rows_write_words(2), 26);
-  rows_search_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 640, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_2_memory_read_enable,
-      read_address => rows_search_rows_read_words_2_memory_read_address, read_data => rows_search_rows_read_words(2),
-      write_address => rows_search_rows_read_words_2_memory_write_address, write_data => rows_search_rows_read_words_2_memory_write_data);
-
-  rows_search_rows_read_words_1_memory_read_enable <= true;
-  rows_search_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_search_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words(1), 26);
-  rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 640, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_1_memory_read_enable,
-      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words(1),
-      write_address => rows_search_rows_read_words_1_memory_write_address, write_data => rows_search_rows_read_words_1_memory_write_data);
-
-  rows_search_rows_read_words_0_memory_read_enable <= true;
-  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words(0), 26);
-  rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
-      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words(0),
-      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
-
-  rows_reference_rows_read_words_8_memory_read_enable <= true;
-  rows_reference_rows_read_words_8_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_reference_rows_read_words_8_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_reference_rows_read_words_8_memory_write_data <= to_unsigned(rows_reference_rows_write_words(8), 26);
-  rows_reference_rows_read_words_8_memory : entity work.line_memory
-    generic map (depth => 640, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_8_memory_read_enable,
-      read_address => rows_reference_rows_read_words_8_memory_read_address, read_data => rows_reference_rows_read_words(8),
-      write_address => rows_reference_rows_read_words_8_memory_write_address, write_data => rows_reference_rows_read_words_8_memory_write_data);
-
-  rows_reference_rows_read_words_7_memory_read_enable <= true;
-  rows_reference_rows_read_words_7_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_reference_rows_read_words_7_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_reference_rows_read_words_7_memory_write_data <= to_unsigned(rows_reference_rows_write_words(7), 26);
-  rows_reference_rows_read_words_7_memory : entity work.line_memory
-    generic map (depth => 640, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_7_memory_read_enable,
-      read_address => rows_reference_rows_read_words_7_memory_read_address, read_data => rows_reference_rows_read_words(7),
-      write_address => rows_reference_rows_read_words_7_memory_write_address, write_data => rows_reference_rows_read_words_7_memory_write_data);
-
-  rows_reference_rows_read_words_6_memory_read_enable <= true;
-  rows_reference_rows_read_words_6_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_reference_rows_read_words_6_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_reference_rows_read_words_6_memory_write_data <= to_unsigned(rows_reference_rows_write_words(6), 26);
-  rows_reference_rows_read_words_6_memory : entity work.line_memory
-    generic map (depth => 640, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_6_memory_read_enable,
-      read_address => rows_reference_rows_read_words_6_memory_read_address, read_data => rows_reference_rows_read_words(6),
-      write_address => rows_reference_rows_read_words_6_memory_write_address, write_data => rows_reference_rows_read_words_6_memory_write_data);
-
-  rows_reference_rows_read_words_5_memory_read_enable <= true;
-  rows_reference_rows_read_words_5_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_reference_rows_read_words_5_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_reference_rows_read_words_5_memory_write_data <= to_unsigned(rows_reference_rows_write_words(5), 26);
-  rows_reference_rows_read_words_5_memory : entity work.line_memory
-    generic map (depth => 640, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_5_memory_read_enable,
-      read_address => rows_reference_rows_read_words_5_memory_read_address, read_data => rows_reference_rows_read_words(5),
-      write_address => rows_reference_rows_read_words_5_memory_write_address, write_data => rows_reference_rows_read_words_5_memory_write_data);
-
-  rows_reference_rows_read_words_4_memory_read_enable <= true;
-  rows_reference_rows_read_words_4_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_reference_rows_read_words_4_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_reference_rows_read_words_4_memory_write_data <= to_unsigned(rows_reference_rows_write_words(4), 26);
-  rows_reference_rows_read_words_4_memory : entity work.line_memory
-    generic map (depth => 640, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_4_memory_read_enable,
-      read_address => rows_reference_rows_read_words_4_memory_read_address, read_data => rows_reference_rows_read_words(4),
-      write_address => rows_reference_rows_read_words_4_memory_write_address, write_data => rows_reference_rows_read_words_4_memory_write_data);
-
-  rows_reference_rows_read_words_3_memory_read_enable <= true;
-  rows_reference_rows_read_words_3_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_reference_rows_read_words_3_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_reference_rows_read_words_3_memory_write_data <= to_unsigned(rows_reference_rows_write_words(3), 26);
-  rows_reference_rows_read_words_3_memory : entity work.line_memory
-    generic map (depth => 640, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_3_memory_read_enable,
-      read_address => rows_reference_rows_read_words_3_memory_read_address, read_data => rows_reference_rows_read_words(3),
-      write_address => rows_reference_rows_read_words_3_memory_write_address, write_data => rows_reference_rows_read_words_3_memory_write_data);
-
-  rows_reference_rows_read_words_2_memory_read_enable <= true;
-  rows_reference_rows_read_words_2_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_reference_rows_read_words_2_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_reference_rows_read_words_2_memory_write_data <= to_unsigned(rows_reference_rows_write_words(2), 26);
-  rows_reference_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 640, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_2_memory_read_enable,
-      read_address => rows_reference_rows_read_words_2_memory_read_address, read_data => rows_reference_rows_read_words(2),
-      write_address => rows_reference_rows_read_words_2_memory_write_address, write_data => rows_reference_rows_read_words_2_memory_write_data);
-
-  rows_reference_rows_read_words_1_memory_read_enable <= true;
-  rows_reference_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_reference_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words(1), 26);
-  rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 640, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_1_memory_read_enable,
-      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words(1),
-      write_address => rows_reference_rows_read_words_1_memory_write_address, write_data => rows_reference_rows_read_words_1_memory_write_data);
-
-  rows_reference_rows_read_words_0_memory_read_enable <= true;
-  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words(0), 26);
-  rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
-      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words(0),
-      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
+  rows_reference_rows_read_words_memory : for i in 8 downto 0 generate
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(25 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 10);
+    write_address <= to_unsigned(rows_write_column, 10);
+    write_data <= to_unsigned(rows_reference_rows_write_words(i), 26);
+    cell : entity work.line_memory
+      generic map (depth => 640, width => 26, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_reference_rows_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
 
   process (clock)
-    variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
+    variable transform_counter_group_is_equals : boolean_1d(1 to 2);  -- transform_counter_group_is_equal_#
     variable transform_counter_group_all, transform_counter_group_differs : boolean;
-    variable transform_read_column_inside_0_is_less, transform_left_filter_feature_0_value : boolean;
-    variable transform_left_filter_feature_0_any, transform_left_filter_feature_0_choice : boolean;
+    variable transform_read_column_inside_0_is_less : boolean;
+    variable transform_left_filter_feature_0_values : boolean_1d(1 to 11);  -- transform_left_filter_feature_0_value_#
+    variable transform_left_filter_feature_0_any : boolean;
+    variable transform_left_filter_feature_0_choices : boolean_1d(1 to 212);  -- transform_left_filter_feature_0_choice_#
     variable transform_left_filter_feature_0_is_equal : boolean;
-    variable transform_left_filter_feature_0_choices : boolean_1d(2 to 200);  -- transform_left_filter_feature_0_choice_#
-    variable transform_left_filter_feature_0_values : boolean_1d(2 to 11);  -- transform_left_filter_feature_0_value_#
-    variable transform_left_filter_feature_0_choices_from_205 : boolean_1d(205 to 212);  -- transform_left_filter_feature_0_choice_#
-    variable transform_right_filter_feature_0_value, transform_right_filter_feature_0_any : boolean;
-    variable transform_right_filter_feature_0_choice, transform_right_filter_feature_0_is_equal : boolean;
-    variable transform_right_filter_feature_0_choices : boolean_1d(2 to 200);  -- transform_right_filter_feature_0_choice_#
-    variable transform_right_filter_feature_0_values : boolean_1d(2 to 11);  -- transform_right_filter_feature_0_value_#
-    variable transform_right_filter_feature_0_choices_from_205 : boolean_1d(205 to 212);  -- transform_right_filter_feature_0_choice_#
-    variable transform_counter_next_frame_choice, transform_counter_next_frame_choice_2 : boolean;
+    variable transform_right_filter_feature_0_values : boolean_1d(1 to 11);  -- transform_right_filter_feature_0_value_#
+    variable transform_right_filter_feature_0_any : boolean;
+    variable transform_right_filter_feature_0_choices : boolean_1d(1 to 212);  -- transform_right_filter_feature_0_choice_#
+    variable transform_right_filter_feature_0_is_equal : boolean;
+    variable transform_counter_next_frame_choices : boolean_1d(1 to 2);  -- transform_counter_next_frame_choice_#
     variable raster_place_group_is_equal, delay_tag_map_column_is_less, delay_tag_first_column_is_equal : boolean;
-    variable slice0cost_pixels_first_0_count_value : boolean_2d(0 to 1, 0 to 8);  -- slice0cost_pixels_first_#_0_count_#_value
-    variable slice0cost_pixels_first_0_count_value_2 : boolean_2d(0 to 1, 0 to 7);  -- slice0cost_pixels_first_#_0_count_#_value_2
-    variable slice0cost_pixels_first_0_count_1_value_3 : boolean_1d(0 to 1);  -- slice0cost_pixels_first_#_0_count_1_value_3
-    variable slice0cost_pixels_first_0_count_value_3 : boolean_2d(0 to 1, 3 to 7);  -- slice0cost_pixels_first_#_0_count_#_value_3
+    variable slice0cost_pixels_first_0_count_value : boolean_3d(0 to 1, 0 to 8, 1 to 3);  -- slice0cost_pixels_first_#_0_count_#_value_#
     variable slice0other_cost_0_1_all : boolean;
     variable slice0other_cost_0_choice : boolean_1d(1 to 14);  -- slice0other_cost_0_#_choice
     variable slice0other_cost_0_15_all : boolean;
@@ -1586,10 +817,7 @@ begin
     variable slice0winner3_best_above_0_is_equal : boolean_1d(0 to 1);  -- slice0winner3_best_above_0_#_is_equal
     variable slice0winner4_best_cost_0_0_is_less, slice0winner4_best_below_0_0_is_equal : boolean;
     variable slice0winner4_best_above_0_0_is_equal : boolean;
-    variable slice1cost_pixels_first_0_count_value : boolean_2d(0 to 1, 0 to 8);  -- slice1cost_pixels_first_#_0_count_#_value
-    variable slice1cost_pixels_first_0_count_value_2 : boolean_2d(0 to 1, 0 to 7);  -- slice1cost_pixels_first_#_0_count_#_value_2
-    variable slice1cost_pixels_first_0_count_1_value_3 : boolean_1d(0 to 1);  -- slice1cost_pixels_first_#_0_count_1_value_3
-    variable slice1cost_pixels_first_0_count_value_3 : boolean_2d(0 to 1, 3 to 7);  -- slice1cost_pixels_first_#_0_count_#_value_3
+    variable slice1cost_pixels_first_0_count_value : boolean_3d(0 to 1, 0 to 8, 1 to 3);  -- slice1cost_pixels_first_#_0_count_#_value_#
     variable slice1other_cost_0_0_any : boolean;
     variable slice1other_cost_0_choice : boolean_1d(0 to 14);  -- slice1other_cost_0_#_choice
     variable slice1other_cost_0_15_any : boolean;
@@ -1602,10 +830,7 @@ begin
     variable slice1winner4_best_cost_0_0_is_less, slice1winner4_best_below_0_0_is_equal : boolean;
     variable slice1winner4_best_above_0_0_is_equal, slice1_best_cost_0_0_is_less : boolean;
     variable slice1_best_below_0_0_is_equal, slice1_best_above_0_0_is_equal : boolean;
-    variable slice2cost_pixels_first_0_count_value : boolean_2d(0 to 1, 0 to 8);  -- slice2cost_pixels_first_#_0_count_#_value
-    variable slice2cost_pixels_first_0_count_value_2 : boolean_2d(0 to 1, 0 to 7);  -- slice2cost_pixels_first_#_0_count_#_value_2
-    variable slice2cost_pixels_first_0_count_1_value_3 : boolean_1d(0 to 1);  -- slice2cost_pixels_first_#_0_count_1_value_3
-    variable slice2cost_pixels_first_0_count_value_3 : boolean_2d(0 to 1, 3 to 7);  -- slice2cost_pixels_first_#_0_count_#_value_3
+    variable slice2cost_pixels_first_0_count_value : boolean_3d(0 to 1, 0 to 8, 1 to 3);  -- slice2cost_pixels_first_#_0_count_#_value_#
     variable slice2other_cost_0_0_any : boolean;
     variable slice2other_cost_0_choice : boolean_1d(0 to 14);  -- slice2other_cost_0_#_choice
     variable slice2other_cost_0_15_any : boolean;
@@ -1618,10 +843,7 @@ begin
     variable slice2winner4_best_cost_0_0_is_less, slice2winner4_best_below_0_0_is_equal : boolean;
     variable slice2winner4_best_above_0_0_is_equal, slice2_best_cost_0_0_is_less : boolean;
     variable slice2_best_below_0_0_is_equal, slice2_best_above_0_0_is_equal : boolean;
-    variable slice3cost_pixels_first_0_count_value : boolean_2d(0 to 1, 0 to 8);  -- slice3cost_pixels_first_#_0_count_#_value
-    variable slice3cost_pixels_first_0_count_value_2 : boolean_2d(0 to 1, 0 to 7);  -- slice3cost_pixels_first_#_0_count_#_value_2
-    variable slice3cost_pixels_first_0_count_1_value_3 : boolean_1d(0 to 1);  -- slice3cost_pixels_first_#_0_count_1_value_3
-    variable slice3cost_pixels_first_0_count_value_3 : boolean_2d(0 to 1, 3 to 7);  -- slice3cost_pixels_first_#_0_count_#_value_3
+    variable slice3cost_pixels_first_0_count_value : boolean_3d(0 to 1, 0 to 8, 1 to 3);  -- slice3cost_pixels_first_#_0_count_#_value_#
     variable slice3other_cost_0_0_any : boolean;
     variable slice3other_cost_0_choice : boolean_1d(0 to 14);  -- slice3other_cost_0_#_choice
     variable slice3winner1_best_cost_0_is_less : boolean_1d(0 to 7);  -- slice3winner1_best_cost_0_#_is_less
@@ -1634,11 +856,11 @@ begin
     variable slice3winner4_best_above_0_0_is_equal, slice3_best_cost_0_0_is_less : boolean;
     variable slice3_best_below_0_0_is_equal, slice3_best_above_0_0_is_equal, refinement_divisor_0_0_is_less : boolean;
     variable leftright_holds_winners_choice, leftright_checked_tag_row_start_differs : boolean;
-    variable leftright_checked_tag_row_start_is_equal, leftright_checked_tag_row_start_choice : boolean;
-    variable leftright_checked_tag_row_start_choices : boolean_1d(2 to 3);  -- leftright_checked_tag_row_start_choice_#
-    variable leftright_checked_tag_row_start_is_equal_2, leftright_checked_tag_row_start_all : boolean;
-    variable leftright_checked_tag_row_start_all_2, map_counter_group_is_equal, map_line_ended_choice : boolean;
-    variable map_at_arrives_value, map_window_complete_is_equal, map_window_complete_choice : boolean;
+    variable leftright_checked_tag_row_start_is_equals : boolean_1d(1 to 2);  -- leftright_checked_tag_row_start_is_equal_#
+    variable leftright_checked_tag_row_start_choices : boolean_1d(1 to 3);  -- leftright_checked_tag_row_start_choice_#
+    variable leftright_checked_tag_row_start_alls : boolean_1d(1 to 2);  -- leftright_checked_tag_row_start_all_#
+    variable map_counter_group_is_equal, map_line_ended_choice, map_at_arrives_value : boolean;
+    variable map_window_complete_is_equal, map_window_complete_choice : boolean;
     variable map_low_0_all : boolean_1d(0 to 1);  -- map_low_#_0_all
     variable transform_counter_group_choice, map_counter_group_choice : natural range 0 to 15;
     variable transform_counter_group_choices : natural_511_1d(2 to 3);  -- transform_counter_group_choice_#
@@ -1654,60 +876,45 @@ begin
     variable slice0window_sum_0_choice : natural_4095_1d(0 to 15);  -- slice0window_sum_0_#_choice
     variable slice0winner2_best_below_0_choice : natural_4095_1d(0 to 3);  -- slice0winner2_best_below_0_#_choice
     variable slice0winner2_best_above_0_choice : natural_4095_1d(0 to 3);  -- slice0winner2_best_above_0_#_choice
-    variable slice0winner2_best_second_0_choice : natural_4095_1d(0 to 3);  -- slice0winner2_best_second_0_#_choice
-    variable slice0winner2_best_second_0_choices : natural_4095_2d(0 to 3, 2 to 4);  -- slice0winner2_best_second_0_#_choice_#
+    variable slice0winner2_best_second_0_choice : natural_4095_2d(0 to 3, 1 to 4);  -- slice0winner2_best_second_0_#_choice_#
     variable slice0winner3_best_below_0_choice : natural_4095_1d(0 to 1);  -- slice0winner3_best_below_0_#_choice
     variable slice0winner3_best_above_0_choice : natural_4095_1d(0 to 1);  -- slice0winner3_best_above_0_#_choice
-    variable slice0winner3_best_second_0_choice : natural_4095_1d(0 to 1);  -- slice0winner3_best_second_0_#_choice
-    variable slice0winner3_best_second_0_choices : natural_4095_2d(0 to 1, 2 to 4);  -- slice0winner3_best_second_0_#_choice_#
+    variable slice0winner3_best_second_0_choice : natural_4095_2d(0 to 1, 1 to 4);  -- slice0winner3_best_second_0_#_choice_#
     variable slice0winner4_best_below_0_0_choice, slice0winner4_best_above_0_0_choice : natural range 0 to 4095;
-    variable slice0winner4_best_second_0_0_choice : natural range 0 to 4095;
-    variable slice0winner4_best_second_0_0_choices : natural_4095_1d(2 to 4);  -- slice0winner4_best_second_0_0_choice_#
+    variable slice0winner4_best_second_0_0_choices : natural_4095_1d(1 to 4);  -- slice0winner4_best_second_0_0_choice_#
     variable slice1window_sum_0_choice : natural_4095_1d(0 to 15);  -- slice1window_sum_0_#_choice
     variable slice1winner2_best_below_0_choice : natural_4095_1d(0 to 3);  -- slice1winner2_best_below_0_#_choice
     variable slice1winner2_best_above_0_choice : natural_4095_1d(0 to 3);  -- slice1winner2_best_above_0_#_choice
-    variable slice1winner2_best_second_0_choice : natural_4095_1d(0 to 3);  -- slice1winner2_best_second_0_#_choice
-    variable slice1winner2_best_second_0_choices : natural_4095_2d(0 to 3, 2 to 4);  -- slice1winner2_best_second_0_#_choice_#
+    variable slice1winner2_best_second_0_choice : natural_4095_2d(0 to 3, 1 to 4);  -- slice1winner2_best_second_0_#_choice_#
     variable slice1winner3_best_below_0_choice : natural_4095_1d(0 to 1);  -- slice1winner3_best_below_0_#_choice
     variable slice1winner3_best_above_0_choice : natural_4095_1d(0 to 1);  -- slice1winner3_best_above_0_#_choice
-    variable slice1winner3_best_second_0_choice : natural_4095_1d(0 to 1);  -- slice1winner3_best_second_0_#_choice
-    variable slice1winner3_best_second_0_choices : natural_4095_2d(0 to 1, 2 to 4);  -- slice1winner3_best_second_0_#_choice_#
+    variable slice1winner3_best_second_0_choice : natural_4095_2d(0 to 1, 1 to 4);  -- slice1winner3_best_second_0_#_choice_#
     variable slice1winner4_best_below_0_0_choice, slice1winner4_best_above_0_0_choice : natural range 0 to 4095;
-    variable slice1winner4_best_second_0_0_choice : natural range 0 to 4095;
-    variable slice1winner4_best_second_0_0_choices : natural_4095_1d(2 to 4);  -- slice1winner4_best_second_0_0_choice_#
+    variable slice1winner4_best_second_0_0_choices : natural_4095_1d(1 to 4);  -- slice1winner4_best_second_0_0_choice_#
     variable slice1_best_below_0_0_choice, slice1_best_above_0_0_choice : natural range 0 to 4095;
-    variable slice1_best_second_0_0_choice : natural range 0 to 4095;
-    variable slice1_best_second_0_0_choices : natural_4095_1d(2 to 4);  -- slice1_best_second_0_0_choice_#
+    variable slice1_best_second_0_0_choices : natural_4095_1d(1 to 4);  -- slice1_best_second_0_0_choice_#
     variable slice2window_sum_0_choice : natural_4095_1d(0 to 15);  -- slice2window_sum_0_#_choice
     variable slice2winner2_best_below_0_choice : natural_4095_1d(0 to 3);  -- slice2winner2_best_below_0_#_choice
     variable slice2winner2_best_above_0_choice : natural_4095_1d(0 to 3);  -- slice2winner2_best_above_0_#_choice
-    variable slice2winner2_best_second_0_choice : natural_4095_1d(0 to 3);  -- slice2winner2_best_second_0_#_choice
-    variable slice2winner2_best_second_0_choices : natural_4095_2d(0 to 3, 2 to 4);  -- slice2winner2_best_second_0_#_choice_#
+    variable slice2winner2_best_second_0_choice : natural_4095_2d(0 to 3, 1 to 4);  -- slice2winner2_best_second_0_#_choice_#
     variable slice2winner3_best_below_0_choice : natural_4095_1d(0 to 1);  -- slice2winner3_best_below_0_#_choice
     variable slice2winner3_best_above_0_choice : natural_4095_1d(0 to 1);  -- slice2winner3_best_above_0_#_choice
-    variable slice2winner3_best_second_0_choice : natural_4095_1d(0 to 1);  -- slice2winner3_best_second_0_#_choice
-    variable slice2winner3_best_second_0_choices : natural_4095_2d(0 to 1, 2 to 4);  -- slice2winner3_best_second_0_#_choice_#
+    variable slice2winner3_best_second_0_choice : natural_4095_2d(0 to 1, 1 to 4);  -- slice2winner3_best_second_0_#_choice_#
     variable slice2winner4_best_below_0_0_choice, slice2winner4_best_above_0_0_choice : natural range 0 to 4095;
-    variable slice2winner4_best_second_0_0_choice : natural range 0 to 4095;
-    variable slice2winner4_best_second_0_0_choices : natural_4095_1d(2 to 4);  -- slice2winner4_best_second_0_0_choice_#
+    variable slice2winner4_best_second_0_0_choices : natural_4095_1d(1 to 4);  -- slice2winner4_best_second_0_0_choice_#
     variable slice2_best_below_0_0_choice, slice2_best_above_0_0_choice : natural range 0 to 4095;
-    variable slice2_best_second_0_0_choice : natural range 0 to 4095;
-    variable slice2_best_second_0_0_choices : natural_4095_1d(2 to 4);  -- slice2_best_second_0_0_choice_#
+    variable slice2_best_second_0_0_choices : natural_4095_1d(1 to 4);  -- slice2_best_second_0_0_choice_#
     variable slice3window_sum_0_choice : natural_4095_1d(0 to 15);  -- slice3window_sum_0_#_choice
     variable slice3winner2_best_below_0_choice : natural_4095_1d(0 to 3);  -- slice3winner2_best_below_0_#_choice
     variable slice3winner2_best_above_0_choice : natural_4095_1d(0 to 3);  -- slice3winner2_best_above_0_#_choice
-    variable slice3winner2_best_second_0_choice : natural_4095_1d(0 to 3);  -- slice3winner2_best_second_0_#_choice
-    variable slice3winner2_best_second_0_choices : natural_4095_2d(0 to 3, 2 to 4);  -- slice3winner2_best_second_0_#_choice_#
+    variable slice3winner2_best_second_0_choice : natural_4095_2d(0 to 3, 1 to 4);  -- slice3winner2_best_second_0_#_choice_#
     variable slice3winner3_best_below_0_choice : natural_4095_1d(0 to 1);  -- slice3winner3_best_below_0_#_choice
     variable slice3winner3_best_above_0_choice : natural_4095_1d(0 to 1);  -- slice3winner3_best_above_0_#_choice
-    variable slice3winner3_best_second_0_choice : natural_4095_1d(0 to 1);  -- slice3winner3_best_second_0_#_choice
-    variable slice3winner3_best_second_0_choices : natural_4095_2d(0 to 1, 2 to 4);  -- slice3winner3_best_second_0_#_choice_#
+    variable slice3winner3_best_second_0_choice : natural_4095_2d(0 to 1, 1 to 4);  -- slice3winner3_best_second_0_#_choice_#
     variable slice3winner4_best_below_0_0_choice, slice3winner4_best_above_0_0_choice : natural range 0 to 4095;
-    variable slice3winner4_best_second_0_0_choice : natural range 0 to 4095;
-    variable slice3winner4_best_second_0_0_choices : natural_4095_1d(2 to 4);  -- slice3winner4_best_second_0_0_choice_#
+    variable slice3winner4_best_second_0_0_choices : natural_4095_1d(1 to 4);  -- slice3winner4_best_second_0_0_choice_#
     variable slice3_best_below_0_0_choice, slice3_best_above_0_0_choice : natural range 0 to 4095;
-    variable slice3_best_second_0_0_choice : natural range 0 to 4095;
-    variable slice3_best_second_0_0_choices : natural_4095_1d(2 to 4);  -- slice3_best_second_0_0_choice_#
+    variable slice3_best_second_0_0_choices : natural_4095_1d(1 to 4);  -- slice3_best_second_0_0_choice_#
     variable refinement_divisor_0_0_choice, map_of_column_0_a_choice : natural range 0 to 4095;
     variable transform_left_filter_feature_0_choice_213 : natural range 0 to 8191;
     variable transform_right_filter_feature_0_choice_213 : natural range 0 to 8191;
@@ -1717,17 +924,13 @@ begin
     variable transform_right_filter_feature_0_choice_215 : natural range 0 to 1048575;
     variable transform_left_filter_feature_0_choice_216 : natural range 0 to 8388607;
     variable transform_right_filter_feature_0_choice_216 : natural range 0 to 8388607;
-    variable slice0cost_column_0_choice : natural_255_1d(0 to 15);  -- slice0cost_column_0_#_choice
-    variable slice0cost_column_0_choice_2 : natural_255_1d(0 to 15);  -- slice0cost_column_0_#_choice_2
+    variable slice0cost_column_0_choice : natural_255_2d(0 to 15, 1 to 2);  -- slice0cost_column_0_#_choice_#
     variable slice0window_change_0_choice : natural_255_1d(0 to 15);  -- slice0window_change_0_#_choice
-    variable slice1cost_column_0_choice : natural_255_1d(0 to 15);  -- slice1cost_column_0_#_choice
-    variable slice1cost_column_0_choice_2 : natural_255_1d(0 to 15);  -- slice1cost_column_0_#_choice_2
+    variable slice1cost_column_0_choice : natural_255_2d(0 to 15, 1 to 2);  -- slice1cost_column_0_#_choice_#
     variable slice1window_change_0_choice : natural_255_1d(0 to 15);  -- slice1window_change_0_#_choice
-    variable slice2cost_column_0_choice : natural_255_1d(0 to 15);  -- slice2cost_column_0_#_choice
-    variable slice2cost_column_0_choice_2 : natural_255_1d(0 to 15);  -- slice2cost_column_0_#_choice_2
+    variable slice2cost_column_0_choice : natural_255_2d(0 to 15, 1 to 2);  -- slice2cost_column_0_#_choice_#
     variable slice2window_change_0_choice : natural_255_1d(0 to 15);  -- slice2window_change_0_#_choice
-    variable slice3cost_column_0_choice : natural_255_1d(0 to 15);  -- slice3cost_column_0_#_choice
-    variable slice3cost_column_0_choice_2 : natural_255_1d(0 to 15);  -- slice3cost_column_0_#_choice_2
+    variable slice3cost_column_0_choice : natural_255_2d(0 to 15, 1 to 2);  -- slice3cost_column_0_#_choice_#
     variable slice3window_change_0_choice : natural_255_1d(0 to 15);  -- slice3window_change_0_#_choice
     variable refinement_fraction_0_choice : natural range 0 to 255;
     variable refinement_remainder_1_0_difference : natural range 4097 to 12287;
@@ -1735,1243 +938,446 @@ begin
     variable refinement_fraction_0_difference : integer range -15 to 0;
     variable refinement_fraction_0_value : natural range 0 to 16;
     variable leftright_checked_passed_0_difference : integer range -62 to 64;
-    variable map_of_column_0_c_choice, map_sorted_low_0_choice, map_sorted_low_0_choice_2 : natural range 0 to 32767;
-    variable map_sorted_middle_0_choice, map_sorted_middle_0_choice_2 : natural range 0 to 32767;
-    variable map_sorted_high_0_choice, map_sorted_high_0_choice_2, map_largest_low_0_choice : natural range 0 to 32767;
-    variable map_largest_low_0_choice_2, map_median_middle_0_choice : natural range 0 to 32767;
-    variable map_median_middle_0_choices : natural_32767_1d(2 to 4);  -- map_median_middle_0_choice_#
-    variable map_smallest_high_0_choice, map_smallest_high_0_choice_2 : natural range 0 to 32767;
-    variable map_out_disparity_0_choice : natural range 0 to 32767;
-    variable map_out_disparity_0_choices : natural_32767_1d(2 to 4);  -- map_out_disparity_0_choice_#
+    variable map_of_column_0_c_choice : natural range 0 to 32767;
+    variable map_sorted_low_0_choices : natural_32767_1d(1 to 2);  -- map_sorted_low_0_choice_#
+    variable map_sorted_middle_0_choices : natural_32767_1d(1 to 2);  -- map_sorted_middle_0_choice_#
+    variable map_sorted_high_0_choices : natural_32767_1d(1 to 2);  -- map_sorted_high_0_choice_#
+    variable map_largest_low_0_choices : natural_32767_1d(1 to 2);  -- map_largest_low_0_choice_#
+    variable map_median_middle_0_choices : natural_32767_1d(1 to 4);  -- map_median_middle_0_choice_#
+    variable map_smallest_high_0_choices : natural_32767_1d(1 to 2);  -- map_smallest_high_0_choice_#
+    variable map_out_disparity_0_choices : natural_32767_1d(1 to 4);  -- map_out_disparity_0_choice_#
     variable map_low_0_0_choice, map_middle_0_0_choice, map_high_0_0_choice : natural range 0 to 32767;
   begin
     if rising_edge(clock) then
+      -- no bit without a value, where an array has places for more
+      transform_left_filter_feature_0_choices := (others => false);
+      transform_right_filter_feature_0_choices := (others => false);
+      slice0cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice1cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice2cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice3cost_pixels_first_0_count_value := (others => (others => (others => false)));
       -- transform
-      transform_counter_group_is_equal := transform_counter_group = 479;
-      transform_counter_group_is_equal_2 := transform_counter_column = 639;
-      transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
-      if transform_counter_group_all then
-        transform_counter_group_choice := 15;
-      else
-        transform_counter_group_choice := 0;
-      end if;
+      transform_counter_group_is_equals(1) := transform_counter_group = 479;
+      transform_counter_group_is_equals(2) := transform_counter_column = 639;
+      transform_counter_group_all := transform_counter_group_is_equals(1) and transform_counter_group_is_equals(2);
+      transform_counter_group_choice := choice(transform_counter_group_all, 15, 0);
       transform_counter_group_differs := transform_counter_group /= 481;
-      if (transform_counter_group = 480) and transform_counter_next_frame then
-        transform_counter_group_choices(2) := 1;
-      else
-        transform_counter_group_choices(2) := (transform_counter_group + 1) mod 512;
-      end if;
-      if transform_counter_group_differs and in_valid and transform_counter_group_is_equal_2 then
-        transform_counter_group_choices(3) := transform_counter_group_choices(2);
-      else
-        transform_counter_group_choices(3) := transform_counter_group;
-      end if;
+      transform_counter_group_choices(2) := choice((transform_counter_group = 480) and transform_counter_next_frame, 1,
+        (transform_counter_group + 1) mod 512);
+      transform_counter_group_choices(3) := choice(transform_counter_group_differs and in_valid and
+        transform_counter_group_is_equals(2), transform_counter_group_choices(2), transform_counter_group);
       transform_read_column_inside_0_is_less := 3 < transform_counter_column;
-      transform_left_filter_feature_0_value := is_set(transform_left_filter_column(4, 1), 1);
-      transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_value) or (not
+      transform_left_filter_feature_0_values(1) := is_set(transform_left_filter_column(4, 1), 1);
+      transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_values(1)) or (not
         is_set(transform_left_filter_column(4, 1), 0));
-      if is_set(transform_left_filter_column(8, 0), 0) then
-        transform_left_filter_feature_0_choice := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice := not transform_left_filter_feature_0_value;
-      end if;
+      transform_left_filter_feature_0_choices(1) := choice(is_set(transform_left_filter_column(8, 0), 0),
+        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
       transform_left_filter_feature_0_is_equal := (transform_left_filter_column(4, 1) mod 4) = 0;
-      if is_set(transform_left_filter_column(8, 0), 1) then
-        transform_left_filter_feature_0_choices(2) := transform_left_filter_feature_0_choice;
-      else
-        transform_left_filter_feature_0_choices(2) := is_set(transform_left_filter_column(8, 0), 0) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
+      transform_left_filter_feature_0_choices(2) := choice(is_set(transform_left_filter_column(8, 0), 1),
+        transform_left_filter_feature_0_choices(1), is_set(transform_left_filter_column(8, 0), 0) and
+        transform_left_filter_feature_0_is_equal);
       transform_left_filter_feature_0_values(2) := is_set(transform_left_filter_column(4, 1), 2);
-      if transform_left_filter_feature_0_choices(2) then
-        transform_left_filter_feature_0_choices(3) := (not is_set(transform_left_filter_column(8, 0), 2)) and
-          transform_left_filter_feature_0_values(2);
-      else
-        transform_left_filter_feature_0_choices(3) := (not is_set(transform_left_filter_column(8, 0), 2)) or
-          transform_left_filter_feature_0_values(2);
-      end if;
+      transform_left_filter_feature_0_choices(3) := inverted_carry(transform_left_filter_feature_0_choices(2), not
+        is_set(transform_left_filter_column(8, 0), 2), transform_left_filter_feature_0_values(2));
       for i in 3 to 6 loop
         transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(4, 1), i);
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(8, 0), i)) or
-            transform_left_filter_feature_0_values(i);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(8, 0), i)) and
-            transform_left_filter_feature_0_values(i);
-        end if;
+        transform_left_filter_feature_0_choices(i + 1) := carry(transform_left_filter_feature_0_choices(i), not
+          is_set(transform_left_filter_column(8, 0), i), transform_left_filter_feature_0_values(i));
       end loop;
       for i in 0 to 1 loop
-        if transform_left_filter_feature_0_choices(8 * i + 7) then
-          transform_left_filter_feature_0_choices(8 * i + 8) := is_set(transform_left_filter_column(8, i), 7) and (not
-            is_set(transform_left_filter_column(4, 1), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 8) := is_set(transform_left_filter_column(8, i), 7) or (not
-            is_set(transform_left_filter_column(4, 1), 7));
-        end if;
-        if is_set(transform_left_filter_column(8, i + 1), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 9) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 9) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(8, i + 1), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 10) := transform_left_filter_feature_0_choices(8 * i + 9);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 10) := is_set(transform_left_filter_column(8, i + 1), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 10) then
-          transform_left_filter_feature_0_choices(8 * i + 11) := (not is_set(transform_left_filter_column(8, i + 1),
-            2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 11) := (not is_set(transform_left_filter_column(8, i + 1),
-            2)) or transform_left_filter_feature_0_values(2);
-        end if;
+        transform_left_filter_feature_0_choices(8 * i + 8) := inverted_carry(transform_left_filter_feature_0_choices(8
+          * i + 7), is_set(transform_left_filter_column(8, i), 7), not is_set(transform_left_filter_column(4, 1), 7));
+        transform_left_filter_feature_0_choices(8 * i + 9) := choice(is_set(transform_left_filter_column(8, i + 1), 0),
+          transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(8 * i + 10) := choice(is_set(transform_left_filter_column(8, i + 1),
+          1), transform_left_filter_feature_0_choices(8 * i + 9), is_set(transform_left_filter_column(8, i + 1), 0) and
+          transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(8 * i + 11) := inverted_carry(transform_left_filter_feature_0_choices(8
+          * i + 10), not is_set(transform_left_filter_column(8, i + 1), 2), transform_left_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 8) then
-            transform_left_filter_feature_0_choices(8 * i + j + 9) := (not is_set(transform_left_filter_column(8, i +
-              1), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 9) := (not is_set(transform_left_filter_column(8, i +
-              1), j)) and transform_left_filter_feature_0_values(j);
-          end if;
+          transform_left_filter_feature_0_choices(8 * i + j + 9) := carry(transform_left_filter_feature_0_choices(8 * i
+            + j + 8), not is_set(transform_left_filter_column(8, i + 1), j), transform_left_filter_feature_0_values(j));
         end loop;
       end loop;
-      for i in 0 to 1 loop
-        if transform_left_filter_feature_0_choices(8 * i + 23) then
-          transform_left_filter_feature_0_choices(8 * i + 24) := is_set(transform_left_filter_column(8 - i, 2 - 2 * i),
-            7) and (not is_set(transform_left_filter_column(4, 1), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 24) := is_set(transform_left_filter_column(8 - i, 2 - 2 * i),
-            7) or (not is_set(transform_left_filter_column(4, 1), 7));
-        end if;
-        if is_set(transform_left_filter_column(7, i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 25) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 25) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(7, i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 26) := transform_left_filter_feature_0_choices(8 * i + 25);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 26) := is_set(transform_left_filter_column(7, i), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 26) then
-          transform_left_filter_feature_0_choices(8 * i + 27) := (not is_set(transform_left_filter_column(7, i), 2))
-            and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 27) := (not is_set(transform_left_filter_column(7, i), 2)) or
-            transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 24) then
-            transform_left_filter_feature_0_choices(8 * i + j + 25) := (not is_set(transform_left_filter_column(7, i),
-              j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 25) := (not is_set(transform_left_filter_column(7, i),
-              j)) and transform_left_filter_feature_0_values(j);
-          end if;
+      transform_left_filter_feature_0_choices(24) := inverted_carry(transform_left_filter_feature_0_choices(23),
+        is_set(transform_left_filter_column(8, 2), 7), not is_set(transform_left_filter_column(4, 1), 7));
+      for i in 0 to 2 loop
+        for j in 0 to 2 loop
+          transform_left_filter_feature_0_choices(24 * i + 8 * j + 25) := choice(is_set(transform_left_filter_column(7
+            - i, j), 0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+          transform_left_filter_feature_0_choices(24 * i + 8 * j + 26) := choice(is_set(transform_left_filter_column(7
+            - i, j), 1), transform_left_filter_feature_0_choices(24 * i + 8 * j + 25),
+            is_set(transform_left_filter_column(7 - i, j), 0) and transform_left_filter_feature_0_is_equal);
+          transform_left_filter_feature_0_choices(24 * i + 8 * j + 27) :=
+            inverted_carry(transform_left_filter_feature_0_choices(24 * i + 8 * j + 26), not
+            is_set(transform_left_filter_column(7 - i, j), 2), transform_left_filter_feature_0_values(2));
+          for k in 3 to 6 loop
+            transform_left_filter_feature_0_choices(24 * i + 8 * j + k + 25) :=
+              carry(transform_left_filter_feature_0_choices(24 * i + 8 * j + k + 24), not
+              is_set(transform_left_filter_column(7 - i, j), k), transform_left_filter_feature_0_values(k));
+          end loop;
+          transform_left_filter_feature_0_choices(24 * i + 8 * j + 32) :=
+            inverted_carry(transform_left_filter_feature_0_choices(24 * i + 8 * j + 31),
+            is_set(transform_left_filter_column(7 - i, j), 7), not is_set(transform_left_filter_column(4, 1), 7));
         end loop;
+      end loop;
+      transform_left_filter_feature_0_choices(97) := choice(is_set(transform_left_filter_column(4, 2), 0),
+        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(98) := choice(is_set(transform_left_filter_column(4, 2), 1),
+        transform_left_filter_feature_0_choices(97), is_set(transform_left_filter_column(4, 2), 0) and
+        transform_left_filter_feature_0_is_equal);
+      transform_left_filter_feature_0_choices(99) := inverted_carry(transform_left_filter_feature_0_choices(98), not
+        is_set(transform_left_filter_column(4, 2), 2), transform_left_filter_feature_0_values(2));
+      for i in 100 to 103 loop
+        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
+          is_set(transform_left_filter_column(4, 2), i - 97), transform_left_filter_feature_0_values(i - 97));
+      end loop;
+      transform_left_filter_feature_0_choices(104) := choice(transform_left_filter_feature_0_choices(103),
+        transform_filtering_0_column_inside(4) and is_set(transform_left_filter_column(4, 2), 7) and (not
+        is_set(transform_left_filter_column(4, 1), 7)), transform_filtering_0_column_inside(4) and
+        (is_set(transform_left_filter_column(4, 2), 7) or (not is_set(transform_left_filter_column(4, 1), 7))));
+      for i in 0 to 2 loop
+        transform_left_filter_feature_0_choices(24 * i + 105) := choice(is_set(transform_left_filter_column(3 - i, 1),
+          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(24 * i + 106) := choice(is_set(transform_left_filter_column(3 - i, 1),
+          1), transform_left_filter_feature_0_choices(24 * i + 105), is_set(transform_left_filter_column(3 - i, 1), 0)
+          and transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(24 * i + 107) :=
+          inverted_carry(transform_left_filter_feature_0_choices(24 * i + 106), not
+          is_set(transform_left_filter_column(3 - i, 1), 2), transform_left_filter_feature_0_values(2));
+        for j in 3 to 6 loop
+          transform_left_filter_feature_0_choices(24 * i + j + 105) := carry(transform_left_filter_feature_0_choices(24
+            * i + j + 104), not is_set(transform_left_filter_column(3 - i, 1), j),
+            transform_left_filter_feature_0_values(j));
+        end loop;
+        transform_left_filter_feature_0_choices(24 * i + 112) :=
+          inverted_carry(transform_left_filter_feature_0_choices(24 * i + 111), is_set(transform_left_filter_column(3 -
+          i, 1), 7), not is_set(transform_left_filter_column(4, 1), 7));
+        transform_left_filter_feature_0_choices(24 * i + 113) := choice(is_set(transform_left_filter_column(3 - i, 2),
+          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(24 * i + 114) := choice(is_set(transform_left_filter_column(3 - i, 2),
+          1), transform_left_filter_feature_0_choices(24 * i + 113), is_set(transform_left_filter_column(3 - i, 2), 0)
+          and transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(24 * i + 115) :=
+          inverted_carry(transform_left_filter_feature_0_choices(24 * i + 114), not
+          is_set(transform_left_filter_column(3 - i, 2), 2), transform_left_filter_feature_0_values(2));
+        for j in 3 to 6 loop
+          transform_left_filter_feature_0_choices(24 * i + j + 113) := carry(transform_left_filter_feature_0_choices(24
+            * i + j + 112), not is_set(transform_left_filter_column(3 - i, 2), j),
+            transform_left_filter_feature_0_values(j));
+        end loop;
+        transform_left_filter_feature_0_choices(24 * i + 120) :=
+          inverted_carry(transform_left_filter_feature_0_choices(24 * i + 119), is_set(transform_left_filter_column(3 -
+          i, 2), 7), not is_set(transform_left_filter_column(4, 1), 7));
+        transform_left_filter_feature_0_choices(24 * i + 121) := choice(is_set(transform_left_filter_column(3 - i, 0),
+          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(24 * i + 122) := choice(is_set(transform_left_filter_column(3 - i, 0),
+          1), transform_left_filter_feature_0_choices(24 * i + 121), is_set(transform_left_filter_column(3 - i, 0), 0)
+          and transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(24 * i + 123) :=
+          inverted_carry(transform_left_filter_feature_0_choices(24 * i + 122), not
+          is_set(transform_left_filter_column(3 - i, 0), 2), transform_left_filter_feature_0_values(2));
+        for j in 3 to 6 loop
+          transform_left_filter_feature_0_choices(24 * i + j + 121) := carry(transform_left_filter_feature_0_choices(24
+            * i + j + 120), not is_set(transform_left_filter_column(3 - i, 0), j),
+            transform_left_filter_feature_0_values(j));
+        end loop;
+        transform_left_filter_feature_0_choices(24 * i + 128) :=
+          inverted_carry(transform_left_filter_feature_0_choices(24 * i + 127), is_set(transform_left_filter_column(3 -
+          i, 0), 7), not is_set(transform_left_filter_column(4, 1), 7));
       end loop;
       for i in 1 to 2 loop
-        if transform_left_filter_feature_0_choices(8 * i + 31) then
-          transform_left_filter_feature_0_choices(8 * i + 32) := is_set(transform_left_filter_column(7, i), 7) and (not
-            is_set(transform_left_filter_column(4, 1), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 32) := is_set(transform_left_filter_column(7, i), 7) or (not
-            is_set(transform_left_filter_column(4, 1), 7));
-        end if;
-        if is_set(transform_left_filter_column(8 - i, 4 - 2 * i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 33) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 33) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(8 - i, 4 - 2 * i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 34) := transform_left_filter_feature_0_choices(8 * i + 33);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 34) := is_set(transform_left_filter_column(8 - i, 4 - 2 * i),
-            0) and transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 34) then
-          transform_left_filter_feature_0_choices(8 * i + 35) := (not is_set(transform_left_filter_column(8 - i, 4 - 2
-            * i), 2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 35) := (not is_set(transform_left_filter_column(8 - i, 4 - 2
-            * i), 2)) or transform_left_filter_feature_0_values(2);
-        end if;
+        transform_left_filter_feature_0_choices(8 * i + 169) := choice(is_set(transform_left_filter_column(0, i), 0),
+          transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(8 * i + 170) := choice(is_set(transform_left_filter_column(0, i), 1),
+          transform_left_filter_feature_0_choices(8 * i + 169), is_set(transform_left_filter_column(0, i), 0) and
+          transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(8 * i + 171) :=
+          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 170), not
+          is_set(transform_left_filter_column(0, i), 2), transform_left_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 32) then
-            transform_left_filter_feature_0_choices(8 * i + j + 33) := (not is_set(transform_left_filter_column(8 - i,
-              4 - 2 * i), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 33) := (not is_set(transform_left_filter_column(8 - i,
-              4 - 2 * i), j)) and transform_left_filter_feature_0_values(j);
-          end if;
+          transform_left_filter_feature_0_choices(8 * i + j + 169) := carry(transform_left_filter_feature_0_choices(8 *
+            i + j + 168), not is_set(transform_left_filter_column(0, i), j), transform_left_filter_feature_0_values(j));
         end loop;
+        transform_left_filter_feature_0_choices(8 * i + 176) :=
+          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 175), is_set(transform_left_filter_column(0,
+          i), 7), not is_set(transform_left_filter_column(4, 1), 7));
       end loop;
-      for i in 0 to 1 loop
-        if transform_left_filter_feature_0_choices(8 * i + 55) then
-          transform_left_filter_feature_0_choices(8 * i + 56) := is_set(transform_left_filter_column(6, i), 7) and (not
-            is_set(transform_left_filter_column(4, 1), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 56) := is_set(transform_left_filter_column(6, i), 7) or (not
-            is_set(transform_left_filter_column(4, 1), 7));
-        end if;
-        if is_set(transform_left_filter_column(6, i + 1), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 57) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 57) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(6, i + 1), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 58) := transform_left_filter_feature_0_choices(8 * i + 57);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 58) := is_set(transform_left_filter_column(6, i + 1), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 58) then
-          transform_left_filter_feature_0_choices(8 * i + 59) := (not is_set(transform_left_filter_column(6, i + 1),
-            2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 59) := (not is_set(transform_left_filter_column(6, i + 1),
-            2)) or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 56) then
-            transform_left_filter_feature_0_choices(8 * i + j + 57) := (not is_set(transform_left_filter_column(6, i +
-              1), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 57) := (not is_set(transform_left_filter_column(6, i +
-              1), j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-      end loop;
-      for i in 0 to 1 loop
-        if transform_left_filter_feature_0_choices(8 * i + 71) then
-          transform_left_filter_feature_0_choices(8 * i + 72) := is_set(transform_left_filter_column(6 - i, 2 - 2 * i),
-            7) and (not is_set(transform_left_filter_column(4, 1), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 72) := is_set(transform_left_filter_column(6 - i, 2 - 2 * i),
-            7) or (not is_set(transform_left_filter_column(4, 1), 7));
-        end if;
-        if is_set(transform_left_filter_column(5, i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 73) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 73) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(5, i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 74) := transform_left_filter_feature_0_choices(8 * i + 73);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 74) := is_set(transform_left_filter_column(5, i), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 74) then
-          transform_left_filter_feature_0_choices(8 * i + 75) := (not is_set(transform_left_filter_column(5, i), 2))
-            and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 75) := (not is_set(transform_left_filter_column(5, i), 2)) or
-            transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 72) then
-            transform_left_filter_feature_0_choices(8 * i + j + 73) := (not is_set(transform_left_filter_column(5, i),
-              j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 73) := (not is_set(transform_left_filter_column(5, i),
-              j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-      end loop;
-      for i in 1 to 2 loop
-        if transform_left_filter_feature_0_choices(8 * i + 79) then
-          transform_left_filter_feature_0_choices(8 * i + 80) := is_set(transform_left_filter_column(5, i), 7) and (not
-            is_set(transform_left_filter_column(4, 1), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 80) := is_set(transform_left_filter_column(5, i), 7) or (not
-            is_set(transform_left_filter_column(4, 1), 7));
-        end if;
-        if is_set(transform_left_filter_column(6 - i, 2), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 81) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 81) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(6 - i, 2), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 82) := transform_left_filter_feature_0_choices(8 * i + 81);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 82) := is_set(transform_left_filter_column(6 - i, 2), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 82) then
-          transform_left_filter_feature_0_choices(8 * i + 83) := (not is_set(transform_left_filter_column(6 - i, 2),
-            2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 83) := (not is_set(transform_left_filter_column(6 - i, 2),
-            2)) or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 80) then
-            transform_left_filter_feature_0_choices(8 * i + j + 81) := (not is_set(transform_left_filter_column(6 - i,
-              2), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 81) := (not is_set(transform_left_filter_column(6 - i,
-              2), j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-      end loop;
-      if transform_left_filter_feature_0_choices(103) then
-        transform_left_filter_feature_0_choices(104) := transform_filtering_0_column_inside(4) and
-          is_set(transform_left_filter_column(4, 2), 7) and (not is_set(transform_left_filter_column(4, 1), 7));
-      else
-        transform_left_filter_feature_0_choices(104) := transform_filtering_0_column_inside(4) and
-          (is_set(transform_left_filter_column(4, 2), 7) or (not is_set(transform_left_filter_column(4, 1), 7)));
-      end if;
-      for i in 1 to 2 loop
-        if is_set(transform_left_filter_column(3, i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 97) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 97) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(3, i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 98) := transform_left_filter_feature_0_choices(8 * i + 97);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 98) := is_set(transform_left_filter_column(3, i), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 98) then
-          transform_left_filter_feature_0_choices(8 * i + 99) := (not is_set(transform_left_filter_column(3, i), 2))
-            and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 99) := (not is_set(transform_left_filter_column(3, i), 2)) or
-            transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 96) then
-            transform_left_filter_feature_0_choices(8 * i + j + 97) := (not is_set(transform_left_filter_column(3, i),
-              j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 97) := (not is_set(transform_left_filter_column(3, i),
-              j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 103) then
-          transform_left_filter_feature_0_choices(8 * i + 104) := is_set(transform_left_filter_column(3, i), 7) and
-            (not is_set(transform_left_filter_column(4, 1), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 104) := is_set(transform_left_filter_column(3, i), 7) or (not
-            is_set(transform_left_filter_column(4, 1), 7));
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_left_filter_column(3 - i, i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 121) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 121) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(3 - i, i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 122) := transform_left_filter_feature_0_choices(8 * i + 121);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 122) := is_set(transform_left_filter_column(3 - i, i), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 122) then
-          transform_left_filter_feature_0_choices(8 * i + 123) := (not is_set(transform_left_filter_column(3 - i, i),
-            2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 123) := (not is_set(transform_left_filter_column(3 - i, i),
-            2)) or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 120) then
-            transform_left_filter_feature_0_choices(8 * i + j + 121) := (not is_set(transform_left_filter_column(3 - i,
-              i), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 121) := (not is_set(transform_left_filter_column(3 - i,
-              i), j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 127) then
-          transform_left_filter_feature_0_choices(8 * i + 128) := is_set(transform_left_filter_column(3 - i, i), 7) and
-            (not is_set(transform_left_filter_column(4, 1), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 128) := is_set(transform_left_filter_column(3 - i, i), 7) or
-            (not is_set(transform_left_filter_column(4, 1), 7));
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_left_filter_column(2, 2 - 2 * i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 137) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 137) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(2, 2 - 2 * i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 138) := transform_left_filter_feature_0_choices(8 * i + 137);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 138) := is_set(transform_left_filter_column(2, 2 - 2 * i), 0)
-            and transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 138) then
-          transform_left_filter_feature_0_choices(8 * i + 139) := (not is_set(transform_left_filter_column(2, 2 - 2 *
-            i), 2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 139) := (not is_set(transform_left_filter_column(2, 2 - 2 *
-            i), 2)) or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 136) then
-            transform_left_filter_feature_0_choices(8 * i + j + 137) := (not is_set(transform_left_filter_column(2, 2 -
-              2 * i), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 137) := (not is_set(transform_left_filter_column(2, 2 -
-              2 * i), j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 143) then
-          transform_left_filter_feature_0_choices(8 * i + 144) := is_set(transform_left_filter_column(2, 2 - 2 * i), 7)
-            and (not is_set(transform_left_filter_column(4, 1), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 144) := is_set(transform_left_filter_column(2, 2 - 2 * i), 7)
-            or (not is_set(transform_left_filter_column(4, 1), 7));
-        end if;
-      end loop;
-      for i in 1 to 2 loop
-        if is_set(transform_left_filter_column(1, i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 145) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 145) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(1, i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 146) := transform_left_filter_feature_0_choices(8 * i + 145);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 146) := is_set(transform_left_filter_column(1, i), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 146) then
-          transform_left_filter_feature_0_choices(8 * i + 147) := (not is_set(transform_left_filter_column(1, i), 2))
-            and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 147) := (not is_set(transform_left_filter_column(1, i), 2))
-            or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 144) then
-            transform_left_filter_feature_0_choices(8 * i + j + 145) := (not is_set(transform_left_filter_column(1, i),
-              j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 145) := (not is_set(transform_left_filter_column(1, i),
-              j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 151) then
-          transform_left_filter_feature_0_choices(8 * i + 152) := is_set(transform_left_filter_column(1, i), 7) and
-            (not is_set(transform_left_filter_column(4, 1), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 152) := is_set(transform_left_filter_column(1, i), 7) or (not
-            is_set(transform_left_filter_column(4, 1), 7));
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_left_filter_column(1 - i, i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 169) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 169) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(1 - i, i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 170) := transform_left_filter_feature_0_choices(8 * i + 169);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 170) := is_set(transform_left_filter_column(1 - i, i), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 170) then
-          transform_left_filter_feature_0_choices(8 * i + 171) := (not is_set(transform_left_filter_column(1 - i, i),
-            2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 171) := (not is_set(transform_left_filter_column(1 - i, i),
-            2)) or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 168) then
-            transform_left_filter_feature_0_choices(8 * i + j + 169) := (not is_set(transform_left_filter_column(1 - i,
-              i), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 169) := (not is_set(transform_left_filter_column(1 - i,
-              i), j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 175) then
-          transform_left_filter_feature_0_choices(8 * i + 176) := is_set(transform_left_filter_column(1 - i, i), 7) and
-            (not is_set(transform_left_filter_column(4, 1), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 176) := is_set(transform_left_filter_column(1 - i, i), 7) or
-            (not is_set(transform_left_filter_column(4, 1), 7));
-        end if;
-      end loop;
-      if is_set(transform_left_filter_column(0, 2), 0) then
-        transform_left_filter_feature_0_choices(185) := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choices(185) := not transform_left_filter_feature_0_value;
-      end if;
-      if is_set(transform_left_filter_column(0, 2), 1) then
-        transform_left_filter_feature_0_choices(186) := transform_left_filter_feature_0_choices(185);
-      else
-        transform_left_filter_feature_0_choices(186) := is_set(transform_left_filter_column(0, 2), 0) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choices(186) then
-        transform_left_filter_feature_0_choices(187) := (not is_set(transform_left_filter_column(0, 2), 2)) and
-          transform_left_filter_feature_0_values(2);
-      else
-        transform_left_filter_feature_0_choices(187) := (not is_set(transform_left_filter_column(0, 2), 2)) or
-          transform_left_filter_feature_0_values(2);
-      end if;
-      for i in 187 to 190 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(0, 2), i - 184))
-            or transform_left_filter_feature_0_values(i - 184);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(0, 2), i - 184))
-            and transform_left_filter_feature_0_values(i - 184);
-        end if;
-      end loop;
-      if transform_left_filter_feature_0_choices(191) then
-        transform_left_filter_feature_0_choices(192) := is_set(transform_left_filter_column(0, 2), 7) and (not
-          is_set(transform_left_filter_column(4, 1), 7));
-      else
-        transform_left_filter_feature_0_choices(192) := is_set(transform_left_filter_column(0, 2), 7) or (not
-          is_set(transform_left_filter_column(4, 1), 7));
-      end if;
-      if is_set(transform_left_filter_column(4, 1), 0) then
-        transform_left_filter_feature_0_choices(193) := not is_set(transform_left_filter_column(0, 0), 1);
-      else
-        transform_left_filter_feature_0_choices(193) := (transform_left_filter_column(0, 0) mod 4) = 0;
-      end if;
-      if transform_left_filter_feature_0_value then
-        transform_left_filter_feature_0_choices(194) := is_set(transform_left_filter_column(4, 1), 0) or (not
-          is_set(transform_left_filter_column(0, 0), 1)) or (not is_set(transform_left_filter_column(0, 0), 0));
-      else
-        transform_left_filter_feature_0_choices(194) := transform_left_filter_feature_0_choices(193);
-      end if;
+      transform_left_filter_feature_0_choices(193) := choice(is_set(transform_left_filter_column(4, 1), 0), not
+        is_set(transform_left_filter_column(0, 0), 1), (transform_left_filter_column(0, 0) mod 4) = 0);
+      transform_left_filter_feature_0_choices(194) := choice(transform_left_filter_feature_0_values(1),
+        is_set(transform_left_filter_column(4, 1), 0) or (not is_set(transform_left_filter_column(0, 0), 1)) or (not
+        is_set(transform_left_filter_column(0, 0), 0)), transform_left_filter_feature_0_choices(193));
       transform_left_filter_feature_0_values(7) := is_set(transform_left_filter_column(0, 0), 2);
-      if transform_left_filter_feature_0_choices(194) then
-        transform_left_filter_feature_0_choices(195) := (not transform_left_filter_feature_0_values(2)) and
-          transform_left_filter_feature_0_values(7);
-      else
-        transform_left_filter_feature_0_choices(195) := (not transform_left_filter_feature_0_values(2)) or
-          transform_left_filter_feature_0_values(7);
-      end if;
+      transform_left_filter_feature_0_choices(195) := inverted_carry(transform_left_filter_feature_0_choices(194), not
+        transform_left_filter_feature_0_values(2), transform_left_filter_feature_0_values(7));
       for i in 8 to 11 loop
         transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(0, 0), i - 5);
-        if transform_left_filter_feature_0_choices(i + 187) then
-          transform_left_filter_feature_0_choices(i + 188) := (not transform_left_filter_feature_0_values(i - 5)) or
-            transform_left_filter_feature_0_values(i);
-        else
-          transform_left_filter_feature_0_choices(i + 188) := (not transform_left_filter_feature_0_values(i - 5)) and
-            transform_left_filter_feature_0_values(i);
-        end if;
+        transform_left_filter_feature_0_choices(i + 188) := carry(transform_left_filter_feature_0_choices(i + 187), not
+          transform_left_filter_feature_0_values(i - 5), transform_left_filter_feature_0_values(i));
       end loop;
-      if transform_left_filter_feature_0_choices(199) then
-        transform_left_filter_feature_0_choices(200) := (not is_set(transform_left_filter_column(4, 1), 7)) or
-          is_set(transform_left_filter_column(0, 0), 7);
-      else
-        transform_left_filter_feature_0_choices(200) := (not is_set(transform_left_filter_column(4, 1), 7)) and
-          is_set(transform_left_filter_column(0, 0), 7);
-      end if;
-      if transform_filtering_0_column_inside(0) then
-        transform_left_filter_feature_0_choice_201 := (as_number(transform_left_filter_feature_0_choices(184)) * 2) +
-          (as_number(transform_left_filter_feature_0_choices(192)) * 4) +
-          as_number(transform_left_filter_feature_0_choices(200));
-      else
-        transform_left_filter_feature_0_choice_201 := 0;
-      end if;
-      if transform_filtering_0_column_inside(1) then
-        transform_left_filter_feature_0_choice_202 := (as_number(transform_left_filter_feature_0_choices(160)) * 16) +
-          (as_number(transform_left_filter_feature_0_choices(168)) * 32) +
-          (as_number(transform_left_filter_feature_0_choices(176)) * 8) + transform_left_filter_feature_0_choice_201;
-      else
-        transform_left_filter_feature_0_choice_202 := transform_left_filter_feature_0_choice_201;
-      end if;
-      if transform_filtering_0_column_inside(2) then
-        transform_left_filter_feature_0_choice_203 := (as_number(transform_left_filter_feature_0_choices(136)) * 128) +
-          (as_number(transform_left_filter_feature_0_choices(144)) * 256) +
-          (as_number(transform_left_filter_feature_0_choices(152)) * 64) + transform_left_filter_feature_0_choice_202;
-      else
-        transform_left_filter_feature_0_choice_203 := transform_left_filter_feature_0_choice_202;
-      end if;
-      if transform_filtering_0_column_inside(3) then
-        transform_left_filter_feature_0_choice_204 := (as_number(transform_left_filter_feature_0_choices(112)) * 1024)
-          + (as_number(transform_left_filter_feature_0_choices(120)) * 2048) +
-          (as_number(transform_left_filter_feature_0_choices(128)) * 512) + transform_left_filter_feature_0_choice_203;
-      else
-        transform_left_filter_feature_0_choice_204 := transform_left_filter_feature_0_choice_203;
-      end if;
-      if is_set(transform_left_filter_column(4, 0), 0) then
-        transform_left_filter_feature_0_choices_from_205(205) := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choices_from_205(205) := not transform_left_filter_feature_0_value;
-      end if;
-      if is_set(transform_left_filter_column(4, 0), 1) then
-        transform_left_filter_feature_0_choices_from_205(206) := transform_left_filter_feature_0_choices_from_205(205);
-      else
-        transform_left_filter_feature_0_choices_from_205(206) := is_set(transform_left_filter_column(4, 0), 0) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choices_from_205(206) then
-        transform_left_filter_feature_0_choices_from_205(207) := (not is_set(transform_left_filter_column(4, 0), 2))
-          and transform_left_filter_feature_0_values(2);
-      else
-        transform_left_filter_feature_0_choices_from_205(207) := (not is_set(transform_left_filter_column(4, 0), 2)) or
-          transform_left_filter_feature_0_values(2);
-      end if;
-      for i in 207 to 210 loop
-        if transform_left_filter_feature_0_choices_from_205(i) then
-          transform_left_filter_feature_0_choices_from_205(i + 1) := (not is_set(transform_left_filter_column(4, 0), i
-            - 204)) or transform_left_filter_feature_0_values(i - 204);
-        else
-          transform_left_filter_feature_0_choices_from_205(i + 1) := (not is_set(transform_left_filter_column(4, 0), i
-            - 204)) and transform_left_filter_feature_0_values(i - 204);
-        end if;
+      transform_left_filter_feature_0_choices(200) := carry(transform_left_filter_feature_0_choices(199), not
+        is_set(transform_left_filter_column(4, 1), 7), is_set(transform_left_filter_column(0, 0), 7));
+      transform_left_filter_feature_0_choice_201 := choice(transform_filtering_0_column_inside(0),
+        (as_number(transform_left_filter_feature_0_choices(184)) * 2) +
+        (as_number(transform_left_filter_feature_0_choices(192)) * 4) +
+        as_number(transform_left_filter_feature_0_choices(200)), 0);
+      transform_left_filter_feature_0_choice_202 := choice(transform_filtering_0_column_inside(1),
+        (as_number(transform_left_filter_feature_0_choices(160)) * 16) +
+        (as_number(transform_left_filter_feature_0_choices(168)) * 32) +
+        (as_number(transform_left_filter_feature_0_choices(176)) * 8) + transform_left_filter_feature_0_choice_201,
+        transform_left_filter_feature_0_choice_201);
+      transform_left_filter_feature_0_choice_203 := choice(transform_filtering_0_column_inside(2),
+        (as_number(transform_left_filter_feature_0_choices(136)) * 128) +
+        (as_number(transform_left_filter_feature_0_choices(144)) * 256) +
+        (as_number(transform_left_filter_feature_0_choices(152)) * 64) + transform_left_filter_feature_0_choice_202,
+        transform_left_filter_feature_0_choice_202);
+      transform_left_filter_feature_0_choice_204 := choice(transform_filtering_0_column_inside(3),
+        (as_number(transform_left_filter_feature_0_choices(112)) * 1024) +
+        (as_number(transform_left_filter_feature_0_choices(120)) * 2048) +
+        (as_number(transform_left_filter_feature_0_choices(128)) * 512) + transform_left_filter_feature_0_choice_203,
+        transform_left_filter_feature_0_choice_203);
+      transform_left_filter_feature_0_choices(205) := choice(is_set(transform_left_filter_column(4, 0), 0),
+        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(206) := choice(is_set(transform_left_filter_column(4, 0), 1),
+        transform_left_filter_feature_0_choices(205), is_set(transform_left_filter_column(4, 0), 0) and
+        transform_left_filter_feature_0_is_equal);
+      transform_left_filter_feature_0_choices(207) := inverted_carry(transform_left_filter_feature_0_choices(206), not
+        is_set(transform_left_filter_column(4, 0), 2), transform_left_filter_feature_0_values(2));
+      for i in 208 to 211 loop
+        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
+          is_set(transform_left_filter_column(4, 0), i - 205), transform_left_filter_feature_0_values(i - 205));
       end loop;
-      if transform_left_filter_feature_0_choices_from_205(211) then
-        transform_left_filter_feature_0_choices_from_205(212) := is_set(transform_left_filter_column(4, 0), 7) and (not
-          is_set(transform_left_filter_column(4, 1), 7));
-      else
-        transform_left_filter_feature_0_choices_from_205(212) := is_set(transform_left_filter_column(4, 0), 7) or (not
-          is_set(transform_left_filter_column(4, 1), 7));
-      end if;
-      if transform_filtering_0_column_inside(4) then
-        transform_left_filter_feature_0_choice_213 := transform_left_filter_feature_0_choice_204 +
-          (as_number(transform_left_filter_feature_0_choices_from_205(212)) * 4096);
-      else
-        transform_left_filter_feature_0_choice_213 := transform_left_filter_feature_0_choice_204;
-      end if;
-      if transform_filtering_0_column_inside(5) then
-        transform_left_filter_feature_0_choice_214 := (as_number(transform_left_filter_feature_0_choices(80)) * 16384)
-          + (as_number(transform_left_filter_feature_0_choices(88)) * 32768) +
-          (as_number(transform_left_filter_feature_0_choices(96)) * 65536) +
-          (as_number(transform_left_filter_feature_0_choices(104)) * 8192) + transform_left_filter_feature_0_choice_213;
-      else
-        transform_left_filter_feature_0_choice_214 := (as_number(transform_left_filter_feature_0_choices(104)) * 8192)
-          + transform_left_filter_feature_0_choice_213;
-      end if;
-      if transform_filtering_0_column_inside(6) then
-        transform_left_filter_feature_0_choice_215 := (as_number(transform_left_filter_feature_0_choices(56)) * 131072)
-          + (as_number(transform_left_filter_feature_0_choices(64)) * 262144) +
-          (as_number(transform_left_filter_feature_0_choices(72)) * 524288) +
-          transform_left_filter_feature_0_choice_214;
-      else
-        transform_left_filter_feature_0_choice_215 := transform_left_filter_feature_0_choice_214;
-      end if;
-      if transform_filtering_0_column_inside(7) then
-        transform_left_filter_feature_0_choice_216 := (as_number(transform_left_filter_feature_0_choices(32)) *
-          1048576) + (as_number(transform_left_filter_feature_0_choices(40)) * 2097152) +
-          (as_number(transform_left_filter_feature_0_choices(48)) * 4194304) +
-          transform_left_filter_feature_0_choice_215;
-      else
-        transform_left_filter_feature_0_choice_216 := transform_left_filter_feature_0_choice_215;
-      end if;
-      transform_right_filter_feature_0_value := is_set(transform_right_filter_column(4, 1), 1);
-      transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_value) or (not
+      transform_left_filter_feature_0_choices(212) := inverted_carry(transform_left_filter_feature_0_choices(211),
+        is_set(transform_left_filter_column(4, 0), 7), not is_set(transform_left_filter_column(4, 1), 7));
+      transform_left_filter_feature_0_choice_213 := choice(transform_filtering_0_column_inside(4),
+        transform_left_filter_feature_0_choice_204 + (as_number(transform_left_filter_feature_0_choices(212)) * 4096),
+        transform_left_filter_feature_0_choice_204);
+      transform_left_filter_feature_0_choice_214 := choice(transform_filtering_0_column_inside(5),
+        (as_number(transform_left_filter_feature_0_choices(80)) * 16384) +
+        (as_number(transform_left_filter_feature_0_choices(88)) * 32768) +
+        (as_number(transform_left_filter_feature_0_choices(96)) * 65536) +
+        (as_number(transform_left_filter_feature_0_choices(104)) * 8192) + transform_left_filter_feature_0_choice_213,
+        (as_number(transform_left_filter_feature_0_choices(104)) * 8192) + transform_left_filter_feature_0_choice_213);
+      transform_left_filter_feature_0_choice_215 := choice(transform_filtering_0_column_inside(6),
+        (as_number(transform_left_filter_feature_0_choices(56)) * 131072) +
+        (as_number(transform_left_filter_feature_0_choices(64)) * 262144) +
+        (as_number(transform_left_filter_feature_0_choices(72)) * 524288) + transform_left_filter_feature_0_choice_214,
+        transform_left_filter_feature_0_choice_214);
+      transform_left_filter_feature_0_choice_216 := choice(transform_filtering_0_column_inside(7),
+        (as_number(transform_left_filter_feature_0_choices(32)) * 1048576) +
+        (as_number(transform_left_filter_feature_0_choices(40)) * 2097152) +
+        (as_number(transform_left_filter_feature_0_choices(48)) * 4194304) +
+        transform_left_filter_feature_0_choice_215, transform_left_filter_feature_0_choice_215);
+      transform_right_filter_feature_0_values(1) := is_set(transform_right_filter_column(4, 1), 1);
+      transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_values(1)) or (not
         is_set(transform_right_filter_column(4, 1), 0));
-      if is_set(transform_right_filter_column(8, 0), 0) then
-        transform_right_filter_feature_0_choice := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice := not transform_right_filter_feature_0_value;
-      end if;
+      transform_right_filter_feature_0_choices(1) := choice(is_set(transform_right_filter_column(8, 0), 0),
+        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
       transform_right_filter_feature_0_is_equal := (transform_right_filter_column(4, 1) mod 4) = 0;
-      if is_set(transform_right_filter_column(8, 0), 1) then
-        transform_right_filter_feature_0_choices(2) := transform_right_filter_feature_0_choice;
-      else
-        transform_right_filter_feature_0_choices(2) := is_set(transform_right_filter_column(8, 0), 0) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
+      transform_right_filter_feature_0_choices(2) := choice(is_set(transform_right_filter_column(8, 0), 1),
+        transform_right_filter_feature_0_choices(1), is_set(transform_right_filter_column(8, 0), 0) and
+        transform_right_filter_feature_0_is_equal);
       transform_right_filter_feature_0_values(2) := is_set(transform_right_filter_column(4, 1), 2);
-      if transform_right_filter_feature_0_choices(2) then
-        transform_right_filter_feature_0_choices(3) := (not is_set(transform_right_filter_column(8, 0), 2)) and
-          transform_right_filter_feature_0_values(2);
-      else
-        transform_right_filter_feature_0_choices(3) := (not is_set(transform_right_filter_column(8, 0), 2)) or
-          transform_right_filter_feature_0_values(2);
-      end if;
+      transform_right_filter_feature_0_choices(3) := inverted_carry(transform_right_filter_feature_0_choices(2), not
+        is_set(transform_right_filter_column(8, 0), 2), transform_right_filter_feature_0_values(2));
       for i in 3 to 6 loop
         transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(4, 1), i);
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(8, 0), i)) or
-            transform_right_filter_feature_0_values(i);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(8, 0), i)) and
-            transform_right_filter_feature_0_values(i);
-        end if;
+        transform_right_filter_feature_0_choices(i + 1) := carry(transform_right_filter_feature_0_choices(i), not
+          is_set(transform_right_filter_column(8, 0), i), transform_right_filter_feature_0_values(i));
       end loop;
       for i in 0 to 1 loop
-        if transform_right_filter_feature_0_choices(8 * i + 7) then
-          transform_right_filter_feature_0_choices(8 * i + 8) := is_set(transform_right_filter_column(8, i), 7) and
-            (not is_set(transform_right_filter_column(4, 1), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 8) := is_set(transform_right_filter_column(8, i), 7) or (not
-            is_set(transform_right_filter_column(4, 1), 7));
-        end if;
-        if is_set(transform_right_filter_column(8, i + 1), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 9) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 9) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(8, i + 1), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 10) := transform_right_filter_feature_0_choices(8 * i + 9);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 10) := is_set(transform_right_filter_column(8, i + 1), 0)
-            and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 10) then
-          transform_right_filter_feature_0_choices(8 * i + 11) := (not is_set(transform_right_filter_column(8, i + 1),
-            2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 11) := (not is_set(transform_right_filter_column(8, i + 1),
-            2)) or transform_right_filter_feature_0_values(2);
-        end if;
+        transform_right_filter_feature_0_choices(8 * i + 8) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 7), is_set(transform_right_filter_column(8,
+          i), 7), not is_set(transform_right_filter_column(4, 1), 7));
+        transform_right_filter_feature_0_choices(8 * i + 9) := choice(is_set(transform_right_filter_column(8, i + 1),
+          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(8 * i + 10) := choice(is_set(transform_right_filter_column(8, i + 1),
+          1), transform_right_filter_feature_0_choices(8 * i + 9), is_set(transform_right_filter_column(8, i + 1), 0)
+          and transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(8 * i + 11) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 10), not
+          is_set(transform_right_filter_column(8, i + 1), 2), transform_right_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 8) then
-            transform_right_filter_feature_0_choices(8 * i + j + 9) := (not is_set(transform_right_filter_column(8, i +
-              1), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 9) := (not is_set(transform_right_filter_column(8, i +
-              1), j)) and transform_right_filter_feature_0_values(j);
-          end if;
+          transform_right_filter_feature_0_choices(8 * i + j + 9) := carry(transform_right_filter_feature_0_choices(8 *
+            i + j + 8), not is_set(transform_right_filter_column(8, i + 1), j),
+            transform_right_filter_feature_0_values(j));
         end loop;
       end loop;
-      for i in 0 to 1 loop
-        if transform_right_filter_feature_0_choices(8 * i + 23) then
-          transform_right_filter_feature_0_choices(8 * i + 24) := is_set(transform_right_filter_column(8 - i, 2 - 2 *
-            i), 7) and (not is_set(transform_right_filter_column(4, 1), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 24) := is_set(transform_right_filter_column(8 - i, 2 - 2 *
-            i), 7) or (not is_set(transform_right_filter_column(4, 1), 7));
-        end if;
-        if is_set(transform_right_filter_column(7, i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 25) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 25) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(7, i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 26) := transform_right_filter_feature_0_choices(8 * i + 25);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 26) := is_set(transform_right_filter_column(7, i), 0) and
-            transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 26) then
-          transform_right_filter_feature_0_choices(8 * i + 27) := (not is_set(transform_right_filter_column(7, i), 2))
-            and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 27) := (not is_set(transform_right_filter_column(7, i), 2))
-            or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 24) then
-            transform_right_filter_feature_0_choices(8 * i + j + 25) := (not is_set(transform_right_filter_column(7,
-              i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 25) := (not is_set(transform_right_filter_column(7,
-              i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
+      transform_right_filter_feature_0_choices(24) := inverted_carry(transform_right_filter_feature_0_choices(23),
+        is_set(transform_right_filter_column(8, 2), 7), not is_set(transform_right_filter_column(4, 1), 7));
+      for i in 0 to 2 loop
+        for j in 0 to 2 loop
+          transform_right_filter_feature_0_choices(24 * i + 8 * j + 25) :=
+            choice(is_set(transform_right_filter_column(7 - i, j), 0), transform_right_filter_feature_0_any, not
+            transform_right_filter_feature_0_values(1));
+          transform_right_filter_feature_0_choices(24 * i + 8 * j + 26) :=
+            choice(is_set(transform_right_filter_column(7 - i, j), 1), transform_right_filter_feature_0_choices(24 * i
+            + 8 * j + 25), is_set(transform_right_filter_column(7 - i, j), 0) and
+            transform_right_filter_feature_0_is_equal);
+          transform_right_filter_feature_0_choices(24 * i + 8 * j + 27) :=
+            inverted_carry(transform_right_filter_feature_0_choices(24 * i + 8 * j + 26), not
+            is_set(transform_right_filter_column(7 - i, j), 2), transform_right_filter_feature_0_values(2));
+          for k in 3 to 6 loop
+            transform_right_filter_feature_0_choices(24 * i + 8 * j + k + 25) :=
+              carry(transform_right_filter_feature_0_choices(24 * i + 8 * j + k + 24), not
+              is_set(transform_right_filter_column(7 - i, j), k), transform_right_filter_feature_0_values(k));
+          end loop;
+          transform_right_filter_feature_0_choices(24 * i + 8 * j + 32) :=
+            inverted_carry(transform_right_filter_feature_0_choices(24 * i + 8 * j + 31),
+            is_set(transform_right_filter_column(7 - i, j), 7), not is_set(transform_right_filter_column(4, 1), 7));
         end loop;
+      end loop;
+      transform_right_filter_feature_0_choices(97) := choice(is_set(transform_right_filter_column(4, 2), 0),
+        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(98) := choice(is_set(transform_right_filter_column(4, 2), 1),
+        transform_right_filter_feature_0_choices(97), is_set(transform_right_filter_column(4, 2), 0) and
+        transform_right_filter_feature_0_is_equal);
+      transform_right_filter_feature_0_choices(99) := inverted_carry(transform_right_filter_feature_0_choices(98), not
+        is_set(transform_right_filter_column(4, 2), 2), transform_right_filter_feature_0_values(2));
+      for i in 100 to 103 loop
+        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
+          is_set(transform_right_filter_column(4, 2), i - 97), transform_right_filter_feature_0_values(i - 97));
+      end loop;
+      transform_right_filter_feature_0_choices(104) := choice(transform_right_filter_feature_0_choices(103),
+        transform_filtering_0_column_inside(4) and is_set(transform_right_filter_column(4, 2), 7) and (not
+        is_set(transform_right_filter_column(4, 1), 7)), transform_filtering_0_column_inside(4) and
+        (is_set(transform_right_filter_column(4, 2), 7) or (not is_set(transform_right_filter_column(4, 1), 7))));
+      for i in 0 to 2 loop
+        transform_right_filter_feature_0_choices(24 * i + 105) := choice(is_set(transform_right_filter_column(3 - i,
+          1), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(24 * i + 106) := choice(is_set(transform_right_filter_column(3 - i,
+          1), 1), transform_right_filter_feature_0_choices(24 * i + 105), is_set(transform_right_filter_column(3 - i,
+          1), 0) and transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(24 * i + 107) :=
+          inverted_carry(transform_right_filter_feature_0_choices(24 * i + 106), not
+          is_set(transform_right_filter_column(3 - i, 1), 2), transform_right_filter_feature_0_values(2));
+        for j in 3 to 6 loop
+          transform_right_filter_feature_0_choices(24 * i + j + 105) :=
+            carry(transform_right_filter_feature_0_choices(24 * i + j + 104), not
+            is_set(transform_right_filter_column(3 - i, 1), j), transform_right_filter_feature_0_values(j));
+        end loop;
+        transform_right_filter_feature_0_choices(24 * i + 112) :=
+          inverted_carry(transform_right_filter_feature_0_choices(24 * i + 111), is_set(transform_right_filter_column(3
+          - i, 1), 7), not is_set(transform_right_filter_column(4, 1), 7));
+        transform_right_filter_feature_0_choices(24 * i + 113) := choice(is_set(transform_right_filter_column(3 - i,
+          2), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(24 * i + 114) := choice(is_set(transform_right_filter_column(3 - i,
+          2), 1), transform_right_filter_feature_0_choices(24 * i + 113), is_set(transform_right_filter_column(3 - i,
+          2), 0) and transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(24 * i + 115) :=
+          inverted_carry(transform_right_filter_feature_0_choices(24 * i + 114), not
+          is_set(transform_right_filter_column(3 - i, 2), 2), transform_right_filter_feature_0_values(2));
+        for j in 3 to 6 loop
+          transform_right_filter_feature_0_choices(24 * i + j + 113) :=
+            carry(transform_right_filter_feature_0_choices(24 * i + j + 112), not
+            is_set(transform_right_filter_column(3 - i, 2), j), transform_right_filter_feature_0_values(j));
+        end loop;
+        transform_right_filter_feature_0_choices(24 * i + 120) :=
+          inverted_carry(transform_right_filter_feature_0_choices(24 * i + 119), is_set(transform_right_filter_column(3
+          - i, 2), 7), not is_set(transform_right_filter_column(4, 1), 7));
+        transform_right_filter_feature_0_choices(24 * i + 121) := choice(is_set(transform_right_filter_column(3 - i,
+          0), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(24 * i + 122) := choice(is_set(transform_right_filter_column(3 - i,
+          0), 1), transform_right_filter_feature_0_choices(24 * i + 121), is_set(transform_right_filter_column(3 - i,
+          0), 0) and transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(24 * i + 123) :=
+          inverted_carry(transform_right_filter_feature_0_choices(24 * i + 122), not
+          is_set(transform_right_filter_column(3 - i, 0), 2), transform_right_filter_feature_0_values(2));
+        for j in 3 to 6 loop
+          transform_right_filter_feature_0_choices(24 * i + j + 121) :=
+            carry(transform_right_filter_feature_0_choices(24 * i + j + 120), not
+            is_set(transform_right_filter_column(3 - i, 0), j), transform_right_filter_feature_0_values(j));
+        end loop;
+        transform_right_filter_feature_0_choices(24 * i + 128) :=
+          inverted_carry(transform_right_filter_feature_0_choices(24 * i + 127), is_set(transform_right_filter_column(3
+          - i, 0), 7), not is_set(transform_right_filter_column(4, 1), 7));
       end loop;
       for i in 1 to 2 loop
-        if transform_right_filter_feature_0_choices(8 * i + 31) then
-          transform_right_filter_feature_0_choices(8 * i + 32) := is_set(transform_right_filter_column(7, i), 7) and
-            (not is_set(transform_right_filter_column(4, 1), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 32) := is_set(transform_right_filter_column(7, i), 7) or
-            (not is_set(transform_right_filter_column(4, 1), 7));
-        end if;
-        if is_set(transform_right_filter_column(8 - i, 4 - 2 * i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 33) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 33) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(8 - i, 4 - 2 * i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 34) := transform_right_filter_feature_0_choices(8 * i + 33);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 34) := is_set(transform_right_filter_column(8 - i, 4 - 2 *
-            i), 0) and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 34) then
-          transform_right_filter_feature_0_choices(8 * i + 35) := (not is_set(transform_right_filter_column(8 - i, 4 -
-            2 * i), 2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 35) := (not is_set(transform_right_filter_column(8 - i, 4 -
-            2 * i), 2)) or transform_right_filter_feature_0_values(2);
-        end if;
+        transform_right_filter_feature_0_choices(8 * i + 169) := choice(is_set(transform_right_filter_column(0, i), 0),
+          transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(8 * i + 170) := choice(is_set(transform_right_filter_column(0, i), 1),
+          transform_right_filter_feature_0_choices(8 * i + 169), is_set(transform_right_filter_column(0, i), 0) and
+          transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(8 * i + 171) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 170), not
+          is_set(transform_right_filter_column(0, i), 2), transform_right_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 32) then
-            transform_right_filter_feature_0_choices(8 * i + j + 33) := (not is_set(transform_right_filter_column(8 -
-              i, 4 - 2 * i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 33) := (not is_set(transform_right_filter_column(8 -
-              i, 4 - 2 * i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
+          transform_right_filter_feature_0_choices(8 * i + j + 169) := carry(transform_right_filter_feature_0_choices(8
+            * i + j + 168), not is_set(transform_right_filter_column(0, i), j),
+            transform_right_filter_feature_0_values(j));
         end loop;
+        transform_right_filter_feature_0_choices(8 * i + 176) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 175), is_set(transform_right_filter_column(0,
+          i), 7), not is_set(transform_right_filter_column(4, 1), 7));
       end loop;
-      for i in 0 to 1 loop
-        if transform_right_filter_feature_0_choices(8 * i + 55) then
-          transform_right_filter_feature_0_choices(8 * i + 56) := is_set(transform_right_filter_column(6, i), 7) and
-            (not is_set(transform_right_filter_column(4, 1), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 56) := is_set(transform_right_filter_column(6, i), 7) or
-            (not is_set(transform_right_filter_column(4, 1), 7));
-        end if;
-        if is_set(transform_right_filter_column(6, i + 1), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 57) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 57) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(6, i + 1), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 58) := transform_right_filter_feature_0_choices(8 * i + 57);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 58) := is_set(transform_right_filter_column(6, i + 1), 0)
-            and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 58) then
-          transform_right_filter_feature_0_choices(8 * i + 59) := (not is_set(transform_right_filter_column(6, i + 1),
-            2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 59) := (not is_set(transform_right_filter_column(6, i + 1),
-            2)) or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 56) then
-            transform_right_filter_feature_0_choices(8 * i + j + 57) := (not is_set(transform_right_filter_column(6, i
-              + 1), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 57) := (not is_set(transform_right_filter_column(6, i
-              + 1), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-      end loop;
-      for i in 0 to 1 loop
-        if transform_right_filter_feature_0_choices(8 * i + 71) then
-          transform_right_filter_feature_0_choices(8 * i + 72) := is_set(transform_right_filter_column(6 - i, 2 - 2 *
-            i), 7) and (not is_set(transform_right_filter_column(4, 1), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 72) := is_set(transform_right_filter_column(6 - i, 2 - 2 *
-            i), 7) or (not is_set(transform_right_filter_column(4, 1), 7));
-        end if;
-        if is_set(transform_right_filter_column(5, i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 73) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 73) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(5, i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 74) := transform_right_filter_feature_0_choices(8 * i + 73);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 74) := is_set(transform_right_filter_column(5, i), 0) and
-            transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 74) then
-          transform_right_filter_feature_0_choices(8 * i + 75) := (not is_set(transform_right_filter_column(5, i), 2))
-            and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 75) := (not is_set(transform_right_filter_column(5, i), 2))
-            or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 72) then
-            transform_right_filter_feature_0_choices(8 * i + j + 73) := (not is_set(transform_right_filter_column(5,
-              i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 73) := (not is_set(transform_right_filter_column(5,
-              i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-      end loop;
-      for i in 1 to 2 loop
-        if transform_right_filter_feature_0_choices(8 * i + 79) then
-          transform_right_filter_feature_0_choices(8 * i + 80) := is_set(transform_right_filter_column(5, i), 7) and
-            (not is_set(transform_right_filter_column(4, 1), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 80) := is_set(transform_right_filter_column(5, i), 7) or
-            (not is_set(transform_right_filter_column(4, 1), 7));
-        end if;
-        if is_set(transform_right_filter_column(6 - i, 2), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 81) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 81) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(6 - i, 2), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 82) := transform_right_filter_feature_0_choices(8 * i + 81);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 82) := is_set(transform_right_filter_column(6 - i, 2), 0)
-            and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 82) then
-          transform_right_filter_feature_0_choices(8 * i + 83) := (not is_set(transform_right_filter_column(6 - i, 2),
-            2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 83) := (not is_set(transform_right_filter_column(6 - i, 2),
-            2)) or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 80) then
-            transform_right_filter_feature_0_choices(8 * i + j + 81) := (not is_set(transform_right_filter_column(6 -
-              i, 2), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 81) := (not is_set(transform_right_filter_column(6 -
-              i, 2), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-      end loop;
-      if transform_right_filter_feature_0_choices(103) then
-        transform_right_filter_feature_0_choices(104) := transform_filtering_0_column_inside(4) and
-          is_set(transform_right_filter_column(4, 2), 7) and (not is_set(transform_right_filter_column(4, 1), 7));
-      else
-        transform_right_filter_feature_0_choices(104) := transform_filtering_0_column_inside(4) and
-          (is_set(transform_right_filter_column(4, 2), 7) or (not is_set(transform_right_filter_column(4, 1), 7)));
-      end if;
-      for i in 1 to 2 loop
-        if is_set(transform_right_filter_column(3, i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 97) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 97) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(3, i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 98) := transform_right_filter_feature_0_choices(8 * i + 97);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 98) := is_set(transform_right_filter_column(3, i), 0) and
-            transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 98) then
-          transform_right_filter_feature_0_choices(8 * i + 99) := (not is_set(transform_right_filter_column(3, i), 2))
-            and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 99) := (not is_set(transform_right_filter_column(3, i), 2))
-            or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 96) then
-            transform_right_filter_feature_0_choices(8 * i + j + 97) := (not is_set(transform_right_filter_column(3,
-              i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 97) := (not is_set(transform_right_filter_column(3,
-              i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 103) then
-          transform_right_filter_feature_0_choices(8 * i + 104) := is_set(transform_right_filter_column(3, i), 7) and
-            (not is_set(transform_right_filter_column(4, 1), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 104) := is_set(transform_right_filter_column(3, i), 7) or
-            (not is_set(transform_right_filter_column(4, 1), 7));
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_right_filter_column(3 - i, i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 121) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 121) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(3 - i, i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 122) := transform_right_filter_feature_0_choices(8 * i +
-            121);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 122) := is_set(transform_right_filter_column(3 - i, i), 0)
-            and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 122) then
-          transform_right_filter_feature_0_choices(8 * i + 123) := (not is_set(transform_right_filter_column(3 - i, i),
-            2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 123) := (not is_set(transform_right_filter_column(3 - i, i),
-            2)) or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 120) then
-            transform_right_filter_feature_0_choices(8 * i + j + 121) := (not is_set(transform_right_filter_column(3 -
-              i, i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 121) := (not is_set(transform_right_filter_column(3 -
-              i, i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 127) then
-          transform_right_filter_feature_0_choices(8 * i + 128) := is_set(transform_right_filter_column(3 - i, i), 7)
-            and (not is_set(transform_right_filter_column(4, 1), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 128) := is_set(transform_right_filter_column(3 - i, i), 7)
-            or (not is_set(transform_right_filter_column(4, 1), 7));
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_right_filter_column(2, 2 - 2 * i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 137) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 137) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(2, 2 - 2 * i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 138) := transform_right_filter_feature_0_choices(8 * i +
-            137);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 138) := is_set(transform_right_filter_column(2, 2 - 2 * i),
-            0) and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 138) then
-          transform_right_filter_feature_0_choices(8 * i + 139) := (not is_set(transform_right_filter_column(2, 2 - 2 *
-            i), 2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 139) := (not is_set(transform_right_filter_column(2, 2 - 2 *
-            i), 2)) or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 136) then
-            transform_right_filter_feature_0_choices(8 * i + j + 137) := (not is_set(transform_right_filter_column(2, 2
-              - 2 * i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 137) := (not is_set(transform_right_filter_column(2, 2
-              - 2 * i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 143) then
-          transform_right_filter_feature_0_choices(8 * i + 144) := is_set(transform_right_filter_column(2, 2 - 2 * i),
-            7) and (not is_set(transform_right_filter_column(4, 1), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 144) := is_set(transform_right_filter_column(2, 2 - 2 * i),
-            7) or (not is_set(transform_right_filter_column(4, 1), 7));
-        end if;
-      end loop;
-      for i in 1 to 2 loop
-        if is_set(transform_right_filter_column(1, i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 145) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 145) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(1, i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 146) := transform_right_filter_feature_0_choices(8 * i +
-            145);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 146) := is_set(transform_right_filter_column(1, i), 0) and
-            transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 146) then
-          transform_right_filter_feature_0_choices(8 * i + 147) := (not is_set(transform_right_filter_column(1, i), 2))
-            and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 147) := (not is_set(transform_right_filter_column(1, i), 2))
-            or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 144) then
-            transform_right_filter_feature_0_choices(8 * i + j + 145) := (not is_set(transform_right_filter_column(1,
-              i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 145) := (not is_set(transform_right_filter_column(1,
-              i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 151) then
-          transform_right_filter_feature_0_choices(8 * i + 152) := is_set(transform_right_filter_column(1, i), 7) and
-            (not is_set(transform_right_filter_column(4, 1), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 152) := is_set(transform_right_filter_column(1, i), 7) or
-            (not is_set(transform_right_filter_column(4, 1), 7));
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_right_filter_column(1 - i, i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 169) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 169) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(1 - i, i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 170) := transform_right_filter_feature_0_choices(8 * i +
-            169);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 170) := is_set(transform_right_filter_column(1 - i, i), 0)
-            and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 170) then
-          transform_right_filter_feature_0_choices(8 * i + 171) := (not is_set(transform_right_filter_column(1 - i, i),
-            2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 171) := (not is_set(transform_right_filter_column(1 - i, i),
-            2)) or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 168) then
-            transform_right_filter_feature_0_choices(8 * i + j + 169) := (not is_set(transform_right_filter_column(1 -
-              i, i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 169) := (not is_set(transform_right_filter_column(1 -
-              i, i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 175) then
-          transform_right_filter_feature_0_choices(8 * i + 176) := is_set(transform_right_filter_column(1 - i, i), 7)
-            and (not is_set(transform_right_filter_column(4, 1), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 176) := is_set(transform_right_filter_column(1 - i, i), 7)
-            or (not is_set(transform_right_filter_column(4, 1), 7));
-        end if;
-      end loop;
-      if is_set(transform_right_filter_column(0, 2), 0) then
-        transform_right_filter_feature_0_choices(185) := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choices(185) := not transform_right_filter_feature_0_value;
-      end if;
-      if is_set(transform_right_filter_column(0, 2), 1) then
-        transform_right_filter_feature_0_choices(186) := transform_right_filter_feature_0_choices(185);
-      else
-        transform_right_filter_feature_0_choices(186) := is_set(transform_right_filter_column(0, 2), 0) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choices(186) then
-        transform_right_filter_feature_0_choices(187) := (not is_set(transform_right_filter_column(0, 2), 2)) and
-          transform_right_filter_feature_0_values(2);
-      else
-        transform_right_filter_feature_0_choices(187) := (not is_set(transform_right_filter_column(0, 2), 2)) or
-          transform_right_filter_feature_0_values(2);
-      end if;
-      for i in 187 to 190 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(0, 2), i - 184))
-            or transform_right_filter_feature_0_values(i - 184);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(0, 2), i - 184))
-            and transform_right_filter_feature_0_values(i - 184);
-        end if;
-      end loop;
-      if transform_right_filter_feature_0_choices(191) then
-        transform_right_filter_feature_0_choices(192) := is_set(transform_right_filter_column(0, 2), 7) and (not
-          is_set(transform_right_filter_column(4, 1), 7));
-      else
-        transform_right_filter_feature_0_choices(192) := is_set(transform_right_filter_column(0, 2), 7) or (not
-          is_set(transform_right_filter_column(4, 1), 7));
-      end if;
-      if is_set(transform_right_filter_column(4, 1), 0) then
-        transform_right_filter_feature_0_choices(193) := not is_set(transform_right_filter_column(0, 0), 1);
-      else
-        transform_right_filter_feature_0_choices(193) := (transform_right_filter_column(0, 0) mod 4) = 0;
-      end if;
-      if transform_right_filter_feature_0_value then
-        transform_right_filter_feature_0_choices(194) := is_set(transform_right_filter_column(4, 1), 0) or (not
-          is_set(transform_right_filter_column(0, 0), 1)) or (not is_set(transform_right_filter_column(0, 0), 0));
-      else
-        transform_right_filter_feature_0_choices(194) := transform_right_filter_feature_0_choices(193);
-      end if;
+      transform_right_filter_feature_0_choices(193) := choice(is_set(transform_right_filter_column(4, 1), 0), not
+        is_set(transform_right_filter_column(0, 0), 1), (transform_right_filter_column(0, 0) mod 4) = 0);
+      transform_right_filter_feature_0_choices(194) := choice(transform_right_filter_feature_0_values(1),
+        is_set(transform_right_filter_column(4, 1), 0) or (not is_set(transform_right_filter_column(0, 0), 1)) or (not
+        is_set(transform_right_filter_column(0, 0), 0)), transform_right_filter_feature_0_choices(193));
       transform_right_filter_feature_0_values(7) := is_set(transform_right_filter_column(0, 0), 2);
-      if transform_right_filter_feature_0_choices(194) then
-        transform_right_filter_feature_0_choices(195) := (not transform_right_filter_feature_0_values(2)) and
-          transform_right_filter_feature_0_values(7);
-      else
-        transform_right_filter_feature_0_choices(195) := (not transform_right_filter_feature_0_values(2)) or
-          transform_right_filter_feature_0_values(7);
-      end if;
+      transform_right_filter_feature_0_choices(195) := inverted_carry(transform_right_filter_feature_0_choices(194),
+        not transform_right_filter_feature_0_values(2), transform_right_filter_feature_0_values(7));
       for i in 8 to 11 loop
         transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(0, 0), i - 5);
-        if transform_right_filter_feature_0_choices(i + 187) then
-          transform_right_filter_feature_0_choices(i + 188) := (not transform_right_filter_feature_0_values(i - 5)) or
-            transform_right_filter_feature_0_values(i);
-        else
-          transform_right_filter_feature_0_choices(i + 188) := (not transform_right_filter_feature_0_values(i - 5)) and
-            transform_right_filter_feature_0_values(i);
-        end if;
+        transform_right_filter_feature_0_choices(i + 188) := carry(transform_right_filter_feature_0_choices(i + 187),
+          not transform_right_filter_feature_0_values(i - 5), transform_right_filter_feature_0_values(i));
       end loop;
-      if transform_right_filter_feature_0_choices(199) then
-        transform_right_filter_feature_0_choices(200) := (not is_set(transform_right_filter_column(4, 1), 7)) or
-          is_set(transform_right_filter_column(0, 0), 7);
-      else
-        transform_right_filter_feature_0_choices(200) := (not is_set(transform_right_filter_column(4, 1), 7)) and
-          is_set(transform_right_filter_column(0, 0), 7);
-      end if;
-      if transform_filtering_0_column_inside(0) then
-        transform_right_filter_feature_0_choice_201 := (as_number(transform_right_filter_feature_0_choices(184)) * 2) +
-          (as_number(transform_right_filter_feature_0_choices(192)) * 4) +
-          as_number(transform_right_filter_feature_0_choices(200));
-      else
-        transform_right_filter_feature_0_choice_201 := 0;
-      end if;
-      if transform_filtering_0_column_inside(1) then
-        transform_right_filter_feature_0_choice_202 := (as_number(transform_right_filter_feature_0_choices(160)) * 16)
-          + (as_number(transform_right_filter_feature_0_choices(168)) * 32) +
-          (as_number(transform_right_filter_feature_0_choices(176)) * 8) + transform_right_filter_feature_0_choice_201;
-      else
-        transform_right_filter_feature_0_choice_202 := transform_right_filter_feature_0_choice_201;
-      end if;
-      if transform_filtering_0_column_inside(2) then
-        transform_right_filter_feature_0_choice_203 := (as_number(transform_right_filter_feature_0_choices(136)) * 128)
-          + (as_number(transform_right_filter_feature_0_choices(144)) * 256) +
-          (as_number(transform_right_filter_feature_0_choices(152)) * 64) + transform_right_filter_feature_0_choice_202;
-      else
-        transform_right_filter_feature_0_choice_203 := transform_right_filter_feature_0_choice_202;
-      end if;
-      if transform_filtering_0_column_inside(3) then
-        transform_right_filter_feature_0_choice_204 := (as_number(transform_right_filter_feature_0_choices(112)) *
-          1024) + (as_number(transform_right_filter_feature_0_choices(120)) * 2048) +
-          (as_number(transform_right_filter_feature_0_choices(128)) * 512) +
-          transform_right_filter_feature_0_choice_203;
-      else
-        transform_right_filter_feature_0_choice_204 := transform_right_filter_feature_0_choice_203;
-      end if;
-      if is_set(transform_right_filter_column(4, 0), 0) then
-        transform_right_filter_feature_0_choices_from_205(205) := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choices_from_205(205) := not transform_right_filter_feature_0_value;
-      end if;
-      if is_set(transform_right_filter_column(4, 0), 1) then
-        transform_right_filter_feature_0_choices_from_205(206) :=
-          transform_right_filter_feature_0_choices_from_205(205);
-      else
-        transform_right_filter_feature_0_choices_from_205(206) := is_set(transform_right_filter_column(4, 0), 0) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choices_from_205(206) then
-        transform_right_filter_feature_0_choices_from_205(207) := (not is_set(transform_right_filter_column(4, 0), 2))
-          and transform_right_filter_feature_0_values(2);
-      else
-        transform_right_filter_feature_0_choices_from_205(207) := (not is_set(transform_right_filter_column(4, 0), 2))
-          or transform_right_filter_feature_0_values(2);
-      end if;
-      for i in 207 to 210 loop
-        if transform_right_filter_feature_0_choices_from_205(i) then
-          transform_right_filter_feature_0_choices_from_205(i + 1) := (not is_set(transform_right_filter_column(4, 0),
-            i - 204)) or transform_right_filter_feature_0_values(i - 204);
-        else
-          transform_right_filter_feature_0_choices_from_205(i + 1) := (not is_set(transform_right_filter_column(4, 0),
-            i - 204)) and transform_right_filter_feature_0_values(i - 204);
-        end if;
+      transform_right_filter_feature_0_choices(200) := carry(transform_right_filter_feature_0_choices(199), not
+        is_set(transform_right_filter_column(4, 1), 7), is_set(transform_right_filter_column(0, 0), 7));
+      transform_right_filter_feature_0_choice_201 := choice(transform_filtering_0_column_inside(0),
+        (as_number(transform_right_filter_feature_0_choices(184)) * 2) +
+        (as_number(transform_right_filter_feature_0_choices(192)) * 4) +
+        as_number(transform_right_filter_feature_0_choices(200)), 0);
+      transform_right_filter_feature_0_choice_202 := choice(transform_filtering_0_column_inside(1),
+        (as_number(transform_right_filter_feature_0_choices(160)) * 16) +
+        (as_number(transform_right_filter_feature_0_choices(168)) * 32) +
+        (as_number(transform_right_filter_feature_0_choices(176)) * 8) + transform_right_filter_feature_0_choice_201,
+        transform_right_filter_feature_0_choice_201);
+      transform_right_filter_feature_0_choice_203 := choice(transform_filtering_0_column_inside(2),
+        (as_number(transform_right_filter_feature_0_choices(136)) * 128) +
+        (as_number(transform_right_filter_feature_0_choices(144)) * 256) +
+        (as_number(transform_right_filter_feature_0_choices(152)) * 64) + transform_right_filter_feature_0_choice_202,
+        transform_right_filter_feature_0_choice_202);
+      transform_right_filter_feature_0_choice_204 := choice(transform_filtering_0_column_inside(3),
+        (as_number(transform_right_filter_feature_0_choices(112)) * 1024) +
+        (as_number(transform_right_filter_feature_0_choices(120)) * 2048) +
+        (as_number(transform_right_filter_feature_0_choices(128)) * 512) + transform_right_filter_feature_0_choice_203,
+        transform_right_filter_feature_0_choice_203);
+      transform_right_filter_feature_0_choices(205) := choice(is_set(transform_right_filter_column(4, 0), 0),
+        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(206) := choice(is_set(transform_right_filter_column(4, 0), 1),
+        transform_right_filter_feature_0_choices(205), is_set(transform_right_filter_column(4, 0), 0) and
+        transform_right_filter_feature_0_is_equal);
+      transform_right_filter_feature_0_choices(207) := inverted_carry(transform_right_filter_feature_0_choices(206),
+        not is_set(transform_right_filter_column(4, 0), 2), transform_right_filter_feature_0_values(2));
+      for i in 208 to 211 loop
+        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
+          is_set(transform_right_filter_column(4, 0), i - 205), transform_right_filter_feature_0_values(i - 205));
       end loop;
-      if transform_right_filter_feature_0_choices_from_205(211) then
-        transform_right_filter_feature_0_choices_from_205(212) := is_set(transform_right_filter_column(4, 0), 7) and
-          (not is_set(transform_right_filter_column(4, 1), 7));
-      else
-        transform_right_filter_feature_0_choices_from_205(212) := is_set(transform_right_filter_column(4, 0), 7) or
-          (not is_set(transform_right_filter_column(4, 1), 7));
-      end if;
-      if transform_filtering_0_column_inside(4) then
-        transform_right_filter_feature_0_choice_213 := transform_right_filter_feature_0_choice_204 +
-          (as_number(transform_right_filter_feature_0_choices_from_205(212)) * 4096);
-      else
-        transform_right_filter_feature_0_choice_213 := transform_right_filter_feature_0_choice_204;
-      end if;
-      if transform_filtering_0_column_inside(5) then
-        transform_right_filter_feature_0_choice_214 := (as_number(transform_right_filter_feature_0_choices(80)) *
-          16384) + (as_number(transform_right_filter_feature_0_choices(88)) * 32768) +
-          (as_number(transform_right_filter_feature_0_choices(96)) * 65536) +
-          (as_number(transform_right_filter_feature_0_choices(104)) * 8192) +
-          transform_right_filter_feature_0_choice_213;
-      else
-        transform_right_filter_feature_0_choice_214 := (as_number(transform_right_filter_feature_0_choices(104)) *
-          8192) + transform_right_filter_feature_0_choice_213;
-      end if;
-      if transform_filtering_0_column_inside(6) then
-        transform_right_filter_feature_0_choice_215 := (as_number(transform_right_filter_feature_0_choices(56)) *
-          131072) + (as_number(transform_right_filter_feature_0_choices(64)) * 262144) +
-          (as_number(transform_right_filter_feature_0_choices(72)) * 524288) +
-          transform_right_filter_feature_0_choice_214;
-      else
-        transform_right_filter_feature_0_choice_215 := transform_right_filter_feature_0_choice_214;
-      end if;
-      if transform_filtering_0_column_inside(7) then
-        transform_right_filter_feature_0_choice_216 := (as_number(transform_right_filter_feature_0_choices(32)) *
-          1048576) + (as_number(transform_right_filter_feature_0_choices(40)) * 2097152) +
-          (as_number(transform_right_filter_feature_0_choices(48)) * 4194304) +
-          transform_right_filter_feature_0_choice_215;
-      else
-        transform_right_filter_feature_0_choice_216 := transform_right_filter_feature_0_choice_215;
-      end if;
+      transform_right_filter_feature_0_choices(212) := inverted_carry(transform_right_filter_feature_0_choices(211),
+        is_set(transform_right_filter_column(4, 0), 7), not is_set(transform_right_filter_column(4, 1), 7));
+      transform_right_filter_feature_0_choice_213 := choice(transform_filtering_0_column_inside(4),
+        transform_right_filter_feature_0_choice_204 + (as_number(transform_right_filter_feature_0_choices(212)) *
+        4096), transform_right_filter_feature_0_choice_204);
+      transform_right_filter_feature_0_choice_214 := choice(transform_filtering_0_column_inside(5),
+        (as_number(transform_right_filter_feature_0_choices(80)) * 16384) +
+        (as_number(transform_right_filter_feature_0_choices(88)) * 32768) +
+        (as_number(transform_right_filter_feature_0_choices(96)) * 65536) +
+        (as_number(transform_right_filter_feature_0_choices(104)) * 8192) +
+        transform_right_filter_feature_0_choice_213, (as_number(transform_right_filter_feature_0_choices(104)) * 8192)
+        + transform_right_filter_feature_0_choice_213);
+      transform_right_filter_feature_0_choice_215 := choice(transform_filtering_0_column_inside(6),
+        (as_number(transform_right_filter_feature_0_choices(56)) * 131072) +
+        (as_number(transform_right_filter_feature_0_choices(64)) * 262144) +
+        (as_number(transform_right_filter_feature_0_choices(72)) * 524288) +
+        transform_right_filter_feature_0_choice_214, transform_right_filter_feature_0_choice_214);
+      transform_right_filter_feature_0_choice_216 := choice(transform_filtering_0_column_inside(7),
+        (as_number(transform_right_filter_feature_0_choices(32)) * 1048576) +
+        (as_number(transform_right_filter_feature_0_choices(40)) * 2097152) +
+        (as_number(transform_right_filter_feature_0_choices(48)) * 4194304) +
+        transform_right_filter_feature_0_choice_215, transform_right_filter_feature_0_choice_215);
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
@@ -2996,12 +1402,8 @@ begin
       transform_read_start_of_frame <= (transform_counter_group = 1) and (transform_counter_column = 4);
       transform_read_valid <= transform_valid;
       transform_ready_column <= transform_read_column;
-      transform_ready_row_inside(0) <= transform_read_row_inside(0);
-      transform_ready_row_inside(1) <= transform_read_row_inside(1);
-      transform_ready_row_inside(2) <= transform_read_row_inside(2);
-      for i in 0 to 8 loop
-        transform_ready_column_inside(i) <= transform_read_column_inside(i);
-      end loop;
+      transform_ready_row_inside <= transform_read_row_inside;
+      transform_ready_column_inside <= transform_read_column_inside;
       transform_ready_start_of_frame <= transform_read_start_of_frame;
       transform_ready_valid <= transform_read_valid;
       transform_left_column(0) <= transform_left_rows_ready_words_0 mod 256;
@@ -3010,61 +1412,37 @@ begin
       transform_right_column(0) <= transform_right_rows_ready_words_0 mod 256;
       transform_right_column(1) <= transform_right_rows_ready_words_0 / 256;
       transform_right_column(2) <= transform_right_rows_ready_newest_0;
-      transform_columns_row_inside(0) <= transform_ready_row_inside(0);
-      transform_columns_row_inside(1) <= transform_ready_row_inside(1);
-      transform_columns_row_inside(2) <= transform_ready_row_inside(2);
-      for i in 0 to 8 loop
-        transform_columns_column_inside(i) <= transform_ready_column_inside(i);
-      end loop;
+      transform_columns_row_inside <= transform_ready_row_inside;
+      transform_columns_column_inside <= transform_ready_column_inside;
       transform_columns_start_of_frame <= transform_ready_start_of_frame;
       transform_columns_valid <= transform_ready_valid;
-      for i in 0 to 8 loop
-        transform_filtering_0_column_inside(i) <= transform_columns_column_inside(i);
-      end loop;
+      transform_filtering_0_column_inside <= transform_columns_column_inside;
       transform_filtering_start_of_frame(0) <= transform_columns_start_of_frame;
       transform_filtering_valid(0) <= transform_columns_valid;
       transform_filtering_start_of_frame(1) <= transform_filtering_start_of_frame(0);
       transform_filtering_valid(1) <= transform_filtering_valid(0);
-      if in_valid and in_start_of_frame then
-        transform_counter_group <= transform_counter_group_choice * 32;
-      else
-        transform_counter_group <= transform_counter_group_choices(3);
-      end if;
-      if transform_filtering_0_column_inside(8) then
-        transform_left_filter_feature_0 <= (as_number(transform_left_filter_feature_0_choices(8)) * 8388608) +
-          (as_number(transform_left_filter_feature_0_choices(16)) * 16777216) +
-          (as_number(transform_left_filter_feature_0_choices(24)) * 33554432) +
-          transform_left_filter_feature_0_choice_216;
-        transform_right_filter_feature_0 <= (as_number(transform_right_filter_feature_0_choices(8)) * 8388608) +
-          (as_number(transform_right_filter_feature_0_choices(16)) * 16777216) +
-          (as_number(transform_right_filter_feature_0_choices(24)) * 33554432) +
-          transform_right_filter_feature_0_choice_216;
-      else
-        transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_216;
-        transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_216;
-      end if;
-      if transform_counter_group_is_equal_2 then
-        transform_counter_next_frame_choice := (transform_counter_group /= 480) and transform_counter_next_frame;
-      else
-        transform_counter_next_frame_choice := transform_counter_next_frame;
-      end if;
-      if transform_counter_group_differs then
-        transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice;
-      else
-        transform_counter_next_frame_choice_2 := transform_counter_next_frame;
-      end if;
+      transform_counter_group <= choice(in_valid and in_start_of_frame, transform_counter_group_choice * 32,
+        transform_counter_group_choices(3));
+      transform_left_filter_feature_0 <= choice(transform_filtering_0_column_inside(8),
+        (as_number(transform_left_filter_feature_0_choices(8)) * 8388608) +
+        (as_number(transform_left_filter_feature_0_choices(16)) * 16777216) +
+        (as_number(transform_left_filter_feature_0_choices(24)) * 33554432) +
+        transform_left_filter_feature_0_choice_216, transform_left_filter_feature_0_choice_216);
+      transform_right_filter_feature_0 <= choice(transform_filtering_0_column_inside(8),
+        (as_number(transform_right_filter_feature_0_choices(8)) * 8388608) +
+        (as_number(transform_right_filter_feature_0_choices(16)) * 16777216) +
+        (as_number(transform_right_filter_feature_0_choices(24)) * 33554432) +
+        transform_right_filter_feature_0_choice_216, transform_right_filter_feature_0_choice_216);
+      transform_counter_next_frame_choices(1) := choice(transform_counter_group_is_equals(2), (transform_counter_group
+        /= 480) and transform_counter_next_frame, transform_counter_next_frame);
+      transform_counter_next_frame_choices(2) := choice(transform_counter_group_differs,
+        transform_counter_next_frame_choices(1), transform_counter_next_frame);
       if in_valid then
-        if in_start_of_frame or transform_counter_group_is_equal_2 then
-          transform_counter_column <= 0;
-        else
-          transform_counter_column <= (transform_counter_column + 1) mod 1024;
-        end if;
-        if transform_counter_next_frame_choice_2 then
-          transform_counter_next_frame <= (not in_start_of_frame) or transform_counter_group_all;
-        else
-          transform_counter_next_frame <= in_start_of_frame and transform_counter_group_is_equal and
-            transform_counter_group_is_equal_2;
-        end if;
+        transform_counter_column <= choice(in_start_of_frame or transform_counter_group_is_equals(2), 0,
+          (transform_counter_column + 1) mod 1024);
+        transform_counter_next_frame <= choice(transform_counter_next_frame_choices(2), (not in_start_of_frame) or
+          transform_counter_group_all, in_start_of_frame and transform_counter_group_is_equals(1) and
+          transform_counter_group_is_equals(2));
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= (transform_left_rows_ready_newest_0 * 256) +
@@ -3085,13 +1463,8 @@ begin
           transform_right_filter_column(i, 2) <= transform_right_filter_column(i - 1, 2);
         end loop;
         for i in 0 to 2 loop
-          if transform_columns_row_inside(i) then
-            transform_left_filter_column(0, i) <= transform_left_column(i);
-            transform_right_filter_column(0, i) <= transform_right_column(i);
-          else
-            transform_left_filter_column(0, i) <= 0;
-            transform_right_filter_column(0, i) <= 0;
-          end if;
+          transform_left_filter_column(0, i) <= choice(transform_columns_row_inside(i), transform_left_column(i), 0);
+          transform_right_filter_column(0, i) <= choice(transform_columns_row_inside(i), transform_right_column(i), 0);
         end loop;
       end if;
       -- raster
@@ -3099,18 +1472,12 @@ begin
       raster_features_search_0 <= transform_right_filter_feature_0;
       raster_features_reference_0 <= transform_left_filter_feature_0;
       raster_features_valid <= transform_filtering_valid(1);
-      if transform_filtering_valid(1) and transform_filtering_start_of_frame(1) then
-        raster_place_group <= 0;
-      else
-        raster_place_group <= (raster_place_group + as_number(((raster_place_group /= 484) and
-          transform_filtering_valid(1) and raster_place_group_is_equal))) mod 512;
-      end if;
+      raster_place_group <= choice(transform_filtering_valid(1) and transform_filtering_start_of_frame(1), 0,
+        (raster_place_group + as_number(((raster_place_group /= 484) and transform_filtering_valid(1) and
+        raster_place_group_is_equal))) mod 512);
       if transform_filtering_valid(1) then
-        if raster_place_group_is_equal or transform_filtering_start_of_frame(1) then
-          raster_place_column <= 0;
-        else
-          raster_place_column <= (raster_place_column + 1) mod 1024;
-        end if;
+        raster_place_column <= choice(raster_place_group_is_equal or transform_filtering_start_of_frame(1), 0,
+          (raster_place_column + 1) mod 1024);
       end if;
       -- delay
       delay_tag_map_column_is_less := (((((raster_place_column / 64) + 1023) mod 1024) * 64) + (raster_place_column mod
@@ -3121,19 +1488,19 @@ begin
       delay_column <= raster_place_column;
       delay_row_inside(0) <= (raster_place_group >= 9) and (raster_place_group < 489);
       delay_row_inside(1) <= raster_place_group < 480;
-      delay_tag_valid <= raster_features_valid;
-      delay_tag_row_start <= raster_place_column = 0;
-      delay_tag_first_group <= raster_place_group = 0;
-      delay_tag_border_column <= raster_place_column < 63;
-      delay_tag_first_cost <= raster_place_column = 63;
-      delay_tag_leaves_window <= (((((raster_place_column / 8) + 8183) mod 8192) * 8) + (raster_place_column mod 8)) <
+      delay_tag.valid <= raster_features_valid;
+      delay_tag.row_start <= raster_place_column = 0;
+      delay_tag.first_group <= raster_place_group = 0;
+      delay_tag.border_column <= raster_place_column < 63;
+      delay_tag.first_cost <= raster_place_column = 63;
+      delay_tag.leaves_window <= (((((raster_place_column / 8) + 8183) mod 8192) * 8) + (raster_place_column mod 8)) <
         65468;
-      delay_tag_map_column <= delay_tag_map_column_is_less;
-      delay_tag_output_column <= ((((((raster_place_group / 4) + 16383) mod 16384) * 4) + (raster_place_group mod 4)) <
+      delay_tag.map_column <= delay_tag_map_column_is_less;
+      delay_tag.output_column <= ((((((raster_place_group / 4) + 16383) mod 16384) * 4) + (raster_place_group mod 4)) <
         480) and delay_tag_map_column_is_less;
-      delay_tag_first_column <= delay_tag_first_column_is_equal;
-      delay_tag_start_of_frame <= (raster_place_group = 4) and delay_tag_first_column_is_equal;
-      delay_tag_end_of_line <= raster_place_group_is_equal;
+      delay_tag.first_column <= delay_tag_first_column_is_equal;
+      delay_tag.start_of_frame <= (raster_place_group = 4) and delay_tag_first_column_is_equal;
+      delay_tag.end_of_line <= raster_place_group_is_equal;
       -- rows
       rows_search_rows_read_newest_0 <= delay_delayed_0;
       for i in 0 to 8 loop
@@ -3146,71 +1513,25 @@ begin
       end loop;
       rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
       rows_read_column <= delay_column;
-      rows_read_inside(0) <= delay_row_inside(0);
-      rows_read_inside(1) <= delay_row_inside(1);
-      rows_read_tag_valid <= delay_tag_valid;
-      rows_read_tag_row_start <= delay_tag_row_start;
-      rows_read_tag_first_group <= delay_tag_first_group;
-      rows_read_tag_border_column <= delay_tag_border_column;
-      rows_read_tag_first_cost <= delay_tag_first_cost;
-      rows_read_tag_leaves_window <= delay_tag_leaves_window;
-      rows_read_tag_map_column <= delay_tag_map_column;
-      rows_read_tag_output_column <= delay_tag_output_column;
-      rows_read_tag_first_column <= delay_tag_first_column;
-      rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
-      rows_read_tag_end_of_line <= delay_tag_end_of_line;
+      rows_read_inside <= delay_row_inside;
+      rows_read_tag <= delay_tag;
       rows_ready_column <= rows_read_column;
-      rows_ready_inside(0) <= rows_read_inside(0);
-      rows_ready_inside(1) <= rows_read_inside(1);
-      rows_ready_tag_valid <= rows_read_tag_valid;
-      rows_ready_tag_row_start <= rows_read_tag_row_start;
-      rows_ready_tag_first_group <= rows_read_tag_first_group;
-      rows_ready_tag_border_column <= rows_read_tag_border_column;
-      rows_ready_tag_first_cost <= rows_read_tag_first_cost;
-      rows_ready_tag_leaves_window <= rows_read_tag_leaves_window;
-      rows_ready_tag_map_column <= rows_read_tag_map_column;
-      rows_ready_tag_output_column <= rows_read_tag_output_column;
-      rows_ready_tag_first_column <= rows_read_tag_first_column;
-      rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
-      rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_tag_valid <= rows_ready_tag_valid;
-      rows_tag_row_start <= rows_ready_tag_row_start;
-      rows_tag_first_group <= rows_ready_tag_first_group;
-      rows_tag_border_column <= rows_ready_tag_border_column;
-      rows_tag_first_cost <= rows_ready_tag_first_cost;
-      rows_tag_leaves_window <= rows_ready_tag_leaves_window;
-      rows_tag_map_column <= rows_ready_tag_map_column;
-      rows_tag_output_column <= rows_ready_tag_output_column;
-      rows_tag_first_column <= rows_ready_tag_first_column;
-      rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
-      rows_tag_end_of_line <= rows_ready_tag_end_of_line;
-      if rows_ready_inside(0) then
-        rows_search(0) <= rows_search_rows_ready_words(0);
-        rows_reference(0) <= rows_reference_rows_ready_words(0);
-      else
-        rows_search(0) <= 0;
-        rows_reference(0) <= 0;
-      end if;
-      if rows_ready_inside(1) then
-        rows_search(1) <= rows_search_rows_ready_newest_0;
-        rows_reference(1) <= rows_reference_rows_ready_newest_0;
-      else
-        rows_search(1) <= 0;
-        rows_reference(1) <= 0;
-      end if;
-      if rows_ready_tag_valid then
-        for i in 0 to 7 loop
-          rows_search_rows_write_words(i) <= rows_search_rows_ready_words(i + 1);
-        end loop;
+      rows_ready_inside <= rows_read_inside;
+      rows_ready_tag <= rows_read_tag;
+      rows_tag <= rows_ready_tag;
+      rows_search(0) <= choice(rows_ready_inside(0), rows_search_rows_ready_words(0), 0);
+      rows_reference(0) <= choice(rows_ready_inside(0), rows_reference_rows_ready_words(0), 0);
+      rows_search(1) <= choice(rows_ready_inside(1), rows_search_rows_ready_newest_0, 0);
+      rows_reference(1) <= choice(rows_ready_inside(1), rows_reference_rows_ready_newest_0, 0);
+      if rows_ready_tag.valid then
+        rows_search_rows_write_words(0 to 7) <= rows_search_rows_ready_words(1 to 8);
         rows_search_rows_write_words(8) <= rows_search_rows_ready_newest_0;
-        for i in 0 to 7 loop
-          rows_reference_rows_write_words(i) <= rows_reference_rows_ready_words(i + 1);
-        end loop;
+        rows_reference_rows_write_words(0 to 7) <= rows_reference_rows_ready_words(1 to 8);
         rows_reference_rows_write_words(8) <= rows_reference_rows_ready_newest_0;
         rows_write_column <= rows_ready_column;
       end if;
       -- slice0shift
-      if rows_tag_valid then
+      if rows_tag.valid then
         for i in 0 to 1 loop
           slice0shift_search(i, 0) <= rows_search(i);
           for j in 1 to 15 loop
@@ -3218,109 +1539,81 @@ begin
           end loop;
         end loop;
       end if;
-      slice0shift_reference(0) <= rows_reference(0);
-      slice0shift_reference(1) <= rows_reference(1);
+      slice0shift_reference <= rows_reference;
       slice0shift_search_out(0) <= slice0shift_search(0, 15);
       slice0shift_search_out(1) <= slice0shift_search(1, 15);
-      slice0shift_tag_valid <= rows_tag_valid;
-      slice0shift_tag_row_start <= rows_tag_row_start;
-      slice0shift_tag_first_group <= rows_tag_first_group;
-      slice0shift_tag_border_column <= rows_tag_border_column;
-      slice0shift_tag_first_cost <= rows_tag_first_cost;
-      slice0shift_tag_leaves_window <= rows_tag_leaves_window;
-      slice0shift_tag_map_column <= rows_tag_map_column;
-      slice0shift_tag_output_column <= rows_tag_output_column;
-      slice0shift_tag_first_column <= rows_tag_first_column;
-      slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
-      slice0shift_tag_end_of_line <= rows_tag_end_of_line;
+      slice0shift_tag <= rows_tag;
       -- slice0cost
       for i in 0 to 1 loop
-        slice0cost_pixels_first_0_count_value(i, 0) := is_set(slice0shift_reference(i), 2);
-        slice0cost_pixels_first_0_count_value_2(i, 0) := is_set(slice0shift_reference(i), 1);
-        slice0cost_pixels_first_0_count_value(i, 1) := is_set(slice0shift_reference(i), 3);
-        slice0cost_pixels_first_0_count_value_2(i, 1) := is_set(slice0shift_reference(i), 5);
-        slice0cost_pixels_first_0_count_1_value_3(i) := is_set(slice0shift_reference(i), 4);
-        slice0cost_pixels_first_0_count_value(i, 2) := is_set(slice0shift_reference(i), 8);
-        slice0cost_pixels_first_0_count_value_2(i, 2) := is_set(slice0shift_reference(i), 6);
+        slice0cost_pixels_first_0_count_value(i, 0, 1) := is_set(slice0shift_reference(i), 2);
+        slice0cost_pixels_first_0_count_value(i, 0, 2) := is_set(slice0shift_reference(i), 1);
+        slice0cost_pixels_first_0_count_value(i, 1, 1) := is_set(slice0shift_reference(i), 3);
+        slice0cost_pixels_first_0_count_value(i, 1, 2) := is_set(slice0shift_reference(i), 5);
+        slice0cost_pixels_first_0_count_value(i, 1, 3) := is_set(slice0shift_reference(i), 4);
+        slice0cost_pixels_first_0_count_value(i, 2, 1) := is_set(slice0shift_reference(i), 8);
+        slice0cost_pixels_first_0_count_value(i, 2, 2) := is_set(slice0shift_reference(i), 6);
         for j in 3 to 7 loop
-          slice0cost_pixels_first_0_count_value(i, j) := is_set(slice0shift_reference(i), 3 * j);
-          slice0cost_pixels_first_0_count_value_2(i, j) := is_set(slice0shift_reference(i), 3 * j + 2);
-          slice0cost_pixels_first_0_count_value_3(i, j) := is_set(slice0shift_reference(i), 3 * j + 1);
+          slice0cost_pixels_first_0_count_value(i, j, 1) := is_set(slice0shift_reference(i), 3 * j);
+          slice0cost_pixels_first_0_count_value(i, j, 2) := is_set(slice0shift_reference(i), 3 * j + 2);
+          slice0cost_pixels_first_0_count_value(i, j, 3) := is_set(slice0shift_reference(i), 3 * j + 1);
         end loop;
-        slice0cost_pixels_first_0_count_value(i, 8) := is_set(slice0shift_reference(i), 24);
+        slice0cost_pixels_first_0_count_value(i, 8, 1) := is_set(slice0shift_reference(i), 24);
       end loop;
       for i in 0 to 3 loop
         for j in 0 to 3 loop
-          if slice0cost_ready_tag_first_group then
-            slice0cost_column_0_choice(4 * i + j) := 0;
-          else
-            slice0cost_column_0_choice(4 * i + j) := to_integer(slice0cost_ready_words(i)(8 * j + 7 downto 8 * j));
-          end if;
-          if slice0cost_ready_tag_border_column then
-            slice0cost_column_0_choice_2(4 * i + j) := 0;
-          else
-            slice0cost_column_0_choice_2(4 * i + j) := (slice0cost_change_0(4 * i + j) + slice0cost_column_0_choice(4 *
-              i + j)) mod 256;
-          end if;
+          slice0cost_column_0_choice(4 * i + j, 1) := choice(slice0cost_ready_tag.first_group, 0,
+            to_integer(slice0cost_ready_words(i)(8 * j + 7 downto 8 * j)));
+          slice0cost_column_0_choice(4 * i + j, 2) := choice(slice0cost_ready_tag.border_column, 0,
+            (slice0cost_change_0(4 * i + j) + slice0cost_column_0_choice(4 * i + j, 1)) mod 256);
         end loop;
       end loop;
       for i in 0 to 1 loop
         slice0cost_pixels_first_count(i, 0, 0) <= as_number((is_set(slice0shift_search(i, 0), 0) /=
-          is_set(slice0shift_reference(i), 0))) + as_number((slice0cost_pixels_first_0_count_value(i, 0) /=
-          is_set(slice0shift_search(i, 0), 2))) + as_number((slice0cost_pixels_first_0_count_value_2(i, 0) /=
+          is_set(slice0shift_reference(i), 0))) + as_number((slice0cost_pixels_first_0_count_value(i, 0, 1) /=
+          is_set(slice0shift_search(i, 0), 2))) + as_number((slice0cost_pixels_first_0_count_value(i, 0, 2) /=
           is_set(slice0shift_search(i, 0), 1)));
-        slice0cost_pixels_first_count(i, 0, 1) <= as_number((slice0cost_pixels_first_0_count_value(i, 1) /=
-          is_set(slice0shift_search(i, 0), 3))) + as_number((slice0cost_pixels_first_0_count_value_2(i, 1) /=
-          is_set(slice0shift_search(i, 0), 5))) + as_number((slice0cost_pixels_first_0_count_1_value_3(i) /=
+        slice0cost_pixels_first_count(i, 0, 1) <= as_number((slice0cost_pixels_first_0_count_value(i, 1, 1) /=
+          is_set(slice0shift_search(i, 0), 3))) + as_number((slice0cost_pixels_first_0_count_value(i, 1, 2) /=
+          is_set(slice0shift_search(i, 0), 5))) + as_number((slice0cost_pixels_first_0_count_value(i, 1, 3) /=
           is_set(slice0shift_search(i, 0), 4)));
         slice0cost_pixels_first_count(i, 0, 2) <= (to_integer(((to_unsigned((slice0shift_search(i, 0) mod 256), 8)) xor
           (to_unsigned((slice0shift_reference(i) mod 256), 8)))) / 128) +
-          as_number((slice0cost_pixels_first_0_count_value(i, 2) /= is_set(slice0shift_search(i, 0), 8))) +
-          as_number((slice0cost_pixels_first_0_count_value_2(i, 2) /= is_set(slice0shift_search(i, 0), 6)));
+          as_number((slice0cost_pixels_first_0_count_value(i, 2, 1) /= is_set(slice0shift_search(i, 0), 8))) +
+          as_number((slice0cost_pixels_first_0_count_value(i, 2, 2) /= is_set(slice0shift_search(i, 0), 6)));
         for j in 3 to 7 loop
-          slice0cost_pixels_first_count(i, 0, j) <= as_number((slice0cost_pixels_first_0_count_value(i, j) /=
-            is_set(slice0shift_search(i, 0), 3 * j))) + as_number((slice0cost_pixels_first_0_count_value_2(i, j) /=
-            is_set(slice0shift_search(i, 0), 3 * j + 2))) + as_number((slice0cost_pixels_first_0_count_value_3(i, j) /=
-            is_set(slice0shift_search(i, 0), 3 * j + 1)));
+          slice0cost_pixels_first_count(i, 0, j) <= as_number((slice0cost_pixels_first_0_count_value(i, j, 1) /=
+            is_set(slice0shift_search(i, 0), 3 * j))) + as_number((slice0cost_pixels_first_0_count_value(i, j, 2) /=
+            is_set(slice0shift_search(i, 0), 3 * j + 2))) + as_number((slice0cost_pixels_first_0_count_value(i, j, 3)
+            /= is_set(slice0shift_search(i, 0), 3 * j + 1)));
         end loop;
         slice0cost_pixels_first_count_8(i, 0) <= as_number((is_set(slice0shift_reference(i), 25) /=
-          is_set(slice0shift_search(i, 0), 25))) + as_number((slice0cost_pixels_first_0_count_value(i, 8) /=
+          is_set(slice0shift_search(i, 0), 25))) + as_number((slice0cost_pixels_first_0_count_value(i, 8, 1) /=
           is_set(slice0shift_search(i, 0), 24)));
         for j in 1 to 15 loop
           slice0cost_pixels_first_count(i, j, 0) <= as_number((is_set(slice0shift_search(i, j), 0) /=
             is_set(slice0shift_reference(i), 0))) + as_number((is_set(slice0shift_search(i, j), 2) /=
-            slice0cost_pixels_first_0_count_value(i, 0))) + as_number((is_set(slice0shift_search(i, j), 1) /=
-            slice0cost_pixels_first_0_count_value_2(i, 0)));
+            slice0cost_pixels_first_0_count_value(i, 0, 1))) + as_number((is_set(slice0shift_search(i, j), 1) /=
+            slice0cost_pixels_first_0_count_value(i, 0, 2)));
           slice0cost_pixels_first_count(i, j, 1) <= as_number((is_set(slice0shift_search(i, j), 3) /=
-            slice0cost_pixels_first_0_count_value(i, 1))) + as_number((is_set(slice0shift_search(i, j), 5) /=
-            slice0cost_pixels_first_0_count_value_2(i, 1))) + as_number((is_set(slice0shift_search(i, j), 4) /=
-            slice0cost_pixels_first_0_count_1_value_3(i)));
+            slice0cost_pixels_first_0_count_value(i, 1, 1))) + as_number((is_set(slice0shift_search(i, j), 5) /=
+            slice0cost_pixels_first_0_count_value(i, 1, 2))) + as_number((is_set(slice0shift_search(i, j), 4) /=
+            slice0cost_pixels_first_0_count_value(i, 1, 3)));
           slice0cost_pixels_first_count(i, j, 2) <= (to_integer(((to_unsigned((slice0shift_search(i, j) mod 256), 8))
             xor (to_unsigned((slice0shift_reference(i) mod 256), 8)))) / 128) + as_number((is_set(slice0shift_search(i,
-            j), 8) /= slice0cost_pixels_first_0_count_value(i, 2))) + as_number((is_set(slice0shift_search(i, j), 6) /=
-            slice0cost_pixels_first_0_count_value_2(i, 2)));
+            j), 8) /= slice0cost_pixels_first_0_count_value(i, 2, 1))) + as_number((is_set(slice0shift_search(i, j), 6)
+            /= slice0cost_pixels_first_0_count_value(i, 2, 2)));
           for k in 3 to 7 loop
             slice0cost_pixels_first_count(i, j, k) <= as_number((is_set(slice0shift_search(i, j), 3 * k) /=
-              slice0cost_pixels_first_0_count_value(i, k))) + as_number((is_set(slice0shift_search(i, j), 3 * k + 2) /=
-              slice0cost_pixels_first_0_count_value_2(i, k))) + as_number((is_set(slice0shift_search(i, j), 3 * k + 1)
-              /= slice0cost_pixels_first_0_count_value_3(i, k)));
+              slice0cost_pixels_first_0_count_value(i, k, 1))) + as_number((is_set(slice0shift_search(i, j), 3 * k + 2)
+              /= slice0cost_pixels_first_0_count_value(i, k, 2))) + as_number((is_set(slice0shift_search(i, j), 3 * k +
+              1) /= slice0cost_pixels_first_0_count_value(i, k, 3)));
           end loop;
           slice0cost_pixels_first_count_8(i, j) <= as_number((is_set(slice0shift_search(i, j), 25) /=
             is_set(slice0shift_reference(i), 25))) + as_number((is_set(slice0shift_search(i, j), 24) /=
-            slice0cost_pixels_first_0_count_value(i, 8)));
+            slice0cost_pixels_first_0_count_value(i, 8, 1)));
         end loop;
       end loop;
-      slice0cost_pixels_first_tag_valid <= slice0shift_tag_valid;
-      slice0cost_pixels_first_tag_row_start <= slice0shift_tag_row_start;
-      slice0cost_pixels_first_tag_first_group <= slice0shift_tag_first_group;
-      slice0cost_pixels_first_tag_border_column <= slice0shift_tag_border_column;
-      slice0cost_pixels_first_tag_first_cost <= slice0shift_tag_first_cost;
-      slice0cost_pixels_first_tag_leaves_window <= slice0shift_tag_leaves_window;
-      slice0cost_pixels_first_tag_map_column <= slice0shift_tag_map_column;
-      slice0cost_pixels_first_tag_output_column <= slice0shift_tag_output_column;
-      slice0cost_pixels_first_tag_first_column <= slice0shift_tag_first_column;
-      slice0cost_pixels_first_tag_start_of_frame <= slice0shift_tag_start_of_frame;
-      slice0cost_pixels_first_tag_end_of_line <= slice0shift_tag_end_of_line;
+      slice0cost_pixels_first_tag <= slice0shift_tag;
       for i in 0 to 1 loop
         for j in 0 to 15 loop
           slice0cost_pixels_cost(i, j) <= slice0cost_pixels_first_count(i, j, 6) + slice0cost_pixels_first_count(i, j,
@@ -3330,469 +1623,179 @@ begin
             slice0cost_pixels_first_count(i, j, 2);
         end loop;
       end loop;
-      slice0cost_pixels_tag_valid <= slice0cost_pixels_first_tag_valid;
-      slice0cost_pixels_tag_row_start <= slice0cost_pixels_first_tag_row_start;
-      slice0cost_pixels_tag_first_group <= slice0cost_pixels_first_tag_first_group;
-      slice0cost_pixels_tag_border_column <= slice0cost_pixels_first_tag_border_column;
-      slice0cost_pixels_tag_first_cost <= slice0cost_pixels_first_tag_first_cost;
-      slice0cost_pixels_tag_leaves_window <= slice0cost_pixels_first_tag_leaves_window;
-      slice0cost_pixels_tag_map_column <= slice0cost_pixels_first_tag_map_column;
-      slice0cost_pixels_tag_output_column <= slice0cost_pixels_first_tag_output_column;
-      slice0cost_pixels_tag_first_column <= slice0cost_pixels_first_tag_first_column;
-      slice0cost_pixels_tag_start_of_frame <= slice0cost_pixels_first_tag_start_of_frame;
-      slice0cost_pixels_tag_end_of_line <= slice0cost_pixels_first_tag_end_of_line;
+      slice0cost_pixels_tag <= slice0cost_pixels_first_tag;
       for i in 0 to 15 loop
         slice0cost_change_0(i) <= slice0cost_pixels_cost(1, i) - slice0cost_pixels_cost(0, i);
       end loop;
-      slice0cost_ready_words(0) <= slice0cost_read_words(0);
-      slice0cost_ready_words(1) <= slice0cost_read_words(1);
-      slice0cost_ready_words(2) <= slice0cost_read_words(2);
-      slice0cost_ready_words(3) <= slice0cost_read_words(3);
-      slice0cost_ready_tag_valid <= slice0cost_pixels_tag_valid;
-      slice0cost_ready_tag_row_start <= slice0cost_pixels_tag_row_start;
-      slice0cost_ready_tag_first_group <= slice0cost_pixels_tag_first_group;
-      slice0cost_ready_tag_border_column <= slice0cost_pixels_tag_border_column;
-      slice0cost_ready_tag_first_cost <= slice0cost_pixels_tag_first_cost;
-      slice0cost_ready_tag_leaves_window <= slice0cost_pixels_tag_leaves_window;
-      slice0cost_ready_tag_map_column <= slice0cost_pixels_tag_map_column;
-      slice0cost_ready_tag_output_column <= slice0cost_pixels_tag_output_column;
-      slice0cost_ready_tag_first_column <= slice0cost_pixels_tag_first_column;
-      slice0cost_ready_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
-      slice0cost_ready_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
+      slice0cost_ready_words <= slice0cost_read_words;
+      slice0cost_ready_tag <= slice0cost_pixels_tag;
       for i in 0 to 15 loop
-        slice0cost_column_0(i) <= slice0cost_column_0_choice_2(i);
+        slice0cost_column_0(i) <= slice0cost_column_0_choice(i, 2);
       end loop;
       slice0cost_write_column <= slice0cost_ready_column;
-      slice0cost_tag_valid <= slice0cost_ready_tag_valid;
-      slice0cost_tag_first_group <= slice0cost_ready_tag_first_group;
-      slice0cost_tag_border_column <= slice0cost_ready_tag_border_column;
-      slice0cost_tag_first_cost <= slice0cost_ready_tag_first_cost;
-      slice0cost_tag_leaves_window <= slice0cost_ready_tag_leaves_window;
-      slice0cost_tag_map_column <= slice0cost_ready_tag_map_column;
-      slice0cost_tag_output_column <= slice0cost_ready_tag_output_column;
-      slice0cost_tag_first_column <= slice0cost_ready_tag_first_column;
-      slice0cost_tag_start_of_frame <= slice0cost_ready_tag_start_of_frame;
-      slice0cost_tag_end_of_line <= slice0cost_ready_tag_end_of_line;
-      if slice0shift_tag_valid then
-        if slice0shift_tag_row_start then
-          slice0cost_read_column <= 0;
-        else
-          slice0cost_read_column <= (slice0cost_read_column + 1) mod 1024;
-        end if;
+      slice0cost_tag.valid <= slice0cost_ready_tag.valid;
+      slice0cost_tag.first_group <= slice0cost_ready_tag.first_group;
+      slice0cost_tag.border_column <= slice0cost_ready_tag.border_column;
+      slice0cost_tag.first_cost <= slice0cost_ready_tag.first_cost;
+      slice0cost_tag.leaves_window <= slice0cost_ready_tag.leaves_window;
+      slice0cost_tag.map_column <= slice0cost_ready_tag.map_column;
+      slice0cost_tag.output_column <= slice0cost_ready_tag.output_column;
+      slice0cost_tag.first_column <= slice0cost_ready_tag.first_column;
+      slice0cost_tag.start_of_frame <= slice0cost_ready_tag.start_of_frame;
+      slice0cost_tag.end_of_line <= slice0cost_ready_tag.end_of_line;
+      if slice0shift_tag.valid then
+        slice0cost_read_column <= choice(slice0shift_tag.row_start, 0, (slice0cost_read_column + 1) mod 1024);
       end if;
-      if slice0cost_pixels_first_tag_valid then
-        if slice0cost_pixels_first_tag_row_start then
-          slice0cost_change_column <= 0;
-        else
-          slice0cost_change_column <= (slice0cost_change_column + 1) mod 1024;
-        end if;
+      if slice0cost_pixels_first_tag.valid then
+        slice0cost_change_column <= choice(slice0cost_pixels_first_tag.row_start, 0, (slice0cost_change_column + 1) mod
+          1024);
       end if;
-      if slice0cost_pixels_tag_valid then
-        if slice0cost_pixels_tag_row_start then
-          slice0cost_ready_column <= 0;
-        else
-          slice0cost_ready_column <= (slice0cost_ready_column + 1) mod 1024;
-        end if;
+      if slice0cost_pixels_tag.valid then
+        slice0cost_ready_column <= choice(slice0cost_pixels_tag.row_start, 0, (slice0cost_ready_column + 1) mod 1024);
       end if;
-      if slice0cost_ready_tag_valid then
+      if slice0cost_ready_tag.valid then
         for i in 0 to 3 loop
-          slice0cost_write_words(i) <= to_unsigned(slice0cost_column_0_choice_2(4 * i + 3), 8) &
-            to_unsigned(slice0cost_column_0_choice_2(4 * i + 2), 8) & to_unsigned(slice0cost_column_0_choice_2(4 * i +
-            1), 8) & to_unsigned(slice0cost_column_0_choice_2(4 * i), 8);
+          slice0cost_write_words(i) <= to_unsigned(slice0cost_column_0_choice(4 * i + 3, 2), 8) &
+            to_unsigned(slice0cost_column_0_choice(4 * i + 2, 2), 8) & to_unsigned(slice0cost_column_0_choice(4 * i +
+            1, 2), 8) & to_unsigned(slice0cost_column_0_choice(4 * i, 2), 8);
         end loop;
       end if;
       -- slice0window
-      if slice0cost_tag_valid then
+      if slice0cost_tag.valid then
         slice0window_ring_write_address <= slice0window_ring_read_address;
-        if slice0window_ring_read_address = 9 then
-          slice0window_ring_read_address <= 0;
-        else
-          slice0window_ring_read_address <= (slice0window_ring_read_address + 1) mod 16;
-        end if;
+        slice0window_ring_read_address <= choice(slice0window_ring_read_address = 9, 0, (slice0window_ring_read_address
+          + 1) mod 16);
       end if;
-      for i in 0 to 1 loop
+      for i in 0 to 3 loop
         for j in 0 to 3 loop
-          if slice0window_entering_tag_leaves_window then
-            slice0window_change_0_choice(8 * i + j) := to_integer(slice0window_leaving(2 * i)(8 * j + 7 downto 8 * j));
-          else
-            slice0window_change_0_choice(8 * i + j) := 0;
-          end if;
-        end loop;
-        for j in 4 to 7 loop
-          if slice0window_entering_tag_leaves_window then
-            slice0window_change_0_choice(8 * i + j) := to_integer(slice0window_leaving(2 * i + 1)(8 * j - 25 downto 8 *
-              j - 32));
-          else
-            slice0window_change_0_choice(8 * i + j) := 0;
-          end if;
+          slice0window_change_0_choice(4 * i + j) := choice(slice0window_entering_tag.leaves_window,
+            to_integer(slice0window_leaving(i)(8 * j + 7 downto 8 * j)), 0);
         end loop;
       end loop;
-      for i in 0 to 15 loop
-        slice0window_entering_0(i) <= slice0cost_column_0(i);
-      end loop;
-      slice0window_entering_tag_valid <= slice0cost_tag_valid;
-      slice0window_entering_tag_first_group <= slice0cost_tag_first_group;
-      slice0window_entering_tag_border_column <= slice0cost_tag_border_column;
-      slice0window_entering_tag_first_cost <= slice0cost_tag_first_cost;
-      slice0window_entering_tag_leaves_window <= slice0cost_tag_leaves_window;
-      slice0window_entering_tag_map_column <= slice0cost_tag_map_column;
-      slice0window_entering_tag_output_column <= slice0cost_tag_output_column;
-      slice0window_entering_tag_first_column <= slice0cost_tag_first_column;
-      slice0window_entering_tag_start_of_frame <= slice0cost_tag_start_of_frame;
-      slice0window_entering_tag_end_of_line <= slice0cost_tag_end_of_line;
+      slice0window_entering_0 <= slice0cost_column_0;
+      slice0window_entering_tag <= slice0cost_tag;
       for i in 0 to 15 loop
         slice0window_change_0(i) <= slice0window_entering_0(i) - slice0window_change_0_choice(i);
       end loop;
-      slice0window_change_tag_valid <= slice0window_entering_tag_valid;
-      slice0window_change_tag_first_group <= slice0window_entering_tag_first_group;
-      slice0window_change_tag_border_column <= slice0window_entering_tag_border_column;
-      slice0window_change_tag_first_cost <= slice0window_entering_tag_first_cost;
-      slice0window_change_tag_leaves_window <= slice0window_entering_tag_leaves_window;
-      slice0window_change_tag_map_column <= slice0window_entering_tag_map_column;
-      slice0window_change_tag_output_column <= slice0window_entering_tag_output_column;
-      slice0window_change_tag_first_column <= slice0window_entering_tag_first_column;
-      slice0window_change_tag_start_of_frame <= slice0window_entering_tag_start_of_frame;
-      slice0window_change_tag_end_of_line <= slice0window_entering_tag_end_of_line;
-      slice0window_centre_map_column_0 <= slice0window_change_tag_map_column;
-      slice0window_centre_output_column(0) <= slice0window_change_tag_output_column;
-      slice0window_centre_first_column(0) <= slice0window_change_tag_first_column;
-      slice0window_centre_start_of_frame(0) <= slice0window_change_tag_start_of_frame;
-      slice0window_centre_start_of_frame(1) <= slice0window_centre_start_of_frame(0);
-      slice0window_centre_start_of_frame(2) <= slice0window_centre_start_of_frame(1);
-      slice0window_centre_end_of_line_0 <= slice0window_change_tag_end_of_line;
-      slice0window_tag_valid <= slice0window_change_tag_valid;
+      slice0window_change_tag <= slice0window_entering_tag;
+      slice0window_centre_map_column_0 <= slice0window_change_tag.map_column;
+      slice0window_centre_output_column(0) <= slice0window_change_tag.output_column;
+      slice0window_centre_first_column(0) <= slice0window_change_tag.first_column;
+      slice0window_centre_start_of_frame(0) <= slice0window_change_tag.start_of_frame;
+      slice0window_centre_start_of_frame(1 to 2) <= slice0window_centre_start_of_frame(0 to 1);
+      slice0window_centre_end_of_line_0 <= slice0window_change_tag.end_of_line;
+      slice0window_tag.valid <= slice0window_change_tag.valid;
       for i in 0 to 15 loop
-        if slice0window_change_tag_first_cost then
-          slice0window_sum_0_choice(i) := 0;
-        else
-          slice0window_sum_0_choice(i) := slice0window_sum_0(i);
-        end if;
+        slice0window_sum_0_choice(i) := choice(slice0window_change_tag.first_cost, 0, slice0window_sum_0(i));
       end loop;
-      if slice0window_change_tag_valid then
+      if slice0window_change_tag.valid then
         for i in 0 to 15 loop
           slice0window_sum_0(i) <= (slice0window_sum_0_choice(i) + slice0window_change_0(i)) mod 4096;
         end loop;
-        slice0window_centre_output_column(1) <= slice1window_change_tag_output_column;
-        slice0window_centre_output_column(2) <= slice0window_centre_output_column(1);
-        slice0window_centre_output_column(3) <= slice0window_centre_output_column(2);
-        slice0window_centre_first_column(1) <= slice1window_change_tag_first_column;
-        slice0window_centre_first_column(2) <= slice0window_centre_first_column(1);
-        slice0window_centre_first_column(3) <= slice0window_centre_first_column(2);
+        slice0window_centre_output_column(1) <= slice1window_change_tag.output_column;
+        slice0window_centre_output_column(2 to 3) <= slice0window_centre_output_column(1 to 2);
+        slice0window_centre_first_column(1) <= slice1window_change_tag.first_column;
+        slice0window_centre_first_column(2 to 3) <= slice0window_centre_first_column(1 to 2);
       end if;
-      if slice0winner2_tag_valid then
+      if slice0winner2_tag.valid then
         slice0window_centre_start_of_frame(3) <= slice0window_centre_start_of_frame(2);
-        slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame(3);
+        slice0window_tag.start_of_frame <= slice0window_centre_start_of_frame(3);
       end if;
-      if slice0window_tag_valid then
-        slice0window_tag_output_column <= slice1window_centre_output_column(2);
-        slice0window_tag_first_column <= slice1window_centre_first_column(2);
+      if slice0window_tag.valid then
+        slice0window_tag.output_column <= slice1window_centre_output_column(2);
+        slice0window_tag.first_column <= slice1window_centre_first_column(2);
       end if;
       -- slice0other
       slice0other_cost_0_1_all := slice1window_centre_output_column(3) and slice1window_centre_first_column(3);
       for i in 1 to 14 loop
-        if (slice0window_sum_0(i) - slice0other_cost_0(i - 1)) < 0 then
-          slice0other_cost_0_choice(i) := slice1window_centre_output_column(3);
-        else
-          slice0other_cost_0_choice(i) := slice0other_cost_0_1_all;
-        end if;
+        slice0other_cost_0_choice(i) := choice((slice0window_sum_0(i) - slice0other_cost_0(i - 1)) < 0,
+          slice1window_centre_output_column(3), slice0other_cost_0_1_all);
       end loop;
       slice0other_cost_0_15_all := slice1window_centre_output_column(3) and (((slice0window_sum_0(15) -
         slice0other_cost_0(14)) < 0) or slice1window_centre_first_column(3));
-      if slice0window_tag_valid then
+      if slice0window_tag.valid then
         slice0other_winner_0_1 <= slice0other_cost_0_choice(1);
-        if slice1window_centre_output_column(3) then
-          slice0other_cost_0(0) <= slice0window_sum_0(0);
-        else
-          slice0other_cost_0(0) <= 0;
-        end if;
-        if slice0other_cost_0_choice(1) then
-          slice0other_cost_0(1) <= slice0window_sum_0(1);
-        else
-          slice0other_cost_0(1) <= slice0other_cost_0(0);
-        end if;
-        if slice0other_cost_0_choice(2) then
-          slice0other_cost_0(2) <= slice0window_sum_0(2);
-          slice0other_winner_0_2 <= 2;
-        else
-          slice0other_cost_0(2) <= slice0other_cost_0(1);
-          slice0other_winner_0_2 <= as_number(slice0other_winner_0_1);
-        end if;
-        if slice0other_cost_0_choice(3) then
-          slice0other_cost_0(3) <= slice0window_sum_0(3);
-          slice0other_winner_0_3 <= 3;
-        else
-          slice0other_cost_0(3) <= slice0other_cost_0(2);
-          slice0other_winner_0_3 <= slice0other_winner_0_2;
-        end if;
-        if slice0other_cost_0_choice(4) then
-          slice0other_cost_0(4) <= slice0window_sum_0(4);
-          slice0other_winner_0_4 <= 4;
-        else
-          slice0other_cost_0(4) <= slice0other_cost_0(3);
-          slice0other_winner_0_4 <= slice0other_winner_0_3;
-        end if;
-        if slice0other_cost_0_choice(5) then
-          slice0other_cost_0(5) <= slice0window_sum_0(5);
-          slice0other_winner_0_5 <= 5;
-        else
-          slice0other_cost_0(5) <= slice0other_cost_0(4);
-          slice0other_winner_0_5 <= slice0other_winner_0_4;
-        end if;
-        if slice0other_cost_0_choice(6) then
-          slice0other_cost_0(6) <= slice0window_sum_0(6);
-          slice0other_winner_0_6 <= 6;
-        else
-          slice0other_cost_0(6) <= slice0other_cost_0(5);
-          slice0other_winner_0_6 <= slice0other_winner_0_5;
-        end if;
-        if slice0other_cost_0_choice(7) then
-          slice0other_cost_0(7) <= slice0window_sum_0(7);
-          slice0other_winner_0_7 <= 7;
-        else
-          slice0other_cost_0(7) <= slice0other_cost_0(6);
-          slice0other_winner_0_7 <= slice0other_winner_0_6;
-        end if;
-        if slice0other_cost_0_choice(8) then
-          slice0other_cost_0(8) <= slice0window_sum_0(8);
-          slice0other_winner_0_8 <= 8;
-        else
-          slice0other_cost_0(8) <= slice0other_cost_0(7);
-          slice0other_winner_0_8 <= slice0other_winner_0_7;
-        end if;
-        if slice0other_cost_0_choice(9) then
-          slice0other_cost_0(9) <= slice0window_sum_0(9);
-          slice0other_winner_0_9 <= 9;
-        else
-          slice0other_cost_0(9) <= slice0other_cost_0(8);
-          slice0other_winner_0_9 <= slice0other_winner_0_8;
-        end if;
-        if slice0other_cost_0_choice(10) then
-          slice0other_cost_0(10) <= slice0window_sum_0(10);
-          slice0other_winner_0_10 <= 10;
-        else
-          slice0other_cost_0(10) <= slice0other_cost_0(9);
-          slice0other_winner_0_10 <= slice0other_winner_0_9;
-        end if;
-        if slice0other_cost_0_choice(11) then
-          slice0other_cost_0(11) <= slice0window_sum_0(11);
-          slice0other_winner_0_11 <= 11;
-        else
-          slice0other_cost_0(11) <= slice0other_cost_0(10);
-          slice0other_winner_0_11 <= slice0other_winner_0_10;
-        end if;
-        if slice0other_cost_0_choice(12) then
-          slice0other_cost_0(12) <= slice0window_sum_0(12);
-          slice0other_winner_0_12 <= 12;
-        else
-          slice0other_cost_0(12) <= slice0other_cost_0(11);
-          slice0other_winner_0_12 <= slice0other_winner_0_11;
-        end if;
-        if slice0other_cost_0_choice(13) then
-          slice0other_cost_0(13) <= slice0window_sum_0(13);
-          slice0other_winner_0_13 <= 13;
-        else
-          slice0other_cost_0(13) <= slice0other_cost_0(12);
-          slice0other_winner_0_13 <= slice0other_winner_0_12;
-        end if;
-        if slice0other_cost_0_choice(14) then
-          slice0other_cost_0(14) <= slice0window_sum_0(14);
-          slice0other_winner_0_14 <= 14;
-        else
-          slice0other_cost_0(14) <= slice0other_cost_0(13);
-          slice0other_winner_0_14 <= slice0other_winner_0_13;
-        end if;
-        if slice0other_cost_0_15_all then
-          slice0other_cost_0(15) <= slice0window_sum_0(15);
-          slice0other_winner_0_15 <= 15;
-        else
-          slice0other_cost_0(15) <= slice0other_cost_0(14);
-          slice0other_winner_0_15 <= slice0other_winner_0_14;
-        end if;
+        slice0other_cost_0(0) <= choice(slice1window_centre_output_column(3), slice0window_sum_0(0), 0);
+        slice0other_cost_0(1) <= choice(slice0other_cost_0_choice(1), slice0window_sum_0(1), slice0other_cost_0(0));
+        slice0other_cost_0(2) <= choice(slice0other_cost_0_choice(2), slice0window_sum_0(2), slice0other_cost_0(1));
+        slice0other_winner_0(2) <= choice(slice0other_cost_0_choice(2), 2, as_number(slice0other_winner_0_1));
+        for i in 3 to 14 loop
+          slice0other_cost_0(i) <= choice(slice0other_cost_0_choice(i), slice0window_sum_0(i), slice0other_cost_0(i -
+            1));
+          slice0other_winner_0(i) <= choice(slice0other_cost_0_choice(i), i, slice0other_winner_0(i - 1));
+        end loop;
+        slice0other_cost_0(15) <= choice(slice0other_cost_0_15_all, slice0window_sum_0(15), slice0other_cost_0(14));
+        slice0other_winner_0(15) <= choice(slice0other_cost_0_15_all, 15, slice0other_winner_0(14));
       end if;
       slice0other_cost_out_0 <= slice0other_cost_0(15);
-      slice0other_winner_out_0 <= slice0other_winner_0_15;
+      slice0other_winner_out_0 <= slice0other_winner_0(15);
       -- slice0winner1
       for i in 0 to 7 loop
         slice0winner1_best_cost_0_is_less(i) := (slice0window_sum_0(2 * i + 1) - slice0window_sum_0(2 * i)) < 0;
       end loop;
-      for i in 0 to 15 loop
-        slice0winner1_held_0(i) <= slice0window_sum_0(i);
-      end loop;
+      slice0winner1_held_0 <= slice0window_sum_0;
       slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_is_less(0);
       slice0winner1_best_place_0_2 <= slice0winner1_best_cost_0_is_less(2);
       slice0winner1_best_place_0_4 <= slice0winner1_best_cost_0_is_less(4);
       slice0winner1_best_place_0_6 <= slice0winner1_best_cost_0_is_less(6);
-      for i in 0 to 7 loop
-        slice0winner1_best_late_cost_0(i) <= slice0winner1_best_cost_0(i);
-      end loop;
+      slice0winner1_best_late_cost_0 <= slice0winner1_best_cost_0;
       for i in 1 to 7 loop
         slice0winner1_best_but_first_0(i) <= slice0winner1_held_0(2 * i + 1);
       end loop;
       for i in 0 to 7 loop
         slice0winner1_best_but_last_0(i) <= slice0winner1_held_0(2 * i);
       end loop;
-      slice0winner1_tag_valid <= slice0window_tag_valid;
-      slice0winner1_tag_output_column <= slice0window_tag_output_column;
-      slice0winner1_tag_first_column <= slice0window_tag_first_column;
-      if slice0winner1_best_cost_0_is_less(0) then
-        slice0winner1_best_cost_0(0) <= slice0window_sum_0(1);
-        slice0winner1_best_below_0(0) <= slice0window_sum_0(0);
-        slice0winner1_best_above_0(0) <= 0;
-      else
-        slice0winner1_best_cost_0(0) <= slice0window_sum_0(0);
-        slice0winner1_best_below_0(0) <= 0;
-        slice0winner1_best_above_0(0) <= slice0window_sum_0(1);
-      end if;
-      if slice0winner1_best_cost_0_is_less(1) then
-        slice0winner1_best_cost_0(1) <= slice0window_sum_0(3);
-        slice0winner1_best_index_0_1 <= 3;
-        slice0winner1_best_below_0(1) <= slice0window_sum_0(2);
-        slice0winner1_best_above_0(1) <= 0;
-      else
-        slice0winner1_best_cost_0(1) <= slice0window_sum_0(2);
-        slice0winner1_best_index_0_1 <= 2;
-        slice0winner1_best_below_0(1) <= 0;
-        slice0winner1_best_above_0(1) <= slice0window_sum_0(3);
-      end if;
-      if slice0winner1_best_cost_0_is_less(2) then
-        slice0winner1_best_cost_0(2) <= slice0window_sum_0(5);
-        slice0winner1_best_index_0_2 <= 5;
-        slice0winner1_best_below_0(2) <= slice0window_sum_0(4);
-        slice0winner1_best_above_0(2) <= 0;
-      else
-        slice0winner1_best_cost_0(2) <= slice0window_sum_0(4);
-        slice0winner1_best_index_0_2 <= 4;
-        slice0winner1_best_below_0(2) <= 0;
-        slice0winner1_best_above_0(2) <= slice0window_sum_0(5);
-      end if;
-      if slice0winner1_best_cost_0_is_less(3) then
-        slice0winner1_best_cost_0(3) <= slice0window_sum_0(7);
-        slice0winner1_best_index_0_3 <= 7;
-        slice0winner1_best_below_0(3) <= slice0window_sum_0(6);
-        slice0winner1_best_above_0(3) <= 0;
-      else
-        slice0winner1_best_cost_0(3) <= slice0window_sum_0(6);
-        slice0winner1_best_index_0_3 <= 6;
-        slice0winner1_best_below_0(3) <= 0;
-        slice0winner1_best_above_0(3) <= slice0window_sum_0(7);
-      end if;
-      if slice0winner1_best_cost_0_is_less(4) then
-        slice0winner1_best_cost_0(4) <= slice0window_sum_0(9);
-        slice0winner1_best_index_0_4 <= 9;
-        slice0winner1_best_below_0(4) <= slice0window_sum_0(8);
-        slice0winner1_best_above_0(4) <= 0;
-      else
-        slice0winner1_best_cost_0(4) <= slice0window_sum_0(8);
-        slice0winner1_best_index_0_4 <= 8;
-        slice0winner1_best_below_0(4) <= 0;
-        slice0winner1_best_above_0(4) <= slice0window_sum_0(9);
-      end if;
-      if slice0winner1_best_cost_0_is_less(5) then
-        slice0winner1_best_cost_0(5) <= slice0window_sum_0(11);
-        slice0winner1_best_index_0_5 <= 11;
-        slice0winner1_best_below_0(5) <= slice0window_sum_0(10);
-        slice0winner1_best_above_0(5) <= 0;
-      else
-        slice0winner1_best_cost_0(5) <= slice0window_sum_0(10);
-        slice0winner1_best_index_0_5 <= 10;
-        slice0winner1_best_below_0(5) <= 0;
-        slice0winner1_best_above_0(5) <= slice0window_sum_0(11);
-      end if;
-      if slice0winner1_best_cost_0_is_less(6) then
-        slice0winner1_best_cost_0(6) <= slice0window_sum_0(13);
-        slice0winner1_best_index_0_6 <= 13;
-        slice0winner1_best_below_0(6) <= slice0window_sum_0(12);
-        slice0winner1_best_above_0(6) <= 0;
-      else
-        slice0winner1_best_cost_0(6) <= slice0window_sum_0(12);
-        slice0winner1_best_index_0_6 <= 12;
-        slice0winner1_best_below_0(6) <= 0;
-        slice0winner1_best_above_0(6) <= slice0window_sum_0(13);
-      end if;
-      if slice0winner1_best_cost_0_is_less(7) then
-        slice0winner1_best_cost_0(7) <= slice0window_sum_0(15);
-        slice0winner1_best_index_0_7 <= 15;
-        slice0winner1_best_below_0(7) <= slice0window_sum_0(14);
-        slice0winner1_best_above_0(7) <= 0;
-      else
-        slice0winner1_best_cost_0(7) <= slice0window_sum_0(14);
-        slice0winner1_best_index_0_7 <= 14;
-        slice0winner1_best_below_0(7) <= 0;
-        slice0winner1_best_above_0(7) <= slice0window_sum_0(15);
-      end if;
-      if slice0winner2_tag_valid then
-        slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
+      slice0winner1_tag.valid <= slice0window_tag.valid;
+      slice0winner1_tag.output_column <= slice0window_tag.output_column;
+      slice0winner1_tag.first_column <= slice0window_tag.first_column;
+      slice0winner1_best_cost_0(0) <= choice(slice0winner1_best_cost_0_is_less(0), slice0window_sum_0(1),
+        slice0window_sum_0(0));
+      for i in 0 to 6 loop
+        slice0winner1_best_below_0(i) <= choice(slice0winner1_best_cost_0_is_less(i), slice0window_sum_0(2 * i), 0);
+        slice0winner1_best_above_0(i) <= choice(slice0winner1_best_cost_0_is_less(i), 0, slice0window_sum_0(2 * i + 1));
+        slice0winner1_best_cost_0(i + 1) <= choice(slice0winner1_best_cost_0_is_less(i + 1), slice0window_sum_0(2 * i +
+          3), slice0window_sum_0(2 * i + 2));
+        slice0winner1_best_index_0(i + 1) <= choice(slice0winner1_best_cost_0_is_less(i + 1), 2 * i + 3, 2 * i + 2);
+      end loop;
+      slice0winner1_best_below_0(7) <= choice(slice0winner1_best_cost_0_is_less(7), slice0window_sum_0(14), 0);
+      slice0winner1_best_above_0(7) <= choice(slice0winner1_best_cost_0_is_less(7), 0, slice0window_sum_0(15));
+      if slice0winner2_tag.valid then
+        slice0winner1_tag.start_of_frame <= slice0window_tag.start_of_frame;
       end if;
       -- slice0winner2
       for i in 0 to 3 loop
         slice0winner2_best_cost_0_is_less(i) := (slice0winner1_best_cost_0(2 * i + 1) - slice0winner1_best_cost_0(2 *
           i)) < 0;
       end loop;
-      slice0winner2_best_below_0_is_equal(0) := slice0winner1_best_index_0_1 = 2;
-      if slice0winner2_best_below_0_is_equal(0) then
-        slice0winner2_best_below_0_choice(0) := slice0winner1_held_0(1);
-      else
-        slice0winner2_best_below_0_choice(0) := slice0winner1_best_below_0(1);
-      end if;
-      slice0winner2_best_below_0_is_equal(1) := slice0winner1_best_index_0_3 = 6;
-      if slice0winner2_best_below_0_is_equal(1) then
-        slice0winner2_best_below_0_choice(1) := slice0winner1_held_0(5);
-      else
-        slice0winner2_best_below_0_choice(1) := slice0winner1_best_below_0(3);
-      end if;
-      slice0winner2_best_below_0_is_equal(2) := (slice0winner1_best_index_0_5 mod 4) = 2;
-      if is_set(slice0winner1_best_index_0_5, 3) and slice0winner2_best_below_0_is_equal(2) then
-        slice0winner2_best_below_0_choice(2) := slice0winner1_held_0(9);
-      else
-        slice0winner2_best_below_0_choice(2) := slice0winner1_best_below_0(5);
-      end if;
-      slice0winner2_best_below_0_is_equal(3) := slice0winner1_best_index_0_7 = 14;
-      if slice0winner2_best_below_0_is_equal(3) then
-        slice0winner2_best_below_0_choice(3) := slice0winner1_held_0(13);
-      else
-        slice0winner2_best_below_0_choice(3) := slice0winner1_best_below_0(7);
-      end if;
-      if slice0winner1_best_index_0_0 then
-        slice0winner2_best_above_0_choice(0) := slice0winner1_held_0(2);
-      else
-        slice0winner2_best_above_0_choice(0) := slice0winner1_best_above_0(0);
-      end if;
-      if slice0winner1_best_place_0_2 then
-        slice0winner2_best_above_0_choice(1) := slice0winner1_held_0(6);
-      else
-        slice0winner2_best_above_0_choice(1) := slice0winner1_best_above_0(2);
-      end if;
-      if slice0winner1_best_place_0_4 then
-        slice0winner2_best_above_0_choice(2) := slice0winner1_held_0(10);
-      else
-        slice0winner2_best_above_0_choice(2) := slice0winner1_best_above_0(4);
-      end if;
-      if slice0winner1_best_place_0_6 then
-        slice0winner2_best_above_0_choice(3) := slice0winner1_held_0(14);
-      else
-        slice0winner2_best_above_0_choice(3) := slice0winner1_best_above_0(6);
-      end if;
+      slice0winner2_best_below_0_is_equal(0) := slice0winner1_best_index_0(1) = 2;
+      slice0winner2_best_below_0_choice(0) := choice(slice0winner2_best_below_0_is_equal(0), slice0winner1_held_0(1),
+        slice0winner1_best_below_0(1));
+      slice0winner2_best_below_0_is_equal(1) := slice0winner1_best_index_0(3) = 6;
+      slice0winner2_best_below_0_choice(1) := choice(slice0winner2_best_below_0_is_equal(1), slice0winner1_held_0(5),
+        slice0winner1_best_below_0(3));
+      slice0winner2_best_below_0_is_equal(2) := (slice0winner1_best_index_0(5) mod 4) = 2;
+      slice0winner2_best_below_0_choice(2) := choice(is_set(slice0winner1_best_index_0(5), 3) and
+        slice0winner2_best_below_0_is_equal(2), slice0winner1_held_0(9), slice0winner1_best_below_0(5));
+      slice0winner2_best_below_0_is_equal(3) := slice0winner1_best_index_0(7) = 14;
+      slice0winner2_best_below_0_choice(3) := choice(slice0winner2_best_below_0_is_equal(3), slice0winner1_held_0(13),
+        slice0winner1_best_below_0(7));
+      slice0winner2_best_above_0_choice(0) := choice(slice0winner1_best_index_0_0, slice0winner1_held_0(2),
+        slice0winner1_best_above_0(0));
+      slice0winner2_best_above_0_choice(1) := choice(slice0winner1_best_place_0_2, slice0winner1_held_0(6),
+        slice0winner1_best_above_0(2));
+      slice0winner2_best_above_0_choice(2) := choice(slice0winner1_best_place_0_4, slice0winner1_held_0(10),
+        slice0winner1_best_above_0(4));
+      slice0winner2_best_above_0_choice(3) := choice(slice0winner1_best_place_0_6, slice0winner1_held_0(14),
+        slice0winner1_best_above_0(6));
       for i in 0 to 3 loop
-        if slice0winner2_best_place_0(i) then
-          slice0winner2_best_second_0_choice(i) := 4095;
-        else
-          slice0winner2_best_second_0_choice(i) := slice0winner1_best_late_cost_0(2 * i + 1);
-        end if;
-        if slice0winner2_best_at_end_0(i) then
-          slice0winner2_best_second_0_choices(i, 2) := slice0winner1_best_but_first_0(2 * i + 1);
-        else
-          slice0winner2_best_second_0_choices(i, 2) := slice0winner2_best_second_0_choice(i);
-        end if;
-        if slice0winner2_best_place_0(i) then
-          slice0winner2_best_second_0_choices(i, 3) := slice0winner1_best_late_cost_0(2 * i);
-        else
-          slice0winner2_best_second_0_choices(i, 3) := 4095;
-        end if;
-        if slice0winner2_best_at_start_0(i) then
-          slice0winner2_best_second_0_choices(i, 4) := slice0winner1_best_but_last_0(2 * i);
-        else
-          slice0winner2_best_second_0_choices(i, 4) := slice0winner2_best_second_0_choices(i, 3);
-        end if;
+        slice0winner2_best_second_0_choice(i, 1) := choice(slice0winner2_best_place_0(i), 4095,
+          slice0winner1_best_late_cost_0(2 * i + 1));
+        slice0winner2_best_second_0_choice(i, 2) := choice(slice0winner2_best_at_end_0(i),
+          slice0winner1_best_but_first_0(2 * i + 1), slice0winner2_best_second_0_choice(i, 1));
+        slice0winner2_best_second_0_choice(i, 3) := choice(slice0winner2_best_place_0(i),
+          slice0winner1_best_late_cost_0(2 * i), 4095);
+        slice0winner2_best_second_0_choice(i, 4) := choice(slice0winner2_best_at_start_0(i),
+          slice0winner1_best_but_last_0(2 * i), slice0winner2_best_second_0_choice(i, 3));
       end loop;
       slice0winner2_best_first_0(1) <= slice0winner1_held_0(4);
       slice0winner2_best_first_0(2) <= slice0winner1_held_0(8);
@@ -3801,16 +1804,13 @@ begin
       slice0winner2_best_last_0(1) <= slice0winner1_held_0(7);
       slice0winner2_best_last_0(2) <= slice0winner1_held_0(11);
       slice0winner2_best_last_0(3) <= slice0winner1_held_0(15);
-      slice0winner2_best_place_0(0) <= slice0winner2_best_cost_0_is_less(0);
-      slice0winner2_best_place_0(1) <= slice0winner2_best_cost_0_is_less(1);
-      slice0winner2_best_place_0(2) <= slice0winner2_best_cost_0_is_less(2);
-      slice0winner2_best_place_0(3) <= slice0winner2_best_cost_0_is_less(3);
+      slice0winner2_best_place_0 <= slice0winner2_best_cost_0_is_less;
       slice0winner2_best_at_start_0(0) <= slice0winner2_best_cost_0_is_less(0) and
         slice0winner2_best_below_0_is_equal(0);
       slice0winner2_best_at_start_0(1) <= slice0winner2_best_cost_0_is_less(1) and
         slice0winner2_best_below_0_is_equal(1);
-      slice0winner2_best_at_start_0(2) <= slice0winner2_best_cost_0_is_less(2) and is_set(slice0winner1_best_index_0_5,
-        3) and slice0winner2_best_below_0_is_equal(2);
+      slice0winner2_best_at_start_0(2) <= slice0winner2_best_cost_0_is_less(2) and
+        is_set(slice0winner1_best_index_0(5), 3) and slice0winner2_best_below_0_is_equal(2);
       slice0winner2_best_at_start_0(3) <= slice0winner2_best_below_0_is_equal(3) and
         slice0winner2_best_cost_0_is_less(3);
       slice0winner2_best_at_end_0(0) <= slice0winner1_best_index_0_0 and ((slice0winner1_best_cost_0(1) -
@@ -3821,137 +1821,77 @@ begin
         slice0winner1_best_cost_0(4)) >= 0);
       slice0winner2_best_at_end_0(3) <= slice0winner1_best_place_0_6 and ((slice0winner1_best_cost_0(7) -
         slice0winner1_best_cost_0(6)) >= 0);
-      slice0winner2_best_late_cost_0(0) <= slice0winner2_best_cost_0(0);
-      slice0winner2_best_late_cost_0(1) <= slice0winner2_best_cost_0(1);
-      slice0winner2_best_late_cost_0(2) <= slice0winner2_best_cost_0(2);
-      slice0winner2_best_late_cost_0(3) <= slice0winner2_best_cost_0(3);
-      slice0winner2_tag_valid <= slice0winner1_tag_valid;
-      slice0winner2_tag_output_column <= slice1window_tag_output_column;
-      slice0winner2_tag_first_column <= slice1window_tag_first_column;
-      if slice0winner2_best_cost_0_is_less(0) then
-        slice0winner2_best_cost_0(0) <= slice0winner1_best_cost_0(1);
-        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
-        slice0winner2_best_below_0(0) <= slice0winner2_best_below_0_choice(0);
-        slice0winner2_best_above_0(0) <= slice0winner1_best_above_0(1);
-      else
-        slice0winner2_best_cost_0(0) <= slice0winner1_best_cost_0(0);
-        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
-        slice0winner2_best_below_0(0) <= slice0winner1_best_below_0(0);
-        slice0winner2_best_above_0(0) <= slice0winner2_best_above_0_choice(0);
-      end if;
-      if slice0winner2_best_cost_0_is_less(1) then
-        slice0winner2_best_cost_0(1) <= slice0winner1_best_cost_0(3);
-        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3;
-        slice0winner2_best_below_0(1) <= slice0winner2_best_below_0_choice(1);
-        slice0winner2_best_above_0(1) <= slice0winner1_best_above_0(3);
-      else
-        slice0winner2_best_cost_0(1) <= slice0winner1_best_cost_0(2);
-        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2;
-        slice0winner2_best_below_0(1) <= slice0winner1_best_below_0(2);
-        slice0winner2_best_above_0(1) <= slice0winner2_best_above_0_choice(1);
-      end if;
-      if slice0winner2_best_cost_0_is_less(2) then
-        slice0winner2_best_cost_0(2) <= slice0winner1_best_cost_0(5);
-        slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5;
-        slice0winner2_best_below_0(2) <= slice0winner2_best_below_0_choice(2);
-        slice0winner2_best_above_0(2) <= slice0winner1_best_above_0(5);
-      else
-        slice0winner2_best_cost_0(2) <= slice0winner1_best_cost_0(4);
-        slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_4;
-        slice0winner2_best_below_0(2) <= slice0winner1_best_below_0(4);
-        slice0winner2_best_above_0(2) <= slice0winner2_best_above_0_choice(2);
-      end if;
-      if slice0winner2_best_cost_0_is_less(3) then
-        slice0winner2_best_cost_0(3) <= slice0winner1_best_cost_0(7);
-        slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7;
-        slice0winner2_best_below_0(3) <= slice0winner2_best_below_0_choice(3);
-        slice0winner2_best_above_0(3) <= slice0winner1_best_above_0(7);
-      else
-        slice0winner2_best_cost_0(3) <= slice0winner1_best_cost_0(6);
-        slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_6;
-        slice0winner2_best_below_0(3) <= slice0winner1_best_below_0(6);
-        slice0winner2_best_above_0(3) <= slice0winner2_best_above_0_choice(3);
-      end if;
+      slice0winner2_best_late_cost_0 <= slice0winner2_best_cost_0;
+      slice0winner2_tag.valid <= slice0winner1_tag.valid;
+      slice0winner2_tag.output_column <= slice1window_tag.output_column;
+      slice0winner2_tag.first_column <= slice1window_tag.first_column;
+      slice0winner2_best_cost_0(0) <= choice(slice0winner2_best_cost_0_is_less(0), slice0winner1_best_cost_0(1),
+        slice0winner1_best_cost_0(0));
+      slice0winner2_best_index_0(0) <= choice(slice0winner2_best_cost_0_is_less(0), slice0winner1_best_index_0(1),
+        as_number(slice0winner1_best_index_0_0));
+      for i in 0 to 2 loop
+        slice0winner2_best_below_0(i) <= choice(slice0winner2_best_cost_0_is_less(i),
+          slice0winner2_best_below_0_choice(i), slice0winner1_best_below_0(2 * i));
+        slice0winner2_best_above_0(i) <= choice(slice0winner2_best_cost_0_is_less(i), slice0winner1_best_above_0(2 * i
+          + 1), slice0winner2_best_above_0_choice(i));
+        slice0winner2_best_cost_0(i + 1) <= choice(slice0winner2_best_cost_0_is_less(i + 1),
+          slice0winner1_best_cost_0(2 * i + 3), slice0winner1_best_cost_0(2 * i + 2));
+        slice0winner2_best_index_0(i + 1) <= choice(slice0winner2_best_cost_0_is_less(i + 1),
+          slice0winner1_best_index_0(2 * i + 3), slice0winner1_best_index_0(2 * i + 2));
+      end loop;
+      slice0winner2_best_below_0(3) <= choice(slice0winner2_best_cost_0_is_less(3),
+        slice0winner2_best_below_0_choice(3), slice0winner1_best_below_0(6));
+      slice0winner2_best_above_0(3) <= choice(slice0winner2_best_cost_0_is_less(3), slice0winner1_best_above_0(7),
+        slice0winner2_best_above_0_choice(3));
       for i in 0 to 3 loop
-        if (slice0winner2_best_second_0_choices(i, 2) - slice0winner2_best_second_0_choices(i, 4)) < 0 then
-          slice0winner2_best_second_0(i) <= slice0winner2_best_second_0_choices(i, 2);
-        else
-          slice0winner2_best_second_0(i) <= slice0winner2_best_second_0_choices(i, 4);
-        end if;
+        slice0winner2_best_second_0(i) <= choice((slice0winner2_best_second_0_choice(i, 2) -
+          slice0winner2_best_second_0_choice(i, 4)) < 0, slice0winner2_best_second_0_choice(i, 2),
+          slice0winner2_best_second_0_choice(i, 4));
       end loop;
       for i in 1 to 3 loop
-        if (slice0winner1_best_late_cost_0(2 * i + 1) - slice0winner1_best_but_first_0(2 * i)) < 0 then
-          slice0winner2_best_but_first_0(i) <= slice0winner1_best_late_cost_0(2 * i + 1);
-        else
-          slice0winner2_best_but_first_0(i) <= slice0winner1_best_but_first_0(2 * i);
-        end if;
+        slice0winner2_best_but_first_0(i) <= choice((slice0winner1_best_late_cost_0(2 * i + 1) -
+          slice0winner1_best_but_first_0(2 * i)) < 0, slice0winner1_best_late_cost_0(2 * i + 1),
+          slice0winner1_best_but_first_0(2 * i));
       end loop;
       for i in 0 to 3 loop
-        if (slice0winner1_best_but_last_0(2 * i + 1) - slice0winner1_best_late_cost_0(2 * i)) < 0 then
-          slice0winner2_best_but_last_0(i) <= slice0winner1_best_but_last_0(2 * i + 1);
-        else
-          slice0winner2_best_but_last_0(i) <= slice0winner1_best_late_cost_0(2 * i);
-        end if;
+        slice0winner2_best_but_last_0(i) <= choice((slice0winner1_best_but_last_0(2 * i + 1) -
+          slice0winner1_best_late_cost_0(2 * i)) < 0, slice0winner1_best_but_last_0(2 * i + 1),
+          slice0winner1_best_late_cost_0(2 * i));
       end loop;
-      if slice0winner2_tag_valid then
-        slice0winner2_tag_map_column <= slice3window_centre_map_column(2);
-        slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-        slice0winner2_tag_end_of_line <= slice3window_centre_end_of_line(2);
+      if slice0winner2_tag.valid then
+        slice0winner2_tag.map_column <= slice3window_centre_map_column(2);
+        slice0winner2_tag.start_of_frame <= slice0winner1_tag.start_of_frame;
+        slice0winner2_tag.end_of_line <= slice3window_centre_end_of_line(2);
       end if;
       -- slice0winner3
       slice0winner3_best_cost_0_is_less(0) := (slice0winner2_best_cost_0(1) - slice0winner2_best_cost_0(0)) < 0;
       slice0winner3_best_cost_0_is_less(1) := (slice0winner2_best_cost_0(3) - slice0winner2_best_cost_0(2)) < 0;
-      slice0winner3_best_below_0_is_equal(0) := slice0winner2_best_index_0_1 = 4;
-      if slice0winner3_best_below_0_is_equal(0) then
-        slice0winner3_best_below_0_choice(0) := slice0winner2_best_last_0(0);
-      else
-        slice0winner3_best_below_0_choice(0) := slice0winner2_best_below_0(1);
-      end if;
-      slice0winner3_best_below_0_is_equal(1) := slice0winner2_best_index_0_3 = 12;
-      if slice0winner3_best_below_0_is_equal(1) then
-        slice0winner3_best_below_0_choice(1) := slice0winner2_best_last_0(2);
-      else
-        slice0winner3_best_below_0_choice(1) := slice0winner2_best_below_0(3);
-      end if;
-      slice0winner3_best_above_0_is_equal(0) := slice0winner2_best_index_0_0 = 3;
-      if slice0winner3_best_above_0_is_equal(0) then
-        slice0winner3_best_above_0_choice(0) := slice0winner2_best_first_0(1);
-      else
-        slice0winner3_best_above_0_choice(0) := slice0winner2_best_above_0(0);
-      end if;
-      slice0winner3_best_above_0_is_equal(1) := (slice0winner2_best_index_0_2 mod 4) = 3;
-      if is_set(slice0winner2_best_index_0_2, 3) and slice0winner3_best_above_0_is_equal(1) then
-        slice0winner3_best_above_0_choice(1) := slice0winner2_best_first_0(3);
-      else
-        slice0winner3_best_above_0_choice(1) := slice0winner2_best_above_0(2);
-      end if;
+      slice0winner3_best_below_0_is_equal(0) := slice0winner2_best_index_0(1) = 4;
+      slice0winner3_best_below_0_choice(0) := choice(slice0winner3_best_below_0_is_equal(0),
+        slice0winner2_best_last_0(0), slice0winner2_best_below_0(1));
+      slice0winner3_best_below_0_is_equal(1) := slice0winner2_best_index_0(3) = 12;
+      slice0winner3_best_below_0_choice(1) := choice(slice0winner3_best_below_0_is_equal(1),
+        slice0winner2_best_last_0(2), slice0winner2_best_below_0(3));
+      slice0winner3_best_above_0_is_equal(0) := slice0winner2_best_index_0(0) = 3;
+      slice0winner3_best_above_0_choice(0) := choice(slice0winner3_best_above_0_is_equal(0),
+        slice0winner2_best_first_0(1), slice0winner2_best_above_0(0));
+      slice0winner3_best_above_0_is_equal(1) := (slice0winner2_best_index_0(2) mod 4) = 3;
+      slice0winner3_best_above_0_choice(1) := choice(is_set(slice0winner2_best_index_0(2), 3) and
+        slice0winner3_best_above_0_is_equal(1), slice0winner2_best_first_0(3), slice0winner2_best_above_0(2));
       for i in 0 to 1 loop
-        if slice0winner3_best_place_0(i) then
-          slice0winner3_best_second_0_choice(i) := slice0winner2_best_second_0(2 * i + 1);
-        else
-          slice0winner3_best_second_0_choice(i) := slice0winner2_best_late_cost_0(2 * i + 1);
-        end if;
-        if slice0winner3_best_at_end_0(i) then
-          slice0winner3_best_second_0_choices(i, 2) := slice0winner2_best_but_first_0(2 * i + 1);
-        else
-          slice0winner3_best_second_0_choices(i, 2) := slice0winner3_best_second_0_choice(i);
-        end if;
-        if slice0winner3_best_place_0(i) then
-          slice0winner3_best_second_0_choices(i, 3) := slice0winner2_best_late_cost_0(2 * i);
-        else
-          slice0winner3_best_second_0_choices(i, 3) := slice0winner2_best_second_0(2 * i);
-        end if;
-        if slice0winner3_best_at_start_0(i) then
-          slice0winner3_best_second_0_choices(i, 4) := slice0winner2_best_but_last_0(2 * i);
-        else
-          slice0winner3_best_second_0_choices(i, 4) := slice0winner3_best_second_0_choices(i, 3);
-        end if;
+        slice0winner3_best_second_0_choice(i, 1) := choice(slice0winner3_best_place_0(i), slice0winner2_best_second_0(2
+          * i + 1), slice0winner2_best_late_cost_0(2 * i + 1));
+        slice0winner3_best_second_0_choice(i, 2) := choice(slice0winner3_best_at_end_0(i),
+          slice0winner2_best_but_first_0(2 * i + 1), slice0winner3_best_second_0_choice(i, 1));
+        slice0winner3_best_second_0_choice(i, 3) := choice(slice0winner3_best_place_0(i),
+          slice0winner2_best_late_cost_0(2 * i), slice0winner2_best_second_0(2 * i));
+        slice0winner3_best_second_0_choice(i, 4) := choice(slice0winner3_best_at_start_0(i),
+          slice0winner2_best_but_last_0(2 * i), slice0winner3_best_second_0_choice(i, 3));
       end loop;
       slice0winner3_best_first_0_1 <= slice0winner2_best_first_0(2);
       slice0winner3_best_last_0(0) <= slice0winner2_best_last_0(1);
       slice0winner3_best_last_0(1) <= slice0winner2_best_last_0(3);
-      slice0winner3_best_place_0(0) <= slice0winner3_best_cost_0_is_less(0);
-      slice0winner3_best_place_0(1) <= slice0winner3_best_cost_0_is_less(1);
+      slice0winner3_best_place_0 <= slice0winner3_best_cost_0_is_less;
       slice0winner3_best_at_start_0(0) <= slice0winner3_best_cost_0_is_less(0) and
         slice0winner3_best_below_0_is_equal(0);
       slice0winner3_best_at_start_0(1) <= slice0winner3_best_below_0_is_equal(1) and
@@ -3959,122 +1899,76 @@ begin
       slice0winner3_best_at_end_0(0) <= ((slice0winner2_best_cost_0(1) - slice0winner2_best_cost_0(0)) >= 0) and
         slice0winner3_best_above_0_is_equal(0);
       slice0winner3_best_at_end_0(1) <= ((slice0winner2_best_cost_0(3) - slice0winner2_best_cost_0(2)) >= 0) and
-        is_set(slice0winner2_best_index_0_2, 3) and slice0winner3_best_above_0_is_equal(1);
-      slice0winner3_best_late_cost_0(0) <= slice0winner3_best_cost_0(0);
-      slice0winner3_best_late_cost_0(1) <= slice0winner3_best_cost_0(1);
-      slice0winner3_tag_valid <= slice0winner2_tag_valid;
-      slice0winner3_tag_map_column <= slice0winner2_tag_map_column;
-      slice0winner3_tag_output_column <= slice1winner1_tag_output_column;
-      slice0winner3_tag_first_column <= slice1winner1_tag_first_column;
-      slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
-      if slice0winner3_best_cost_0_is_less(0) then
-        slice0winner3_best_cost_0(0) <= slice0winner2_best_cost_0(1);
-        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1;
-        slice0winner3_best_below_0(0) <= slice0winner3_best_below_0_choice(0);
-        slice0winner3_best_above_0(0) <= slice0winner2_best_above_0(1);
-      else
-        slice0winner3_best_cost_0(0) <= slice0winner2_best_cost_0(0);
-        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_0;
-        slice0winner3_best_below_0(0) <= slice0winner2_best_below_0(0);
-        slice0winner3_best_above_0(0) <= slice0winner3_best_above_0_choice(0);
-      end if;
-      if slice0winner3_best_cost_0_is_less(1) then
-        slice0winner3_best_cost_0(1) <= slice0winner2_best_cost_0(3);
-        slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3;
-        slice0winner3_best_below_0(1) <= slice0winner3_best_below_0_choice(1);
-        slice0winner3_best_above_0(1) <= slice0winner2_best_above_0(3);
-      else
-        slice0winner3_best_cost_0(1) <= slice0winner2_best_cost_0(2);
-        slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_2;
-        slice0winner3_best_below_0(1) <= slice0winner2_best_below_0(2);
-        slice0winner3_best_above_0(1) <= slice0winner3_best_above_0_choice(1);
-      end if;
+        is_set(slice0winner2_best_index_0(2), 3) and slice0winner3_best_above_0_is_equal(1);
+      slice0winner3_best_late_cost_0 <= slice0winner3_best_cost_0;
+      slice0winner3_tag.valid <= slice0winner2_tag.valid;
+      slice0winner3_tag.map_column <= slice0winner2_tag.map_column;
+      slice0winner3_tag.output_column <= slice1winner1_tag.output_column;
+      slice0winner3_tag.first_column <= slice1winner1_tag.first_column;
+      slice0winner3_tag.start_of_frame <= slice0winner2_tag.start_of_frame;
+      slice0winner3_tag.end_of_line <= slice0winner2_tag.end_of_line;
       for i in 0 to 1 loop
-        if (slice0winner3_best_second_0_choices(i, 2) - slice0winner3_best_second_0_choices(i, 4)) < 0 then
-          slice0winner3_best_second_0(i) <= slice0winner3_best_second_0_choices(i, 2);
-        else
-          slice0winner3_best_second_0(i) <= slice0winner3_best_second_0_choices(i, 4);
-        end if;
+        slice0winner3_best_cost_0(i) <= choice(slice0winner3_best_cost_0_is_less(i), slice0winner2_best_cost_0(2 * i +
+          1), slice0winner2_best_cost_0(2 * i));
+        slice0winner3_best_index_0(i) <= choice(slice0winner3_best_cost_0_is_less(i), slice0winner2_best_index_0(2 * i
+          + 1), slice0winner2_best_index_0(2 * i));
+        slice0winner3_best_below_0(i) <= choice(slice0winner3_best_cost_0_is_less(i),
+          slice0winner3_best_below_0_choice(i), slice0winner2_best_below_0(2 * i));
+        slice0winner3_best_above_0(i) <= choice(slice0winner3_best_cost_0_is_less(i), slice0winner2_best_above_0(2 * i
+          + 1), slice0winner3_best_above_0_choice(i));
       end loop;
-      if (slice0winner2_best_late_cost_0(3) - slice0winner2_best_but_first_0(2)) < 0 then
-        slice0winner3_best_but_first_0_1 <= slice0winner2_best_late_cost_0(3);
-      else
-        slice0winner3_best_but_first_0_1 <= slice0winner2_best_but_first_0(2);
-      end if;
-      for i in 0 to 1 loop
-        if (slice0winner2_best_but_last_0(2 * i + 1) - slice0winner2_best_late_cost_0(2 * i)) < 0 then
-          slice0winner3_best_but_last_0(i) <= slice0winner2_best_but_last_0(2 * i + 1);
-        else
-          slice0winner3_best_but_last_0(i) <= slice0winner2_best_late_cost_0(2 * i);
-        end if;
-      end loop;
+      slice0winner3_best_second_0(0) <= choice((slice0winner3_best_second_0_choice(0, 2) -
+        slice0winner3_best_second_0_choice(0, 4)) < 0, slice0winner3_best_second_0_choice(0, 2),
+        slice0winner3_best_second_0_choice(0, 4));
+      slice0winner3_best_second_0(1) <= choice((slice0winner3_best_second_0_choice(1, 2) -
+        slice0winner3_best_second_0_choice(1, 4)) < 0, slice0winner3_best_second_0_choice(1, 2),
+        slice0winner3_best_second_0_choice(1, 4));
+      slice0winner3_best_but_first_0_1 <= choice((slice0winner2_best_late_cost_0(3) -
+        slice0winner2_best_but_first_0(2)) < 0, slice0winner2_best_late_cost_0(3), slice0winner2_best_but_first_0(2));
+      slice0winner3_best_but_last_0(0) <= choice((slice0winner2_best_but_last_0(1) - slice0winner2_best_late_cost_0(0))
+        < 0, slice0winner2_best_but_last_0(1), slice0winner2_best_late_cost_0(0));
+      slice0winner3_best_but_last_0(1) <= choice((slice0winner2_best_but_last_0(3) - slice0winner2_best_late_cost_0(2))
+        < 0, slice0winner2_best_but_last_0(3), slice0winner2_best_late_cost_0(2));
       -- slice0winner4
       slice0winner4_best_cost_0_0_is_less := (slice0winner3_best_cost_0(1) - slice0winner3_best_cost_0(0)) < 0;
-      slice0winner4_best_below_0_0_is_equal := slice0winner3_best_index_0_1 = 8;
-      if slice0winner4_best_below_0_0_is_equal then
-        slice0winner4_best_below_0_0_choice := slice0winner3_best_last_0(0);
-      else
-        slice0winner4_best_below_0_0_choice := slice0winner3_best_below_0(1);
-      end if;
-      slice0winner4_best_above_0_0_is_equal := slice0winner3_best_index_0_0 = 7;
-      if slice0winner4_best_above_0_0_is_equal then
-        slice0winner4_best_above_0_0_choice := slice0winner3_best_first_0_1;
-      else
-        slice0winner4_best_above_0_0_choice := slice0winner3_best_above_0(0);
-      end if;
-      if slice0winner4_best_place_0_0 then
-        slice0winner4_best_second_0_0_choice := slice0winner3_best_second_0(1);
-      else
-        slice0winner4_best_second_0_0_choice := slice0winner3_best_late_cost_0(1);
-      end if;
-      if slice0winner4_best_at_end_0_0 then
-        slice0winner4_best_second_0_0_choices(2) := slice0winner3_best_but_first_0_1;
-      else
-        slice0winner4_best_second_0_0_choices(2) := slice0winner4_best_second_0_0_choice;
-      end if;
-      if slice0winner4_best_place_0_0 then
-        slice0winner4_best_second_0_0_choices(3) := slice0winner3_best_late_cost_0(0);
-      else
-        slice0winner4_best_second_0_0_choices(3) := slice0winner3_best_second_0(0);
-      end if;
-      if slice0winner4_best_at_start_0_0 then
-        slice0winner4_best_second_0_0_choices(4) := slice0winner3_best_but_last_0(0);
-      else
-        slice0winner4_best_second_0_0_choices(4) := slice0winner4_best_second_0_0_choices(3);
-      end if;
+      slice0winner4_best_below_0_0_is_equal := slice0winner3_best_index_0(1) = 8;
+      slice0winner4_best_below_0_0_choice := choice(slice0winner4_best_below_0_0_is_equal,
+        slice0winner3_best_last_0(0), slice0winner3_best_below_0(1));
+      slice0winner4_best_above_0_0_is_equal := slice0winner3_best_index_0(0) = 7;
+      slice0winner4_best_above_0_0_choice := choice(slice0winner4_best_above_0_0_is_equal,
+        slice0winner3_best_first_0_1, slice0winner3_best_above_0(0));
+      slice0winner4_best_second_0_0_choices(1) := choice(slice0winner4_best_place_0_0, slice0winner3_best_second_0(1),
+        slice0winner3_best_late_cost_0(1));
+      slice0winner4_best_second_0_0_choices(2) := choice(slice0winner4_best_at_end_0_0,
+        slice0winner3_best_but_first_0_1, slice0winner4_best_second_0_0_choices(1));
+      slice0winner4_best_second_0_0_choices(3) := choice(slice0winner4_best_place_0_0,
+        slice0winner3_best_late_cost_0(0), slice0winner3_best_second_0(0));
+      slice0winner4_best_second_0_0_choices(4) := choice(slice0winner4_best_at_start_0_0,
+        slice0winner3_best_but_last_0(0), slice0winner4_best_second_0_0_choices(3));
       slice0winner4_best_last_0_0 <= slice0winner3_best_last_0(1);
       slice0winner4_best_place_0_0 <= slice0winner4_best_cost_0_0_is_less;
       slice0winner4_best_at_start_0_0 <= slice0winner4_best_below_0_0_is_equal and slice0winner4_best_cost_0_0_is_less;
       slice0winner4_best_at_end_0_0 <= ((slice0winner3_best_cost_0(1) - slice0winner3_best_cost_0(0)) >= 0) and
         slice0winner4_best_above_0_0_is_equal;
       slice0winner4_best_late_cost_0_0 <= slice0winner4_best_cost_0_0;
-      slice0winner4_tag_valid <= slice0winner3_tag_valid;
-      slice0winner4_tag_map_column <= slice0winner3_tag_map_column;
-      slice0winner4_tag_output_column <= slice0winner3_tag_output_column;
-      slice0winner4_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
-      slice0winner4_tag_end_of_line <= slice0winner3_tag_end_of_line;
-      if slice0winner4_best_cost_0_0_is_less then
-        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0(1);
-        slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1;
-        slice0winner4_best_below_0_0 <= slice0winner4_best_below_0_0_choice;
-        slice0winner4_best_above_0_0 <= slice0winner3_best_above_0(1);
-      else
-        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0(0);
-        slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_0;
-        slice0winner4_best_below_0_0 <= slice0winner3_best_below_0(0);
-        slice0winner4_best_above_0_0 <= slice0winner4_best_above_0_0_choice;
-      end if;
-      if (slice0winner4_best_second_0_0_choices(2) - slice0winner4_best_second_0_0_choices(4)) < 0 then
-        slice0winner4_best_second_0_0 <= slice0winner4_best_second_0_0_choices(2);
-      else
-        slice0winner4_best_second_0_0 <= slice0winner4_best_second_0_0_choices(4);
-      end if;
-      if (slice0winner3_best_but_last_0(1) - slice0winner3_best_late_cost_0(0)) < 0 then
-        slice0winner4_best_but_last_0_0 <= slice0winner3_best_but_last_0(1);
-      else
-        slice0winner4_best_but_last_0_0 <= slice0winner3_best_late_cost_0(0);
-      end if;
+      slice0winner4_tag.valid <= slice0winner3_tag.valid;
+      slice0winner4_tag.map_column <= slice0winner3_tag.map_column;
+      slice0winner4_tag.output_column <= slice0winner3_tag.output_column;
+      slice0winner4_tag.start_of_frame <= slice0winner3_tag.start_of_frame;
+      slice0winner4_tag.end_of_line <= slice0winner3_tag.end_of_line;
+      slice0winner4_best_cost_0_0 <= choice(slice0winner4_best_cost_0_0_is_less, slice0winner3_best_cost_0(1),
+        slice0winner3_best_cost_0(0));
+      slice0winner4_best_index_0_0 <= choice(slice0winner4_best_cost_0_0_is_less, slice0winner3_best_index_0(1),
+        slice0winner3_best_index_0(0));
+      slice0winner4_best_below_0_0 <= choice(slice0winner4_best_cost_0_0_is_less, slice0winner4_best_below_0_0_choice,
+        slice0winner3_best_below_0(0));
+      slice0winner4_best_above_0_0 <= choice(slice0winner4_best_cost_0_0_is_less, slice0winner3_best_above_0(1),
+        slice0winner4_best_above_0_0_choice);
+      slice0winner4_best_second_0_0 <= choice((slice0winner4_best_second_0_0_choices(2) -
+        slice0winner4_best_second_0_0_choices(4)) < 0, slice0winner4_best_second_0_0_choices(2),
+        slice0winner4_best_second_0_0_choices(4));
+      slice0winner4_best_but_last_0_0 <= choice((slice0winner3_best_but_last_0(1) - slice0winner3_best_late_cost_0(0))
+        < 0, slice0winner3_best_but_last_0(1), slice0winner3_best_late_cost_0(0));
       -- slice0
       slice0_best_index_0_0 <= slice0winner4_best_index_0_0;
       slice0_best_below_0_0 <= slice0winner4_best_below_0_0;
@@ -4083,13 +1977,9 @@ begin
       slice0_best_late_cost_0_0 <= slice0winner4_best_late_cost_0_0;
       slice0_best_second_0_0 <= slice0winner4_best_second_0_0;
       slice0_best_but_last_0_0 <= slice0winner4_best_but_last_0_0;
-      slice0_best_tag_valid <= slice0winner4_tag_valid;
-      slice0_best_tag_map_column <= slice0winner4_tag_map_column;
-      slice0_best_tag_output_column <= slice0winner4_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner4_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner4_tag_end_of_line;
+      slice0_best_tag <= slice0winner4_tag;
       -- slice1shift
-      if slice0shift_tag_valid then
+      if slice0shift_tag.valid then
         for i in 0 to 1 loop
           slice1shift_search(i, 0) <= slice0shift_search_out(i);
           for j in 1 to 15 loop
@@ -4097,85 +1987,77 @@ begin
           end loop;
         end loop;
       end if;
-      slice1shift_reference(0) <= slice0shift_reference(0);
-      slice1shift_reference(1) <= slice0shift_reference(1);
+      slice1shift_reference <= slice0shift_reference;
       slice1shift_search_out(0) <= slice1shift_search(0, 15);
       slice1shift_search_out(1) <= slice1shift_search(1, 15);
       -- slice1cost
       for i in 0 to 1 loop
-        slice1cost_pixels_first_0_count_value(i, 0) := is_set(slice1shift_reference(i), 2);
-        slice1cost_pixels_first_0_count_value_2(i, 0) := is_set(slice1shift_reference(i), 1);
-        slice1cost_pixels_first_0_count_value(i, 1) := is_set(slice1shift_reference(i), 3);
-        slice1cost_pixels_first_0_count_value_2(i, 1) := is_set(slice1shift_reference(i), 5);
-        slice1cost_pixels_first_0_count_1_value_3(i) := is_set(slice1shift_reference(i), 4);
-        slice1cost_pixels_first_0_count_value(i, 2) := is_set(slice1shift_reference(i), 8);
-        slice1cost_pixels_first_0_count_value_2(i, 2) := is_set(slice1shift_reference(i), 6);
+        slice1cost_pixels_first_0_count_value(i, 0, 1) := is_set(slice1shift_reference(i), 2);
+        slice1cost_pixels_first_0_count_value(i, 0, 2) := is_set(slice1shift_reference(i), 1);
+        slice1cost_pixels_first_0_count_value(i, 1, 1) := is_set(slice1shift_reference(i), 3);
+        slice1cost_pixels_first_0_count_value(i, 1, 2) := is_set(slice1shift_reference(i), 5);
+        slice1cost_pixels_first_0_count_value(i, 1, 3) := is_set(slice1shift_reference(i), 4);
+        slice1cost_pixels_first_0_count_value(i, 2, 1) := is_set(slice1shift_reference(i), 8);
+        slice1cost_pixels_first_0_count_value(i, 2, 2) := is_set(slice1shift_reference(i), 6);
         for j in 3 to 7 loop
-          slice1cost_pixels_first_0_count_value(i, j) := is_set(slice1shift_reference(i), 3 * j);
-          slice1cost_pixels_first_0_count_value_2(i, j) := is_set(slice1shift_reference(i), 3 * j + 2);
-          slice1cost_pixels_first_0_count_value_3(i, j) := is_set(slice1shift_reference(i), 3 * j + 1);
+          slice1cost_pixels_first_0_count_value(i, j, 1) := is_set(slice1shift_reference(i), 3 * j);
+          slice1cost_pixels_first_0_count_value(i, j, 2) := is_set(slice1shift_reference(i), 3 * j + 2);
+          slice1cost_pixels_first_0_count_value(i, j, 3) := is_set(slice1shift_reference(i), 3 * j + 1);
         end loop;
-        slice1cost_pixels_first_0_count_value(i, 8) := is_set(slice1shift_reference(i), 24);
+        slice1cost_pixels_first_0_count_value(i, 8, 1) := is_set(slice1shift_reference(i), 24);
       end loop;
       for i in 0 to 3 loop
         for j in 0 to 3 loop
-          if slice0cost_tag_first_group then
-            slice1cost_column_0_choice(4 * i + j) := 0;
-          else
-            slice1cost_column_0_choice(4 * i + j) := to_integer(slice1cost_ready_words(i)(8 * j + 7 downto 8 * j));
-          end if;
-          if slice0cost_tag_border_column then
-            slice1cost_column_0_choice_2(4 * i + j) := 0;
-          else
-            slice1cost_column_0_choice_2(4 * i + j) := (slice1cost_change_0(4 * i + j) + slice1cost_column_0_choice(4 *
-              i + j)) mod 256;
-          end if;
+          slice1cost_column_0_choice(4 * i + j, 1) := choice(slice0cost_tag.first_group, 0,
+            to_integer(slice1cost_ready_words(i)(8 * j + 7 downto 8 * j)));
+          slice1cost_column_0_choice(4 * i + j, 2) := choice(slice0cost_tag.border_column, 0, (slice1cost_change_0(4 *
+            i + j) + slice1cost_column_0_choice(4 * i + j, 1)) mod 256);
         end loop;
       end loop;
       for i in 0 to 1 loop
         slice1cost_pixels_first_count(i, 0, 0) <= as_number((is_set(slice1shift_search(i, 0), 0) /=
-          is_set(slice1shift_reference(i), 0))) + as_number((slice1cost_pixels_first_0_count_value(i, 0) /=
-          is_set(slice1shift_search(i, 0), 2))) + as_number((slice1cost_pixels_first_0_count_value_2(i, 0) /=
+          is_set(slice1shift_reference(i), 0))) + as_number((slice1cost_pixels_first_0_count_value(i, 0, 1) /=
+          is_set(slice1shift_search(i, 0), 2))) + as_number((slice1cost_pixels_first_0_count_value(i, 0, 2) /=
           is_set(slice1shift_search(i, 0), 1)));
-        slice1cost_pixels_first_count(i, 0, 1) <= as_number((slice1cost_pixels_first_0_count_value(i, 1) /=
-          is_set(slice1shift_search(i, 0), 3))) + as_number((slice1cost_pixels_first_0_count_value_2(i, 1) /=
-          is_set(slice1shift_search(i, 0), 5))) + as_number((slice1cost_pixels_first_0_count_1_value_3(i) /=
+        slice1cost_pixels_first_count(i, 0, 1) <= as_number((slice1cost_pixels_first_0_count_value(i, 1, 1) /=
+          is_set(slice1shift_search(i, 0), 3))) + as_number((slice1cost_pixels_first_0_count_value(i, 1, 2) /=
+          is_set(slice1shift_search(i, 0), 5))) + as_number((slice1cost_pixels_first_0_count_value(i, 1, 3) /=
           is_set(slice1shift_search(i, 0), 4)));
         slice1cost_pixels_first_count(i, 0, 2) <= (to_integer(((to_unsigned((slice1shift_search(i, 0) mod 256), 8)) xor
           (to_unsigned((slice1shift_reference(i) mod 256), 8)))) / 128) +
-          as_number((slice1cost_pixels_first_0_count_value(i, 2) /= is_set(slice1shift_search(i, 0), 8))) +
-          as_number((slice1cost_pixels_first_0_count_value_2(i, 2) /= is_set(slice1shift_search(i, 0), 6)));
+          as_number((slice1cost_pixels_first_0_count_value(i, 2, 1) /= is_set(slice1shift_search(i, 0), 8))) +
+          as_number((slice1cost_pixels_first_0_count_value(i, 2, 2) /= is_set(slice1shift_search(i, 0), 6)));
         for j in 3 to 7 loop
-          slice1cost_pixels_first_count(i, 0, j) <= as_number((slice1cost_pixels_first_0_count_value(i, j) /=
-            is_set(slice1shift_search(i, 0), 3 * j))) + as_number((slice1cost_pixels_first_0_count_value_2(i, j) /=
-            is_set(slice1shift_search(i, 0), 3 * j + 2))) + as_number((slice1cost_pixels_first_0_count_value_3(i, j) /=
-            is_set(slice1shift_search(i, 0), 3 * j + 1)));
+          slice1cost_pixels_first_count(i, 0, j) <= as_number((slice1cost_pixels_first_0_count_value(i, j, 1) /=
+            is_set(slice1shift_search(i, 0), 3 * j))) + as_number((slice1cost_pixels_first_0_count_value(i, j, 2) /=
+            is_set(slice1shift_search(i, 0), 3 * j + 2))) + as_number((slice1cost_pixels_first_0_count_value(i, j, 3)
+            /= is_set(slice1shift_search(i, 0), 3 * j + 1)));
         end loop;
         slice1cost_pixels_first_count_8(i, 0) <= as_number((is_set(slice1shift_reference(i), 25) /=
-          is_set(slice1shift_search(i, 0), 25))) + as_number((slice1cost_pixels_first_0_count_value(i, 8) /=
+          is_set(slice1shift_search(i, 0), 25))) + as_number((slice1cost_pixels_first_0_count_value(i, 8, 1) /=
           is_set(slice1shift_search(i, 0), 24)));
         for j in 1 to 15 loop
           slice1cost_pixels_first_count(i, j, 0) <= as_number((is_set(slice1shift_search(i, j), 0) /=
             is_set(slice1shift_reference(i), 0))) + as_number((is_set(slice1shift_search(i, j), 2) /=
-            slice1cost_pixels_first_0_count_value(i, 0))) + as_number((is_set(slice1shift_search(i, j), 1) /=
-            slice1cost_pixels_first_0_count_value_2(i, 0)));
+            slice1cost_pixels_first_0_count_value(i, 0, 1))) + as_number((is_set(slice1shift_search(i, j), 1) /=
+            slice1cost_pixels_first_0_count_value(i, 0, 2)));
           slice1cost_pixels_first_count(i, j, 1) <= as_number((is_set(slice1shift_search(i, j), 3) /=
-            slice1cost_pixels_first_0_count_value(i, 1))) + as_number((is_set(slice1shift_search(i, j), 5) /=
-            slice1cost_pixels_first_0_count_value_2(i, 1))) + as_number((is_set(slice1shift_search(i, j), 4) /=
-            slice1cost_pixels_first_0_count_1_value_3(i)));
+            slice1cost_pixels_first_0_count_value(i, 1, 1))) + as_number((is_set(slice1shift_search(i, j), 5) /=
+            slice1cost_pixels_first_0_count_value(i, 1, 2))) + as_number((is_set(slice1shift_search(i, j), 4) /=
+            slice1cost_pixels_first_0_count_value(i, 1, 3)));
           slice1cost_pixels_first_count(i, j, 2) <= (to_integer(((to_unsigned((slice1shift_search(i, j) mod 256), 8))
             xor (to_unsigned((slice1shift_reference(i) mod 256), 8)))) / 128) + as_number((is_set(slice1shift_search(i,
-            j), 8) /= slice1cost_pixels_first_0_count_value(i, 2))) + as_number((is_set(slice1shift_search(i, j), 6) /=
-            slice1cost_pixels_first_0_count_value_2(i, 2)));
+            j), 8) /= slice1cost_pixels_first_0_count_value(i, 2, 1))) + as_number((is_set(slice1shift_search(i, j), 6)
+            /= slice1cost_pixels_first_0_count_value(i, 2, 2)));
           for k in 3 to 7 loop
             slice1cost_pixels_first_count(i, j, k) <= as_number((is_set(slice1shift_search(i, j), 3 * k) /=
-              slice1cost_pixels_first_0_count_value(i, k))) + as_number((is_set(slice1shift_search(i, j), 3 * k + 2) /=
-              slice1cost_pixels_first_0_count_value_2(i, k))) + as_number((is_set(slice1shift_search(i, j), 3 * k + 1)
-              /= slice1cost_pixels_first_0_count_value_3(i, k)));
+              slice1cost_pixels_first_0_count_value(i, k, 1))) + as_number((is_set(slice1shift_search(i, j), 3 * k + 2)
+              /= slice1cost_pixels_first_0_count_value(i, k, 2))) + as_number((is_set(slice1shift_search(i, j), 3 * k +
+              1) /= slice1cost_pixels_first_0_count_value(i, k, 3)));
           end loop;
           slice1cost_pixels_first_count_8(i, j) <= as_number((is_set(slice1shift_search(i, j), 25) /=
             is_set(slice1shift_reference(i), 25))) + as_number((is_set(slice1shift_search(i, j), 24) /=
-            slice1cost_pixels_first_0_count_value(i, 8)));
+            slice1cost_pixels_first_0_count_value(i, 8, 1)));
         end loop;
       end loop;
       for i in 0 to 1 loop
@@ -4192,398 +2074,151 @@ begin
       for i in 0 to 15 loop
         slice1cost_change_0(i) <= slice1cost_pixels_cost(1, i) - slice1cost_pixels_cost(0, i);
       end loop;
-      slice1cost_ready_words(0) <= slice1cost_read_words(0);
-      slice1cost_ready_words(1) <= slice1cost_read_words(1);
-      slice1cost_ready_words(2) <= slice1cost_read_words(2);
-      slice1cost_ready_words(3) <= slice1cost_read_words(3);
+      slice1cost_ready_words <= slice1cost_read_words;
       slice1cost_ready_column <= slice1cost_change_column;
       for i in 0 to 15 loop
-        slice1cost_column_0(i) <= slice1cost_column_0_choice_2(i);
+        slice1cost_column_0(i) <= slice1cost_column_0_choice(i, 2);
       end loop;
       slice1cost_write_column <= slice0cost_write_column;
-      if slice0cost_tag_valid then
+      if slice0cost_tag.valid then
         for i in 0 to 3 loop
-          slice1cost_write_words(i) <= to_unsigned(slice1cost_column_0_choice_2(4 * i + 3), 8) &
-            to_unsigned(slice1cost_column_0_choice_2(4 * i + 2), 8) & to_unsigned(slice1cost_column_0_choice_2(4 * i +
-            1), 8) & to_unsigned(slice1cost_column_0_choice_2(4 * i), 8);
+          slice1cost_write_words(i) <= to_unsigned(slice1cost_column_0_choice(4 * i + 3, 2), 8) &
+            to_unsigned(slice1cost_column_0_choice(4 * i + 2, 2), 8) & to_unsigned(slice1cost_column_0_choice(4 * i +
+            1, 2), 8) & to_unsigned(slice1cost_column_0_choice(4 * i, 2), 8);
         end loop;
       end if;
       -- slice1window
-      if slice0window_entering_tag_valid then
+      if slice0window_entering_tag.valid then
         slice1window_ring_write_address <= slice1window_ring_read_address;
-        if slice1window_ring_read_address = 9 then
-          slice1window_ring_read_address <= 0;
-        else
-          slice1window_ring_read_address <= (slice1window_ring_read_address + 1) mod 16;
-        end if;
+        slice1window_ring_read_address <= choice(slice1window_ring_read_address = 9, 0, (slice1window_ring_read_address
+          + 1) mod 16);
       end if;
-      for i in 0 to 1 loop
+      for i in 0 to 3 loop
         for j in 0 to 3 loop
-          if slice0window_change_tag_leaves_window then
-            slice1window_change_0_choice(8 * i + j) := to_integer(slice1window_leaving(2 * i)(8 * j + 7 downto 8 * j));
-          else
-            slice1window_change_0_choice(8 * i + j) := 0;
-          end if;
-        end loop;
-        for j in 4 to 7 loop
-          if slice0window_change_tag_leaves_window then
-            slice1window_change_0_choice(8 * i + j) := to_integer(slice1window_leaving(2 * i + 1)(8 * j - 25 downto 8 *
-              j - 32));
-          else
-            slice1window_change_0_choice(8 * i + j) := 0;
-          end if;
+          slice1window_change_0_choice(4 * i + j) := choice(slice0window_change_tag.leaves_window,
+            to_integer(slice1window_leaving(i)(8 * j + 7 downto 8 * j)), 0);
         end loop;
       end loop;
-      for i in 0 to 15 loop
-        slice1window_entering_0(i) <= slice1cost_column_0(i);
-      end loop;
+      slice1window_entering_0 <= slice1cost_column_0;
       for i in 0 to 15 loop
         slice1window_change_0(i) <= slice1window_entering_0(i) - slice1window_change_0_choice(i);
       end loop;
-      slice1window_change_tag_first_cost <= slice0window_change_tag_first_cost;
-      slice1window_change_tag_leaves_window <= slice0window_change_tag_leaves_window;
+      slice1window_change_tag.first_cost <= slice0window_change_tag.first_cost;
+      slice1window_change_tag.leaves_window <= slice0window_change_tag.leaves_window;
       slice1window_centre_map_column_0 <= slice0window_centre_map_column_0;
       slice1window_centre_output_column(0) <= slice0window_centre_output_column(0);
       slice1window_centre_output_column(3) <= slice0window_centre_output_column(3);
       slice1window_centre_first_column(0) <= slice0window_centre_first_column(0);
       slice1window_centre_first_column(3) <= slice0window_centre_first_column(3);
       slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
-      if slice0window_change_tag_valid then
-        slice1window_change_tag_output_column <= slice0window_change_tag_output_column;
-        slice1window_change_tag_first_column <= slice0window_change_tag_first_column;
+      if slice0window_change_tag.valid then
+        slice1window_change_tag.output_column <= slice0window_change_tag.output_column;
+        slice1window_change_tag.first_column <= slice0window_change_tag.first_column;
       end if;
       for i in 0 to 15 loop
-        if slice1window_change_tag_first_cost then
-          slice1window_sum_0_choice(i) := 0;
-        else
-          slice1window_sum_0_choice(i) := slice1window_sum_0(i);
-        end if;
+        slice1window_sum_0_choice(i) := choice(slice1window_change_tag.first_cost, 0, slice1window_sum_0(i));
       end loop;
-      if slice0window_tag_valid then
+      if slice0window_tag.valid then
         for i in 0 to 15 loop
           slice1window_sum_0(i) <= (slice1window_sum_0_choice(i) + slice1window_change_0(i)) mod 4096;
         end loop;
-        slice1window_centre_output_column(1) <= slice2window_change_tag_output_column;
+        slice1window_centre_output_column(1) <= slice2window_change_tag.output_column;
         slice1window_centre_output_column(2) <= slice1window_centre_output_column(1);
-        slice1window_centre_first_column(1) <= slice2window_change_tag_first_column;
+        slice1window_centre_first_column(1) <= slice2window_change_tag.first_column;
         slice1window_centre_first_column(2) <= slice1window_centre_first_column(1);
       end if;
-      if slice0winner1_tag_valid then
-        slice1window_tag_output_column <= slice2window_centre_output_column(2);
-        slice1window_tag_first_column <= slice2window_centre_first_column(2);
+      if slice0winner1_tag.valid then
+        slice1window_tag.output_column <= slice2window_centre_output_column(2);
+        slice1window_tag.first_column <= slice2window_centre_first_column(2);
       end if;
       -- slice1other
-      slice1other_cost_0_0_any := (not slice0winner1_tag_output_column) or (not slice0winner1_tag_first_column);
-      if (slice1window_sum_0(0) - slice0other_cost_out_0) < 0 then
-        slice1other_cost_0_choice(0) := not slice0winner1_tag_output_column;
-      else
-        slice1other_cost_0_choice(0) := slice1other_cost_0_0_any;
-      end if;
+      slice1other_cost_0_0_any := (not slice0winner1_tag.output_column) or (not slice0winner1_tag.first_column);
+      slice1other_cost_0_choice(0) := choice((slice1window_sum_0(0) - slice0other_cost_out_0) < 0, not
+        slice0winner1_tag.output_column, slice1other_cost_0_0_any);
       for i in 1 to 14 loop
-        if (slice1window_sum_0(i) - slice1other_cost_0(i - 1)) < 0 then
-          slice1other_cost_0_choice(i) := not slice0winner1_tag_output_column;
-        else
-          slice1other_cost_0_choice(i) := slice1other_cost_0_0_any;
-        end if;
+        slice1other_cost_0_choice(i) := choice((slice1window_sum_0(i) - slice1other_cost_0(i - 1)) < 0, not
+          slice0winner1_tag.output_column, slice1other_cost_0_0_any);
       end loop;
-      slice1other_cost_0_15_any := (not slice0winner1_tag_output_column) or ((not slice0winner1_tag_first_column) and
+      slice1other_cost_0_15_any := (not slice0winner1_tag.output_column) or ((not slice0winner1_tag.first_column) and
         ((slice1window_sum_0(15) - slice1other_cost_0(14)) >= 0));
-      if slice0winner1_tag_valid then
-        if slice1other_cost_0_choice(0) then
-          slice1other_cost_0(0) <= slice0other_cost_out_0;
-          slice1other_winner_0_0 <= slice0other_winner_out_0;
-        else
-          slice1other_cost_0(0) <= slice1window_sum_0(0);
-          slice1other_winner_0_0 <= 16;
-        end if;
-        if slice1other_cost_0_choice(1) then
-          slice1other_cost_0(1) <= slice1other_cost_0(0);
-          slice1other_winner_0_1 <= slice1other_winner_0_0;
-        else
-          slice1other_cost_0(1) <= slice1window_sum_0(1);
-          slice1other_winner_0_1 <= 17;
-        end if;
-        if slice1other_cost_0_choice(2) then
-          slice1other_cost_0(2) <= slice1other_cost_0(1);
-          slice1other_winner_0_2 <= slice1other_winner_0_1;
-        else
-          slice1other_cost_0(2) <= slice1window_sum_0(2);
-          slice1other_winner_0_2 <= 18;
-        end if;
-        if slice1other_cost_0_choice(3) then
-          slice1other_cost_0(3) <= slice1other_cost_0(2);
-          slice1other_winner_0_3 <= slice1other_winner_0_2;
-        else
-          slice1other_cost_0(3) <= slice1window_sum_0(3);
-          slice1other_winner_0_3 <= 19;
-        end if;
-        if slice1other_cost_0_choice(4) then
-          slice1other_cost_0(4) <= slice1other_cost_0(3);
-          slice1other_winner_0_4 <= slice1other_winner_0_3;
-        else
-          slice1other_cost_0(4) <= slice1window_sum_0(4);
-          slice1other_winner_0_4 <= 20;
-        end if;
-        if slice1other_cost_0_choice(5) then
-          slice1other_cost_0(5) <= slice1other_cost_0(4);
-          slice1other_winner_0_5 <= slice1other_winner_0_4;
-        else
-          slice1other_cost_0(5) <= slice1window_sum_0(5);
-          slice1other_winner_0_5 <= 21;
-        end if;
-        if slice1other_cost_0_choice(6) then
-          slice1other_cost_0(6) <= slice1other_cost_0(5);
-          slice1other_winner_0_6 <= slice1other_winner_0_5;
-        else
-          slice1other_cost_0(6) <= slice1window_sum_0(6);
-          slice1other_winner_0_6 <= 22;
-        end if;
-        if slice1other_cost_0_choice(7) then
-          slice1other_cost_0(7) <= slice1other_cost_0(6);
-          slice1other_winner_0_7 <= slice1other_winner_0_6;
-        else
-          slice1other_cost_0(7) <= slice1window_sum_0(7);
-          slice1other_winner_0_7 <= 23;
-        end if;
-        if slice1other_cost_0_choice(8) then
-          slice1other_cost_0(8) <= slice1other_cost_0(7);
-          slice1other_winner_0_8 <= slice1other_winner_0_7;
-        else
-          slice1other_cost_0(8) <= slice1window_sum_0(8);
-          slice1other_winner_0_8 <= 24;
-        end if;
-        if slice1other_cost_0_choice(9) then
-          slice1other_cost_0(9) <= slice1other_cost_0(8);
-          slice1other_winner_0_9 <= slice1other_winner_0_8;
-        else
-          slice1other_cost_0(9) <= slice1window_sum_0(9);
-          slice1other_winner_0_9 <= 25;
-        end if;
-        if slice1other_cost_0_choice(10) then
-          slice1other_cost_0(10) <= slice1other_cost_0(9);
-          slice1other_winner_0_10 <= slice1other_winner_0_9;
-        else
-          slice1other_cost_0(10) <= slice1window_sum_0(10);
-          slice1other_winner_0_10 <= 26;
-        end if;
-        if slice1other_cost_0_choice(11) then
-          slice1other_cost_0(11) <= slice1other_cost_0(10);
-          slice1other_winner_0_11 <= slice1other_winner_0_10;
-        else
-          slice1other_cost_0(11) <= slice1window_sum_0(11);
-          slice1other_winner_0_11 <= 27;
-        end if;
-        if slice1other_cost_0_choice(12) then
-          slice1other_cost_0(12) <= slice1other_cost_0(11);
-          slice1other_winner_0_12 <= slice1other_winner_0_11;
-        else
-          slice1other_cost_0(12) <= slice1window_sum_0(12);
-          slice1other_winner_0_12 <= 28;
-        end if;
-        if slice1other_cost_0_choice(13) then
-          slice1other_cost_0(13) <= slice1other_cost_0(12);
-          slice1other_winner_0_13 <= slice1other_winner_0_12;
-        else
-          slice1other_cost_0(13) <= slice1window_sum_0(13);
-          slice1other_winner_0_13 <= 29;
-        end if;
-        if slice1other_cost_0_choice(14) then
-          slice1other_cost_0(14) <= slice1other_cost_0(13);
-          slice1other_winner_0_14 <= slice1other_winner_0_13;
-        else
-          slice1other_cost_0(14) <= slice1window_sum_0(14);
-          slice1other_winner_0_14 <= 30;
-        end if;
-        if slice1other_cost_0_15_any then
-          slice1other_cost_0(15) <= slice1other_cost_0(14);
-          slice1other_winner_0_15 <= slice1other_winner_0_14;
-        else
-          slice1other_cost_0(15) <= slice1window_sum_0(15);
-          slice1other_winner_0_15 <= 31;
-        end if;
+      if slice0winner1_tag.valid then
+        slice1other_cost_0(0) <= choice(slice1other_cost_0_choice(0), slice0other_cost_out_0, slice1window_sum_0(0));
+        slice1other_winner_0(0) <= choice(slice1other_cost_0_choice(0), slice0other_winner_out_0, 16);
+        for i in 1 to 14 loop
+          slice1other_cost_0(i) <= choice(slice1other_cost_0_choice(i), slice1other_cost_0(i - 1),
+            slice1window_sum_0(i));
+          slice1other_winner_0(i) <= choice(slice1other_cost_0_choice(i), slice1other_winner_0(i - 1), i + 16);
+        end loop;
+        slice1other_cost_0(15) <= choice(slice1other_cost_0_15_any, slice1other_cost_0(14), slice1window_sum_0(15));
+        slice1other_winner_0(15) <= choice(slice1other_cost_0_15_any, slice1other_winner_0(14), 31);
       end if;
       slice1other_cost_out_0 <= slice1other_cost_0(15);
-      slice1other_winner_out_0 <= slice1other_winner_0_15;
+      slice1other_winner_out_0 <= slice1other_winner_0(15);
       -- slice1winner1
       for i in 0 to 7 loop
         slice1winner1_best_cost_0_is_less(i) := (slice1window_sum_0(2 * i + 1) - slice1window_sum_0(2 * i)) < 0;
       end loop;
-      for i in 0 to 15 loop
-        slice1winner1_held_0(i) <= slice1window_sum_0(i);
-      end loop;
+      slice1winner1_held_0 <= slice1window_sum_0;
       slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_is_less(0);
       slice1winner1_best_place_0_2 <= slice1winner1_best_cost_0_is_less(2);
       slice1winner1_best_place_0_4 <= slice1winner1_best_cost_0_is_less(4);
       slice1winner1_best_place_0_6 <= slice1winner1_best_cost_0_is_less(6);
-      for i in 0 to 7 loop
-        slice1winner1_best_late_cost_0(i) <= slice1winner1_best_cost_0(i);
-      end loop;
+      slice1winner1_best_late_cost_0 <= slice1winner1_best_cost_0;
       for i in 0 to 7 loop
         slice1winner1_best_but_first_0(i) <= slice1winner1_held_0(2 * i + 1);
       end loop;
       for i in 0 to 7 loop
         slice1winner1_best_but_last_0(i) <= slice1winner1_held_0(2 * i);
       end loop;
-      if slice1winner1_best_cost_0_is_less(0) then
-        slice1winner1_best_cost_0(0) <= slice1window_sum_0(1);
-        slice1winner1_best_below_0(0) <= slice1window_sum_0(0);
-        slice1winner1_best_above_0(0) <= 0;
-      else
-        slice1winner1_best_cost_0(0) <= slice1window_sum_0(0);
-        slice1winner1_best_below_0(0) <= 0;
-        slice1winner1_best_above_0(0) <= slice1window_sum_0(1);
-      end if;
-      if slice1winner1_best_cost_0_is_less(1) then
-        slice1winner1_best_cost_0(1) <= slice1window_sum_0(3);
-        slice1winner1_best_index_0_1 <= 3;
-        slice1winner1_best_below_0(1) <= slice1window_sum_0(2);
-        slice1winner1_best_above_0(1) <= 0;
-      else
-        slice1winner1_best_cost_0(1) <= slice1window_sum_0(2);
-        slice1winner1_best_index_0_1 <= 2;
-        slice1winner1_best_below_0(1) <= 0;
-        slice1winner1_best_above_0(1) <= slice1window_sum_0(3);
-      end if;
-      if slice1winner1_best_cost_0_is_less(2) then
-        slice1winner1_best_cost_0(2) <= slice1window_sum_0(5);
-        slice1winner1_best_index_0_2 <= 5;
-        slice1winner1_best_below_0(2) <= slice1window_sum_0(4);
-        slice1winner1_best_above_0(2) <= 0;
-      else
-        slice1winner1_best_cost_0(2) <= slice1window_sum_0(4);
-        slice1winner1_best_index_0_2 <= 4;
-        slice1winner1_best_below_0(2) <= 0;
-        slice1winner1_best_above_0(2) <= slice1window_sum_0(5);
-      end if;
-      if slice1winner1_best_cost_0_is_less(3) then
-        slice1winner1_best_cost_0(3) <= slice1window_sum_0(7);
-        slice1winner1_best_index_0_3 <= 7;
-        slice1winner1_best_below_0(3) <= slice1window_sum_0(6);
-        slice1winner1_best_above_0(3) <= 0;
-      else
-        slice1winner1_best_cost_0(3) <= slice1window_sum_0(6);
-        slice1winner1_best_index_0_3 <= 6;
-        slice1winner1_best_below_0(3) <= 0;
-        slice1winner1_best_above_0(3) <= slice1window_sum_0(7);
-      end if;
-      if slice1winner1_best_cost_0_is_less(4) then
-        slice1winner1_best_cost_0(4) <= slice1window_sum_0(9);
-        slice1winner1_best_index_0_4 <= 9;
-        slice1winner1_best_below_0(4) <= slice1window_sum_0(8);
-        slice1winner1_best_above_0(4) <= 0;
-      else
-        slice1winner1_best_cost_0(4) <= slice1window_sum_0(8);
-        slice1winner1_best_index_0_4 <= 8;
-        slice1winner1_best_below_0(4) <= 0;
-        slice1winner1_best_above_0(4) <= slice1window_sum_0(9);
-      end if;
-      if slice1winner1_best_cost_0_is_less(5) then
-        slice1winner1_best_cost_0(5) <= slice1window_sum_0(11);
-        slice1winner1_best_index_0_5 <= 11;
-        slice1winner1_best_below_0(5) <= slice1window_sum_0(10);
-        slice1winner1_best_above_0(5) <= 0;
-      else
-        slice1winner1_best_cost_0(5) <= slice1window_sum_0(10);
-        slice1winner1_best_index_0_5 <= 10;
-        slice1winner1_best_below_0(5) <= 0;
-        slice1winner1_best_above_0(5) <= slice1window_sum_0(11);
-      end if;
-      if slice1winner1_best_cost_0_is_less(6) then
-        slice1winner1_best_cost_0(6) <= slice1window_sum_0(13);
-        slice1winner1_best_index_0_6 <= 13;
-        slice1winner1_best_below_0(6) <= slice1window_sum_0(12);
-        slice1winner1_best_above_0(6) <= 0;
-      else
-        slice1winner1_best_cost_0(6) <= slice1window_sum_0(12);
-        slice1winner1_best_index_0_6 <= 12;
-        slice1winner1_best_below_0(6) <= 0;
-        slice1winner1_best_above_0(6) <= slice1window_sum_0(13);
-      end if;
-      if slice1winner1_best_cost_0_is_less(7) then
-        slice1winner1_best_cost_0(7) <= slice1window_sum_0(15);
-        slice1winner1_best_index_0_7 <= 15;
-        slice1winner1_best_below_0(7) <= slice1window_sum_0(14);
-        slice1winner1_best_above_0(7) <= 0;
-      else
-        slice1winner1_best_cost_0(7) <= slice1window_sum_0(14);
-        slice1winner1_best_index_0_7 <= 14;
-        slice1winner1_best_below_0(7) <= 0;
-        slice1winner1_best_above_0(7) <= slice1window_sum_0(15);
-      end if;
-      if slice0winner2_tag_valid then
-        slice1winner1_tag_output_column <= slice3window_centre_output_column(2);
-        slice1winner1_tag_first_column <= slice3window_centre_first_column(2);
+      slice1winner1_best_cost_0(0) <= choice(slice1winner1_best_cost_0_is_less(0), slice1window_sum_0(1),
+        slice1window_sum_0(0));
+      for i in 0 to 6 loop
+        slice1winner1_best_below_0(i) <= choice(slice1winner1_best_cost_0_is_less(i), slice1window_sum_0(2 * i), 0);
+        slice1winner1_best_above_0(i) <= choice(slice1winner1_best_cost_0_is_less(i), 0, slice1window_sum_0(2 * i + 1));
+        slice1winner1_best_cost_0(i + 1) <= choice(slice1winner1_best_cost_0_is_less(i + 1), slice1window_sum_0(2 * i +
+          3), slice1window_sum_0(2 * i + 2));
+        slice1winner1_best_index_0(i + 1) <= choice(slice1winner1_best_cost_0_is_less(i + 1), 2 * i + 3, 2 * i + 2);
+      end loop;
+      slice1winner1_best_below_0(7) <= choice(slice1winner1_best_cost_0_is_less(7), slice1window_sum_0(14), 0);
+      slice1winner1_best_above_0(7) <= choice(slice1winner1_best_cost_0_is_less(7), 0, slice1window_sum_0(15));
+      if slice0winner2_tag.valid then
+        slice1winner1_tag.output_column <= slice3window_centre_output_column(2);
+        slice1winner1_tag.first_column <= slice3window_centre_first_column(2);
       end if;
       -- slice1winner2
       for i in 0 to 3 loop
         slice1winner2_best_cost_0_is_less(i) := (slice1winner1_best_cost_0(2 * i + 1) - slice1winner1_best_cost_0(2 *
           i)) < 0;
       end loop;
-      slice1winner2_best_below_0_is_equal(0) := slice1winner1_best_index_0_1 = 2;
-      if slice1winner2_best_below_0_is_equal(0) then
-        slice1winner2_best_below_0_choice(0) := slice1winner1_held_0(1);
-      else
-        slice1winner2_best_below_0_choice(0) := slice1winner1_best_below_0(1);
-      end if;
-      slice1winner2_best_below_0_is_equal(1) := slice1winner1_best_index_0_3 = 6;
-      if slice1winner2_best_below_0_is_equal(1) then
-        slice1winner2_best_below_0_choice(1) := slice1winner1_held_0(5);
-      else
-        slice1winner2_best_below_0_choice(1) := slice1winner1_best_below_0(3);
-      end if;
-      slice1winner2_best_below_0_is_equal(2) := (slice1winner1_best_index_0_5 mod 4) = 2;
-      if is_set(slice1winner1_best_index_0_5, 3) and slice1winner2_best_below_0_is_equal(2) then
-        slice1winner2_best_below_0_choice(2) := slice1winner1_held_0(9);
-      else
-        slice1winner2_best_below_0_choice(2) := slice1winner1_best_below_0(5);
-      end if;
-      slice1winner2_best_below_0_is_equal(3) := slice1winner1_best_index_0_7 = 14;
-      if slice1winner2_best_below_0_is_equal(3) then
-        slice1winner2_best_below_0_choice(3) := slice1winner1_held_0(13);
-      else
-        slice1winner2_best_below_0_choice(3) := slice1winner1_best_below_0(7);
-      end if;
-      if slice1winner1_best_index_0_0 then
-        slice1winner2_best_above_0_choice(0) := slice1winner1_held_0(2);
-      else
-        slice1winner2_best_above_0_choice(0) := slice1winner1_best_above_0(0);
-      end if;
-      if slice1winner1_best_place_0_2 then
-        slice1winner2_best_above_0_choice(1) := slice1winner1_held_0(6);
-      else
-        slice1winner2_best_above_0_choice(1) := slice1winner1_best_above_0(2);
-      end if;
-      if slice1winner1_best_place_0_4 then
-        slice1winner2_best_above_0_choice(2) := slice1winner1_held_0(10);
-      else
-        slice1winner2_best_above_0_choice(2) := slice1winner1_best_above_0(4);
-      end if;
-      if slice1winner1_best_place_0_6 then
-        slice1winner2_best_above_0_choice(3) := slice1winner1_held_0(14);
-      else
-        slice1winner2_best_above_0_choice(3) := slice1winner1_best_above_0(6);
-      end if;
+      slice1winner2_best_below_0_is_equal(0) := slice1winner1_best_index_0(1) = 2;
+      slice1winner2_best_below_0_choice(0) := choice(slice1winner2_best_below_0_is_equal(0), slice1winner1_held_0(1),
+        slice1winner1_best_below_0(1));
+      slice1winner2_best_below_0_is_equal(1) := slice1winner1_best_index_0(3) = 6;
+      slice1winner2_best_below_0_choice(1) := choice(slice1winner2_best_below_0_is_equal(1), slice1winner1_held_0(5),
+        slice1winner1_best_below_0(3));
+      slice1winner2_best_below_0_is_equal(2) := (slice1winner1_best_index_0(5) mod 4) = 2;
+      slice1winner2_best_below_0_choice(2) := choice(is_set(slice1winner1_best_index_0(5), 3) and
+        slice1winner2_best_below_0_is_equal(2), slice1winner1_held_0(9), slice1winner1_best_below_0(5));
+      slice1winner2_best_below_0_is_equal(3) := slice1winner1_best_index_0(7) = 14;
+      slice1winner2_best_below_0_choice(3) := choice(slice1winner2_best_below_0_is_equal(3), slice1winner1_held_0(13),
+        slice1winner1_best_below_0(7));
+      slice1winner2_best_above_0_choice(0) := choice(slice1winner1_best_index_0_0, slice1winner1_held_0(2),
+        slice1winner1_best_above_0(0));
+      slice1winner2_best_above_0_choice(1) := choice(slice1winner1_best_place_0_2, slice1winner1_held_0(6),
+        slice1winner1_best_above_0(2));
+      slice1winner2_best_above_0_choice(2) := choice(slice1winner1_best_place_0_4, slice1winner1_held_0(10),
+        slice1winner1_best_above_0(4));
+      slice1winner2_best_above_0_choice(3) := choice(slice1winner1_best_place_0_6, slice1winner1_held_0(14),
+        slice1winner1_best_above_0(6));
       for i in 0 to 3 loop
-        if slice1winner2_best_place_0(i) then
-          slice1winner2_best_second_0_choice(i) := 4095;
-        else
-          slice1winner2_best_second_0_choice(i) := slice1winner1_best_late_cost_0(2 * i + 1);
-        end if;
-        if slice1winner2_best_at_end_0(i) then
-          slice1winner2_best_second_0_choices(i, 2) := slice1winner1_best_but_first_0(2 * i + 1);
-        else
-          slice1winner2_best_second_0_choices(i, 2) := slice1winner2_best_second_0_choice(i);
-        end if;
-        if slice1winner2_best_place_0(i) then
-          slice1winner2_best_second_0_choices(i, 3) := slice1winner1_best_late_cost_0(2 * i);
-        else
-          slice1winner2_best_second_0_choices(i, 3) := 4095;
-        end if;
-        if slice1winner2_best_at_start_0(i) then
-          slice1winner2_best_second_0_choices(i, 4) := slice1winner1_best_but_last_0(2 * i);
-        else
-          slice1winner2_best_second_0_choices(i, 4) := slice1winner2_best_second_0_choices(i, 3);
-        end if;
+        slice1winner2_best_second_0_choice(i, 1) := choice(slice1winner2_best_place_0(i), 4095,
+          slice1winner1_best_late_cost_0(2 * i + 1));
+        slice1winner2_best_second_0_choice(i, 2) := choice(slice1winner2_best_at_end_0(i),
+          slice1winner1_best_but_first_0(2 * i + 1), slice1winner2_best_second_0_choice(i, 1));
+        slice1winner2_best_second_0_choice(i, 3) := choice(slice1winner2_best_place_0(i),
+          slice1winner1_best_late_cost_0(2 * i), 4095);
+        slice1winner2_best_second_0_choice(i, 4) := choice(slice1winner2_best_at_start_0(i),
+          slice1winner1_best_but_last_0(2 * i), slice1winner2_best_second_0_choice(i, 3));
       end loop;
       slice1winner2_best_first_0(0) <= slice1winner1_held_0(0);
       slice1winner2_best_first_0(1) <= slice1winner1_held_0(4);
@@ -4593,16 +2228,13 @@ begin
       slice1winner2_best_last_0(1) <= slice1winner1_held_0(7);
       slice1winner2_best_last_0(2) <= slice1winner1_held_0(11);
       slice1winner2_best_last_0(3) <= slice1winner1_held_0(15);
-      slice1winner2_best_place_0(0) <= slice1winner2_best_cost_0_is_less(0);
-      slice1winner2_best_place_0(1) <= slice1winner2_best_cost_0_is_less(1);
-      slice1winner2_best_place_0(2) <= slice1winner2_best_cost_0_is_less(2);
-      slice1winner2_best_place_0(3) <= slice1winner2_best_cost_0_is_less(3);
+      slice1winner2_best_place_0 <= slice1winner2_best_cost_0_is_less;
       slice1winner2_best_at_start_0(0) <= slice1winner2_best_cost_0_is_less(0) and
         slice1winner2_best_below_0_is_equal(0);
       slice1winner2_best_at_start_0(1) <= slice1winner2_best_cost_0_is_less(1) and
         slice1winner2_best_below_0_is_equal(1);
-      slice1winner2_best_at_start_0(2) <= slice1winner2_best_cost_0_is_less(2) and is_set(slice1winner1_best_index_0_5,
-        3) and slice1winner2_best_below_0_is_equal(2);
+      slice1winner2_best_at_start_0(2) <= slice1winner2_best_cost_0_is_less(2) and
+        is_set(slice1winner1_best_index_0(5), 3) and slice1winner2_best_below_0_is_equal(2);
       slice1winner2_best_at_start_0(3) <= slice1winner2_best_below_0_is_equal(3) and
         slice1winner2_best_cost_0_is_less(3);
       slice1winner2_best_at_end_0(0) <= slice1winner1_best_index_0_0 and ((slice1winner1_best_cost_0(1) -
@@ -4613,130 +2245,70 @@ begin
         slice1winner1_best_cost_0(4)) >= 0);
       slice1winner2_best_at_end_0(3) <= slice1winner1_best_place_0_6 and ((slice1winner1_best_cost_0(7) -
         slice1winner1_best_cost_0(6)) >= 0);
-      slice1winner2_best_late_cost_0(0) <= slice1winner2_best_cost_0(0);
-      slice1winner2_best_late_cost_0(1) <= slice1winner2_best_cost_0(1);
-      slice1winner2_best_late_cost_0(2) <= slice1winner2_best_cost_0(2);
-      slice1winner2_best_late_cost_0(3) <= slice1winner2_best_cost_0(3);
-      if slice1winner2_best_cost_0_is_less(0) then
-        slice1winner2_best_cost_0(0) <= slice1winner1_best_cost_0(1);
-        slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1;
-        slice1winner2_best_below_0(0) <= slice1winner2_best_below_0_choice(0);
-        slice1winner2_best_above_0(0) <= slice1winner1_best_above_0(1);
-      else
-        slice1winner2_best_cost_0(0) <= slice1winner1_best_cost_0(0);
-        slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
-        slice1winner2_best_below_0(0) <= slice1winner1_best_below_0(0);
-        slice1winner2_best_above_0(0) <= slice1winner2_best_above_0_choice(0);
-      end if;
-      if slice1winner2_best_cost_0_is_less(1) then
-        slice1winner2_best_cost_0(1) <= slice1winner1_best_cost_0(3);
-        slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3;
-        slice1winner2_best_below_0(1) <= slice1winner2_best_below_0_choice(1);
-        slice1winner2_best_above_0(1) <= slice1winner1_best_above_0(3);
-      else
-        slice1winner2_best_cost_0(1) <= slice1winner1_best_cost_0(2);
-        slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_2;
-        slice1winner2_best_below_0(1) <= slice1winner1_best_below_0(2);
-        slice1winner2_best_above_0(1) <= slice1winner2_best_above_0_choice(1);
-      end if;
-      if slice1winner2_best_cost_0_is_less(2) then
-        slice1winner2_best_cost_0(2) <= slice1winner1_best_cost_0(5);
-        slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5;
-        slice1winner2_best_below_0(2) <= slice1winner2_best_below_0_choice(2);
-        slice1winner2_best_above_0(2) <= slice1winner1_best_above_0(5);
-      else
-        slice1winner2_best_cost_0(2) <= slice1winner1_best_cost_0(4);
-        slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_4;
-        slice1winner2_best_below_0(2) <= slice1winner1_best_below_0(4);
-        slice1winner2_best_above_0(2) <= slice1winner2_best_above_0_choice(2);
-      end if;
-      if slice1winner2_best_cost_0_is_less(3) then
-        slice1winner2_best_cost_0(3) <= slice1winner1_best_cost_0(7);
-        slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_7;
-        slice1winner2_best_below_0(3) <= slice1winner2_best_below_0_choice(3);
-        slice1winner2_best_above_0(3) <= slice1winner1_best_above_0(7);
-      else
-        slice1winner2_best_cost_0(3) <= slice1winner1_best_cost_0(6);
-        slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_6;
-        slice1winner2_best_below_0(3) <= slice1winner1_best_below_0(6);
-        slice1winner2_best_above_0(3) <= slice1winner2_best_above_0_choice(3);
-      end if;
+      slice1winner2_best_late_cost_0 <= slice1winner2_best_cost_0;
+      slice1winner2_best_cost_0(0) <= choice(slice1winner2_best_cost_0_is_less(0), slice1winner1_best_cost_0(1),
+        slice1winner1_best_cost_0(0));
+      slice1winner2_best_index_0(0) <= choice(slice1winner2_best_cost_0_is_less(0), slice1winner1_best_index_0(1),
+        as_number(slice1winner1_best_index_0_0));
+      for i in 0 to 2 loop
+        slice1winner2_best_below_0(i) <= choice(slice1winner2_best_cost_0_is_less(i),
+          slice1winner2_best_below_0_choice(i), slice1winner1_best_below_0(2 * i));
+        slice1winner2_best_above_0(i) <= choice(slice1winner2_best_cost_0_is_less(i), slice1winner1_best_above_0(2 * i
+          + 1), slice1winner2_best_above_0_choice(i));
+        slice1winner2_best_cost_0(i + 1) <= choice(slice1winner2_best_cost_0_is_less(i + 1),
+          slice1winner1_best_cost_0(2 * i + 3), slice1winner1_best_cost_0(2 * i + 2));
+        slice1winner2_best_index_0(i + 1) <= choice(slice1winner2_best_cost_0_is_less(i + 1),
+          slice1winner1_best_index_0(2 * i + 3), slice1winner1_best_index_0(2 * i + 2));
+      end loop;
+      slice1winner2_best_below_0(3) <= choice(slice1winner2_best_cost_0_is_less(3),
+        slice1winner2_best_below_0_choice(3), slice1winner1_best_below_0(6));
+      slice1winner2_best_above_0(3) <= choice(slice1winner2_best_cost_0_is_less(3), slice1winner1_best_above_0(7),
+        slice1winner2_best_above_0_choice(3));
       for i in 0 to 3 loop
-        if (slice1winner2_best_second_0_choices(i, 2) - slice1winner2_best_second_0_choices(i, 4)) < 0 then
-          slice1winner2_best_second_0(i) <= slice1winner2_best_second_0_choices(i, 2);
-        else
-          slice1winner2_best_second_0(i) <= slice1winner2_best_second_0_choices(i, 4);
-        end if;
+        slice1winner2_best_second_0(i) <= choice((slice1winner2_best_second_0_choice(i, 2) -
+          slice1winner2_best_second_0_choice(i, 4)) < 0, slice1winner2_best_second_0_choice(i, 2),
+          slice1winner2_best_second_0_choice(i, 4));
       end loop;
       for i in 0 to 3 loop
-        if (slice1winner1_best_late_cost_0(2 * i + 1) - slice1winner1_best_but_first_0(2 * i)) < 0 then
-          slice1winner2_best_but_first_0(i) <= slice1winner1_best_late_cost_0(2 * i + 1);
-        else
-          slice1winner2_best_but_first_0(i) <= slice1winner1_best_but_first_0(2 * i);
-        end if;
+        slice1winner2_best_but_first_0(i) <= choice((slice1winner1_best_late_cost_0(2 * i + 1) -
+          slice1winner1_best_but_first_0(2 * i)) < 0, slice1winner1_best_late_cost_0(2 * i + 1),
+          slice1winner1_best_but_first_0(2 * i));
       end loop;
       for i in 0 to 3 loop
-        if (slice1winner1_best_but_last_0(2 * i + 1) - slice1winner1_best_late_cost_0(2 * i)) < 0 then
-          slice1winner2_best_but_last_0(i) <= slice1winner1_best_but_last_0(2 * i + 1);
-        else
-          slice1winner2_best_but_last_0(i) <= slice1winner1_best_late_cost_0(2 * i);
-        end if;
+        slice1winner2_best_but_last_0(i) <= choice((slice1winner1_best_but_last_0(2 * i + 1) -
+          slice1winner1_best_late_cost_0(2 * i)) < 0, slice1winner1_best_but_last_0(2 * i + 1),
+          slice1winner1_best_late_cost_0(2 * i));
       end loop;
       -- slice1winner3
       slice1winner3_best_cost_0_is_less(0) := (slice1winner2_best_cost_0(1) - slice1winner2_best_cost_0(0)) < 0;
       slice1winner3_best_cost_0_is_less(1) := (slice1winner2_best_cost_0(3) - slice1winner2_best_cost_0(2)) < 0;
-      slice1winner3_best_below_0_is_equal(0) := slice1winner2_best_index_0_1 = 4;
-      if slice1winner3_best_below_0_is_equal(0) then
-        slice1winner3_best_below_0_choice(0) := slice1winner2_best_last_0(0);
-      else
-        slice1winner3_best_below_0_choice(0) := slice1winner2_best_below_0(1);
-      end if;
-      slice1winner3_best_below_0_is_equal(1) := slice1winner2_best_index_0_3 = 12;
-      if slice1winner3_best_below_0_is_equal(1) then
-        slice1winner3_best_below_0_choice(1) := slice1winner2_best_last_0(2);
-      else
-        slice1winner3_best_below_0_choice(1) := slice1winner2_best_below_0(3);
-      end if;
-      slice1winner3_best_above_0_is_equal(0) := slice1winner2_best_index_0_0 = 3;
-      if slice1winner3_best_above_0_is_equal(0) then
-        slice1winner3_best_above_0_choice(0) := slice1winner2_best_first_0(1);
-      else
-        slice1winner3_best_above_0_choice(0) := slice1winner2_best_above_0(0);
-      end if;
-      slice1winner3_best_above_0_is_equal(1) := (slice1winner2_best_index_0_2 mod 4) = 3;
-      if is_set(slice1winner2_best_index_0_2, 3) and slice1winner3_best_above_0_is_equal(1) then
-        slice1winner3_best_above_0_choice(1) := slice1winner2_best_first_0(3);
-      else
-        slice1winner3_best_above_0_choice(1) := slice1winner2_best_above_0(2);
-      end if;
+      slice1winner3_best_below_0_is_equal(0) := slice1winner2_best_index_0(1) = 4;
+      slice1winner3_best_below_0_choice(0) := choice(slice1winner3_best_below_0_is_equal(0),
+        slice1winner2_best_last_0(0), slice1winner2_best_below_0(1));
+      slice1winner3_best_below_0_is_equal(1) := slice1winner2_best_index_0(3) = 12;
+      slice1winner3_best_below_0_choice(1) := choice(slice1winner3_best_below_0_is_equal(1),
+        slice1winner2_best_last_0(2), slice1winner2_best_below_0(3));
+      slice1winner3_best_above_0_is_equal(0) := slice1winner2_best_index_0(0) = 3;
+      slice1winner3_best_above_0_choice(0) := choice(slice1winner3_best_above_0_is_equal(0),
+        slice1winner2_best_first_0(1), slice1winner2_best_above_0(0));
+      slice1winner3_best_above_0_is_equal(1) := (slice1winner2_best_index_0(2) mod 4) = 3;
+      slice1winner3_best_above_0_choice(1) := choice(is_set(slice1winner2_best_index_0(2), 3) and
+        slice1winner3_best_above_0_is_equal(1), slice1winner2_best_first_0(3), slice1winner2_best_above_0(2));
       for i in 0 to 1 loop
-        if slice1winner3_best_place_0(i) then
-          slice1winner3_best_second_0_choice(i) := slice1winner2_best_second_0(2 * i + 1);
-        else
-          slice1winner3_best_second_0_choice(i) := slice1winner2_best_late_cost_0(2 * i + 1);
-        end if;
-        if slice1winner3_best_at_end_0(i) then
-          slice1winner3_best_second_0_choices(i, 2) := slice1winner2_best_but_first_0(2 * i + 1);
-        else
-          slice1winner3_best_second_0_choices(i, 2) := slice1winner3_best_second_0_choice(i);
-        end if;
-        if slice1winner3_best_place_0(i) then
-          slice1winner3_best_second_0_choices(i, 3) := slice1winner2_best_late_cost_0(2 * i);
-        else
-          slice1winner3_best_second_0_choices(i, 3) := slice1winner2_best_second_0(2 * i);
-        end if;
-        if slice1winner3_best_at_start_0(i) then
-          slice1winner3_best_second_0_choices(i, 4) := slice1winner2_best_but_last_0(2 * i);
-        else
-          slice1winner3_best_second_0_choices(i, 4) := slice1winner3_best_second_0_choices(i, 3);
-        end if;
+        slice1winner3_best_second_0_choice(i, 1) := choice(slice1winner3_best_place_0(i), slice1winner2_best_second_0(2
+          * i + 1), slice1winner2_best_late_cost_0(2 * i + 1));
+        slice1winner3_best_second_0_choice(i, 2) := choice(slice1winner3_best_at_end_0(i),
+          slice1winner2_best_but_first_0(2 * i + 1), slice1winner3_best_second_0_choice(i, 1));
+        slice1winner3_best_second_0_choice(i, 3) := choice(slice1winner3_best_place_0(i),
+          slice1winner2_best_late_cost_0(2 * i), slice1winner2_best_second_0(2 * i));
+        slice1winner3_best_second_0_choice(i, 4) := choice(slice1winner3_best_at_start_0(i),
+          slice1winner2_best_but_last_0(2 * i), slice1winner3_best_second_0_choice(i, 3));
       end loop;
       slice1winner3_best_first_0(0) <= slice1winner2_best_first_0(0);
       slice1winner3_best_first_0(1) <= slice1winner2_best_first_0(2);
       slice1winner3_best_last_0(0) <= slice1winner2_best_last_0(1);
       slice1winner3_best_last_0(1) <= slice1winner2_best_last_0(3);
-      slice1winner3_best_place_0(0) <= slice1winner3_best_cost_0_is_less(0);
-      slice1winner3_best_place_0(1) <= slice1winner3_best_cost_0_is_less(1);
+      slice1winner3_best_place_0 <= slice1winner3_best_cost_0_is_less;
       slice1winner3_best_at_start_0(0) <= slice1winner3_best_cost_0_is_less(0) and
         slice1winner3_best_below_0_is_equal(0);
       slice1winner3_best_at_start_0(1) <= slice1winner3_best_below_0_is_equal(1) and
@@ -4744,86 +2316,48 @@ begin
       slice1winner3_best_at_end_0(0) <= ((slice1winner2_best_cost_0(1) - slice1winner2_best_cost_0(0)) >= 0) and
         slice1winner3_best_above_0_is_equal(0);
       slice1winner3_best_at_end_0(1) <= ((slice1winner2_best_cost_0(3) - slice1winner2_best_cost_0(2)) >= 0) and
-        is_set(slice1winner2_best_index_0_2, 3) and slice1winner3_best_above_0_is_equal(1);
-      slice1winner3_best_late_cost_0(0) <= slice1winner3_best_cost_0(0);
-      slice1winner3_best_late_cost_0(1) <= slice1winner3_best_cost_0(1);
-      if slice1winner3_best_cost_0_is_less(0) then
-        slice1winner3_best_cost_0(0) <= slice1winner2_best_cost_0(1);
-        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1;
-        slice1winner3_best_below_0(0) <= slice1winner3_best_below_0_choice(0);
-        slice1winner3_best_above_0(0) <= slice1winner2_best_above_0(1);
-      else
-        slice1winner3_best_cost_0(0) <= slice1winner2_best_cost_0(0);
-        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_0;
-        slice1winner3_best_below_0(0) <= slice1winner2_best_below_0(0);
-        slice1winner3_best_above_0(0) <= slice1winner3_best_above_0_choice(0);
-      end if;
-      if slice1winner3_best_cost_0_is_less(1) then
-        slice1winner3_best_cost_0(1) <= slice1winner2_best_cost_0(3);
-        slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_3;
-        slice1winner3_best_below_0(1) <= slice1winner3_best_below_0_choice(1);
-        slice1winner3_best_above_0(1) <= slice1winner2_best_above_0(3);
-      else
-        slice1winner3_best_cost_0(1) <= slice1winner2_best_cost_0(2);
-        slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_2;
-        slice1winner3_best_below_0(1) <= slice1winner2_best_below_0(2);
-        slice1winner3_best_above_0(1) <= slice1winner3_best_above_0_choice(1);
-      end if;
+        is_set(slice1winner2_best_index_0(2), 3) and slice1winner3_best_above_0_is_equal(1);
+      slice1winner3_best_late_cost_0 <= slice1winner3_best_cost_0;
       for i in 0 to 1 loop
-        if (slice1winner3_best_second_0_choices(i, 2) - slice1winner3_best_second_0_choices(i, 4)) < 0 then
-          slice1winner3_best_second_0(i) <= slice1winner3_best_second_0_choices(i, 2);
-        else
-          slice1winner3_best_second_0(i) <= slice1winner3_best_second_0_choices(i, 4);
-        end if;
+        slice1winner3_best_cost_0(i) <= choice(slice1winner3_best_cost_0_is_less(i), slice1winner2_best_cost_0(2 * i +
+          1), slice1winner2_best_cost_0(2 * i));
+        slice1winner3_best_index_0(i) <= choice(slice1winner3_best_cost_0_is_less(i), slice1winner2_best_index_0(2 * i
+          + 1), slice1winner2_best_index_0(2 * i));
+        slice1winner3_best_below_0(i) <= choice(slice1winner3_best_cost_0_is_less(i),
+          slice1winner3_best_below_0_choice(i), slice1winner2_best_below_0(2 * i));
+        slice1winner3_best_above_0(i) <= choice(slice1winner3_best_cost_0_is_less(i), slice1winner2_best_above_0(2 * i
+          + 1), slice1winner3_best_above_0_choice(i));
       end loop;
-      for i in 0 to 1 loop
-        if (slice1winner2_best_late_cost_0(2 * i + 1) - slice1winner2_best_but_first_0(2 * i)) < 0 then
-          slice1winner3_best_but_first_0(i) <= slice1winner2_best_late_cost_0(2 * i + 1);
-        else
-          slice1winner3_best_but_first_0(i) <= slice1winner2_best_but_first_0(2 * i);
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        if (slice1winner2_best_but_last_0(2 * i + 1) - slice1winner2_best_late_cost_0(2 * i)) < 0 then
-          slice1winner3_best_but_last_0(i) <= slice1winner2_best_but_last_0(2 * i + 1);
-        else
-          slice1winner3_best_but_last_0(i) <= slice1winner2_best_late_cost_0(2 * i);
-        end if;
-      end loop;
+      slice1winner3_best_second_0(0) <= choice((slice1winner3_best_second_0_choice(0, 2) -
+        slice1winner3_best_second_0_choice(0, 4)) < 0, slice1winner3_best_second_0_choice(0, 2),
+        slice1winner3_best_second_0_choice(0, 4));
+      slice1winner3_best_second_0(1) <= choice((slice1winner3_best_second_0_choice(1, 2) -
+        slice1winner3_best_second_0_choice(1, 4)) < 0, slice1winner3_best_second_0_choice(1, 2),
+        slice1winner3_best_second_0_choice(1, 4));
+      slice1winner3_best_but_first_0(0) <= choice((slice1winner2_best_late_cost_0(1) -
+        slice1winner2_best_but_first_0(0)) < 0, slice1winner2_best_late_cost_0(1), slice1winner2_best_but_first_0(0));
+      slice1winner3_best_but_first_0(1) <= choice((slice1winner2_best_late_cost_0(3) -
+        slice1winner2_best_but_first_0(2)) < 0, slice1winner2_best_late_cost_0(3), slice1winner2_best_but_first_0(2));
+      slice1winner3_best_but_last_0(0) <= choice((slice1winner2_best_but_last_0(1) - slice1winner2_best_late_cost_0(0))
+        < 0, slice1winner2_best_but_last_0(1), slice1winner2_best_late_cost_0(0));
+      slice1winner3_best_but_last_0(1) <= choice((slice1winner2_best_but_last_0(3) - slice1winner2_best_late_cost_0(2))
+        < 0, slice1winner2_best_but_last_0(3), slice1winner2_best_late_cost_0(2));
       -- slice1winner4
       slice1winner4_best_cost_0_0_is_less := (slice1winner3_best_cost_0(1) - slice1winner3_best_cost_0(0)) < 0;
-      slice1winner4_best_below_0_0_is_equal := slice1winner3_best_index_0_1 = 8;
-      if slice1winner4_best_below_0_0_is_equal then
-        slice1winner4_best_below_0_0_choice := slice1winner3_best_last_0(0);
-      else
-        slice1winner4_best_below_0_0_choice := slice1winner3_best_below_0(1);
-      end if;
-      slice1winner4_best_above_0_0_is_equal := slice1winner3_best_index_0_0 = 7;
-      if slice1winner4_best_above_0_0_is_equal then
-        slice1winner4_best_above_0_0_choice := slice1winner3_best_first_0(1);
-      else
-        slice1winner4_best_above_0_0_choice := slice1winner3_best_above_0(0);
-      end if;
-      if slice1winner4_best_place_0_0 then
-        slice1winner4_best_second_0_0_choice := slice1winner3_best_second_0(1);
-      else
-        slice1winner4_best_second_0_0_choice := slice1winner3_best_late_cost_0(1);
-      end if;
-      if slice1winner4_best_at_end_0_0 then
-        slice1winner4_best_second_0_0_choices(2) := slice1winner3_best_but_first_0(1);
-      else
-        slice1winner4_best_second_0_0_choices(2) := slice1winner4_best_second_0_0_choice;
-      end if;
-      if slice1winner4_best_place_0_0 then
-        slice1winner4_best_second_0_0_choices(3) := slice1winner3_best_late_cost_0(0);
-      else
-        slice1winner4_best_second_0_0_choices(3) := slice1winner3_best_second_0(0);
-      end if;
-      if slice1winner4_best_at_start_0_0 then
-        slice1winner4_best_second_0_0_choices(4) := slice1winner3_best_but_last_0(0);
-      else
-        slice1winner4_best_second_0_0_choices(4) := slice1winner4_best_second_0_0_choices(3);
-      end if;
+      slice1winner4_best_below_0_0_is_equal := slice1winner3_best_index_0(1) = 8;
+      slice1winner4_best_below_0_0_choice := choice(slice1winner4_best_below_0_0_is_equal,
+        slice1winner3_best_last_0(0), slice1winner3_best_below_0(1));
+      slice1winner4_best_above_0_0_is_equal := slice1winner3_best_index_0(0) = 7;
+      slice1winner4_best_above_0_0_choice := choice(slice1winner4_best_above_0_0_is_equal,
+        slice1winner3_best_first_0(1), slice1winner3_best_above_0(0));
+      slice1winner4_best_second_0_0_choices(1) := choice(slice1winner4_best_place_0_0, slice1winner3_best_second_0(1),
+        slice1winner3_best_late_cost_0(1));
+      slice1winner4_best_second_0_0_choices(2) := choice(slice1winner4_best_at_end_0_0,
+        slice1winner3_best_but_first_0(1), slice1winner4_best_second_0_0_choices(1));
+      slice1winner4_best_second_0_0_choices(3) := choice(slice1winner4_best_place_0_0,
+        slice1winner3_best_late_cost_0(0), slice1winner3_best_second_0(0));
+      slice1winner4_best_second_0_0_choices(4) := choice(slice1winner4_best_at_start_0_0,
+        slice1winner3_best_but_last_0(0), slice1winner4_best_second_0_0_choices(3));
       slice1winner4_best_first_0_0 <= slice1winner3_best_first_0(0);
       slice1winner4_best_last_0_0 <= slice1winner3_best_last_0(1);
       slice1winner4_best_place_0_0 <= slice1winner4_best_cost_0_0_is_less;
@@ -4831,100 +2365,58 @@ begin
       slice1winner4_best_at_end_0_0 <= ((slice1winner3_best_cost_0(1) - slice1winner3_best_cost_0(0)) >= 0) and
         slice1winner4_best_above_0_0_is_equal;
       slice1winner4_best_late_cost_0_0 <= slice1winner4_best_cost_0_0;
-      if slice1winner4_best_cost_0_0_is_less then
-        slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0(1);
-        slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_1;
-        slice1winner4_best_below_0_0 <= slice1winner4_best_below_0_0_choice;
-        slice1winner4_best_above_0_0 <= slice1winner3_best_above_0(1);
-      else
-        slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0(0);
-        slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_0;
-        slice1winner4_best_below_0_0 <= slice1winner3_best_below_0(0);
-        slice1winner4_best_above_0_0 <= slice1winner4_best_above_0_0_choice;
-      end if;
-      if (slice1winner4_best_second_0_0_choices(2) - slice1winner4_best_second_0_0_choices(4)) < 0 then
-        slice1winner4_best_second_0_0 <= slice1winner4_best_second_0_0_choices(2);
-      else
-        slice1winner4_best_second_0_0 <= slice1winner4_best_second_0_0_choices(4);
-      end if;
-      if (slice1winner3_best_late_cost_0(1) - slice1winner3_best_but_first_0(0)) < 0 then
-        slice1winner4_best_but_first_0_0 <= slice1winner3_best_late_cost_0(1);
-      else
-        slice1winner4_best_but_first_0_0 <= slice1winner3_best_but_first_0(0);
-      end if;
-      if (slice1winner3_best_but_last_0(1) - slice1winner3_best_late_cost_0(0)) < 0 then
-        slice1winner4_best_but_last_0_0 <= slice1winner3_best_but_last_0(1);
-      else
-        slice1winner4_best_but_last_0_0 <= slice1winner3_best_late_cost_0(0);
-      end if;
+      slice1winner4_best_cost_0_0 <= choice(slice1winner4_best_cost_0_0_is_less, slice1winner3_best_cost_0(1),
+        slice1winner3_best_cost_0(0));
+      slice1winner4_best_index_0_0 <= choice(slice1winner4_best_cost_0_0_is_less, slice1winner3_best_index_0(1),
+        slice1winner3_best_index_0(0));
+      slice1winner4_best_below_0_0 <= choice(slice1winner4_best_cost_0_0_is_less, slice1winner4_best_below_0_0_choice,
+        slice1winner3_best_below_0(0));
+      slice1winner4_best_above_0_0 <= choice(slice1winner4_best_cost_0_0_is_less, slice1winner3_best_above_0(1),
+        slice1winner4_best_above_0_0_choice);
+      slice1winner4_best_second_0_0 <= choice((slice1winner4_best_second_0_0_choices(2) -
+        slice1winner4_best_second_0_0_choices(4)) < 0, slice1winner4_best_second_0_0_choices(2),
+        slice1winner4_best_second_0_0_choices(4));
+      slice1winner4_best_but_first_0_0 <= choice((slice1winner3_best_late_cost_0(1) -
+        slice1winner3_best_but_first_0(0)) < 0, slice1winner3_best_late_cost_0(1), slice1winner3_best_but_first_0(0));
+      slice1winner4_best_but_last_0_0 <= choice((slice1winner3_best_but_last_0(1) - slice1winner3_best_late_cost_0(0))
+        < 0, slice1winner3_best_but_last_0(1), slice1winner3_best_late_cost_0(0));
       -- slice1
       slice1_best_cost_0_0_is_less := (slice1winner4_best_cost_0_0 - slice0winner4_best_late_cost_0_0) < 0;
       slice1_best_below_0_0_is_equal := slice1winner4_best_index_0_0 = 0;
-      if slice1_best_below_0_0_is_equal then
-        slice1_best_below_0_0_choice := slice0_best_last_0_0;
-      else
-        slice1_best_below_0_0_choice := slice1winner4_best_below_0_0;
-      end if;
+      slice1_best_below_0_0_choice := choice(slice1_best_below_0_0_is_equal, slice0_best_last_0_0,
+        slice1winner4_best_below_0_0);
       slice1_best_above_0_0_is_equal := slice0_best_index_0_0 = 15;
-      if slice1_best_above_0_0_is_equal then
-        slice1_best_above_0_0_choice := slice1winner4_best_first_0_0;
-      else
-        slice1_best_above_0_0_choice := slice0_best_above_0_0;
-      end if;
-      if slice1_best_place_0_0 then
-        slice1_best_second_0_0_choice := slice1winner4_best_second_0_0;
-      else
-        slice1_best_second_0_0_choice := slice1winner4_best_late_cost_0_0;
-      end if;
-      if slice1_best_at_end_0_0 then
-        slice1_best_second_0_0_choices(2) := slice1winner4_best_but_first_0_0;
-      else
-        slice1_best_second_0_0_choices(2) := slice1_best_second_0_0_choice;
-      end if;
-      if slice1_best_place_0_0 then
-        slice1_best_second_0_0_choices(3) := slice0_best_late_cost_0_0;
-      else
-        slice1_best_second_0_0_choices(3) := slice0_best_second_0_0;
-      end if;
-      if slice1_best_at_start_0_0 then
-        slice1_best_second_0_0_choices(4) := slice0_best_but_last_0_0;
-      else
-        slice1_best_second_0_0_choices(4) := slice1_best_second_0_0_choices(3);
-      end if;
+      slice1_best_above_0_0_choice := choice(slice1_best_above_0_0_is_equal, slice1winner4_best_first_0_0,
+        slice0_best_above_0_0);
+      slice1_best_second_0_0_choices(1) := choice(slice1_best_place_0_0, slice1winner4_best_second_0_0,
+        slice1winner4_best_late_cost_0_0);
+      slice1_best_second_0_0_choices(2) := choice(slice1_best_at_end_0_0, slice1winner4_best_but_first_0_0,
+        slice1_best_second_0_0_choices(1));
+      slice1_best_second_0_0_choices(3) := choice(slice1_best_place_0_0, slice0_best_late_cost_0_0,
+        slice0_best_second_0_0);
+      slice1_best_second_0_0_choices(4) := choice(slice1_best_at_start_0_0, slice0_best_but_last_0_0,
+        slice1_best_second_0_0_choices(3));
       slice1_best_last_0_0 <= slice1winner4_best_last_0_0;
       slice1_best_place_0_0 <= slice1_best_cost_0_0_is_less;
       slice1_best_at_start_0_0 <= slice1_best_below_0_0_is_equal and slice1_best_cost_0_0_is_less;
       slice1_best_at_end_0_0 <= slice1_best_above_0_0_is_equal and ((slice1winner4_best_cost_0_0 -
         slice0winner4_best_late_cost_0_0) >= 0);
       slice1_best_late_cost_0_0 <= slice1_best_cost_0_0;
-      slice1_best_tag_valid <= slice0_best_tag_valid;
-      slice1_best_tag_map_column <= slice0_best_tag_map_column;
-      slice1_best_tag_output_column <= slice0_best_tag_output_column;
-      slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
-      slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
-      if slice1_best_cost_0_0_is_less then
-        slice1_best_cost_0_0 <= slice1winner4_best_cost_0_0;
-        slice1_best_index_0_0 <= slice1winner4_best_index_0_0 + 16;
-        slice1_best_below_0_0 <= slice1_best_below_0_0_choice;
-        slice1_best_above_0_0 <= slice1winner4_best_above_0_0;
-      else
-        slice1_best_cost_0_0 <= slice0winner4_best_late_cost_0_0;
-        slice1_best_index_0_0 <= slice0_best_index_0_0;
-        slice1_best_below_0_0 <= slice0_best_below_0_0;
-        slice1_best_above_0_0 <= slice1_best_above_0_0_choice;
-      end if;
-      if (slice1_best_second_0_0_choices(2) - slice1_best_second_0_0_choices(4)) < 0 then
-        slice1_best_second_0_0 <= slice1_best_second_0_0_choices(2);
-      else
-        slice1_best_second_0_0 <= slice1_best_second_0_0_choices(4);
-      end if;
-      if (slice1winner4_best_but_last_0_0 - slice0_best_late_cost_0_0) < 0 then
-        slice1_best_but_last_0_0 <= slice1winner4_best_but_last_0_0;
-      else
-        slice1_best_but_last_0_0 <= slice0_best_late_cost_0_0;
-      end if;
+      slice1_best_tag <= slice0_best_tag;
+      slice1_best_cost_0_0 <= choice(slice1_best_cost_0_0_is_less, slice1winner4_best_cost_0_0,
+        slice0winner4_best_late_cost_0_0);
+      slice1_best_index_0_0 <= choice(slice1_best_cost_0_0_is_less, slice1winner4_best_index_0_0 + 16,
+        slice0_best_index_0_0);
+      slice1_best_below_0_0 <= choice(slice1_best_cost_0_0_is_less, slice1_best_below_0_0_choice,
+        slice0_best_below_0_0);
+      slice1_best_above_0_0 <= choice(slice1_best_cost_0_0_is_less, slice1winner4_best_above_0_0,
+        slice1_best_above_0_0_choice);
+      slice1_best_second_0_0 <= choice((slice1_best_second_0_0_choices(2) - slice1_best_second_0_0_choices(4)) < 0,
+        slice1_best_second_0_0_choices(2), slice1_best_second_0_0_choices(4));
+      slice1_best_but_last_0_0 <= choice((slice1winner4_best_but_last_0_0 - slice0_best_late_cost_0_0) < 0,
+        slice1winner4_best_but_last_0_0, slice0_best_late_cost_0_0);
       -- slice2shift
-      if slice0cost_pixels_first_tag_valid then
+      if slice0cost_pixels_first_tag.valid then
         for i in 0 to 1 loop
           slice2shift_search(i, 0) <= slice1shift_search_out(i);
           for j in 1 to 15 loop
@@ -4932,85 +2424,77 @@ begin
           end loop;
         end loop;
       end if;
-      slice2shift_reference(0) <= slice1shift_reference(0);
-      slice2shift_reference(1) <= slice1shift_reference(1);
+      slice2shift_reference <= slice1shift_reference;
       slice2shift_search_out(0) <= slice2shift_search(0, 15);
       slice2shift_search_out(1) <= slice2shift_search(1, 15);
       -- slice2cost
       for i in 0 to 1 loop
-        slice2cost_pixels_first_0_count_value(i, 0) := is_set(slice2shift_reference(i), 2);
-        slice2cost_pixels_first_0_count_value_2(i, 0) := is_set(slice2shift_reference(i), 1);
-        slice2cost_pixels_first_0_count_value(i, 1) := is_set(slice2shift_reference(i), 3);
-        slice2cost_pixels_first_0_count_value_2(i, 1) := is_set(slice2shift_reference(i), 5);
-        slice2cost_pixels_first_0_count_1_value_3(i) := is_set(slice2shift_reference(i), 4);
-        slice2cost_pixels_first_0_count_value(i, 2) := is_set(slice2shift_reference(i), 8);
-        slice2cost_pixels_first_0_count_value_2(i, 2) := is_set(slice2shift_reference(i), 6);
+        slice2cost_pixels_first_0_count_value(i, 0, 1) := is_set(slice2shift_reference(i), 2);
+        slice2cost_pixels_first_0_count_value(i, 0, 2) := is_set(slice2shift_reference(i), 1);
+        slice2cost_pixels_first_0_count_value(i, 1, 1) := is_set(slice2shift_reference(i), 3);
+        slice2cost_pixels_first_0_count_value(i, 1, 2) := is_set(slice2shift_reference(i), 5);
+        slice2cost_pixels_first_0_count_value(i, 1, 3) := is_set(slice2shift_reference(i), 4);
+        slice2cost_pixels_first_0_count_value(i, 2, 1) := is_set(slice2shift_reference(i), 8);
+        slice2cost_pixels_first_0_count_value(i, 2, 2) := is_set(slice2shift_reference(i), 6);
         for j in 3 to 7 loop
-          slice2cost_pixels_first_0_count_value(i, j) := is_set(slice2shift_reference(i), 3 * j);
-          slice2cost_pixels_first_0_count_value_2(i, j) := is_set(slice2shift_reference(i), 3 * j + 2);
-          slice2cost_pixels_first_0_count_value_3(i, j) := is_set(slice2shift_reference(i), 3 * j + 1);
+          slice2cost_pixels_first_0_count_value(i, j, 1) := is_set(slice2shift_reference(i), 3 * j);
+          slice2cost_pixels_first_0_count_value(i, j, 2) := is_set(slice2shift_reference(i), 3 * j + 2);
+          slice2cost_pixels_first_0_count_value(i, j, 3) := is_set(slice2shift_reference(i), 3 * j + 1);
         end loop;
-        slice2cost_pixels_first_0_count_value(i, 8) := is_set(slice2shift_reference(i), 24);
+        slice2cost_pixels_first_0_count_value(i, 8, 1) := is_set(slice2shift_reference(i), 24);
       end loop;
       for i in 0 to 3 loop
         for j in 0 to 3 loop
-          if slice0window_entering_tag_first_group then
-            slice2cost_column_0_choice(4 * i + j) := 0;
-          else
-            slice2cost_column_0_choice(4 * i + j) := to_integer(slice2cost_ready_words(i)(8 * j + 7 downto 8 * j));
-          end if;
-          if slice0window_entering_tag_border_column then
-            slice2cost_column_0_choice_2(4 * i + j) := 0;
-          else
-            slice2cost_column_0_choice_2(4 * i + j) := (slice2cost_change_0(4 * i + j) + slice2cost_column_0_choice(4 *
-              i + j)) mod 256;
-          end if;
+          slice2cost_column_0_choice(4 * i + j, 1) := choice(slice0window_entering_tag.first_group, 0,
+            to_integer(slice2cost_ready_words(i)(8 * j + 7 downto 8 * j)));
+          slice2cost_column_0_choice(4 * i + j, 2) := choice(slice0window_entering_tag.border_column, 0,
+            (slice2cost_change_0(4 * i + j) + slice2cost_column_0_choice(4 * i + j, 1)) mod 256);
         end loop;
       end loop;
       for i in 0 to 1 loop
         slice2cost_pixels_first_count(i, 0, 0) <= as_number((is_set(slice2shift_search(i, 0), 0) /=
-          is_set(slice2shift_reference(i), 0))) + as_number((slice2cost_pixels_first_0_count_value(i, 0) /=
-          is_set(slice2shift_search(i, 0), 2))) + as_number((slice2cost_pixels_first_0_count_value_2(i, 0) /=
+          is_set(slice2shift_reference(i), 0))) + as_number((slice2cost_pixels_first_0_count_value(i, 0, 1) /=
+          is_set(slice2shift_search(i, 0), 2))) + as_number((slice2cost_pixels_first_0_count_value(i, 0, 2) /=
           is_set(slice2shift_search(i, 0), 1)));
-        slice2cost_pixels_first_count(i, 0, 1) <= as_number((slice2cost_pixels_first_0_count_value(i, 1) /=
-          is_set(slice2shift_search(i, 0), 3))) + as_number((slice2cost_pixels_first_0_count_value_2(i, 1) /=
-          is_set(slice2shift_search(i, 0), 5))) + as_number((slice2cost_pixels_first_0_count_1_value_3(i) /=
+        slice2cost_pixels_first_count(i, 0, 1) <= as_number((slice2cost_pixels_first_0_count_value(i, 1, 1) /=
+          is_set(slice2shift_search(i, 0), 3))) + as_number((slice2cost_pixels_first_0_count_value(i, 1, 2) /=
+          is_set(slice2shift_search(i, 0), 5))) + as_number((slice2cost_pixels_first_0_count_value(i, 1, 3) /=
           is_set(slice2shift_search(i, 0), 4)));
         slice2cost_pixels_first_count(i, 0, 2) <= (to_integer(((to_unsigned((slice2shift_search(i, 0) mod 256), 8)) xor
           (to_unsigned((slice2shift_reference(i) mod 256), 8)))) / 128) +
-          as_number((slice2cost_pixels_first_0_count_value(i, 2) /= is_set(slice2shift_search(i, 0), 8))) +
-          as_number((slice2cost_pixels_first_0_count_value_2(i, 2) /= is_set(slice2shift_search(i, 0), 6)));
+          as_number((slice2cost_pixels_first_0_count_value(i, 2, 1) /= is_set(slice2shift_search(i, 0), 8))) +
+          as_number((slice2cost_pixels_first_0_count_value(i, 2, 2) /= is_set(slice2shift_search(i, 0), 6)));
         for j in 3 to 7 loop
-          slice2cost_pixels_first_count(i, 0, j) <= as_number((slice2cost_pixels_first_0_count_value(i, j) /=
-            is_set(slice2shift_search(i, 0), 3 * j))) + as_number((slice2cost_pixels_first_0_count_value_2(i, j) /=
-            is_set(slice2shift_search(i, 0), 3 * j + 2))) + as_number((slice2cost_pixels_first_0_count_value_3(i, j) /=
-            is_set(slice2shift_search(i, 0), 3 * j + 1)));
+          slice2cost_pixels_first_count(i, 0, j) <= as_number((slice2cost_pixels_first_0_count_value(i, j, 1) /=
+            is_set(slice2shift_search(i, 0), 3 * j))) + as_number((slice2cost_pixels_first_0_count_value(i, j, 2) /=
+            is_set(slice2shift_search(i, 0), 3 * j + 2))) + as_number((slice2cost_pixels_first_0_count_value(i, j, 3)
+            /= is_set(slice2shift_search(i, 0), 3 * j + 1)));
         end loop;
         slice2cost_pixels_first_count_8(i, 0) <= as_number((is_set(slice2shift_reference(i), 25) /=
-          is_set(slice2shift_search(i, 0), 25))) + as_number((slice2cost_pixels_first_0_count_value(i, 8) /=
+          is_set(slice2shift_search(i, 0), 25))) + as_number((slice2cost_pixels_first_0_count_value(i, 8, 1) /=
           is_set(slice2shift_search(i, 0), 24)));
         for j in 1 to 15 loop
           slice2cost_pixels_first_count(i, j, 0) <= as_number((is_set(slice2shift_search(i, j), 0) /=
             is_set(slice2shift_reference(i), 0))) + as_number((is_set(slice2shift_search(i, j), 2) /=
-            slice2cost_pixels_first_0_count_value(i, 0))) + as_number((is_set(slice2shift_search(i, j), 1) /=
-            slice2cost_pixels_first_0_count_value_2(i, 0)));
+            slice2cost_pixels_first_0_count_value(i, 0, 1))) + as_number((is_set(slice2shift_search(i, j), 1) /=
+            slice2cost_pixels_first_0_count_value(i, 0, 2)));
           slice2cost_pixels_first_count(i, j, 1) <= as_number((is_set(slice2shift_search(i, j), 3) /=
-            slice2cost_pixels_first_0_count_value(i, 1))) + as_number((is_set(slice2shift_search(i, j), 5) /=
-            slice2cost_pixels_first_0_count_value_2(i, 1))) + as_number((is_set(slice2shift_search(i, j), 4) /=
-            slice2cost_pixels_first_0_count_1_value_3(i)));
+            slice2cost_pixels_first_0_count_value(i, 1, 1))) + as_number((is_set(slice2shift_search(i, j), 5) /=
+            slice2cost_pixels_first_0_count_value(i, 1, 2))) + as_number((is_set(slice2shift_search(i, j), 4) /=
+            slice2cost_pixels_first_0_count_value(i, 1, 3)));
           slice2cost_pixels_first_count(i, j, 2) <= (to_integer(((to_unsigned((slice2shift_search(i, j) mod 256), 8))
             xor (to_unsigned((slice2shift_reference(i) mod 256), 8)))) / 128) + as_number((is_set(slice2shift_search(i,
-            j), 8) /= slice2cost_pixels_first_0_count_value(i, 2))) + as_number((is_set(slice2shift_search(i, j), 6) /=
-            slice2cost_pixels_first_0_count_value_2(i, 2)));
+            j), 8) /= slice2cost_pixels_first_0_count_value(i, 2, 1))) + as_number((is_set(slice2shift_search(i, j), 6)
+            /= slice2cost_pixels_first_0_count_value(i, 2, 2)));
           for k in 3 to 7 loop
             slice2cost_pixels_first_count(i, j, k) <= as_number((is_set(slice2shift_search(i, j), 3 * k) /=
-              slice2cost_pixels_first_0_count_value(i, k))) + as_number((is_set(slice2shift_search(i, j), 3 * k + 2) /=
-              slice2cost_pixels_first_0_count_value_2(i, k))) + as_number((is_set(slice2shift_search(i, j), 3 * k + 1)
-              /= slice2cost_pixels_first_0_count_value_3(i, k)));
+              slice2cost_pixels_first_0_count_value(i, k, 1))) + as_number((is_set(slice2shift_search(i, j), 3 * k + 2)
+              /= slice2cost_pixels_first_0_count_value(i, k, 2))) + as_number((is_set(slice2shift_search(i, j), 3 * k +
+              1) /= slice2cost_pixels_first_0_count_value(i, k, 3)));
           end loop;
           slice2cost_pixels_first_count_8(i, j) <= as_number((is_set(slice2shift_search(i, j), 25) /=
             is_set(slice2shift_reference(i), 25))) + as_number((is_set(slice2shift_search(i, j), 24) /=
-            slice2cost_pixels_first_0_count_value(i, 8)));
+            slice2cost_pixels_first_0_count_value(i, 8, 1)));
         end loop;
       end loop;
       for i in 0 to 1 loop
@@ -5026,393 +2510,144 @@ begin
       for i in 0 to 15 loop
         slice2cost_change_0(i) <= slice2cost_pixels_cost(1, i) - slice2cost_pixels_cost(0, i);
       end loop;
-      slice2cost_ready_words(0) <= slice2cost_read_words(0);
-      slice2cost_ready_words(1) <= slice2cost_read_words(1);
-      slice2cost_ready_words(2) <= slice2cost_read_words(2);
-      slice2cost_ready_words(3) <= slice2cost_read_words(3);
+      slice2cost_ready_words <= slice2cost_read_words;
       for i in 0 to 15 loop
-        slice2cost_column_0(i) <= slice2cost_column_0_choice_2(i);
+        slice2cost_column_0(i) <= slice2cost_column_0_choice(i, 2);
       end loop;
-      if slice0cost_ready_tag_valid then
+      if slice0cost_ready_tag.valid then
         slice2cost_change_column <= slice2cost_read_column;
       end if;
-      if slice0cost_tag_valid then
+      if slice0cost_tag.valid then
         slice2cost_ready_column <= slice1cost_ready_column;
       end if;
-      if slice0window_entering_tag_valid then
+      if slice0window_entering_tag.valid then
         slice2cost_write_column <= slice1cost_write_column;
         for i in 0 to 3 loop
-          slice2cost_write_words(i) <= to_unsigned(slice2cost_column_0_choice_2(4 * i + 3), 8) &
-            to_unsigned(slice2cost_column_0_choice_2(4 * i + 2), 8) & to_unsigned(slice2cost_column_0_choice_2(4 * i +
-            1), 8) & to_unsigned(slice2cost_column_0_choice_2(4 * i), 8);
+          slice2cost_write_words(i) <= to_unsigned(slice2cost_column_0_choice(4 * i + 3, 2), 8) &
+            to_unsigned(slice2cost_column_0_choice(4 * i + 2, 2), 8) & to_unsigned(slice2cost_column_0_choice(4 * i +
+            1, 2), 8) & to_unsigned(slice2cost_column_0_choice(4 * i, 2), 8);
         end loop;
       end if;
       -- slice2window
-      if slice0window_change_tag_valid then
+      if slice0window_change_tag.valid then
         slice2window_ring_write_address <= slice2window_ring_read_address;
-        if slice2window_ring_read_address = 9 then
-          slice2window_ring_read_address <= 0;
-        else
-          slice2window_ring_read_address <= (slice2window_ring_read_address + 1) mod 16;
-        end if;
+        slice2window_ring_read_address <= choice(slice2window_ring_read_address = 9, 0, (slice2window_ring_read_address
+          + 1) mod 16);
       end if;
-      for i in 0 to 1 loop
+      for i in 0 to 3 loop
         for j in 0 to 3 loop
-          if slice1window_change_tag_leaves_window then
-            slice2window_change_0_choice(8 * i + j) := to_integer(slice2window_leaving(2 * i)(8 * j + 7 downto 8 * j));
-          else
-            slice2window_change_0_choice(8 * i + j) := 0;
-          end if;
-        end loop;
-        for j in 4 to 7 loop
-          if slice1window_change_tag_leaves_window then
-            slice2window_change_0_choice(8 * i + j) := to_integer(slice2window_leaving(2 * i + 1)(8 * j - 25 downto 8 *
-              j - 32));
-          else
-            slice2window_change_0_choice(8 * i + j) := 0;
-          end if;
+          slice2window_change_0_choice(4 * i + j) := choice(slice1window_change_tag.leaves_window,
+            to_integer(slice2window_leaving(i)(8 * j + 7 downto 8 * j)), 0);
         end loop;
       end loop;
-      for i in 0 to 15 loop
-        slice2window_entering_0(i) <= slice2cost_column_0(i);
-      end loop;
+      slice2window_entering_0 <= slice2cost_column_0;
       for i in 0 to 15 loop
         slice2window_change_0(i) <= slice2window_entering_0(i) - slice2window_change_0_choice(i);
       end loop;
-      slice2window_change_tag_first_cost <= slice1window_change_tag_first_cost;
-      slice2window_change_tag_leaves_window <= slice1window_change_tag_leaves_window;
+      slice2window_change_tag.first_cost <= slice1window_change_tag.first_cost;
+      slice2window_change_tag.leaves_window <= slice1window_change_tag.leaves_window;
       slice2window_centre_map_column_0 <= slice1window_centre_map_column_0;
       slice2window_centre_end_of_line_0 <= slice1window_centre_end_of_line_0;
-      if slice0window_tag_valid then
-        slice2window_change_tag_output_column <= slice0window_centre_output_column(0);
-        slice2window_change_tag_first_column <= slice0window_centre_first_column(0);
+      if slice0window_tag.valid then
+        slice2window_change_tag.output_column <= slice0window_centre_output_column(0);
+        slice2window_change_tag.first_column <= slice0window_centre_first_column(0);
       end if;
       for i in 0 to 15 loop
-        if slice2window_change_tag_first_cost then
-          slice2window_sum_0_choice(i) := 0;
-        else
-          slice2window_sum_0_choice(i) := slice2window_sum_0(i);
-        end if;
+        slice2window_sum_0_choice(i) := choice(slice2window_change_tag.first_cost, 0, slice2window_sum_0(i));
       end loop;
-      if slice0winner1_tag_valid then
+      if slice0winner1_tag.valid then
         for i in 0 to 15 loop
           slice2window_sum_0(i) <= (slice2window_sum_0_choice(i) + slice2window_change_0(i)) mod 4096;
         end loop;
         slice2window_centre_output_column(0) <= slice1window_centre_output_column(0);
-        slice2window_centre_output_column(1) <= slice2window_centre_output_column(0);
-        slice2window_centre_output_column(2) <= slice2window_centre_output_column(1);
+        slice2window_centre_output_column(1 to 2) <= slice2window_centre_output_column(0 to 1);
         slice2window_centre_first_column(0) <= slice1window_centre_first_column(0);
-        slice2window_centre_first_column(1) <= slice2window_centre_first_column(0);
-        slice2window_centre_first_column(2) <= slice2window_centre_first_column(1);
+        slice2window_centre_first_column(1 to 2) <= slice2window_centre_first_column(0 to 1);
       end if;
       -- slice2other
-      slice2other_cost_0_0_any := (not slice0winner2_tag_output_column) or (not slice0winner2_tag_first_column);
-      if (slice2window_sum_0(0) - slice1other_cost_out_0) < 0 then
-        slice2other_cost_0_choice(0) := not slice0winner2_tag_output_column;
-      else
-        slice2other_cost_0_choice(0) := slice2other_cost_0_0_any;
-      end if;
+      slice2other_cost_0_0_any := (not slice0winner2_tag.output_column) or (not slice0winner2_tag.first_column);
+      slice2other_cost_0_choice(0) := choice((slice2window_sum_0(0) - slice1other_cost_out_0) < 0, not
+        slice0winner2_tag.output_column, slice2other_cost_0_0_any);
       for i in 1 to 14 loop
-        if (slice2window_sum_0(i) - slice2other_cost_0(i - 1)) < 0 then
-          slice2other_cost_0_choice(i) := not slice0winner2_tag_output_column;
-        else
-          slice2other_cost_0_choice(i) := slice2other_cost_0_0_any;
-        end if;
+        slice2other_cost_0_choice(i) := choice((slice2window_sum_0(i) - slice2other_cost_0(i - 1)) < 0, not
+          slice0winner2_tag.output_column, slice2other_cost_0_0_any);
       end loop;
-      slice2other_cost_0_15_any := (not slice0winner2_tag_output_column) or ((not slice0winner2_tag_first_column) and
+      slice2other_cost_0_15_any := (not slice0winner2_tag.output_column) or ((not slice0winner2_tag.first_column) and
         ((slice2window_sum_0(15) - slice2other_cost_0(14)) >= 0));
-      if slice0winner2_tag_valid then
-        if slice2other_cost_0_choice(0) then
-          slice2other_cost_0(0) <= slice1other_cost_out_0;
-          slice2other_winner_0_0 <= slice1other_winner_out_0;
-        else
-          slice2other_cost_0(0) <= slice2window_sum_0(0);
-          slice2other_winner_0_0 <= 32;
-        end if;
-        if slice2other_cost_0_choice(1) then
-          slice2other_cost_0(1) <= slice2other_cost_0(0);
-          slice2other_winner_0_1 <= slice2other_winner_0_0;
-        else
-          slice2other_cost_0(1) <= slice2window_sum_0(1);
-          slice2other_winner_0_1 <= 33;
-        end if;
-        if slice2other_cost_0_choice(2) then
-          slice2other_cost_0(2) <= slice2other_cost_0(1);
-          slice2other_winner_0_2 <= slice2other_winner_0_1;
-        else
-          slice2other_cost_0(2) <= slice2window_sum_0(2);
-          slice2other_winner_0_2 <= 34;
-        end if;
-        if slice2other_cost_0_choice(3) then
-          slice2other_cost_0(3) <= slice2other_cost_0(2);
-          slice2other_winner_0_3 <= slice2other_winner_0_2;
-        else
-          slice2other_cost_0(3) <= slice2window_sum_0(3);
-          slice2other_winner_0_3 <= 35;
-        end if;
-        if slice2other_cost_0_choice(4) then
-          slice2other_cost_0(4) <= slice2other_cost_0(3);
-          slice2other_winner_0_4 <= slice2other_winner_0_3;
-        else
-          slice2other_cost_0(4) <= slice2window_sum_0(4);
-          slice2other_winner_0_4 <= 36;
-        end if;
-        if slice2other_cost_0_choice(5) then
-          slice2other_cost_0(5) <= slice2other_cost_0(4);
-          slice2other_winner_0_5 <= slice2other_winner_0_4;
-        else
-          slice2other_cost_0(5) <= slice2window_sum_0(5);
-          slice2other_winner_0_5 <= 37;
-        end if;
-        if slice2other_cost_0_choice(6) then
-          slice2other_cost_0(6) <= slice2other_cost_0(5);
-          slice2other_winner_0_6 <= slice2other_winner_0_5;
-        else
-          slice2other_cost_0(6) <= slice2window_sum_0(6);
-          slice2other_winner_0_6 <= 38;
-        end if;
-        if slice2other_cost_0_choice(7) then
-          slice2other_cost_0(7) <= slice2other_cost_0(6);
-          slice2other_winner_0_7 <= slice2other_winner_0_6;
-        else
-          slice2other_cost_0(7) <= slice2window_sum_0(7);
-          slice2other_winner_0_7 <= 39;
-        end if;
-        if slice2other_cost_0_choice(8) then
-          slice2other_cost_0(8) <= slice2other_cost_0(7);
-          slice2other_winner_0_8 <= slice2other_winner_0_7;
-        else
-          slice2other_cost_0(8) <= slice2window_sum_0(8);
-          slice2other_winner_0_8 <= 40;
-        end if;
-        if slice2other_cost_0_choice(9) then
-          slice2other_cost_0(9) <= slice2other_cost_0(8);
-          slice2other_winner_0_9 <= slice2other_winner_0_8;
-        else
-          slice2other_cost_0(9) <= slice2window_sum_0(9);
-          slice2other_winner_0_9 <= 41;
-        end if;
-        if slice2other_cost_0_choice(10) then
-          slice2other_cost_0(10) <= slice2other_cost_0(9);
-          slice2other_winner_0_10 <= slice2other_winner_0_9;
-        else
-          slice2other_cost_0(10) <= slice2window_sum_0(10);
-          slice2other_winner_0_10 <= 42;
-        end if;
-        if slice2other_cost_0_choice(11) then
-          slice2other_cost_0(11) <= slice2other_cost_0(10);
-          slice2other_winner_0_11 <= slice2other_winner_0_10;
-        else
-          slice2other_cost_0(11) <= slice2window_sum_0(11);
-          slice2other_winner_0_11 <= 43;
-        end if;
-        if slice2other_cost_0_choice(12) then
-          slice2other_cost_0(12) <= slice2other_cost_0(11);
-          slice2other_winner_0_12 <= slice2other_winner_0_11;
-        else
-          slice2other_cost_0(12) <= slice2window_sum_0(12);
-          slice2other_winner_0_12 <= 44;
-        end if;
-        if slice2other_cost_0_choice(13) then
-          slice2other_cost_0(13) <= slice2other_cost_0(12);
-          slice2other_winner_0_13 <= slice2other_winner_0_12;
-        else
-          slice2other_cost_0(13) <= slice2window_sum_0(13);
-          slice2other_winner_0_13 <= 45;
-        end if;
-        if slice2other_cost_0_choice(14) then
-          slice2other_cost_0(14) <= slice2other_cost_0(13);
-          slice2other_winner_0_14 <= slice2other_winner_0_13;
-        else
-          slice2other_cost_0(14) <= slice2window_sum_0(14);
-          slice2other_winner_0_14 <= 46;
-        end if;
-        if slice2other_cost_0_15_any then
-          slice2other_cost_0(15) <= slice2other_cost_0(14);
-          slice2other_winner_0_15 <= slice2other_winner_0_14;
-        else
-          slice2other_cost_0(15) <= slice2window_sum_0(15);
-          slice2other_winner_0_15 <= 47;
-        end if;
+      if slice0winner2_tag.valid then
+        slice2other_cost_0(0) <= choice(slice2other_cost_0_choice(0), slice1other_cost_out_0, slice2window_sum_0(0));
+        slice2other_winner_0(0) <= choice(slice2other_cost_0_choice(0), slice1other_winner_out_0, 32);
+        for i in 1 to 14 loop
+          slice2other_cost_0(i) <= choice(slice2other_cost_0_choice(i), slice2other_cost_0(i - 1),
+            slice2window_sum_0(i));
+          slice2other_winner_0(i) <= choice(slice2other_cost_0_choice(i), slice2other_winner_0(i - 1), i + 32);
+        end loop;
+        slice2other_cost_0(15) <= choice(slice2other_cost_0_15_any, slice2other_cost_0(14), slice2window_sum_0(15));
+        slice2other_winner_0(15) <= choice(slice2other_cost_0_15_any, slice2other_winner_0(14), 47);
       end if;
       slice2other_cost_out_0 <= slice2other_cost_0(15);
-      slice2other_winner_out_0 <= slice2other_winner_0_15;
+      slice2other_winner_out_0 <= slice2other_winner_0(15);
       -- slice2winner1
       for i in 0 to 7 loop
         slice2winner1_best_cost_0_is_less(i) := (slice2window_sum_0(2 * i + 1) - slice2window_sum_0(2 * i)) < 0;
       end loop;
-      for i in 0 to 15 loop
-        slice2winner1_held_0(i) <= slice2window_sum_0(i);
-      end loop;
+      slice2winner1_held_0 <= slice2window_sum_0;
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_is_less(0);
       slice2winner1_best_place_0_2 <= slice2winner1_best_cost_0_is_less(2);
       slice2winner1_best_place_0_4 <= slice2winner1_best_cost_0_is_less(4);
       slice2winner1_best_place_0_6 <= slice2winner1_best_cost_0_is_less(6);
-      for i in 0 to 7 loop
-        slice2winner1_best_late_cost_0(i) <= slice2winner1_best_cost_0(i);
-      end loop;
+      slice2winner1_best_late_cost_0 <= slice2winner1_best_cost_0;
       for i in 0 to 7 loop
         slice2winner1_best_but_first_0(i) <= slice2winner1_held_0(2 * i + 1);
       end loop;
       for i in 0 to 7 loop
         slice2winner1_best_but_last_0(i) <= slice2winner1_held_0(2 * i);
       end loop;
-      if slice2winner1_best_cost_0_is_less(0) then
-        slice2winner1_best_cost_0(0) <= slice2window_sum_0(1);
-        slice2winner1_best_below_0(0) <= slice2window_sum_0(0);
-        slice2winner1_best_above_0(0) <= 0;
-      else
-        slice2winner1_best_cost_0(0) <= slice2window_sum_0(0);
-        slice2winner1_best_below_0(0) <= 0;
-        slice2winner1_best_above_0(0) <= slice2window_sum_0(1);
-      end if;
-      if slice2winner1_best_cost_0_is_less(1) then
-        slice2winner1_best_cost_0(1) <= slice2window_sum_0(3);
-        slice2winner1_best_index_0_1 <= 3;
-        slice2winner1_best_below_0(1) <= slice2window_sum_0(2);
-        slice2winner1_best_above_0(1) <= 0;
-      else
-        slice2winner1_best_cost_0(1) <= slice2window_sum_0(2);
-        slice2winner1_best_index_0_1 <= 2;
-        slice2winner1_best_below_0(1) <= 0;
-        slice2winner1_best_above_0(1) <= slice2window_sum_0(3);
-      end if;
-      if slice2winner1_best_cost_0_is_less(2) then
-        slice2winner1_best_cost_0(2) <= slice2window_sum_0(5);
-        slice2winner1_best_index_0_2 <= 5;
-        slice2winner1_best_below_0(2) <= slice2window_sum_0(4);
-        slice2winner1_best_above_0(2) <= 0;
-      else
-        slice2winner1_best_cost_0(2) <= slice2window_sum_0(4);
-        slice2winner1_best_index_0_2 <= 4;
-        slice2winner1_best_below_0(2) <= 0;
-        slice2winner1_best_above_0(2) <= slice2window_sum_0(5);
-      end if;
-      if slice2winner1_best_cost_0_is_less(3) then
-        slice2winner1_best_cost_0(3) <= slice2window_sum_0(7);
-        slice2winner1_best_index_0_3 <= 7;
-        slice2winner1_best_below_0(3) <= slice2window_sum_0(6);
-        slice2winner1_best_above_0(3) <= 0;
-      else
-        slice2winner1_best_cost_0(3) <= slice2window_sum_0(6);
-        slice2winner1_best_index_0_3 <= 6;
-        slice2winner1_best_below_0(3) <= 0;
-        slice2winner1_best_above_0(3) <= slice2window_sum_0(7);
-      end if;
-      if slice2winner1_best_cost_0_is_less(4) then
-        slice2winner1_best_cost_0(4) <= slice2window_sum_0(9);
-        slice2winner1_best_index_0_4 <= 9;
-        slice2winner1_best_below_0(4) <= slice2window_sum_0(8);
-        slice2winner1_best_above_0(4) <= 0;
-      else
-        slice2winner1_best_cost_0(4) <= slice2window_sum_0(8);
-        slice2winner1_best_index_0_4 <= 8;
-        slice2winner1_best_below_0(4) <= 0;
-        slice2winner1_best_above_0(4) <= slice2window_sum_0(9);
-      end if;
-      if slice2winner1_best_cost_0_is_less(5) then
-        slice2winner1_best_cost_0(5) <= slice2window_sum_0(11);
-        slice2winner1_best_index_0_5 <= 11;
-        slice2winner1_best_below_0(5) <= slice2window_sum_0(10);
-        slice2winner1_best_above_0(5) <= 0;
-      else
-        slice2winner1_best_cost_0(5) <= slice2window_sum_0(10);
-        slice2winner1_best_index_0_5 <= 10;
-        slice2winner1_best_below_0(5) <= 0;
-        slice2winner1_best_above_0(5) <= slice2window_sum_0(11);
-      end if;
-      if slice2winner1_best_cost_0_is_less(6) then
-        slice2winner1_best_cost_0(6) <= slice2window_sum_0(13);
-        slice2winner1_best_index_0_6 <= 13;
-        slice2winner1_best_below_0(6) <= slice2window_sum_0(12);
-        slice2winner1_best_above_0(6) <= 0;
-      else
-        slice2winner1_best_cost_0(6) <= slice2window_sum_0(12);
-        slice2winner1_best_index_0_6 <= 12;
-        slice2winner1_best_below_0(6) <= 0;
-        slice2winner1_best_above_0(6) <= slice2window_sum_0(13);
-      end if;
-      if slice2winner1_best_cost_0_is_less(7) then
-        slice2winner1_best_cost_0(7) <= slice2window_sum_0(15);
-        slice2winner1_best_index_0_7 <= 15;
-        slice2winner1_best_below_0(7) <= slice2window_sum_0(14);
-        slice2winner1_best_above_0(7) <= 0;
-      else
-        slice2winner1_best_cost_0(7) <= slice2window_sum_0(14);
-        slice2winner1_best_index_0_7 <= 14;
-        slice2winner1_best_below_0(7) <= 0;
-        slice2winner1_best_above_0(7) <= slice2window_sum_0(15);
-      end if;
+      slice2winner1_best_cost_0(0) <= choice(slice2winner1_best_cost_0_is_less(0), slice2window_sum_0(1),
+        slice2window_sum_0(0));
+      for i in 0 to 6 loop
+        slice2winner1_best_below_0(i) <= choice(slice2winner1_best_cost_0_is_less(i), slice2window_sum_0(2 * i), 0);
+        slice2winner1_best_above_0(i) <= choice(slice2winner1_best_cost_0_is_less(i), 0, slice2window_sum_0(2 * i + 1));
+        slice2winner1_best_cost_0(i + 1) <= choice(slice2winner1_best_cost_0_is_less(i + 1), slice2window_sum_0(2 * i +
+          3), slice2window_sum_0(2 * i + 2));
+        slice2winner1_best_index_0(i + 1) <= choice(slice2winner1_best_cost_0_is_less(i + 1), 2 * i + 3, 2 * i + 2);
+      end loop;
+      slice2winner1_best_below_0(7) <= choice(slice2winner1_best_cost_0_is_less(7), slice2window_sum_0(14), 0);
+      slice2winner1_best_above_0(7) <= choice(slice2winner1_best_cost_0_is_less(7), 0, slice2window_sum_0(15));
       -- slice2winner2
       for i in 0 to 3 loop
         slice2winner2_best_cost_0_is_less(i) := (slice2winner1_best_cost_0(2 * i + 1) - slice2winner1_best_cost_0(2 *
           i)) < 0;
       end loop;
-      slice2winner2_best_below_0_is_equal(0) := slice2winner1_best_index_0_1 = 2;
-      if slice2winner2_best_below_0_is_equal(0) then
-        slice2winner2_best_below_0_choice(0) := slice2winner1_held_0(1);
-      else
-        slice2winner2_best_below_0_choice(0) := slice2winner1_best_below_0(1);
-      end if;
-      slice2winner2_best_below_0_is_equal(1) := slice2winner1_best_index_0_3 = 6;
-      if slice2winner2_best_below_0_is_equal(1) then
-        slice2winner2_best_below_0_choice(1) := slice2winner1_held_0(5);
-      else
-        slice2winner2_best_below_0_choice(1) := slice2winner1_best_below_0(3);
-      end if;
-      slice2winner2_best_below_0_is_equal(2) := (slice2winner1_best_index_0_5 mod 4) = 2;
-      if is_set(slice2winner1_best_index_0_5, 3) and slice2winner2_best_below_0_is_equal(2) then
-        slice2winner2_best_below_0_choice(2) := slice2winner1_held_0(9);
-      else
-        slice2winner2_best_below_0_choice(2) := slice2winner1_best_below_0(5);
-      end if;
-      slice2winner2_best_below_0_is_equal(3) := slice2winner1_best_index_0_7 = 14;
-      if slice2winner2_best_below_0_is_equal(3) then
-        slice2winner2_best_below_0_choice(3) := slice2winner1_held_0(13);
-      else
-        slice2winner2_best_below_0_choice(3) := slice2winner1_best_below_0(7);
-      end if;
-      if slice2winner1_best_index_0_0 then
-        slice2winner2_best_above_0_choice(0) := slice2winner1_held_0(2);
-      else
-        slice2winner2_best_above_0_choice(0) := slice2winner1_best_above_0(0);
-      end if;
-      if slice2winner1_best_place_0_2 then
-        slice2winner2_best_above_0_choice(1) := slice2winner1_held_0(6);
-      else
-        slice2winner2_best_above_0_choice(1) := slice2winner1_best_above_0(2);
-      end if;
-      if slice2winner1_best_place_0_4 then
-        slice2winner2_best_above_0_choice(2) := slice2winner1_held_0(10);
-      else
-        slice2winner2_best_above_0_choice(2) := slice2winner1_best_above_0(4);
-      end if;
-      if slice2winner1_best_place_0_6 then
-        slice2winner2_best_above_0_choice(3) := slice2winner1_held_0(14);
-      else
-        slice2winner2_best_above_0_choice(3) := slice2winner1_best_above_0(6);
-      end if;
+      slice2winner2_best_below_0_is_equal(0) := slice2winner1_best_index_0(1) = 2;
+      slice2winner2_best_below_0_choice(0) := choice(slice2winner2_best_below_0_is_equal(0), slice2winner1_held_0(1),
+        slice2winner1_best_below_0(1));
+      slice2winner2_best_below_0_is_equal(1) := slice2winner1_best_index_0(3) = 6;
+      slice2winner2_best_below_0_choice(1) := choice(slice2winner2_best_below_0_is_equal(1), slice2winner1_held_0(5),
+        slice2winner1_best_below_0(3));
+      slice2winner2_best_below_0_is_equal(2) := (slice2winner1_best_index_0(5) mod 4) = 2;
+      slice2winner2_best_below_0_choice(2) := choice(is_set(slice2winner1_best_index_0(5), 3) and
+        slice2winner2_best_below_0_is_equal(2), slice2winner1_held_0(9), slice2winner1_best_below_0(5));
+      slice2winner2_best_below_0_is_equal(3) := slice2winner1_best_index_0(7) = 14;
+      slice2winner2_best_below_0_choice(3) := choice(slice2winner2_best_below_0_is_equal(3), slice2winner1_held_0(13),
+        slice2winner1_best_below_0(7));
+      slice2winner2_best_above_0_choice(0) := choice(slice2winner1_best_index_0_0, slice2winner1_held_0(2),
+        slice2winner1_best_above_0(0));
+      slice2winner2_best_above_0_choice(1) := choice(slice2winner1_best_place_0_2, slice2winner1_held_0(6),
+        slice2winner1_best_above_0(2));
+      slice2winner2_best_above_0_choice(2) := choice(slice2winner1_best_place_0_4, slice2winner1_held_0(10),
+        slice2winner1_best_above_0(4));
+      slice2winner2_best_above_0_choice(3) := choice(slice2winner1_best_place_0_6, slice2winner1_held_0(14),
+        slice2winner1_best_above_0(6));
       for i in 0 to 3 loop
-        if slice2winner2_best_place_0(i) then
-          slice2winner2_best_second_0_choice(i) := 4095;
-        else
-          slice2winner2_best_second_0_choice(i) := slice2winner1_best_late_cost_0(2 * i + 1);
-        end if;
-        if slice2winner2_best_at_end_0(i) then
-          slice2winner2_best_second_0_choices(i, 2) := slice2winner1_best_but_first_0(2 * i + 1);
-        else
-          slice2winner2_best_second_0_choices(i, 2) := slice2winner2_best_second_0_choice(i);
-        end if;
-        if slice2winner2_best_place_0(i) then
-          slice2winner2_best_second_0_choices(i, 3) := slice2winner1_best_late_cost_0(2 * i);
-        else
-          slice2winner2_best_second_0_choices(i, 3) := 4095;
-        end if;
-        if slice2winner2_best_at_start_0(i) then
-          slice2winner2_best_second_0_choices(i, 4) := slice2winner1_best_but_last_0(2 * i);
-        else
-          slice2winner2_best_second_0_choices(i, 4) := slice2winner2_best_second_0_choices(i, 3);
-        end if;
+        slice2winner2_best_second_0_choice(i, 1) := choice(slice2winner2_best_place_0(i), 4095,
+          slice2winner1_best_late_cost_0(2 * i + 1));
+        slice2winner2_best_second_0_choice(i, 2) := choice(slice2winner2_best_at_end_0(i),
+          slice2winner1_best_but_first_0(2 * i + 1), slice2winner2_best_second_0_choice(i, 1));
+        slice2winner2_best_second_0_choice(i, 3) := choice(slice2winner2_best_place_0(i),
+          slice2winner1_best_late_cost_0(2 * i), 4095);
+        slice2winner2_best_second_0_choice(i, 4) := choice(slice2winner2_best_at_start_0(i),
+          slice2winner1_best_but_last_0(2 * i), slice2winner2_best_second_0_choice(i, 3));
       end loop;
       slice2winner2_best_first_0(0) <= slice2winner1_held_0(0);
       slice2winner2_best_first_0(1) <= slice2winner1_held_0(4);
@@ -5422,16 +2657,13 @@ begin
       slice2winner2_best_last_0(1) <= slice2winner1_held_0(7);
       slice2winner2_best_last_0(2) <= slice2winner1_held_0(11);
       slice2winner2_best_last_0(3) <= slice2winner1_held_0(15);
-      slice2winner2_best_place_0(0) <= slice2winner2_best_cost_0_is_less(0);
-      slice2winner2_best_place_0(1) <= slice2winner2_best_cost_0_is_less(1);
-      slice2winner2_best_place_0(2) <= slice2winner2_best_cost_0_is_less(2);
-      slice2winner2_best_place_0(3) <= slice2winner2_best_cost_0_is_less(3);
+      slice2winner2_best_place_0 <= slice2winner2_best_cost_0_is_less;
       slice2winner2_best_at_start_0(0) <= slice2winner2_best_cost_0_is_less(0) and
         slice2winner2_best_below_0_is_equal(0);
       slice2winner2_best_at_start_0(1) <= slice2winner2_best_cost_0_is_less(1) and
         slice2winner2_best_below_0_is_equal(1);
-      slice2winner2_best_at_start_0(2) <= slice2winner2_best_cost_0_is_less(2) and is_set(slice2winner1_best_index_0_5,
-        3) and slice2winner2_best_below_0_is_equal(2);
+      slice2winner2_best_at_start_0(2) <= slice2winner2_best_cost_0_is_less(2) and
+        is_set(slice2winner1_best_index_0(5), 3) and slice2winner2_best_below_0_is_equal(2);
       slice2winner2_best_at_start_0(3) <= slice2winner2_best_below_0_is_equal(3) and
         slice2winner2_best_cost_0_is_less(3);
       slice2winner2_best_at_end_0(0) <= slice2winner1_best_index_0_0 and ((slice2winner1_best_cost_0(1) -
@@ -5442,130 +2674,70 @@ begin
         slice2winner1_best_cost_0(4)) >= 0);
       slice2winner2_best_at_end_0(3) <= slice2winner1_best_place_0_6 and ((slice2winner1_best_cost_0(7) -
         slice2winner1_best_cost_0(6)) >= 0);
-      slice2winner2_best_late_cost_0(0) <= slice2winner2_best_cost_0(0);
-      slice2winner2_best_late_cost_0(1) <= slice2winner2_best_cost_0(1);
-      slice2winner2_best_late_cost_0(2) <= slice2winner2_best_cost_0(2);
-      slice2winner2_best_late_cost_0(3) <= slice2winner2_best_cost_0(3);
-      if slice2winner2_best_cost_0_is_less(0) then
-        slice2winner2_best_cost_0(0) <= slice2winner1_best_cost_0(1);
-        slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_1;
-        slice2winner2_best_below_0(0) <= slice2winner2_best_below_0_choice(0);
-        slice2winner2_best_above_0(0) <= slice2winner1_best_above_0(1);
-      else
-        slice2winner2_best_cost_0(0) <= slice2winner1_best_cost_0(0);
-        slice2winner2_best_index_0_0 <= as_number(slice2winner1_best_index_0_0);
-        slice2winner2_best_below_0(0) <= slice2winner1_best_below_0(0);
-        slice2winner2_best_above_0(0) <= slice2winner2_best_above_0_choice(0);
-      end if;
-      if slice2winner2_best_cost_0_is_less(1) then
-        slice2winner2_best_cost_0(1) <= slice2winner1_best_cost_0(3);
-        slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_3;
-        slice2winner2_best_below_0(1) <= slice2winner2_best_below_0_choice(1);
-        slice2winner2_best_above_0(1) <= slice2winner1_best_above_0(3);
-      else
-        slice2winner2_best_cost_0(1) <= slice2winner1_best_cost_0(2);
-        slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_2;
-        slice2winner2_best_below_0(1) <= slice2winner1_best_below_0(2);
-        slice2winner2_best_above_0(1) <= slice2winner2_best_above_0_choice(1);
-      end if;
-      if slice2winner2_best_cost_0_is_less(2) then
-        slice2winner2_best_cost_0(2) <= slice2winner1_best_cost_0(5);
-        slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_5;
-        slice2winner2_best_below_0(2) <= slice2winner2_best_below_0_choice(2);
-        slice2winner2_best_above_0(2) <= slice2winner1_best_above_0(5);
-      else
-        slice2winner2_best_cost_0(2) <= slice2winner1_best_cost_0(4);
-        slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_4;
-        slice2winner2_best_below_0(2) <= slice2winner1_best_below_0(4);
-        slice2winner2_best_above_0(2) <= slice2winner2_best_above_0_choice(2);
-      end if;
-      if slice2winner2_best_cost_0_is_less(3) then
-        slice2winner2_best_cost_0(3) <= slice2winner1_best_cost_0(7);
-        slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_7;
-        slice2winner2_best_below_0(3) <= slice2winner2_best_below_0_choice(3);
-        slice2winner2_best_above_0(3) <= slice2winner1_best_above_0(7);
-      else
-        slice2winner2_best_cost_0(3) <= slice2winner1_best_cost_0(6);
-        slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_6;
-        slice2winner2_best_below_0(3) <= slice2winner1_best_below_0(6);
-        slice2winner2_best_above_0(3) <= slice2winner2_best_above_0_choice(3);
-      end if;
+      slice2winner2_best_late_cost_0 <= slice2winner2_best_cost_0;
+      slice2winner2_best_cost_0(0) <= choice(slice2winner2_best_cost_0_is_less(0), slice2winner1_best_cost_0(1),
+        slice2winner1_best_cost_0(0));
+      slice2winner2_best_index_0(0) <= choice(slice2winner2_best_cost_0_is_less(0), slice2winner1_best_index_0(1),
+        as_number(slice2winner1_best_index_0_0));
+      for i in 0 to 2 loop
+        slice2winner2_best_below_0(i) <= choice(slice2winner2_best_cost_0_is_less(i),
+          slice2winner2_best_below_0_choice(i), slice2winner1_best_below_0(2 * i));
+        slice2winner2_best_above_0(i) <= choice(slice2winner2_best_cost_0_is_less(i), slice2winner1_best_above_0(2 * i
+          + 1), slice2winner2_best_above_0_choice(i));
+        slice2winner2_best_cost_0(i + 1) <= choice(slice2winner2_best_cost_0_is_less(i + 1),
+          slice2winner1_best_cost_0(2 * i + 3), slice2winner1_best_cost_0(2 * i + 2));
+        slice2winner2_best_index_0(i + 1) <= choice(slice2winner2_best_cost_0_is_less(i + 1),
+          slice2winner1_best_index_0(2 * i + 3), slice2winner1_best_index_0(2 * i + 2));
+      end loop;
+      slice2winner2_best_below_0(3) <= choice(slice2winner2_best_cost_0_is_less(3),
+        slice2winner2_best_below_0_choice(3), slice2winner1_best_below_0(6));
+      slice2winner2_best_above_0(3) <= choice(slice2winner2_best_cost_0_is_less(3), slice2winner1_best_above_0(7),
+        slice2winner2_best_above_0_choice(3));
       for i in 0 to 3 loop
-        if (slice2winner2_best_second_0_choices(i, 2) - slice2winner2_best_second_0_choices(i, 4)) < 0 then
-          slice2winner2_best_second_0(i) <= slice2winner2_best_second_0_choices(i, 2);
-        else
-          slice2winner2_best_second_0(i) <= slice2winner2_best_second_0_choices(i, 4);
-        end if;
+        slice2winner2_best_second_0(i) <= choice((slice2winner2_best_second_0_choice(i, 2) -
+          slice2winner2_best_second_0_choice(i, 4)) < 0, slice2winner2_best_second_0_choice(i, 2),
+          slice2winner2_best_second_0_choice(i, 4));
       end loop;
       for i in 0 to 3 loop
-        if (slice2winner1_best_late_cost_0(2 * i + 1) - slice2winner1_best_but_first_0(2 * i)) < 0 then
-          slice2winner2_best_but_first_0(i) <= slice2winner1_best_late_cost_0(2 * i + 1);
-        else
-          slice2winner2_best_but_first_0(i) <= slice2winner1_best_but_first_0(2 * i);
-        end if;
+        slice2winner2_best_but_first_0(i) <= choice((slice2winner1_best_late_cost_0(2 * i + 1) -
+          slice2winner1_best_but_first_0(2 * i)) < 0, slice2winner1_best_late_cost_0(2 * i + 1),
+          slice2winner1_best_but_first_0(2 * i));
       end loop;
       for i in 0 to 3 loop
-        if (slice2winner1_best_but_last_0(2 * i + 1) - slice2winner1_best_late_cost_0(2 * i)) < 0 then
-          slice2winner2_best_but_last_0(i) <= slice2winner1_best_but_last_0(2 * i + 1);
-        else
-          slice2winner2_best_but_last_0(i) <= slice2winner1_best_late_cost_0(2 * i);
-        end if;
+        slice2winner2_best_but_last_0(i) <= choice((slice2winner1_best_but_last_0(2 * i + 1) -
+          slice2winner1_best_late_cost_0(2 * i)) < 0, slice2winner1_best_but_last_0(2 * i + 1),
+          slice2winner1_best_late_cost_0(2 * i));
       end loop;
       -- slice2winner3
       slice2winner3_best_cost_0_is_less(0) := (slice2winner2_best_cost_0(1) - slice2winner2_best_cost_0(0)) < 0;
       slice2winner3_best_cost_0_is_less(1) := (slice2winner2_best_cost_0(3) - slice2winner2_best_cost_0(2)) < 0;
-      slice2winner3_best_below_0_is_equal(0) := slice2winner2_best_index_0_1 = 4;
-      if slice2winner3_best_below_0_is_equal(0) then
-        slice2winner3_best_below_0_choice(0) := slice2winner2_best_last_0(0);
-      else
-        slice2winner3_best_below_0_choice(0) := slice2winner2_best_below_0(1);
-      end if;
-      slice2winner3_best_below_0_is_equal(1) := slice2winner2_best_index_0_3 = 12;
-      if slice2winner3_best_below_0_is_equal(1) then
-        slice2winner3_best_below_0_choice(1) := slice2winner2_best_last_0(2);
-      else
-        slice2winner3_best_below_0_choice(1) := slice2winner2_best_below_0(3);
-      end if;
-      slice2winner3_best_above_0_is_equal(0) := slice2winner2_best_index_0_0 = 3;
-      if slice2winner3_best_above_0_is_equal(0) then
-        slice2winner3_best_above_0_choice(0) := slice2winner2_best_first_0(1);
-      else
-        slice2winner3_best_above_0_choice(0) := slice2winner2_best_above_0(0);
-      end if;
-      slice2winner3_best_above_0_is_equal(1) := (slice2winner2_best_index_0_2 mod 4) = 3;
-      if is_set(slice2winner2_best_index_0_2, 3) and slice2winner3_best_above_0_is_equal(1) then
-        slice2winner3_best_above_0_choice(1) := slice2winner2_best_first_0(3);
-      else
-        slice2winner3_best_above_0_choice(1) := slice2winner2_best_above_0(2);
-      end if;
+      slice2winner3_best_below_0_is_equal(0) := slice2winner2_best_index_0(1) = 4;
+      slice2winner3_best_below_0_choice(0) := choice(slice2winner3_best_below_0_is_equal(0),
+        slice2winner2_best_last_0(0), slice2winner2_best_below_0(1));
+      slice2winner3_best_below_0_is_equal(1) := slice2winner2_best_index_0(3) = 12;
+      slice2winner3_best_below_0_choice(1) := choice(slice2winner3_best_below_0_is_equal(1),
+        slice2winner2_best_last_0(2), slice2winner2_best_below_0(3));
+      slice2winner3_best_above_0_is_equal(0) := slice2winner2_best_index_0(0) = 3;
+      slice2winner3_best_above_0_choice(0) := choice(slice2winner3_best_above_0_is_equal(0),
+        slice2winner2_best_first_0(1), slice2winner2_best_above_0(0));
+      slice2winner3_best_above_0_is_equal(1) := (slice2winner2_best_index_0(2) mod 4) = 3;
+      slice2winner3_best_above_0_choice(1) := choice(is_set(slice2winner2_best_index_0(2), 3) and
+        slice2winner3_best_above_0_is_equal(1), slice2winner2_best_first_0(3), slice2winner2_best_above_0(2));
       for i in 0 to 1 loop
-        if slice2winner3_best_place_0(i) then
-          slice2winner3_best_second_0_choice(i) := slice2winner2_best_second_0(2 * i + 1);
-        else
-          slice2winner3_best_second_0_choice(i) := slice2winner2_best_late_cost_0(2 * i + 1);
-        end if;
-        if slice2winner3_best_at_end_0(i) then
-          slice2winner3_best_second_0_choices(i, 2) := slice2winner2_best_but_first_0(2 * i + 1);
-        else
-          slice2winner3_best_second_0_choices(i, 2) := slice2winner3_best_second_0_choice(i);
-        end if;
-        if slice2winner3_best_place_0(i) then
-          slice2winner3_best_second_0_choices(i, 3) := slice2winner2_best_late_cost_0(2 * i);
-        else
-          slice2winner3_best_second_0_choices(i, 3) := slice2winner2_best_second_0(2 * i);
-        end if;
-        if slice2winner3_best_at_start_0(i) then
-          slice2winner3_best_second_0_choices(i, 4) := slice2winner2_best_but_last_0(2 * i);
-        else
-          slice2winner3_best_second_0_choices(i, 4) := slice2winner3_best_second_0_choices(i, 3);
-        end if;
+        slice2winner3_best_second_0_choice(i, 1) := choice(slice2winner3_best_place_0(i), slice2winner2_best_second_0(2
+          * i + 1), slice2winner2_best_late_cost_0(2 * i + 1));
+        slice2winner3_best_second_0_choice(i, 2) := choice(slice2winner3_best_at_end_0(i),
+          slice2winner2_best_but_first_0(2 * i + 1), slice2winner3_best_second_0_choice(i, 1));
+        slice2winner3_best_second_0_choice(i, 3) := choice(slice2winner3_best_place_0(i),
+          slice2winner2_best_late_cost_0(2 * i), slice2winner2_best_second_0(2 * i));
+        slice2winner3_best_second_0_choice(i, 4) := choice(slice2winner3_best_at_start_0(i),
+          slice2winner2_best_but_last_0(2 * i), slice2winner3_best_second_0_choice(i, 3));
       end loop;
       slice2winner3_best_first_0(0) <= slice2winner2_best_first_0(0);
       slice2winner3_best_first_0(1) <= slice2winner2_best_first_0(2);
       slice2winner3_best_last_0(0) <= slice2winner2_best_last_0(1);
       slice2winner3_best_last_0(1) <= slice2winner2_best_last_0(3);
-      slice2winner3_best_place_0(0) <= slice2winner3_best_cost_0_is_less(0);
-      slice2winner3_best_place_0(1) <= slice2winner3_best_cost_0_is_less(1);
+      slice2winner3_best_place_0 <= slice2winner3_best_cost_0_is_less;
       slice2winner3_best_at_start_0(0) <= slice2winner3_best_cost_0_is_less(0) and
         slice2winner3_best_below_0_is_equal(0);
       slice2winner3_best_at_start_0(1) <= slice2winner3_best_below_0_is_equal(1) and
@@ -5573,86 +2745,48 @@ begin
       slice2winner3_best_at_end_0(0) <= ((slice2winner2_best_cost_0(1) - slice2winner2_best_cost_0(0)) >= 0) and
         slice2winner3_best_above_0_is_equal(0);
       slice2winner3_best_at_end_0(1) <= ((slice2winner2_best_cost_0(3) - slice2winner2_best_cost_0(2)) >= 0) and
-        is_set(slice2winner2_best_index_0_2, 3) and slice2winner3_best_above_0_is_equal(1);
-      slice2winner3_best_late_cost_0(0) <= slice2winner3_best_cost_0(0);
-      slice2winner3_best_late_cost_0(1) <= slice2winner3_best_cost_0(1);
-      if slice2winner3_best_cost_0_is_less(0) then
-        slice2winner3_best_cost_0(0) <= slice2winner2_best_cost_0(1);
-        slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_1;
-        slice2winner3_best_below_0(0) <= slice2winner3_best_below_0_choice(0);
-        slice2winner3_best_above_0(0) <= slice2winner2_best_above_0(1);
-      else
-        slice2winner3_best_cost_0(0) <= slice2winner2_best_cost_0(0);
-        slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
-        slice2winner3_best_below_0(0) <= slice2winner2_best_below_0(0);
-        slice2winner3_best_above_0(0) <= slice2winner3_best_above_0_choice(0);
-      end if;
-      if slice2winner3_best_cost_0_is_less(1) then
-        slice2winner3_best_cost_0(1) <= slice2winner2_best_cost_0(3);
-        slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_3;
-        slice2winner3_best_below_0(1) <= slice2winner3_best_below_0_choice(1);
-        slice2winner3_best_above_0(1) <= slice2winner2_best_above_0(3);
-      else
-        slice2winner3_best_cost_0(1) <= slice2winner2_best_cost_0(2);
-        slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_2;
-        slice2winner3_best_below_0(1) <= slice2winner2_best_below_0(2);
-        slice2winner3_best_above_0(1) <= slice2winner3_best_above_0_choice(1);
-      end if;
+        is_set(slice2winner2_best_index_0(2), 3) and slice2winner3_best_above_0_is_equal(1);
+      slice2winner3_best_late_cost_0 <= slice2winner3_best_cost_0;
       for i in 0 to 1 loop
-        if (slice2winner3_best_second_0_choices(i, 2) - slice2winner3_best_second_0_choices(i, 4)) < 0 then
-          slice2winner3_best_second_0(i) <= slice2winner3_best_second_0_choices(i, 2);
-        else
-          slice2winner3_best_second_0(i) <= slice2winner3_best_second_0_choices(i, 4);
-        end if;
+        slice2winner3_best_cost_0(i) <= choice(slice2winner3_best_cost_0_is_less(i), slice2winner2_best_cost_0(2 * i +
+          1), slice2winner2_best_cost_0(2 * i));
+        slice2winner3_best_index_0(i) <= choice(slice2winner3_best_cost_0_is_less(i), slice2winner2_best_index_0(2 * i
+          + 1), slice2winner2_best_index_0(2 * i));
+        slice2winner3_best_below_0(i) <= choice(slice2winner3_best_cost_0_is_less(i),
+          slice2winner3_best_below_0_choice(i), slice2winner2_best_below_0(2 * i));
+        slice2winner3_best_above_0(i) <= choice(slice2winner3_best_cost_0_is_less(i), slice2winner2_best_above_0(2 * i
+          + 1), slice2winner3_best_above_0_choice(i));
       end loop;
-      for i in 0 to 1 loop
-        if (slice2winner2_best_late_cost_0(2 * i + 1) - slice2winner2_best_but_first_0(2 * i)) < 0 then
-          slice2winner3_best_but_first_0(i) <= slice2winner2_best_late_cost_0(2 * i + 1);
-        else
-          slice2winner3_best_but_first_0(i) <= slice2winner2_best_but_first_0(2 * i);
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        if (slice2winner2_best_but_last_0(2 * i + 1) - slice2winner2_best_late_cost_0(2 * i)) < 0 then
-          slice2winner3_best_but_last_0(i) <= slice2winner2_best_but_last_0(2 * i + 1);
-        else
-          slice2winner3_best_but_last_0(i) <= slice2winner2_best_late_cost_0(2 * i);
-        end if;
-      end loop;
+      slice2winner3_best_second_0(0) <= choice((slice2winner3_best_second_0_choice(0, 2) -
+        slice2winner3_best_second_0_choice(0, 4)) < 0, slice2winner3_best_second_0_choice(0, 2),
+        slice2winner3_best_second_0_choice(0, 4));
+      slice2winner3_best_second_0(1) <= choice((slice2winner3_best_second_0_choice(1, 2) -
+        slice2winner3_best_second_0_choice(1, 4)) < 0, slice2winner3_best_second_0_choice(1, 2),
+        slice2winner3_best_second_0_choice(1, 4));
+      slice2winner3_best_but_first_0(0) <= choice((slice2winner2_best_late_cost_0(1) -
+        slice2winner2_best_but_first_0(0)) < 0, slice2winner2_best_late_cost_0(1), slice2winner2_best_but_first_0(0));
+      slice2winner3_best_but_first_0(1) <= choice((slice2winner2_best_late_cost_0(3) -
+        slice2winner2_best_but_first_0(2)) < 0, slice2winner2_best_late_cost_0(3), slice2winner2_best_but_first_0(2));
+      slice2winner3_best_but_last_0(0) <= choice((slice2winner2_best_but_last_0(1) - slice2winner2_best_late_cost_0(0))
+        < 0, slice2winner2_best_but_last_0(1), slice2winner2_best_late_cost_0(0));
+      slice2winner3_best_but_last_0(1) <= choice((slice2winner2_best_but_last_0(3) - slice2winner2_best_late_cost_0(2))
+        < 0, slice2winner2_best_but_last_0(3), slice2winner2_best_late_cost_0(2));
       -- slice2winner4
       slice2winner4_best_cost_0_0_is_less := (slice2winner3_best_cost_0(1) - slice2winner3_best_cost_0(0)) < 0;
-      slice2winner4_best_below_0_0_is_equal := slice2winner3_best_index_0_1 = 8;
-      if slice2winner4_best_below_0_0_is_equal then
-        slice2winner4_best_below_0_0_choice := slice2winner3_best_last_0(0);
-      else
-        slice2winner4_best_below_0_0_choice := slice2winner3_best_below_0(1);
-      end if;
-      slice2winner4_best_above_0_0_is_equal := slice2winner3_best_index_0_0 = 7;
-      if slice2winner4_best_above_0_0_is_equal then
-        slice2winner4_best_above_0_0_choice := slice2winner3_best_first_0(1);
-      else
-        slice2winner4_best_above_0_0_choice := slice2winner3_best_above_0(0);
-      end if;
-      if slice2winner4_best_place_0_0 then
-        slice2winner4_best_second_0_0_choice := slice2winner3_best_second_0(1);
-      else
-        slice2winner4_best_second_0_0_choice := slice2winner3_best_late_cost_0(1);
-      end if;
-      if slice2winner4_best_at_end_0_0 then
-        slice2winner4_best_second_0_0_choices(2) := slice2winner3_best_but_first_0(1);
-      else
-        slice2winner4_best_second_0_0_choices(2) := slice2winner4_best_second_0_0_choice;
-      end if;
-      if slice2winner4_best_place_0_0 then
-        slice2winner4_best_second_0_0_choices(3) := slice2winner3_best_late_cost_0(0);
-      else
-        slice2winner4_best_second_0_0_choices(3) := slice2winner3_best_second_0(0);
-      end if;
-      if slice2winner4_best_at_start_0_0 then
-        slice2winner4_best_second_0_0_choices(4) := slice2winner3_best_but_last_0(0);
-      else
-        slice2winner4_best_second_0_0_choices(4) := slice2winner4_best_second_0_0_choices(3);
-      end if;
+      slice2winner4_best_below_0_0_is_equal := slice2winner3_best_index_0(1) = 8;
+      slice2winner4_best_below_0_0_choice := choice(slice2winner4_best_below_0_0_is_equal,
+        slice2winner3_best_last_0(0), slice2winner3_best_below_0(1));
+      slice2winner4_best_above_0_0_is_equal := slice2winner3_best_index_0(0) = 7;
+      slice2winner4_best_above_0_0_choice := choice(slice2winner4_best_above_0_0_is_equal,
+        slice2winner3_best_first_0(1), slice2winner3_best_above_0(0));
+      slice2winner4_best_second_0_0_choices(1) := choice(slice2winner4_best_place_0_0, slice2winner3_best_second_0(1),
+        slice2winner3_best_late_cost_0(1));
+      slice2winner4_best_second_0_0_choices(2) := choice(slice2winner4_best_at_end_0_0,
+        slice2winner3_best_but_first_0(1), slice2winner4_best_second_0_0_choices(1));
+      slice2winner4_best_second_0_0_choices(3) := choice(slice2winner4_best_place_0_0,
+        slice2winner3_best_late_cost_0(0), slice2winner3_best_second_0(0));
+      slice2winner4_best_second_0_0_choices(4) := choice(slice2winner4_best_at_start_0_0,
+        slice2winner3_best_but_last_0(0), slice2winner4_best_second_0_0_choices(3));
       slice2winner4_best_first_0_0 <= slice2winner3_best_first_0(0);
       slice2winner4_best_last_0_0 <= slice2winner3_best_last_0(1);
       slice2winner4_best_place_0_0 <= slice2winner4_best_cost_0_0_is_less;
@@ -5660,100 +2794,57 @@ begin
       slice2winner4_best_at_end_0_0 <= ((slice2winner3_best_cost_0(1) - slice2winner3_best_cost_0(0)) >= 0) and
         slice2winner4_best_above_0_0_is_equal;
       slice2winner4_best_late_cost_0_0 <= slice2winner4_best_cost_0_0;
-      if slice2winner4_best_cost_0_0_is_less then
-        slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0(1);
-        slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_1;
-        slice2winner4_best_below_0_0 <= slice2winner4_best_below_0_0_choice;
-        slice2winner4_best_above_0_0 <= slice2winner3_best_above_0(1);
-      else
-        slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0(0);
-        slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_0;
-        slice2winner4_best_below_0_0 <= slice2winner3_best_below_0(0);
-        slice2winner4_best_above_0_0 <= slice2winner4_best_above_0_0_choice;
-      end if;
-      if (slice2winner4_best_second_0_0_choices(2) - slice2winner4_best_second_0_0_choices(4)) < 0 then
-        slice2winner4_best_second_0_0 <= slice2winner4_best_second_0_0_choices(2);
-      else
-        slice2winner4_best_second_0_0 <= slice2winner4_best_second_0_0_choices(4);
-      end if;
-      if (slice2winner3_best_late_cost_0(1) - slice2winner3_best_but_first_0(0)) < 0 then
-        slice2winner4_best_but_first_0_0 <= slice2winner3_best_late_cost_0(1);
-      else
-        slice2winner4_best_but_first_0_0 <= slice2winner3_best_but_first_0(0);
-      end if;
-      if (slice2winner3_best_but_last_0(1) - slice2winner3_best_late_cost_0(0)) < 0 then
-        slice2winner4_best_but_last_0_0 <= slice2winner3_best_but_last_0(1);
-      else
-        slice2winner4_best_but_last_0_0 <= slice2winner3_best_late_cost_0(0);
-      end if;
+      slice2winner4_best_cost_0_0 <= choice(slice2winner4_best_cost_0_0_is_less, slice2winner3_best_cost_0(1),
+        slice2winner3_best_cost_0(0));
+      slice2winner4_best_index_0_0 <= choice(slice2winner4_best_cost_0_0_is_less, slice2winner3_best_index_0(1),
+        slice2winner3_best_index_0(0));
+      slice2winner4_best_below_0_0 <= choice(slice2winner4_best_cost_0_0_is_less, slice2winner4_best_below_0_0_choice,
+        slice2winner3_best_below_0(0));
+      slice2winner4_best_above_0_0 <= choice(slice2winner4_best_cost_0_0_is_less, slice2winner3_best_above_0(1),
+        slice2winner4_best_above_0_0_choice);
+      slice2winner4_best_second_0_0 <= choice((slice2winner4_best_second_0_0_choices(2) -
+        slice2winner4_best_second_0_0_choices(4)) < 0, slice2winner4_best_second_0_0_choices(2),
+        slice2winner4_best_second_0_0_choices(4));
+      slice2winner4_best_but_first_0_0 <= choice((slice2winner3_best_late_cost_0(1) -
+        slice2winner3_best_but_first_0(0)) < 0, slice2winner3_best_late_cost_0(1), slice2winner3_best_but_first_0(0));
+      slice2winner4_best_but_last_0_0 <= choice((slice2winner3_best_but_last_0(1) - slice2winner3_best_late_cost_0(0))
+        < 0, slice2winner3_best_but_last_0(1), slice2winner3_best_late_cost_0(0));
       -- slice2
       slice2_best_cost_0_0_is_less := (slice2winner4_best_cost_0_0 - slice1_best_cost_0_0) < 0;
       slice2_best_below_0_0_is_equal := slice2winner4_best_index_0_0 = 0;
-      if slice2_best_below_0_0_is_equal then
-        slice2_best_below_0_0_choice := slice1_best_last_0_0;
-      else
-        slice2_best_below_0_0_choice := slice2winner4_best_below_0_0;
-      end if;
+      slice2_best_below_0_0_choice := choice(slice2_best_below_0_0_is_equal, slice1_best_last_0_0,
+        slice2winner4_best_below_0_0);
       slice2_best_above_0_0_is_equal := slice1_best_index_0_0 = 31;
-      if slice2_best_above_0_0_is_equal then
-        slice2_best_above_0_0_choice := slice2winner4_best_first_0_0;
-      else
-        slice2_best_above_0_0_choice := slice1_best_above_0_0;
-      end if;
-      if slice2_best_place_0_0 then
-        slice2_best_second_0_0_choice := slice2winner4_best_second_0_0;
-      else
-        slice2_best_second_0_0_choice := slice2winner4_best_late_cost_0_0;
-      end if;
-      if slice2_best_at_end_0_0 then
-        slice2_best_second_0_0_choices(2) := slice2winner4_best_but_first_0_0;
-      else
-        slice2_best_second_0_0_choices(2) := slice2_best_second_0_0_choice;
-      end if;
-      if slice2_best_place_0_0 then
-        slice2_best_second_0_0_choices(3) := slice1_best_late_cost_0_0;
-      else
-        slice2_best_second_0_0_choices(3) := slice1_best_second_0_0;
-      end if;
-      if slice2_best_at_start_0_0 then
-        slice2_best_second_0_0_choices(4) := slice1_best_but_last_0_0;
-      else
-        slice2_best_second_0_0_choices(4) := slice2_best_second_0_0_choices(3);
-      end if;
+      slice2_best_above_0_0_choice := choice(slice2_best_above_0_0_is_equal, slice2winner4_best_first_0_0,
+        slice1_best_above_0_0);
+      slice2_best_second_0_0_choices(1) := choice(slice2_best_place_0_0, slice2winner4_best_second_0_0,
+        slice2winner4_best_late_cost_0_0);
+      slice2_best_second_0_0_choices(2) := choice(slice2_best_at_end_0_0, slice2winner4_best_but_first_0_0,
+        slice2_best_second_0_0_choices(1));
+      slice2_best_second_0_0_choices(3) := choice(slice2_best_place_0_0, slice1_best_late_cost_0_0,
+        slice1_best_second_0_0);
+      slice2_best_second_0_0_choices(4) := choice(slice2_best_at_start_0_0, slice1_best_but_last_0_0,
+        slice2_best_second_0_0_choices(3));
       slice2_best_last_0_0 <= slice2winner4_best_last_0_0;
       slice2_best_place_0_0 <= slice2_best_cost_0_0_is_less;
       slice2_best_at_start_0_0 <= slice2_best_below_0_0_is_equal and slice2_best_cost_0_0_is_less;
       slice2_best_at_end_0_0 <= ((slice2winner4_best_cost_0_0 - slice1_best_cost_0_0) >= 0) and
         slice2_best_above_0_0_is_equal;
       slice2_best_late_cost_0_0 <= slice2_best_cost_0_0;
-      slice2_best_tag_valid <= slice1_best_tag_valid;
-      slice2_best_tag_map_column <= slice1_best_tag_map_column;
-      slice2_best_tag_output_column <= slice1_best_tag_output_column;
-      slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
-      slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
-      if slice2_best_cost_0_0_is_less then
-        slice2_best_cost_0_0 <= slice2winner4_best_cost_0_0;
-        slice2_best_index_0_0 <= slice2winner4_best_index_0_0 + 32;
-        slice2_best_below_0_0 <= slice2_best_below_0_0_choice;
-        slice2_best_above_0_0 <= slice2winner4_best_above_0_0;
-      else
-        slice2_best_cost_0_0 <= slice1_best_cost_0_0;
-        slice2_best_index_0_0 <= slice1_best_index_0_0;
-        slice2_best_below_0_0 <= slice1_best_below_0_0;
-        slice2_best_above_0_0 <= slice2_best_above_0_0_choice;
-      end if;
-      if (slice2_best_second_0_0_choices(2) - slice2_best_second_0_0_choices(4)) < 0 then
-        slice2_best_second_0_0 <= slice2_best_second_0_0_choices(2);
-      else
-        slice2_best_second_0_0 <= slice2_best_second_0_0_choices(4);
-      end if;
-      if (slice2winner4_best_but_last_0_0 - slice1_best_late_cost_0_0) < 0 then
-        slice2_best_but_last_0_0 <= slice2winner4_best_but_last_0_0;
-      else
-        slice2_best_but_last_0_0 <= slice1_best_late_cost_0_0;
-      end if;
+      slice2_best_tag <= slice1_best_tag;
+      slice2_best_cost_0_0 <= choice(slice2_best_cost_0_0_is_less, slice2winner4_best_cost_0_0, slice1_best_cost_0_0);
+      slice2_best_index_0_0 <= choice(slice2_best_cost_0_0_is_less, slice2winner4_best_index_0_0 + 32,
+        slice1_best_index_0_0);
+      slice2_best_below_0_0 <= choice(slice2_best_cost_0_0_is_less, slice2_best_below_0_0_choice,
+        slice1_best_below_0_0);
+      slice2_best_above_0_0 <= choice(slice2_best_cost_0_0_is_less, slice2winner4_best_above_0_0,
+        slice2_best_above_0_0_choice);
+      slice2_best_second_0_0 <= choice((slice2_best_second_0_0_choices(2) - slice2_best_second_0_0_choices(4)) < 0,
+        slice2_best_second_0_0_choices(2), slice2_best_second_0_0_choices(4));
+      slice2_best_but_last_0_0 <= choice((slice2winner4_best_but_last_0_0 - slice1_best_late_cost_0_0) < 0,
+        slice2winner4_best_but_last_0_0, slice1_best_late_cost_0_0);
       -- slice3shift
-      if slice0cost_pixels_tag_valid then
+      if slice0cost_pixels_tag.valid then
         for i in 0 to 1 loop
           slice3shift_search(i, 0) <= slice2shift_search_out(i);
           for j in 1 to 15 loop
@@ -5761,83 +2852,75 @@ begin
           end loop;
         end loop;
       end if;
-      slice3shift_reference(0) <= slice2shift_reference(0);
-      slice3shift_reference(1) <= slice2shift_reference(1);
+      slice3shift_reference <= slice2shift_reference;
       -- slice3cost
       for i in 0 to 1 loop
-        slice3cost_pixels_first_0_count_value(i, 0) := is_set(slice3shift_reference(i), 2);
-        slice3cost_pixels_first_0_count_value_2(i, 0) := is_set(slice3shift_reference(i), 1);
-        slice3cost_pixels_first_0_count_value(i, 1) := is_set(slice3shift_reference(i), 3);
-        slice3cost_pixels_first_0_count_value_2(i, 1) := is_set(slice3shift_reference(i), 5);
-        slice3cost_pixels_first_0_count_1_value_3(i) := is_set(slice3shift_reference(i), 4);
-        slice3cost_pixels_first_0_count_value(i, 2) := is_set(slice3shift_reference(i), 8);
-        slice3cost_pixels_first_0_count_value_2(i, 2) := is_set(slice3shift_reference(i), 6);
+        slice3cost_pixels_first_0_count_value(i, 0, 1) := is_set(slice3shift_reference(i), 2);
+        slice3cost_pixels_first_0_count_value(i, 0, 2) := is_set(slice3shift_reference(i), 1);
+        slice3cost_pixels_first_0_count_value(i, 1, 1) := is_set(slice3shift_reference(i), 3);
+        slice3cost_pixels_first_0_count_value(i, 1, 2) := is_set(slice3shift_reference(i), 5);
+        slice3cost_pixels_first_0_count_value(i, 1, 3) := is_set(slice3shift_reference(i), 4);
+        slice3cost_pixels_first_0_count_value(i, 2, 1) := is_set(slice3shift_reference(i), 8);
+        slice3cost_pixels_first_0_count_value(i, 2, 2) := is_set(slice3shift_reference(i), 6);
         for j in 3 to 7 loop
-          slice3cost_pixels_first_0_count_value(i, j) := is_set(slice3shift_reference(i), 3 * j);
-          slice3cost_pixels_first_0_count_value_2(i, j) := is_set(slice3shift_reference(i), 3 * j + 2);
-          slice3cost_pixels_first_0_count_value_3(i, j) := is_set(slice3shift_reference(i), 3 * j + 1);
+          slice3cost_pixels_first_0_count_value(i, j, 1) := is_set(slice3shift_reference(i), 3 * j);
+          slice3cost_pixels_first_0_count_value(i, j, 2) := is_set(slice3shift_reference(i), 3 * j + 2);
+          slice3cost_pixels_first_0_count_value(i, j, 3) := is_set(slice3shift_reference(i), 3 * j + 1);
         end loop;
-        slice3cost_pixels_first_0_count_value(i, 8) := is_set(slice3shift_reference(i), 24);
+        slice3cost_pixels_first_0_count_value(i, 8, 1) := is_set(slice3shift_reference(i), 24);
       end loop;
       for i in 0 to 3 loop
         for j in 0 to 3 loop
-          if slice0window_change_tag_first_group then
-            slice3cost_column_0_choice(4 * i + j) := 0;
-          else
-            slice3cost_column_0_choice(4 * i + j) := to_integer(slice3cost_ready_words(i)(8 * j + 7 downto 8 * j));
-          end if;
-          if slice0window_change_tag_border_column then
-            slice3cost_column_0_choice_2(4 * i + j) := 0;
-          else
-            slice3cost_column_0_choice_2(4 * i + j) := (slice3cost_change_0(4 * i + j) + slice3cost_column_0_choice(4 *
-              i + j)) mod 256;
-          end if;
+          slice3cost_column_0_choice(4 * i + j, 1) := choice(slice0window_change_tag.first_group, 0,
+            to_integer(slice3cost_ready_words(i)(8 * j + 7 downto 8 * j)));
+          slice3cost_column_0_choice(4 * i + j, 2) := choice(slice0window_change_tag.border_column, 0,
+            (slice3cost_change_0(4 * i + j) + slice3cost_column_0_choice(4 * i + j, 1)) mod 256);
         end loop;
       end loop;
       for i in 0 to 1 loop
         slice3cost_pixels_first_count(i, 0, 0) <= as_number((is_set(slice3shift_search(i, 0), 0) /=
-          is_set(slice3shift_reference(i), 0))) + as_number((slice3cost_pixels_first_0_count_value(i, 0) /=
-          is_set(slice3shift_search(i, 0), 2))) + as_number((slice3cost_pixels_first_0_count_value_2(i, 0) /=
+          is_set(slice3shift_reference(i), 0))) + as_number((slice3cost_pixels_first_0_count_value(i, 0, 1) /=
+          is_set(slice3shift_search(i, 0), 2))) + as_number((slice3cost_pixels_first_0_count_value(i, 0, 2) /=
           is_set(slice3shift_search(i, 0), 1)));
-        slice3cost_pixels_first_count(i, 0, 1) <= as_number((slice3cost_pixels_first_0_count_value(i, 1) /=
-          is_set(slice3shift_search(i, 0), 3))) + as_number((slice3cost_pixels_first_0_count_value_2(i, 1) /=
-          is_set(slice3shift_search(i, 0), 5))) + as_number((slice3cost_pixels_first_0_count_1_value_3(i) /=
+        slice3cost_pixels_first_count(i, 0, 1) <= as_number((slice3cost_pixels_first_0_count_value(i, 1, 1) /=
+          is_set(slice3shift_search(i, 0), 3))) + as_number((slice3cost_pixels_first_0_count_value(i, 1, 2) /=
+          is_set(slice3shift_search(i, 0), 5))) + as_number((slice3cost_pixels_first_0_count_value(i, 1, 3) /=
           is_set(slice3shift_search(i, 0), 4)));
         slice3cost_pixels_first_count(i, 0, 2) <= (to_integer(((to_unsigned((slice3shift_search(i, 0) mod 256), 8)) xor
           (to_unsigned((slice3shift_reference(i) mod 256), 8)))) / 128) +
-          as_number((slice3cost_pixels_first_0_count_value(i, 2) /= is_set(slice3shift_search(i, 0), 8))) +
-          as_number((slice3cost_pixels_first_0_count_value_2(i, 2) /= is_set(slice3shift_search(i, 0), 6)));
+          as_number((slice3cost_pixels_first_0_count_value(i, 2, 1) /= is_set(slice3shift_search(i, 0), 8))) +
+          as_number((slice3cost_pixels_first_0_count_value(i, 2, 2) /= is_set(slice3shift_search(i, 0), 6)));
         for j in 3 to 7 loop
-          slice3cost_pixels_first_count(i, 0, j) <= as_number((slice3cost_pixels_first_0_count_value(i, j) /=
-            is_set(slice3shift_search(i, 0), 3 * j))) + as_number((slice3cost_pixels_first_0_count_value_2(i, j) /=
-            is_set(slice3shift_search(i, 0), 3 * j + 2))) + as_number((slice3cost_pixels_first_0_count_value_3(i, j) /=
-            is_set(slice3shift_search(i, 0), 3 * j + 1)));
+          slice3cost_pixels_first_count(i, 0, j) <= as_number((slice3cost_pixels_first_0_count_value(i, j, 1) /=
+            is_set(slice3shift_search(i, 0), 3 * j))) + as_number((slice3cost_pixels_first_0_count_value(i, j, 2) /=
+            is_set(slice3shift_search(i, 0), 3 * j + 2))) + as_number((slice3cost_pixels_first_0_count_value(i, j, 3)
+            /= is_set(slice3shift_search(i, 0), 3 * j + 1)));
         end loop;
         slice3cost_pixels_first_count_8(i, 0) <= as_number((is_set(slice3shift_reference(i), 25) /=
-          is_set(slice3shift_search(i, 0), 25))) + as_number((slice3cost_pixels_first_0_count_value(i, 8) /=
+          is_set(slice3shift_search(i, 0), 25))) + as_number((slice3cost_pixels_first_0_count_value(i, 8, 1) /=
           is_set(slice3shift_search(i, 0), 24)));
         for j in 1 to 15 loop
           slice3cost_pixels_first_count(i, j, 0) <= as_number((is_set(slice3shift_search(i, j), 0) /=
             is_set(slice3shift_reference(i), 0))) + as_number((is_set(slice3shift_search(i, j), 2) /=
-            slice3cost_pixels_first_0_count_value(i, 0))) + as_number((is_set(slice3shift_search(i, j), 1) /=
-            slice3cost_pixels_first_0_count_value_2(i, 0)));
+            slice3cost_pixels_first_0_count_value(i, 0, 1))) + as_number((is_set(slice3shift_search(i, j), 1) /=
+            slice3cost_pixels_first_0_count_value(i, 0, 2)));
           slice3cost_pixels_first_count(i, j, 1) <= as_number((is_set(slice3shift_search(i, j), 3) /=
-            slice3cost_pixels_first_0_count_value(i, 1))) + as_number((is_set(slice3shift_search(i, j), 5) /=
-            slice3cost_pixels_first_0_count_value_2(i, 1))) + as_number((is_set(slice3shift_search(i, j), 4) /=
-            slice3cost_pixels_first_0_count_1_value_3(i)));
+            slice3cost_pixels_first_0_count_value(i, 1, 1))) + as_number((is_set(slice3shift_search(i, j), 5) /=
+            slice3cost_pixels_first_0_count_value(i, 1, 2))) + as_number((is_set(slice3shift_search(i, j), 4) /=
+            slice3cost_pixels_first_0_count_value(i, 1, 3)));
           slice3cost_pixels_first_count(i, j, 2) <= (to_integer(((to_unsigned((slice3shift_search(i, j) mod 256), 8))
             xor (to_unsigned((slice3shift_reference(i) mod 256), 8)))) / 128) + as_number((is_set(slice3shift_search(i,
-            j), 8) /= slice3cost_pixels_first_0_count_value(i, 2))) + as_number((is_set(slice3shift_search(i, j), 6) /=
-            slice3cost_pixels_first_0_count_value_2(i, 2)));
+            j), 8) /= slice3cost_pixels_first_0_count_value(i, 2, 1))) + as_number((is_set(slice3shift_search(i, j), 6)
+            /= slice3cost_pixels_first_0_count_value(i, 2, 2)));
           for k in 3 to 7 loop
             slice3cost_pixels_first_count(i, j, k) <= as_number((is_set(slice3shift_search(i, j), 3 * k) /=
-              slice3cost_pixels_first_0_count_value(i, k))) + as_number((is_set(slice3shift_search(i, j), 3 * k + 2) /=
-              slice3cost_pixels_first_0_count_value_2(i, k))) + as_number((is_set(slice3shift_search(i, j), 3 * k + 1)
-              /= slice3cost_pixels_first_0_count_value_3(i, k)));
+              slice3cost_pixels_first_0_count_value(i, k, 1))) + as_number((is_set(slice3shift_search(i, j), 3 * k + 2)
+              /= slice3cost_pixels_first_0_count_value(i, k, 2))) + as_number((is_set(slice3shift_search(i, j), 3 * k +
+              1) /= slice3cost_pixels_first_0_count_value(i, k, 3)));
           end loop;
           slice3cost_pixels_first_count_8(i, j) <= as_number((is_set(slice3shift_search(i, j), 25) /=
             is_set(slice3shift_reference(i), 25))) + as_number((is_set(slice3shift_search(i, j), 24) /=
-            slice3cost_pixels_first_0_count_value(i, 8)));
+            slice3cost_pixels_first_0_count_value(i, 8, 1)));
         end loop;
       end loop;
       for i in 0 to 1 loop
@@ -5853,392 +2936,139 @@ begin
       for i in 0 to 15 loop
         slice3cost_change_0(i) <= slice3cost_pixels_cost(1, i) - slice3cost_pixels_cost(0, i);
       end loop;
-      slice3cost_ready_words(0) <= slice3cost_read_words(0);
-      slice3cost_ready_words(1) <= slice3cost_read_words(1);
-      slice3cost_ready_words(2) <= slice3cost_read_words(2);
-      slice3cost_ready_words(3) <= slice3cost_read_words(3);
+      slice3cost_ready_words <= slice3cost_read_words;
       slice3cost_ready_column <= slice3cost_change_column;
       for i in 0 to 15 loop
-        slice3cost_column_0(i) <= slice3cost_column_0_choice_2(i);
+        slice3cost_column_0(i) <= slice3cost_column_0_choice(i, 2);
       end loop;
-      if slice0cost_ready_tag_valid then
-        if slice0cost_ready_tag_row_start then
-          slice3cost_read_column <= 0;
-        else
-          slice3cost_read_column <= (slice3cost_read_column + 1) mod 1024;
-        end if;
+      if slice0cost_ready_tag.valid then
+        slice3cost_read_column <= choice(slice0cost_ready_tag.row_start, 0, (slice3cost_read_column + 1) mod 1024);
       end if;
-      if slice0window_change_tag_valid then
+      if slice0window_change_tag.valid then
         slice3cost_write_column <= slice3cost_ready_column;
         for i in 0 to 3 loop
-          slice3cost_write_words(i) <= to_unsigned(slice3cost_column_0_choice_2(4 * i + 3), 8) &
-            to_unsigned(slice3cost_column_0_choice_2(4 * i + 2), 8) & to_unsigned(slice3cost_column_0_choice_2(4 * i +
-            1), 8) & to_unsigned(slice3cost_column_0_choice_2(4 * i), 8);
+          slice3cost_write_words(i) <= to_unsigned(slice3cost_column_0_choice(4 * i + 3, 2), 8) &
+            to_unsigned(slice3cost_column_0_choice(4 * i + 2, 2), 8) & to_unsigned(slice3cost_column_0_choice(4 * i +
+            1, 2), 8) & to_unsigned(slice3cost_column_0_choice(4 * i, 2), 8);
         end loop;
       end if;
       -- slice3window
-      if slice0window_tag_valid then
+      if slice0window_tag.valid then
         slice3window_ring_write_address <= slice3window_ring_read_address;
-        if slice3window_ring_read_address = 9 then
-          slice3window_ring_read_address <= 0;
-        else
-          slice3window_ring_read_address <= (slice3window_ring_read_address + 1) mod 16;
-        end if;
+        slice3window_ring_read_address <= choice(slice3window_ring_read_address = 9, 0, (slice3window_ring_read_address
+          + 1) mod 16);
       end if;
-      for i in 0 to 1 loop
+      for i in 0 to 3 loop
         for j in 0 to 3 loop
-          if slice2window_change_tag_leaves_window then
-            slice3window_change_0_choice(8 * i + j) := to_integer(slice3window_leaving(2 * i)(8 * j + 7 downto 8 * j));
-          else
-            slice3window_change_0_choice(8 * i + j) := 0;
-          end if;
-        end loop;
-        for j in 4 to 7 loop
-          if slice2window_change_tag_leaves_window then
-            slice3window_change_0_choice(8 * i + j) := to_integer(slice3window_leaving(2 * i + 1)(8 * j - 25 downto 8 *
-              j - 32));
-          else
-            slice3window_change_0_choice(8 * i + j) := 0;
-          end if;
+          slice3window_change_0_choice(4 * i + j) := choice(slice2window_change_tag.leaves_window,
+            to_integer(slice3window_leaving(i)(8 * j + 7 downto 8 * j)), 0);
         end loop;
       end loop;
-      for i in 0 to 15 loop
-        slice3window_entering_0(i) <= slice3cost_column_0(i);
-      end loop;
+      slice3window_entering_0 <= slice3cost_column_0;
       for i in 0 to 15 loop
         slice3window_change_0(i) <= slice3window_entering_0(i) - slice3window_change_0_choice(i);
       end loop;
-      slice3window_change_tag_first_cost <= slice2window_change_tag_first_cost;
-      slice3window_change_tag_output_column <= slice1window_centre_output_column(0);
-      slice3window_change_tag_first_column <= slice1window_centre_first_column(0);
+      slice3window_change_tag.first_cost <= slice2window_change_tag.first_cost;
+      slice3window_change_tag.output_column <= slice1window_centre_output_column(0);
+      slice3window_change_tag.first_column <= slice1window_centre_first_column(0);
       for i in 0 to 15 loop
-        if slice3window_change_tag_first_cost then
-          slice3window_sum_0_choice(i) := 0;
-        else
-          slice3window_sum_0_choice(i) := slice3window_sum_0(i);
-        end if;
+        slice3window_sum_0_choice(i) := choice(slice3window_change_tag.first_cost, 0, slice3window_sum_0(i));
       end loop;
-      if slice0winner2_tag_valid then
+      if slice0winner2_tag.valid then
         for i in 0 to 15 loop
           slice3window_sum_0(i) <= (slice3window_sum_0_choice(i) + slice3window_change_0(i)) mod 4096;
         end loop;
         slice3window_centre_map_column(0) <= slice2window_centre_map_column_0;
-        slice3window_centre_map_column(1) <= slice3window_centre_map_column(0);
-        slice3window_centre_map_column(2) <= slice3window_centre_map_column(1);
-        slice3window_centre_output_column(0) <= slice3window_change_tag_output_column;
-        slice3window_centre_output_column(1) <= slice3window_centre_output_column(0);
-        slice3window_centre_output_column(2) <= slice3window_centre_output_column(1);
-        slice3window_centre_first_column(0) <= slice3window_change_tag_first_column;
-        slice3window_centre_first_column(1) <= slice3window_centre_first_column(0);
-        slice3window_centre_first_column(2) <= slice3window_centre_first_column(1);
+        slice3window_centre_map_column(1 to 2) <= slice3window_centre_map_column(0 to 1);
+        slice3window_centre_output_column(0) <= slice3window_change_tag.output_column;
+        slice3window_centre_output_column(1 to 2) <= slice3window_centre_output_column(0 to 1);
+        slice3window_centre_first_column(0) <= slice3window_change_tag.first_column;
+        slice3window_centre_first_column(1 to 2) <= slice3window_centre_first_column(0 to 1);
         slice3window_centre_end_of_line(0) <= slice2window_centre_end_of_line_0;
-        slice3window_centre_end_of_line(1) <= slice3window_centre_end_of_line(0);
-        slice3window_centre_end_of_line(2) <= slice3window_centre_end_of_line(1);
+        slice3window_centre_end_of_line(1 to 2) <= slice3window_centre_end_of_line(0 to 1);
       end if;
       -- slice3other
-      slice3other_cost_0_0_any := (not slice0winner3_tag_output_column) or (not slice0winner3_tag_first_column);
-      if (slice3window_sum_0(0) - slice2other_cost_out_0) < 0 then
-        slice3other_cost_0_choice(0) := not slice0winner3_tag_output_column;
-      else
-        slice3other_cost_0_choice(0) := slice3other_cost_0_0_any;
-      end if;
+      slice3other_cost_0_0_any := (not slice0winner3_tag.output_column) or (not slice0winner3_tag.first_column);
+      slice3other_cost_0_choice(0) := choice((slice3window_sum_0(0) - slice2other_cost_out_0) < 0, not
+        slice0winner3_tag.output_column, slice3other_cost_0_0_any);
       for i in 1 to 14 loop
-        if (slice3window_sum_0(i) - slice3other_cost_0(i - 1)) < 0 then
-          slice3other_cost_0_choice(i) := not slice0winner3_tag_output_column;
-        else
-          slice3other_cost_0_choice(i) := slice3other_cost_0_0_any;
-        end if;
+        slice3other_cost_0_choice(i) := choice((slice3window_sum_0(i) - slice3other_cost_0(i - 1)) < 0, not
+          slice0winner3_tag.output_column, slice3other_cost_0_0_any);
       end loop;
-      if slice0winner3_tag_valid then
-        if slice3other_cost_0_choice(0) then
-          slice3other_cost_0(0) <= slice2other_cost_out_0;
-          slice3other_winner_0_0 <= slice2other_winner_out_0;
-        else
-          slice3other_cost_0(0) <= slice3window_sum_0(0);
-          slice3other_winner_0_0 <= 48;
-        end if;
-        if slice3other_cost_0_choice(1) then
-          slice3other_cost_0(1) <= slice3other_cost_0(0);
-          slice3other_winner_0_1 <= slice3other_winner_0_0;
-        else
-          slice3other_cost_0(1) <= slice3window_sum_0(1);
-          slice3other_winner_0_1 <= 49;
-        end if;
-        if slice3other_cost_0_choice(2) then
-          slice3other_cost_0(2) <= slice3other_cost_0(1);
-          slice3other_winner_0_2 <= slice3other_winner_0_1;
-        else
-          slice3other_cost_0(2) <= slice3window_sum_0(2);
-          slice3other_winner_0_2 <= 50;
-        end if;
-        if slice3other_cost_0_choice(3) then
-          slice3other_cost_0(3) <= slice3other_cost_0(2);
-          slice3other_winner_0_3 <= slice3other_winner_0_2;
-        else
-          slice3other_cost_0(3) <= slice3window_sum_0(3);
-          slice3other_winner_0_3 <= 51;
-        end if;
-        if slice3other_cost_0_choice(4) then
-          slice3other_cost_0(4) <= slice3other_cost_0(3);
-          slice3other_winner_0_4 <= slice3other_winner_0_3;
-        else
-          slice3other_cost_0(4) <= slice3window_sum_0(4);
-          slice3other_winner_0_4 <= 52;
-        end if;
-        if slice3other_cost_0_choice(5) then
-          slice3other_cost_0(5) <= slice3other_cost_0(4);
-          slice3other_winner_0_5 <= slice3other_winner_0_4;
-        else
-          slice3other_cost_0(5) <= slice3window_sum_0(5);
-          slice3other_winner_0_5 <= 53;
-        end if;
-        if slice3other_cost_0_choice(6) then
-          slice3other_cost_0(6) <= slice3other_cost_0(5);
-          slice3other_winner_0_6 <= slice3other_winner_0_5;
-        else
-          slice3other_cost_0(6) <= slice3window_sum_0(6);
-          slice3other_winner_0_6 <= 54;
-        end if;
-        if slice3other_cost_0_choice(7) then
-          slice3other_cost_0(7) <= slice3other_cost_0(6);
-          slice3other_winner_0_7 <= slice3other_winner_0_6;
-        else
-          slice3other_cost_0(7) <= slice3window_sum_0(7);
-          slice3other_winner_0_7 <= 55;
-        end if;
-        if slice3other_cost_0_choice(8) then
-          slice3other_cost_0(8) <= slice3other_cost_0(7);
-          slice3other_winner_0_8 <= slice3other_winner_0_7;
-        else
-          slice3other_cost_0(8) <= slice3window_sum_0(8);
-          slice3other_winner_0_8 <= 56;
-        end if;
-        if slice3other_cost_0_choice(9) then
-          slice3other_cost_0(9) <= slice3other_cost_0(8);
-          slice3other_winner_0_9 <= slice3other_winner_0_8;
-        else
-          slice3other_cost_0(9) <= slice3window_sum_0(9);
-          slice3other_winner_0_9 <= 57;
-        end if;
-        if slice3other_cost_0_choice(10) then
-          slice3other_cost_0(10) <= slice3other_cost_0(9);
-          slice3other_winner_0_10 <= slice3other_winner_0_9;
-        else
-          slice3other_cost_0(10) <= slice3window_sum_0(10);
-          slice3other_winner_0_10 <= 58;
-        end if;
-        if slice3other_cost_0_choice(11) then
-          slice3other_cost_0(11) <= slice3other_cost_0(10);
-          slice3other_winner_0_11 <= slice3other_winner_0_10;
-        else
-          slice3other_cost_0(11) <= slice3window_sum_0(11);
-          slice3other_winner_0_11 <= 59;
-        end if;
-        if slice3other_cost_0_choice(12) then
-          slice3other_cost_0(12) <= slice3other_cost_0(11);
-          slice3other_winner_0_12 <= slice3other_winner_0_11;
-        else
-          slice3other_cost_0(12) <= slice3window_sum_0(12);
-          slice3other_winner_0_12 <= 60;
-        end if;
-        if slice3other_cost_0_choice(13) then
-          slice3other_cost_0(13) <= slice3other_cost_0(12);
-          slice3other_winner_0_13 <= slice3other_winner_0_12;
-        else
-          slice3other_cost_0(13) <= slice3window_sum_0(13);
-          slice3other_winner_0_13 <= 61;
-        end if;
-        if slice3other_cost_0_choice(14) then
-          slice3other_cost_0(14) <= slice3other_cost_0(13);
-          slice3other_winner_0_14 <= slice3other_winner_0_13;
-        else
-          slice3other_cost_0(14) <= slice3window_sum_0(14);
-          slice3other_winner_0_14 <= 62;
-        end if;
-        if (not slice0winner3_tag_output_column) or ((not slice0winner3_tag_first_column) and ((slice3window_sum_0(15)
-          - slice3other_cost_0(14)) >= 0)) then
-          slice3other_winner_0_15 <= slice3other_winner_0_14;
-        else
-          slice3other_winner_0_15 <= 63;
-        end if;
+      if slice0winner3_tag.valid then
+        slice3other_cost_0(0) <= choice(slice3other_cost_0_choice(0), slice2other_cost_out_0, slice3window_sum_0(0));
+        slice3other_winner_0(0) <= choice(slice3other_cost_0_choice(0), slice2other_winner_out_0, 48);
+        for i in 1 to 14 loop
+          slice3other_cost_0(i) <= choice(slice3other_cost_0_choice(i), slice3other_cost_0(i - 1),
+            slice3window_sum_0(i));
+          slice3other_winner_0(i) <= choice(slice3other_cost_0_choice(i), slice3other_winner_0(i - 1), i + 48);
+        end loop;
+        slice3other_winner_0(15) <= choice((not slice0winner3_tag.output_column) or ((not
+          slice0winner3_tag.first_column) and ((slice3window_sum_0(15) - slice3other_cost_0(14)) >= 0)),
+          slice3other_winner_0(14), 63);
       end if;
-      slice3other_winner_out_0 <= slice3other_winner_0_15;
+      slice3other_winner_out_0 <= slice3other_winner_0(15);
       -- slice3winner1
       for i in 0 to 7 loop
         slice3winner1_best_cost_0_is_less(i) := (slice3window_sum_0(2 * i + 1) - slice3window_sum_0(2 * i)) < 0;
       end loop;
-      for i in 0 to 15 loop
-        slice3winner1_held_0(i) <= slice3window_sum_0(i);
-      end loop;
+      slice3winner1_held_0 <= slice3window_sum_0;
       slice3winner1_best_index_0_0 <= slice3winner1_best_cost_0_is_less(0);
       slice3winner1_best_place_0_2 <= slice3winner1_best_cost_0_is_less(2);
       slice3winner1_best_place_0_4 <= slice3winner1_best_cost_0_is_less(4);
       slice3winner1_best_place_0_6 <= slice3winner1_best_cost_0_is_less(6);
-      for i in 0 to 7 loop
-        slice3winner1_best_late_cost_0(i) <= slice3winner1_best_cost_0(i);
-      end loop;
+      slice3winner1_best_late_cost_0 <= slice3winner1_best_cost_0;
       for i in 0 to 7 loop
         slice3winner1_best_but_first_0(i) <= slice3winner1_held_0(2 * i + 1);
       end loop;
       for i in 0 to 6 loop
         slice3winner1_best_but_last_0(i) <= slice3winner1_held_0(2 * i);
       end loop;
-      if slice3winner1_best_cost_0_is_less(0) then
-        slice3winner1_best_cost_0(0) <= slice3window_sum_0(1);
-        slice3winner1_best_below_0(0) <= slice3window_sum_0(0);
-        slice3winner1_best_above_0(0) <= 0;
-      else
-        slice3winner1_best_cost_0(0) <= slice3window_sum_0(0);
-        slice3winner1_best_below_0(0) <= 0;
-        slice3winner1_best_above_0(0) <= slice3window_sum_0(1);
-      end if;
-      if slice3winner1_best_cost_0_is_less(1) then
-        slice3winner1_best_cost_0(1) <= slice3window_sum_0(3);
-        slice3winner1_best_index_0_1 <= 3;
-        slice3winner1_best_below_0(1) <= slice3window_sum_0(2);
-        slice3winner1_best_above_0(1) <= 0;
-      else
-        slice3winner1_best_cost_0(1) <= slice3window_sum_0(2);
-        slice3winner1_best_index_0_1 <= 2;
-        slice3winner1_best_below_0(1) <= 0;
-        slice3winner1_best_above_0(1) <= slice3window_sum_0(3);
-      end if;
-      if slice3winner1_best_cost_0_is_less(2) then
-        slice3winner1_best_cost_0(2) <= slice3window_sum_0(5);
-        slice3winner1_best_index_0_2 <= 5;
-        slice3winner1_best_below_0(2) <= slice3window_sum_0(4);
-        slice3winner1_best_above_0(2) <= 0;
-      else
-        slice3winner1_best_cost_0(2) <= slice3window_sum_0(4);
-        slice3winner1_best_index_0_2 <= 4;
-        slice3winner1_best_below_0(2) <= 0;
-        slice3winner1_best_above_0(2) <= slice3window_sum_0(5);
-      end if;
-      if slice3winner1_best_cost_0_is_less(3) then
-        slice3winner1_best_cost_0(3) <= slice3window_sum_0(7);
-        slice3winner1_best_index_0_3 <= 7;
-        slice3winner1_best_below_0(3) <= slice3window_sum_0(6);
-        slice3winner1_best_above_0(3) <= 0;
-      else
-        slice3winner1_best_cost_0(3) <= slice3window_sum_0(6);
-        slice3winner1_best_index_0_3 <= 6;
-        slice3winner1_best_below_0(3) <= 0;
-        slice3winner1_best_above_0(3) <= slice3window_sum_0(7);
-      end if;
-      if slice3winner1_best_cost_0_is_less(4) then
-        slice3winner1_best_cost_0(4) <= slice3window_sum_0(9);
-        slice3winner1_best_index_0_4 <= 9;
-        slice3winner1_best_below_0(4) <= slice3window_sum_0(8);
-        slice3winner1_best_above_0(4) <= 0;
-      else
-        slice3winner1_best_cost_0(4) <= slice3window_sum_0(8);
-        slice3winner1_best_index_0_4 <= 8;
-        slice3winner1_best_below_0(4) <= 0;
-        slice3winner1_best_above_0(4) <= slice3window_sum_0(9);
-      end if;
-      if slice3winner1_best_cost_0_is_less(5) then
-        slice3winner1_best_cost_0(5) <= slice3window_sum_0(11);
-        slice3winner1_best_index_0_5 <= 11;
-        slice3winner1_best_below_0(5) <= slice3window_sum_0(10);
-        slice3winner1_best_above_0(5) <= 0;
-      else
-        slice3winner1_best_cost_0(5) <= slice3window_sum_0(10);
-        slice3winner1_best_index_0_5 <= 10;
-        slice3winner1_best_below_0(5) <= 0;
-        slice3winner1_best_above_0(5) <= slice3window_sum_0(11);
-      end if;
-      if slice3winner1_best_cost_0_is_less(6) then
-        slice3winner1_best_cost_0(6) <= slice3window_sum_0(13);
-        slice3winner1_best_index_0_6 <= 13;
-        slice3winner1_best_below_0(6) <= slice3window_sum_0(12);
-        slice3winner1_best_above_0(6) <= 0;
-      else
-        slice3winner1_best_cost_0(6) <= slice3window_sum_0(12);
-        slice3winner1_best_index_0_6 <= 12;
-        slice3winner1_best_below_0(6) <= 0;
-        slice3winner1_best_above_0(6) <= slice3window_sum_0(13);
-      end if;
-      if slice3winner1_best_cost_0_is_less(7) then
-        slice3winner1_best_cost_0(7) <= slice3window_sum_0(15);
-        slice3winner1_best_index_0_7 <= 15;
-        slice3winner1_best_below_0(7) <= slice3window_sum_0(14);
-        slice3winner1_best_above_0(7) <= 0;
-      else
-        slice3winner1_best_cost_0(7) <= slice3window_sum_0(14);
-        slice3winner1_best_index_0_7 <= 14;
-        slice3winner1_best_below_0(7) <= 0;
-        slice3winner1_best_above_0(7) <= slice3window_sum_0(15);
-      end if;
+      slice3winner1_best_cost_0(0) <= choice(slice3winner1_best_cost_0_is_less(0), slice3window_sum_0(1),
+        slice3window_sum_0(0));
+      for i in 0 to 6 loop
+        slice3winner1_best_below_0(i) <= choice(slice3winner1_best_cost_0_is_less(i), slice3window_sum_0(2 * i), 0);
+        slice3winner1_best_above_0(i) <= choice(slice3winner1_best_cost_0_is_less(i), 0, slice3window_sum_0(2 * i + 1));
+        slice3winner1_best_cost_0(i + 1) <= choice(slice3winner1_best_cost_0_is_less(i + 1), slice3window_sum_0(2 * i +
+          3), slice3window_sum_0(2 * i + 2));
+        slice3winner1_best_index_0(i + 1) <= choice(slice3winner1_best_cost_0_is_less(i + 1), 2 * i + 3, 2 * i + 2);
+      end loop;
+      slice3winner1_best_below_0(7) <= choice(slice3winner1_best_cost_0_is_less(7), slice3window_sum_0(14), 0);
+      slice3winner1_best_above_0(7) <= choice(slice3winner1_best_cost_0_is_less(7), 0, slice3window_sum_0(15));
       -- slice3winner2
       for i in 0 to 3 loop
         slice3winner2_best_cost_0_is_less(i) := (slice3winner1_best_cost_0(2 * i + 1) - slice3winner1_best_cost_0(2 *
           i)) < 0;
       end loop;
-      slice3winner2_best_below_0_is_equal(0) := slice3winner1_best_index_0_1 = 2;
-      if slice3winner2_best_below_0_is_equal(0) then
-        slice3winner2_best_below_0_choice(0) := slice3winner1_held_0(1);
-      else
-        slice3winner2_best_below_0_choice(0) := slice3winner1_best_below_0(1);
-      end if;
-      slice3winner2_best_below_0_is_equal(1) := slice3winner1_best_index_0_3 = 6;
-      if slice3winner2_best_below_0_is_equal(1) then
-        slice3winner2_best_below_0_choice(1) := slice3winner1_held_0(5);
-      else
-        slice3winner2_best_below_0_choice(1) := slice3winner1_best_below_0(3);
-      end if;
-      slice3winner2_best_below_0_is_equal(2) := (slice3winner1_best_index_0_5 mod 4) = 2;
-      if is_set(slice3winner1_best_index_0_5, 3) and slice3winner2_best_below_0_is_equal(2) then
-        slice3winner2_best_below_0_choice(2) := slice3winner1_held_0(9);
-      else
-        slice3winner2_best_below_0_choice(2) := slice3winner1_best_below_0(5);
-      end if;
-      slice3winner2_best_below_0_is_equal(3) := slice3winner1_best_index_0_7 = 14;
-      if slice3winner2_best_below_0_is_equal(3) then
-        slice3winner2_best_below_0_choice(3) := slice3winner1_held_0(13);
-      else
-        slice3winner2_best_below_0_choice(3) := slice3winner1_best_below_0(7);
-      end if;
-      if slice3winner1_best_index_0_0 then
-        slice3winner2_best_above_0_choice(0) := slice3winner1_held_0(2);
-      else
-        slice3winner2_best_above_0_choice(0) := slice3winner1_best_above_0(0);
-      end if;
-      if slice3winner1_best_place_0_2 then
-        slice3winner2_best_above_0_choice(1) := slice3winner1_held_0(6);
-      else
-        slice3winner2_best_above_0_choice(1) := slice3winner1_best_above_0(2);
-      end if;
-      if slice3winner1_best_place_0_4 then
-        slice3winner2_best_above_0_choice(2) := slice3winner1_held_0(10);
-      else
-        slice3winner2_best_above_0_choice(2) := slice3winner1_best_above_0(4);
-      end if;
-      if slice3winner1_best_place_0_6 then
-        slice3winner2_best_above_0_choice(3) := slice3winner1_held_0(14);
-      else
-        slice3winner2_best_above_0_choice(3) := slice3winner1_best_above_0(6);
-      end if;
+      slice3winner2_best_below_0_is_equal(0) := slice3winner1_best_index_0(1) = 2;
+      slice3winner2_best_below_0_choice(0) := choice(slice3winner2_best_below_0_is_equal(0), slice3winner1_held_0(1),
+        slice3winner1_best_below_0(1));
+      slice3winner2_best_below_0_is_equal(1) := slice3winner1_best_index_0(3) = 6;
+      slice3winner2_best_below_0_choice(1) := choice(slice3winner2_best_below_0_is_equal(1), slice3winner1_held_0(5),
+        slice3winner1_best_below_0(3));
+      slice3winner2_best_below_0_is_equal(2) := (slice3winner1_best_index_0(5) mod 4) = 2;
+      slice3winner2_best_below_0_choice(2) := choice(is_set(slice3winner1_best_index_0(5), 3) and
+        slice3winner2_best_below_0_is_equal(2), slice3winner1_held_0(9), slice3winner1_best_below_0(5));
+      slice3winner2_best_below_0_is_equal(3) := slice3winner1_best_index_0(7) = 14;
+      slice3winner2_best_below_0_choice(3) := choice(slice3winner2_best_below_0_is_equal(3), slice3winner1_held_0(13),
+        slice3winner1_best_below_0(7));
+      slice3winner2_best_above_0_choice(0) := choice(slice3winner1_best_index_0_0, slice3winner1_held_0(2),
+        slice3winner1_best_above_0(0));
+      slice3winner2_best_above_0_choice(1) := choice(slice3winner1_best_place_0_2, slice3winner1_held_0(6),
+        slice3winner1_best_above_0(2));
+      slice3winner2_best_above_0_choice(2) := choice(slice3winner1_best_place_0_4, slice3winner1_held_0(10),
+        slice3winner1_best_above_0(4));
+      slice3winner2_best_above_0_choice(3) := choice(slice3winner1_best_place_0_6, slice3winner1_held_0(14),
+        slice3winner1_best_above_0(6));
       for i in 0 to 3 loop
-        if slice3winner2_best_place_0(i) then
-          slice3winner2_best_second_0_choice(i) := 4095;
-        else
-          slice3winner2_best_second_0_choice(i) := slice3winner1_best_late_cost_0(2 * i + 1);
-        end if;
-        if slice3winner2_best_at_end_0(i) then
-          slice3winner2_best_second_0_choices(i, 2) := slice3winner1_best_but_first_0(2 * i + 1);
-        else
-          slice3winner2_best_second_0_choices(i, 2) := slice3winner2_best_second_0_choice(i);
-        end if;
-        if slice3winner2_best_place_0(i) then
-          slice3winner2_best_second_0_choices(i, 3) := slice3winner1_best_late_cost_0(2 * i);
-        else
-          slice3winner2_best_second_0_choices(i, 3) := 4095;
-        end if;
-        if slice3winner2_best_at_start_0(i) then
-          slice3winner2_best_second_0_choices(i, 4) := slice3winner1_best_but_last_0(2 * i);
-        else
-          slice3winner2_best_second_0_choices(i, 4) := slice3winner2_best_second_0_choices(i, 3);
-        end if;
+        slice3winner2_best_second_0_choice(i, 1) := choice(slice3winner2_best_place_0(i), 4095,
+          slice3winner1_best_late_cost_0(2 * i + 1));
+        slice3winner2_best_second_0_choice(i, 2) := choice(slice3winner2_best_at_end_0(i),
+          slice3winner1_best_but_first_0(2 * i + 1), slice3winner2_best_second_0_choice(i, 1));
+        slice3winner2_best_second_0_choice(i, 3) := choice(slice3winner2_best_place_0(i),
+          slice3winner1_best_late_cost_0(2 * i), 4095);
+        slice3winner2_best_second_0_choice(i, 4) := choice(slice3winner2_best_at_start_0(i),
+          slice3winner1_best_but_last_0(2 * i), slice3winner2_best_second_0_choice(i, 3));
       end loop;
       slice3winner2_best_first_0(0) <= slice3winner1_held_0(0);
       slice3winner2_best_first_0(1) <= slice3winner1_held_0(4);
@@ -6247,16 +3077,13 @@ begin
       slice3winner2_best_last_0(0) <= slice3winner1_held_0(3);
       slice3winner2_best_last_0(1) <= slice3winner1_held_0(7);
       slice3winner2_best_last_0(2) <= slice3winner1_held_0(11);
-      slice3winner2_best_place_0(0) <= slice3winner2_best_cost_0_is_less(0);
-      slice3winner2_best_place_0(1) <= slice3winner2_best_cost_0_is_less(1);
-      slice3winner2_best_place_0(2) <= slice3winner2_best_cost_0_is_less(2);
-      slice3winner2_best_place_0(3) <= slice3winner2_best_cost_0_is_less(3);
+      slice3winner2_best_place_0 <= slice3winner2_best_cost_0_is_less;
       slice3winner2_best_at_start_0(0) <= slice3winner2_best_cost_0_is_less(0) and
         slice3winner2_best_below_0_is_equal(0);
       slice3winner2_best_at_start_0(1) <= slice3winner2_best_cost_0_is_less(1) and
         slice3winner2_best_below_0_is_equal(1);
-      slice3winner2_best_at_start_0(2) <= slice3winner2_best_cost_0_is_less(2) and is_set(slice3winner1_best_index_0_5,
-        3) and slice3winner2_best_below_0_is_equal(2);
+      slice3winner2_best_at_start_0(2) <= slice3winner2_best_cost_0_is_less(2) and
+        is_set(slice3winner1_best_index_0(5), 3) and slice3winner2_best_below_0_is_equal(2);
       slice3winner2_best_at_start_0(3) <= slice3winner2_best_below_0_is_equal(3) and
         slice3winner2_best_cost_0_is_less(3);
       slice3winner2_best_at_end_0(0) <= slice3winner1_best_index_0_0 and ((slice3winner1_best_cost_0(1) -
@@ -6267,129 +3094,69 @@ begin
         slice3winner1_best_cost_0(4)) >= 0);
       slice3winner2_best_at_end_0(3) <= slice3winner1_best_place_0_6 and ((slice3winner1_best_cost_0(7) -
         slice3winner1_best_cost_0(6)) >= 0);
-      slice3winner2_best_late_cost_0(0) <= slice3winner2_best_cost_0(0);
-      slice3winner2_best_late_cost_0(1) <= slice3winner2_best_cost_0(1);
-      slice3winner2_best_late_cost_0(2) <= slice3winner2_best_cost_0(2);
-      slice3winner2_best_late_cost_0(3) <= slice3winner2_best_cost_0(3);
-      if slice3winner2_best_cost_0_is_less(0) then
-        slice3winner2_best_cost_0(0) <= slice3winner1_best_cost_0(1);
-        slice3winner2_best_index_0_0 <= slice3winner1_best_index_0_1;
-        slice3winner2_best_below_0(0) <= slice3winner2_best_below_0_choice(0);
-        slice3winner2_best_above_0(0) <= slice3winner1_best_above_0(1);
-      else
-        slice3winner2_best_cost_0(0) <= slice3winner1_best_cost_0(0);
-        slice3winner2_best_index_0_0 <= as_number(slice3winner1_best_index_0_0);
-        slice3winner2_best_below_0(0) <= slice3winner1_best_below_0(0);
-        slice3winner2_best_above_0(0) <= slice3winner2_best_above_0_choice(0);
-      end if;
-      if slice3winner2_best_cost_0_is_less(1) then
-        slice3winner2_best_cost_0(1) <= slice3winner1_best_cost_0(3);
-        slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_3;
-        slice3winner2_best_below_0(1) <= slice3winner2_best_below_0_choice(1);
-        slice3winner2_best_above_0(1) <= slice3winner1_best_above_0(3);
-      else
-        slice3winner2_best_cost_0(1) <= slice3winner1_best_cost_0(2);
-        slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_2;
-        slice3winner2_best_below_0(1) <= slice3winner1_best_below_0(2);
-        slice3winner2_best_above_0(1) <= slice3winner2_best_above_0_choice(1);
-      end if;
-      if slice3winner2_best_cost_0_is_less(2) then
-        slice3winner2_best_cost_0(2) <= slice3winner1_best_cost_0(5);
-        slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_5;
-        slice3winner2_best_below_0(2) <= slice3winner2_best_below_0_choice(2);
-        slice3winner2_best_above_0(2) <= slice3winner1_best_above_0(5);
-      else
-        slice3winner2_best_cost_0(2) <= slice3winner1_best_cost_0(4);
-        slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_4;
-        slice3winner2_best_below_0(2) <= slice3winner1_best_below_0(4);
-        slice3winner2_best_above_0(2) <= slice3winner2_best_above_0_choice(2);
-      end if;
-      if slice3winner2_best_cost_0_is_less(3) then
-        slice3winner2_best_cost_0(3) <= slice3winner1_best_cost_0(7);
-        slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_7;
-        slice3winner2_best_below_0(3) <= slice3winner2_best_below_0_choice(3);
-        slice3winner2_best_above_0(3) <= slice3winner1_best_above_0(7);
-      else
-        slice3winner2_best_cost_0(3) <= slice3winner1_best_cost_0(6);
-        slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_6;
-        slice3winner2_best_below_0(3) <= slice3winner1_best_below_0(6);
-        slice3winner2_best_above_0(3) <= slice3winner2_best_above_0_choice(3);
-      end if;
+      slice3winner2_best_late_cost_0 <= slice3winner2_best_cost_0;
+      slice3winner2_best_cost_0(0) <= choice(slice3winner2_best_cost_0_is_less(0), slice3winner1_best_cost_0(1),
+        slice3winner1_best_cost_0(0));
+      slice3winner2_best_index_0(0) <= choice(slice3winner2_best_cost_0_is_less(0), slice3winner1_best_index_0(1),
+        as_number(slice3winner1_best_index_0_0));
+      for i in 0 to 2 loop
+        slice3winner2_best_below_0(i) <= choice(slice3winner2_best_cost_0_is_less(i),
+          slice3winner2_best_below_0_choice(i), slice3winner1_best_below_0(2 * i));
+        slice3winner2_best_above_0(i) <= choice(slice3winner2_best_cost_0_is_less(i), slice3winner1_best_above_0(2 * i
+          + 1), slice3winner2_best_above_0_choice(i));
+        slice3winner2_best_cost_0(i + 1) <= choice(slice3winner2_best_cost_0_is_less(i + 1),
+          slice3winner1_best_cost_0(2 * i + 3), slice3winner1_best_cost_0(2 * i + 2));
+        slice3winner2_best_index_0(i + 1) <= choice(slice3winner2_best_cost_0_is_less(i + 1),
+          slice3winner1_best_index_0(2 * i + 3), slice3winner1_best_index_0(2 * i + 2));
+      end loop;
+      slice3winner2_best_below_0(3) <= choice(slice3winner2_best_cost_0_is_less(3),
+        slice3winner2_best_below_0_choice(3), slice3winner1_best_below_0(6));
+      slice3winner2_best_above_0(3) <= choice(slice3winner2_best_cost_0_is_less(3), slice3winner1_best_above_0(7),
+        slice3winner2_best_above_0_choice(3));
       for i in 0 to 3 loop
-        if (slice3winner2_best_second_0_choices(i, 2) - slice3winner2_best_second_0_choices(i, 4)) < 0 then
-          slice3winner2_best_second_0(i) <= slice3winner2_best_second_0_choices(i, 2);
-        else
-          slice3winner2_best_second_0(i) <= slice3winner2_best_second_0_choices(i, 4);
-        end if;
+        slice3winner2_best_second_0(i) <= choice((slice3winner2_best_second_0_choice(i, 2) -
+          slice3winner2_best_second_0_choice(i, 4)) < 0, slice3winner2_best_second_0_choice(i, 2),
+          slice3winner2_best_second_0_choice(i, 4));
       end loop;
       for i in 0 to 3 loop
-        if (slice3winner1_best_late_cost_0(2 * i + 1) - slice3winner1_best_but_first_0(2 * i)) < 0 then
-          slice3winner2_best_but_first_0(i) <= slice3winner1_best_late_cost_0(2 * i + 1);
-        else
-          slice3winner2_best_but_first_0(i) <= slice3winner1_best_but_first_0(2 * i);
-        end if;
+        slice3winner2_best_but_first_0(i) <= choice((slice3winner1_best_late_cost_0(2 * i + 1) -
+          slice3winner1_best_but_first_0(2 * i)) < 0, slice3winner1_best_late_cost_0(2 * i + 1),
+          slice3winner1_best_but_first_0(2 * i));
       end loop;
       for i in 0 to 2 loop
-        if (slice3winner1_best_but_last_0(2 * i + 1) - slice3winner1_best_late_cost_0(2 * i)) < 0 then
-          slice3winner2_best_but_last_0(i) <= slice3winner1_best_but_last_0(2 * i + 1);
-        else
-          slice3winner2_best_but_last_0(i) <= slice3winner1_best_late_cost_0(2 * i);
-        end if;
+        slice3winner2_best_but_last_0(i) <= choice((slice3winner1_best_but_last_0(2 * i + 1) -
+          slice3winner1_best_late_cost_0(2 * i)) < 0, slice3winner1_best_but_last_0(2 * i + 1),
+          slice3winner1_best_late_cost_0(2 * i));
       end loop;
       -- slice3winner3
       slice3winner3_best_cost_0_is_less(0) := (slice3winner2_best_cost_0(1) - slice3winner2_best_cost_0(0)) < 0;
       slice3winner3_best_cost_0_is_less(1) := (slice3winner2_best_cost_0(3) - slice3winner2_best_cost_0(2)) < 0;
-      slice3winner3_best_below_0_is_equal(0) := slice3winner2_best_index_0_1 = 4;
-      if slice3winner3_best_below_0_is_equal(0) then
-        slice3winner3_best_below_0_choice(0) := slice3winner2_best_last_0(0);
-      else
-        slice3winner3_best_below_0_choice(0) := slice3winner2_best_below_0(1);
-      end if;
-      slice3winner3_best_below_0_is_equal(1) := slice3winner2_best_index_0_3 = 12;
-      if slice3winner3_best_below_0_is_equal(1) then
-        slice3winner3_best_below_0_choice(1) := slice3winner2_best_last_0(2);
-      else
-        slice3winner3_best_below_0_choice(1) := slice3winner2_best_below_0(3);
-      end if;
-      slice3winner3_best_above_0_is_equal(0) := slice3winner2_best_index_0_0 = 3;
-      if slice3winner3_best_above_0_is_equal(0) then
-        slice3winner3_best_above_0_choice(0) := slice3winner2_best_first_0(1);
-      else
-        slice3winner3_best_above_0_choice(0) := slice3winner2_best_above_0(0);
-      end if;
-      slice3winner3_best_above_0_is_equal(1) := (slice3winner2_best_index_0_2 mod 4) = 3;
-      if is_set(slice3winner2_best_index_0_2, 3) and slice3winner3_best_above_0_is_equal(1) then
-        slice3winner3_best_above_0_choice(1) := slice3winner2_best_first_0(3);
-      else
-        slice3winner3_best_above_0_choice(1) := slice3winner2_best_above_0(2);
-      end if;
+      slice3winner3_best_below_0_is_equal(0) := slice3winner2_best_index_0(1) = 4;
+      slice3winner3_best_below_0_choice(0) := choice(slice3winner3_best_below_0_is_equal(0),
+        slice3winner2_best_last_0(0), slice3winner2_best_below_0(1));
+      slice3winner3_best_below_0_is_equal(1) := slice3winner2_best_index_0(3) = 12;
+      slice3winner3_best_below_0_choice(1) := choice(slice3winner3_best_below_0_is_equal(1),
+        slice3winner2_best_last_0(2), slice3winner2_best_below_0(3));
+      slice3winner3_best_above_0_is_equal(0) := slice3winner2_best_index_0(0) = 3;
+      slice3winner3_best_above_0_choice(0) := choice(slice3winner3_best_above_0_is_equal(0),
+        slice3winner2_best_first_0(1), slice3winner2_best_above_0(0));
+      slice3winner3_best_above_0_is_equal(1) := (slice3winner2_best_index_0(2) mod 4) = 3;
+      slice3winner3_best_above_0_choice(1) := choice(is_set(slice3winner2_best_index_0(2), 3) and
+        slice3winner3_best_above_0_is_equal(1), slice3winner2_best_first_0(3), slice3winner2_best_above_0(2));
       for i in 0 to 1 loop
-        if slice3winner3_best_place_0(i) then
-          slice3winner3_best_second_0_choice(i) := slice3winner2_best_second_0(2 * i + 1);
-        else
-          slice3winner3_best_second_0_choice(i) := slice3winner2_best_late_cost_0(2 * i + 1);
-        end if;
-        if slice3winner3_best_at_end_0(i) then
-          slice3winner3_best_second_0_choices(i, 2) := slice3winner2_best_but_first_0(2 * i + 1);
-        else
-          slice3winner3_best_second_0_choices(i, 2) := slice3winner3_best_second_0_choice(i);
-        end if;
-        if slice3winner3_best_place_0(i) then
-          slice3winner3_best_second_0_choices(i, 3) := slice3winner2_best_late_cost_0(2 * i);
-        else
-          slice3winner3_best_second_0_choices(i, 3) := slice3winner2_best_second_0(2 * i);
-        end if;
-        if slice3winner3_best_at_start_0(i) then
-          slice3winner3_best_second_0_choices(i, 4) := slice3winner2_best_but_last_0(2 * i);
-        else
-          slice3winner3_best_second_0_choices(i, 4) := slice3winner3_best_second_0_choices(i, 3);
-        end if;
+        slice3winner3_best_second_0_choice(i, 1) := choice(slice3winner3_best_place_0(i), slice3winner2_best_second_0(2
+          * i + 1), slice3winner2_best_late_cost_0(2 * i + 1));
+        slice3winner3_best_second_0_choice(i, 2) := choice(slice3winner3_best_at_end_0(i),
+          slice3winner2_best_but_first_0(2 * i + 1), slice3winner3_best_second_0_choice(i, 1));
+        slice3winner3_best_second_0_choice(i, 3) := choice(slice3winner3_best_place_0(i),
+          slice3winner2_best_late_cost_0(2 * i), slice3winner2_best_second_0(2 * i));
+        slice3winner3_best_second_0_choice(i, 4) := choice(slice3winner3_best_at_start_0(i),
+          slice3winner2_best_but_last_0(2 * i), slice3winner3_best_second_0_choice(i, 3));
       end loop;
       slice3winner3_best_first_0(0) <= slice3winner2_best_first_0(0);
       slice3winner3_best_first_0(1) <= slice3winner2_best_first_0(2);
       slice3winner3_best_last_0_0 <= slice3winner2_best_last_0(1);
-      slice3winner3_best_place_0(0) <= slice3winner3_best_cost_0_is_less(0);
-      slice3winner3_best_place_0(1) <= slice3winner3_best_cost_0_is_less(1);
+      slice3winner3_best_place_0 <= slice3winner3_best_cost_0_is_less;
       slice3winner3_best_at_start_0(0) <= slice3winner3_best_cost_0_is_less(0) and
         slice3winner3_best_below_0_is_equal(0);
       slice3winner3_best_at_start_0(1) <= slice3winner3_best_below_0_is_equal(1) and
@@ -6397,171 +3164,96 @@ begin
       slice3winner3_best_at_end_0(0) <= ((slice3winner2_best_cost_0(1) - slice3winner2_best_cost_0(0)) >= 0) and
         slice3winner3_best_above_0_is_equal(0);
       slice3winner3_best_at_end_0(1) <= ((slice3winner2_best_cost_0(3) - slice3winner2_best_cost_0(2)) >= 0) and
-        is_set(slice3winner2_best_index_0_2, 3) and slice3winner3_best_above_0_is_equal(1);
-      slice3winner3_best_late_cost_0(0) <= slice3winner3_best_cost_0(0);
-      slice3winner3_best_late_cost_0(1) <= slice3winner3_best_cost_0(1);
-      if slice3winner3_best_cost_0_is_less(0) then
-        slice3winner3_best_cost_0(0) <= slice3winner2_best_cost_0(1);
-        slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_1;
-        slice3winner3_best_below_0(0) <= slice3winner3_best_below_0_choice(0);
-        slice3winner3_best_above_0(0) <= slice3winner2_best_above_0(1);
-      else
-        slice3winner3_best_cost_0(0) <= slice3winner2_best_cost_0(0);
-        slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_0;
-        slice3winner3_best_below_0(0) <= slice3winner2_best_below_0(0);
-        slice3winner3_best_above_0(0) <= slice3winner3_best_above_0_choice(0);
-      end if;
-      if slice3winner3_best_cost_0_is_less(1) then
-        slice3winner3_best_cost_0(1) <= slice3winner2_best_cost_0(3);
-        slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_3;
-        slice3winner3_best_below_0(1) <= slice3winner3_best_below_0_choice(1);
-        slice3winner3_best_above_0(1) <= slice3winner2_best_above_0(3);
-      else
-        slice3winner3_best_cost_0(1) <= slice3winner2_best_cost_0(2);
-        slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_2;
-        slice3winner3_best_below_0(1) <= slice3winner2_best_below_0(2);
-        slice3winner3_best_above_0(1) <= slice3winner3_best_above_0_choice(1);
-      end if;
+        is_set(slice3winner2_best_index_0(2), 3) and slice3winner3_best_above_0_is_equal(1);
+      slice3winner3_best_late_cost_0 <= slice3winner3_best_cost_0;
       for i in 0 to 1 loop
-        if (slice3winner3_best_second_0_choices(i, 2) - slice3winner3_best_second_0_choices(i, 4)) < 0 then
-          slice3winner3_best_second_0(i) <= slice3winner3_best_second_0_choices(i, 2);
-        else
-          slice3winner3_best_second_0(i) <= slice3winner3_best_second_0_choices(i, 4);
-        end if;
+        slice3winner3_best_cost_0(i) <= choice(slice3winner3_best_cost_0_is_less(i), slice3winner2_best_cost_0(2 * i +
+          1), slice3winner2_best_cost_0(2 * i));
+        slice3winner3_best_index_0(i) <= choice(slice3winner3_best_cost_0_is_less(i), slice3winner2_best_index_0(2 * i
+          + 1), slice3winner2_best_index_0(2 * i));
+        slice3winner3_best_below_0(i) <= choice(slice3winner3_best_cost_0_is_less(i),
+          slice3winner3_best_below_0_choice(i), slice3winner2_best_below_0(2 * i));
+        slice3winner3_best_above_0(i) <= choice(slice3winner3_best_cost_0_is_less(i), slice3winner2_best_above_0(2 * i
+          + 1), slice3winner3_best_above_0_choice(i));
       end loop;
-      for i in 0 to 1 loop
-        if (slice3winner2_best_late_cost_0(2 * i + 1) - slice3winner2_best_but_first_0(2 * i)) < 0 then
-          slice3winner3_best_but_first_0(i) <= slice3winner2_best_late_cost_0(2 * i + 1);
-        else
-          slice3winner3_best_but_first_0(i) <= slice3winner2_best_but_first_0(2 * i);
-        end if;
-      end loop;
-      if (slice3winner2_best_but_last_0(1) - slice3winner2_best_late_cost_0(0)) < 0 then
-        slice3winner3_best_but_last_0_0 <= slice3winner2_best_but_last_0(1);
-      else
-        slice3winner3_best_but_last_0_0 <= slice3winner2_best_late_cost_0(0);
-      end if;
+      slice3winner3_best_second_0(0) <= choice((slice3winner3_best_second_0_choice(0, 2) -
+        slice3winner3_best_second_0_choice(0, 4)) < 0, slice3winner3_best_second_0_choice(0, 2),
+        slice3winner3_best_second_0_choice(0, 4));
+      slice3winner3_best_second_0(1) <= choice((slice3winner3_best_second_0_choice(1, 2) -
+        slice3winner3_best_second_0_choice(1, 4)) < 0, slice3winner3_best_second_0_choice(1, 2),
+        slice3winner3_best_second_0_choice(1, 4));
+      slice3winner3_best_but_first_0(0) <= choice((slice3winner2_best_late_cost_0(1) -
+        slice3winner2_best_but_first_0(0)) < 0, slice3winner2_best_late_cost_0(1), slice3winner2_best_but_first_0(0));
+      slice3winner3_best_but_first_0(1) <= choice((slice3winner2_best_late_cost_0(3) -
+        slice3winner2_best_but_first_0(2)) < 0, slice3winner2_best_late_cost_0(3), slice3winner2_best_but_first_0(2));
+      slice3winner3_best_but_last_0_0 <= choice((slice3winner2_best_but_last_0(1) - slice3winner2_best_late_cost_0(0))
+        < 0, slice3winner2_best_but_last_0(1), slice3winner2_best_late_cost_0(0));
       -- slice3winner4
       slice3winner4_best_cost_0_0_is_less := (slice3winner3_best_cost_0(1) - slice3winner3_best_cost_0(0)) < 0;
-      slice3winner4_best_below_0_0_is_equal := slice3winner3_best_index_0_1 = 8;
-      if slice3winner4_best_below_0_0_is_equal then
-        slice3winner4_best_below_0_0_choice := slice3winner3_best_last_0_0;
-      else
-        slice3winner4_best_below_0_0_choice := slice3winner3_best_below_0(1);
-      end if;
-      slice3winner4_best_above_0_0_is_equal := slice3winner3_best_index_0_0 = 7;
-      if slice3winner4_best_above_0_0_is_equal then
-        slice3winner4_best_above_0_0_choice := slice3winner3_best_first_0(1);
-      else
-        slice3winner4_best_above_0_0_choice := slice3winner3_best_above_0(0);
-      end if;
-      if slice3winner4_best_place_0_0 then
-        slice3winner4_best_second_0_0_choice := slice3winner3_best_second_0(1);
-      else
-        slice3winner4_best_second_0_0_choice := slice3winner3_best_late_cost_0(1);
-      end if;
-      if slice3winner4_best_at_end_0_0 then
-        slice3winner4_best_second_0_0_choices(2) := slice3winner3_best_but_first_0(1);
-      else
-        slice3winner4_best_second_0_0_choices(2) := slice3winner4_best_second_0_0_choice;
-      end if;
-      if slice3winner4_best_place_0_0 then
-        slice3winner4_best_second_0_0_choices(3) := slice3winner3_best_late_cost_0(0);
-      else
-        slice3winner4_best_second_0_0_choices(3) := slice3winner3_best_second_0(0);
-      end if;
-      if slice3winner4_best_at_start_0_0 then
-        slice3winner4_best_second_0_0_choices(4) := slice3winner3_best_but_last_0_0;
-      else
-        slice3winner4_best_second_0_0_choices(4) := slice3winner4_best_second_0_0_choices(3);
-      end if;
+      slice3winner4_best_below_0_0_is_equal := slice3winner3_best_index_0(1) = 8;
+      slice3winner4_best_below_0_0_choice := choice(slice3winner4_best_below_0_0_is_equal, slice3winner3_best_last_0_0,
+        slice3winner3_best_below_0(1));
+      slice3winner4_best_above_0_0_is_equal := slice3winner3_best_index_0(0) = 7;
+      slice3winner4_best_above_0_0_choice := choice(slice3winner4_best_above_0_0_is_equal,
+        slice3winner3_best_first_0(1), slice3winner3_best_above_0(0));
+      slice3winner4_best_second_0_0_choices(1) := choice(slice3winner4_best_place_0_0, slice3winner3_best_second_0(1),
+        slice3winner3_best_late_cost_0(1));
+      slice3winner4_best_second_0_0_choices(2) := choice(slice3winner4_best_at_end_0_0,
+        slice3winner3_best_but_first_0(1), slice3winner4_best_second_0_0_choices(1));
+      slice3winner4_best_second_0_0_choices(3) := choice(slice3winner4_best_place_0_0,
+        slice3winner3_best_late_cost_0(0), slice3winner3_best_second_0(0));
+      slice3winner4_best_second_0_0_choices(4) := choice(slice3winner4_best_at_start_0_0,
+        slice3winner3_best_but_last_0_0, slice3winner4_best_second_0_0_choices(3));
       slice3winner4_best_first_0_0 <= slice3winner3_best_first_0(0);
       slice3winner4_best_place_0_0 <= slice3winner4_best_cost_0_0_is_less;
       slice3winner4_best_at_start_0_0 <= slice3winner4_best_below_0_0_is_equal and slice3winner4_best_cost_0_0_is_less;
       slice3winner4_best_at_end_0_0 <= ((slice3winner3_best_cost_0(1) - slice3winner3_best_cost_0(0)) >= 0) and
         slice3winner4_best_above_0_0_is_equal;
       slice3winner4_best_late_cost_0_0 <= slice3winner4_best_cost_0_0;
-      if slice3winner4_best_cost_0_0_is_less then
-        slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0(1);
-        slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_1;
-        slice3winner4_best_below_0_0 <= slice3winner4_best_below_0_0_choice;
-        slice3winner4_best_above_0_0 <= slice3winner3_best_above_0(1);
-      else
-        slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0(0);
-        slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_0;
-        slice3winner4_best_below_0_0 <= slice3winner3_best_below_0(0);
-        slice3winner4_best_above_0_0 <= slice3winner4_best_above_0_0_choice;
-      end if;
-      if (slice3winner4_best_second_0_0_choices(2) - slice3winner4_best_second_0_0_choices(4)) < 0 then
-        slice3winner4_best_second_0_0 <= slice3winner4_best_second_0_0_choices(2);
-      else
-        slice3winner4_best_second_0_0 <= slice3winner4_best_second_0_0_choices(4);
-      end if;
-      if (slice3winner3_best_late_cost_0(1) - slice3winner3_best_but_first_0(0)) < 0 then
-        slice3winner4_best_but_first_0_0 <= slice3winner3_best_late_cost_0(1);
-      else
-        slice3winner4_best_but_first_0_0 <= slice3winner3_best_but_first_0(0);
-      end if;
+      slice3winner4_best_cost_0_0 <= choice(slice3winner4_best_cost_0_0_is_less, slice3winner3_best_cost_0(1),
+        slice3winner3_best_cost_0(0));
+      slice3winner4_best_index_0_0 <= choice(slice3winner4_best_cost_0_0_is_less, slice3winner3_best_index_0(1),
+        slice3winner3_best_index_0(0));
+      slice3winner4_best_below_0_0 <= choice(slice3winner4_best_cost_0_0_is_less, slice3winner4_best_below_0_0_choice,
+        slice3winner3_best_below_0(0));
+      slice3winner4_best_above_0_0 <= choice(slice3winner4_best_cost_0_0_is_less, slice3winner3_best_above_0(1),
+        slice3winner4_best_above_0_0_choice);
+      slice3winner4_best_second_0_0 <= choice((slice3winner4_best_second_0_0_choices(2) -
+        slice3winner4_best_second_0_0_choices(4)) < 0, slice3winner4_best_second_0_0_choices(2),
+        slice3winner4_best_second_0_0_choices(4));
+      slice3winner4_best_but_first_0_0 <= choice((slice3winner3_best_late_cost_0(1) -
+        slice3winner3_best_but_first_0(0)) < 0, slice3winner3_best_late_cost_0(1), slice3winner3_best_but_first_0(0));
       -- slice3
       slice3_best_cost_0_0_is_less := (slice3winner4_best_cost_0_0 - slice2_best_cost_0_0) < 0;
       slice3_best_below_0_0_is_equal := slice3winner4_best_index_0_0 = 0;
-      if slice3_best_below_0_0_is_equal then
-        slice3_best_below_0_0_choice := slice2_best_last_0_0;
-      else
-        slice3_best_below_0_0_choice := slice3winner4_best_below_0_0;
-      end if;
+      slice3_best_below_0_0_choice := choice(slice3_best_below_0_0_is_equal, slice2_best_last_0_0,
+        slice3winner4_best_below_0_0);
       slice3_best_above_0_0_is_equal := slice2_best_index_0_0 = 47;
-      if slice3_best_above_0_0_is_equal then
-        slice3_best_above_0_0_choice := slice3winner4_best_first_0_0;
-      else
-        slice3_best_above_0_0_choice := slice2_best_above_0_0;
-      end if;
-      if slice3_best_place_0_0 then
-        slice3_best_second_0_0_choice := slice3winner4_best_second_0_0;
-      else
-        slice3_best_second_0_0_choice := slice3winner4_best_late_cost_0_0;
-      end if;
-      if slice3_best_at_end_0_0 then
-        slice3_best_second_0_0_choices(2) := slice3winner4_best_but_first_0_0;
-      else
-        slice3_best_second_0_0_choices(2) := slice3_best_second_0_0_choice;
-      end if;
-      if slice3_best_place_0_0 then
-        slice3_best_second_0_0_choices(3) := slice2_best_late_cost_0_0;
-      else
-        slice3_best_second_0_0_choices(3) := slice2_best_second_0_0;
-      end if;
-      if slice3_best_at_start_0_0 then
-        slice3_best_second_0_0_choices(4) := slice2_best_but_last_0_0;
-      else
-        slice3_best_second_0_0_choices(4) := slice3_best_second_0_0_choices(3);
-      end if;
+      slice3_best_above_0_0_choice := choice(slice3_best_above_0_0_is_equal, slice3winner4_best_first_0_0,
+        slice2_best_above_0_0);
+      slice3_best_second_0_0_choices(1) := choice(slice3_best_place_0_0, slice3winner4_best_second_0_0,
+        slice3winner4_best_late_cost_0_0);
+      slice3_best_second_0_0_choices(2) := choice(slice3_best_at_end_0_0, slice3winner4_best_but_first_0_0,
+        slice3_best_second_0_0_choices(1));
+      slice3_best_second_0_0_choices(3) := choice(slice3_best_place_0_0, slice2_best_late_cost_0_0,
+        slice2_best_second_0_0);
+      slice3_best_second_0_0_choices(4) := choice(slice3_best_at_start_0_0, slice2_best_but_last_0_0,
+        slice3_best_second_0_0_choices(3));
       slice3_best_place_0_0 <= slice3_best_cost_0_0_is_less;
       slice3_best_at_start_0_0 <= slice3_best_below_0_0_is_equal and slice3_best_cost_0_0_is_less;
       slice3_best_at_end_0_0 <= ((slice3winner4_best_cost_0_0 - slice2_best_cost_0_0) >= 0) and
         slice3_best_above_0_0_is_equal;
       slice3_best_late_cost_0_0 <= slice3_best_cost_0_0;
-      slice3_best_tag_valid <= slice2_best_tag_valid;
-      slice3_best_tag_map_column <= slice2_best_tag_map_column;
-      slice3_best_tag_output_column <= slice2_best_tag_output_column;
-      slice3_best_tag_start_of_frame <= slice2_best_tag_start_of_frame;
-      slice3_best_tag_end_of_line <= slice2_best_tag_end_of_line;
-      if slice3_best_cost_0_0_is_less then
-        slice3_best_cost_0_0 <= slice3winner4_best_cost_0_0;
-        slice3_best_index_0_0 <= slice3winner4_best_index_0_0 + 48;
-        slice3_best_below_0_0 <= slice3_best_below_0_0_choice;
-        slice3_best_above_0_0 <= slice3winner4_best_above_0_0;
-      else
-        slice3_best_cost_0_0 <= slice2_best_cost_0_0;
-        slice3_best_index_0_0 <= slice2_best_index_0_0;
-        slice3_best_below_0_0 <= slice2_best_below_0_0;
-        slice3_best_above_0_0 <= slice3_best_above_0_0_choice;
-      end if;
-      if (slice3_best_second_0_0_choices(2) - slice3_best_second_0_0_choices(4)) < 0 then
-        slice3_best_second_0_0 <= slice3_best_second_0_0_choices(2);
-      else
-        slice3_best_second_0_0 <= slice3_best_second_0_0_choices(4);
-      end if;
+      slice3_best_tag <= slice2_best_tag;
+      slice3_best_cost_0_0 <= choice(slice3_best_cost_0_0_is_less, slice3winner4_best_cost_0_0, slice2_best_cost_0_0);
+      slice3_best_index_0_0 <= choice(slice3_best_cost_0_0_is_less, slice3winner4_best_index_0_0 + 48,
+        slice2_best_index_0_0);
+      slice3_best_below_0_0 <= choice(slice3_best_cost_0_0_is_less, slice3_best_below_0_0_choice,
+        slice2_best_below_0_0);
+      slice3_best_above_0_0 <= choice(slice3_best_cost_0_0_is_less, slice3winner4_best_above_0_0,
+        slice3_best_above_0_0_choice);
+      slice3_best_second_0_0 <= choice((slice3_best_second_0_0_choices(2) - slice3_best_second_0_0_choices(4)) < 0,
+        slice3_best_second_0_0_choices(2), slice3_best_second_0_0_choices(4));
       -- refinement
       refinement_remainder_1_0_difference := (refinement_remainder_0(0) + 8192) - refinement_divisor_0(0);
       for i in 2 to 7 loop
@@ -6569,38 +3261,23 @@ begin
           1);
       end loop;
       refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
-      if refinement_divisor_0_0_is_less then
-        refinement_divisor_0_0_choice := refinement_v_0;
-      else
-        refinement_divisor_0_0_choice := refinement_u_0;
-      end if;
+      refinement_divisor_0_0_choice := choice(refinement_divisor_0_0_is_less, refinement_v_0, refinement_u_0);
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
       refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
-      if refinement_negative_0(8) then
-        refinement_fraction_0_choice := refinement_fraction_0_difference mod 256;
-      else
-        refinement_fraction_0_choice := refinement_fraction_0_value;
-      end if;
-      if refinement_negative_0(8) then
-        refinement_fraction_0_choice_2 := refinement_fraction_0_difference mod 8;
-      else
-        refinement_fraction_0_choice_2 := refinement_fraction_0_value mod 8;
-      end if;
+      refinement_fraction_0_choice := choice(refinement_negative_0(8), refinement_fraction_0_difference mod 256,
+        refinement_fraction_0_value);
+      refinement_fraction_0_choice_2 := choice(refinement_negative_0(8), refinement_fraction_0_difference mod 8,
+        refinement_fraction_0_value mod 8);
       refinement_disparity_0(0) <= slice3_best_index_0_0;
-      for i in 1 to 11 loop
-        refinement_disparity_0(i) <= refinement_disparity_0(i - 1);
-      end loop;
+      refinement_disparity_0(1 to 11) <= refinement_disparity_0(0 to 10);
       refinement_passed_0(0) <= true;
-      refinement_passed_0(1) <= refinement_passed_0(0);
-      refinement_passed_0(2) <= refinement_passed_0(1);
-      for i in 4 to 11 loop
-        refinement_passed_0(i) <= refinement_passed_0(i - 1);
-      end loop;
-      refinement_tag_valid(0) <= slice3_best_tag_valid;
-      refinement_tag_map_column(0) <= slice3_best_tag_map_column;
-      refinement_tag_output_column(0) <= slice3_best_tag_output_column;
-      refinement_tag_start_of_frame(0) <= slice3_best_tag_start_of_frame;
-      refinement_tag_end_of_line(0) <= slice3_best_tag_end_of_line;
+      refinement_passed_0(1 to 2) <= refinement_passed_0(0 to 1);
+      refinement_passed_0(4 to 11) <= refinement_passed_0(3 to 10);
+      refinement_tag_valid(0) <= slice3_best_tag.valid;
+      refinement_tag_map_column(0) <= slice3_best_tag.map_column;
+      refinement_tag_output_column(0) <= slice3_best_tag.output_column;
+      refinement_tag_start_of_frame(0) <= slice3_best_tag.start_of_frame;
+      refinement_tag_end_of_line(0) <= slice3_best_tag.end_of_line;
       for i in 1 to 11 loop
         refinement_tag_valid(i) <= refinement_tag_valid(i - 1);
         refinement_tag_map_column(i) <= refinement_tag_map_column(i - 1);
@@ -6620,79 +3297,45 @@ begin
       refinement_remainder_0(0) <= magnitude(refinement_difference_0);
       refinement_divisor_0(0) <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 12)) or
         (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 12))));
-      for i in 1 to 7 loop
-        refinement_divisor_0(i) <= refinement_divisor_0(i - 1);
-      end loop;
+      refinement_divisor_0(1 to 7) <= refinement_divisor_0(0 to 6);
       refinement_quotient_8_0 <= ((((8192 - refinement_divisor_0(7)) / 2) + refinement_remainder_0(7)) / 4096) +
         ((other_3 / 2) * 2);
       refinement_negative_0(0) <= refinement_divisor_0_0_is_less;
-      for i in 1 to 8 loop
-        refinement_negative_0(i) <= refinement_negative_0(i - 1);
-      end loop;
+      refinement_negative_0(1 to 8) <= refinement_negative_0(0 to 7);
       refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 4) * 8) + refinement_fraction_0_choice_2;
-      if refinement_alone_0(1) then
-        refinement_passed_0(3) <= refinement_passed_0(2);
-      else
-        refinement_passed_0(3) <= refinement_passed_0(2) and ((refinement_scaled_cost_0 - refinement_scaled_gap_0) < 0);
-      end if;
-      if slice3_best_index_0_0 = 0 then
-        refinement_below_0 <= slice3_best_above_0_0;
-      else
-        refinement_below_0 <= slice3_best_below_0_0;
-      end if;
-      if slice3_best_index_0_0 = 63 then
-        refinement_above_0 <= slice3_best_below_0_0;
-      else
-        refinement_above_0 <= slice3_best_above_0_0;
-      end if;
-      if is_set(refinement_remainder_1_0_difference, 13) then
-        refinement_remainder_0(1) <= refinement_remainder_1_0_difference mod 4096;
-      else
-        refinement_remainder_0(1) <= refinement_remainder_0(0);
-      end if;
+      refinement_passed_0(3) <= choice(refinement_alone_0(1), refinement_passed_0(2), refinement_passed_0(2) and
+        ((refinement_scaled_cost_0 - refinement_scaled_gap_0) < 0));
+      refinement_below_0 <= choice(slice3_best_index_0_0 = 0, slice3_best_above_0_0, slice3_best_below_0_0);
+      refinement_above_0 <= choice(slice3_best_index_0_0 = 63, slice3_best_below_0_0, slice3_best_above_0_0);
+      refinement_remainder_0(1) <= choice(is_set(refinement_remainder_1_0_difference, 13),
+        refinement_remainder_1_0_difference mod 4096, refinement_remainder_0(0));
       for i in 2 to 7 loop
-        if is_set(refinement_remainder_0_difference(i), 13) then
-          refinement_remainder_0(i) <= refinement_remainder_0_difference(i) mod 4096;
-        else
-          refinement_remainder_0(i) <= (refinement_remainder_0(i - 1) mod 2048) * 2;
-        end if;
+        refinement_remainder_0(i) <= choice(is_set(refinement_remainder_0_difference(i), 13),
+          refinement_remainder_0_difference(i) mod 4096, (refinement_remainder_0(i - 1) mod 2048) * 2);
       end loop;
       -- leftright
-      if (not is_set(leftright_ring_read_address, 5)) and ((leftright_ring_read_address mod 8) = 0) then
-        leftright_holds_winners_choice := (not leftright_holds_winners) and (is_set(leftright_ring_read_address, 4) or
-          is_set(leftright_ring_read_address, 3));
-      else
-        leftright_holds_winners_choice := not leftright_holds_winners;
-      end if;
+      leftright_holds_winners_choice := choice((not is_set(leftright_ring_read_address, 5)) and
+        ((leftright_ring_read_address mod 8) = 0), (not leftright_holds_winners) and
+        (is_set(leftright_ring_read_address, 4) or is_set(leftright_ring_read_address, 3)), not
+        leftright_holds_winners);
       leftright_address_0_value := to_integer(leftright_held_0(9 downto 4));
       leftright_checked_passed_0_difference := (leftright_answered_disparity_0 + 1) - to_integer(leftright_found_0);
       leftright_checked_tag_row_start_differs := map_counter_group /= 481;
-      leftright_checked_tag_row_start_is_equal := map_counter_column = 575;
-      if leftright_checked_tag_row_start_is_equal then
-        leftright_checked_tag_row_start_choice := leftright_checked_tag_row_start and (map_counter_group /= 480);
-      else
-        leftright_checked_tag_row_start_choice := leftright_checked_tag_row_start;
-      end if;
-      if leftright_checked_tag_row_start_differs then
-        leftright_checked_tag_row_start_choices(2) := leftright_checked_tag_row_start_choice;
-      else
-        leftright_checked_tag_row_start_choices(2) := leftright_checked_tag_row_start;
-      end if;
-      leftright_checked_tag_row_start_is_equal_2 := map_counter_group = 479;
-      leftright_checked_tag_row_start_all := leftright_checked_tag_row_start_is_equal_2 and
-        leftright_checked_tag_row_start_is_equal;
-      if leftright_checked_tag_row_start_choices(2) then
-        leftright_checked_tag_row_start_choices(3) := (not leftright_checked_tag_start_of_frame) or
-          leftright_checked_tag_row_start_all;
-      else
-        leftright_checked_tag_row_start_choices(3) := leftright_checked_tag_start_of_frame and
-          leftright_checked_tag_row_start_is_equal_2 and leftright_checked_tag_row_start_is_equal;
-      end if;
-      leftright_checked_tag_row_start_all_2 := leftright_checked_tag_valid and leftright_checked_tag_map_column;
+      leftright_checked_tag_row_start_is_equals(1) := map_counter_column = 575;
+      leftright_checked_tag_row_start_choices(1) := choice(leftright_checked_tag_row_start_is_equals(1),
+        leftright_checked_tag.row_start and (map_counter_group /= 480), leftright_checked_tag.row_start);
+      leftright_checked_tag_row_start_choices(2) := choice(leftright_checked_tag_row_start_differs,
+        leftright_checked_tag_row_start_choices(1), leftright_checked_tag.row_start);
+      leftright_checked_tag_row_start_is_equals(2) := map_counter_group = 479;
+      leftright_checked_tag_row_start_alls(1) := leftright_checked_tag_row_start_is_equals(2) and
+        leftright_checked_tag_row_start_is_equals(1);
+      leftright_checked_tag_row_start_choices(3) := choice(leftright_checked_tag_row_start_choices(2), (not
+        leftright_checked_tag.start_of_frame) or leftright_checked_tag_row_start_alls(1),
+        leftright_checked_tag.start_of_frame and leftright_checked_tag_row_start_is_equals(2) and
+        leftright_checked_tag_row_start_is_equals(1));
+      leftright_checked_tag_row_start_alls(2) := leftright_checked_tag.valid and leftright_checked_tag.map_column;
       leftright_other_0(1) <= slice3other_winner_out_0;
-      for i in 2 to 15 loop
-        leftright_other_0(i) <= leftright_other_0(i - 1);
-      end loop;
+      leftright_other_0(2 to 15) <= leftright_other_0(1 to 14);
       leftright_position <= (leftright_position + as_number(refinement_tag_valid(11))) mod 128;
       leftright_held_position <= leftright_position;
       leftright_held_valid <= (not leftright_holds_winners_choice) and refinement_tag_valid(11);
@@ -6700,186 +3343,78 @@ begin
       leftright_asking_disparity_0 <= leftright_address_0_value;
       leftright_asking_fraction_0 <= to_integer(leftright_held_0(17 downto 13));
       leftright_asking_passed_0 <= leftright_held_0(12) = '1';
-      leftright_asking_tag_valid <= leftright_held_valid;
-      leftright_asking_tag_map_column <= leftright_held_0(0) = '1';
-      leftright_asking_tag_start_of_frame <= leftright_held_0(2) = '1';
-      leftright_asking_tag_end_of_line <= leftright_held_0(3) = '1';
+      leftright_asking_tag.valid <= leftright_held_valid;
+      leftright_asking_tag.map_column <= leftright_held_0(0) = '1';
+      leftright_asking_tag.start_of_frame <= leftright_held_0(2) = '1';
+      leftright_asking_tag.end_of_line <= leftright_held_0(3) = '1';
       leftright_answered_disparity_0 <= leftright_asking_disparity_0;
       leftright_answered_fraction_0 <= leftright_asking_fraction_0;
       leftright_answered_passed_0 <= leftright_asking_passed_0;
-      leftright_answered_tag_valid <= leftright_asking_tag_valid;
-      leftright_answered_tag_map_column <= leftright_asking_tag_map_column;
-      leftright_answered_tag_start_of_frame <= leftright_asking_tag_start_of_frame;
-      leftright_answered_tag_end_of_line <= leftright_asking_tag_end_of_line;
+      leftright_answered_tag <= leftright_asking_tag;
       leftright_checked_disparity_0 <= leftright_answered_disparity_0;
       leftright_checked_fraction_0 <= leftright_answered_fraction_0;
       leftright_checked_passed_0 <= leftright_answered_passed_0 and (leftright_checked_passed_0_difference >= 0) and
         (leftright_checked_passed_0_difference < 3);
-      leftright_checked_tag_valid <= leftright_answered_tag_valid;
-      leftright_checked_tag_map_column <= leftright_answered_tag_map_column;
-      leftright_checked_tag_start_of_frame <= leftright_answered_tag_start_of_frame;
-      leftright_checked_tag_end_of_line <= leftright_answered_tag_end_of_line;
-      if leftright_holds_winners_choice then
-        leftright_holds_winners <= (not refinement_tag_valid(11)) and leftright_holds_winners;
-      else
-        leftright_holds_winners <= refinement_tag_valid(11) or leftright_holds_winners;
-      end if;
-      if leftright_checked_tag_row_start_choices(3) then
-        leftright_checked_tag_row_start <= leftright_checked_tag_row_start or leftright_checked_tag_row_start_all_2;
-      else
-        leftright_checked_tag_row_start <= leftright_checked_tag_row_start and ((not leftright_checked_tag_valid) or
-          (not leftright_checked_tag_map_column));
-      end if;
+      leftright_checked_tag.valid <= leftright_answered_tag.valid;
+      leftright_checked_tag.map_column <= leftright_answered_tag.map_column;
+      leftright_checked_tag.start_of_frame <= leftright_answered_tag.start_of_frame;
+      leftright_checked_tag.end_of_line <= leftright_answered_tag.end_of_line;
+      leftright_holds_winners <= choice(leftright_holds_winners_choice, (not refinement_tag_valid(11)) and
+        leftright_holds_winners, refinement_tag_valid(11) or leftright_holds_winners);
+      leftright_checked_tag.row_start <= choice(leftright_checked_tag_row_start_choices(3),
+        leftright_checked_tag.row_start or leftright_checked_tag_row_start_alls(2), leftright_checked_tag.row_start and
+        ((not leftright_checked_tag.valid) or (not leftright_checked_tag.map_column)));
       if refinement_tag_valid(11) then
         leftright_ring_write_address <= leftright_ring_read_address;
-        if leftright_ring_read_address = 63 then
-          leftright_ring_read_address <= 0;
-        else
-          leftright_ring_read_address <= (leftright_ring_read_address + 1) mod 64;
-        end if;
+        leftright_ring_read_address <= choice(leftright_ring_read_address = 63, 0, (leftright_ring_read_address + 1)
+          mod 64);
       end if;
       -- map
-      if leftright_checked_tag_row_start_all_2 then
-        if leftright_checked_tag_start_of_frame or leftright_checked_tag_row_start_is_equal then
-          map_counter_column <= 0;
-        else
-          map_counter_column <= (map_counter_column + 1) mod 1024;
-        end if;
+      if leftright_checked_tag_row_start_alls(2) then
+        map_counter_column <= choice(leftright_checked_tag.start_of_frame or
+          leftright_checked_tag_row_start_is_equals(1), 0, (map_counter_column + 1) mod 1024);
       end if;
-      if leftright_checked_tag_row_start_all then
-        map_counter_group_choice := 15;
-      else
-        map_counter_group_choice := 0;
-      end if;
+      map_counter_group_choice := choice(leftright_checked_tag_row_start_alls(1), 15, 0);
       map_counter_group_is_equal := map_counter_group = 480;
-      if leftright_checked_tag_row_start and map_counter_group_is_equal then
-        map_counter_group_choices(2) := 1;
-      else
-        map_counter_group_choices(2) := (map_counter_group + 1) mod 512;
-      end if;
-      if leftright_checked_tag_row_start_differs and leftright_checked_tag_row_start_is_equal and
-        leftright_checked_tag_valid and leftright_checked_tag_map_column then
-        map_counter_group_choices(3) := map_counter_group_choices(2);
-      else
-        map_counter_group_choices(3) := map_counter_group;
-      end if;
-      if leftright_checked_tag_valid then
-        map_line_ended_choice := leftright_checked_tag_map_column;
-      else
-        map_line_ended_choice := map_line_ended;
-      end if;
+      map_counter_group_choices(2) := choice(leftright_checked_tag.row_start and map_counter_group_is_equal, 1,
+        (map_counter_group + 1) mod 512);
+      map_counter_group_choices(3) := choice(leftright_checked_tag_row_start_differs and
+        leftright_checked_tag_row_start_is_equals(1) and leftright_checked_tag.valid and
+        leftright_checked_tag.map_column, map_counter_group_choices(2), map_counter_group);
+      map_line_ended_choice := choice(leftright_checked_tag.valid, leftright_checked_tag.map_column, map_line_ended);
       map_at_arrives_value := other_0(16) = '1';
-      if map_at_top then
-        map_of_column_0_a_choice := map_column_1 / 2;
-      else
-        map_of_column_0_a_choice := other_1 / 2;
-      end if;
-      if map_counter_next_frame then
-        map_of_column_0_c_choice := map_column_1 / 2;
-      else
-        map_of_column_0_c_choice := map_column_2 / 2;
-      end if;
-      if map_of_column_0_c_below_b then
-        map_sorted_low_0_choice := map_of_column_0_c;
-      else
-        map_sorted_low_0_choice := map_of_column_0_b;
-      end if;
-      if map_of_column_0_c_below_a then
-        map_sorted_low_0_choice_2 := map_of_column_0_c;
-      else
-        map_sorted_low_0_choice_2 := map_of_column_0_a;
-      end if;
-      if map_of_column_0_c_below_b then
-        map_sorted_middle_0_choice := map_of_column_0_b;
-      else
-        map_sorted_middle_0_choice := map_sorted_low_0_choice_2;
-      end if;
-      if map_of_column_0_c_below_a then
-        map_sorted_middle_0_choice_2 := map_of_column_0_a;
-      else
-        map_sorted_middle_0_choice_2 := map_sorted_low_0_choice;
-      end if;
-      if map_of_column_0_c_below_a then
-        map_sorted_high_0_choice := map_of_column_0_a;
-      else
-        map_sorted_high_0_choice := map_of_column_0_c;
-      end if;
-      if map_of_column_0_c_below_b then
-        map_sorted_high_0_choice_2 := map_of_column_0_b;
-      else
-        map_sorted_high_0_choice_2 := map_of_column_0_c;
-      end if;
+      map_of_column_0_a_choice := choice(map_at_top, map_column_1 / 2, other_1 / 2);
+      map_of_column_0_c_choice := choice(map_counter_next_frame, map_column_1 / 2, map_column_2 / 2);
+      map_sorted_low_0_choices(1) := choice(map_of_column_0_c_below_b, map_of_column_0_c, map_of_column_0_b);
+      map_sorted_low_0_choices(2) := choice(map_of_column_0_c_below_a, map_of_column_0_c, map_of_column_0_a);
+      map_sorted_middle_0_choices(1) := choice(map_of_column_0_c_below_b, map_of_column_0_b,
+        map_sorted_low_0_choices(2));
+      map_sorted_middle_0_choices(2) := choice(map_of_column_0_c_below_a, map_of_column_0_a,
+        map_sorted_low_0_choices(1));
+      map_sorted_high_0_choices(1) := choice(map_of_column_0_c_below_a, map_of_column_0_a, map_of_column_0_c);
+      map_sorted_high_0_choices(2) := choice(map_of_column_0_c_below_b, map_of_column_0_b, map_of_column_0_c);
       map_window_complete_is_equal := map_sorted_column = 0;
-      if map_window_complete_is_equal then
-        map_window_complete_choice := map_sorted_behind;
-      else
-        map_window_complete_choice := map_sorted_arrives or map_sorted_behind;
-      end if;
-      if map_of_low_0_c_below_a then
-        map_largest_low_0_choice := map_of_low_0_a;
-      else
-        map_largest_low_0_choice := map_of_low_0_c;
-      end if;
-      if map_of_low_0_c_below_b then
-        map_largest_low_0_choice_2 := map_of_low_0_b;
-      else
-        map_largest_low_0_choice_2 := map_of_low_0_c;
-      end if;
-      if map_of_middle_0_c_below_a then
-        map_median_middle_0_choice := map_of_middle_0_c;
-      else
-        map_median_middle_0_choice := map_of_middle_0_a;
-      end if;
-      if map_of_middle_0_c_below_b then
-        map_median_middle_0_choices(2) := map_of_middle_0_b;
-      else
-        map_median_middle_0_choices(2) := map_median_middle_0_choice;
-      end if;
-      if map_of_middle_0_c_below_b then
-        map_median_middle_0_choices(3) := map_of_middle_0_c;
-      else
-        map_median_middle_0_choices(3) := map_of_middle_0_b;
-      end if;
-      if map_of_middle_0_c_below_a then
-        map_median_middle_0_choices(4) := map_of_middle_0_a;
-      else
-        map_median_middle_0_choices(4) := map_median_middle_0_choices(3);
-      end if;
-      if map_of_high_0_c_below_b then
-        map_smallest_high_0_choice := map_of_high_0_c;
-      else
-        map_smallest_high_0_choice := map_of_high_0_b;
-      end if;
-      if map_of_high_0_c_below_a then
-        map_smallest_high_0_choice_2 := map_of_high_0_c;
-      else
-        map_smallest_high_0_choice_2 := map_of_high_0_a;
-      end if;
-      if map_of_all_0_c_below_a then
-        map_out_disparity_0_choice := map_of_all_0_c;
-      else
-        map_out_disparity_0_choice := map_of_all_0_a;
-      end if;
-      if map_of_all_0_c_below_b then
-        map_out_disparity_0_choices(2) := map_of_all_0_b;
-      else
-        map_out_disparity_0_choices(2) := map_out_disparity_0_choice;
-      end if;
-      if map_of_all_0_c_below_b then
-        map_out_disparity_0_choices(3) := map_of_all_0_c;
-      else
-        map_out_disparity_0_choices(3) := map_of_all_0_b;
-      end if;
-      if map_of_all_0_c_below_a then
-        map_out_disparity_0_choices(4) := map_of_all_0_a;
-      else
-        map_out_disparity_0_choices(4) := map_out_disparity_0_choices(3);
-      end if;
+      map_window_complete_choice := choice(map_window_complete_is_equal, map_sorted_behind, map_sorted_arrives or
+        map_sorted_behind);
+      map_largest_low_0_choices(1) := choice(map_of_low_0_c_below_a, map_of_low_0_a, map_of_low_0_c);
+      map_largest_low_0_choices(2) := choice(map_of_low_0_c_below_b, map_of_low_0_b, map_of_low_0_c);
+      map_median_middle_0_choices(1) := choice(map_of_middle_0_c_below_a, map_of_middle_0_c, map_of_middle_0_a);
+      map_median_middle_0_choices(2) := choice(map_of_middle_0_c_below_b, map_of_middle_0_b,
+        map_median_middle_0_choices(1));
+      map_median_middle_0_choices(3) := choice(map_of_middle_0_c_below_b, map_of_middle_0_c, map_of_middle_0_b);
+      map_median_middle_0_choices(4) := choice(map_of_middle_0_c_below_a, map_of_middle_0_a,
+        map_median_middle_0_choices(3));
+      map_smallest_high_0_choices(1) := choice(map_of_high_0_c_below_b, map_of_high_0_c, map_of_high_0_b);
+      map_smallest_high_0_choices(2) := choice(map_of_high_0_c_below_a, map_of_high_0_c, map_of_high_0_a);
+      map_out_disparity_0_choices(1) := choice(map_of_all_0_c_below_a, map_of_all_0_c, map_of_all_0_a);
+      map_out_disparity_0_choices(2) := choice(map_of_all_0_c_below_b, map_of_all_0_b, map_out_disparity_0_choices(1));
+      map_out_disparity_0_choices(3) := choice(map_of_all_0_c_below_b, map_of_all_0_c, map_of_all_0_b);
+      map_out_disparity_0_choices(4) := choice(map_of_all_0_c_below_a, map_of_all_0_a, map_out_disparity_0_choices(3));
       map_counter_next_frame <= other_0(40) = '1';
       map_newest_0 <= ((((((((leftright_checked_disparity_0 + 4095) mod 2048) * 2) + (leftright_checked_fraction_0 / 8)
         + 1) mod 4096) * 8) + (leftright_checked_fraction_0 mod 8)) * 2) + as_number(leftright_checked_passed_0);
-      map_arrives <= leftright_checked_tag_row_start_all_2;
-      map_behind <= map_line_ended and leftright_checked_tag_valid;
+      map_arrives <= leftright_checked_tag_row_start_alls(2);
+      map_behind <= map_line_ended and leftright_checked_tag.valid;
       map_rows_read_newest_0 <= map_newest_0;
       map_rows_ready_words_0 <= to_integer(map_rows_read_words_0);
       map_rows_ready_newest_0 <= map_rows_read_newest_0;
@@ -6945,76 +3480,37 @@ begin
       map_waiting_first(2) <= map_waiting_first(1);
       map_waiting_last(2) <= map_waiting_last(1);
       map_waiting_passed_0(0) <= map_passed_0(1);
-      map_waiting_passed_0(1) <= map_waiting_passed_0(0);
-      map_waiting_passed_0(2) <= map_waiting_passed_0(1);
+      map_waiting_passed_0(1 to 2) <= map_waiting_passed_0(0 to 1);
       map_out_passed_0 <= map_waiting_passed_0(2);
       map_out_valid <= map_waiting_complete(2);
       map_out_start_of_frame <= map_waiting_first(2) and map_waiting_complete(2);
       map_out_end_of_line <= map_waiting_last(2) and map_waiting_complete(2);
-      if leftright_checked_tag_start_of_frame and leftright_checked_tag_valid and leftright_checked_tag_map_column then
-        map_counter_group <= map_counter_group_choice * 32;
-      else
-        map_counter_group <= map_counter_group_choices(3);
-      end if;
-      if leftright_checked_tag_end_of_line then
-        map_line_ended <= map_line_ended_choice;
-      else
-        map_line_ended <= map_line_ended and (not leftright_checked_tag_valid);
-      end if;
-      if map_of_column_0_b_below_a then
-        map_sorted_low_0 <= map_sorted_low_0_choice;
-        map_sorted_middle_0 <= map_sorted_middle_0_choice;
-        map_sorted_high_0 <= map_sorted_high_0_choice;
-      else
-        map_sorted_low_0 <= map_sorted_low_0_choice_2;
-        map_sorted_middle_0 <= map_sorted_middle_0_choice_2;
-        map_sorted_high_0 <= map_sorted_high_0_choice_2;
-      end if;
-      if map_passed_0(0) then
-        map_passed_0(1) <= map_passed_0(1) or map_sorted_arrives or map_sorted_behind;
-      else
-        map_passed_0(1) <= map_passed_0(1) and (not map_sorted_arrives) and (not map_sorted_behind);
-      end if;
-      if map_of_low_0_b_below_a then
-        map_largest_low_0 <= map_largest_low_0_choice;
-      else
-        map_largest_low_0 <= map_largest_low_0_choice_2;
-      end if;
-      if map_of_middle_0_b_below_a then
-        map_median_middle_0 <= map_median_middle_0_choices(2);
-      else
-        map_median_middle_0 <= map_median_middle_0_choices(4);
-      end if;
-      if map_of_high_0_b_below_a then
-        map_smallest_high_0 <= map_smallest_high_0_choice;
-      else
-        map_smallest_high_0 <= map_smallest_high_0_choice_2;
-      end if;
-      if map_of_all_0_b_below_a then
-        map_out_disparity_0 <= map_out_disparity_0_choices(2);
-      else
-        map_out_disparity_0 <= map_out_disparity_0_choices(4);
-      end if;
+      map_counter_group <= choice(leftright_checked_tag.start_of_frame and leftright_checked_tag.valid and
+        leftright_checked_tag.map_column, map_counter_group_choice * 32, map_counter_group_choices(3));
+      map_line_ended <= choice(leftright_checked_tag.end_of_line, map_line_ended_choice, map_line_ended and (not
+        leftright_checked_tag.valid));
+      map_sorted_low_0 <= choice(map_of_column_0_b_below_a, map_sorted_low_0_choices(1), map_sorted_low_0_choices(2));
+      map_sorted_middle_0 <= choice(map_of_column_0_b_below_a, map_sorted_middle_0_choices(1),
+        map_sorted_middle_0_choices(2));
+      map_sorted_high_0 <= choice(map_of_column_0_b_below_a, map_sorted_high_0_choices(1),
+        map_sorted_high_0_choices(2));
+      map_passed_0(1) <= choice(map_passed_0(0), map_passed_0(1) or map_sorted_arrives or map_sorted_behind,
+        map_passed_0(1) and (not map_sorted_arrives) and (not map_sorted_behind));
+      map_largest_low_0 <= choice(map_of_low_0_b_below_a, map_largest_low_0_choices(1), map_largest_low_0_choices(2));
+      map_median_middle_0 <= choice(map_of_middle_0_b_below_a, map_median_middle_0_choices(2),
+        map_median_middle_0_choices(4));
+      map_smallest_high_0 <= choice(map_of_high_0_b_below_a, map_smallest_high_0_choices(1),
+        map_smallest_high_0_choices(2));
+      map_out_disparity_0 <= choice(map_of_all_0_b_below_a, map_out_disparity_0_choices(2),
+        map_out_disparity_0_choices(4));
       if map_at_arrives_value then
         map_rows_write_words_0 <= (map_rows_ready_words_0 / 8192) + (map_rows_ready_newest_0 * 8192);
         map_at_column <= to_integer(other_0(9 downto 0));
       end if;
-      if map_sorted_behind then
-        map_low_0_0_choice := map_low_0(0);
-      else
-        map_low_0_0_choice := map_sorted_low_0;
-      end if;
+      map_low_0_0_choice := choice(map_sorted_behind, map_low_0(0), map_sorted_low_0);
       map_low_0_all(1) := map_window_complete_is_equal and map_sorted_arrives;
-      if map_sorted_behind then
-        map_middle_0_0_choice := map_middle_0(0);
-      else
-        map_middle_0_0_choice := map_sorted_middle_0;
-      end if;
-      if map_sorted_behind then
-        map_high_0_0_choice := map_high_0(0);
-      else
-        map_high_0_0_choice := map_sorted_high_0;
-      end if;
+      map_middle_0_0_choice := choice(map_sorted_behind, map_middle_0(0), map_sorted_middle_0);
+      map_high_0_0_choice := choice(map_sorted_behind, map_high_0(0), map_sorted_high_0);
       map_low_0_all(0) := (not map_sorted_arrives) and (not map_sorted_behind);
       if not map_low_0_all(0) then
         map_low_0(0) <= map_low_0_0_choice;
@@ -7023,15 +3519,9 @@ begin
         map_middle_0(2) <= map_middle_0(1);
         map_high_0(0) <= map_high_0_0_choice;
         map_high_0(2) <= map_high_0(1);
-        if map_low_0_all(1) then
-          map_low_0(1) <= map_low_0_0_choice;
-          map_middle_0(1) <= map_middle_0_0_choice;
-          map_high_0(1) <= map_high_0_0_choice;
-        else
-          map_low_0(1) <= map_low_0(0);
-          map_middle_0(1) <= map_middle_0(0);
-          map_high_0(1) <= map_high_0(0);
-        end if;
+        map_low_0(1) <= choice(map_low_0_all(1), map_low_0_0_choice, map_low_0(0));
+        map_middle_0(1) <= choice(map_low_0_all(1), map_middle_0_0_choice, map_middle_0(0));
+        map_high_0(1) <= choice(map_low_0_all(1), map_high_0_0_choice, map_high_0(0));
       end if;
       if map_sorted_arrives then
         map_passed_0(0) <= map_column_passed_0(1);
@@ -7072,93 +3562,90 @@ begin
         raster_place_column <= 0;
         raster_place_group <= 484;
         delay_column <= 0;
-        delay_tag_valid <= false;
-        delay_tag_row_start <= false;
-        delay_tag_map_column <= false;
-        delay_tag_start_of_frame <= false;
-        delay_tag_end_of_line <= false;
+        delay_tag.valid <= false;
+        delay_tag.row_start <= false;
+        delay_tag.map_column <= false;
+        delay_tag.start_of_frame <= false;
+        delay_tag.end_of_line <= false;
         rows_read_column <= 0;
-        rows_read_tag_valid <= false;
-        rows_read_tag_row_start <= false;
-        rows_read_tag_map_column <= false;
-        rows_read_tag_start_of_frame <= false;
-        rows_read_tag_end_of_line <= false;
+        rows_read_tag.valid <= false;
+        rows_read_tag.row_start <= false;
+        rows_read_tag.map_column <= false;
+        rows_read_tag.start_of_frame <= false;
+        rows_read_tag.end_of_line <= false;
         rows_ready_column <= 0;
-        rows_ready_tag_valid <= false;
-        rows_ready_tag_row_start <= false;
-        rows_ready_tag_map_column <= false;
-        rows_ready_tag_start_of_frame <= false;
-        rows_ready_tag_end_of_line <= false;
+        rows_ready_tag.valid <= false;
+        rows_ready_tag.row_start <= false;
+        rows_ready_tag.map_column <= false;
+        rows_ready_tag.start_of_frame <= false;
+        rows_ready_tag.end_of_line <= false;
         rows_write_column <= 0;
-        rows_tag_valid <= false;
-        rows_tag_row_start <= false;
-        rows_tag_map_column <= false;
-        rows_tag_start_of_frame <= false;
-        rows_tag_end_of_line <= false;
-        slice0shift_tag_valid <= false;
-        slice0shift_tag_row_start <= false;
-        slice0shift_tag_map_column <= false;
-        slice0shift_tag_start_of_frame <= false;
-        slice0shift_tag_end_of_line <= false;
-        slice0cost_pixels_first_tag_valid <= false;
-        slice0cost_pixels_first_tag_row_start <= false;
-        slice0cost_pixels_first_tag_map_column <= false;
-        slice0cost_pixels_first_tag_start_of_frame <= false;
-        slice0cost_pixels_first_tag_end_of_line <= false;
-        slice0cost_pixels_tag_valid <= false;
-        slice0cost_pixels_tag_row_start <= false;
-        slice0cost_pixels_tag_map_column <= false;
-        slice0cost_pixels_tag_start_of_frame <= false;
-        slice0cost_pixels_tag_end_of_line <= false;
+        rows_tag.valid <= false;
+        rows_tag.row_start <= false;
+        rows_tag.map_column <= false;
+        rows_tag.start_of_frame <= false;
+        rows_tag.end_of_line <= false;
+        slice0shift_tag.valid <= false;
+        slice0shift_tag.row_start <= false;
+        slice0shift_tag.map_column <= false;
+        slice0shift_tag.start_of_frame <= false;
+        slice0shift_tag.end_of_line <= false;
+        slice0cost_pixels_first_tag.valid <= false;
+        slice0cost_pixels_first_tag.row_start <= false;
+        slice0cost_pixels_first_tag.map_column <= false;
+        slice0cost_pixels_first_tag.start_of_frame <= false;
+        slice0cost_pixels_first_tag.end_of_line <= false;
+        slice0cost_pixels_tag.valid <= false;
+        slice0cost_pixels_tag.row_start <= false;
+        slice0cost_pixels_tag.map_column <= false;
+        slice0cost_pixels_tag.start_of_frame <= false;
+        slice0cost_pixels_tag.end_of_line <= false;
         slice0cost_read_column <= 0;
         slice0cost_change_column <= 0;
         slice0cost_ready_column <= 0;
-        slice0cost_ready_tag_valid <= false;
-        slice0cost_ready_tag_row_start <= false;
-        slice0cost_ready_tag_map_column <= false;
-        slice0cost_ready_tag_start_of_frame <= false;
-        slice0cost_ready_tag_end_of_line <= false;
+        slice0cost_ready_tag.valid <= false;
+        slice0cost_ready_tag.row_start <= false;
+        slice0cost_ready_tag.map_column <= false;
+        slice0cost_ready_tag.start_of_frame <= false;
+        slice0cost_ready_tag.end_of_line <= false;
         slice0cost_write_column <= 0;
-        slice0cost_tag_valid <= false;
-        slice0cost_tag_map_column <= false;
-        slice0cost_tag_start_of_frame <= false;
-        slice0cost_tag_end_of_line <= false;
+        slice0cost_tag.valid <= false;
+        slice0cost_tag.map_column <= false;
+        slice0cost_tag.start_of_frame <= false;
+        slice0cost_tag.end_of_line <= false;
         slice0window_ring_read_address <= 1;
         slice0window_ring_write_address <= 0;
-        slice0window_entering_tag_valid <= false;
-        slice0window_entering_tag_map_column <= false;
-        slice0window_entering_tag_start_of_frame <= false;
-        slice0window_entering_tag_end_of_line <= false;
-        slice0window_change_tag_valid <= false;
-        slice0window_change_tag_map_column <= false;
-        slice0window_change_tag_start_of_frame <= false;
-        slice0window_change_tag_end_of_line <= false;
+        slice0window_entering_tag.valid <= false;
+        slice0window_entering_tag.map_column <= false;
+        slice0window_entering_tag.start_of_frame <= false;
+        slice0window_entering_tag.end_of_line <= false;
+        slice0window_change_tag.valid <= false;
+        slice0window_change_tag.map_column <= false;
+        slice0window_change_tag.start_of_frame <= false;
+        slice0window_change_tag.end_of_line <= false;
         slice0window_centre_map_column_0 <= false;
-        slice0window_centre_start_of_frame(0) <= false;
-        slice0window_centre_start_of_frame(1) <= false;
-        slice0window_centre_start_of_frame(2) <= false;
-        slice0window_centre_start_of_frame(3) <= false;
+        slice0window_centre_start_of_frame <= (others => false);
         slice0window_centre_end_of_line_0 <= false;
-        slice0window_tag_valid <= false;
-        slice0window_tag_start_of_frame <= false;
-        slice0winner1_tag_valid <= false;
-        slice0winner1_tag_start_of_frame <= false;
-        slice0winner2_tag_valid <= false;
-        slice0winner2_tag_map_column <= false;
-        slice0winner2_tag_start_of_frame <= false;
-        slice0winner2_tag_end_of_line <= false;
-        slice0winner3_tag_valid <= false;
-        slice0winner3_tag_map_column <= false;
-        slice0winner3_tag_start_of_frame <= false;
-        slice0winner3_tag_end_of_line <= false;
-        slice0winner4_tag_valid <= false;
-        slice0winner4_tag_map_column <= false;
-        slice0winner4_tag_start_of_frame <= false;
-        slice0winner4_tag_end_of_line <= false;
-        slice0_best_tag_valid <= false;
-        slice0_best_tag_map_column <= false;
-        slice0_best_tag_start_of_frame <= false;
-        slice0_best_tag_end_of_line <= false;
+        slice0window_tag.valid <= false;
+        slice0window_tag.start_of_frame <= false;
+        slice0winner1_tag.valid <= false;
+        slice0winner1_tag.start_of_frame <= false;
+        slice0winner2_tag.valid <= false;
+        slice0winner2_tag.map_column <= false;
+        slice0winner2_tag.start_of_frame <= false;
+        slice0winner2_tag.end_of_line <= false;
+        slice0winner3_tag.valid <= false;
+        slice0winner3_tag.map_column <= false;
+        slice0winner3_tag.start_of_frame <= false;
+        slice0winner3_tag.end_of_line <= false;
+        slice0winner4_tag.valid <= false;
+        slice0winner4_tag.map_column <= false;
+        slice0winner4_tag.start_of_frame <= false;
+        slice0winner4_tag.end_of_line <= false;
+        slice0_best_tag.valid <= false;
+        slice0_best_tag.map_column <= false;
+        slice0_best_tag.start_of_frame <= false;
+        slice0_best_tag.end_of_line <= false;
         slice1cost_read_column <= 0;
         slice1cost_change_column <= 0;
         slice1cost_ready_column <= 0;
@@ -7167,10 +3654,10 @@ begin
         slice1window_ring_write_address <= 0;
         slice1window_centre_map_column_0 <= false;
         slice1window_centre_end_of_line_0 <= false;
-        slice1_best_tag_valid <= false;
-        slice1_best_tag_map_column <= false;
-        slice1_best_tag_start_of_frame <= false;
-        slice1_best_tag_end_of_line <= false;
+        slice1_best_tag.valid <= false;
+        slice1_best_tag.map_column <= false;
+        slice1_best_tag.start_of_frame <= false;
+        slice1_best_tag.end_of_line <= false;
         slice2cost_read_column <= 0;
         slice2cost_change_column <= 0;
         slice2cost_ready_column <= 0;
@@ -7179,26 +3666,22 @@ begin
         slice2window_ring_write_address <= 0;
         slice2window_centre_map_column_0 <= false;
         slice2window_centre_end_of_line_0 <= false;
-        slice2_best_tag_valid <= false;
-        slice2_best_tag_map_column <= false;
-        slice2_best_tag_start_of_frame <= false;
-        slice2_best_tag_end_of_line <= false;
+        slice2_best_tag.valid <= false;
+        slice2_best_tag.map_column <= false;
+        slice2_best_tag.start_of_frame <= false;
+        slice2_best_tag.end_of_line <= false;
         slice3cost_read_column <= 0;
         slice3cost_change_column <= 0;
         slice3cost_ready_column <= 0;
         slice3cost_write_column <= 0;
         slice3window_ring_read_address <= 1;
         slice3window_ring_write_address <= 0;
-        slice3window_centre_map_column(0) <= false;
-        slice3window_centre_map_column(1) <= false;
-        slice3window_centre_map_column(2) <= false;
-        slice3window_centre_end_of_line(0) <= false;
-        slice3window_centre_end_of_line(1) <= false;
-        slice3window_centre_end_of_line(2) <= false;
-        slice3_best_tag_valid <= false;
-        slice3_best_tag_map_column <= false;
-        slice3_best_tag_start_of_frame <= false;
-        slice3_best_tag_end_of_line <= false;
+        slice3window_centre_map_column <= (others => false);
+        slice3window_centre_end_of_line <= (others => false);
+        slice3_best_tag.valid <= false;
+        slice3_best_tag.map_column <= false;
+        slice3_best_tag.start_of_frame <= false;
+        slice3_best_tag.end_of_line <= false;
         for i in 0 to 11 loop
           refinement_tag_valid(i) <= false;
           refinement_tag_map_column(i) <= false;
@@ -7210,19 +3693,9 @@ begin
         leftright_holds_winners <= false;
         leftright_position <= 0;
         leftright_held_valid <= false;
-        leftright_asking_tag_valid <= false;
-        leftright_asking_tag_map_column <= false;
-        leftright_asking_tag_start_of_frame <= false;
-        leftright_asking_tag_end_of_line <= false;
-        leftright_answered_tag_valid <= false;
-        leftright_answered_tag_map_column <= false;
-        leftright_answered_tag_start_of_frame <= false;
-        leftright_answered_tag_end_of_line <= false;
-        leftright_checked_tag_valid <= false;
-        leftright_checked_tag_row_start <= false;
-        leftright_checked_tag_map_column <= false;
-        leftright_checked_tag_start_of_frame <= false;
-        leftright_checked_tag_end_of_line <= false;
+        leftright_asking_tag <= (others => false);
+        leftright_answered_tag <= (others => false);
+        leftright_checked_tag <= (others => false);
         map_counter_column <= 0;
         map_counter_group <= 481;
         map_arrives <= false;

@@ -93,6 +93,39 @@ architecture rtl of stereo_core_masrani_640 is
     return (value / 2 ** place) mod 2 = 1;
   end function;
 
+  -- the majority: a comparison or a sum as a chain of its bits
+  function carry(before : boolean; a : boolean; b : boolean) return boolean is
+  begin
+    if before then
+      return a or b;
+    end if;
+    return a and b;
+  end function;
+
+  function inverted_carry(before : boolean; a : boolean; b : boolean) return boolean is
+  begin
+    if before then
+      return a and b;
+    end if;
+    return a or b;
+  end function;
+
+  function choice(test : boolean; yes : boolean; no : boolean) return boolean is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
+  function choice(test : boolean; yes : integer; no : integer) return integer is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
   type boolean_1d is array (natural range <>) of boolean;
   type boolean_2d is array (natural range <>, natural range <>) of boolean;
   type boolean_3d is array (natural range <>, natural range <>, natural range <>) of boolean;
@@ -102,7 +135,9 @@ architecture rtl of stereo_core_masrani_640 is
   type natural_1021_1d is array (natural range <>) of natural range 0 to 1021;
   type natural_1021_2d is array (natural range <>, natural range <>) of natural range 0 to 1021;
   type natural_1023_1d is array (natural range <>) of natural range 0 to 1023;
+  type natural_1073741823_1d is array (natural range <>) of natural range 0 to 1073741823;
   type natural_12247_1d is array (natural range <>) of natural range 0 to 12247;
+  type natural_124_1d is array (natural range <>) of natural range 0 to 124;
   type natural_126_1d is array (natural range <>) of natural range 0 to 126;
   type natural_127_1d is array (natural range <>) of natural range 0 to 127;
   type natural_12_2d is array (natural range <>, natural range <>) of natural range 0 to 12;
@@ -117,6 +152,7 @@ architecture rtl of stereo_core_masrani_640 is
   type natural_2047_1d is array (natural range <>) of natural range 0 to 2047;
   type natural_2049_to_8190_1d is array (natural range <>) of natural range 2049 to 8190;
   type natural_210_1d is array (natural range <>) of natural range 0 to 210;
+  type natural_24_1d is array (natural range <>) of natural range 0 to 24;
   type natural_252_1d is array (natural range <>) of natural range 0 to 252;
   type natural_254_1d is array (natural range <>) of natural range 0 to 254;
   type natural_255_1d is array (natural range <>) of natural range 0 to 255;
@@ -126,6 +162,7 @@ architecture rtl of stereo_core_masrani_640 is
   type natural_3063_1d is array (natural range <>) of natural range 0 to 3063;
   type natural_31_1d is array (natural range <>) of natural range 0 to 31;
   type natural_32767_1d is array (natural range <>) of natural range 0 to 32767;
+  type natural_3_1d is array (natural range <>) of natural range 0 to 3;
   type natural_3_2d is array (natural range <>, natural range <>) of natural range 0 to 3;
   type natural_3_to_65538_1d is array (natural range <>) of natural range 3 to 65538;
   type natural_3_to_65538_2d is array (natural range <>, natural range <>) of natural range 3 to 65538;
@@ -134,6 +171,8 @@ architecture rtl of stereo_core_masrani_640 is
   type natural_4095_1d is array (natural range <>) of natural range 0 to 4095;
   type natural_4095_2d is array (natural range <>, natural range <>) of natural range 0 to 4095;
   type natural_4095_3d is array (natural range <>, natural range <>, natural range <>) of natural range 0 to 4095;
+  type natural_4095_4d is array (natural range <>, natural range <>, natural range <>, natural range <>) of natural range 0 to 4095;
+  type natural_4194303_1d is array (natural range <>) of natural range 0 to 4194303;
   type natural_42_1d is array (natural range <>) of natural range 0 to 42;
   type natural_510_1d is array (natural range <>) of natural range 0 to 510;
   type natural_511_1d is array (natural range <>) of natural range 0 to 511;
@@ -141,6 +180,7 @@ architecture rtl of stereo_core_masrani_640 is
   type natural_63_2d is array (natural range <>, natural range <>) of natural range 0 to 63;
   type natural_65535_1d is array (natural range <>) of natural range 0 to 65535;
   type natural_65535_2d is array (natural range <>, natural range <>) of natural range 0 to 65535;
+  type natural_65535_3d is array (natural range <>, natural range <>, natural range <>) of natural range 0 to 65535;
   type natural_6_1d is array (natural range <>) of natural range 0 to 6;
   type natural_6_2d is array (natural range <>, natural range <>) of natural range 0 to 6;
   type natural_8164_1d is array (natural range <>) of natural range 0 to 8164;
@@ -152,6 +192,37 @@ architecture rtl of stereo_core_masrani_640 is
   type unsigned_16_1d is array (natural range <>) of unsigned(15 downto 0);
   type unsigned_24_1d is array (natural range <>) of unsigned(23 downto 0);
   type unsigned_32_1d is array (natural range <>) of unsigned(31 downto 0);
+  type tag_7 is record
+    valid, border_column, first_cost, map_column, output_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_6 is record
+    valid, map_column, output_column, first_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_5 is record
+    valid, map_column, output_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_2 is record
+    first_cost, output_column : boolean;
+  end record;
+  type tag_3 is record
+    valid, output_column, start_of_frame : boolean;
+  end record;
+  type tag_8 is record
+    row_start, first_group, border_column, first_cost, leaves_window, output_column, start_of_frame : boolean;
+    end_of_line : boolean;
+  end record;
+  type tag_8_b is record
+    valid, first_group, border_column, first_cost, leaves_window, output_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_6_b is record
+    valid, first_cost, leaves_window, output_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_5_b is record
+    valid, first_cost, output_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_4 is record
+    valid, output_column, start_of_frame, end_of_line : boolean;
+  end record;
   signal in_valid, in_start_of_frame : boolean;
   signal in_right_pixel, in_left_pixel : natural range 0 to 255;
   -- coarse
@@ -175,8 +246,7 @@ architecture rtl of stereo_core_masrani_640 is
   signal coarsetransform_right_rows_read_newest_0, coarsetransform_right_rows_ready_newest_0 : natural range 0 to 255;
   signal coarsetransform_read_column, coarsetransform_ready_column : natural range 0 to 255;
   signal coarsetransform_write_column : natural range 0 to 255;
-  signal coarsetransform_left_column : natural_255_1d(0 to 4);
-  signal coarsetransform_right_column : natural_255_1d(0 to 4);
+  signal coarsetransform_left_column, coarsetransform_right_column : natural_255_1d(0 to 4);
   signal coarsetransform_left_code_column_centre, coarsetransform_right_code_column_centre : natural range 0 to 255;
   signal coarsetransform_valid, coarsetransform_counter_next_frame, coarsetransform_from_first_0 : boolean;
   signal coarsetransform_up_to_last_0, coarsetransform_columns_inside_0 : boolean;
@@ -195,27 +265,22 @@ architecture rtl of stereo_core_masrani_640 is
   signal coarsetransform_right_code_column_upper, coarsetransform_right_code_column_lower : natural range 0 to 765;
   signal coarsetransform_left_code_column_response : natural_1021_1d(0 to 1);
   signal coarsetransform_left_code_row_column : natural_1021_2d(0 to 1, 0 to 3);
-  signal coarsetransform_left_code_row_centre : natural_1021_1d(0 to 1);
+  signal coarsetransform_left_code_row_centre : natural_1530_1d(0 to 2);  -- coarsetransform_left_code_row_centre_# up to 1021, 1021, 1530
   signal coarsetransform_right_code_column_response : natural_1021_1d(0 to 1);
   signal coarsetransform_right_code_row_column : natural_1021_2d(0 to 1, 0 to 3);
-  signal coarsetransform_right_code_row_centre : natural_1021_1d(0 to 1);
+  signal coarsetransform_right_code_row_centre : natural_1530_1d(0 to 2);  -- coarsetransform_right_code_row_centre_# up to 1021, 1021, 1530
   signal coarsetransform_left_code_column_response_2 : natural range 0 to 1530;
   signal coarsetransform_left_code_row_column_2 : natural_1530_1d(0 to 3);
-  signal coarsetransform_left_code_row_centre_2, coarsetransform_right_code_column_response_2 : natural range 0 to 1530;
+  signal coarsetransform_right_code_column_response_2 : natural range 0 to 1530;
   signal coarsetransform_right_code_row_column_2 : natural_1530_1d(0 to 3);
-  signal coarsetransform_right_code_row_centre_2 : natural range 0 to 1530;
   signal coarsetransform_left_code_row_outer_1, coarsetransform_right_code_row_outer_1 : natural range 0 to 2042;
   signal coarsetransform_left_code_row_outer_2, coarsetransform_right_code_row_outer_2 : natural range 0 to 3060;
-  signal coarsetransform_left_code_row_before : natural_3063_1d(0 to 1);
-  signal coarsetransform_left_code_row_after : natural_3063_1d(0 to 1);
-  signal coarsetransform_right_code_row_before : natural_3063_1d(0 to 1);
-  signal coarsetransform_right_code_row_after : natural_3063_1d(0 to 1);
+  signal coarsetransform_left_code_row_before, coarsetransform_left_code_row_after : natural_3063_1d(0 to 1);
+  signal coarsetransform_right_code_row_before, coarsetransform_right_code_row_after : natural_3063_1d(0 to 1);
   signal coarsetransform_left_code_row_before_2, coarsetransform_left_code_row_after_2 : natural range 0 to 4591;
   signal coarsetransform_right_code_row_before_2, coarsetransform_right_code_row_after_2 : natural range 0 to 4591;
-  signal coarsetransform_left_code_row_even : natural_16383_1d(1 to 2);
-  signal coarsetransform_left_code_row_odd : natural_16383_1d(1 to 2);
-  signal coarsetransform_right_code_row_even : natural_16383_1d(1 to 2);
-  signal coarsetransform_right_code_row_odd : natural_16383_1d(1 to 2);
+  signal coarsetransform_left_code_row_even, coarsetransform_left_code_row_odd : natural_16383_1d(1 to 2);
+  signal coarsetransform_right_code_row_even, coarsetransform_right_code_row_odd : natural_16383_1d(1 to 2);
   signal coarsetransform_left_code_row_signs, coarsetransform_left_code_bits : natural range 0 to 63;
   signal coarsetransform_right_code_row_signs, coarsetransform_right_code_bits : natural range 0 to 63;
   -- coarseraster
@@ -229,55 +294,31 @@ architecture rtl of stereo_core_masrani_640 is
   signal coarsedelay_delayed_0 : unsigned(5 downto 0);
   signal coarsedelay_column : natural range 0 to 255;
   signal coarsedelay_row_inside : boolean_1d(0 to 6);
-  signal coarsedelay_tag_valid, coarsedelay_tag_border_column, coarsedelay_tag_first_cost : boolean;
-  signal coarsedelay_tag_map_column, coarsedelay_tag_output_column, coarsedelay_tag_start_of_frame : boolean;
-  signal coarsedelay_tag_end_of_line : boolean;
+  signal coarsedelay_tag : tag_7;
   -- coarserows
   signal coarserows_search_rows_read_words_0, coarserows_reference_rows_read_words_0 : unsigned(29 downto 0);
   signal coarserows_search_rows_read_words_1, coarserows_reference_rows_read_words_1 : unsigned(5 downto 0);
   signal coarserows_search_rows_read_newest_0, coarserows_search_rows_ready_words_1 : natural range 0 to 63;
-  signal coarserows_search_rows_ready_newest_0, coarserows_search_rows_write_words_1 : natural range 0 to 63;
+  signal coarserows_search_rows_ready_newest_0 : natural range 0 to 63;
+  signal coarserows_search_rows_write_words : natural_1073741823_1d(0 to 1);  -- coarserows_search_rows_write_words_# up to 1073741823, 63
   signal coarserows_reference_rows_read_newest_0, coarserows_reference_rows_ready_words_1 : natural range 0 to 63;
-  signal coarserows_reference_rows_ready_newest_0, coarserows_reference_rows_write_words_1 : natural range 0 to 63;
-  signal coarserows_search : natural_63_1d(0 to 6);
-  signal coarserows_reference : natural_63_1d(0 to 6);
-  signal coarserows_search_rows_ready_words_0, coarserows_search_rows_write_words_0 : natural range 0 to 1073741823;
-  signal coarserows_reference_rows_ready_words_0 : natural range 0 to 1073741823;
-  signal coarserows_reference_rows_write_words_0 : natural range 0 to 1073741823;
+  signal coarserows_reference_rows_ready_newest_0 : natural range 0 to 63;
+  signal coarserows_reference_rows_write_words : natural_1073741823_1d(0 to 1);  -- coarserows_reference_rows_write_words_# up to 1073741823, 63
+  signal coarserows_search, coarserows_reference : natural_63_1d(0 to 6);
+  signal coarserows_search_rows_ready_words_0, coarserows_reference_rows_ready_words_0 : natural range 0 to 1073741823;
   signal coarserows_read_column, coarserows_ready_column, coarserows_write_column : natural range 0 to 255;
   signal coarserows_read_inside : boolean_1d(0 to 6);
-  signal coarserows_read_tag_valid, coarserows_read_tag_border_column, coarserows_read_tag_first_cost : boolean;
-  signal coarserows_read_tag_map_column, coarserows_read_tag_output_column : boolean;
-  signal coarserows_read_tag_start_of_frame, coarserows_read_tag_end_of_line : boolean;
+  signal coarserows_read_tag : tag_7;
   signal coarserows_ready_inside : boolean_1d(0 to 6);
-  signal coarserows_ready_tag_valid, coarserows_ready_tag_border_column, coarserows_ready_tag_first_cost : boolean;
-  signal coarserows_ready_tag_map_column, coarserows_ready_tag_output_column : boolean;
-  signal coarserows_ready_tag_start_of_frame, coarserows_ready_tag_end_of_line, coarserows_tag_valid : boolean;
-  signal coarserows_tag_border_column, coarserows_tag_first_cost, coarserows_tag_map_column : boolean;
-  signal coarserows_tag_output_column, coarserows_tag_start_of_frame, coarserows_tag_end_of_line : boolean;
+  signal coarserows_ready_tag, coarserows_tag : tag_7;
   -- coarseslice0shift
   signal coarseslice0shift_search : natural_63_2d(0 to 6, 0 to 24);
-  signal coarseslice0shift_reference : natural_63_1d(0 to 6);
-  signal coarseslice0shift_search_out : natural_63_1d(0 to 6);
-  signal coarseslice0shift_tag_valid, coarseslice0shift_tag_border_column, coarseslice0shift_tag_first_cost : boolean;
-  signal coarseslice0shift_tag_map_column, coarseslice0shift_tag_output_column : boolean;
-  signal coarseslice0shift_tag_start_of_frame, coarseslice0shift_tag_end_of_line : boolean;
+  signal coarseslice0shift_reference, coarseslice0shift_search_out : natural_63_1d(0 to 6);
+  signal coarseslice0shift_tag : tag_7;
   -- coarseslice0cost
   signal coarseslice0cost_pixels_first : natural_15_2d(0 to 6, 0 to 24);
-  signal coarseslice0cost_pixels_first_tag_valid, coarseslice0cost_pixels_first_tag_border_column : boolean;
-  signal coarseslice0cost_pixels_first_tag_first_cost, coarseslice0cost_pixels_first_tag_map_column : boolean;
-  signal coarseslice0cost_pixels_first_tag_output_column, coarseslice0cost_pixels_first_tag_start_of_frame : boolean;
-  signal coarseslice0cost_pixels_first_tag_end_of_line, coarseslice0cost_pixels_tag_valid : boolean;
-  signal coarseslice0cost_pixels_tag_border_column, coarseslice0cost_pixels_tag_first_cost : boolean;
-  signal coarseslice0cost_pixels_tag_map_column, coarseslice0cost_pixels_tag_output_column : boolean;
-  signal coarseslice0cost_pixels_tag_start_of_frame, coarseslice0cost_pixels_tag_end_of_line : boolean;
-  signal coarseslice0cost_pair_tag_valid, coarseslice0cost_pair_tag_border_column : boolean;
-  signal coarseslice0cost_pair_tag_first_cost, coarseslice0cost_pair_tag_map_column : boolean;
-  signal coarseslice0cost_pair_tag_output_column, coarseslice0cost_pair_tag_start_of_frame : boolean;
-  signal coarseslice0cost_pair_tag_end_of_line, coarseslice0cost_tag_valid : boolean;
-  signal coarseslice0cost_tag_border_column, coarseslice0cost_tag_first_cost, coarseslice0cost_tag_map_column : boolean;
-  signal coarseslice0cost_tag_output_column, coarseslice0cost_tag_start_of_frame : boolean;
-  signal coarseslice0cost_tag_end_of_line : boolean;
+  signal coarseslice0cost_pixels_first_tag, coarseslice0cost_pixels_tag, coarseslice0cost_pair_tag : tag_7;
+  signal coarseslice0cost_tag : tag_7;
   signal coarseslice0cost_pixels_cost : natural_6_2d(0 to 6, 0 to 24);
   signal coarseslice0cost_single_0 : natural_6_1d(0 to 24);
   signal coarseslice0cost_pair : natural_12_2d(0 to 2, 0 to 24);
@@ -290,12 +331,9 @@ architecture rtl of stereo_core_masrani_640 is
   signal coarseslice0window_partial_0_4 : natural_210_1d(0 to 24);
   signal coarseslice0window_partial_0_5 : natural_252_1d(0 to 24);
   signal coarseslice0window_centre_map_column_0 : boolean;
-  signal coarseslice0window_centre_output_column : boolean_1d(0 to 2);
-  signal coarseslice0window_centre_first_column : boolean_1d(0 to 2);
+  signal coarseslice0window_centre_output_column, coarseslice0window_centre_first_column : boolean_1d(0 to 2);
   signal coarseslice0window_centre_start_of_frame_0, coarseslice0window_centre_end_of_line_0 : boolean;
-  signal coarseslice0window_tag_valid, coarseslice0window_tag_map_column : boolean;
-  signal coarseslice0window_tag_output_column, coarseslice0window_tag_first_column : boolean;
-  signal coarseslice0window_tag_start_of_frame, coarseslice0window_tag_end_of_line : boolean;
+  signal coarseslice0window_tag : tag_6;
   signal coarseslice0window_sum_0 : natural_294_1d(0 to 24);
   -- coarseslice0other
   signal coarseslice0other_cost_0 : natural_294_1d(0 to 24);
@@ -304,61 +342,29 @@ architecture rtl of stereo_core_masrani_640 is
   signal coarseslice0other_winner_out_0 : natural range 0 to 31;
   -- coarseslice0winner1
   signal coarseslice0winner1_best_cost_0 : natural_294_1d(0 to 12);
-  signal coarseslice0winner1_best_index_0_0, coarseslice0winner1_tag_valid : boolean;
-  signal coarseslice0winner1_tag_map_column, coarseslice0winner1_tag_output_column : boolean;
-  signal coarseslice0winner1_tag_first_column, coarseslice0winner1_tag_start_of_frame : boolean;
-  signal coarseslice0winner1_tag_end_of_line : boolean;
-  signal coarseslice0winner1_best_index_0_1 : natural range 0 to 3;
-  signal coarseslice0winner1_best_index_0_2 : natural range 0 to 5;
-  signal coarseslice0winner1_best_index_0_3 : natural range 0 to 7;
-  signal coarseslice0winner1_best_index_0_4 : natural range 0 to 9;
-  signal coarseslice0winner1_best_index_0_5 : natural range 0 to 11;
-  signal coarseslice0winner1_best_index_0_6 : natural range 0 to 13;
-  signal coarseslice0winner1_best_index_0_7 : natural range 0 to 15;
-  signal coarseslice0winner1_best_index_0_8 : natural range 0 to 17;
-  signal coarseslice0winner1_best_index_0_9 : natural range 0 to 19;
-  signal coarseslice0winner1_best_index_0_10 : natural range 0 to 21;
-  signal coarseslice0winner1_best_index_0_11 : natural range 0 to 23;
-  signal coarseslice0winner1_best_index_0_12 : natural range 0 to 24;
+  signal coarseslice0winner1_best_index_0_0 : boolean;
+  signal coarseslice0winner1_tag : tag_6;
+  signal coarseslice0winner1_best_index_0 : natural_24_1d(1 to 12);  -- coarseslice0winner1_best_index_0_# up to 3, 5 .. 23, 24
   -- coarseslice0winner2
   signal coarseslice0winner2_best_cost_0 : natural_294_1d(0 to 6);
-  signal coarseslice0winner2_best_index_0_0 : natural range 0 to 3;
-  signal coarseslice0winner2_best_index_0_1 : natural range 0 to 7;
-  signal coarseslice0winner2_best_index_0_2 : natural range 0 to 11;
-  signal coarseslice0winner2_best_index_0_3 : natural range 0 to 15;
-  signal coarseslice0winner2_best_index_0_4 : natural range 0 to 19;
-  signal coarseslice0winner2_best_index_0_5 : natural range 0 to 23;
-  signal coarseslice0winner2_best_index_0_6 : natural range 0 to 24;
-  signal coarseslice0winner2_tag_valid, coarseslice0winner2_tag_map_column : boolean;
-  signal coarseslice0winner2_tag_output_column, coarseslice0winner2_tag_start_of_frame : boolean;
-  signal coarseslice0winner2_tag_end_of_line : boolean;
+  signal coarseslice0winner2_best_index_0 : natural_24_1d(0 to 6);  -- coarseslice0winner2_best_index_0_# up to 3, 7 .. 23, 24
+  signal coarseslice0winner2_tag : tag_5;
   -- coarseslice0winner3
   signal coarseslice0winner3_best_cost_0 : natural_294_1d(0 to 3);
-  signal coarseslice0winner3_best_index_0_0 : natural range 0 to 7;
-  signal coarseslice0winner3_best_index_0_1 : natural range 0 to 15;
-  signal coarseslice0winner3_best_index_0_2 : natural range 0 to 23;
-  signal coarseslice0winner3_best_index_0_3 : natural range 0 to 24;
-  signal coarseslice0winner3_tag_valid, coarseslice0winner3_tag_map_column : boolean;
-  signal coarseslice0winner3_tag_output_column, coarseslice0winner3_tag_start_of_frame : boolean;
-  signal coarseslice0winner3_tag_end_of_line : boolean;
+  signal coarseslice0winner3_best_index_0 : natural_24_1d(0 to 3);  -- coarseslice0winner3_best_index_0_# up to 7, 15, 23, 24
+  signal coarseslice0winner3_tag : tag_5;
   -- coarseslice0winner4
   signal coarseslice0winner4_best_cost_0 : natural_294_1d(0 to 1);
-  signal coarseslice0winner4_best_index_0_0 : natural range 0 to 15;
-  signal coarseslice0winner4_best_index_0_1 : natural range 0 to 24;
-  signal coarseslice0winner4_tag_valid, coarseslice0winner4_tag_map_column : boolean;
-  signal coarseslice0winner4_tag_output_column, coarseslice0winner4_tag_start_of_frame : boolean;
-  signal coarseslice0winner4_tag_end_of_line : boolean;
+  signal coarseslice0winner4_best_index_0 : natural_24_1d(0 to 1);  -- coarseslice0winner4_best_index_0_# up to 15, 24
+  signal coarseslice0winner4_tag : tag_5;
   -- coarseslice0winner5
   signal coarseslice0winner5_best_cost_0_0 : natural range 0 to 294;
   signal coarseslice0winner5_best_index_0_0 : natural range 0 to 24;
-  signal coarseslice0winner5_tag_valid, coarseslice0winner5_tag_map_column : boolean;
-  signal coarseslice0winner5_tag_output_column, coarseslice0winner5_tag_start_of_frame : boolean;
-  signal coarseslice0winner5_tag_end_of_line : boolean;
+  signal coarseslice0winner5_tag : tag_5;
   -- coarseslice0
   signal coarseslice0_best_cost_0_0 : natural range 0 to 294;
   signal coarseslice0_best_index_0_0 : natural range 0 to 31;
-  signal coarseslice0_best_tag_valid, coarseslice0_best_tag_map_column, coarseslice0_best_tag_output_column : boolean;
-  signal coarseslice0_best_tag_start_of_frame, coarseslice0_best_tag_end_of_line : boolean;
+  signal coarseslice0_best_tag : tag_5;
   -- coarseslice1shift
   signal coarseslice1shift_search : natural_63_2d(0 to 6, 0 to 6);
   signal coarseslice1shift_reference : natural_63_1d(0 to 6);
@@ -368,7 +374,7 @@ architecture rtl of stereo_core_masrani_640 is
   signal coarseslice1cost_single_0 : natural_6_1d(0 to 6);
   signal coarseslice1cost_pair : natural_12_2d(0 to 2, 0 to 6);
   signal coarseslice1cost_column_0 : natural_42_1d(0 to 6);
-  signal coarseslice1cost_tag_first_cost, coarseslice1cost_tag_output_column : boolean;
+  signal coarseslice1cost_tag : tag_2;
   -- coarseslice1window
   signal coarseslice1window_partial_0_0 : natural_42_1d(0 to 6);
   signal coarseslice1window_partial_0_1 : natural_84_1d(0 to 6);
@@ -377,10 +383,8 @@ architecture rtl of stereo_core_masrani_640 is
   signal coarseslice1window_partial_0_4 : natural_210_1d(0 to 6);
   signal coarseslice1window_partial_0_5 : natural_252_1d(0 to 6);
   signal coarseslice1window_centre_map_column : boolean_1d(0 to 1);
-  signal coarseslice1window_centre_output_column : boolean_1d(0 to 2);
-  signal coarseslice1window_centre_first_column : boolean_1d(0 to 2);
-  signal coarseslice1window_centre_start_of_frame : boolean_1d(0 to 1);
-  signal coarseslice1window_centre_end_of_line : boolean_1d(0 to 1);
+  signal coarseslice1window_centre_output_column, coarseslice1window_centre_first_column : boolean_1d(0 to 2);
+  signal coarseslice1window_centre_start_of_frame, coarseslice1window_centre_end_of_line : boolean_1d(0 to 1);
   signal coarseslice1window_sum_0 : natural_294_1d(0 to 6);
   -- coarseslice1other
   signal coarseslice1other_cost_0 : natural_294_1d(1 to 6);
@@ -389,13 +393,10 @@ architecture rtl of stereo_core_masrani_640 is
   -- coarseslice1winner1
   signal coarseslice1winner1_best_cost_0 : natural_294_1d(0 to 3);
   signal coarseslice1winner1_best_index_0_0 : boolean;
-  signal coarseslice1winner1_best_index_0_1 : natural range 0 to 3;
-  signal coarseslice1winner1_best_index_0_2 : natural range 0 to 5;
-  signal coarseslice1winner1_best_index_0_3 : natural range 0 to 6;
+  signal coarseslice1winner1_best_index_0 : natural_6_1d(1 to 3);  -- coarseslice1winner1_best_index_0_# up to 3, 5, 6
   -- coarseslice1winner2
   signal coarseslice1winner2_best_cost_0 : natural_294_1d(0 to 1);
-  signal coarseslice1winner2_best_index_0_0 : natural range 0 to 3;
-  signal coarseslice1winner2_best_index_0_1 : natural range 0 to 6;
+  signal coarseslice1winner2_best_index_0 : natural_6_1d(0 to 1);  -- coarseslice1winner2_best_index_0_# up to 3, 6
   -- coarseslice1winner3
   signal coarseslice1winner3_best_cost_0_0 : natural range 0 to 294;
   signal coarseslice1winner3_best_index_0_0 : natural range 0 to 6;
@@ -407,19 +408,17 @@ architecture rtl of stereo_core_masrani_640 is
   signal coarseslice1winner5_best_index_0_0 : natural range 0 to 6;
   -- coarseslice1
   signal coarseslice1_best_index_0_0 : natural range 0 to 31;
-  signal coarseslice1_best_tag_valid, coarseslice1_best_tag_map_column, coarseslice1_best_tag_output_column : boolean;
-  signal coarseslice1_best_tag_start_of_frame, coarseslice1_best_tag_end_of_line : boolean;
+  signal coarseslice1_best_tag : tag_5;
   -- coarseleftright
   signal coarseleftright_other_0 : natural_31_1d(1 to 4);  -- coarseleftright_other_#_0
   signal coarseleftright_ring_read_address, coarseleftright_ring_write_address : natural range 0 to 31;
   signal coarseleftright_checked_disparity_0 : natural range 0 to 31;
   signal coarseleftright_holds_winners, coarseleftright_held_valid, coarseleftright_asking_passed_0 : boolean;
-  signal coarseleftright_asking_tag_valid, coarseleftright_asking_tag_output_column : boolean;
-  signal coarseleftright_asking_tag_start_of_frame, coarseleftright_answered_passed_0 : boolean;
-  signal coarseleftright_answered_tag_valid, coarseleftright_answered_tag_output_column : boolean;
-  signal coarseleftright_answered_tag_start_of_frame, coarseleftright_checked_passed_0 : boolean;
-  signal coarseleftright_checked_tag_valid, coarseleftright_checked_tag_output_column : boolean;
-  signal coarseleftright_checked_tag_start_of_frame : boolean;
+  signal coarseleftright_asking_tag : tag_3;
+  signal coarseleftright_answered_passed_0 : boolean;
+  signal coarseleftright_answered_tag : tag_3;
+  signal coarseleftright_checked_passed_0 : boolean;
+  signal coarseleftright_checked_tag : tag_3;
   signal coarseleftright_position, coarseleftright_held_position, coarseleftright_address_0 : natural range 0 to 63;
   signal coarseleftright_asking_disparity_0, coarseleftright_answered_disparity_0 : natural range 0 to 63;
   signal coarseleftright_held_0 : unsigned(12 downto 0);
@@ -447,8 +446,9 @@ architecture rtl of stereo_core_masrani_640 is
   signal ranges_block_row : natural range 0 to 32767;
   -- targets
   signal targets_newest_0, targets_rows_read_newest_0, targets_rows_ready_words_1 : natural range 0 to 2047;
-  signal targets_rows_ready_newest_0, targets_rows_write_words_1, targets_column_range : natural range 0 to 2047;
-  signal targets_behind, targets_here, targets_around : natural range 0 to 2047;
+  signal targets_rows_ready_newest_0 : natural range 0 to 2047;
+  signal targets_rows_write_words : natural_4194303_1d(0 to 1);  -- targets_rows_write_words_# up to 4194303, 2047
+  signal targets_column_range, targets_behind, targets_here, targets_around : natural range 0 to 2047;
   signal targets_read_column, targets_walk_place, targets_read_place, targets_ready_place : natural range 0 to 127;
   signal targets_write_column : natural range 0 to 127;
   signal targets_comes, targets_last_row, targets_again, targets_walk_has_above, targets_walk_has_below : boolean;
@@ -464,7 +464,7 @@ architecture rtl of stereo_core_masrani_640 is
   signal targets_column_walk_band, targets_around_walk_band, targets_wish_walk_band : natural range 0 to 7;
   signal targets_rows_read_words_0 : unsigned(21 downto 0);
   signal targets_rows_read_words_1 : unsigned(10 downto 0);
-  signal targets_rows_ready_words_0, targets_rows_write_words_0 : natural range 0 to 4194303;
+  signal targets_rows_ready_words_0 : natural range 0 to 4194303;
   signal targets_low_wish, targets_high_wish : natural range 0 to 126;
   signal targets_high : natural range 0 to 65534;
   signal targets_place : natural range 0 to 1023;
@@ -512,16 +512,13 @@ architecture rtl of stereo_core_masrani_640 is
   signal transform_left_rows_write_words_2, transform_right_rows_read_newest_0 : natural range 0 to 255;
   signal transform_right_rows_ready_words_2, transform_right_rows_ready_newest_0 : natural range 0 to 255;
   signal transform_right_rows_write_words_2 : natural range 0 to 255;
-  signal transform_left_column : natural_255_1d(0 to 9);
-  signal transform_right_column : natural_255_1d(0 to 9);
+  signal transform_left_column, transform_right_column : natural_255_1d(0 to 9);
   signal transform_left_code_column_box_0_0 : natural_255_1d(0 to 4);  -- transform_left_code_column_box_0_#_0
   signal transform_left_code_column_centre : natural range 0 to 255;
   signal transform_right_code_column_box_0_0 : natural_255_1d(0 to 4);  -- transform_right_code_column_box_0_#_0
   signal transform_right_code_column_centre : natural range 0 to 255;
   signal transform_valid, transform_counter_next_frame : boolean;
-  signal transform_from_first : boolean_1d(0 to 1);
-  signal transform_up_to_last : boolean_1d(0 to 1);
-  signal transform_columns_inside : boolean_1d(0 to 1);
+  signal transform_from_first, transform_up_to_last, transform_columns_inside : boolean_1d(0 to 1);
   signal transform_columns_start_of_frame, transform_columns_valid : boolean;
   signal transform_filtering_inside : boolean_2d(0 to 6, 0 to 1);  -- transform_filtering_#_inside_#
   signal transform_filtering_start_of_frame : boolean_1d(0 to 7);  -- transform_filtering_#_start_of_frame
@@ -529,12 +526,9 @@ architecture rtl of stereo_core_masrani_640 is
   signal transform_counter_column, transform_read_column, transform_ready_column : natural range 0 to 1023;
   signal transform_write_column, transform_centre_column : natural range 0 to 1023;
   signal transform_counter_group : natural range 0 to 511;
-  signal transform_left_rows_read_words : unsigned_32_1d(0 to 1);
-  signal transform_left_rows_ready_words : unsigned_32_1d(0 to 1);
-  signal transform_left_rows_write_words : unsigned_32_1d(0 to 1);
-  signal transform_right_rows_read_words : unsigned_32_1d(0 to 1);
-  signal transform_right_rows_ready_words : unsigned_32_1d(0 to 1);
-  signal transform_right_rows_write_words : unsigned_32_1d(0 to 1);
+  signal transform_left_rows_read_words, transform_left_rows_ready_words : unsigned_32_1d(0 to 1);
+  signal transform_left_rows_write_words, transform_right_rows_read_words : unsigned_32_1d(0 to 1);
+  signal transform_right_rows_ready_words, transform_right_rows_write_words : unsigned_32_1d(0 to 1);
   signal transform_left_rows_read_words_2, transform_right_rows_read_words_2 : unsigned(7 downto 0);
   signal transform_centre_group : natural range 0 to 512;
   signal transform_left_code_column_near, transform_left_code_column_outer : natural range 0 to 510;
@@ -546,31 +540,25 @@ architecture rtl of stereo_core_masrani_640 is
   signal transform_left_code_column_upper, transform_left_code_column_lower : natural range 0 to 765;
   signal transform_right_code_column_upper, transform_right_code_column_lower : natural range 0 to 765;
   signal transform_left_code_column_response : natural_1021_1d(0 to 1);
-  signal transform_left_code_row_box_0 : natural_1021_1d(0 to 1);
+  signal transform_left_code_row_box_0 : natural_1530_1d(0 to 2);  -- transform_left_code_row_box_0_# up to 1021, 1021, 1530
   signal transform_left_code_row_column : natural_1021_2d(0 to 1, 0 to 3);
-  signal transform_left_code_row_centre : natural_1021_1d(0 to 1);
+  signal transform_left_code_row_centre : natural_1530_1d(0 to 2);  -- transform_left_code_row_centre_# up to 1021, 1021, 1530
   signal transform_right_code_column_response : natural_1021_1d(0 to 1);
-  signal transform_right_code_row_box_0 : natural_1021_1d(0 to 1);
+  signal transform_right_code_row_box_0 : natural_1530_1d(0 to 2);  -- transform_right_code_row_box_0_# up to 1021, 1021, 1530
   signal transform_right_code_row_column : natural_1021_2d(0 to 1, 0 to 3);
-  signal transform_right_code_row_centre : natural_1021_1d(0 to 1);
-  signal transform_left_code_column_response_2, transform_left_code_row_box_0_2 : natural range 0 to 1530;
+  signal transform_right_code_row_centre : natural_1530_1d(0 to 2);  -- transform_right_code_row_centre_# up to 1021, 1021, 1530
+  signal transform_left_code_column_response_2 : natural range 0 to 1530;
   signal transform_left_code_row_column_2 : natural_1530_1d(0 to 3);
-  signal transform_left_code_row_centre_2, transform_right_code_column_response_2 : natural range 0 to 1530;
-  signal transform_right_code_row_box_0_2 : natural range 0 to 1530;
+  signal transform_right_code_column_response_2 : natural range 0 to 1530;
   signal transform_right_code_row_column_2 : natural_1530_1d(0 to 3);
-  signal transform_right_code_row_centre_2 : natural range 0 to 1530;
   signal transform_left_code_row_outer_1, transform_right_code_row_outer_1 : natural range 0 to 2042;
   signal transform_left_code_row_outer_2, transform_right_code_row_outer_2 : natural range 0 to 3060;
-  signal transform_left_code_row_before : natural_3063_1d(0 to 1);
-  signal transform_left_code_row_after : natural_3063_1d(0 to 1);
-  signal transform_right_code_row_before : natural_3063_1d(0 to 1);
-  signal transform_right_code_row_after : natural_3063_1d(0 to 1);
+  signal transform_left_code_row_before, transform_left_code_row_after : natural_3063_1d(0 to 1);
+  signal transform_right_code_row_before, transform_right_code_row_after : natural_3063_1d(0 to 1);
   signal transform_left_code_row_before_2, transform_left_code_row_after_2 : natural range 0 to 4591;
   signal transform_right_code_row_before_2, transform_right_code_row_after_2 : natural range 0 to 4591;
-  signal transform_left_code_row_even : natural_16383_1d(1 to 2);
-  signal transform_left_code_row_odd : natural_16383_1d(1 to 2);
-  signal transform_right_code_row_even : natural_16383_1d(1 to 2);
-  signal transform_right_code_row_odd : natural_16383_1d(1 to 2);
+  signal transform_left_code_row_even, transform_left_code_row_odd : natural_16383_1d(1 to 2);
+  signal transform_right_code_row_even, transform_right_code_row_odd : natural_16383_1d(1 to 2);
   signal transform_left_code_row_signs : natural range 0 to 63;
   signal transform_left_code_earlier : natural_63_1d(0 to 1);
   signal transform_left_code_bits, transform_left_code_next_row_signs : natural range 0 to 63;
@@ -581,37 +569,32 @@ architecture rtl of stereo_core_masrani_640 is
   signal transform_left_code_next_column_near, transform_left_code_next_column_outer : natural range 0 to 1020;
   signal transform_right_code_next_column_near, transform_right_code_next_column_outer : natural range 0 to 1020;
   signal transform_left_code_next_column_upper, transform_left_code_next_column_response_2 : natural range 0 to 65535;
-  signal transform_left_code_next_row_earlier_0_2_0, transform_left_code_next_row_box_0_2 : natural range 0 to 65535;
+  signal transform_left_code_next_row_earlier_0_0 : natural_65535_1d(0 to 2);  -- transform_left_code_next_row_earlier_0_#_0 up to 2041, 2041, 65535
+  signal transform_left_code_next_row_box_0_2 : natural range 0 to 65535;
   signal transform_left_code_next_row_column_2 : natural_65535_1d(0 to 7);
   signal transform_left_code_next_row_outer_2, transform_left_code_next_row_before_2 : natural range 0 to 65535;
   signal transform_left_code_next_row_after_2 : natural range 0 to 65535;
   signal transform_left_code_next_row_even : natural_65535_1d(1 to 2);
   signal transform_left_code_next_row_odd : natural_65535_1d(0 to 2);
   signal transform_right_code_next_column_upper, transform_right_code_next_column_response_2 : natural range 0 to 65535;
-  signal transform_right_code_next_row_earlier_0_2_0, transform_right_code_next_row_box_0_2 : natural range 0 to 65535;
+  signal transform_right_code_next_row_earlier_0_0 : natural_65535_1d(0 to 2);  -- transform_right_code_next_row_earlier_0_#_0 up to 2041, 2041, 65535
+  signal transform_right_code_next_row_box_0_2 : natural range 0 to 65535;
   signal transform_right_code_next_row_column_2 : natural_65535_1d(0 to 7);
   signal transform_right_code_next_row_outer_2, transform_right_code_next_row_before_2 : natural range 0 to 65535;
   signal transform_right_code_next_row_after_2 : natural range 0 to 65535;
   signal transform_right_code_next_row_even : natural_65535_1d(1 to 2);
   signal transform_right_code_next_row_odd : natural_65535_1d(0 to 2);
   signal transform_left_code_next_column_lower, transform_right_code_next_column_lower : natural range 0 to 1531;
-  signal transform_left_code_next_column_response : natural_2041_1d(0 to 1);
-  signal transform_left_code_next_row_earlier_0_0 : natural_2041_1d(0 to 1);  -- transform_left_code_next_row_earlier_0_#_0
-  signal transform_right_code_next_column_response : natural_2041_1d(0 to 1);
-  signal transform_right_code_next_row_earlier_0_0 : natural_2041_1d(0 to 1);  -- transform_right_code_next_row_earlier_0_#_0
+  signal transform_left_code_next_column_response, transform_right_code_next_column_response : natural_2041_1d(0 to 1);
   signal transform_left_code_next_row_box_0 : natural_4082_1d(0 to 1);
   signal transform_left_code_next_row_column : natural_4082_2d(0 to 1, 0 to 7);
-  signal transform_left_code_next_row_centre : natural_4082_1d(0 to 1);
+  signal transform_left_code_next_row_centre : natural_32767_1d(0 to 2);  -- transform_left_code_next_row_centre_# up to 4082, 4082, 32767
   signal transform_right_code_next_row_box_0 : natural_4082_1d(0 to 1);
   signal transform_right_code_next_row_column : natural_4082_2d(0 to 1, 0 to 7);
-  signal transform_right_code_next_row_centre : natural_4082_1d(0 to 1);
-  signal transform_left_code_next_row_centre_2, transform_right_code_next_row_centre_2 : natural range 0 to 32767;
-  signal transform_left_code_next_row_outer : natural_8164_1d(0 to 1);
-  signal transform_right_code_next_row_outer : natural_8164_1d(0 to 1);
-  signal transform_left_code_next_row_before : natural_12247_1d(0 to 1);
-  signal transform_left_code_next_row_after : natural_12247_1d(0 to 1);
-  signal transform_right_code_next_row_before : natural_12247_1d(0 to 1);
-  signal transform_right_code_next_row_after : natural_12247_1d(0 to 1);
+  signal transform_right_code_next_row_centre : natural_32767_1d(0 to 2);  -- transform_right_code_next_row_centre_# up to 4082, 4082, 32767
+  signal transform_left_code_next_row_outer, transform_right_code_next_row_outer : natural_8164_1d(0 to 1);
+  signal transform_left_code_next_row_before, transform_left_code_next_row_after : natural_12247_1d(0 to 1);
+  signal transform_right_code_next_row_before, transform_right_code_next_row_after : natural_12247_1d(0 to 1);
   -- ahead
   signal ahead_ring_read_address, ahead_ring_write_address : natural range 0 to 127;
   signal ahead_holds_groups, ahead_held_is_new, ahead_held_valid : boolean;
@@ -633,8 +616,7 @@ architecture rtl of stereo_core_masrani_640 is
   signal bases_asked_head, bases_asked_frame_starts, bases_asked_valid, bases_read_head : boolean;
   signal bases_read_frame_starts, bases_read_valid, bases_ready_head, bases_ready_frame_starts : boolean;
   signal bases_ready_valid, bases_wanted_head, bases_wanted_frame_starts, bases_wanted_valid : boolean;
-  signal bases_rises : boolean_2d(0 to 1, 0 to 1);
-  signal bases_falls : boolean_2d(0 to 1, 0 to 1);
+  signal bases_rises, bases_falls : boolean_2d(0 to 1, 0 to 1);
   signal bases_stands_frame_starts, bases_stands_valid : boolean;
   signal bases_read_targets : unsigned_16_1d(0 to 2);
   signal bases_goal : natural_255_2d(0 to 1, 0 to 2);
@@ -648,43 +630,28 @@ architecture rtl of stereo_core_masrani_640 is
   signal rows_write_word : natural range 0 to 2047;
   signal rows_address : natural_2047_1d(0 to 15);
   signal rows_position : natural_8191_2d(0 to 1, 0 to 1);
-  signal rows_wanted_first_bank : natural_3_2d(0 to 1, 0 to 1);
-  signal rows_asked_first_bank : natural_3_2d(0 to 1, 0 to 1);
-  signal rows_read_first_bank : natural_3_2d(0 to 1, 0 to 1);
+  signal rows_wanted_first_bank, rows_asked_first_bank, rows_read_first_bank : natural_3_2d(0 to 1, 0 to 1);
   signal rows_ready_first_bank : natural_3_2d(0 to 1, 0 to 1);
-  signal rows_wanted_one : boolean_2d(0 to 1, 0 to 1);
-  signal rows_wanted_four : boolean_2d(0 to 1, 0 to 1);
-  signal rows_asked_one : boolean_2d(0 to 1, 0 to 1);
-  signal rows_asked_four : boolean_2d(0 to 1, 0 to 1);
-  signal rows_read_one : boolean_2d(0 to 1, 0 to 1);
-  signal rows_read_four : boolean_2d(0 to 1, 0 to 1);
-  signal rows_ready_one : boolean_2d(0 to 1, 0 to 1);
-  signal rows_ready_four : boolean_2d(0 to 1, 0 to 1);
-  signal rows_step_one : boolean_2d(0 to 1, 0 to 1);
-  signal rows_step_four : boolean_2d(0 to 1, 0 to 1);
+  signal rows_wanted_one, rows_wanted_four, rows_asked_one, rows_asked_four, rows_read_one : boolean_2d(0 to 1, 0 to 1);
+  signal rows_read_four, rows_ready_one, rows_ready_four, rows_step_one, rows_step_four : boolean_2d(0 to 1, 0 to 1);
   signal rows_read_codes : unsigned_12_1d(0 to 15);
   -- pairs
   signal pairs_ring_read_address, pairs_ring_write_address : natural range 0 to 15;
   signal pairs_delayed_0 : unsigned(11 downto 0);
   signal pairs_row_inside : boolean_1d(0 to 1);
-  signal pairs_tag_row_start, pairs_tag_first_group, pairs_tag_border_column, pairs_tag_first_cost : boolean;
-  signal pairs_tag_leaves_window, pairs_tag_output_column, pairs_tag_start_of_frame, pairs_tag_end_of_line : boolean;
+  signal pairs_tag : tag_8;
   -- compared
   signal compared_rows_read_words : unsigned_24_1d(0 to 3);
   signal compared_rows_read_words_4 : unsigned(11 downto 0);
   signal compared_rows_read_newest_0, compared_rows_ready_words_4 : natural range 0 to 4095;
-  signal compared_rows_ready_newest_0, compared_rows_write_words_4 : natural range 0 to 4095;
+  signal compared_rows_ready_newest_0 : natural range 0 to 4095;
+  signal compared_rows_write_words : natural_16777215_1d(0 to 4);  -- compared_rows_write_words_# up to 16777215 x 4, 4095
   signal compared_held_reference : natural_4095_2d(0 to 7, 0 to 1);  -- compared_held_#_reference_#
   signal compared_rows_ready_words : natural_16777215_1d(0 to 3);
-  signal compared_rows_write_words : natural_16777215_1d(0 to 3);
   signal compared_read_inside : boolean_1d(0 to 1);
-  signal compared_read_tag_row_start, compared_read_tag_first_group, compared_read_tag_border_column : boolean;
-  signal compared_read_tag_first_cost, compared_read_tag_leaves_window, compared_read_tag_output_column : boolean;
-  signal compared_read_tag_start_of_frame, compared_read_tag_end_of_line : boolean;
+  signal compared_read_tag : tag_8;
   signal compared_ready_inside : boolean_1d(0 to 1);
-  signal compared_ready_tag_row_start, compared_ready_tag_first_group, compared_ready_tag_border_column : boolean;
-  signal compared_ready_tag_first_cost, compared_ready_tag_leaves_window, compared_ready_tag_output_column : boolean;
-  signal compared_ready_tag_start_of_frame, compared_ready_tag_end_of_line : boolean;
+  signal compared_ready_tag : tag_8;
   signal compared_held_inside : boolean_2d(0 to 7, 0 to 1);  -- compared_held_#_inside_#
   signal compared_tags_row_start : boolean_1d(0 to 7);  -- compared_tags_#_row_start
   signal compared_tags_first_group : boolean_1d(0 to 7);  -- compared_tags_#_first_group
@@ -701,90 +668,53 @@ architecture rtl of stereo_core_masrani_640 is
   -- lowcost
   signal lowcost_pixels_first : natural_255_2d(0 to 1, 0 to 15);
   signal lowcost_column_0 : natural_255_1d(0 to 15);
-  signal lowcost_pixels_first_tag_valid, lowcost_pixels_first_tag_first_group : boolean;
-  signal lowcost_pixels_first_tag_border_column, lowcost_pixels_first_tag_first_cost : boolean;
-  signal lowcost_pixels_first_tag_leaves_window, lowcost_pixels_first_tag_output_column : boolean;
-  signal lowcost_pixels_first_tag_start_of_frame, lowcost_pixels_first_tag_end_of_line : boolean;
-  signal lowcost_pixels_tag_valid, lowcost_pixels_tag_first_group, lowcost_pixels_tag_border_column : boolean;
-  signal lowcost_pixels_tag_first_cost, lowcost_pixels_tag_leaves_window, lowcost_pixels_tag_output_column : boolean;
-  signal lowcost_pixels_tag_start_of_frame, lowcost_pixels_tag_end_of_line, lowcost_ready_tag_valid : boolean;
-  signal lowcost_ready_tag_first_group, lowcost_ready_tag_border_column, lowcost_ready_tag_first_cost : boolean;
-  signal lowcost_ready_tag_leaves_window, lowcost_ready_tag_output_column, lowcost_ready_tag_start_of_frame : boolean;
-  signal lowcost_ready_tag_end_of_line, lowcost_tag_valid, lowcost_tag_first_cost, lowcost_tag_leaves_window : boolean;
-  signal lowcost_tag_output_column, lowcost_tag_start_of_frame, lowcost_tag_end_of_line : boolean;
+  signal lowcost_pixels_first_tag, lowcost_pixels_tag, lowcost_ready_tag : tag_8_b;
+  signal lowcost_tag : tag_6_b;
   signal lowcost_pixels_cost : natural_19_2d(0 to 1, 0 to 15);
   signal lowcost_read_column, lowcost_change_column, lowcost_ready_column : natural range 0 to 1023;
   signal lowcost_write_column : natural range 0 to 1023;
-  signal lowcost_read_words : unsigned_32_1d(0 to 3);
-  signal lowcost_ready_words : unsigned_32_1d(0 to 3);
-  signal lowcost_write_words : unsigned_32_1d(0 to 3);
+  signal lowcost_read_words, lowcost_ready_words, lowcost_write_words : unsigned_32_1d(0 to 3);
   signal lowcost_change_0 : integer_minus_19_to_19_1d(0 to 15);
   -- lowwindow
   signal lowwindow_ring_read_address, lowwindow_ring_write_address : natural range 0 to 15;
   signal lowwindow_leaving : unsigned_32_1d(0 to 3);
   signal lowwindow_entering_0 : natural_255_1d(0 to 15);
-  signal lowwindow_entering_tag_valid, lowwindow_entering_tag_first_cost : boolean;
-  signal lowwindow_entering_tag_leaves_window, lowwindow_entering_tag_output_column : boolean;
-  signal lowwindow_entering_tag_start_of_frame, lowwindow_entering_tag_end_of_line : boolean;
-  signal lowwindow_change_tag_valid, lowwindow_change_tag_first_cost, lowwindow_change_tag_output_column : boolean;
-  signal lowwindow_change_tag_start_of_frame, lowwindow_change_tag_end_of_line : boolean;
-  signal lowwindow_centre_output_column : boolean_1d(0 to 3);
-  signal lowwindow_centre_start_of_frame : boolean_1d(0 to 3);
+  signal lowwindow_entering_tag : tag_6_b;
+  signal lowwindow_change_tag : tag_5_b;
+  signal lowwindow_centre_output_column, lowwindow_centre_start_of_frame : boolean_1d(0 to 3);
   signal lowwindow_centre_end_of_line : boolean_1d(0 to 3);
-  signal lowwindow_tag_valid, lowwindow_tag_output_column, lowwindow_tag_start_of_frame : boolean;
-  signal lowwindow_tag_end_of_line : boolean;
+  signal lowwindow_tag : tag_4;
   signal lowwindow_change_0 : integer_minus_255_to_255_1d(0 to 15);
   signal lowwindow_sum_0 : natural_2047_1d(0 to 15);
   -- lowwinner1
-  signal lowwinner1_best_cost_0 : natural_2047_1d(0 to 7);
-  signal lowwinner1_best_below_0 : natural_2047_1d(0 to 7);
-  signal lowwinner1_best_above_0 : natural_2047_1d(0 to 7);
+  signal lowwinner1_best_cost_0, lowwinner1_best_below_0, lowwinner1_best_above_0 : natural_2047_1d(0 to 7);
   signal lowwinner1_best_first_0 : natural_2047_1d(1 to 7);
   signal lowwinner1_best_last_0 : natural_2047_1d(0 to 6);
-  signal lowwinner1_best_index_0_0, lowwinner1_tag_valid, lowwinner1_tag_output_column : boolean;
-  signal lowwinner1_tag_start_of_frame, lowwinner1_tag_end_of_line : boolean;
-  signal lowwinner1_best_index_0_1 : natural range 0 to 3;
-  signal lowwinner1_best_index_0_2 : natural range 0 to 5;
-  signal lowwinner1_best_index_0_3 : natural range 0 to 7;
-  signal lowwinner1_best_index_0_4 : natural range 0 to 9;
-  signal lowwinner1_best_index_0_5 : natural range 0 to 11;
-  signal lowwinner1_best_index_0_6 : natural range 0 to 13;
-  signal lowwinner1_best_index_0_7 : natural range 0 to 15;
+  signal lowwinner1_best_index_0_0 : boolean;
+  signal lowwinner1_tag : tag_4;
+  signal lowwinner1_best_index_0 : natural_15_1d(1 to 7);  -- lowwinner1_best_index_0_# up to 3, 5 .. 15
   -- lowwinner2
-  signal lowwinner2_best_cost_0 : natural_2047_1d(0 to 3);
-  signal lowwinner2_best_below_0 : natural_2047_1d(0 to 3);
-  signal lowwinner2_best_above_0 : natural_2047_1d(0 to 3);
+  signal lowwinner2_best_cost_0, lowwinner2_best_below_0, lowwinner2_best_above_0 : natural_2047_1d(0 to 3);
   signal lowwinner2_best_first_0 : natural_2047_1d(1 to 3);
   signal lowwinner2_best_last_0 : natural_2047_1d(0 to 2);
-  signal lowwinner2_best_index_0_0 : natural range 0 to 3;
-  signal lowwinner2_best_index_0_1 : natural range 0 to 7;
-  signal lowwinner2_best_index_0_2 : natural range 0 to 11;
-  signal lowwinner2_best_index_0_3 : natural range 0 to 15;
-  signal lowwinner2_tag_valid, lowwinner2_tag_output_column, lowwinner2_tag_start_of_frame : boolean;
-  signal lowwinner2_tag_end_of_line : boolean;
+  signal lowwinner2_best_index_0 : natural_15_1d(0 to 3);  -- lowwinner2_best_index_0_# up to 3, 7 .. 15
+  signal lowwinner2_tag : tag_4;
   -- lowwinner3
-  signal lowwinner3_best_cost_0 : natural_2047_1d(0 to 1);
-  signal lowwinner3_best_below_0 : natural_2047_1d(0 to 1);
-  signal lowwinner3_best_above_0 : natural_2047_1d(0 to 1);
+  signal lowwinner3_best_cost_0, lowwinner3_best_below_0, lowwinner3_best_above_0 : natural_2047_1d(0 to 1);
   signal lowwinner3_best_first_0_1, lowwinner3_best_last_0_0 : natural range 0 to 2047;
-  signal lowwinner3_best_index_0_0 : natural range 0 to 7;
-  signal lowwinner3_best_index_0_1 : natural range 0 to 15;
-  signal lowwinner3_tag_valid, lowwinner3_tag_output_column, lowwinner3_tag_start_of_frame : boolean;
-  signal lowwinner3_tag_end_of_line : boolean;
+  signal lowwinner3_best_index_0 : natural_15_1d(0 to 1);  -- lowwinner3_best_index_0_# up to 7, 15
+  signal lowwinner3_tag : tag_4;
   -- lowwinner4
   signal lowwinner4_best_cost_0_0, lowwinner4_best_below_0_0, lowwinner4_best_above_0_0 : natural range 0 to 2047;
   signal lowwinner4_best_index_0_0 : natural range 0 to 15;
-  signal lowwinner4_tag_valid, lowwinner4_tag_output_column, lowwinner4_tag_start_of_frame : boolean;
-  signal lowwinner4_tag_end_of_line : boolean;
+  signal lowwinner4_tag : tag_4;
   -- highchain
   signal highchain_lane : natural_4095_2d(0 to 1, 0 to 15);
   -- highcost
   signal highcost_pixels_first : natural_255_2d(0 to 1, 0 to 15);
   signal highcost_column_0 : natural_255_1d(0 to 15);
   signal highcost_pixels_cost : natural_19_2d(0 to 1, 0 to 15);
-  signal highcost_read_words : unsigned_32_1d(0 to 3);
-  signal highcost_ready_words : unsigned_32_1d(0 to 3);
-  signal highcost_write_words : unsigned_32_1d(0 to 3);
+  signal highcost_read_words, highcost_ready_words, highcost_write_words : unsigned_32_1d(0 to 3);
   signal highcost_change_0 : integer_minus_19_to_19_1d(0 to 15);
   -- highwindow
   signal highwindow_leaving : unsigned_32_1d(0 to 3);
@@ -792,36 +722,20 @@ architecture rtl of stereo_core_masrani_640 is
   signal highwindow_change_0 : integer_minus_255_to_255_1d(0 to 15);
   signal highwindow_sum_0 : natural_2047_1d(0 to 15);
   -- highwinner1
-  signal highwinner1_best_cost_0 : natural_2047_1d(0 to 7);
-  signal highwinner1_best_below_0 : natural_2047_1d(0 to 7);
-  signal highwinner1_best_above_0 : natural_2047_1d(0 to 7);
+  signal highwinner1_best_cost_0, highwinner1_best_below_0, highwinner1_best_above_0 : natural_2047_1d(0 to 7);
   signal highwinner1_best_first_0 : natural_2047_1d(1 to 7);
   signal highwinner1_best_last_0 : natural_2047_1d(0 to 6);
   signal highwinner1_best_index_0_0 : boolean;
-  signal highwinner1_best_index_0_1 : natural range 0 to 3;
-  signal highwinner1_best_index_0_2 : natural range 0 to 5;
-  signal highwinner1_best_index_0_3 : natural range 0 to 7;
-  signal highwinner1_best_index_0_4 : natural range 0 to 9;
-  signal highwinner1_best_index_0_5 : natural range 0 to 11;
-  signal highwinner1_best_index_0_6 : natural range 0 to 13;
-  signal highwinner1_best_index_0_7 : natural range 0 to 15;
+  signal highwinner1_best_index_0 : natural_15_1d(1 to 7);  -- highwinner1_best_index_0_# up to 3, 5 .. 15
   -- highwinner2
-  signal highwinner2_best_cost_0 : natural_2047_1d(0 to 3);
-  signal highwinner2_best_below_0 : natural_2047_1d(0 to 3);
-  signal highwinner2_best_above_0 : natural_2047_1d(0 to 3);
+  signal highwinner2_best_cost_0, highwinner2_best_below_0, highwinner2_best_above_0 : natural_2047_1d(0 to 3);
   signal highwinner2_best_first_0 : natural_2047_1d(1 to 3);
   signal highwinner2_best_last_0 : natural_2047_1d(0 to 2);
-  signal highwinner2_best_index_0_0 : natural range 0 to 3;
-  signal highwinner2_best_index_0_1 : natural range 0 to 7;
-  signal highwinner2_best_index_0_2 : natural range 0 to 11;
-  signal highwinner2_best_index_0_3 : natural range 0 to 15;
+  signal highwinner2_best_index_0 : natural_15_1d(0 to 3);  -- highwinner2_best_index_0_# up to 3, 7 .. 15
   -- highwinner3
-  signal highwinner3_best_cost_0 : natural_2047_1d(0 to 1);
-  signal highwinner3_best_below_0 : natural_2047_1d(0 to 1);
-  signal highwinner3_best_above_0 : natural_2047_1d(0 to 1);
+  signal highwinner3_best_cost_0, highwinner3_best_below_0, highwinner3_best_above_0 : natural_2047_1d(0 to 1);
   signal highwinner3_best_first_0_1, highwinner3_best_last_0_0 : natural range 0 to 2047;
-  signal highwinner3_best_index_0_0 : natural range 0 to 7;
-  signal highwinner3_best_index_0_1 : natural range 0 to 15;
+  signal highwinner3_best_index_0 : natural_15_1d(0 to 1);  -- highwinner3_best_index_0_# up to 7, 15
   -- highwinner4
   signal highwinner4_best_cost_0_0, highwinner4_best_below_0_0, highwinner4_best_above_0_0 : natural range 0 to 2047;
   signal highwinner4_best_index_0_0 : natural range 0 to 15;
@@ -832,8 +746,7 @@ architecture rtl of stereo_core_masrani_640 is
   -- choice
   signal choice_best_cost_0_0, choice_best_below_0_0, choice_best_above_0_0 : natural range 0 to 2047;
   signal choice_best_index_0_0 : natural range 0 to 15;
-  signal choice_best_tag_valid, choice_best_tag_output_column, choice_best_tag_start_of_frame : boolean;
-  signal choice_best_tag_end_of_line : boolean;
+  signal choice_best_tag : tag_4;
   signal choice_base : natural range 0 to 4095;
   -- refinement
   signal refinement_disparity_0 : natural_15_1d(0 to 11);  -- refinement_disparity_#_0
@@ -874,249 +787,6 @@ architecture rtl of stereo_core_masrani_640 is
   signal other_17 : natural range 0 to 224;
   signal other_19 : natural range 0 to 192;
   signal other_20 : natural range 0 to 128;
-  signal lowwindow_leaving_3_memory_read_enable : boolean;
-  signal lowwindow_leaving_3_memory_read_address, lowwindow_leaving_3_memory_write_address : unsigned(3 downto 0);
-  signal lowwindow_leaving_3_memory_write_data : unsigned(31 downto 0);
-  signal lowwindow_leaving_2_memory_read_enable : boolean;
-  signal lowwindow_leaving_2_memory_read_address, lowwindow_leaving_2_memory_write_address : unsigned(3 downto 0);
-  signal lowwindow_leaving_2_memory_write_data : unsigned(31 downto 0);
-  signal lowwindow_leaving_1_memory_read_enable : boolean;
-  signal lowwindow_leaving_1_memory_read_address, lowwindow_leaving_1_memory_write_address : unsigned(3 downto 0);
-  signal lowwindow_leaving_1_memory_write_data : unsigned(31 downto 0);
-  signal lowwindow_leaving_0_memory_read_enable : boolean;
-  signal lowwindow_leaving_0_memory_read_address, lowwindow_leaving_0_memory_write_address : unsigned(3 downto 0);
-  signal lowwindow_leaving_0_memory_write_data : unsigned(31 downto 0);
-  signal lowcost_read_words_3_memory_read_enable : boolean;
-  signal lowcost_read_words_3_memory_read_address, lowcost_read_words_3_memory_write_address : unsigned(9 downto 0);
-  signal lowcost_read_words_3_memory_write_data : unsigned(31 downto 0);
-  signal lowcost_read_words_2_memory_read_enable : boolean;
-  signal lowcost_read_words_2_memory_read_address, lowcost_read_words_2_memory_write_address : unsigned(9 downto 0);
-  signal lowcost_read_words_2_memory_write_data : unsigned(31 downto 0);
-  signal lowcost_read_words_1_memory_read_enable : boolean;
-  signal lowcost_read_words_1_memory_read_address, lowcost_read_words_1_memory_write_address : unsigned(9 downto 0);
-  signal lowcost_read_words_1_memory_write_data : unsigned(31 downto 0);
-  signal lowcost_read_words_0_memory_read_enable : boolean;
-  signal lowcost_read_words_0_memory_read_address, lowcost_read_words_0_memory_write_address : unsigned(9 downto 0);
-  signal lowcost_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal highwindow_leaving_3_memory_read_enable : boolean;
-  signal highwindow_leaving_3_memory_read_address, highwindow_leaving_3_memory_write_address : unsigned(3 downto 0);
-  signal highwindow_leaving_3_memory_write_data : unsigned(31 downto 0);
-  signal highwindow_leaving_2_memory_read_enable : boolean;
-  signal highwindow_leaving_2_memory_read_address, highwindow_leaving_2_memory_write_address : unsigned(3 downto 0);
-  signal highwindow_leaving_2_memory_write_data : unsigned(31 downto 0);
-  signal highwindow_leaving_1_memory_read_enable : boolean;
-  signal highwindow_leaving_1_memory_read_address, highwindow_leaving_1_memory_write_address : unsigned(3 downto 0);
-  signal highwindow_leaving_1_memory_write_data : unsigned(31 downto 0);
-  signal highwindow_leaving_0_memory_read_enable : boolean;
-  signal highwindow_leaving_0_memory_read_address, highwindow_leaving_0_memory_write_address : unsigned(3 downto 0);
-  signal highwindow_leaving_0_memory_write_data : unsigned(31 downto 0);
-  signal highcost_read_words_3_memory_read_enable : boolean;
-  signal highcost_read_words_3_memory_read_address, highcost_read_words_3_memory_write_address : unsigned(9 downto 0);
-  signal highcost_read_words_3_memory_write_data : unsigned(31 downto 0);
-  signal highcost_read_words_2_memory_read_enable : boolean;
-  signal highcost_read_words_2_memory_read_address, highcost_read_words_2_memory_write_address : unsigned(9 downto 0);
-  signal highcost_read_words_2_memory_write_data : unsigned(31 downto 0);
-  signal highcost_read_words_1_memory_read_enable : boolean;
-  signal highcost_read_words_1_memory_read_address, highcost_read_words_1_memory_write_address : unsigned(9 downto 0);
-  signal highcost_read_words_1_memory_write_data : unsigned(31 downto 0);
-  signal highcost_read_words_0_memory_read_enable : boolean;
-  signal highcost_read_words_0_memory_read_address, highcost_read_words_0_memory_write_address : unsigned(9 downto 0);
-  signal highcost_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal compared_rows_read_words_4_memory_read_enable : boolean;
-  signal compared_rows_read_words_4_memory_read_address : unsigned(9 downto 0);
-  signal compared_rows_read_words_4_memory_write_address : unsigned(9 downto 0);
-  signal compared_rows_read_words_4_memory_write_data : unsigned(11 downto 0);
-  signal compared_rows_read_words_3_memory_read_enable : boolean;
-  signal compared_rows_read_words_3_memory_read_address : unsigned(9 downto 0);
-  signal compared_rows_read_words_3_memory_write_address : unsigned(9 downto 0);
-  signal compared_rows_read_words_3_memory_write_data : unsigned(23 downto 0);
-  signal compared_rows_read_words_2_memory_read_enable : boolean;
-  signal compared_rows_read_words_2_memory_read_address : unsigned(9 downto 0);
-  signal compared_rows_read_words_2_memory_write_address : unsigned(9 downto 0);
-  signal compared_rows_read_words_2_memory_write_data : unsigned(23 downto 0);
-  signal compared_rows_read_words_1_memory_read_enable : boolean;
-  signal compared_rows_read_words_1_memory_read_address : unsigned(9 downto 0);
-  signal compared_rows_read_words_1_memory_write_address : unsigned(9 downto 0);
-  signal compared_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
-  signal compared_rows_read_words_0_memory_read_enable : boolean;
-  signal compared_rows_read_words_0_memory_read_address : unsigned(9 downto 0);
-  signal compared_rows_read_words_0_memory_write_address : unsigned(9 downto 0);
-  signal compared_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
-  signal pairs_delayed_0_memory_read_enable : boolean;
-  signal pairs_delayed_0_memory_read_address, pairs_delayed_0_memory_write_address : unsigned(3 downto 0);
-  signal pairs_delayed_0_memory_write_data : unsigned(11 downto 0);
-  signal rows_read_codes_15_memory_read_enable : boolean;
-  signal rows_read_codes_15_memory_read_address, rows_read_codes_15_memory_write_address : unsigned(10 downto 0);
-  signal rows_read_codes_15_memory_write_data : unsigned(11 downto 0);
-  signal rows_read_codes_14_memory_read_enable : boolean;
-  signal rows_read_codes_14_memory_read_address, rows_read_codes_14_memory_write_address : unsigned(10 downto 0);
-  signal rows_read_codes_14_memory_write_data : unsigned(11 downto 0);
-  signal rows_read_codes_13_memory_read_enable : boolean;
-  signal rows_read_codes_13_memory_read_address, rows_read_codes_13_memory_write_address : unsigned(10 downto 0);
-  signal rows_read_codes_13_memory_write_data : unsigned(11 downto 0);
-  signal rows_read_codes_12_memory_read_enable : boolean;
-  signal rows_read_codes_12_memory_read_address, rows_read_codes_12_memory_write_address : unsigned(10 downto 0);
-  signal rows_read_codes_12_memory_write_data : unsigned(11 downto 0);
-  signal rows_read_codes_11_memory_read_enable : boolean;
-  signal rows_read_codes_11_memory_read_address, rows_read_codes_11_memory_write_address : unsigned(10 downto 0);
-  signal rows_read_codes_11_memory_write_data : unsigned(11 downto 0);
-  signal rows_read_codes_10_memory_read_enable : boolean;
-  signal rows_read_codes_10_memory_read_address, rows_read_codes_10_memory_write_address : unsigned(10 downto 0);
-  signal rows_read_codes_10_memory_write_data : unsigned(11 downto 0);
-  signal rows_read_codes_9_memory_read_enable : boolean;
-  signal rows_read_codes_9_memory_read_address, rows_read_codes_9_memory_write_address : unsigned(10 downto 0);
-  signal rows_read_codes_9_memory_write_data : unsigned(11 downto 0);
-  signal rows_read_codes_8_memory_read_enable : boolean;
-  signal rows_read_codes_8_memory_read_address, rows_read_codes_8_memory_write_address : unsigned(10 downto 0);
-  signal rows_read_codes_8_memory_write_data : unsigned(11 downto 0);
-  signal rows_read_codes_7_memory_read_enable : boolean;
-  signal rows_read_codes_7_memory_read_address, rows_read_codes_7_memory_write_address : unsigned(10 downto 0);
-  signal rows_read_codes_7_memory_write_data : unsigned(11 downto 0);
-  signal rows_read_codes_6_memory_read_enable : boolean;
-  signal rows_read_codes_6_memory_read_address, rows_read_codes_6_memory_write_address : unsigned(10 downto 0);
-  signal rows_read_codes_6_memory_write_data : unsigned(11 downto 0);
-  signal rows_read_codes_5_memory_read_enable : boolean;
-  signal rows_read_codes_5_memory_read_address, rows_read_codes_5_memory_write_address : unsigned(10 downto 0);
-  signal rows_read_codes_5_memory_write_data : unsigned(11 downto 0);
-  signal rows_read_codes_4_memory_read_enable : boolean;
-  signal rows_read_codes_4_memory_read_address, rows_read_codes_4_memory_write_address : unsigned(10 downto 0);
-  signal rows_read_codes_4_memory_write_data : unsigned(11 downto 0);
-  signal rows_read_codes_3_memory_read_enable : boolean;
-  signal rows_read_codes_3_memory_read_address, rows_read_codes_3_memory_write_address : unsigned(10 downto 0);
-  signal rows_read_codes_3_memory_write_data : unsigned(11 downto 0);
-  signal rows_read_codes_2_memory_read_enable : boolean;
-  signal rows_read_codes_2_memory_read_address, rows_read_codes_2_memory_write_address : unsigned(10 downto 0);
-  signal rows_read_codes_2_memory_write_data : unsigned(11 downto 0);
-  signal rows_read_codes_1_memory_read_enable : boolean;
-  signal rows_read_codes_1_memory_read_address, rows_read_codes_1_memory_write_address : unsigned(10 downto 0);
-  signal rows_read_codes_1_memory_write_data : unsigned(11 downto 0);
-  signal rows_read_codes_0_memory_read_enable : boolean;
-  signal rows_read_codes_0_memory_read_address, rows_read_codes_0_memory_write_address : unsigned(10 downto 0);
-  signal rows_read_codes_0_memory_write_data : unsigned(11 downto 0);
-  signal bases_read_targets_2_memory_read_enable : boolean;
-  signal bases_read_targets_2_memory_read_address, bases_read_targets_2_memory_write_address : unsigned(9 downto 0);
-  signal bases_read_targets_2_memory_write_data : unsigned(15 downto 0);
-  signal bases_read_targets_1_memory_read_enable : boolean;
-  signal bases_read_targets_1_memory_read_address, bases_read_targets_1_memory_write_address : unsigned(9 downto 0);
-  signal bases_read_targets_1_memory_write_data : unsigned(15 downto 0);
-  signal bases_read_targets_0_memory_read_enable : boolean;
-  signal bases_read_targets_0_memory_read_address, bases_read_targets_0_memory_write_address : unsigned(9 downto 0);
-  signal bases_read_targets_0_memory_write_data : unsigned(15 downto 0);
-  signal ahead_held_0_memory_read_enable : boolean;
-  signal ahead_held_0_memory_read_address, ahead_held_0_memory_write_address : unsigned(6 downto 0);
-  signal ahead_held_0_memory_write_data : unsigned(12 downto 0);
-  signal transform_left_rows_read_words_2_memory_read_enable : boolean;
-  signal transform_left_rows_read_words_2_memory_read_address : unsigned(9 downto 0);
-  signal transform_left_rows_read_words_2_memory_write_address : unsigned(9 downto 0);
-  signal transform_left_rows_read_words_2_memory_write_data : unsigned(7 downto 0);
-  signal transform_left_rows_read_words_1_memory_read_enable : boolean;
-  signal transform_left_rows_read_words_1_memory_read_address : unsigned(9 downto 0);
-  signal transform_left_rows_read_words_1_memory_write_address : unsigned(9 downto 0);
-  signal transform_left_rows_read_words_1_memory_write_data : unsigned(31 downto 0);
-  signal transform_left_rows_read_words_0_memory_read_enable : boolean;
-  signal transform_left_rows_read_words_0_memory_read_address : unsigned(9 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_address : unsigned(9 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal transform_right_rows_read_words_2_memory_read_enable : boolean;
-  signal transform_right_rows_read_words_2_memory_read_address : unsigned(9 downto 0);
-  signal transform_right_rows_read_words_2_memory_write_address : unsigned(9 downto 0);
-  signal transform_right_rows_read_words_2_memory_write_data : unsigned(7 downto 0);
-  signal transform_right_rows_read_words_1_memory_read_enable : boolean;
-  signal transform_right_rows_read_words_1_memory_read_address : unsigned(9 downto 0);
-  signal transform_right_rows_read_words_1_memory_write_address : unsigned(9 downto 0);
-  signal transform_right_rows_read_words_1_memory_write_data : unsigned(31 downto 0);
-  signal transform_right_rows_read_words_0_memory_read_enable : boolean;
-  signal transform_right_rows_read_words_0_memory_read_address : unsigned(9 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_address : unsigned(9 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal hold_back_next_next_next_next_next_next_next_next_held_0_memory_read_enable : boolean;
-  signal hold_back_next_next_next_next_next_next_next_next_held_0_memory_read_address : unsigned(11 downto 0);
-  signal hold_back_next_next_next_next_next_next_next_next_held_0_memory_write_address : unsigned(11 downto 0);
-  signal hold_back_next_next_next_next_next_next_next_next_held_0_memory_write_data : unsigned(16 downto 0);
-  signal hold_back_next_next_next_next_next_next_next_held_0_memory_read_enable : boolean;
-  signal hold_back_next_next_next_next_next_next_next_held_0_memory_read_address : unsigned(11 downto 0);
-  signal hold_back_next_next_next_next_next_next_next_held_0_memory_write_address : unsigned(11 downto 0);
-  signal hold_back_next_next_next_next_next_next_next_held_0_memory_write_data : unsigned(16 downto 0);
-  signal hold_back_next_next_next_next_next_next_held_0_memory_read_enable : boolean;
-  signal hold_back_next_next_next_next_next_next_held_0_memory_read_address : unsigned(11 downto 0);
-  signal hold_back_next_next_next_next_next_next_held_0_memory_write_address : unsigned(11 downto 0);
-  signal hold_back_next_next_next_next_next_next_held_0_memory_write_data : unsigned(16 downto 0);
-  signal hold_back_next_next_next_next_next_held_0_memory_read_enable : boolean;
-  signal hold_back_next_next_next_next_next_held_0_memory_read_address : unsigned(11 downto 0);
-  signal hold_back_next_next_next_next_next_held_0_memory_write_address : unsigned(11 downto 0);
-  signal hold_back_next_next_next_next_next_held_0_memory_write_data : unsigned(16 downto 0);
-  signal hold_back_next_next_next_next_held_0_memory_read_enable : boolean;
-  signal hold_back_next_next_next_next_held_0_memory_read_address : unsigned(11 downto 0);
-  signal hold_back_next_next_next_next_held_0_memory_write_address : unsigned(11 downto 0);
-  signal hold_back_next_next_next_next_held_0_memory_write_data : unsigned(16 downto 0);
-  signal hold_back_next_next_next_held_0_memory_read_enable : boolean;
-  signal hold_back_next_next_next_held_0_memory_read_address : unsigned(11 downto 0);
-  signal hold_back_next_next_next_held_0_memory_write_address : unsigned(11 downto 0);
-  signal hold_back_next_next_next_held_0_memory_write_data : unsigned(16 downto 0);
-  signal hold_back_next_next_held_0_memory_read_enable : boolean;
-  signal hold_back_next_next_held_0_memory_read_address : unsigned(11 downto 0);
-  signal hold_back_next_next_held_0_memory_write_address : unsigned(11 downto 0);
-  signal hold_back_next_next_held_0_memory_write_data : unsigned(16 downto 0);
-  signal hold_back_next_held_0_memory_read_enable : boolean;
-  signal hold_back_next_held_0_memory_read_address, hold_back_next_held_0_memory_write_address : unsigned(11 downto 0);
-  signal hold_back_next_held_0_memory_write_data : unsigned(16 downto 0);
-  signal hold_back_held_0_memory_read_enable : boolean;
-  signal hold_back_held_0_memory_read_address, hold_back_held_0_memory_write_address : unsigned(11 downto 0);
-  signal hold_back_held_0_memory_write_data : unsigned(16 downto 0);
-  signal targets_rows_read_words_1_memory_read_enable : boolean;
-  signal targets_rows_read_words_1_memory_read_address : unsigned(6 downto 0);
-  signal targets_rows_read_words_1_memory_write_address : unsigned(6 downto 0);
-  signal targets_rows_read_words_1_memory_write_data : unsigned(10 downto 0);
-  signal targets_rows_read_words_0_memory_read_enable : boolean;
-  signal targets_rows_read_words_0_memory_read_address : unsigned(6 downto 0);
-  signal targets_rows_read_words_0_memory_write_address : unsigned(6 downto 0);
-  signal targets_rows_read_words_0_memory_write_data : unsigned(21 downto 0);
-  signal ranges_pairs_read_words_0_memory_read_enable : boolean;
-  signal ranges_pairs_read_words_0_memory_read_address : unsigned(6 downto 0);
-  signal ranges_pairs_read_words_0_memory_write_address : unsigned(6 downto 0);
-  signal ranges_pairs_read_words_0_memory_write_data : unsigned(10 downto 0);
-  signal ranges_pixels_read_words_0_memory_read_enable : boolean;
-  signal ranges_pixels_read_words_0_memory_read_address : unsigned(7 downto 0);
-  signal ranges_pixels_read_words_0_memory_write_address : unsigned(7 downto 0);
-  signal ranges_pixels_read_words_0_memory_write_data : unsigned(11 downto 0);
-  signal coarseleftright_found_0_memory_read_enable : boolean;
-  signal coarseleftright_found_0_memory_read_address : unsigned(5 downto 0);
-  signal coarseleftright_found_0_memory_write_address : unsigned(5 downto 0);
-  signal coarseleftright_found_0_memory_write_data : unsigned(4 downto 0);
-  signal coarseleftright_held_0_memory_read_enable : boolean;
-  signal coarseleftright_held_0_memory_read_address, coarseleftright_held_0_memory_write_address : unsigned(4 downto 0);
-  signal coarseleftright_held_0_memory_write_data : unsigned(12 downto 0);
-  signal coarserows_search_rows_read_words_1_memory_read_enable : boolean;
-  signal coarserows_search_rows_read_words_1_memory_read_address : unsigned(7 downto 0);
-  signal coarserows_search_rows_read_words_1_memory_write_address : unsigned(7 downto 0);
-  signal coarserows_search_rows_read_words_1_memory_write_data : unsigned(5 downto 0);
-  signal coarserows_search_rows_read_words_0_memory_read_enable : boolean;
-  signal coarserows_search_rows_read_words_0_memory_read_address : unsigned(7 downto 0);
-  signal coarserows_search_rows_read_words_0_memory_write_address : unsigned(7 downto 0);
-  signal coarserows_search_rows_read_words_0_memory_write_data : unsigned(29 downto 0);
-  signal coarserows_reference_rows_read_words_1_memory_read_enable : boolean;
-  signal coarserows_reference_rows_read_words_1_memory_read_address : unsigned(7 downto 0);
-  signal coarserows_reference_rows_read_words_1_memory_write_address : unsigned(7 downto 0);
-  signal coarserows_reference_rows_read_words_1_memory_write_data : unsigned(5 downto 0);
-  signal coarserows_reference_rows_read_words_0_memory_read_enable : boolean;
-  signal coarserows_reference_rows_read_words_0_memory_read_address : unsigned(7 downto 0);
-  signal coarserows_reference_rows_read_words_0_memory_write_address : unsigned(7 downto 0);
-  signal coarserows_reference_rows_read_words_0_memory_write_data : unsigned(29 downto 0);
-  signal coarsedelay_delayed_0_memory_read_enable : boolean;
-  signal coarsedelay_delayed_0_memory_read_address, coarsedelay_delayed_0_memory_write_address : unsigned(4 downto 0);
-  signal coarsedelay_delayed_0_memory_write_data : unsigned(5 downto 0);
-  signal coarsetransform_left_rows_read_words_0_memory_read_enable : boolean;
-  signal coarsetransform_left_rows_read_words_0_memory_read_address : unsigned(7 downto 0);
-  signal coarsetransform_left_rows_read_words_0_memory_write_address : unsigned(7 downto 0);
-  signal coarsetransform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal coarsetransform_right_rows_read_words_0_memory_read_enable : boolean;
-  signal coarsetransform_right_rows_read_words_0_memory_read_address : unsigned(7 downto 0);
-  signal coarsetransform_right_rows_read_words_0_memory_write_address : unsigned(7 downto 0);
-  signal coarsetransform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal coarse_pixels_read_word_0_memory_read_enable : boolean;
-  signal coarse_pixels_read_word_0_memory_read_address : unsigned(7 downto 0);
-  signal coarse_pixels_read_word_0_memory_write_address : unsigned(7 downto 0);
-  signal coarse_pixels_read_word_0_memory_write_data : unsigned(23 downto 0);
 
 begin
   in_valid <= valid = '1';
@@ -1129,807 +799,553 @@ begin
   disparity_start_of_frame <= as_bit(map_start_of_frame);
   disparity_end_of_line <= as_bit(map_end_of_line);
 
-  lowwindow_leaving_3_memory_read_enable <= true;
-  lowwindow_leaving_3_memory_read_address <= to_unsigned(lowwindow_ring_read_address, 4);
-  lowwindow_leaving_3_memory_write_address <= to_unsigned(lowwindow_ring_write_address, 4);
-  lowwindow_leaving_3_memory_write_data <= to_unsigned(lowcost_column_0(15), 8) & to_unsigned(lowcost_column_0(14), 8) & to_unsigned(lowcost_column_0(13), 8) & to_unsigned(lowcost_column_0(12), 8);
-  lowwindow_leaving_3_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => lowwindow_leaving_3_memory_read_enable,
-      read_address => lowwindow_leaving_3_memory_read_address, read_data => lowwindow_leaving(3),
-      write_address => lowwindow_leaving_3_memory_write_address, write_data => lowwindow_leaving_3_memory_write_data);
-
-  lowwindow_leaving_2_memory_read_enable <= true;
-  lowwindow_leaving_2_memory_read_address <= to_unsigned(lowwindow_ring_read_address, 4);
-  lowwindow_leaving_2_memory_write_address <= to_unsigned(lowwindow_ring_write_address, 4);
-  lowwindow_leaving_2_memory_write_data <= to_unsigned(lowcost_column_0(11), 8) & to_unsigned(lowcost_column_0(10), 8) & to_unsigned(lowcost_column_0(9), 8) & to_unsigned(lowcost_column_0(8), 8);
-  lowwindow_leaving_2_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => lowwindow_leaving_2_memory_read_enable,
-      read_address => lowwindow_leaving_2_memory_read_address, read_data => lowwindow_leaving(2),
-      write_address => lowwindow_leaving_2_memory_write_address, write_data => lowwindow_leaving_2_memory_write_data);
-
-  lowwindow_leaving_1_memory_read_enable <= true;
-  lowwindow_leaving_1_memory_read_address <= to_unsigned(lowwindow_ring_read_address, 4);
-  lowwindow_leaving_1_memory_write_address <= to_unsigned(lowwindow_ring_write_address, 4);
-  lowwindow_leaving_1_memory_write_data <= to_unsigned(lowcost_column_0(7), 8) & to_unsigned(lowcost_column_0(6), 8) & to_unsigned(lowcost_column_0(5), 8) & to_unsigned(lowcost_column_0(4), 8);
-  lowwindow_leaving_1_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => lowwindow_leaving_1_memory_read_enable,
-      read_address => lowwindow_leaving_1_memory_read_address, read_data => lowwindow_leaving(1),
-      write_address => lowwindow_leaving_1_memory_write_address, write_data => lowwindow_leaving_1_memory_write_data);
-
-  lowwindow_leaving_0_memory_read_enable <= true;
-  lowwindow_leaving_0_memory_read_address <= to_unsigned(lowwindow_ring_read_address, 4);
-  lowwindow_leaving_0_memory_write_address <= to_unsigned(lowwindow_ring_write_address, 4);
-  lowwindow_leaving_0_memory_write_data <= to_unsigned(lowcost_column_0(3), 8) & to_unsigned(lowcost_column_0(2), 8) & to_unsigned(lowcost_column_0(1), 8) & to_unsigned(lowcost_column_0(0), 8);
-  lowwindow_leaving_0_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => lowwindow_leaving_0_memory_read_enable,
-      read_address => lowwindow_leaving_0_memory_read_address, read_data => lowwindow_leaving(0),
-      write_address => lowwindow_leaving_0_memory_write_address, write_data => lowwindow_leaving_0_memory_write_data);
-
-  lowcost_read_words_3_memory_read_enable <= true;
-  lowcost_read_words_3_memory_read_address <= to_unsigned(lowcost_read_column, 10);
-  lowcost_read_words_3_memory_write_address <= to_unsigned(lowcost_write_column, 10);
-  lowcost_read_words_3_memory_write_data <= lowcost_write_words(3);
-  lowcost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 640, width => 32, address_bits => 10)
-    port map (
-      clock => clock, read_enable => lowcost_read_words_3_memory_read_enable,
-      read_address => lowcost_read_words_3_memory_read_address, read_data => lowcost_read_words(3),
-      write_address => lowcost_read_words_3_memory_write_address, write_data => lowcost_read_words_3_memory_write_data);
-
-  lowcost_read_words_2_memory_read_enable <= true;
-  lowcost_read_words_2_memory_read_address <= to_unsigned(lowcost_read_column, 10);
-  lowcost_read_words_2_memory_write_address <= to_unsigned(lowcost_write_column, 10);
-  lowcost_read_words_2_memory_write_data <= lowcost_write_words(2);
-  lowcost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 640, width => 32, address_bits => 10)
-    port map (
-      clock => clock, read_enable => lowcost_read_words_2_memory_read_enable,
-      read_address => lowcost_read_words_2_memory_read_address, read_data => lowcost_read_words(2),
-      write_address => lowcost_read_words_2_memory_write_address, write_data => lowcost_read_words_2_memory_write_data);
-
-  lowcost_read_words_1_memory_read_enable <= true;
-  lowcost_read_words_1_memory_read_address <= to_unsigned(lowcost_read_column, 10);
-  lowcost_read_words_1_memory_write_address <= to_unsigned(lowcost_write_column, 10);
-  lowcost_read_words_1_memory_write_data <= lowcost_write_words(1);
-  lowcost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 640, width => 32, address_bits => 10)
-    port map (
-      clock => clock, read_enable => lowcost_read_words_1_memory_read_enable,
-      read_address => lowcost_read_words_1_memory_read_address, read_data => lowcost_read_words(1),
-      write_address => lowcost_read_words_1_memory_write_address, write_data => lowcost_read_words_1_memory_write_data);
-
-  lowcost_read_words_0_memory_read_enable <= true;
-  lowcost_read_words_0_memory_read_address <= to_unsigned(lowcost_read_column, 10);
-  lowcost_read_words_0_memory_write_address <= to_unsigned(lowcost_write_column, 10);
-  lowcost_read_words_0_memory_write_data <= lowcost_write_words(0);
-  lowcost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 32, address_bits => 10)
-    port map (
-      clock => clock, read_enable => lowcost_read_words_0_memory_read_enable,
-      read_address => lowcost_read_words_0_memory_read_address, read_data => lowcost_read_words(0),
-      write_address => lowcost_read_words_0_memory_write_address, write_data => lowcost_read_words_0_memory_write_data);
-
-  highwindow_leaving_3_memory_read_enable <= true;
-  highwindow_leaving_3_memory_read_address <= to_unsigned(lowwindow_ring_read_address, 4);
-  highwindow_leaving_3_memory_write_address <= to_unsigned(lowwindow_ring_write_address, 4);
-  highwindow_leaving_3_memory_write_data <= to_unsigned(highcost_column_0(15), 8) & to_unsigned(highcost_column_0(14), 8) & to_unsigned(highcost_column_0(13), 8) & to_unsigned(highcost_column_0(12), 8);
-  highwindow_leaving_3_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => highwindow_leaving_3_memory_read_enable,
-      read_address => highwindow_leaving_3_memory_read_address, read_data => highwindow_leaving(3),
-      write_address => highwindow_leaving_3_memory_write_address, write_data => highwindow_leaving_3_memory_write_data);
-
-  highwindow_leaving_2_memory_read_enable <= true;
-  highwindow_leaving_2_memory_read_address <= to_unsigned(lowwindow_ring_read_address, 4);
-  highwindow_leaving_2_memory_write_address <= to_unsigned(lowwindow_ring_write_address, 4);
-  highwindow_leaving_2_memory_write_data <= to_unsigned(highcost_column_0(11), 8) & to_unsigned(highcost_column_0(10), 8) & to_unsigned(highcost_column_0(9), 8) & to_unsigned(highcost_column_0(8), 8);
-  highwindow_leaving_2_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => highwindow_leaving_2_memory_read_enable,
-      read_address => highwindow_leaving_2_memory_read_address, read_data => highwindow_leaving(2),
-      write_address => highwindow_leaving_2_memory_write_address, write_data => highwindow_leaving_2_memory_write_data);
-
-  highwindow_leaving_1_memory_read_enable <= true;
-  highwindow_leaving_1_memory_read_address <= to_unsigned(lowwindow_ring_read_address, 4);
-  highwindow_leaving_1_memory_write_address <= to_unsigned(lowwindow_ring_write_address, 4);
-  highwindow_leaving_1_memory_write_data <= to_unsigned(highcost_column_0(7), 8) & to_unsigned(highcost_column_0(6), 8) & to_unsigned(highcost_column_0(5), 8) & to_unsigned(highcost_column_0(4), 8);
-  highwindow_leaving_1_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => highwindow_leaving_1_memory_read_enable,
-      read_address => highwindow_leaving_1_memory_read_address, read_data => highwindow_leaving(1),
-      write_address => highwindow_leaving_1_memory_write_address, write_data => highwindow_leaving_1_memory_write_data);
-
-  highwindow_leaving_0_memory_read_enable <= true;
-  highwindow_leaving_0_memory_read_address <= to_unsigned(lowwindow_ring_read_address, 4);
-  highwindow_leaving_0_memory_write_address <= to_unsigned(lowwindow_ring_write_address, 4);
-  highwindow_leaving_0_memory_write_data <= to_unsigned(highcost_column_0(3), 8) & to_unsigned(highcost_column_0(2), 8) & to_unsigned(highcost_column_0(1), 8) & to_unsigned(highcost_column_0(0), 8);
-  highwindow_leaving_0_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => highwindow_leaving_0_memory_read_enable,
-      read_address => highwindow_leaving_0_memory_read_address, read_data => highwindow_leaving(0),
-      write_address => highwindow_leaving_0_memory_write_address, write_data => highwindow_leaving_0_memory_write_data);
-
-  highcost_read_words_3_memory_read_enable <= true;
-  highcost_read_words_3_memory_read_address <= to_unsigned(lowcost_read_column, 10);
-  highcost_read_words_3_memory_write_address <= to_unsigned(lowcost_write_column, 10);
-  highcost_read_words_3_memory_write_data <= highcost_write_words(3);
-  highcost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 640, width => 32, address_bits => 10)
-    port map (
-      clock => clock, read_enable => highcost_read_words_3_memory_read_enable,
-      read_address => highcost_read_words_3_memory_read_address, read_data => highcost_read_words(3),
-      write_address => highcost_read_words_3_memory_write_address, write_data => highcost_read_words_3_memory_write_data);
-
-  highcost_read_words_2_memory_read_enable <= true;
-  highcost_read_words_2_memory_read_address <= to_unsigned(lowcost_read_column, 10);
-  highcost_read_words_2_memory_write_address <= to_unsigned(lowcost_write_column, 10);
-  highcost_read_words_2_memory_write_data <= highcost_write_words(2);
-  highcost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 640, width => 32, address_bits => 10)
-    port map (
-      clock => clock, read_enable => highcost_read_words_2_memory_read_enable,
-      read_address => highcost_read_words_2_memory_read_address, read_data => highcost_read_words(2),
-      write_address => highcost_read_words_2_memory_write_address, write_data => highcost_read_words_2_memory_write_data);
-
-  highcost_read_words_1_memory_read_enable <= true;
-  highcost_read_words_1_memory_read_address <= to_unsigned(lowcost_read_column, 10);
-  highcost_read_words_1_memory_write_address <= to_unsigned(lowcost_write_column, 10);
-  highcost_read_words_1_memory_write_data <= highcost_write_words(1);
-  highcost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 640, width => 32, address_bits => 10)
-    port map (
-      clock => clock, read_enable => highcost_read_words_1_memory_read_enable,
-      read_address => highcost_read_words_1_memory_read_address, read_data => highcost_read_words(1),
-      write_address => highcost_read_words_1_memory_write_address, write_data => highcost_read_words_1_memory_write_data);
-
-  highcost_read_words_0_memory_read_enable <= true;
-  highcost_read_words_0_memory_read_address <= to_unsigned(lowcost_read_column, 10);
-  highcost_read_words_0_memory_write_address <= to_unsigned(lowcost_write_column, 10);
-  highcost_read_words_0_memory_write_data <= highcost_write_words(0);
-  highcost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 32, address_bits => 10)
-    port map (
-      clock => clock, read_enable => highcost_read_words_0_memory_read_enable,
-      read_address => highcost_read_words_0_memory_read_address, read_data => highcost_read_words(0),
-      write_address => highcost_read_words_0_memory_write_address, write_data => highcost_read_words_0_memory_write_data);
-
-  compared_rows_read_words_4_memory_read_enable <= true;
-  compared_rows_read_words_4_memory_read_address <= to_unsigned(bases_asked_column, 10);
-  compared_rows_read_words_4_memory_write_address <= to_unsigned(compared_write_column, 10);
-  compared_rows_read_words_4_memory_write_data <= to_unsigned(compared_rows_write_words_4, 12);
-  compared_rows_read_words_4_memory : entity work.line_memory
-    generic map (depth => 640, width => 12, address_bits => 10)
-    port map (
-      clock => clock, read_enable => compared_rows_read_words_4_memory_read_enable,
-      read_address => compared_rows_read_words_4_memory_read_address, read_data => compared_rows_read_words_4,
-      write_address => compared_rows_read_words_4_memory_write_address, write_data => compared_rows_read_words_4_memory_write_data);
-
-  compared_rows_read_words_3_memory_read_enable <= true;
-  compared_rows_read_words_3_memory_read_address <= to_unsigned(bases_asked_column, 10);
-  compared_rows_read_words_3_memory_write_address <= to_unsigned(compared_write_column, 10);
-  compared_rows_read_words_3_memory_write_data <= to_unsigned(compared_rows_write_words(3), 24);
-  compared_rows_read_words_3_memory : entity work.line_memory
-    generic map (depth => 640, width => 24, address_bits => 10)
-    port map (
-      clock => clock, read_enable => compared_rows_read_words_3_memory_read_enable,
-      read_address => compared_rows_read_words_3_memory_read_address, read_data => compared_rows_read_words(3),
-      write_address => compared_rows_read_words_3_memory_write_address, write_data => compared_rows_read_words_3_memory_write_data);
-
-  compared_rows_read_words_2_memory_read_enable <= true;
-  compared_rows_read_words_2_memory_read_address <= to_unsigned(bases_asked_column, 10);
-  compared_rows_read_words_2_memory_write_address <= to_unsigned(compared_write_column, 10);
-  compared_rows_read_words_2_memory_write_data <= to_unsigned(compared_rows_write_words(2), 24);
-  compared_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 640, width => 24, address_bits => 10)
-    port map (
-      clock => clock, read_enable => compared_rows_read_words_2_memory_read_enable,
-      read_address => compared_rows_read_words_2_memory_read_address, read_data => compared_rows_read_words(2),
-      write_address => compared_rows_read_words_2_memory_write_address, write_data => compared_rows_read_words_2_memory_write_data);
-
-  compared_rows_read_words_1_memory_read_enable <= true;
-  compared_rows_read_words_1_memory_read_address <= to_unsigned(bases_asked_column, 10);
-  compared_rows_read_words_1_memory_write_address <= to_unsigned(compared_write_column, 10);
-  compared_rows_read_words_1_memory_write_data <= to_unsigned(compared_rows_write_words(1), 24);
-  compared_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 640, width => 24, address_bits => 10)
-    port map (
-      clock => clock, read_enable => compared_rows_read_words_1_memory_read_enable,
-      read_address => compared_rows_read_words_1_memory_read_address, read_data => compared_rows_read_words(1),
-      write_address => compared_rows_read_words_1_memory_write_address, write_data => compared_rows_read_words_1_memory_write_data);
-
-  compared_rows_read_words_0_memory_read_enable <= true;
-  compared_rows_read_words_0_memory_read_address <= to_unsigned(bases_asked_column, 10);
-  compared_rows_read_words_0_memory_write_address <= to_unsigned(compared_write_column, 10);
-  compared_rows_read_words_0_memory_write_data <= to_unsigned(compared_rows_write_words(0), 24);
-  compared_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 24, address_bits => 10)
-    port map (
-      clock => clock, read_enable => compared_rows_read_words_0_memory_read_enable,
-      read_address => compared_rows_read_words_0_memory_read_address, read_data => compared_rows_read_words(0),
-      write_address => compared_rows_read_words_0_memory_write_address, write_data => compared_rows_read_words_0_memory_write_data);
-
-  pairs_delayed_0_memory_read_enable <= true;
-  pairs_delayed_0_memory_read_address <= to_unsigned(pairs_ring_read_address, 4);
-  pairs_delayed_0_memory_write_address <= to_unsigned(pairs_ring_write_address, 4);
-  pairs_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 12);
-  pairs_delayed_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 12, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pairs_delayed_0_memory_read_enable,
-      read_address => pairs_delayed_0_memory_read_address, read_data => pairs_delayed_0,
-      write_address => pairs_delayed_0_memory_write_address, write_data => pairs_delayed_0_memory_write_data);
-
-  rows_read_codes_15_memory_read_enable <= true;
-  rows_read_codes_15_memory_read_address <= to_unsigned(rows_address(15), 11);
-  rows_read_codes_15_memory_write_address <= to_unsigned(rows_write_word, 11);
-  rows_read_codes_15_memory_write_data <= to_unsigned(rows_write_codes(3), 12);
-  rows_read_codes_15_memory : entity work.line_memory
-    generic map (depth => 1761, width => 12, address_bits => 11)
-    port map (
-      clock => clock, read_enable => rows_read_codes_15_memory_read_enable,
-      read_address => rows_read_codes_15_memory_read_address, read_data => rows_read_codes(15),
-      write_address => rows_read_codes_15_memory_write_address, write_data => rows_read_codes_15_memory_write_data);
-
-  rows_read_codes_14_memory_read_enable <= true;
-  rows_read_codes_14_memory_read_address <= to_unsigned(rows_address(14), 11);
-  rows_read_codes_14_memory_write_address <= to_unsigned(rows_write_word, 11);
-  rows_read_codes_14_memory_write_data <= to_unsigned(rows_write_codes(2), 12);
-  rows_read_codes_14_memory : entity work.line_memory
-    generic map (depth => 1761, width => 12, address_bits => 11)
-    port map (
-      clock => clock, read_enable => rows_read_codes_14_memory_read_enable,
-      read_address => rows_read_codes_14_memory_read_address, read_data => rows_read_codes(14),
-      write_address => rows_read_codes_14_memory_write_address, write_data => rows_read_codes_14_memory_write_data);
-
-  rows_read_codes_13_memory_read_enable <= true;
-  rows_read_codes_13_memory_read_address <= to_unsigned(rows_address(13), 11);
-  rows_read_codes_13_memory_write_address <= to_unsigned(rows_write_word, 11);
-  rows_read_codes_13_memory_write_data <= to_unsigned(rows_write_codes(1), 12);
-  rows_read_codes_13_memory : entity work.line_memory
-    generic map (depth => 1761, width => 12, address_bits => 11)
-    port map (
-      clock => clock, read_enable => rows_read_codes_13_memory_read_enable,
-      read_address => rows_read_codes_13_memory_read_address, read_data => rows_read_codes(13),
-      write_address => rows_read_codes_13_memory_write_address, write_data => rows_read_codes_13_memory_write_data);
-
-  rows_read_codes_12_memory_read_enable <= true;
-  rows_read_codes_12_memory_read_address <= to_unsigned(rows_address(12), 11);
-  rows_read_codes_12_memory_write_address <= to_unsigned(rows_write_word, 11);
-  rows_read_codes_12_memory_write_data <= to_unsigned(rows_write_codes(0), 12);
-  rows_read_codes_12_memory : entity work.line_memory
-    generic map (depth => 1761, width => 12, address_bits => 11)
-    port map (
-      clock => clock, read_enable => rows_read_codes_12_memory_read_enable,
-      read_address => rows_read_codes_12_memory_read_address, read_data => rows_read_codes(12),
-      write_address => rows_read_codes_12_memory_write_address, write_data => rows_read_codes_12_memory_write_data);
-
-  rows_read_codes_11_memory_read_enable <= true;
-  rows_read_codes_11_memory_read_address <= to_unsigned(rows_address(11), 11);
-  rows_read_codes_11_memory_write_address <= to_unsigned(rows_write_word, 11);
-  rows_read_codes_11_memory_write_data <= to_unsigned(rows_write_codes(3), 12);
-  rows_read_codes_11_memory : entity work.line_memory
-    generic map (depth => 1761, width => 12, address_bits => 11)
-    port map (
-      clock => clock, read_enable => rows_read_codes_11_memory_read_enable,
-      read_address => rows_read_codes_11_memory_read_address, read_data => rows_read_codes(11),
-      write_address => rows_read_codes_11_memory_write_address, write_data => rows_read_codes_11_memory_write_data);
-
-  rows_read_codes_10_memory_read_enable <= true;
-  rows_read_codes_10_memory_read_address <= to_unsigned(rows_address(10), 11);
-  rows_read_codes_10_memory_write_address <= to_unsigned(rows_write_word, 11);
-  rows_read_codes_10_memory_write_data <= to_unsigned(rows_write_codes(2), 12);
-  rows_read_codes_10_memory : entity work.line_memory
-    generic map (depth => 1761, width => 12, address_bits => 11)
-    port map (
-      clock => clock, read_enable => rows_read_codes_10_memory_read_enable,
-      read_address => rows_read_codes_10_memory_read_address, read_data => rows_read_codes(10),
-      write_address => rows_read_codes_10_memory_write_address, write_data => rows_read_codes_10_memory_write_data);
-
-  rows_read_codes_9_memory_read_enable <= true;
-  rows_read_codes_9_memory_read_address <= to_unsigned(rows_address(9), 11);
-  rows_read_codes_9_memory_write_address <= to_unsigned(rows_write_word, 11);
-  rows_read_codes_9_memory_write_data <= to_unsigned(rows_write_codes(1), 12);
-  rows_read_codes_9_memory : entity work.line_memory
-    generic map (depth => 1761, width => 12, address_bits => 11)
-    port map (
-      clock => clock, read_enable => rows_read_codes_9_memory_read_enable,
-      read_address => rows_read_codes_9_memory_read_address, read_data => rows_read_codes(9),
-      write_address => rows_read_codes_9_memory_write_address, write_data => rows_read_codes_9_memory_write_data);
-
-  rows_read_codes_8_memory_read_enable <= true;
-  rows_read_codes_8_memory_read_address <= to_unsigned(rows_address(8), 11);
-  rows_read_codes_8_memory_write_address <= to_unsigned(rows_write_word, 11);
-  rows_read_codes_8_memory_write_data <= to_unsigned(rows_write_codes(0), 12);
-  rows_read_codes_8_memory : entity work.line_memory
-    generic map (depth => 1761, width => 12, address_bits => 11)
-    port map (
-      clock => clock, read_enable => rows_read_codes_8_memory_read_enable,
-      read_address => rows_read_codes_8_memory_read_address, read_data => rows_read_codes(8),
-      write_address => rows_read_codes_8_memory_write_address, write_data => rows_read_codes_8_memory_write_data);
-
-  rows_read_codes_7_memory_read_enable <= true;
-  rows_read_codes_7_memory_read_address <= to_unsigned(rows_address(7), 11);
-  rows_read_codes_7_memory_write_address <= to_unsigned(rows_write_word, 11);
-  rows_read_codes_7_memory_write_data <= to_unsigned(rows_write_codes(3), 12);
-  rows_read_codes_7_memory : entity work.line_memory
-    generic map (depth => 1761, width => 12, address_bits => 11)
-    port map (
-      clock => clock, read_enable => rows_read_codes_7_memory_read_enable,
-      read_address => rows_read_codes_7_memory_read_address, read_data => rows_read_codes(7),
-      write_address => rows_read_codes_7_memory_write_address, write_data => rows_read_codes_7_memory_write_data);
-
-  rows_read_codes_6_memory_read_enable <= true;
-  rows_read_codes_6_memory_read_address <= to_unsigned(rows_address(6), 11);
-  rows_read_codes_6_memory_write_address <= to_unsigned(rows_write_word, 11);
-  rows_read_codes_6_memory_write_data <= to_unsigned(rows_write_codes(2), 12);
-  rows_read_codes_6_memory : entity work.line_memory
-    generic map (depth => 1761, width => 12, address_bits => 11)
-    port map (
-      clock => clock, read_enable => rows_read_codes_6_memory_read_enable,
-      read_address => rows_read_codes_6_memory_read_address, read_data => rows_read_codes(6),
-      write_address => rows_read_codes_6_memory_write_address, write_data => rows_read_codes_6_memory_write_data);
-
-  rows_read_codes_5_memory_read_enable <= true;
-  rows_read_codes_5_memory_read_address <= to_unsigned(rows_address(5), 11);
-  rows_read_codes_5_memory_write_address <= to_unsigned(rows_write_word, 11);
-  rows_read_codes_5_memory_write_data <= to_unsigned(rows_write_codes(1), 12);
-  rows_read_codes_5_memory : entity work.line_memory
-    generic map (depth => 1761, width => 12, address_bits => 11)
-    port map (
-      clock => clock, read_enable => rows_read_codes_5_memory_read_enable,
-      read_address => rows_read_codes_5_memory_read_address, read_data => rows_read_codes(5),
-      write_address => rows_read_codes_5_memory_write_address, write_data => rows_read_codes_5_memory_write_data);
-
-  rows_read_codes_4_memory_read_enable <= true;
-  rows_read_codes_4_memory_read_address <= to_unsigned(rows_address(4), 11);
-  rows_read_codes_4_memory_write_address <= to_unsigned(rows_write_word, 11);
-  rows_read_codes_4_memory_write_data <= to_unsigned(rows_write_codes(0), 12);
-  rows_read_codes_4_memory : entity work.line_memory
-    generic map (depth => 1761, width => 12, address_bits => 11)
-    port map (
-      clock => clock, read_enable => rows_read_codes_4_memory_read_enable,
-      read_address => rows_read_codes_4_memory_read_address, read_data => rows_read_codes(4),
-      write_address => rows_read_codes_4_memory_write_address, write_data => rows_read_codes_4_memory_write_data);
-
-  rows_read_codes_3_memory_read_enable <= true;
-  rows_read_codes_3_memory_read_address <= to_unsigned(rows_address(3), 11);
-  rows_read_codes_3_memory_write_address <= to_unsigned(rows_write_word, 11);
-  rows_read_codes_3_memory_write_data <= to_unsigned(rows_write_codes(3), 12);
-  rows_read_codes_3_memory : entity work.line_memory
-    generic map (depth => 1761, width => 12, address_bits => 11)
-    port map (
-      clock => clock, read_enable => rows_read_codes_3_memory_read_enable,
-      read_address => rows_read_codes_3_memory_read_address, read_data => rows_read_codes(3),
-      write_address => rows_read_codes_3_memory_write_address, write_data => rows_read_codes_3_memory_write_data);
-
-  rows_read_codes_2_memory_read_enable <= true;
-  rows_read_codes_2_memory_read_address <= to_unsigned(rows_address(2), 11);
-  rows_read_codes_2_memory_write_address <= to_unsigned(rows_write_word, 11);
-  rows_read_codes_2_memory_write_data <= to_unsigned(rows_write_codes(2), 12);
-  rows_read_codes_2_memory : entity work.line_memory
-    generic map (depth => 1761, width => 12, address_bits => 11)
-    port map (
-      clock => clock, read_enable => rows_read_codes_2_memory_read_enable,
-      read_address => rows_read_codes_2_memory_read_address, read_data => rows_read_codes(2),
-      write_address => rows_read_codes_2_memory_write_address, write_data => rows_read_codes_2_memory_write_data);
-
-  rows_read_codes_1_memory_read_enable <= true;
-  rows_read_codes_1_memory_read_address <= to_unsigned(rows_address(1), 11);
-  rows_read_codes_1_memory_write_address <= to_unsigned(rows_write_word, 11);
-  rows_read_codes_1_memory_write_data <= to_unsigned(rows_write_codes(1), 12);
-  rows_read_codes_1_memory : entity work.line_memory
-    generic map (depth => 1761, width => 12, address_bits => 11)
-    port map (
-      clock => clock, read_enable => rows_read_codes_1_memory_read_enable,
-      read_address => rows_read_codes_1_memory_read_address, read_data => rows_read_codes(1),
-      write_address => rows_read_codes_1_memory_write_address, write_data => rows_read_codes_1_memory_write_data);
-
-  rows_read_codes_0_memory_read_enable <= true;
-  rows_read_codes_0_memory_read_address <= to_unsigned(rows_address(0), 11);
-  rows_read_codes_0_memory_write_address <= to_unsigned(rows_write_word, 11);
-  rows_read_codes_0_memory_write_data <= to_unsigned(rows_write_codes(0), 12);
-  rows_read_codes_0_memory : entity work.line_memory
-    generic map (depth => 1761, width => 12, address_bits => 11)
-    port map (
-      clock => clock, read_enable => rows_read_codes_0_memory_read_enable,
-      read_address => rows_read_codes_0_memory_read_address, read_data => rows_read_codes(0),
-      write_address => rows_read_codes_0_memory_write_address, write_data => rows_read_codes_0_memory_write_data);
-
-  bases_read_targets_2_memory_read_enable <= true;
-  bases_read_targets_2_memory_read_address <= to_unsigned(bases_address(2), 10);
-  bases_read_targets_2_memory_write_address <= to_unsigned(targets_place, 10);
-  bases_read_targets_2_memory_write_data <= ((to_unsigned((targets_high mod 256), 8) & to_unsigned(0, 8)) or (to_unsigned(targets_low, 16)));
-  bases_read_targets_2_memory : entity work.line_memory
-    generic map (depth => 1024, width => 16, address_bits => 10)
-    port map (
-      clock => clock, read_enable => bases_read_targets_2_memory_read_enable,
-      read_address => bases_read_targets_2_memory_read_address, read_data => bases_read_targets(2),
-      write_address => bases_read_targets_2_memory_write_address, write_data => bases_read_targets_2_memory_write_data);
-
-  bases_read_targets_1_memory_read_enable <= true;
-  bases_read_targets_1_memory_read_address <= to_unsigned(bases_address(1), 10);
-  bases_read_targets_1_memory_write_address <= to_unsigned(targets_place, 10);
-  bases_read_targets_1_memory_write_data <= ((to_unsigned((targets_high mod 256), 8) & to_unsigned(0, 8)) or (to_unsigned(targets_low, 16)));
-  bases_read_targets_1_memory : entity work.line_memory
-    generic map (depth => 1024, width => 16, address_bits => 10)
-    port map (
-      clock => clock, read_enable => bases_read_targets_1_memory_read_enable,
-      read_address => bases_read_targets_1_memory_read_address, read_data => bases_read_targets(1),
-      write_address => bases_read_targets_1_memory_write_address, write_data => bases_read_targets_1_memory_write_data);
-
-  bases_read_targets_0_memory_read_enable <= true;
-  bases_read_targets_0_memory_read_address <= to_unsigned(bases_address(0), 10);
-  bases_read_targets_0_memory_write_address <= to_unsigned(targets_place, 10);
-  bases_read_targets_0_memory_write_data <= ((to_unsigned((targets_high mod 256), 8) & to_unsigned(0, 8)) or (to_unsigned(targets_low, 16)));
-  bases_read_targets_0_memory : entity work.line_memory
-    generic map (depth => 1024, width => 16, address_bits => 10)
-    port map (
-      clock => clock, read_enable => bases_read_targets_0_memory_read_enable,
-      read_address => bases_read_targets_0_memory_read_address, read_data => bases_read_targets(0),
-      write_address => bases_read_targets_0_memory_write_address, write_data => bases_read_targets_0_memory_write_data);
-
-  ahead_held_0_memory_read_enable <= true;
-  ahead_held_0_memory_read_address <= to_unsigned(ahead_ring_read_address, 7);
-  ahead_held_0_memory_write_address <= to_unsigned(ahead_ring_write_address, 7);
-  ahead_held_0_memory_write_data <= to_unsigned(transform_right_code_next_bits, 6) & to_unsigned(transform_right_code_bits, 6) & to_unsigned(as_number(transform_filtering_start_of_frame(7)), 1);
-  ahead_held_0_memory : entity work.line_memory
-    generic map (depth => 117, width => 13, address_bits => 7)
-    port map (
-      clock => clock, read_enable => ahead_held_0_memory_read_enable,
-      read_address => ahead_held_0_memory_read_address, read_data => ahead_held_0,
-      write_address => ahead_held_0_memory_write_address, write_data => ahead_held_0_memory_write_data);
-
-  transform_left_rows_read_words_2_memory_read_enable <= true;
-  transform_left_rows_read_words_2_memory_read_address <= to_unsigned(transform_counter_column, 10);
-  transform_left_rows_read_words_2_memory_write_address <= to_unsigned(transform_write_column, 10);
-  transform_left_rows_read_words_2_memory_write_data <= to_unsigned(transform_left_rows_write_words_2, 8);
-  transform_left_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 640, width => 8, address_bits => 10)
-    port map (
-      clock => clock, read_enable => transform_left_rows_read_words_2_memory_read_enable,
-      read_address => transform_left_rows_read_words_2_memory_read_address, read_data => transform_left_rows_read_words_2,
-      write_address => transform_left_rows_read_words_2_memory_write_address, write_data => transform_left_rows_read_words_2_memory_write_data);
-
-  transform_left_rows_read_words_1_memory_read_enable <= true;
-  transform_left_rows_read_words_1_memory_read_address <= to_unsigned(transform_counter_column, 10);
-  transform_left_rows_read_words_1_memory_write_address <= to_unsigned(transform_write_column, 10);
-  transform_left_rows_read_words_1_memory_write_data <= transform_left_rows_write_words(1);
-  transform_left_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 640, width => 32, address_bits => 10)
-    port map (
-      clock => clock, read_enable => transform_left_rows_read_words_1_memory_read_enable,
-      read_address => transform_left_rows_read_words_1_memory_read_address, read_data => transform_left_rows_read_words(1),
-      write_address => transform_left_rows_read_words_1_memory_write_address, write_data => transform_left_rows_read_words_1_memory_write_data);
-
-  transform_left_rows_read_words_0_memory_read_enable <= true;
-  transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 10);
-  transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 10);
-  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words(0);
-  transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 32, address_bits => 10)
-    port map (
-      clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
-      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words(0),
-      write_address => transform_left_rows_read_words_0_memory_write_address, write_data => transform_left_rows_read_words_0_memory_write_data);
-
-  transform_right_rows_read_words_2_memory_read_enable <= true;
-  transform_right_rows_read_words_2_memory_read_address <= to_unsigned(transform_counter_column, 10);
-  transform_right_rows_read_words_2_memory_write_address <= to_unsigned(transform_write_column, 10);
-  transform_right_rows_read_words_2_memory_write_data <= to_unsigned(transform_right_rows_write_words_2, 8);
-  transform_right_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 640, width => 8, address_bits => 10)
-    port map (
-      clock => clock, read_enable => transform_right_rows_read_words_2_memory_read_enable,
-      read_address => transform_right_rows_read_words_2_memory_read_address, read_data => transform_right_rows_read_words_2,
-      write_address => transform_right_rows_read_words_2_memory_write_address, write_data => transform_right_rows_read_words_2_memory_write_data);
-
-  transform_right_rows_read_words_1_memory_read_enable <= true;
-  transform_right_rows_read_words_1_memory_read_address <= to_unsigned(transform_counter_column, 10);
-  transform_right_rows_read_words_1_memory_write_address <= to_unsigned(transform_write_column, 10);
-  transform_right_rows_read_words_1_memory_write_data <= transform_right_rows_write_words(1);
-  transform_right_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 640, width => 32, address_bits => 10)
-    port map (
-      clock => clock, read_enable => transform_right_rows_read_words_1_memory_read_enable,
-      read_address => transform_right_rows_read_words_1_memory_read_address, read_data => transform_right_rows_read_words(1),
-      write_address => transform_right_rows_read_words_1_memory_write_address, write_data => transform_right_rows_read_words_1_memory_write_data);
-
-  transform_right_rows_read_words_0_memory_read_enable <= true;
-  transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 10);
-  transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 10);
-  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words(0);
-  transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 32, address_bits => 10)
-    port map (
-      clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
-      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words(0),
-      write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
-
-  hold_back_next_next_next_next_next_next_next_next_held_0_memory_read_enable <= true;
-  hold_back_next_next_next_next_next_next_next_next_held_0_memory_read_address <= to_unsigned(hold_back_next_next_next_next_next_next_next_next_ring_read_address, 12);
-  hold_back_next_next_next_next_next_next_next_next_held_0_memory_write_address <= to_unsigned(hold_back_next_next_next_next_next_next_next_next_ring_write_address, 12);
-  hold_back_next_next_next_next_next_next_next_next_held_0_memory_write_data <= ((to_unsigned(65535, 16) & to_unsigned(as_number(hold_back_next_next_next_next_next_next_holds_groups), 1)) and (hold_back_next_next_next_next_next_next_next_held_0));
-  hold_back_next_next_next_next_next_next_next_next_held_0_memory : entity work.line_memory
-    generic map (depth => 2819, width => 17, address_bits => 12)
-    port map (
-      clock => clock, read_enable => hold_back_next_next_next_next_next_next_next_next_held_0_memory_read_enable,
-      read_address => hold_back_next_next_next_next_next_next_next_next_held_0_memory_read_address, read_data => hold_back_next_next_next_next_next_next_next_next_held_0,
-      write_address => hold_back_next_next_next_next_next_next_next_next_held_0_memory_write_address, write_data => hold_back_next_next_next_next_next_next_next_next_held_0_memory_write_data);
-
-  hold_back_next_next_next_next_next_next_next_held_0_memory_read_enable <= true;
-  hold_back_next_next_next_next_next_next_next_held_0_memory_read_address <= to_unsigned(hold_back_next_next_next_next_next_next_next_ring_read_address, 12);
-  hold_back_next_next_next_next_next_next_next_held_0_memory_write_address <= to_unsigned(hold_back_next_next_next_next_next_next_next_ring_write_address, 12);
-  hold_back_next_next_next_next_next_next_next_held_0_memory_write_data <= ((to_unsigned(65535, 16) & to_unsigned(as_number(hold_back_next_next_next_next_next_next_next_holds_groups), 1)) and (hold_back_next_next_next_next_next_next_held_0));
-  hold_back_next_next_next_next_next_next_next_held_0_memory : entity work.line_memory
-    generic map (depth => 2819, width => 17, address_bits => 12)
-    port map (
-      clock => clock, read_enable => hold_back_next_next_next_next_next_next_next_held_0_memory_read_enable,
-      read_address => hold_back_next_next_next_next_next_next_next_held_0_memory_read_address, read_data => hold_back_next_next_next_next_next_next_next_held_0,
-      write_address => hold_back_next_next_next_next_next_next_next_held_0_memory_write_address, write_data => hold_back_next_next_next_next_next_next_next_held_0_memory_write_data);
-
-  hold_back_next_next_next_next_next_next_held_0_memory_read_enable <= true;
-  hold_back_next_next_next_next_next_next_held_0_memory_read_address <= to_unsigned(hold_back_next_next_next_next_next_next_ring_read_address, 12);
-  hold_back_next_next_next_next_next_next_held_0_memory_write_address <= to_unsigned(hold_back_next_next_next_next_next_next_ring_write_address, 12);
-  hold_back_next_next_next_next_next_next_held_0_memory_write_data <= ((to_unsigned(65535, 16) & to_unsigned(as_number(hold_back_next_next_next_next_next_holds_groups), 1)) and (hold_back_next_next_next_next_next_held_0));
-  hold_back_next_next_next_next_next_next_held_0_memory : entity work.line_memory
-    generic map (depth => 2820, width => 17, address_bits => 12)
-    port map (
-      clock => clock, read_enable => hold_back_next_next_next_next_next_next_held_0_memory_read_enable,
-      read_address => hold_back_next_next_next_next_next_next_held_0_memory_read_address, read_data => hold_back_next_next_next_next_next_next_held_0,
-      write_address => hold_back_next_next_next_next_next_next_held_0_memory_write_address, write_data => hold_back_next_next_next_next_next_next_held_0_memory_write_data);
-
-  hold_back_next_next_next_next_next_held_0_memory_read_enable <= true;
-  hold_back_next_next_next_next_next_held_0_memory_read_address <= to_unsigned(hold_back_next_next_next_next_next_ring_read_address, 12);
-  hold_back_next_next_next_next_next_held_0_memory_write_address <= to_unsigned(hold_back_next_next_next_next_next_ring_write_address, 12);
-  hold_back_next_next_next_next_next_held_0_memory_write_data <= ((to_unsigned(65535, 16) & to_unsigned(as_number(hold_back_next_next_next_next_holds_groups), 1)) and (hold_back_next_next_next_next_held_0));
-  hold_back_next_next_next_next_next_held_0_memory : entity work.line_memory
-    generic map (depth => 2820, width => 17, address_bits => 12)
-    port map (
-      clock => clock, read_enable => hold_back_next_next_next_next_next_held_0_memory_read_enable,
-      read_address => hold_back_next_next_next_next_next_held_0_memory_read_address, read_data => hold_back_next_next_next_next_next_held_0,
-      write_address => hold_back_next_next_next_next_next_held_0_memory_write_address, write_data => hold_back_next_next_next_next_next_held_0_memory_write_data);
-
-  hold_back_next_next_next_next_held_0_memory_read_enable <= true;
-  hold_back_next_next_next_next_held_0_memory_read_address <= to_unsigned(hold_back_next_next_next_next_ring_read_address, 12);
-  hold_back_next_next_next_next_held_0_memory_write_address <= to_unsigned(hold_back_next_next_next_next_ring_write_address, 12);
-  hold_back_next_next_next_next_held_0_memory_write_data <= ((to_unsigned(65535, 16) & to_unsigned(as_number(hold_back_next_next_next_holds_groups), 1)) and (hold_back_next_next_next_held_0));
-  hold_back_next_next_next_next_held_0_memory : entity work.line_memory
-    generic map (depth => 2820, width => 17, address_bits => 12)
-    port map (
-      clock => clock, read_enable => hold_back_next_next_next_next_held_0_memory_read_enable,
-      read_address => hold_back_next_next_next_next_held_0_memory_read_address, read_data => hold_back_next_next_next_next_held_0,
-      write_address => hold_back_next_next_next_next_held_0_memory_write_address, write_data => hold_back_next_next_next_next_held_0_memory_write_data);
-
-  hold_back_next_next_next_held_0_memory_read_enable <= true;
-  hold_back_next_next_next_held_0_memory_read_address <= to_unsigned(hold_back_next_next_next_ring_read_address, 12);
-  hold_back_next_next_next_held_0_memory_write_address <= to_unsigned(hold_back_next_next_next_ring_write_address, 12);
-  hold_back_next_next_next_held_0_memory_write_data <= ((to_unsigned(65535, 16) & to_unsigned(as_number(hold_back_next_next_holds_groups), 1)) and (hold_back_next_next_held_0));
-  hold_back_next_next_next_held_0_memory : entity work.line_memory
-    generic map (depth => 2820, width => 17, address_bits => 12)
-    port map (
-      clock => clock, read_enable => hold_back_next_next_next_held_0_memory_read_enable,
-      read_address => hold_back_next_next_next_held_0_memory_read_address, read_data => hold_back_next_next_next_held_0,
-      write_address => hold_back_next_next_next_held_0_memory_write_address, write_data => hold_back_next_next_next_held_0_memory_write_data);
-
-  hold_back_next_next_held_0_memory_read_enable <= true;
-  hold_back_next_next_held_0_memory_read_address <= to_unsigned(hold_back_next_next_ring_read_address, 12);
-  hold_back_next_next_held_0_memory_write_address <= to_unsigned(hold_back_next_next_ring_write_address, 12);
-  hold_back_next_next_held_0_memory_write_data <= ((to_unsigned(65535, 16) & to_unsigned(as_number(hold_back_next_holds_groups), 1)) and (hold_back_next_held_0));
-  hold_back_next_next_held_0_memory : entity work.line_memory
-    generic map (depth => 2820, width => 17, address_bits => 12)
-    port map (
-      clock => clock, read_enable => hold_back_next_next_held_0_memory_read_enable,
-      read_address => hold_back_next_next_held_0_memory_read_address, read_data => hold_back_next_next_held_0,
-      write_address => hold_back_next_next_held_0_memory_write_address, write_data => hold_back_next_next_held_0_memory_write_data);
-
-  hold_back_next_held_0_memory_read_enable <= true;
-  hold_back_next_held_0_memory_read_address <= to_unsigned(hold_back_next_ring_read_address, 12);
-  hold_back_next_held_0_memory_write_address <= to_unsigned(hold_back_next_ring_write_address, 12);
-  hold_back_next_held_0_memory_write_data <= ((to_unsigned(65535, 16) & to_unsigned(as_number(hold_back_holds_groups), 1)) and (hold_back_held_0));
-  hold_back_next_held_0_memory : entity work.line_memory
-    generic map (depth => 2820, width => 17, address_bits => 12)
-    port map (
-      clock => clock, read_enable => hold_back_next_held_0_memory_read_enable,
-      read_address => hold_back_next_held_0_memory_read_address, read_data => hold_back_next_held_0,
-      write_address => hold_back_next_held_0_memory_write_address, write_data => hold_back_next_held_0_memory_write_data);
-
-  hold_back_held_0_memory_read_enable <= true;
-  hold_back_held_0_memory_read_address <= to_unsigned(hold_back_ring_read_address, 12);
-  hold_back_held_0_memory_write_address <= to_unsigned(hold_back_ring_write_address, 12);
-  hold_back_held_0_memory_write_data <= to_unsigned(in_right_pixel, 8) & to_unsigned(in_left_pixel, 8) & to_unsigned(as_number(in_start_of_frame), 1);
-  hold_back_held_0_memory : entity work.line_memory
-    generic map (depth => 2820, width => 17, address_bits => 12)
-    port map (
-      clock => clock, read_enable => hold_back_held_0_memory_read_enable,
-      read_address => hold_back_held_0_memory_read_address, read_data => hold_back_held_0,
-      write_address => hold_back_held_0_memory_write_address, write_data => hold_back_held_0_memory_write_data);
-
-  targets_rows_read_words_1_memory_read_enable <= true;
-  targets_rows_read_words_1_memory_read_address <= to_unsigned(targets_read_column, 7);
-  targets_rows_read_words_1_memory_write_address <= to_unsigned(targets_write_column, 7);
-  targets_rows_read_words_1_memory_write_data <= to_unsigned(targets_rows_write_words_1, 11);
-  targets_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 80, width => 11, address_bits => 7)
-    port map (
-      clock => clock, read_enable => targets_rows_read_words_1_memory_read_enable,
-      read_address => targets_rows_read_words_1_memory_read_address, read_data => targets_rows_read_words_1,
-      write_address => targets_rows_read_words_1_memory_write_address, write_data => targets_rows_read_words_1_memory_write_data);
-
-  targets_rows_read_words_0_memory_read_enable <= true;
-  targets_rows_read_words_0_memory_read_address <= to_unsigned(targets_read_column, 7);
-  targets_rows_read_words_0_memory_write_address <= to_unsigned(targets_write_column, 7);
-  targets_rows_read_words_0_memory_write_data <= to_unsigned(targets_rows_write_words_0, 22);
-  targets_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 80, width => 22, address_bits => 7)
-    port map (
-      clock => clock, read_enable => targets_rows_read_words_0_memory_read_enable,
-      read_address => targets_rows_read_words_0_memory_read_address, read_data => targets_rows_read_words_0,
-      write_address => targets_rows_read_words_0_memory_write_address, write_data => targets_rows_read_words_0_memory_write_data);
-
-  ranges_pairs_read_words_0_memory_read_enable <= true;
-  ranges_pairs_read_words_0_memory_read_address <= to_unsigned(ranges_paired_column, 7);
-  ranges_pairs_read_words_0_memory_write_address <= to_unsigned(ranges_pairs_written, 7);
-  ranges_pairs_read_words_0_memory_write_data <= to_unsigned(ranges_pairs_write_words_0, 11);
-  ranges_pairs_read_words_0_memory : entity work.line_memory
-    generic map (depth => 81, width => 11, address_bits => 7)
-    port map (
-      clock => clock, read_enable => ranges_pairs_read_words_0_memory_read_enable,
-      read_address => ranges_pairs_read_words_0_memory_read_address, read_data => ranges_pairs_read_words_0,
-      write_address => ranges_pairs_read_words_0_memory_write_address, write_data => ranges_pairs_read_words_0_memory_write_data);
-
-  ranges_pixels_read_words_0_memory_read_enable <= true;
-  ranges_pixels_read_words_0_memory_read_address <= to_unsigned(ranges_in_column, 8);
-  ranges_pixels_read_words_0_memory_write_address <= to_unsigned(ranges_pixels_written, 8);
-  ranges_pixels_read_words_0_memory_write_data <= to_unsigned(ranges_pixels_write_words_0, 12);
-  ranges_pixels_read_words_0_memory : entity work.line_memory
-    generic map (depth => 161, width => 12, address_bits => 8)
-    port map (
-      clock => clock, read_enable => ranges_pixels_read_words_0_memory_read_enable,
-      read_address => ranges_pixels_read_words_0_memory_read_address, read_data => ranges_pixels_read_words_0,
-      write_address => ranges_pixels_read_words_0_memory_write_address, write_data => ranges_pixels_read_words_0_memory_write_data);
-
-  coarseleftright_found_0_memory_read_enable <= true;
-  coarseleftright_found_0_memory_read_address <= to_unsigned(coarseleftright_address_0, 6);
-  coarseleftright_found_0_memory_write_address <= to_unsigned(coarseleftright_position, 6);
-  coarseleftright_found_0_memory_write_data <= to_unsigned(coarseleftright_other_0(4), 5);
-  coarseleftright_found_0_memory : entity work.line_memory
-    generic map (depth => 64, width => 5, address_bits => 6)
-    port map (
-      clock => clock, read_enable => coarseleftright_found_0_memory_read_enable,
-      read_address => coarseleftright_found_0_memory_read_address, read_data => coarseleftright_found_0,
-      write_address => coarseleftright_found_0_memory_write_address, write_data => coarseleftright_found_0_memory_write_data);
-
-  coarseleftright_held_0_memory_read_enable <= true;
-  coarseleftright_held_0_memory_read_address <= to_unsigned(coarseleftright_ring_read_address, 5);
-  coarseleftright_held_0_memory_write_address <= to_unsigned(coarseleftright_ring_write_address, 5);
-  coarseleftright_held_0_memory_write_data <= to_unsigned(1, 1) & to_unsigned(coarseslice1_best_index_0_0, 8) & to_unsigned(as_number(coarseslice1_best_tag_end_of_line), 1) & to_unsigned(as_number(coarseslice1_best_tag_start_of_frame), 1) & to_unsigned(as_number(coarseslice1_best_tag_output_column), 1) & to_unsigned(as_number(coarseslice1_best_tag_map_column), 1);
-  coarseleftright_held_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 13, address_bits => 5)
-    port map (
-      clock => clock, read_enable => coarseleftright_held_0_memory_read_enable,
-      read_address => coarseleftright_held_0_memory_read_address, read_data => coarseleftright_held_0,
-      write_address => coarseleftright_held_0_memory_write_address, write_data => coarseleftright_held_0_memory_write_data);
-
-  coarserows_search_rows_read_words_1_memory_read_enable <= true;
-  coarserows_search_rows_read_words_1_memory_read_address <= to_unsigned(coarsedelay_column, 8);
-  coarserows_search_rows_read_words_1_memory_write_address <= to_unsigned(coarserows_write_column, 8);
-  coarserows_search_rows_read_words_1_memory_write_data <= to_unsigned(coarserows_search_rows_write_words_1, 6);
-  coarserows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 192, width => 6, address_bits => 8)
-    port map (
-      clock => clock, read_enable => coarserows_search_rows_read_words_1_memory_read_enable,
-      read_address => coarserows_search_rows_read_words_1_memory_read_address, read_data => coarserows_search_rows_read_words_1,
-      write_address => coarserows_search_rows_read_words_1_memory_write_address, write_data => coarserows_search_rows_read_words_1_memory_write_data);
-
-  coarserows_search_rows_read_words_0_memory_read_enable <= true;
-  coarserows_search_rows_read_words_0_memory_read_address <= to_unsigned(coarsedelay_column, 8);
-  coarserows_search_rows_read_words_0_memory_write_address <= to_unsigned(coarserows_write_column, 8);
-  coarserows_search_rows_read_words_0_memory_write_data <= to_unsigned(coarserows_search_rows_write_words_0, 30);
-  coarserows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 192, width => 30, address_bits => 8)
-    port map (
-      clock => clock, read_enable => coarserows_search_rows_read_words_0_memory_read_enable,
-      read_address => coarserows_search_rows_read_words_0_memory_read_address, read_data => coarserows_search_rows_read_words_0,
-      write_address => coarserows_search_rows_read_words_0_memory_write_address, write_data => coarserows_search_rows_read_words_0_memory_write_data);
-
-  coarserows_reference_rows_read_words_1_memory_read_enable <= true;
-  coarserows_reference_rows_read_words_1_memory_read_address <= to_unsigned(coarsedelay_column, 8);
-  coarserows_reference_rows_read_words_1_memory_write_address <= to_unsigned(coarserows_write_column, 8);
-  coarserows_reference_rows_read_words_1_memory_write_data <= to_unsigned(coarserows_reference_rows_write_words_1, 6);
-  coarserows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 192, width => 6, address_bits => 8)
-    port map (
-      clock => clock, read_enable => coarserows_reference_rows_read_words_1_memory_read_enable,
-      read_address => coarserows_reference_rows_read_words_1_memory_read_address, read_data => coarserows_reference_rows_read_words_1,
-      write_address => coarserows_reference_rows_read_words_1_memory_write_address, write_data => coarserows_reference_rows_read_words_1_memory_write_data);
-
-  coarserows_reference_rows_read_words_0_memory_read_enable <= true;
-  coarserows_reference_rows_read_words_0_memory_read_address <= to_unsigned(coarsedelay_column, 8);
-  coarserows_reference_rows_read_words_0_memory_write_address <= to_unsigned(coarserows_write_column, 8);
-  coarserows_reference_rows_read_words_0_memory_write_data <= to_unsigned(coarserows_reference_rows_write_words_0, 30);
-  coarserows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 192, width => 30, address_bits => 8)
-    port map (
-      clock => clock, read_enable => coarserows_reference_rows_read_words_0_memory_read_enable,
-      read_address => coarserows_reference_rows_read_words_0_memory_read_address, read_data => coarserows_reference_rows_read_words_0,
-      write_address => coarserows_reference_rows_read_words_0_memory_write_address, write_data => coarserows_reference_rows_read_words_0_memory_write_data);
-
-  coarsedelay_delayed_0_memory_read_enable <= true;
-  coarsedelay_delayed_0_memory_read_address <= to_unsigned(coarsedelay_ring_read_address, 5);
-  coarsedelay_delayed_0_memory_write_address <= to_unsigned(coarsedelay_ring_write_address, 5);
-  coarsedelay_delayed_0_memory_write_data <= to_unsigned(coarseraster_features_reference_0, 6);
-  coarsedelay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 6, address_bits => 5)
-    port map (
-      clock => clock, read_enable => coarsedelay_delayed_0_memory_read_enable,
-      read_address => coarsedelay_delayed_0_memory_read_address, read_data => coarsedelay_delayed_0,
-      write_address => coarsedelay_delayed_0_memory_write_address, write_data => coarsedelay_delayed_0_memory_write_data);
-
-  coarsetransform_left_rows_read_words_0_memory_read_enable <= true;
-  coarsetransform_left_rows_read_words_0_memory_read_address <= to_unsigned(coarsetransform_counter_column, 8);
-  coarsetransform_left_rows_read_words_0_memory_write_address <= to_unsigned(coarsetransform_write_column, 8);
-  coarsetransform_left_rows_read_words_0_memory_write_data <= coarsetransform_left_rows_write_words_0;
-  coarsetransform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 192, width => 32, address_bits => 8)
-    port map (
-      clock => clock, read_enable => coarsetransform_left_rows_read_words_0_memory_read_enable,
-      read_address => coarsetransform_left_rows_read_words_0_memory_read_address, read_data => coarsetransform_left_rows_read_words_0,
-      write_address => coarsetransform_left_rows_read_words_0_memory_write_address, write_data => coarsetransform_left_rows_read_words_0_memory_write_data);
-
-  coarsetransform_right_rows_read_words_0_memory_read_enable <= true;
-  coarsetransform_right_rows_read_words_0_memory_read_address <= to_unsigned(coarsetransform_counter_column, 8);
-  coarsetransform_right_rows_read_words_0_memory_write_address <= to_unsigned(coarsetransform_write_column, 8);
-  coarsetransform_right_rows_read_words_0_memory_write_data <= coarsetransform_right_rows_write_words_0;
-  coarsetransform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 192, width => 32, address_bits => 8)
-    port map (
-      clock => clock, read_enable => coarsetransform_right_rows_read_words_0_memory_read_enable,
-      read_address => coarsetransform_right_rows_read_words_0_memory_read_address, read_data => coarsetransform_right_rows_read_words_0,
-      write_address => coarsetransform_right_rows_read_words_0_memory_write_address, write_data => coarsetransform_right_rows_read_words_0_memory_write_data);
-
-  coarse_pixels_read_word_0_memory_read_enable <= true;
-  coarse_pixels_read_word_0_memory_read_address <= to_unsigned(coarse_pixels_sum_column, 8);
-  coarse_pixels_read_word_0_memory_write_address <= to_unsigned(coarse_pixels_total_column, 8);
-  coarse_pixels_read_word_0_memory_write_data <= to_unsigned(coarse_pixels_total, 24);
-  coarse_pixels_read_word_0_memory : entity work.line_memory
-    generic map (depth => 160, width => 24, address_bits => 8)
-    port map (
-      clock => clock, read_enable => coarse_pixels_read_word_0_memory_read_enable,
-      read_address => coarse_pixels_read_word_0_memory_read_address, read_data => coarse_pixels_read_word_0,
-      write_address => coarse_pixels_read_word_0_memory_write_address, write_data => coarse_pixels_read_word_0_memory_write_data);
+  lowwindow_leaving_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(31 downto 0);
+  begin
+    read_address <= to_unsigned(lowwindow_ring_read_address, 4);
+    write_address <= to_unsigned(lowwindow_ring_write_address, 4);
+    write_data <= to_unsigned(lowcost_column_0(4 * i + 3), 8) & to_unsigned(lowcost_column_0(4 * i + 2), 8) &
+      to_unsigned(lowcost_column_0(4 * i + 1), 8) & to_unsigned(lowcost_column_0(4 * i), 8);
+    cell : entity work.line_memory
+      generic map (depth => 10, width => 32, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => lowwindow_leaving(i),
+        write_address => write_address, write_data => write_data);
+  end generate;
+
+  lowcost_read_words_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(9 downto 0);
+  begin
+    read_address <= to_unsigned(lowcost_read_column, 10);
+    write_address <= to_unsigned(lowcost_write_column, 10);
+    cell : entity work.line_memory
+      generic map (depth => 640, width => 32, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => lowcost_read_words(i),
+        write_address => write_address, write_data => lowcost_write_words(i));
+  end generate;
+
+  highwindow_leaving_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(31 downto 0);
+  begin
+    read_address <= to_unsigned(lowwindow_ring_read_address, 4);
+    write_address <= to_unsigned(lowwindow_ring_write_address, 4);
+    write_data <= to_unsigned(highcost_column_0(4 * i + 3), 8) & to_unsigned(highcost_column_0(4 * i + 2), 8) &
+      to_unsigned(highcost_column_0(4 * i + 1), 8) & to_unsigned(highcost_column_0(4 * i), 8);
+    cell : entity work.line_memory
+      generic map (depth => 10, width => 32, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => highwindow_leaving(i),
+        write_address => write_address, write_data => write_data);
+  end generate;
+
+  highcost_read_words_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(9 downto 0);
+  begin
+    read_address <= to_unsigned(lowcost_read_column, 10);
+    write_address <= to_unsigned(lowcost_write_column, 10);
+    cell : entity work.line_memory
+      generic map (depth => 640, width => 32, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => highcost_read_words(i),
+        write_address => write_address, write_data => highcost_write_words(i));
+  end generate;
+
+  compared_rows_read_words_4_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(11 downto 0);
+  begin
+    read_address <= to_unsigned(bases_asked_column, 10);
+    write_address <= to_unsigned(compared_write_column, 10);
+    write_data <= to_unsigned(compared_rows_write_words(4), 12);
+    cell : entity work.line_memory
+      generic map (depth => 640, width => 12, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        compared_rows_read_words_4, write_address => write_address, write_data => write_data);
+  end block;
+
+  compared_rows_read_words_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(23 downto 0);
+  begin
+    read_address <= to_unsigned(bases_asked_column, 10);
+    write_address <= to_unsigned(compared_write_column, 10);
+    write_data <= to_unsigned(compared_rows_write_words(i), 24);
+    cell : entity work.line_memory
+      generic map (depth => 640, width => 24, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        compared_rows_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  pairs_delayed_0_memory : block
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(11 downto 0);
+  begin
+    read_address <= to_unsigned(pairs_ring_read_address, 4);
+    write_address <= to_unsigned(pairs_ring_write_address, 4);
+    write_data <= to_unsigned(raster_features_reference_0, 12);
+    cell : entity work.line_memory
+      generic map (depth => 16, width => 12, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => pairs_delayed_0,
+        write_address => write_address, write_data => write_data);
+  end block;
+
+  rows_read_codes_memory : for i in 15 downto 12 generate
+    signal read_address, write_address : unsigned(10 downto 0);
+    signal write_data : unsigned(11 downto 0);
+  begin
+    read_address <= to_unsigned(rows_address(i), 11);
+    write_address <= to_unsigned(rows_write_word, 11);
+    write_data <= to_unsigned(rows_write_codes(i - 12), 12);
+    cell : entity work.line_memory
+      generic map (depth => 1761, width => 12, address_bits => 11)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => rows_read_codes(i),
+        write_address => write_address, write_data => write_data);
+  end generate;
+
+  rows_read_codes_11_memory : for i in 11 downto 8 generate
+    signal read_address, write_address : unsigned(10 downto 0);
+    signal write_data : unsigned(11 downto 0);
+  begin
+    read_address <= to_unsigned(rows_address(i), 11);
+    write_address <= to_unsigned(rows_write_word, 11);
+    write_data <= to_unsigned(rows_write_codes(i - 8), 12);
+    cell : entity work.line_memory
+      generic map (depth => 1761, width => 12, address_bits => 11)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => rows_read_codes(i),
+        write_address => write_address, write_data => write_data);
+  end generate;
+
+  rows_read_codes_7_memory : for i in 7 downto 4 generate
+    signal read_address, write_address : unsigned(10 downto 0);
+    signal write_data : unsigned(11 downto 0);
+  begin
+    read_address <= to_unsigned(rows_address(i), 11);
+    write_address <= to_unsigned(rows_write_word, 11);
+    write_data <= to_unsigned(rows_write_codes(i - 4), 12);
+    cell : entity work.line_memory
+      generic map (depth => 1761, width => 12, address_bits => 11)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => rows_read_codes(i),
+        write_address => write_address, write_data => write_data);
+  end generate;
+
+  rows_read_codes_3_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(10 downto 0);
+    signal write_data : unsigned(11 downto 0);
+  begin
+    read_address <= to_unsigned(rows_address(i), 11);
+    write_address <= to_unsigned(rows_write_word, 11);
+    write_data <= to_unsigned(rows_write_codes(i), 12);
+    cell : entity work.line_memory
+      generic map (depth => 1761, width => 12, address_bits => 11)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => rows_read_codes(i),
+        write_address => write_address, write_data => write_data);
+  end generate;
+
+  bases_read_targets_memory : for i in 2 downto 0 generate
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(15 downto 0);
+  begin
+    read_address <= to_unsigned(bases_address(i), 10);
+    write_address <= to_unsigned(targets_place, 10);
+    write_data <= ((to_unsigned((targets_high mod 256), 8) & to_unsigned(0, 8)) or (to_unsigned(targets_low, 16)));
+    cell : entity work.line_memory
+      generic map (depth => 1024, width => 16, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => bases_read_targets(i),
+        write_address => write_address, write_data => write_data);
+  end generate;
+
+  ahead_held_0_memory : block
+    signal read_address, write_address : unsigned(6 downto 0);
+    signal write_data : unsigned(12 downto 0);
+  begin
+    read_address <= to_unsigned(ahead_ring_read_address, 7);
+    write_address <= to_unsigned(ahead_ring_write_address, 7);
+    write_data <= to_unsigned(transform_right_code_next_bits, 6) & to_unsigned(transform_right_code_bits, 6) &
+      to_unsigned(as_number(transform_filtering_start_of_frame(7)), 1);
+    cell : entity work.line_memory
+      generic map (depth => 117, width => 13, address_bits => 7)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => ahead_held_0,
+        write_address => write_address, write_data => write_data);
+  end block;
+
+  transform_left_rows_read_words_2_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(transform_counter_column, 10);
+    write_address <= to_unsigned(transform_write_column, 10);
+    write_data <= to_unsigned(transform_left_rows_write_words_2, 8);
+    cell : entity work.line_memory
+      generic map (depth => 640, width => 8, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        transform_left_rows_read_words_2, write_address => write_address, write_data => write_data);
+  end block;
+
+  transform_left_rows_read_words_memory : for i in 1 downto 0 generate
+    signal read_address, write_address : unsigned(9 downto 0);
+  begin
+    read_address <= to_unsigned(transform_counter_column, 10);
+    write_address <= to_unsigned(transform_write_column, 10);
+    cell : entity work.line_memory
+      generic map (depth => 640, width => 32, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        transform_left_rows_read_words(i), write_address => write_address, write_data =>
+        transform_left_rows_write_words(i));
+  end generate;
+
+  transform_right_rows_read_words_2_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(transform_counter_column, 10);
+    write_address <= to_unsigned(transform_write_column, 10);
+    write_data <= to_unsigned(transform_right_rows_write_words_2, 8);
+    cell : entity work.line_memory
+      generic map (depth => 640, width => 8, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        transform_right_rows_read_words_2, write_address => write_address, write_data => write_data);
+  end block;
+
+  transform_right_rows_read_words_memory : for i in 1 downto 0 generate
+    signal read_address, write_address : unsigned(9 downto 0);
+  begin
+    read_address <= to_unsigned(transform_counter_column, 10);
+    write_address <= to_unsigned(transform_write_column, 10);
+    cell : entity work.line_memory
+      generic map (depth => 640, width => 32, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        transform_right_rows_read_words(i), write_address => write_address, write_data =>
+        transform_right_rows_write_words(i));
+  end generate;
+
+  hold_back_next_next_next_next_next_next_next_next_held_0_memory : block
+    signal read_address, write_address : unsigned(11 downto 0);
+    signal write_data : unsigned(16 downto 0);
+  begin
+    read_address <= to_unsigned(hold_back_next_next_next_next_next_next_next_next_ring_read_address, 12);
+    write_address <= to_unsigned(hold_back_next_next_next_next_next_next_next_next_ring_write_address, 12);
+    write_data <= ((to_unsigned(65535, 16) &
+      to_unsigned(as_number(hold_back_next_next_next_next_next_next_holds_groups), 1)) and
+      (hold_back_next_next_next_next_next_next_next_held_0));
+    cell : entity work.line_memory
+      generic map (depth => 2819, width => 17, address_bits => 12)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        hold_back_next_next_next_next_next_next_next_next_held_0, write_address => write_address, write_data =>
+        write_data);
+  end block;
+
+  hold_back_next_next_next_next_next_next_next_held_0_memory : block
+    signal read_address, write_address : unsigned(11 downto 0);
+    signal write_data : unsigned(16 downto 0);
+  begin
+    read_address <= to_unsigned(hold_back_next_next_next_next_next_next_next_ring_read_address, 12);
+    write_address <= to_unsigned(hold_back_next_next_next_next_next_next_next_ring_write_address, 12);
+    write_data <= ((to_unsigned(65535, 16) &
+      to_unsigned(as_number(hold_back_next_next_next_next_next_next_next_holds_groups), 1)) and
+      (hold_back_next_next_next_next_next_next_held_0));
+    cell : entity work.line_memory
+      generic map (depth => 2819, width => 17, address_bits => 12)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        hold_back_next_next_next_next_next_next_next_held_0, write_address => write_address, write_data => write_data);
+  end block;
+
+  hold_back_next_next_next_next_next_next_held_0_memory : block
+    signal read_address, write_address : unsigned(11 downto 0);
+    signal write_data : unsigned(16 downto 0);
+  begin
+    read_address <= to_unsigned(hold_back_next_next_next_next_next_next_ring_read_address, 12);
+    write_address <= to_unsigned(hold_back_next_next_next_next_next_next_ring_write_address, 12);
+    write_data <= ((to_unsigned(65535, 16) & to_unsigned(as_number(hold_back_next_next_next_next_next_holds_groups),
+      1)) and (hold_back_next_next_next_next_next_held_0));
+    cell : entity work.line_memory
+      generic map (depth => 2820, width => 17, address_bits => 12)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        hold_back_next_next_next_next_next_next_held_0, write_address => write_address, write_data => write_data);
+  end block;
+
+  hold_back_next_next_next_next_next_held_0_memory : block
+    signal read_address, write_address : unsigned(11 downto 0);
+    signal write_data : unsigned(16 downto 0);
+  begin
+    read_address <= to_unsigned(hold_back_next_next_next_next_next_ring_read_address, 12);
+    write_address <= to_unsigned(hold_back_next_next_next_next_next_ring_write_address, 12);
+    write_data <= ((to_unsigned(65535, 16) & to_unsigned(as_number(hold_back_next_next_next_next_holds_groups), 1)) and
+      (hold_back_next_next_next_next_held_0));
+    cell : entity work.line_memory
+      generic map (depth => 2820, width => 17, address_bits => 12)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        hold_back_next_next_next_next_next_held_0, write_address => write_address, write_data => write_data);
+  end block;
+
+  hold_back_next_next_next_next_held_0_memory : block
+    signal read_address, write_address : unsigned(11 downto 0);
+    signal write_data : unsigned(16 downto 0);
+  begin
+    read_address <= to_unsigned(hold_back_next_next_next_next_ring_read_address, 12);
+    write_address <= to_unsigned(hold_back_next_next_next_next_ring_write_address, 12);
+    write_data <= ((to_unsigned(65535, 16) & to_unsigned(as_number(hold_back_next_next_next_holds_groups), 1)) and
+      (hold_back_next_next_next_held_0));
+    cell : entity work.line_memory
+      generic map (depth => 2820, width => 17, address_bits => 12)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        hold_back_next_next_next_next_held_0, write_address => write_address, write_data => write_data);
+  end block;
+
+  hold_back_next_next_next_held_0_memory : block
+    signal read_address, write_address : unsigned(11 downto 0);
+    signal write_data : unsigned(16 downto 0);
+  begin
+    read_address <= to_unsigned(hold_back_next_next_next_ring_read_address, 12);
+    write_address <= to_unsigned(hold_back_next_next_next_ring_write_address, 12);
+    write_data <= ((to_unsigned(65535, 16) & to_unsigned(as_number(hold_back_next_next_holds_groups), 1)) and
+      (hold_back_next_next_held_0));
+    cell : entity work.line_memory
+      generic map (depth => 2820, width => 17, address_bits => 12)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        hold_back_next_next_next_held_0, write_address => write_address, write_data => write_data);
+  end block;
+
+  hold_back_next_next_held_0_memory : block
+    signal read_address, write_address : unsigned(11 downto 0);
+    signal write_data : unsigned(16 downto 0);
+  begin
+    read_address <= to_unsigned(hold_back_next_next_ring_read_address, 12);
+    write_address <= to_unsigned(hold_back_next_next_ring_write_address, 12);
+    write_data <= ((to_unsigned(65535, 16) & to_unsigned(as_number(hold_back_next_holds_groups), 1)) and
+      (hold_back_next_held_0));
+    cell : entity work.line_memory
+      generic map (depth => 2820, width => 17, address_bits => 12)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        hold_back_next_next_held_0, write_address => write_address, write_data => write_data);
+  end block;
+
+  hold_back_next_held_0_memory : block
+    signal read_address, write_address : unsigned(11 downto 0);
+    signal write_data : unsigned(16 downto 0);
+  begin
+    read_address <= to_unsigned(hold_back_next_ring_read_address, 12);
+    write_address <= to_unsigned(hold_back_next_ring_write_address, 12);
+    write_data <= ((to_unsigned(65535, 16) & to_unsigned(as_number(hold_back_holds_groups), 1)) and (hold_back_held_0));
+    cell : entity work.line_memory
+      generic map (depth => 2820, width => 17, address_bits => 12)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => hold_back_next_held_0,
+        write_address => write_address, write_data => write_data);
+  end block;
+
+  hold_back_held_0_memory : block
+    signal read_address, write_address : unsigned(11 downto 0);
+    signal write_data : unsigned(16 downto 0);
+  begin
+    read_address <= to_unsigned(hold_back_ring_read_address, 12);
+    write_address <= to_unsigned(hold_back_ring_write_address, 12);
+    write_data <= to_unsigned(in_right_pixel, 8) & to_unsigned(in_left_pixel, 8) &
+      to_unsigned(as_number(in_start_of_frame), 1);
+    cell : entity work.line_memory
+      generic map (depth => 2820, width => 17, address_bits => 12)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => hold_back_held_0,
+        write_address => write_address, write_data => write_data);
+  end block;
+
+  targets_rows_read_words_1_memory : block
+    signal read_address, write_address : unsigned(6 downto 0);
+    signal write_data : unsigned(10 downto 0);
+  begin
+    read_address <= to_unsigned(targets_read_column, 7);
+    write_address <= to_unsigned(targets_write_column, 7);
+    write_data <= to_unsigned(targets_rows_write_words(1), 11);
+    cell : entity work.line_memory
+      generic map (depth => 80, width => 11, address_bits => 7)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        targets_rows_read_words_1, write_address => write_address, write_data => write_data);
+  end block;
+
+  targets_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(6 downto 0);
+    signal write_data : unsigned(21 downto 0);
+  begin
+    read_address <= to_unsigned(targets_read_column, 7);
+    write_address <= to_unsigned(targets_write_column, 7);
+    write_data <= to_unsigned(targets_rows_write_words(0), 22);
+    cell : entity work.line_memory
+      generic map (depth => 80, width => 22, address_bits => 7)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        targets_rows_read_words_0, write_address => write_address, write_data => write_data);
+  end block;
+
+  ranges_pairs_read_words_0_memory : block
+    signal read_address, write_address : unsigned(6 downto 0);
+    signal write_data : unsigned(10 downto 0);
+  begin
+    read_address <= to_unsigned(ranges_paired_column, 7);
+    write_address <= to_unsigned(ranges_pairs_written, 7);
+    write_data <= to_unsigned(ranges_pairs_write_words_0, 11);
+    cell : entity work.line_memory
+      generic map (depth => 81, width => 11, address_bits => 7)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        ranges_pairs_read_words_0, write_address => write_address, write_data => write_data);
+  end block;
+
+  ranges_pixels_read_words_0_memory : block
+    signal read_address, write_address : unsigned(7 downto 0);
+    signal write_data : unsigned(11 downto 0);
+  begin
+    read_address <= to_unsigned(ranges_in_column, 8);
+    write_address <= to_unsigned(ranges_pixels_written, 8);
+    write_data <= to_unsigned(ranges_pixels_write_words_0, 12);
+    cell : entity work.line_memory
+      generic map (depth => 161, width => 12, address_bits => 8)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        ranges_pixels_read_words_0, write_address => write_address, write_data => write_data);
+  end block;
+
+  coarseleftright_found_0_memory : block
+    signal read_address, write_address : unsigned(5 downto 0);
+    signal write_data : unsigned(4 downto 0);
+  begin
+    read_address <= to_unsigned(coarseleftright_address_0, 6);
+    write_address <= to_unsigned(coarseleftright_position, 6);
+    write_data <= to_unsigned(coarseleftright_other_0(4), 5);
+    cell : entity work.line_memory
+      generic map (depth => 64, width => 5, address_bits => 6)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        coarseleftright_found_0, write_address => write_address, write_data => write_data);
+  end block;
+
+  coarseleftright_held_0_memory : block
+    signal read_address, write_address : unsigned(4 downto 0);
+    signal write_data : unsigned(12 downto 0);
+  begin
+    read_address <= to_unsigned(coarseleftright_ring_read_address, 5);
+    write_address <= to_unsigned(coarseleftright_ring_write_address, 5);
+    write_data <= to_unsigned(1, 1) & to_unsigned(coarseslice1_best_index_0_0, 8) &
+      to_unsigned(as_number(coarseslice1_best_tag.end_of_line), 1) &
+      to_unsigned(as_number(coarseslice1_best_tag.start_of_frame), 1) &
+      to_unsigned(as_number(coarseslice1_best_tag.output_column), 1) &
+      to_unsigned(as_number(coarseslice1_best_tag.map_column), 1);
+    cell : entity work.line_memory
+      generic map (depth => 32, width => 13, address_bits => 5)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => coarseleftright_held_0,
+        write_address => write_address, write_data => write_data);
+  end block;
+
+  coarserows_search_rows_read_words_1_memory : block
+    signal read_address, write_address : unsigned(7 downto 0);
+    signal write_data : unsigned(5 downto 0);
+  begin
+    read_address <= to_unsigned(coarsedelay_column, 8);
+    write_address <= to_unsigned(coarserows_write_column, 8);
+    write_data <= to_unsigned(coarserows_search_rows_write_words(1), 6);
+    cell : entity work.line_memory
+      generic map (depth => 192, width => 6, address_bits => 8)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        coarserows_search_rows_read_words_1, write_address => write_address, write_data => write_data);
+  end block;
+
+  coarserows_search_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(7 downto 0);
+    signal write_data : unsigned(29 downto 0);
+  begin
+    read_address <= to_unsigned(coarsedelay_column, 8);
+    write_address <= to_unsigned(coarserows_write_column, 8);
+    write_data <= to_unsigned(coarserows_search_rows_write_words(0), 30);
+    cell : entity work.line_memory
+      generic map (depth => 192, width => 30, address_bits => 8)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        coarserows_search_rows_read_words_0, write_address => write_address, write_data => write_data);
+  end block;
+
+  coarserows_reference_rows_read_words_1_memory : block
+    signal read_address, write_address : unsigned(7 downto 0);
+    signal write_data : unsigned(5 downto 0);
+  begin
+    read_address <= to_unsigned(coarsedelay_column, 8);
+    write_address <= to_unsigned(coarserows_write_column, 8);
+    write_data <= to_unsigned(coarserows_reference_rows_write_words(1), 6);
+    cell : entity work.line_memory
+      generic map (depth => 192, width => 6, address_bits => 8)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        coarserows_reference_rows_read_words_1, write_address => write_address, write_data => write_data);
+  end block;
+
+  coarserows_reference_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(7 downto 0);
+    signal write_data : unsigned(29 downto 0);
+  begin
+    read_address <= to_unsigned(coarsedelay_column, 8);
+    write_address <= to_unsigned(coarserows_write_column, 8);
+    write_data <= to_unsigned(coarserows_reference_rows_write_words(0), 30);
+    cell : entity work.line_memory
+      generic map (depth => 192, width => 30, address_bits => 8)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        coarserows_reference_rows_read_words_0, write_address => write_address, write_data => write_data);
+  end block;
+
+  coarsedelay_delayed_0_memory : block
+    signal read_address, write_address : unsigned(4 downto 0);
+    signal write_data : unsigned(5 downto 0);
+  begin
+    read_address <= to_unsigned(coarsedelay_ring_read_address, 5);
+    write_address <= to_unsigned(coarsedelay_ring_write_address, 5);
+    write_data <= to_unsigned(coarseraster_features_reference_0, 6);
+    cell : entity work.line_memory
+      generic map (depth => 32, width => 6, address_bits => 5)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => coarsedelay_delayed_0,
+        write_address => write_address, write_data => write_data);
+  end block;
+
+  coarsetransform_left_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(coarsetransform_counter_column, 8);
+    write_address <= to_unsigned(coarsetransform_write_column, 8);
+    cell : entity work.line_memory
+      generic map (depth => 192, width => 32, address_bits => 8)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        coarsetransform_left_rows_read_words_0, write_address => write_address, write_data =>
+        coarsetransform_left_rows_write_words_0);
+  end block;
+
+  coarsetransform_right_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(coarsetransform_counter_column, 8);
+    write_address <= to_unsigned(coarsetransform_write_column, 8);
+    cell : entity work.line_memory
+      generic map (depth => 192, width => 32, address_bits => 8)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        coarsetransform_right_rows_read_words_0, write_address => write_address, write_data =>
+        coarsetransform_right_rows_write_words_0);
+  end block;
+
+  coarse_pixels_read_word_0_memory : block
+    signal read_address, write_address : unsigned(7 downto 0);
+    signal write_data : unsigned(23 downto 0);
+  begin
+    read_address <= to_unsigned(coarse_pixels_sum_column, 8);
+    write_address <= to_unsigned(coarse_pixels_total_column, 8);
+    write_data <= to_unsigned(coarse_pixels_total, 24);
+    cell : entity work.line_memory
+      generic map (depth => 160, width => 24, address_bits => 8)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        coarse_pixels_read_word_0, write_address => write_address, write_data => write_data);
+  end block;
 
   process (clock)
-    variable coarse_pixels_column_any, coarse_pixels_column_is_equal, coarse_pixels_column_is_equal_2 : boolean;
+    variable coarse_pixels_column_any : boolean;
+    variable coarse_pixels_column_is_equals : boolean_1d(1 to 2);  -- coarse_pixels_column_is_equal_#
     variable coarse_pixels_column_all, coarse_pixels_first_row_is_equal, coarse_pixels_first_row_choice : boolean;
     variable coarse_pixels_repetition_differs, coarse_pixels_out_valid_all, coarse_pixels_left_sum_is_equal : boolean;
-    variable coarsetransform_counter_group_is_equal, coarsetransform_counter_group_is_equal_2 : boolean;
+    variable coarsetransform_counter_group_is_equals : boolean_1d(1 to 2);  -- coarsetransform_counter_group_is_equal_#
     variable coarsetransform_counter_group_all, coarsetransform_counter_group_choice_2 : boolean;
-    variable coarsetransform_counter_next_frame_choice : boolean;
-    variable coarsetransform_counter_next_frame_choices : boolean_1d(2 to 3);  -- coarsetransform_counter_next_frame_choice_#
+    variable coarsetransform_counter_next_frame_choices : boolean_1d(1 to 3);  -- coarsetransform_counter_next_frame_choice_#
     variable coarsetransform_centre_group_any, coarsetransform_from_first_0_value : boolean;
     variable coarsetransform_from_first_0_differs, coarsetransform_up_to_last_0_choice : boolean;
-    variable coarseraster_place_group_is_equal : boolean;
-    variable coarseraster_place_group_is_equals : boolean_1d(2 to 3);  -- coarseraster_place_group_is_equal_#
+    variable coarseraster_place_group_is_equals : boolean_1d(1 to 3);  -- coarseraster_place_group_is_equal_#
     variable coarseraster_place_group_all, coarseraster_place_group_choice_2 : boolean;
-    variable coarseraster_place_next_frame_choice : boolean;
-    variable coarseraster_place_next_frame_choices : boolean_1d(2 to 4);  -- coarseraster_place_next_frame_choice_#
+    variable coarseraster_place_next_frame_choices : boolean_1d(1 to 4);  -- coarseraster_place_next_frame_choice_#
     variable coarsedelay_row_inside_3_is_not_less, coarsedelay_row_inside_3_is_less : boolean;
     variable coarsedelay_tag_border_column_choice, coarsedelay_tag_first_cost_is_equal : boolean;
     variable coarsedelay_tag_map_column_is_not_less, coarsedelay_tag_map_column_is_less : boolean;
-    variable coarseslice0cost_pixels_first_0_value : boolean_1d(0 to 6);  -- coarseslice0cost_pixels_first_#_0_value
-    variable coarseslice0cost_pixels_first_0_values : boolean_2d(0 to 6, 2 to 4);  -- coarseslice0cost_pixels_first_#_0_value_#
+    variable coarseslice0cost_pixels_first_0_value : boolean_2d(0 to 6, 1 to 4);  -- coarseslice0cost_pixels_first_#_0_value_#
     variable coarseslice0other_cost_0_all : boolean_1d(0 to 1);  -- coarseslice0other_cost_0_#_all
     variable coarseslice0other_cost_0_choice : boolean_1d(1 to 23);  -- coarseslice0other_cost_0_#_choice
     variable coarseslice0winner1_best_cost_0_is_less : boolean_1d(0 to 11);  -- coarseslice0winner1_best_cost_0_#_is_less
@@ -1937,47 +1353,33 @@ begin
     variable coarseslice0winner3_best_cost_0_is_less : boolean_1d(0 to 2);  -- coarseslice0winner3_best_cost_0_#_is_less
     variable coarseslice0winner4_best_cost_0_is_less : boolean_1d(0 to 1);  -- coarseslice0winner4_best_cost_0_#_is_less
     variable coarseslice0winner5_best_cost_0_0_is_less : boolean;
-    variable coarseslice1cost_pixels_first_0_value : boolean_1d(0 to 6);  -- coarseslice1cost_pixels_first_#_0_value
-    variable coarseslice1cost_pixels_first_0_values : boolean_2d(0 to 6, 2 to 4);  -- coarseslice1cost_pixels_first_#_0_value_#
+    variable coarseslice1cost_pixels_first_0_value : boolean_2d(0 to 6, 1 to 4);  -- coarseslice1cost_pixels_first_#_0_value_#
     variable coarseslice1other_cost_0_1_any : boolean;
     variable coarseslice1other_cost_0_choice : boolean_1d(1 to 6);  -- coarseslice1other_cost_0_#_choice
     variable coarseslice1winner1_best_cost_0_is_less : boolean_1d(0 to 2);  -- coarseslice1winner1_best_cost_0_#_is_less
     variable coarseslice1winner2_best_cost_0_is_less : boolean_1d(0 to 1);  -- coarseslice1winner2_best_cost_0_#_is_less
     variable coarseslice1winner3_best_cost_0_0_is_less, coarseleftright_holds_winners_choice : boolean;
-    variable ranges_column_differs, ranges_column_any, ranges_column_choice, ranges_column_all : boolean;
-    variable ranges_column_all_2 : boolean;
-    variable ranges_column_choices : boolean_1d(2 to 3);  -- ranges_column_choice_#
-    variable ranges_column_is_equal : boolean;
-    variable ranges_column_anys : boolean_1d(2 to 3);  -- ranges_column_any_#
-    variable ranges_row_choice_2, ranges_pixel_0_choice, ranges_centre_valid_differs, ranges_pair_0_value : boolean;
-    variable ranges_pair_0_choice : boolean;
-    variable ranges_pair_0_values : boolean_1d(2 to 4);  -- ranges_pair_0_value_#
-    variable ranges_pair_0_choices : boolean_1d(2 to 5);  -- ranges_pair_0_choice_#
-    variable ranges_pair_0_choices_from_8 : boolean_1d(8 to 15);  -- ranges_pair_0_choice_#
-    variable ranges_range_value, ranges_range_choice : boolean;
-    variable ranges_range_choices : boolean_1d(2 to 6);  -- ranges_range_choice_#
-    variable ranges_range_values : boolean_1d(2 to 8);  -- ranges_range_value_#
-    variable ranges_range_choices_from_8 : boolean_1d(8 to 13);  -- ranges_range_choice_#
-    variable targets_pause_all, targets_pause_is_equal, targets_walked_is_equal, targets_walked_all : boolean;
+    variable ranges_column_differs : boolean;
+    variable ranges_column_anys : boolean_1d(1 to 3);  -- ranges_column_any_#
+    variable ranges_column_choices : boolean_1d(1 to 3);  -- ranges_column_choice_#
+    variable ranges_column_alls : boolean_1d(1 to 2);  -- ranges_column_all_#
+    variable ranges_column_is_equal, ranges_row_choice_2, ranges_pixel_0_choice, ranges_centre_valid_differs : boolean;
+    variable ranges_pair_0_values : boolean_1d(1 to 4);  -- ranges_pair_0_value_#
+    variable ranges_pair_0_choices : boolean_1d(1 to 15);  -- ranges_pair_0_choice_#
+    variable ranges_range_values : boolean_1d(1 to 8);  -- ranges_range_value_#
+    variable ranges_range_choices : boolean_1d(1 to 13);  -- ranges_range_choice_#
+    variable targets_pause_all, targets_pause_is_equal, targets_walked_is_equal : boolean;
+    variable targets_walked_alls : boolean_1d(1 to 3);  -- targets_walked_all_#
     variable targets_walked_any : boolean;
-    variable targets_walked_alls : boolean_1d(2 to 3);  -- targets_walked_all_#
-    variable targets_last_row_choice, targets_last_row_choice_2, targets_column_range_value : boolean;
-    variable targets_column_range_all, targets_column_range_choice : boolean;
-    variable targets_column_range_choices : boolean_1d(2 to 34);  -- targets_column_range_choice_#
-    variable targets_column_range_any : boolean;
-    variable targets_column_range_alls : boolean_1d(2 to 5);  -- targets_column_range_all_#
-    variable targets_column_range_values : boolean_1d(2 to 9);  -- targets_column_range_value_#
-    variable targets_column_range_values_from_11 : boolean_1d(11 to 20);  -- targets_column_range_value_#
-    variable targets_column_range_choices_from_39 : boolean_1d(39 to 58);  -- targets_column_range_choice_#
-    variable targets_column_range_choices_from_66 : boolean_1d(66 to 75);  -- targets_column_range_choice_#
-    variable targets_around_is_equal, targets_around_choice, targets_around_value : boolean;
-    variable targets_around_values : boolean_1d(2 to 25);  -- targets_around_value_#
+    variable targets_last_row_choices : boolean_1d(1 to 2);  -- targets_last_row_choice_#
+    variable targets_column_range_values : boolean_1d(1 to 20);  -- targets_column_range_value_#
+    variable targets_column_range_alls : boolean_1d(1 to 5);  -- targets_column_range_all_#
+    variable targets_column_range_choices : boolean_1d(1 to 75);  -- targets_column_range_choice_#
+    variable targets_column_range_any, targets_around_is_equal : boolean;
+    variable targets_around_choices : boolean_1d(1 to 47);  -- targets_around_choice_#
+    variable targets_around_values : boolean_1d(1 to 25);  -- targets_around_value_#
     variable targets_around_differs : boolean;
-    variable targets_around_choices : boolean_1d(2 to 20);  -- targets_around_choice_#
-    variable targets_around_all : boolean;
-    variable targets_around_alls : boolean_1d(2 to 4);  -- targets_around_all_#
-    variable targets_around_choices_from_24 : boolean_1d(24 to 28);  -- targets_around_choice_#
-    variable targets_around_choices_from_34 : boolean_1d(34 to 47);  -- targets_around_choice_#
+    variable targets_around_alls : boolean_1d(1 to 4);  -- targets_around_all_#
     variable targets_low_all, targets_low_differs, hold_back_holds_groups_is_equal : boolean;
     variable hold_back_next_holds_groups_any, hold_back_next_next_holds_groups_is_equal : boolean;
     variable hold_back_next_next_next_holds_groups_any, hold_back_next_next_next_next_holds_groups_is_equal : boolean;
@@ -1985,70 +1387,60 @@ begin
     variable hold_back_next_next_next_next_next_next_holds_groups_any : boolean;
     variable hold_back_next_next_next_next_next_next_next_holds_groups_is_equal : boolean;
     variable hold_back_next_next_next_next_next_next_next_next_holds_groups_any : boolean;
-    variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
+    variable transform_counter_group_is_equals : boolean_1d(1 to 2);  -- transform_counter_group_is_equal_#
     variable transform_counter_group_all, transform_counter_group_differs, transform_centre_column_is_less : boolean;
-    variable transform_counter_column_choice, transform_counter_next_frame_choice : boolean;
-    variable transform_counter_next_frame_choice_2, ahead_holds_groups_is_equal, raster_place_group_is_equal : boolean;
-    variable bases_address_0_is_less : boolean;
+    variable transform_counter_column_choice : boolean;
+    variable transform_counter_next_frame_choices : boolean_1d(1 to 2);  -- transform_counter_next_frame_choice_#
+    variable ahead_holds_groups_is_equal, raster_place_group_is_equal, bases_address_0_is_less : boolean;
     variable bases_rises_all : boolean_2d(0 to 1, 0 to 1);  -- bases_rises_#_#_all
     variable bases_falls_all : boolean_2d(0 to 1, 0 to 1);  -- bases_falls_#_#_all
     variable rows_newest_column_any, rows_newest_column_is_equal, rows_newest_row_is_equal : boolean;
     variable rows_enter_row_all, rows_write_codes_0_all, pairs_tag_first_cost_is_equal, lowchain_lane_0_0_all : boolean;
     variable lowchain_lane_1_0_choice : boolean;
-    variable lowcost_pixels_first_0_value : boolean_1d(0 to 1);  -- lowcost_pixels_first_#_0_value
-    variable lowcost_pixels_first_0_values : boolean_2d(0 to 1, 2 to 20);  -- lowcost_pixels_first_#_0_value_#
-    variable lowcost_pixels_first_choice : boolean_2d(0 to 1, 0 to 15);  -- lowcost_pixels_first_#_#_choice
-    variable lowcost_pixels_first_choices : boolean_3d(0 to 1, 0 to 15, 2 to 12);  -- lowcost_pixels_first_#_#_choice_#
-    variable lowcost_pixels_first_1_differs : boolean_1d(0 to 1);  -- lowcost_pixels_first_#_1_differs
-    variable lowcost_pixels_first_1_differss : boolean_2d(0 to 1, 2 to 12);  -- lowcost_pixels_first_#_1_differs_#
+    variable lowcost_pixels_first_0_value : boolean_2d(0 to 1, 1 to 20);  -- lowcost_pixels_first_#_0_value_#
+    variable lowcost_pixels_first_choice : boolean_3d(0 to 1, 0 to 15, 1 to 12);  -- lowcost_pixels_first_#_#_choice_#
+    variable lowcost_pixels_first_1_differs : boolean_2d(0 to 1, 1 to 12);  -- lowcost_pixels_first_#_1_differs_#
     variable lowwinner1_best_cost_0_is_less : boolean_1d(0 to 7);  -- lowwinner1_best_cost_0_#_is_less
     variable lowwinner2_best_cost_0_is_less : boolean_1d(0 to 3);  -- lowwinner2_best_cost_0_#_is_less
     variable lowwinner3_best_cost_0_is_less : boolean_1d(0 to 1);  -- lowwinner3_best_cost_0_#_is_less
     variable lowwinner4_best_cost_0_0_is_less : boolean;
     variable highchain_lane_0_choice : boolean_1d(0 to 1);  -- highchain_lane_#_0_choice
-    variable highcost_pixels_first_choice : boolean_2d(0 to 1, 0 to 15);  -- highcost_pixels_first_#_#_choice
-    variable highcost_pixels_first_choices : boolean_3d(0 to 1, 0 to 15, 2 to 12);  -- highcost_pixels_first_#_#_choice_#
+    variable highcost_pixels_first_choice : boolean_3d(0 to 1, 0 to 15, 1 to 12);  -- highcost_pixels_first_#_#_choice_#
     variable highwinner1_best_cost_0_is_less : boolean_1d(0 to 7);  -- highwinner1_best_cost_0_#_is_less
     variable highwinner2_best_cost_0_is_less : boolean_1d(0 to 3);  -- highwinner2_best_cost_0_#_is_less
     variable highwinner3_best_cost_0_is_less : boolean_1d(0 to 1);  -- highwinner3_best_cost_0_#_is_less
     variable highwinner4_best_cost_0_0_is_less, choice_best_cost_0_0_is_less, refinement_divisor_0_0_is_less : boolean;
-    variable coarse_pixels_column_choice, coarse_pixels_column_choice_2 : natural range 0 to 255;
-    variable coarse_pixels_part_choice, coarse_pixels_part_choice_2 : natural range 0 to 255;
+    variable coarse_pixels_column_choices : natural_255_1d(1 to 2);  -- coarse_pixels_column_choice_#
+    variable coarse_pixels_part_choices : natural_255_1d(1 to 2);  -- coarse_pixels_part_choice_#
     variable ranges_column_choices_from_4 : natural_255_1d(4 to 5);  -- ranges_column_choice_#
-    variable lowcost_column_0_choice : natural_255_1d(0 to 15);  -- lowcost_column_0_#_choice
-    variable lowcost_column_0_choice_2 : natural_255_1d(0 to 15);  -- lowcost_column_0_#_choice_2
+    variable lowcost_column_0_choice : natural_255_2d(0 to 15, 1 to 2);  -- lowcost_column_0_#_choice_#
     variable lowwindow_change_0_choice : natural_255_1d(0 to 15);  -- lowwindow_change_0_#_choice
-    variable highcost_column_0_choice : natural_255_1d(0 to 15);  -- highcost_column_0_#_choice
-    variable highcost_column_0_choice_2 : natural_255_1d(0 to 15);  -- highcost_column_0_#_choice_2
+    variable highcost_column_0_choice : natural_255_2d(0 to 15, 1 to 2);  -- highcost_column_0_#_choice_#
     variable highwindow_change_0_choice : natural_255_1d(0 to 15);  -- highwindow_change_0_#_choice
     variable refinement_fraction_0_choice : natural range 0 to 255;
-    variable coarse_pixels_row_choice, coarse_pixels_row_choice_2, targets_low_choice_2 : natural range 0 to 3;
-    variable targets_high_choice_2 : natural range 0 to 3;
+    variable coarse_pixels_row_choices : natural_3_1d(1 to 2);  -- coarse_pixels_row_choice_#
+    variable targets_low_choice_2, targets_high_choice_2 : natural range 0 to 3;
     variable coarse_pixels_repetition_choice, coarse_pixels_left_sum_choice : natural range 0 to 65535;
     variable coarse_pixels_right_sum_choice, targets_pause_choice : natural range 0 to 65535;
-    variable bases_base_choice : natural_65535_2d(0 to 1, 0 to 2);  -- bases_base_#_#_choice
-    variable bases_base_choice_2 : natural_65535_2d(0 to 1, 0 to 2);  -- bases_base_#_#_choice_2
-    variable rows_newest_column_choice, rows_newest_column_choice_2 : natural range 0 to 65535;
+    variable bases_base_choice : natural_65535_3d(0 to 1, 0 to 2, 1 to 2);  -- bases_base_#_#_choice_#
+    variable rows_newest_column_choices : natural_65535_1d(1 to 2);  -- rows_newest_column_choice_#
     variable coarse_pixels_total_choice : natural range 0 to 16777215;
     variable coarsetransform_counter_group_choice, coarseraster_place_group_choice : natural range 0 to 15;
     variable transform_counter_group_choice : natural range 0 to 15;
     variable coarsetransform_counter_group_choices : natural_127_1d(3 to 4);  -- coarsetransform_counter_group_choice_#
     variable coarseraster_place_group_choices : natural_127_1d(3 to 4);  -- coarseraster_place_group_choice_#
-    variable ranges_row_choice, targets_walk_place_choice, targets_walk_place_choice_2 : natural range 0 to 127;
+    variable ranges_row_choice : natural range 0 to 127;
+    variable targets_walk_place_choices : natural_127_1d(1 to 2);  -- targets_walk_place_choice_#
     variable bases_address_0_choice_2 : natural range 0 to 127;
     variable coarseleftright_checked_passed_0_difference : integer range -30 to 64;
     variable ranges_counts_sum : natural range 1 to 32;
-    variable ranges_counts_difference : integer range -30 to 32;
-    variable ranges_counts_differences : integer_minus_30_to_32_1d(2 to 4);  -- ranges_counts_difference_#
+    variable ranges_counts_differences : integer_minus_30_to_32_1d(1 to 4);  -- ranges_counts_difference_#
     variable ranges_counts_sum_2 : natural range 0 to 4;
     variable ranges_pair_0_choice_6, targets_column_range_choice_79 : natural range 0 to 2047;
     variable targets_around_choices_from_21 : natural_2047_1d(21 to 22);  -- targets_around_choice_#
-    variable rows_newest_row_choice : natural range 0 to 2047;
-    variable rows_newest_row_choices : natural_2047_1d(2 to 4);  -- rows_newest_row_choice_#
-    variable rows_enter_row_choice : natural range 0 to 2047;
-    variable rows_enter_row_choices : natural_2047_1d(2 to 3);  -- rows_enter_row_choice_#
-    variable rows_leave_row_choice : natural range 0 to 2047;
-    variable rows_leave_row_choices : natural_2047_1d(2 to 3);  -- rows_leave_row_choice_#
+    variable rows_newest_row_choices : natural_2047_1d(1 to 4);  -- rows_newest_row_choice_#
+    variable rows_enter_row_choices : natural_2047_1d(1 to 3);  -- rows_enter_row_choice_#
+    variable rows_leave_row_choices : natural_2047_1d(1 to 3);  -- rows_leave_row_choice_#
     variable lowwindow_sum_0_choice : natural_2047_1d(0 to 15);  -- lowwindow_sum_0_#_choice
     variable lowwinner2_best_below_0_choice : natural_2047_1d(0 to 3);  -- lowwinner2_best_below_0_#_choice
     variable lowwinner2_best_above_0_choice : natural_2047_1d(0 to 3);  -- lowwinner2_best_above_0_#_choice
@@ -2074,18 +1466,18 @@ begin
     variable rows_address_12_value_2 : natural range 0 to 31;
     variable ranges_pair_0_choice_16 : natural range 0 to 63;
     variable targets_around_choices_from_29 : natural_63_1d(29 to 30);  -- targets_around_choice_#
-    variable rows_write_word_choice : natural range 0 to 63;
-    variable rows_write_word_choices : natural_63_1d(2 to 3);  -- rows_write_word_choice_#
+    variable rows_write_word_choices : natural_63_1d(1 to 3);  -- rows_write_word_choice_#
     variable targets_column_range_value_10 : natural range 0 to 1023;
     variable targets_column_range_choices_from_35 : natural_1023_1d(35 to 37);  -- targets_column_range_choice_#
     variable targets_column_range_choices_from_63 : natural_1023_1d(63 to 64);  -- targets_column_range_choice_#
     variable targets_around_choice_32, bases_address_0_value, bases_address_0_choice : natural range 0 to 1023;
-    variable targets_low_wish_value, targets_low_wish_choice, targets_low_wish_choice_2 : natural range 0 to 124;
-    variable targets_high_wish_value, targets_high_wish_choice, targets_high_wish_choice_2 : natural range 0 to 124;
-    variable targets_low_choice, targets_low_sum : natural range 0 to 32767;
-    variable targets_low_choices : natural_32767_1d(3 to 5);  -- targets_low_choice_#
-    variable targets_high_choice : natural range 0 to 32767;
-    variable targets_high_choices : natural_32767_1d(3 to 5);  -- targets_high_choice_#
+    variable targets_low_wish_value : natural range 0 to 124;
+    variable targets_low_wish_choices : natural_124_1d(1 to 2);  -- targets_low_wish_choice_#
+    variable targets_high_wish_value : natural range 0 to 124;
+    variable targets_high_wish_choices : natural_124_1d(1 to 2);  -- targets_high_wish_choice_#
+    variable targets_low_choices : natural_32767_1d(1 to 5);  -- targets_low_choice_#
+    variable targets_low_sum : natural range 0 to 32767;
+    variable targets_high_choices : natural_32767_1d(1 to 5);  -- targets_high_choice_#
     variable transform_counter_group_choices : natural_511_1d(2 to 3);  -- transform_counter_group_choice_#
     variable transform_centre_column_choice : natural range 159 to 255;
     variable bases_address_0_value_2 : natural range 0 to 1008;
@@ -2093,8 +1485,7 @@ begin
     variable bases_rises_sum : natural_3_to_65538_2d(0 to 1, 0 to 1);  -- bases_rises_#_#_sum
     variable bases_base_2_sum : natural_3_to_65538_1d(0 to 1);  -- bases_base_#_2_sum
     variable rows_last_3_sum : natural range 0 to 4095;
-    variable rows_codes_choice : natural_4095_3d(0 to 1, 0 to 1, 0 to 2);  -- rows_codes_#_#_#_choice
-    variable rows_codes_0_choice_2 : natural_4095_2d(0 to 1, 0 to 1);  -- rows_codes_#_#_0_choice_2
+    variable rows_codes_choice : natural_4095_4d(0 to 1, 0 to 1, 0 to 2, 1 to 2);  -- rows_codes_#_#_#_choice_#
     variable rows_newest_column_sum : natural range 1 to 65536;
     variable rows_newest_row_sum : natural range 5 to 2052;
     variable rows_position_sum : natural_9214_2d(0 to 1, 0 to 1);  -- rows_position_#_#_sum
@@ -2108,58 +1499,38 @@ begin
     variable other_29_choice : natural range 95 to 127;
   begin
     if rising_edge(clock) then
+      -- no bit without a value, where an array has places for more
+      ranges_pair_0_choices := (others => false);
+      ranges_range_choices := (others => false);
+      targets_column_range_values := (others => false);
+      targets_column_range_choices := (others => false);
+      targets_around_choices := (others => false);
+      targets_low_choices := (others => 0);
+      targets_high_choices := (others => 0);
+      rows_codes_choice := (others => (others => (others => (others => 0))));
       -- coarse
       coarse_pixels_column_any := (not in_start_of_frame) or (not in_valid);
-      coarse_pixels_column_is_equal := coarse_pixels_part = 3;
-      coarse_pixels_column_is_equal_2 := coarse_pixels_column = 159;
-      coarse_pixels_column_all := coarse_pixels_column_is_equal and coarse_pixels_column_is_equal_2;
-      if coarse_pixels_column_all then
-        coarse_pixels_column_choice := 0;
-      else
-        coarse_pixels_column_choice := (coarse_pixels_column + as_number(coarse_pixels_column_is_equal)) mod 256;
-      end if;
-      if in_valid then
-        coarse_pixels_column_choice_2 := coarse_pixels_column_choice;
-      else
-        coarse_pixels_column_choice_2 := coarse_pixels_column;
-      end if;
-      if coarse_pixels_column_is_equal then
-        coarse_pixels_part_choice := 0;
-      else
-        coarse_pixels_part_choice := (coarse_pixels_part + 1) mod 256;
-      end if;
-      if in_valid then
-        coarse_pixels_part_choice_2 := coarse_pixels_part_choice;
-      else
-        coarse_pixels_part_choice_2 := coarse_pixels_part;
-      end if;
-      if coarse_pixels_column_all then
-        coarse_pixels_row_choice := (coarse_pixels_row + 1) mod 4;
-      else
-        coarse_pixels_row_choice := coarse_pixels_row;
-      end if;
-      if in_valid then
-        coarse_pixels_row_choice_2 := coarse_pixels_row_choice;
-      else
-        coarse_pixels_row_choice_2 := coarse_pixels_row;
-      end if;
+      coarse_pixels_column_is_equals(1) := coarse_pixels_part = 3;
+      coarse_pixels_column_is_equals(2) := coarse_pixels_column = 159;
+      coarse_pixels_column_all := coarse_pixels_column_is_equals(1) and coarse_pixels_column_is_equals(2);
+      coarse_pixels_column_choices(1) := choice(coarse_pixels_column_all, 0, (coarse_pixels_column +
+        as_number(coarse_pixels_column_is_equals(1))) mod 256);
+      coarse_pixels_column_choices(2) := choice(in_valid, coarse_pixels_column_choices(1), coarse_pixels_column);
+      coarse_pixels_part_choices(1) := choice(coarse_pixels_column_is_equals(1), 0, (coarse_pixels_part + 1) mod 256);
+      coarse_pixels_part_choices(2) := choice(in_valid, coarse_pixels_part_choices(1), coarse_pixels_part);
+      coarse_pixels_row_choices(1) := choice(coarse_pixels_column_all, (coarse_pixels_row + 1) mod 4,
+        coarse_pixels_row);
+      coarse_pixels_row_choices(2) := choice(in_valid, coarse_pixels_row_choices(1), coarse_pixels_row);
       coarse_pixels_first_row_is_equal := coarse_pixels_row = 3;
-      if in_valid then
-        coarse_pixels_first_row_choice := in_start_of_frame;
-      else
-        coarse_pixels_first_row_choice := coarse_pixels_first_row;
-      end if;
+      coarse_pixels_first_row_choice := choice(in_valid, in_start_of_frame, coarse_pixels_first_row);
       coarse_pixels_repetition_differs := coarse_pixels_repetition /= 32;
-      if coarse_pixels_repetition_differs then
-        coarse_pixels_repetition_choice := (coarse_pixels_repetition + 1) mod 65536;
-      else
-        coarse_pixels_repetition_choice := 32;
-      end if;
+      coarse_pixels_repetition_choice := choice(coarse_pixels_repetition_differs, (coarse_pixels_repetition + 1) mod
+        65536, 32);
       coarse_pixels_out_valid_all := coarse_pixels_total_is_last and coarse_pixels_total_ends;
       coarse_pixels_left <= in_left_pixel;
       coarse_pixels_right <= in_right_pixel;
       coarse_pixels_valid <= in_valid;
-      coarse_pixels_sum_ends <= coarse_pixels_column_is_equal and coarse_pixels_valid;
+      coarse_pixels_sum_ends <= coarse_pixels_column_is_equals(1) and coarse_pixels_valid;
       coarse_pixels_sum_is_first <= coarse_pixels_row = 0;
       coarse_pixels_sum_is_last <= coarse_pixels_first_row_is_equal;
       coarse_pixels_sum_starts <= coarse_pixels_first_row;
@@ -2177,46 +1548,22 @@ begin
       coarse_pixels_out_start <= coarse_pixels_total_starts and coarse_pixels_total_is_last and
         (coarse_pixels_total_column = 0) and coarse_pixels_total_ends;
       coarse_pixels_out_valid <= coarse_pixels_repetition_differs or coarse_pixels_out_valid_all;
-      if coarse_pixels_column_any then
-        coarse_pixels_column <= coarse_pixels_column_choice_2;
-        coarse_pixels_part <= coarse_pixels_part_choice_2;
-        coarse_pixels_row <= coarse_pixels_row_choice_2;
-      else
-        coarse_pixels_column <= 0;
-        coarse_pixels_part <= 0;
-        coarse_pixels_row <= 0;
-      end if;
-      if coarse_pixels_column_is_equal and coarse_pixels_column_is_equal_2 and coarse_pixels_first_row and
-        coarse_pixels_first_row_is_equal then
-        coarse_pixels_first_row <= coarse_pixels_first_row_choice;
-      else
-        coarse_pixels_first_row <= coarse_pixels_first_row or (in_start_of_frame and in_valid);
-      end if;
-      if coarse_pixels_total_is_last and coarse_pixels_total_ends and (coarse_pixels_total_column = 159) then
-        coarse_pixels_repetition <= 0;
-      else
-        coarse_pixels_repetition <= coarse_pixels_repetition_choice;
-      end if;
+      coarse_pixels_column <= choice(coarse_pixels_column_any, coarse_pixels_column_choices(2), 0);
+      coarse_pixels_part <= choice(coarse_pixels_column_any, coarse_pixels_part_choices(2), 0);
+      coarse_pixels_row <= choice(coarse_pixels_column_any, coarse_pixels_row_choices(2), 0);
+      coarse_pixels_first_row <= choice(coarse_pixels_column_is_equals(1) and coarse_pixels_column_is_equals(2) and
+        coarse_pixels_first_row and coarse_pixels_first_row_is_equal, coarse_pixels_first_row_choice,
+        coarse_pixels_first_row or (in_start_of_frame and in_valid));
+      coarse_pixels_repetition <= choice(coarse_pixels_total_is_last and coarse_pixels_total_ends and
+        (coarse_pixels_total_column = 159), 0, coarse_pixels_repetition_choice);
       coarse_pixels_left_sum_is_equal := coarse_pixels_part = 0;
-      if coarse_pixels_left_sum_is_equal then
-        coarse_pixels_left_sum_choice := 0;
-      else
-        coarse_pixels_left_sum_choice := coarse_pixels_left_sum;
-      end if;
-      if coarse_pixels_left_sum_is_equal then
-        coarse_pixels_right_sum_choice := 0;
-      else
-        coarse_pixels_right_sum_choice := coarse_pixels_right_sum;
-      end if;
+      coarse_pixels_left_sum_choice := choice(coarse_pixels_left_sum_is_equal, 0, coarse_pixels_left_sum);
+      coarse_pixels_right_sum_choice := choice(coarse_pixels_left_sum_is_equal, 0, coarse_pixels_right_sum);
       if coarse_pixels_valid then
         coarse_pixels_left_sum <= (coarse_pixels_left_sum_choice + coarse_pixels_left) mod 65536;
         coarse_pixels_right_sum <= (coarse_pixels_right_sum_choice + coarse_pixels_right) mod 65536;
       end if;
-      if coarse_pixels_read_is_first then
-        coarse_pixels_total_choice := 0;
-      else
-        coarse_pixels_total_choice := to_integer(coarse_pixels_read_word_0);
-      end if;
+      coarse_pixels_total_choice := choice(coarse_pixels_read_is_first, 0, to_integer(coarse_pixels_read_word_0));
       if coarse_pixels_read_ends then
         coarse_pixels_total <= (to_integer(((to_unsigned(coarse_pixels_right_read, 12) & to_unsigned(0, 12)) or
           (to_unsigned(coarse_pixels_left_read, 24)))) + coarse_pixels_total_choice) mod 16777216;
@@ -2227,58 +1574,35 @@ begin
         coarse_pixels_out_right <= ((((coarse_pixels_total / 32768) + 1) mod 512) * 8) / 16;
       end if;
       -- coarsetransform
-      coarsetransform_counter_group_is_equal := coarsetransform_counter_column = 191;
-      coarsetransform_counter_group_is_equal_2 := coarsetransform_counter_group = 119;
-      coarsetransform_counter_group_all := coarsetransform_counter_group_is_equal and
-        coarsetransform_counter_group_is_equal_2;
-      if coarsetransform_counter_group_all then
-        coarsetransform_counter_group_choice := 15;
-      else
-        coarsetransform_counter_group_choice := 0;
-      end if;
-      if (coarsetransform_counter_group / 2) = 61 then
-        coarsetransform_counter_group_choice_2 := coarsetransform_counter_group_is_equal and coarse_pixels_out_valid
-          and is_set(coarsetransform_counter_group, 0);
-      else
-        coarsetransform_counter_group_choice_2 := coarsetransform_counter_group_is_equal and coarse_pixels_out_valid;
-      end if;
-      if coarsetransform_counter_next_frame and (coarsetransform_counter_group = 121) then
-        coarsetransform_counter_group_choices(3) := 2;
-      else
-        coarsetransform_counter_group_choices(3) := (coarsetransform_counter_group + 1) mod 128;
-      end if;
-      if coarsetransform_counter_group_choice_2 then
-        coarsetransform_counter_group_choices(4) := coarsetransform_counter_group_choices(3);
-      else
-        coarsetransform_counter_group_choices(4) := coarsetransform_counter_group;
-      end if;
-      if coarsetransform_counter_group_is_equal and ((coarsetransform_counter_group / 4) = 30) then
-        coarsetransform_counter_next_frame_choice := coarsetransform_counter_next_frame and
-          (is_set(coarsetransform_counter_group, 1) or (not is_set(coarsetransform_counter_group, 0)));
-      else
-        coarsetransform_counter_next_frame_choice := coarsetransform_counter_next_frame;
-      end if;
-      if coarsetransform_counter_group_all then
-        coarsetransform_counter_next_frame_choices(2) := coarse_pixels_out_valid;
-      else
-        coarsetransform_counter_next_frame_choices(2) := coarse_pixels_out_valid and (not coarse_pixels_out_start);
-      end if;
-      if coarsetransform_counter_next_frame_choice then
-        coarsetransform_counter_next_frame_choices(3) := coarsetransform_counter_next_frame_choices(2);
-      else
-        coarsetransform_counter_next_frame_choices(3) := coarsetransform_counter_group_is_equal and
-          coarsetransform_counter_group_is_equal_2 and coarse_pixels_out_valid and coarse_pixels_out_start;
-      end if;
+      coarsetransform_counter_group_is_equals(1) := coarsetransform_counter_column = 191;
+      coarsetransform_counter_group_is_equals(2) := coarsetransform_counter_group = 119;
+      coarsetransform_counter_group_all := coarsetransform_counter_group_is_equals(1) and
+        coarsetransform_counter_group_is_equals(2);
+      coarsetransform_counter_group_choice := choice(coarsetransform_counter_group_all, 15, 0);
+      coarsetransform_counter_group_choice_2 := choice((coarsetransform_counter_group / 2) = 61,
+        coarsetransform_counter_group_is_equals(1) and coarse_pixels_out_valid and
+        is_set(coarsetransform_counter_group, 0), coarsetransform_counter_group_is_equals(1) and
+        coarse_pixels_out_valid);
+      coarsetransform_counter_group_choices(3) := choice(coarsetransform_counter_next_frame and
+        (coarsetransform_counter_group = 121), 2, (coarsetransform_counter_group + 1) mod 128);
+      coarsetransform_counter_group_choices(4) := choice(coarsetransform_counter_group_choice_2,
+        coarsetransform_counter_group_choices(3), coarsetransform_counter_group);
+      coarsetransform_counter_next_frame_choices(1) := choice(coarsetransform_counter_group_is_equals(1) and
+        ((coarsetransform_counter_group / 4) = 30), coarsetransform_counter_next_frame and
+        (is_set(coarsetransform_counter_group, 1) or (not is_set(coarsetransform_counter_group, 0))),
+        coarsetransform_counter_next_frame);
+      coarsetransform_counter_next_frame_choices(2) := choice(coarsetransform_counter_group_all,
+        coarse_pixels_out_valid, coarse_pixels_out_valid and (not coarse_pixels_out_start));
+      coarsetransform_counter_next_frame_choices(3) := choice(coarsetransform_counter_next_frame_choices(1),
+        coarsetransform_counter_next_frame_choices(2), coarsetransform_counter_group_is_equals(1) and
+        coarsetransform_counter_group_is_equals(2) and coarse_pixels_out_valid and coarse_pixels_out_start);
       coarsetransform_centre_group_any := (((coarsetransform_counter_column / 2) mod 16) /= 0) or
         is_set(coarsetransform_counter_column, 7) or is_set(coarsetransform_counter_column, 6) or
         is_set(coarsetransform_counter_column, 5);
       coarsetransform_from_first_0_value := is_set(coarsetransform_centre_group, 2);
       coarsetransform_from_first_0_differs := (other_29 / 2) /= 0;
-      if ((other_29 / 2) mod 16) = 15 then
-        coarsetransform_up_to_last_0_choice := is_set(other_29, 7) and (is_set(other_29, 6) or is_set(other_29, 5));
-      else
-        coarsetransform_up_to_last_0_choice := (other_29 / 64) = 3;
-      end if;
+      coarsetransform_up_to_last_0_choice := choice(((other_29 / 2) mod 16) = 15, is_set(other_29, 7) and
+        (is_set(other_29, 6) or is_set(other_29, 5)), (other_29 / 64) = 3);
       coarsetransform_left_0 <= coarse_pixels_out_left;
       coarsetransform_right_0 <= coarse_pixels_out_right;
       coarsetransform_valid <= coarse_pixels_out_valid;
@@ -2323,7 +1647,7 @@ begin
         coarsetransform_left_code_column_lower;
       coarsetransform_left_code_row_centre(0) <= coarsetransform_left_code_row_column(0, 1);
       coarsetransform_left_code_row_centre(1) <= coarsetransform_left_code_row_column(1, 1);
-      coarsetransform_left_code_row_centre_2 <= coarsetransform_left_code_row_column_2(1);
+      coarsetransform_left_code_row_centre(2) <= coarsetransform_left_code_row_column_2(1);
       coarsetransform_left_code_row_outer_1 <= coarsetransform_left_code_column_response(1) +
         coarsetransform_left_code_row_column(1, 3);
       coarsetransform_left_code_row_outer_2 <= coarsetransform_left_code_column_response_2 +
@@ -2343,7 +1667,7 @@ begin
       coarsetransform_left_code_row_even(1) <= ((((coarsetransform_left_code_row_outer_1 / 2) -
         coarsetransform_left_code_row_centre(1)) mod 8192) * 2) + (coarsetransform_left_code_row_outer_1 mod 2);
       coarsetransform_left_code_row_even(2) <= ((((coarsetransform_left_code_row_outer_2 / 2) -
-        coarsetransform_left_code_row_centre_2) mod 8192) * 2) + (coarsetransform_left_code_row_outer_2 mod 2);
+        coarsetransform_left_code_row_centre(2)) mod 8192) * 2) + (coarsetransform_left_code_row_outer_2 mod 2);
       coarsetransform_left_code_row_odd(1) <= (coarsetransform_left_code_row_before(1) -
         coarsetransform_left_code_row_after(1)) mod 16384;
       coarsetransform_left_code_row_odd(2) <= (coarsetransform_left_code_row_before_2 -
@@ -2369,7 +1693,7 @@ begin
         coarsetransform_right_code_column_lower;
       coarsetransform_right_code_row_centre(0) <= coarsetransform_right_code_row_column(0, 1);
       coarsetransform_right_code_row_centre(1) <= coarsetransform_right_code_row_column(1, 1);
-      coarsetransform_right_code_row_centre_2 <= coarsetransform_right_code_row_column_2(1);
+      coarsetransform_right_code_row_centre(2) <= coarsetransform_right_code_row_column_2(1);
       coarsetransform_right_code_row_outer_1 <= coarsetransform_right_code_column_response(1) +
         coarsetransform_right_code_row_column(1, 3);
       coarsetransform_right_code_row_outer_2 <= coarsetransform_right_code_column_response_2 +
@@ -2389,7 +1713,7 @@ begin
       coarsetransform_right_code_row_even(1) <= ((((coarsetransform_right_code_row_outer_1 / 2) -
         coarsetransform_right_code_row_centre(1)) mod 8192) * 2) + (coarsetransform_right_code_row_outer_1 mod 2);
       coarsetransform_right_code_row_even(2) <= ((((coarsetransform_right_code_row_outer_2 / 2) -
-        coarsetransform_right_code_row_centre_2) mod 8192) * 2) + (coarsetransform_right_code_row_outer_2 mod 2);
+        coarsetransform_right_code_row_centre(2)) mod 8192) * 2) + (coarsetransform_right_code_row_outer_2 mod 2);
       coarsetransform_right_code_row_odd(1) <= (coarsetransform_right_code_row_before(1) -
         coarsetransform_right_code_row_after(1)) mod 16384;
       coarsetransform_right_code_row_odd(2) <= (coarsetransform_right_code_row_before_2 -
@@ -2409,32 +1733,20 @@ begin
       end loop;
       coarsetransform_filtering_start_of_frame(5) <= coarsetransform_filtering_start_of_frame(4);
       coarsetransform_filtering_valid(5) <= coarsetransform_filtering_valid(4);
-      if coarse_pixels_out_valid and coarse_pixels_out_start then
-        coarsetransform_counter_group <= coarsetransform_counter_group_choice * 8;
-      else
-        coarsetransform_counter_group <= coarsetransform_counter_group_choices(4);
-      end if;
-      if (not is_set(coarsetransform_centre_group, 4)) and ((not coarsetransform_from_first_0_value) or
-        ((coarsetransform_centre_group mod 4) = 0)) and (not is_set(coarsetransform_centre_group, 7)) and (not
-        is_set(coarsetransform_centre_group, 6)) and (not is_set(coarsetransform_centre_group, 3)) then
-        coarsetransform_from_first_0 <= coarsetransform_from_first_0_differs and is_set(coarsetransform_centre_group,
-          5);
-      else
-        coarsetransform_from_first_0 <= coarsetransform_from_first_0_differs;
-      end if;
-      if coarsetransform_filtering_inside_0(4) then
-        coarsetransform_left_code_bits <= coarsetransform_left_code_row_signs;
-        coarsetransform_right_code_bits <= coarsetransform_right_code_row_signs;
-      else
-        coarsetransform_left_code_bits <= 0;
-        coarsetransform_right_code_bits <= 0;
-      end if;
+      coarsetransform_counter_group <= choice(coarse_pixels_out_valid and coarse_pixels_out_start,
+        coarsetransform_counter_group_choice * 8, coarsetransform_counter_group_choices(4));
+      coarsetransform_from_first_0 <= choice((not is_set(coarsetransform_centre_group, 4)) and ((not
+        coarsetransform_from_first_0_value) or ((coarsetransform_centre_group mod 4) = 0)) and (not
+        is_set(coarsetransform_centre_group, 7)) and (not is_set(coarsetransform_centre_group, 6)) and (not
+        is_set(coarsetransform_centre_group, 3)), coarsetransform_from_first_0_differs and
+        is_set(coarsetransform_centre_group, 5), coarsetransform_from_first_0_differs);
+      coarsetransform_left_code_bits <= choice(coarsetransform_filtering_inside_0(4),
+        coarsetransform_left_code_row_signs, 0);
+      coarsetransform_right_code_bits <= choice(coarsetransform_filtering_inside_0(4),
+        coarsetransform_right_code_row_signs, 0);
       if coarse_pixels_out_valid then
-        if coarsetransform_counter_group_is_equal or coarse_pixels_out_start then
-          coarsetransform_counter_column <= 0;
-        else
-          coarsetransform_counter_column <= (coarsetransform_counter_column + 1) mod 256;
-        end if;
+        coarsetransform_counter_column <= choice(coarsetransform_counter_group_is_equals(1) or coarse_pixels_out_start,
+          0, (coarsetransform_counter_column + 1) mod 256);
       end if;
       if is_set(others_from_30(30), 8) then
         coarsetransform_left_rows_write_words_0 <= to_unsigned(coarsetransform_left_rows_ready_newest_0, 8) &
@@ -2451,9 +1763,7 @@ begin
           coarsetransform_left_code_row_column(i, 3) <= coarsetransform_left_code_row_column(i, 2);
         end loop;
         coarsetransform_left_code_row_column_2(0) <= coarsetransform_left_code_column_response_2;
-        coarsetransform_left_code_row_column_2(1) <= coarsetransform_left_code_row_column_2(0);
-        coarsetransform_left_code_row_column_2(2) <= coarsetransform_left_code_row_column_2(1);
-        coarsetransform_left_code_row_column_2(3) <= coarsetransform_left_code_row_column_2(2);
+        coarsetransform_left_code_row_column_2(1 to 3) <= coarsetransform_left_code_row_column_2(0 to 2);
         for i in 0 to 1 loop
           coarsetransform_right_code_row_column(i, 0) <= coarsetransform_right_code_column_response(i);
           coarsetransform_right_code_row_column(i, 1) <= coarsetransform_right_code_row_column(i, 0);
@@ -2461,94 +1771,56 @@ begin
           coarsetransform_right_code_row_column(i, 3) <= coarsetransform_right_code_row_column(i, 2);
         end loop;
         coarsetransform_right_code_row_column_2(0) <= coarsetransform_right_code_column_response_2;
-        coarsetransform_right_code_row_column_2(1) <= coarsetransform_right_code_row_column_2(0);
-        coarsetransform_right_code_row_column_2(2) <= coarsetransform_right_code_row_column_2(1);
-        coarsetransform_right_code_row_column_2(3) <= coarsetransform_right_code_row_column_2(2);
+        coarsetransform_right_code_row_column_2(1 to 3) <= coarsetransform_right_code_row_column_2(0 to 2);
       end if;
       -- coarseraster
-      coarseraster_place_group_is_equal := coarseraster_place_column = 191;
+      coarseraster_place_group_is_equals(1) := coarseraster_place_column = 191;
       coarseraster_place_group_is_equals(2) := coarseraster_place_group = 119;
-      coarseraster_place_group_all := coarseraster_place_group_is_equal and coarseraster_place_group_is_equals(2);
-      if coarseraster_place_group_all then
-        coarseraster_place_group_choice := 15;
-      else
-        coarseraster_place_group_choice := 0;
-      end if;
+      coarseraster_place_group_all := coarseraster_place_group_is_equals(1) and coarseraster_place_group_is_equals(2);
+      coarseraster_place_group_choice := choice(coarseraster_place_group_all, 15, 0);
       coarseraster_place_group_is_equals(3) := (coarseraster_place_group / 2) = 61;
-      if coarseraster_place_group_is_equals(3) then
-        coarseraster_place_group_choice_2 := coarsetransform_filtering_valid(5) and (not
-          is_set(coarseraster_place_group, 0));
-      else
-        coarseraster_place_group_choice_2 := coarsetransform_filtering_valid(5);
-      end if;
-      if coarseraster_place_next_frame and (coarseraster_place_group = 122) then
-        coarseraster_place_group_choices(3) := 3;
-      else
-        coarseraster_place_group_choices(3) := (coarseraster_place_group + 1) mod 128;
-      end if;
-      if coarseraster_place_group_is_equal and coarseraster_place_group_choice_2 then
-        coarseraster_place_group_choices(4) := coarseraster_place_group_choices(3);
-      else
-        coarseraster_place_group_choices(4) := coarseraster_place_group;
-      end if;
-      if coarseraster_place_group_is_equals(3) then
-        coarseraster_place_next_frame_choice := coarseraster_place_next_frame and is_set(coarseraster_place_group, 0);
-      else
-        coarseraster_place_next_frame_choice := coarseraster_place_next_frame;
-      end if;
-      if coarseraster_place_group_is_equal then
-        coarseraster_place_next_frame_choices(2) := coarseraster_place_next_frame_choice;
-      else
-        coarseraster_place_next_frame_choices(2) := coarseraster_place_next_frame;
-      end if;
-      if coarseraster_place_group_all then
-        coarseraster_place_next_frame_choices(3) := coarsetransform_filtering_valid(5);
-      else
-        coarseraster_place_next_frame_choices(3) := coarsetransform_filtering_valid(5) and (not
-          coarsetransform_filtering_start_of_frame(5));
-      end if;
-      if coarseraster_place_next_frame_choices(2) then
-        coarseraster_place_next_frame_choices(4) := coarseraster_place_next_frame_choices(3);
-      else
-        coarseraster_place_next_frame_choices(4) := coarseraster_place_group_is_equal and
-          coarseraster_place_group_is_equals(2) and coarsetransform_filtering_valid(5) and
-          coarsetransform_filtering_start_of_frame(5);
-      end if;
+      coarseraster_place_group_choice_2 := choice(coarseraster_place_group_is_equals(3),
+        coarsetransform_filtering_valid(5) and (not is_set(coarseraster_place_group, 0)),
+        coarsetransform_filtering_valid(5));
+      coarseraster_place_group_choices(3) := choice(coarseraster_place_next_frame and (coarseraster_place_group = 122),
+        3, (coarseraster_place_group + 1) mod 128);
+      coarseraster_place_group_choices(4) := choice(coarseraster_place_group_is_equals(1) and
+        coarseraster_place_group_choice_2, coarseraster_place_group_choices(3), coarseraster_place_group);
+      coarseraster_place_next_frame_choices(1) := choice(coarseraster_place_group_is_equals(3),
+        coarseraster_place_next_frame and is_set(coarseraster_place_group, 0), coarseraster_place_next_frame);
+      coarseraster_place_next_frame_choices(2) := choice(coarseraster_place_group_is_equals(1),
+        coarseraster_place_next_frame_choices(1), coarseraster_place_next_frame);
+      coarseraster_place_next_frame_choices(3) := choice(coarseraster_place_group_all,
+        coarsetransform_filtering_valid(5), coarsetransform_filtering_valid(5) and (not
+        coarsetransform_filtering_start_of_frame(5)));
+      coarseraster_place_next_frame_choices(4) := choice(coarseraster_place_next_frame_choices(2),
+        coarseraster_place_next_frame_choices(3), coarseraster_place_group_is_equals(1) and
+        coarseraster_place_group_is_equals(2) and coarsetransform_filtering_valid(5) and
+        coarsetransform_filtering_start_of_frame(5));
       coarseraster_features_search_0 <= coarsetransform_left_code_bits;
       coarseraster_features_reference_0 <= coarsetransform_right_code_bits;
       coarseraster_features_valid <= coarsetransform_filtering_valid(5);
       coarseraster_place_next_frame <= coarseraster_place_next_frame_choices(4) or ((not
         coarsetransform_filtering_valid(5)) and coarseraster_place_next_frame);
-      if coarsetransform_filtering_valid(5) and coarsetransform_filtering_start_of_frame(5) then
-        coarseraster_place_group <= coarseraster_place_group_choice * 8;
-      else
-        coarseraster_place_group <= coarseraster_place_group_choices(4);
-      end if;
+      coarseraster_place_group <= choice(coarsetransform_filtering_valid(5) and
+        coarsetransform_filtering_start_of_frame(5), coarseraster_place_group_choice * 8,
+        coarseraster_place_group_choices(4));
       if coarsetransform_filtering_valid(5) then
-        if coarseraster_place_group_is_equal or coarsetransform_filtering_start_of_frame(5) then
-          coarseraster_place_column <= 0;
-        else
-          coarseraster_place_column <= (coarseraster_place_column + 1) mod 256;
-        end if;
+        coarseraster_place_column <= choice(coarseraster_place_group_is_equals(1) or
+          coarsetransform_filtering_start_of_frame(5), 0, (coarseraster_place_column + 1) mod 256);
       end if;
       -- coarsedelay
       if coarseraster_features_valid then
         coarsedelay_ring_write_address <= coarsedelay_ring_read_address;
-        if coarsedelay_ring_read_address = 31 then
-          coarsedelay_ring_read_address <= 0;
-        else
-          coarsedelay_ring_read_address <= (coarsedelay_ring_read_address + 1) mod 32;
-        end if;
+        coarsedelay_ring_read_address <= choice(coarsedelay_ring_read_address = 31, 0, (coarsedelay_ring_read_address +
+          1) mod 32);
       end if;
       coarsedelay_row_inside_3_is_not_less := coarseraster_place_group >= 3;
       coarsedelay_row_inside_3_is_less := coarseraster_place_group < 123;
-      if is_set(coarseraster_place_column, 4) and is_set(coarseraster_place_column, 3) and ((coarseraster_place_column
-        mod 4) = 3) then
-        coarsedelay_tag_border_column_choice := (not is_set(coarseraster_place_column, 7)) and (not
-          is_set(coarseraster_place_column, 6)) and (not is_set(coarseraster_place_column, 2));
-      else
-        coarsedelay_tag_border_column_choice := (coarseraster_place_column / 64) = 0;
-      end if;
+      coarsedelay_tag_border_column_choice := choice(is_set(coarseraster_place_column, 4) and
+        is_set(coarseraster_place_column, 3) and ((coarseraster_place_column mod 4) = 3), (not
+        is_set(coarseraster_place_column, 7)) and (not is_set(coarseraster_place_column, 6)) and (not
+        is_set(coarseraster_place_column, 2)), (coarseraster_place_column / 64) = 0);
       coarsedelay_tag_first_cost_is_equal := coarseraster_place_column = 31;
       coarsedelay_tag_map_column_is_not_less := coarseraster_place_column >= 31;
       coarsedelay_tag_map_column_is_less := coarseraster_place_column < 191;
@@ -2565,15 +1837,15 @@ begin
       coarsedelay_row_inside(5) <= (coarseraster_place_group >= 1) and (coarseraster_place_group < 121);
       coarsedelay_row_inside(6) <= (not is_set(coarseraster_place_group, 6)) or (not is_set(coarseraster_place_group,
         5)) or (not is_set(coarseraster_place_group, 4)) or (not is_set(coarseraster_place_group, 3));
-      coarsedelay_tag_valid <= coarseraster_features_valid;
-      coarsedelay_tag_border_column <= coarsedelay_tag_border_column_choice and (not is_set(coarseraster_place_column,
+      coarsedelay_tag.valid <= coarseraster_features_valid;
+      coarsedelay_tag.border_column <= coarsedelay_tag_border_column_choice and (not is_set(coarseraster_place_column,
         5));
-      coarsedelay_tag_first_cost <= coarsedelay_tag_first_cost_is_equal;
-      coarsedelay_tag_map_column <= coarsedelay_tag_map_column_is_not_less and coarsedelay_tag_map_column_is_less;
-      coarsedelay_tag_output_column <= coarsedelay_row_inside_3_is_not_less and coarsedelay_row_inside_3_is_less and
+      coarsedelay_tag.first_cost <= coarsedelay_tag_first_cost_is_equal;
+      coarsedelay_tag.map_column <= coarsedelay_tag_map_column_is_not_less and coarsedelay_tag_map_column_is_less;
+      coarsedelay_tag.output_column <= coarsedelay_row_inside_3_is_not_less and coarsedelay_row_inside_3_is_less and
         coarsedelay_tag_map_column_is_not_less and coarsedelay_tag_map_column_is_less;
-      coarsedelay_tag_start_of_frame <= (coarseraster_place_group = 3) and coarsedelay_tag_first_cost_is_equal;
-      coarsedelay_tag_end_of_line <= coarseraster_place_column = 190;
+      coarsedelay_tag.start_of_frame <= (coarseraster_place_group = 3) and coarsedelay_tag_first_cost_is_equal;
+      coarsedelay_tag.end_of_line <= coarseraster_place_column = 190;
       -- coarserows
       coarserows_search_rows_read_newest_0 <= coarsedelay_ahead_0;
       coarserows_search_rows_ready_words_0 <= to_integer(coarserows_search_rows_read_words_0);
@@ -2584,94 +1856,43 @@ begin
       coarserows_reference_rows_ready_words_1 <= to_integer(coarserows_reference_rows_read_words_1);
       coarserows_reference_rows_ready_newest_0 <= coarserows_reference_rows_read_newest_0;
       coarserows_read_column <= coarsedelay_column;
-      for i in 0 to 6 loop
-        coarserows_read_inside(i) <= coarsedelay_row_inside(i);
-      end loop;
-      coarserows_read_tag_valid <= coarsedelay_tag_valid;
-      coarserows_read_tag_border_column <= coarsedelay_tag_border_column;
-      coarserows_read_tag_first_cost <= coarsedelay_tag_first_cost;
-      coarserows_read_tag_map_column <= coarsedelay_tag_map_column;
-      coarserows_read_tag_output_column <= coarsedelay_tag_output_column;
-      coarserows_read_tag_start_of_frame <= coarsedelay_tag_start_of_frame;
-      coarserows_read_tag_end_of_line <= coarsedelay_tag_end_of_line;
+      coarserows_read_inside <= coarsedelay_row_inside;
+      coarserows_read_tag <= coarsedelay_tag;
       coarserows_ready_column <= coarserows_read_column;
-      for i in 0 to 6 loop
-        coarserows_ready_inside(i) <= coarserows_read_inside(i);
-      end loop;
-      coarserows_ready_tag_valid <= coarserows_read_tag_valid;
-      coarserows_ready_tag_border_column <= coarserows_read_tag_border_column;
-      coarserows_ready_tag_first_cost <= coarserows_read_tag_first_cost;
-      coarserows_ready_tag_map_column <= coarserows_read_tag_map_column;
-      coarserows_ready_tag_output_column <= coarserows_read_tag_output_column;
-      coarserows_ready_tag_start_of_frame <= coarserows_read_tag_start_of_frame;
-      coarserows_ready_tag_end_of_line <= coarserows_read_tag_end_of_line;
-      coarserows_tag_valid <= coarserows_ready_tag_valid;
-      coarserows_tag_border_column <= coarserows_ready_tag_border_column;
-      coarserows_tag_first_cost <= coarserows_ready_tag_first_cost;
-      coarserows_tag_map_column <= coarserows_ready_tag_map_column;
-      coarserows_tag_output_column <= coarserows_ready_tag_output_column;
-      coarserows_tag_start_of_frame <= coarserows_ready_tag_start_of_frame;
-      coarserows_tag_end_of_line <= coarserows_ready_tag_end_of_line;
-      if coarserows_ready_inside(0) then
-        coarserows_search(0) <= coarserows_search_rows_ready_words_0 mod 64;
-        coarserows_reference(0) <= coarserows_reference_rows_ready_words_0 mod 64;
-      else
-        coarserows_search(0) <= 0;
-        coarserows_reference(0) <= 0;
-      end if;
-      if coarserows_ready_inside(1) then
-        coarserows_search(1) <= (coarserows_search_rows_ready_words_0 / 64) mod 64;
-        coarserows_reference(1) <= (coarserows_reference_rows_ready_words_0 / 64) mod 64;
-      else
-        coarserows_search(1) <= 0;
-        coarserows_reference(1) <= 0;
-      end if;
-      if coarserows_ready_inside(2) then
-        coarserows_search(2) <= (coarserows_search_rows_ready_words_0 / 4096) mod 64;
-        coarserows_reference(2) <= (coarserows_reference_rows_ready_words_0 / 4096) mod 64;
-      else
-        coarserows_search(2) <= 0;
-        coarserows_reference(2) <= 0;
-      end if;
-      if coarserows_ready_inside(3) then
-        coarserows_search(3) <= (coarserows_search_rows_ready_words_0 / 262144) mod 64;
-        coarserows_reference(3) <= (coarserows_reference_rows_ready_words_0 / 262144) mod 64;
-      else
-        coarserows_search(3) <= 0;
-        coarserows_reference(3) <= 0;
-      end if;
-      if coarserows_ready_inside(4) then
-        coarserows_search(4) <= coarserows_search_rows_ready_words_0 / 16777216;
-        coarserows_reference(4) <= coarserows_reference_rows_ready_words_0 / 16777216;
-      else
-        coarserows_search(4) <= 0;
-        coarserows_reference(4) <= 0;
-      end if;
-      if coarserows_ready_inside(5) then
-        coarserows_search(5) <= coarserows_search_rows_ready_words_1;
-        coarserows_reference(5) <= coarserows_reference_rows_ready_words_1;
-      else
-        coarserows_search(5) <= 0;
-        coarserows_reference(5) <= 0;
-      end if;
-      if coarserows_ready_inside(6) then
-        coarserows_search(6) <= coarserows_search_rows_ready_newest_0;
-        coarserows_reference(6) <= coarserows_reference_rows_ready_newest_0;
-      else
-        coarserows_search(6) <= 0;
-        coarserows_reference(6) <= 0;
-      end if;
-      if coarserows_ready_tag_valid then
-        coarserows_search_rows_write_words_0 <= (coarserows_search_rows_ready_words_0 / 64) +
+      coarserows_ready_inside <= coarserows_read_inside;
+      coarserows_ready_tag <= coarserows_read_tag;
+      coarserows_tag <= coarserows_ready_tag;
+      coarserows_search(0) <= choice(coarserows_ready_inside(0), coarserows_search_rows_ready_words_0 mod 64, 0);
+      coarserows_reference(0) <= choice(coarserows_ready_inside(0), coarserows_reference_rows_ready_words_0 mod 64, 0);
+      coarserows_search(1) <= choice(coarserows_ready_inside(1), (coarserows_search_rows_ready_words_0 / 64) mod 64, 0);
+      coarserows_reference(1) <= choice(coarserows_ready_inside(1), (coarserows_reference_rows_ready_words_0 / 64) mod
+        64, 0);
+      coarserows_search(2) <= choice(coarserows_ready_inside(2), (coarserows_search_rows_ready_words_0 / 4096) mod 64,
+        0);
+      coarserows_reference(2) <= choice(coarserows_ready_inside(2), (coarserows_reference_rows_ready_words_0 / 4096)
+        mod 64, 0);
+      coarserows_search(3) <= choice(coarserows_ready_inside(3), (coarserows_search_rows_ready_words_0 / 262144) mod
+        64, 0);
+      coarserows_reference(3) <= choice(coarserows_ready_inside(3), (coarserows_reference_rows_ready_words_0 / 262144)
+        mod 64, 0);
+      coarserows_search(4) <= choice(coarserows_ready_inside(4), coarserows_search_rows_ready_words_0 / 16777216, 0);
+      coarserows_reference(4) <= choice(coarserows_ready_inside(4), coarserows_reference_rows_ready_words_0 / 16777216,
+        0);
+      coarserows_search(5) <= choice(coarserows_ready_inside(5), coarserows_search_rows_ready_words_1, 0);
+      coarserows_reference(5) <= choice(coarserows_ready_inside(5), coarserows_reference_rows_ready_words_1, 0);
+      coarserows_search(6) <= choice(coarserows_ready_inside(6), coarserows_search_rows_ready_newest_0, 0);
+      coarserows_reference(6) <= choice(coarserows_ready_inside(6), coarserows_reference_rows_ready_newest_0, 0);
+      if coarserows_ready_tag.valid then
+        coarserows_search_rows_write_words(0) <= (coarserows_search_rows_ready_words_0 / 64) +
           (coarserows_search_rows_ready_words_1 * 16777216);
-        coarserows_search_rows_write_words_1 <= coarserows_search_rows_ready_newest_0;
-        coarserows_reference_rows_write_words_0 <= (coarserows_reference_rows_ready_words_0 / 64) +
+        coarserows_search_rows_write_words(1) <= coarserows_search_rows_ready_newest_0;
+        coarserows_reference_rows_write_words(0) <= (coarserows_reference_rows_ready_words_0 / 64) +
           (coarserows_reference_rows_ready_words_1 * 16777216);
-        coarserows_reference_rows_write_words_1 <= coarserows_reference_rows_ready_newest_0;
+        coarserows_reference_rows_write_words(1) <= coarserows_reference_rows_ready_newest_0;
         coarserows_write_column <= coarserows_ready_column;
       end if;
       -- coarseslice0shift
-      if coarserows_tag_valid then
+      if coarserows_tag.valid then
         for i in 0 to 6 loop
           for j in 0 to 23 loop
             coarseslice0shift_search(i, j) <= coarseslice0shift_search(i, j + 1);
@@ -2679,51 +1900,37 @@ begin
           coarseslice0shift_search(i, 24) <= coarserows_search(i);
         end loop;
       end if;
-      for i in 0 to 6 loop
-        coarseslice0shift_reference(i) <= coarserows_reference(i);
-      end loop;
+      coarseslice0shift_reference <= coarserows_reference;
       for i in 0 to 6 loop
         coarseslice0shift_search_out(i) <= coarseslice0shift_search(i, 0);
       end loop;
-      coarseslice0shift_tag_valid <= coarserows_tag_valid;
-      coarseslice0shift_tag_border_column <= coarserows_tag_border_column;
-      coarseslice0shift_tag_first_cost <= coarserows_tag_first_cost;
-      coarseslice0shift_tag_map_column <= coarserows_tag_map_column;
-      coarseslice0shift_tag_output_column <= coarserows_tag_output_column;
-      coarseslice0shift_tag_start_of_frame <= coarserows_tag_start_of_frame;
-      coarseslice0shift_tag_end_of_line <= coarserows_tag_end_of_line;
+      coarseslice0shift_tag <= coarserows_tag;
       -- coarseslice0cost
       for i in 0 to 6 loop
-        coarseslice0cost_pixels_first_0_value(i) := is_set(coarseslice0shift_reference(i), 3);
-        coarseslice0cost_pixels_first_0_values(i, 2) := is_set(coarseslice0shift_reference(i), 4);
-        coarseslice0cost_pixels_first_0_values(i, 3) := is_set(coarseslice0shift_reference(i), 2);
-        coarseslice0cost_pixels_first_0_values(i, 4) := is_set(coarseslice0shift_reference(i), 1);
+        coarseslice0cost_pixels_first_0_value(i, 1) := is_set(coarseslice0shift_reference(i), 3);
+        coarseslice0cost_pixels_first_0_value(i, 2) := is_set(coarseslice0shift_reference(i), 4);
+        coarseslice0cost_pixels_first_0_value(i, 3) := is_set(coarseslice0shift_reference(i), 2);
+        coarseslice0cost_pixels_first_0_value(i, 4) := is_set(coarseslice0shift_reference(i), 1);
       end loop;
       for i in 0 to 6 loop
-        coarseslice0cost_pixels_first(i, 0) <= ((as_number((coarseslice0cost_pixels_first_0_value(i) /=
+        coarseslice0cost_pixels_first(i, 0) <= ((as_number((coarseslice0cost_pixels_first_0_value(i, 1) /=
           is_set(coarseslice0shift_search(i, 0), 3))) + as_number((is_set(coarseslice0shift_reference(i), 5) /=
-          is_set(coarseslice0shift_search(i, 0), 5))) + as_number((coarseslice0cost_pixels_first_0_values(i, 2) /=
+          is_set(coarseslice0shift_search(i, 0), 5))) + as_number((coarseslice0cost_pixels_first_0_value(i, 2) /=
           is_set(coarseslice0shift_search(i, 0), 4)))) * 4) + as_number((is_set(coarseslice0shift_reference(i), 0) /=
-          is_set(coarseslice0shift_search(i, 0), 0))) + as_number((coarseslice0cost_pixels_first_0_values(i, 3) /=
-          is_set(coarseslice0shift_search(i, 0), 2))) + as_number((coarseslice0cost_pixels_first_0_values(i, 4) /=
+          is_set(coarseslice0shift_search(i, 0), 0))) + as_number((coarseslice0cost_pixels_first_0_value(i, 3) /=
+          is_set(coarseslice0shift_search(i, 0), 2))) + as_number((coarseslice0cost_pixels_first_0_value(i, 4) /=
           is_set(coarseslice0shift_search(i, 0), 1)));
         for j in 1 to 24 loop
           coarseslice0cost_pixels_first(i, j) <= ((as_number((is_set(coarseslice0shift_search(i, j), 3) /=
-            coarseslice0cost_pixels_first_0_value(i))) + as_number((is_set(coarseslice0shift_search(i, j), 5) /=
+            coarseslice0cost_pixels_first_0_value(i, 1))) + as_number((is_set(coarseslice0shift_search(i, j), 5) /=
             is_set(coarseslice0shift_reference(i), 5))) + as_number((is_set(coarseslice0shift_search(i, j), 4) /=
-            coarseslice0cost_pixels_first_0_values(i, 2)))) * 4) + as_number((is_set(coarseslice0shift_search(i, j), 0)
+            coarseslice0cost_pixels_first_0_value(i, 2)))) * 4) + as_number((is_set(coarseslice0shift_search(i, j), 0)
             /= is_set(coarseslice0shift_reference(i), 0))) + as_number((is_set(coarseslice0shift_search(i, j), 2) /=
-            coarseslice0cost_pixels_first_0_values(i, 3))) + as_number((is_set(coarseslice0shift_search(i, j), 1) /=
-            coarseslice0cost_pixels_first_0_values(i, 4)));
+            coarseslice0cost_pixels_first_0_value(i, 3))) + as_number((is_set(coarseslice0shift_search(i, j), 1) /=
+            coarseslice0cost_pixels_first_0_value(i, 4)));
         end loop;
       end loop;
-      coarseslice0cost_pixels_first_tag_valid <= coarseslice0shift_tag_valid;
-      coarseslice0cost_pixels_first_tag_border_column <= coarseslice0shift_tag_border_column;
-      coarseslice0cost_pixels_first_tag_first_cost <= coarseslice0shift_tag_first_cost;
-      coarseslice0cost_pixels_first_tag_map_column <= coarseslice0shift_tag_map_column;
-      coarseslice0cost_pixels_first_tag_output_column <= coarseslice0shift_tag_output_column;
-      coarseslice0cost_pixels_first_tag_start_of_frame <= coarseslice0shift_tag_start_of_frame;
-      coarseslice0cost_pixels_first_tag_end_of_line <= coarseslice0shift_tag_end_of_line;
+      coarseslice0cost_pixels_first_tag <= coarseslice0shift_tag;
       for i in 0 to 2 loop
         for j in 0 to 24 loop
           coarseslice0cost_pixels_cost(2 * i, j) <= (coarseslice0cost_pixels_first(2 * i, j) / 4) +
@@ -2738,13 +1945,7 @@ begin
         coarseslice0cost_pixels_cost(6, i) <= (coarseslice0cost_pixels_first(6, i) / 4) +
           (coarseslice0cost_pixels_first(6, i) mod 4);
       end loop;
-      coarseslice0cost_pixels_tag_valid <= coarseslice0cost_pixels_first_tag_valid;
-      coarseslice0cost_pixels_tag_border_column <= coarseslice0cost_pixels_first_tag_border_column;
-      coarseslice0cost_pixels_tag_first_cost <= coarseslice0cost_pixels_first_tag_first_cost;
-      coarseslice0cost_pixels_tag_map_column <= coarseslice0cost_pixels_first_tag_map_column;
-      coarseslice0cost_pixels_tag_output_column <= coarseslice0cost_pixels_first_tag_output_column;
-      coarseslice0cost_pixels_tag_start_of_frame <= coarseslice0cost_pixels_first_tag_start_of_frame;
-      coarseslice0cost_pixels_tag_end_of_line <= coarseslice0cost_pixels_first_tag_end_of_line;
+      coarseslice0cost_pixels_tag <= coarseslice0cost_pixels_first_tag;
       for i in 0 to 2 loop
         for j in 0 to 24 loop
           coarseslice0cost_pair(i, j) <= coarseslice0cost_pixels_cost(2 * i + 1, j) + coarseslice0cost_pixels_cost(2 *
@@ -2754,35 +1955,15 @@ begin
       for i in 0 to 24 loop
         coarseslice0cost_single_0(i) <= coarseslice0cost_pixels_cost(0, i);
       end loop;
-      coarseslice0cost_pair_tag_valid <= coarseslice0cost_pixels_tag_valid;
-      coarseslice0cost_pair_tag_border_column <= coarseslice0cost_pixels_tag_border_column;
-      coarseslice0cost_pair_tag_first_cost <= coarseslice0cost_pixels_tag_first_cost;
-      coarseslice0cost_pair_tag_map_column <= coarseslice0cost_pixels_tag_map_column;
-      coarseslice0cost_pair_tag_output_column <= coarseslice0cost_pixels_tag_output_column;
-      coarseslice0cost_pair_tag_start_of_frame <= coarseslice0cost_pixels_tag_start_of_frame;
-      coarseslice0cost_pair_tag_end_of_line <= coarseslice0cost_pixels_tag_end_of_line;
-      coarseslice0cost_tag_valid <= coarseslice0cost_pair_tag_valid;
-      coarseslice0cost_tag_border_column <= coarseslice0cost_pair_tag_border_column;
-      coarseslice0cost_tag_first_cost <= coarseslice0cost_pair_tag_first_cost;
-      coarseslice0cost_tag_map_column <= coarseslice0cost_pair_tag_map_column;
-      coarseslice0cost_tag_output_column <= coarseslice0cost_pair_tag_output_column;
-      coarseslice0cost_tag_start_of_frame <= coarseslice0cost_pair_tag_start_of_frame;
-      coarseslice0cost_tag_end_of_line <= coarseslice0cost_pair_tag_end_of_line;
-      if coarseslice0cost_pair_tag_border_column then
-        for i in 0 to 24 loop
-          coarseslice0cost_column_0(i) <= 0;
-        end loop;
-      else
-        for i in 0 to 24 loop
-          coarseslice0cost_column_0(i) <= coarseslice0cost_pair(1, i) + coarseslice0cost_pair(2, i) +
-            coarseslice0cost_pair(0, i) + coarseslice0cost_single_0(i);
-        end loop;
-      end if;
+      coarseslice0cost_pair_tag <= coarseslice0cost_pixels_tag;
+      coarseslice0cost_tag <= coarseslice0cost_pair_tag;
+      for i in 0 to 24 loop
+        coarseslice0cost_column_0(i) <= choice(coarseslice0cost_pair_tag.border_column, 0, coarseslice0cost_pair(1, i)
+          + coarseslice0cost_pair(2, i) + coarseslice0cost_pair(0, i) + coarseslice0cost_single_0(i));
+      end loop;
       -- coarseslice0window
-      if coarseslice0cost_tag_valid then
-        for i in 0 to 24 loop
-          coarseslice0window_partial_0_0(i) <= coarseslice0cost_column_0(i);
-        end loop;
+      if coarseslice0cost_tag.valid then
+        coarseslice0window_partial_0_0 <= coarseslice0cost_column_0;
         for i in 0 to 24 loop
           coarseslice0window_partial_0_1(i) <= coarseslice0window_partial_0_0(i) + coarseslice0cost_column_0(i);
         end loop;
@@ -2798,26 +1979,26 @@ begin
         for i in 0 to 24 loop
           coarseslice0window_partial_0_5(i) <= coarseslice0window_partial_0_4(i) + coarseslice0cost_column_0(i);
         end loop;
-        coarseslice0window_centre_output_column(1) <= coarseslice1cost_tag_output_column;
+        coarseslice0window_centre_output_column(1) <= coarseslice1cost_tag.output_column;
         coarseslice0window_centre_output_column(2) <= coarseslice0window_centre_output_column(1);
-        coarseslice0window_centre_first_column(1) <= coarseslice1cost_tag_first_cost;
+        coarseslice0window_centre_first_column(1) <= coarseslice1cost_tag.first_cost;
         coarseslice0window_centre_first_column(2) <= coarseslice0window_centre_first_column(1);
       end if;
-      coarseslice0window_centre_map_column_0 <= coarseslice0cost_tag_map_column;
-      coarseslice0window_centre_output_column(0) <= coarseslice0cost_tag_output_column;
-      coarseslice0window_centre_first_column(0) <= coarseslice0cost_tag_first_cost;
-      coarseslice0window_centre_start_of_frame_0 <= coarseslice0cost_tag_start_of_frame;
-      coarseslice0window_centre_end_of_line_0 <= coarseslice0cost_tag_end_of_line;
+      coarseslice0window_centre_map_column_0 <= coarseslice0cost_tag.map_column;
+      coarseslice0window_centre_output_column(0) <= coarseslice0cost_tag.output_column;
+      coarseslice0window_centre_first_column(0) <= coarseslice0cost_tag.first_cost;
+      coarseslice0window_centre_start_of_frame_0 <= coarseslice0cost_tag.start_of_frame;
+      coarseslice0window_centre_end_of_line_0 <= coarseslice0cost_tag.end_of_line;
       for i in 0 to 24 loop
         coarseslice0window_sum_0(i) <= coarseslice0window_partial_0_5(i) + coarseslice0cost_column_0(i);
       end loop;
-      coarseslice0window_tag_valid <= coarseslice0cost_tag_valid;
-      if coarseslice0window_tag_valid then
-        coarseslice0window_tag_map_column <= coarseslice1window_centre_map_column(1);
-        coarseslice0window_tag_output_column <= coarseslice1window_centre_output_column(1);
-        coarseslice0window_tag_first_column <= coarseslice1window_centre_first_column(1);
-        coarseslice0window_tag_start_of_frame <= coarseslice1window_centre_start_of_frame(1);
-        coarseslice0window_tag_end_of_line <= coarseslice1window_centre_end_of_line(1);
+      coarseslice0window_tag.valid <= coarseslice0cost_tag.valid;
+      if coarseslice0window_tag.valid then
+        coarseslice0window_tag.map_column <= coarseslice1window_centre_map_column(1);
+        coarseslice0window_tag.output_column <= coarseslice1window_centre_output_column(1);
+        coarseslice0window_tag.first_column <= coarseslice1window_centre_first_column(1);
+        coarseslice0window_tag.start_of_frame <= coarseslice1window_centre_start_of_frame(1);
+        coarseslice0window_tag.end_of_line <= coarseslice1window_centre_end_of_line(1);
       end if;
       -- coarseslice0other
       coarseslice0other_cost_0_all(0) := coarseslice1window_centre_output_column(2) and
@@ -2825,37 +2006,23 @@ begin
         0));
       coarseslice0other_cost_0_all(1) := coarseslice1window_centre_output_column(2) and
         coarseslice1window_centre_first_column(2);
-      for i in 2 to 24 loop
-        if (coarseslice0other_cost_0(i) - coarseslice0window_sum_0(i - 1)) >= 0 then
-          coarseslice0other_cost_0_choice(i - 1) := coarseslice1window_centre_output_column(2);
-        else
-          coarseslice0other_cost_0_choice(i - 1) := coarseslice0other_cost_0_all(1);
-        end if;
+      for i in 1 to 23 loop
+        coarseslice0other_cost_0_choice(i) := choice((coarseslice0other_cost_0(i + 1) - coarseslice0window_sum_0(i)) >=
+          0, coarseslice1window_centre_output_column(2), coarseslice0other_cost_0_all(1));
       end loop;
-      if coarseslice0window_tag_valid then
-        if coarseslice0other_cost_0_all(0) then
-          coarseslice0other_cost_0(0) <= coarseslice0window_sum_0(0);
-          coarseslice0other_winner_0(0) <= 7;
-        else
-          coarseslice0other_cost_0(0) <= coarseslice0other_cost_0(1);
-          coarseslice0other_winner_0(0) <= coarseslice0other_winner_0(1);
-        end if;
+      if coarseslice0window_tag.valid then
+        coarseslice0other_cost_0(0) <= choice(coarseslice0other_cost_0_all(0), coarseslice0window_sum_0(0),
+          coarseslice0other_cost_0(1));
+        coarseslice0other_winner_0(0) <= choice(coarseslice0other_cost_0_all(0), 7, coarseslice0other_winner_0(1));
         for i in 1 to 23 loop
-          if coarseslice0other_cost_0_choice(i) then
-            coarseslice0other_cost_0(i) <= coarseslice0window_sum_0(i);
-            coarseslice0other_winner_0(i) <= (i + 7);
-          else
-            coarseslice0other_cost_0(i) <= coarseslice0other_cost_0(i + 1);
-            coarseslice0other_winner_0(i) <= coarseslice0other_winner_0(i + 1);
-          end if;
+          coarseslice0other_cost_0(i) <= choice(coarseslice0other_cost_0_choice(i), coarseslice0window_sum_0(i),
+            coarseslice0other_cost_0(i + 1));
+          coarseslice0other_winner_0(i) <= choice(coarseslice0other_cost_0_choice(i), i + 7,
+            coarseslice0other_winner_0(i + 1));
         end loop;
-        if coarseslice1window_centre_output_column(2) then
-          coarseslice0other_cost_0(24) <= coarseslice0window_sum_0(24);
-          coarseslice0other_winner_0(24) <= 31;
-        else
-          coarseslice0other_cost_0(24) <= 0;
-          coarseslice0other_winner_0(24) <= 0;
-        end if;
+        coarseslice0other_cost_0(24) <= choice(coarseslice1window_centre_output_column(2),
+          coarseslice0window_sum_0(24), 0);
+        coarseslice0other_winner_0(24) <= choice(coarseslice1window_centre_output_column(2), 31, 0);
       end if;
       coarseslice0other_cost_out_0 <= coarseslice0other_cost_0(0);
       coarseslice0other_winner_out_0 <= coarseslice0other_winner_0(0);
@@ -2866,231 +2033,77 @@ begin
       end loop;
       coarseslice0winner1_best_cost_0(12) <= coarseslice0window_sum_0(24);
       coarseslice0winner1_best_index_0_0 <= coarseslice0winner1_best_cost_0_is_less(0);
-      coarseslice0winner1_best_index_0_12 <= 24;
-      coarseslice0winner1_tag_valid <= coarseslice0window_tag_valid;
-      coarseslice0winner1_tag_map_column <= coarseslice0window_tag_map_column;
-      coarseslice0winner1_tag_output_column <= coarseslice0window_tag_output_column;
-      coarseslice0winner1_tag_first_column <= coarseslice0window_tag_first_column;
-      coarseslice0winner1_tag_start_of_frame <= coarseslice0window_tag_start_of_frame;
-      coarseslice0winner1_tag_end_of_line <= coarseslice0window_tag_end_of_line;
-      if coarseslice0winner1_best_cost_0_is_less(0) then
-        coarseslice0winner1_best_cost_0(0) <= coarseslice0window_sum_0(1);
-      else
-        coarseslice0winner1_best_cost_0(0) <= coarseslice0window_sum_0(0);
-      end if;
-      if coarseslice0winner1_best_cost_0_is_less(1) then
-        coarseslice0winner1_best_cost_0(1) <= coarseslice0window_sum_0(3);
-        coarseslice0winner1_best_index_0_1 <= 3;
-      else
-        coarseslice0winner1_best_cost_0(1) <= coarseslice0window_sum_0(2);
-        coarseslice0winner1_best_index_0_1 <= 2;
-      end if;
-      if coarseslice0winner1_best_cost_0_is_less(2) then
-        coarseslice0winner1_best_cost_0(2) <= coarseslice0window_sum_0(5);
-        coarseslice0winner1_best_index_0_2 <= 5;
-      else
-        coarseslice0winner1_best_cost_0(2) <= coarseslice0window_sum_0(4);
-        coarseslice0winner1_best_index_0_2 <= 4;
-      end if;
-      if coarseslice0winner1_best_cost_0_is_less(3) then
-        coarseslice0winner1_best_cost_0(3) <= coarseslice0window_sum_0(7);
-        coarseslice0winner1_best_index_0_3 <= 7;
-      else
-        coarseslice0winner1_best_cost_0(3) <= coarseslice0window_sum_0(6);
-        coarseslice0winner1_best_index_0_3 <= 6;
-      end if;
-      if coarseslice0winner1_best_cost_0_is_less(4) then
-        coarseslice0winner1_best_cost_0(4) <= coarseslice0window_sum_0(9);
-        coarseslice0winner1_best_index_0_4 <= 9;
-      else
-        coarseslice0winner1_best_cost_0(4) <= coarseslice0window_sum_0(8);
-        coarseslice0winner1_best_index_0_4 <= 8;
-      end if;
-      if coarseslice0winner1_best_cost_0_is_less(5) then
-        coarseslice0winner1_best_cost_0(5) <= coarseslice0window_sum_0(11);
-        coarseslice0winner1_best_index_0_5 <= 11;
-      else
-        coarseslice0winner1_best_cost_0(5) <= coarseslice0window_sum_0(10);
-        coarseslice0winner1_best_index_0_5 <= 10;
-      end if;
-      if coarseslice0winner1_best_cost_0_is_less(6) then
-        coarseslice0winner1_best_cost_0(6) <= coarseslice0window_sum_0(13);
-        coarseslice0winner1_best_index_0_6 <= 13;
-      else
-        coarseslice0winner1_best_cost_0(6) <= coarseslice0window_sum_0(12);
-        coarseslice0winner1_best_index_0_6 <= 12;
-      end if;
-      if coarseslice0winner1_best_cost_0_is_less(7) then
-        coarseslice0winner1_best_cost_0(7) <= coarseslice0window_sum_0(15);
-        coarseslice0winner1_best_index_0_7 <= 15;
-      else
-        coarseslice0winner1_best_cost_0(7) <= coarseslice0window_sum_0(14);
-        coarseslice0winner1_best_index_0_7 <= 14;
-      end if;
-      if coarseslice0winner1_best_cost_0_is_less(8) then
-        coarseslice0winner1_best_cost_0(8) <= coarseslice0window_sum_0(17);
-        coarseslice0winner1_best_index_0_8 <= 17;
-      else
-        coarseslice0winner1_best_cost_0(8) <= coarseslice0window_sum_0(16);
-        coarseslice0winner1_best_index_0_8 <= 16;
-      end if;
-      if coarseslice0winner1_best_cost_0_is_less(9) then
-        coarseslice0winner1_best_cost_0(9) <= coarseslice0window_sum_0(19);
-        coarseslice0winner1_best_index_0_9 <= 19;
-      else
-        coarseslice0winner1_best_cost_0(9) <= coarseslice0window_sum_0(18);
-        coarseslice0winner1_best_index_0_9 <= 18;
-      end if;
-      if coarseslice0winner1_best_cost_0_is_less(10) then
-        coarseslice0winner1_best_cost_0(10) <= coarseslice0window_sum_0(21);
-        coarseslice0winner1_best_index_0_10 <= 21;
-      else
-        coarseslice0winner1_best_cost_0(10) <= coarseslice0window_sum_0(20);
-        coarseslice0winner1_best_index_0_10 <= 20;
-      end if;
-      if coarseslice0winner1_best_cost_0_is_less(11) then
-        coarseslice0winner1_best_cost_0(11) <= coarseslice0window_sum_0(23);
-        coarseslice0winner1_best_index_0_11 <= 23;
-      else
-        coarseslice0winner1_best_cost_0(11) <= coarseslice0window_sum_0(22);
-        coarseslice0winner1_best_index_0_11 <= 22;
-      end if;
+      coarseslice0winner1_best_index_0(12) <= 24;
+      coarseslice0winner1_tag <= coarseslice0window_tag;
+      coarseslice0winner1_best_cost_0(0) <= choice(coarseslice0winner1_best_cost_0_is_less(0),
+        coarseslice0window_sum_0(1), coarseslice0window_sum_0(0));
+      for i in 1 to 11 loop
+        coarseslice0winner1_best_cost_0(i) <= choice(coarseslice0winner1_best_cost_0_is_less(i),
+          coarseslice0window_sum_0(2 * i + 1), coarseslice0window_sum_0(2 * i));
+        coarseslice0winner1_best_index_0(i) <= choice(coarseslice0winner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
+      end loop;
       -- coarseslice0winner2
       for i in 0 to 5 loop
         coarseslice0winner2_best_cost_0_is_less(i) := (coarseslice0winner1_best_cost_0(2 * i + 1) -
           coarseslice0winner1_best_cost_0(2 * i)) < 0;
       end loop;
       coarseslice0winner2_best_cost_0(6) <= coarseslice0winner1_best_cost_0(12);
-      coarseslice0winner2_best_index_0_6 <= coarseslice0winner1_best_index_0_12;
-      coarseslice0winner2_tag_valid <= coarseslice0winner1_tag_valid;
-      coarseslice0winner2_tag_map_column <= coarseslice0winner1_tag_map_column;
-      coarseslice0winner2_tag_output_column <= coarseslice0winner1_tag_output_column;
-      coarseslice0winner2_tag_start_of_frame <= coarseslice0winner1_tag_start_of_frame;
-      coarseslice0winner2_tag_end_of_line <= coarseslice0winner1_tag_end_of_line;
-      if coarseslice0winner2_best_cost_0_is_less(0) then
-        coarseslice0winner2_best_cost_0(0) <= coarseslice0winner1_best_cost_0(1);
-        coarseslice0winner2_best_index_0_0 <= coarseslice0winner1_best_index_0_1;
-      else
-        coarseslice0winner2_best_cost_0(0) <= coarseslice0winner1_best_cost_0(0);
-        coarseslice0winner2_best_index_0_0 <= as_number(coarseslice0winner1_best_index_0_0);
-      end if;
-      if coarseslice0winner2_best_cost_0_is_less(1) then
-        coarseslice0winner2_best_cost_0(1) <= coarseslice0winner1_best_cost_0(3);
-        coarseslice0winner2_best_index_0_1 <= coarseslice0winner1_best_index_0_3;
-      else
-        coarseslice0winner2_best_cost_0(1) <= coarseslice0winner1_best_cost_0(2);
-        coarseslice0winner2_best_index_0_1 <= coarseslice0winner1_best_index_0_2;
-      end if;
-      if coarseslice0winner2_best_cost_0_is_less(2) then
-        coarseslice0winner2_best_cost_0(2) <= coarseslice0winner1_best_cost_0(5);
-        coarseslice0winner2_best_index_0_2 <= coarseslice0winner1_best_index_0_5;
-      else
-        coarseslice0winner2_best_cost_0(2) <= coarseslice0winner1_best_cost_0(4);
-        coarseslice0winner2_best_index_0_2 <= coarseslice0winner1_best_index_0_4;
-      end if;
-      if coarseslice0winner2_best_cost_0_is_less(3) then
-        coarseslice0winner2_best_cost_0(3) <= coarseslice0winner1_best_cost_0(7);
-        coarseslice0winner2_best_index_0_3 <= coarseslice0winner1_best_index_0_7;
-      else
-        coarseslice0winner2_best_cost_0(3) <= coarseslice0winner1_best_cost_0(6);
-        coarseslice0winner2_best_index_0_3 <= coarseslice0winner1_best_index_0_6;
-      end if;
-      if coarseslice0winner2_best_cost_0_is_less(4) then
-        coarseslice0winner2_best_cost_0(4) <= coarseslice0winner1_best_cost_0(9);
-        coarseslice0winner2_best_index_0_4 <= coarseslice0winner1_best_index_0_9;
-      else
-        coarseslice0winner2_best_cost_0(4) <= coarseslice0winner1_best_cost_0(8);
-        coarseslice0winner2_best_index_0_4 <= coarseslice0winner1_best_index_0_8;
-      end if;
-      if coarseslice0winner2_best_cost_0_is_less(5) then
-        coarseslice0winner2_best_cost_0(5) <= coarseslice0winner1_best_cost_0(11);
-        coarseslice0winner2_best_index_0_5 <= coarseslice0winner1_best_index_0_11;
-      else
-        coarseslice0winner2_best_cost_0(5) <= coarseslice0winner1_best_cost_0(10);
-        coarseslice0winner2_best_index_0_5 <= coarseslice0winner1_best_index_0_10;
-      end if;
+      coarseslice0winner2_best_index_0(6) <= coarseslice0winner1_best_index_0(12);
+      coarseslice0winner2_tag.valid <= coarseslice0winner1_tag.valid;
+      coarseslice0winner2_tag.map_column <= coarseslice0winner1_tag.map_column;
+      coarseslice0winner2_tag.output_column <= coarseslice0winner1_tag.output_column;
+      coarseslice0winner2_tag.start_of_frame <= coarseslice0winner1_tag.start_of_frame;
+      coarseslice0winner2_tag.end_of_line <= coarseslice0winner1_tag.end_of_line;
+      coarseslice0winner2_best_cost_0(0) <= choice(coarseslice0winner2_best_cost_0_is_less(0),
+        coarseslice0winner1_best_cost_0(1), coarseslice0winner1_best_cost_0(0));
+      coarseslice0winner2_best_index_0(0) <= choice(coarseslice0winner2_best_cost_0_is_less(0),
+        coarseslice0winner1_best_index_0(1), as_number(coarseslice0winner1_best_index_0_0));
+      for i in 1 to 5 loop
+        coarseslice0winner2_best_cost_0(i) <= choice(coarseslice0winner2_best_cost_0_is_less(i),
+          coarseslice0winner1_best_cost_0(2 * i + 1), coarseslice0winner1_best_cost_0(2 * i));
+        coarseslice0winner2_best_index_0(i) <= choice(coarseslice0winner2_best_cost_0_is_less(i),
+          coarseslice0winner1_best_index_0(2 * i + 1), coarseslice0winner1_best_index_0(2 * i));
+      end loop;
       -- coarseslice0winner3
       for i in 0 to 2 loop
         coarseslice0winner3_best_cost_0_is_less(i) := (coarseslice0winner2_best_cost_0(2 * i + 1) -
           coarseslice0winner2_best_cost_0(2 * i)) < 0;
       end loop;
       coarseslice0winner3_best_cost_0(3) <= coarseslice0winner2_best_cost_0(6);
-      coarseslice0winner3_best_index_0_3 <= coarseslice0winner2_best_index_0_6;
-      coarseslice0winner3_tag_valid <= coarseslice0winner2_tag_valid;
-      coarseslice0winner3_tag_map_column <= coarseslice0winner2_tag_map_column;
-      coarseslice0winner3_tag_output_column <= coarseslice0winner2_tag_output_column;
-      coarseslice0winner3_tag_start_of_frame <= coarseslice0winner2_tag_start_of_frame;
-      coarseslice0winner3_tag_end_of_line <= coarseslice0winner2_tag_end_of_line;
-      if coarseslice0winner3_best_cost_0_is_less(0) then
-        coarseslice0winner3_best_cost_0(0) <= coarseslice0winner2_best_cost_0(1);
-        coarseslice0winner3_best_index_0_0 <= coarseslice0winner2_best_index_0_1;
-      else
-        coarseslice0winner3_best_cost_0(0) <= coarseslice0winner2_best_cost_0(0);
-        coarseslice0winner3_best_index_0_0 <= coarseslice0winner2_best_index_0_0;
-      end if;
-      if coarseslice0winner3_best_cost_0_is_less(1) then
-        coarseslice0winner3_best_cost_0(1) <= coarseslice0winner2_best_cost_0(3);
-        coarseslice0winner3_best_index_0_1 <= coarseslice0winner2_best_index_0_3;
-      else
-        coarseslice0winner3_best_cost_0(1) <= coarseslice0winner2_best_cost_0(2);
-        coarseslice0winner3_best_index_0_1 <= coarseslice0winner2_best_index_0_2;
-      end if;
-      if coarseslice0winner3_best_cost_0_is_less(2) then
-        coarseslice0winner3_best_cost_0(2) <= coarseslice0winner2_best_cost_0(5);
-        coarseslice0winner3_best_index_0_2 <= coarseslice0winner2_best_index_0_5;
-      else
-        coarseslice0winner3_best_cost_0(2) <= coarseslice0winner2_best_cost_0(4);
-        coarseslice0winner3_best_index_0_2 <= coarseslice0winner2_best_index_0_4;
-      end if;
+      coarseslice0winner3_best_index_0(3) <= coarseslice0winner2_best_index_0(6);
+      coarseslice0winner3_tag <= coarseslice0winner2_tag;
+      for i in 0 to 2 loop
+        coarseslice0winner3_best_cost_0(i) <= choice(coarseslice0winner3_best_cost_0_is_less(i),
+          coarseslice0winner2_best_cost_0(2 * i + 1), coarseslice0winner2_best_cost_0(2 * i));
+        coarseslice0winner3_best_index_0(i) <= choice(coarseslice0winner3_best_cost_0_is_less(i),
+          coarseslice0winner2_best_index_0(2 * i + 1), coarseslice0winner2_best_index_0(2 * i));
+      end loop;
       -- coarseslice0winner4
       coarseslice0winner4_best_cost_0_is_less(0) := (coarseslice0winner3_best_cost_0(1) -
         coarseslice0winner3_best_cost_0(0)) < 0;
       coarseslice0winner4_best_cost_0_is_less(1) := (coarseslice0winner3_best_cost_0(3) -
         coarseslice0winner3_best_cost_0(2)) < 0;
-      coarseslice0winner4_tag_valid <= coarseslice0winner3_tag_valid;
-      coarseslice0winner4_tag_map_column <= coarseslice0winner3_tag_map_column;
-      coarseslice0winner4_tag_output_column <= coarseslice0winner3_tag_output_column;
-      coarseslice0winner4_tag_start_of_frame <= coarseslice0winner3_tag_start_of_frame;
-      coarseslice0winner4_tag_end_of_line <= coarseslice0winner3_tag_end_of_line;
-      if coarseslice0winner4_best_cost_0_is_less(0) then
-        coarseslice0winner4_best_cost_0(0) <= coarseslice0winner3_best_cost_0(1);
-        coarseslice0winner4_best_index_0_0 <= coarseslice0winner3_best_index_0_1;
-      else
-        coarseslice0winner4_best_cost_0(0) <= coarseslice0winner3_best_cost_0(0);
-        coarseslice0winner4_best_index_0_0 <= coarseslice0winner3_best_index_0_0;
-      end if;
-      if coarseslice0winner4_best_cost_0_is_less(1) then
-        coarseslice0winner4_best_cost_0(1) <= coarseslice0winner3_best_cost_0(3);
-        coarseslice0winner4_best_index_0_1 <= coarseslice0winner3_best_index_0_3;
-      else
-        coarseslice0winner4_best_cost_0(1) <= coarseslice0winner3_best_cost_0(2);
-        coarseslice0winner4_best_index_0_1 <= coarseslice0winner3_best_index_0_2;
-      end if;
+      coarseslice0winner4_tag <= coarseslice0winner3_tag;
+      for i in 0 to 1 loop
+        coarseslice0winner4_best_cost_0(i) <= choice(coarseslice0winner4_best_cost_0_is_less(i),
+          coarseslice0winner3_best_cost_0(2 * i + 1), coarseslice0winner3_best_cost_0(2 * i));
+        coarseslice0winner4_best_index_0(i) <= choice(coarseslice0winner4_best_cost_0_is_less(i),
+          coarseslice0winner3_best_index_0(2 * i + 1), coarseslice0winner3_best_index_0(2 * i));
+      end loop;
       -- coarseslice0winner5
       coarseslice0winner5_best_cost_0_0_is_less := (coarseslice0winner4_best_cost_0(1) -
         coarseslice0winner4_best_cost_0(0)) < 0;
-      coarseslice0winner5_tag_valid <= coarseslice0winner4_tag_valid;
-      coarseslice0winner5_tag_map_column <= coarseslice0winner4_tag_map_column;
-      coarseslice0winner5_tag_output_column <= coarseslice0winner4_tag_output_column;
-      coarseslice0winner5_tag_start_of_frame <= coarseslice0winner4_tag_start_of_frame;
-      coarseslice0winner5_tag_end_of_line <= coarseslice0winner4_tag_end_of_line;
-      if coarseslice0winner5_best_cost_0_0_is_less then
-        coarseslice0winner5_best_cost_0_0 <= coarseslice0winner4_best_cost_0(1);
-        coarseslice0winner5_best_index_0_0 <= coarseslice0winner4_best_index_0_1;
-      else
-        coarseslice0winner5_best_cost_0_0 <= coarseslice0winner4_best_cost_0(0);
-        coarseslice0winner5_best_index_0_0 <= coarseslice0winner4_best_index_0_0;
-      end if;
+      coarseslice0winner5_tag <= coarseslice0winner4_tag;
+      coarseslice0winner5_best_cost_0_0 <= choice(coarseslice0winner5_best_cost_0_0_is_less,
+        coarseslice0winner4_best_cost_0(1), coarseslice0winner4_best_cost_0(0));
+      coarseslice0winner5_best_index_0_0 <= choice(coarseslice0winner5_best_cost_0_0_is_less,
+        coarseslice0winner4_best_index_0(1), coarseslice0winner4_best_index_0(0));
       -- coarseslice0
       coarseslice0_best_cost_0_0 <= coarseslice0winner5_best_cost_0_0;
       coarseslice0_best_index_0_0 <= coarseslice0winner5_best_index_0_0 + 7;
-      coarseslice0_best_tag_valid <= coarseslice0winner5_tag_valid;
-      coarseslice0_best_tag_map_column <= coarseslice0winner5_tag_map_column;
-      coarseslice0_best_tag_output_column <= coarseslice0winner5_tag_output_column;
-      coarseslice0_best_tag_start_of_frame <= coarseslice0winner5_tag_start_of_frame;
-      coarseslice0_best_tag_end_of_line <= coarseslice0winner5_tag_end_of_line;
+      coarseslice0_best_tag <= coarseslice0winner5_tag;
       -- coarseslice1shift
-      if coarseslice0shift_tag_valid then
+      if coarseslice0shift_tag.valid then
         for i in 0 to 6 loop
           for j in 0 to 5 loop
             coarseslice1shift_search(i, j) <= coarseslice1shift_search(i, j + 1);
@@ -3098,32 +2111,30 @@ begin
           coarseslice1shift_search(i, 6) <= coarseslice0shift_search_out(i);
         end loop;
       end if;
-      for i in 0 to 6 loop
-        coarseslice1shift_reference(i) <= coarseslice0shift_reference(i);
-      end loop;
+      coarseslice1shift_reference <= coarseslice0shift_reference;
       -- coarseslice1cost
       for i in 0 to 6 loop
-        coarseslice1cost_pixels_first_0_value(i) := is_set(coarseslice1shift_reference(i), 3);
-        coarseslice1cost_pixels_first_0_values(i, 2) := is_set(coarseslice1shift_reference(i), 4);
-        coarseslice1cost_pixels_first_0_values(i, 3) := is_set(coarseslice1shift_reference(i), 2);
-        coarseslice1cost_pixels_first_0_values(i, 4) := is_set(coarseslice1shift_reference(i), 1);
+        coarseslice1cost_pixels_first_0_value(i, 1) := is_set(coarseslice1shift_reference(i), 3);
+        coarseslice1cost_pixels_first_0_value(i, 2) := is_set(coarseslice1shift_reference(i), 4);
+        coarseslice1cost_pixels_first_0_value(i, 3) := is_set(coarseslice1shift_reference(i), 2);
+        coarseslice1cost_pixels_first_0_value(i, 4) := is_set(coarseslice1shift_reference(i), 1);
       end loop;
       for i in 0 to 6 loop
-        coarseslice1cost_pixels_first(i, 0) <= ((as_number((coarseslice1cost_pixels_first_0_value(i) /=
+        coarseslice1cost_pixels_first(i, 0) <= ((as_number((coarseslice1cost_pixels_first_0_value(i, 1) /=
           is_set(coarseslice1shift_search(i, 0), 3))) + as_number((is_set(coarseslice1shift_reference(i), 5) /=
-          is_set(coarseslice1shift_search(i, 0), 5))) + as_number((coarseslice1cost_pixels_first_0_values(i, 2) /=
+          is_set(coarseslice1shift_search(i, 0), 5))) + as_number((coarseslice1cost_pixels_first_0_value(i, 2) /=
           is_set(coarseslice1shift_search(i, 0), 4)))) * 4) + as_number((is_set(coarseslice1shift_reference(i), 0) /=
-          is_set(coarseslice1shift_search(i, 0), 0))) + as_number((coarseslice1cost_pixels_first_0_values(i, 3) /=
-          is_set(coarseslice1shift_search(i, 0), 2))) + as_number((coarseslice1cost_pixels_first_0_values(i, 4) /=
+          is_set(coarseslice1shift_search(i, 0), 0))) + as_number((coarseslice1cost_pixels_first_0_value(i, 3) /=
+          is_set(coarseslice1shift_search(i, 0), 2))) + as_number((coarseslice1cost_pixels_first_0_value(i, 4) /=
           is_set(coarseslice1shift_search(i, 0), 1)));
         for j in 1 to 6 loop
           coarseslice1cost_pixels_first(i, j) <= ((as_number((is_set(coarseslice1shift_search(i, j), 3) /=
-            coarseslice1cost_pixels_first_0_value(i))) + as_number((is_set(coarseslice1shift_search(i, j), 5) /=
+            coarseslice1cost_pixels_first_0_value(i, 1))) + as_number((is_set(coarseslice1shift_search(i, j), 5) /=
             is_set(coarseslice1shift_reference(i), 5))) + as_number((is_set(coarseslice1shift_search(i, j), 4) /=
-            coarseslice1cost_pixels_first_0_values(i, 2)))) * 4) + as_number((is_set(coarseslice1shift_search(i, j), 0)
+            coarseslice1cost_pixels_first_0_value(i, 2)))) * 4) + as_number((is_set(coarseslice1shift_search(i, j), 0)
             /= is_set(coarseslice1shift_reference(i), 0))) + as_number((is_set(coarseslice1shift_search(i, j), 2) /=
-            coarseslice1cost_pixels_first_0_values(i, 3))) + as_number((is_set(coarseslice1shift_search(i, j), 1) /=
-            coarseslice1cost_pixels_first_0_values(i, 4)));
+            coarseslice1cost_pixels_first_0_value(i, 3))) + as_number((is_set(coarseslice1shift_search(i, j), 1) /=
+            coarseslice1cost_pixels_first_0_value(i, 4)));
         end loop;
       end loop;
       for i in 0 to 2 loop
@@ -3149,25 +2160,17 @@ begin
       for i in 0 to 6 loop
         coarseslice1cost_single_0(i) <= coarseslice1cost_pixels_cost(0, i);
       end loop;
-      if coarseslice0cost_tag_border_column then
-        for i in 0 to 6 loop
-          coarseslice1cost_column_0(i) <= 0;
-        end loop;
-      else
-        for i in 0 to 6 loop
-          coarseslice1cost_column_0(i) <= coarseslice1cost_pair(1, i) + coarseslice1cost_pair(2, i) +
-            coarseslice1cost_pair(0, i) + coarseslice1cost_single_0(i);
-        end loop;
-      end if;
-      if coarseslice0cost_tag_valid then
-        coarseslice1cost_tag_first_cost <= coarseslice0cost_tag_first_cost;
-        coarseslice1cost_tag_output_column <= coarseslice0cost_tag_output_column;
+      for i in 0 to 6 loop
+        coarseslice1cost_column_0(i) <= choice(coarseslice0cost_tag.border_column, 0, coarseslice1cost_pair(1, i) +
+          coarseslice1cost_pair(2, i) + coarseslice1cost_pair(0, i) + coarseslice1cost_single_0(i));
+      end loop;
+      if coarseslice0cost_tag.valid then
+        coarseslice1cost_tag.first_cost <= coarseslice0cost_tag.first_cost;
+        coarseslice1cost_tag.output_column <= coarseslice0cost_tag.output_column;
       end if;
       -- coarseslice1window
-      if coarseslice0window_tag_valid then
-        for i in 0 to 6 loop
-          coarseslice1window_partial_0_0(i) <= coarseslice1cost_column_0(i);
-        end loop;
+      if coarseslice0window_tag.valid then
+        coarseslice1window_partial_0_0 <= coarseslice1cost_column_0;
         for i in 0 to 6 loop
           coarseslice1window_partial_0_1(i) <= coarseslice1window_partial_0_0(i) + coarseslice1cost_column_0(i);
         end loop;
@@ -3200,43 +2203,27 @@ begin
         coarseslice1window_sum_0(i) <= coarseslice1window_partial_0_5(i) + coarseslice1cost_column_0(i);
       end loop;
       -- coarseslice1other
-      coarseslice1other_cost_0_1_any := (not coarseslice0winner1_tag_output_column) or (not
-        coarseslice0winner1_tag_first_column);
-      for i in 2 to 6 loop
-        if (coarseslice1other_cost_0(i) - coarseslice1window_sum_0(i - 1)) >= 0 then
-          coarseslice1other_cost_0_choice(i - 1) := not coarseslice0winner1_tag_output_column;
-        else
-          coarseslice1other_cost_0_choice(i - 1) := coarseslice1other_cost_0_1_any;
-        end if;
+      coarseslice1other_cost_0_1_any := (not coarseslice0winner1_tag.output_column) or (not
+        coarseslice0winner1_tag.first_column);
+      for i in 1 to 5 loop
+        coarseslice1other_cost_0_choice(i) := choice((coarseslice1other_cost_0(i + 1) - coarseslice1window_sum_0(i)) >=
+          0, not coarseslice0winner1_tag.output_column, coarseslice1other_cost_0_1_any);
       end loop;
-      if (coarseslice0other_cost_out_0 - coarseslice1window_sum_0(6)) >= 0 then
-        coarseslice1other_cost_0_choice(6) := not coarseslice0winner1_tag_output_column;
-      else
-        coarseslice1other_cost_0_choice(6) := coarseslice1other_cost_0_1_any;
-      end if;
-      if coarseslice0winner1_tag_valid then
+      coarseslice1other_cost_0_choice(6) := choice((coarseslice0other_cost_out_0 - coarseslice1window_sum_0(6)) >= 0,
+        not coarseslice0winner1_tag.output_column, coarseslice1other_cost_0_1_any);
+      if coarseslice0winner1_tag.valid then
         for i in 1 to 5 loop
-          if coarseslice1other_cost_0_choice(i) then
-            coarseslice1other_cost_0(i) <= coarseslice1other_cost_0(i + 1);
-            coarseslice1other_winner_0(i) <= coarseslice1other_winner_0(i + 1);
-          else
-            coarseslice1other_cost_0(i) <= coarseslice1window_sum_0(i);
-            coarseslice1other_winner_0(i) <= i;
-          end if;
+          coarseslice1other_cost_0(i) <= choice(coarseslice1other_cost_0_choice(i), coarseslice1other_cost_0(i + 1),
+            coarseslice1window_sum_0(i));
+          coarseslice1other_winner_0(i) <= choice(coarseslice1other_cost_0_choice(i), coarseslice1other_winner_0(i +
+            1), i);
         end loop;
-        if coarseslice1other_cost_0_choice(6) then
-          coarseslice1other_cost_0(6) <= coarseslice0other_cost_out_0;
-          coarseslice1other_winner_0(6) <= coarseslice0other_winner_out_0;
-        else
-          coarseslice1other_cost_0(6) <= coarseslice1window_sum_0(6);
-          coarseslice1other_winner_0(6) <= 6;
-        end if;
-        if (not coarseslice0winner1_tag_output_column) or ((not coarseslice0winner1_tag_first_column) and
-          ((coarseslice1other_cost_0(1) - coarseslice1window_sum_0(0)) < 0)) then
-          coarseslice1other_winner_0(0) <= coarseslice1other_winner_0(1);
-        else
-          coarseslice1other_winner_0(0) <= 0;
-        end if;
+        coarseslice1other_cost_0(6) <= choice(coarseslice1other_cost_0_choice(6), coarseslice0other_cost_out_0,
+          coarseslice1window_sum_0(6));
+        coarseslice1other_winner_0(6) <= choice(coarseslice1other_cost_0_choice(6), coarseslice0other_winner_out_0, 6);
+        coarseslice1other_winner_0(0) <= choice((not coarseslice0winner1_tag.output_column) or ((not
+          coarseslice0winner1_tag.first_column) and ((coarseslice1other_cost_0(1) - coarseslice1window_sum_0(0)) < 0)),
+          coarseslice1other_winner_0(1), 0);
       end if;
       coarseslice1other_winner_out_0 <= coarseslice1other_winner_0(0);
       -- coarseslice1winner1
@@ -3246,55 +2233,34 @@ begin
       end loop;
       coarseslice1winner1_best_cost_0(3) <= coarseslice1window_sum_0(6);
       coarseslice1winner1_best_index_0_0 <= coarseslice1winner1_best_cost_0_is_less(0);
-      coarseslice1winner1_best_index_0_3 <= 6;
-      if coarseslice1winner1_best_cost_0_is_less(0) then
-        coarseslice1winner1_best_cost_0(0) <= coarseslice1window_sum_0(1);
-      else
-        coarseslice1winner1_best_cost_0(0) <= coarseslice1window_sum_0(0);
-      end if;
-      if coarseslice1winner1_best_cost_0_is_less(1) then
-        coarseslice1winner1_best_cost_0(1) <= coarseslice1window_sum_0(3);
-        coarseslice1winner1_best_index_0_1 <= 3;
-      else
-        coarseslice1winner1_best_cost_0(1) <= coarseslice1window_sum_0(2);
-        coarseslice1winner1_best_index_0_1 <= 2;
-      end if;
-      if coarseslice1winner1_best_cost_0_is_less(2) then
-        coarseslice1winner1_best_cost_0(2) <= coarseslice1window_sum_0(5);
-        coarseslice1winner1_best_index_0_2 <= 5;
-      else
-        coarseslice1winner1_best_cost_0(2) <= coarseslice1window_sum_0(4);
-        coarseslice1winner1_best_index_0_2 <= 4;
-      end if;
+      coarseslice1winner1_best_index_0(3) <= 6;
+      coarseslice1winner1_best_cost_0(0) <= choice(coarseslice1winner1_best_cost_0_is_less(0),
+        coarseslice1window_sum_0(1), coarseslice1window_sum_0(0));
+      for i in 1 to 2 loop
+        coarseslice1winner1_best_cost_0(i) <= choice(coarseslice1winner1_best_cost_0_is_less(i),
+          coarseslice1window_sum_0(2 * i + 1), coarseslice1window_sum_0(2 * i));
+        coarseslice1winner1_best_index_0(i) <= choice(coarseslice1winner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
+      end loop;
       -- coarseslice1winner2
       coarseslice1winner2_best_cost_0_is_less(0) := (coarseslice1winner1_best_cost_0(1) -
         coarseslice1winner1_best_cost_0(0)) < 0;
       coarseslice1winner2_best_cost_0_is_less(1) := (coarseslice1winner1_best_cost_0(3) -
         coarseslice1winner1_best_cost_0(2)) < 0;
-      if coarseslice1winner2_best_cost_0_is_less(0) then
-        coarseslice1winner2_best_cost_0(0) <= coarseslice1winner1_best_cost_0(1);
-        coarseslice1winner2_best_index_0_0 <= coarseslice1winner1_best_index_0_1;
-      else
-        coarseslice1winner2_best_cost_0(0) <= coarseslice1winner1_best_cost_0(0);
-        coarseslice1winner2_best_index_0_0 <= as_number(coarseslice1winner1_best_index_0_0);
-      end if;
-      if coarseslice1winner2_best_cost_0_is_less(1) then
-        coarseslice1winner2_best_cost_0(1) <= coarseslice1winner1_best_cost_0(3);
-        coarseslice1winner2_best_index_0_1 <= coarseslice1winner1_best_index_0_3;
-      else
-        coarseslice1winner2_best_cost_0(1) <= coarseslice1winner1_best_cost_0(2);
-        coarseslice1winner2_best_index_0_1 <= coarseslice1winner1_best_index_0_2;
-      end if;
+      coarseslice1winner2_best_cost_0(0) <= choice(coarseslice1winner2_best_cost_0_is_less(0),
+        coarseslice1winner1_best_cost_0(1), coarseslice1winner1_best_cost_0(0));
+      coarseslice1winner2_best_index_0(0) <= choice(coarseslice1winner2_best_cost_0_is_less(0),
+        coarseslice1winner1_best_index_0(1), as_number(coarseslice1winner1_best_index_0_0));
+      coarseslice1winner2_best_cost_0(1) <= choice(coarseslice1winner2_best_cost_0_is_less(1),
+        coarseslice1winner1_best_cost_0(3), coarseslice1winner1_best_cost_0(2));
+      coarseslice1winner2_best_index_0(1) <= choice(coarseslice1winner2_best_cost_0_is_less(1),
+        coarseslice1winner1_best_index_0(3), coarseslice1winner1_best_index_0(2));
       -- coarseslice1winner3
       coarseslice1winner3_best_cost_0_0_is_less := (coarseslice1winner2_best_cost_0(1) -
         coarseslice1winner2_best_cost_0(0)) < 0;
-      if coarseslice1winner3_best_cost_0_0_is_less then
-        coarseslice1winner3_best_cost_0_0 <= coarseslice1winner2_best_cost_0(1);
-        coarseslice1winner3_best_index_0_0 <= coarseslice1winner2_best_index_0_1;
-      else
-        coarseslice1winner3_best_cost_0_0 <= coarseslice1winner2_best_cost_0(0);
-        coarseslice1winner3_best_index_0_0 <= coarseslice1winner2_best_index_0_0;
-      end if;
+      coarseslice1winner3_best_cost_0_0 <= choice(coarseslice1winner3_best_cost_0_0_is_less,
+        coarseslice1winner2_best_cost_0(1), coarseslice1winner2_best_cost_0(0));
+      coarseslice1winner3_best_index_0_0 <= choice(coarseslice1winner3_best_cost_0_0_is_less,
+        coarseslice1winner2_best_index_0(1), coarseslice1winner2_best_index_0(0));
       -- coarseslice1winner4
       coarseslice1winner4_best_cost_0_0 <= coarseslice1winner3_best_cost_0_0;
       coarseslice1winner4_best_index_0_0 <= coarseslice1winner3_best_index_0_0;
@@ -3302,300 +2268,153 @@ begin
       coarseslice1winner5_best_cost_0_0 <= coarseslice1winner4_best_cost_0_0;
       coarseslice1winner5_best_index_0_0 <= coarseslice1winner4_best_index_0_0;
       -- coarseslice1
-      coarseslice1_best_tag_valid <= coarseslice0_best_tag_valid;
-      coarseslice1_best_tag_map_column <= coarseslice0_best_tag_map_column;
-      coarseslice1_best_tag_output_column <= coarseslice0_best_tag_output_column;
-      coarseslice1_best_tag_start_of_frame <= coarseslice0_best_tag_start_of_frame;
-      coarseslice1_best_tag_end_of_line <= coarseslice0_best_tag_end_of_line;
-      if (coarseslice0_best_cost_0_0 - coarseslice1winner5_best_cost_0_0) < 0 then
-        coarseslice1_best_index_0_0 <= coarseslice0_best_index_0_0;
-      else
-        coarseslice1_best_index_0_0 <= coarseslice1winner5_best_index_0_0;
-      end if;
+      coarseslice1_best_tag <= coarseslice0_best_tag;
+      coarseslice1_best_index_0_0 <= choice((coarseslice0_best_cost_0_0 - coarseslice1winner5_best_cost_0_0) < 0,
+        coarseslice0_best_index_0_0, coarseslice1winner5_best_index_0_0);
       -- coarseleftright
-      if (coarseleftright_ring_read_address / 2) = 0 then
-        coarseleftright_holds_winners_choice := (not coarseleftright_holds_winners) and
-          is_set(coarseleftright_ring_read_address, 0);
-      else
-        coarseleftright_holds_winners_choice := not coarseleftright_holds_winners;
-      end if;
+      coarseleftright_holds_winners_choice := choice((coarseleftright_ring_read_address / 2) = 0, (not
+        coarseleftright_holds_winners) and is_set(coarseleftright_ring_read_address, 0), not
+        coarseleftright_holds_winners);
       coarseleftright_checked_passed_0_difference := (coarseleftright_answered_disparity_0 + 1) -
         to_integer(coarseleftright_found_0);
       coarseleftright_other_0(1) <= coarseslice1other_winner_out_0;
-      coarseleftright_other_0(2) <= coarseleftright_other_0(1);
-      coarseleftright_other_0(3) <= coarseleftright_other_0(2);
-      coarseleftright_other_0(4) <= coarseleftright_other_0(3);
-      coarseleftright_position <= (coarseleftright_position + as_number(coarseslice1_best_tag_valid)) mod 64;
+      coarseleftright_other_0(2 to 4) <= coarseleftright_other_0(1 to 3);
+      coarseleftright_position <= (coarseleftright_position + as_number(coarseslice1_best_tag.valid)) mod 64;
       coarseleftright_held_position <= coarseleftright_position;
-      coarseleftright_held_valid <= (not coarseleftright_holds_winners_choice) and coarseslice1_best_tag_valid;
+      coarseleftright_held_valid <= (not coarseleftright_holds_winners_choice) and coarseslice1_best_tag.valid;
       coarseleftright_address_0 <= (to_integer(coarseleftright_held_0(12 downto 4)) + coarseleftright_held_position +
         33) mod 64;
       coarseleftright_asking_disparity_0 <= to_integer(coarseleftright_held_0(9 downto 4));
       coarseleftright_asking_passed_0 <= coarseleftright_held_0(12) = '1';
-      coarseleftright_asking_tag_valid <= coarseleftright_held_valid;
-      coarseleftright_asking_tag_output_column <= coarseleftright_held_0(1) = '1';
-      coarseleftright_asking_tag_start_of_frame <= coarseleftright_held_0(2) = '1';
+      coarseleftright_asking_tag.valid <= coarseleftright_held_valid;
+      coarseleftright_asking_tag.output_column <= coarseleftright_held_0(1) = '1';
+      coarseleftright_asking_tag.start_of_frame <= coarseleftright_held_0(2) = '1';
       coarseleftright_answered_disparity_0 <= coarseleftright_asking_disparity_0;
       coarseleftright_answered_passed_0 <= coarseleftright_asking_passed_0;
-      coarseleftright_answered_tag_valid <= coarseleftright_asking_tag_valid;
-      coarseleftright_answered_tag_output_column <= coarseleftright_asking_tag_output_column;
-      coarseleftright_answered_tag_start_of_frame <= coarseleftright_asking_tag_start_of_frame;
+      coarseleftright_answered_tag <= coarseleftright_asking_tag;
       coarseleftright_checked_disparity_0 <= coarseleftright_answered_disparity_0 mod 32;
       coarseleftright_checked_passed_0 <= coarseleftright_answered_passed_0 and
         (coarseleftright_checked_passed_0_difference >= 0) and (coarseleftright_checked_passed_0_difference < 3);
-      coarseleftright_checked_tag_valid <= coarseleftright_answered_tag_valid;
-      coarseleftright_checked_tag_output_column <= coarseleftright_answered_tag_output_column;
-      coarseleftright_checked_tag_start_of_frame <= coarseleftright_answered_tag_start_of_frame;
-      if coarseleftright_holds_winners_choice then
-        coarseleftright_holds_winners <= (not coarseslice1_best_tag_valid) and coarseleftright_holds_winners;
-      else
-        coarseleftright_holds_winners <= coarseslice1_best_tag_valid or coarseleftright_holds_winners;
-      end if;
-      if coarseslice1_best_tag_valid then
+      coarseleftright_checked_tag <= coarseleftright_answered_tag;
+      coarseleftright_holds_winners <= choice(coarseleftright_holds_winners_choice, (not coarseslice1_best_tag.valid)
+        and coarseleftright_holds_winners, coarseslice1_best_tag.valid or coarseleftright_holds_winners);
+      if coarseslice1_best_tag.valid then
         coarseleftright_ring_write_address <= coarseleftright_ring_read_address;
-        if coarseleftright_ring_read_address = 31 then
-          coarseleftright_ring_read_address <= 0;
-        else
-          coarseleftright_ring_read_address <= (coarseleftright_ring_read_address + 1) mod 32;
-        end if;
+        coarseleftright_ring_read_address <= choice(coarseleftright_ring_read_address = 31, 0,
+          (coarseleftright_ring_read_address + 1) mod 32);
       end if;
       -- ranges
       ranges_column_differs := (ranges_row / 2) /= 60;
-      ranges_column_any := ranges_column_differs or is_set(ranges_row, 0);
-      if (ranges_column / 16) = 10 then
-        ranges_column_choice := ((ranges_column mod 16) /= 0) and ranges_column_any;
-      else
-        ranges_column_choice := ranges_column_any;
-      end if;
-      ranges_column_all := ranges_column_choice and ((not coarseleftright_checked_tag_valid) or (not
-        coarseleftright_checked_tag_output_column));
-      ranges_column_all_2 := coarseleftright_checked_tag_start_of_frame and coarseleftright_checked_tag_valid and
-        coarseleftright_checked_tag_output_column;
-      if ranges_column_all then
-        ranges_column_choices(2) := ranges_column_all_2;
-      else
-        ranges_column_choices(2) := ranges_column_differs or ranges_column_all_2 or (not is_set(ranges_row, 0));
-      end if;
+      ranges_column_anys(1) := ranges_column_differs or is_set(ranges_row, 0);
+      ranges_column_choices(1) := choice((ranges_column / 16) = 10, ((ranges_column mod 16) /= 0) and
+        ranges_column_anys(1), ranges_column_anys(1));
+      ranges_column_alls(1) := ranges_column_choices(1) and ((not coarseleftright_checked_tag.valid) or (not
+        coarseleftright_checked_tag.output_column));
+      ranges_column_alls(2) := coarseleftright_checked_tag.start_of_frame and coarseleftright_checked_tag.valid and
+        coarseleftright_checked_tag.output_column;
+      ranges_column_choices(2) := choice(ranges_column_alls(1), ranges_column_alls(2), ranges_column_differs or
+        ranges_column_alls(2) or (not is_set(ranges_row, 0)));
       ranges_column_is_equal := (ranges_column / 32) = 5;
-      if ((ranges_column / 2) mod 8) = 0 then
-        ranges_column_choices(3) := ranges_column_all_2 or (not is_set(ranges_column, 0));
-      else
-        ranges_column_choices(3) := ranges_column_all_2;
-      end if;
-      ranges_column_anys(2) := ranges_column_all_2 or (not is_set(ranges_column, 4));
-      ranges_column_anys(3) := (not coarseleftright_checked_tag_start_of_frame) or (not
-        coarseleftright_checked_tag_valid) or (not coarseleftright_checked_tag_output_column);
-      if ranges_column_anys(3) then
-        ranges_column_choices_from_4(4) := ranges_column;
-      else
-        ranges_column_choices_from_4(4) := 0;
-      end if;
-      if (not ranges_column_all_2) and ranges_column_is_equal and ranges_column_choices(3) and ranges_column_anys(2)
-        then
-        ranges_column_choices_from_4(5) := 0;
-      else
-        ranges_column_choices_from_4(5) := (ranges_column_choices_from_4(4) + 1) mod 256;
-      end if;
-      if ranges_column_anys(3) then
-        ranges_row_choice := ranges_row;
-      else
-        ranges_row_choice := 0;
-      end if;
-      if ranges_column_all then
-        ranges_row_choice_2 := not ranges_column_all_2;
-      else
-        ranges_row_choice_2 := (not ranges_column_all_2) and (ranges_row = 121);
-      end if;
-      if ranges_column_choice then
-        ranges_pixel_0_choice := coarseleftright_checked_passed_0;
-      else
-        ranges_pixel_0_choice := coarseleftright_checked_tag_start_of_frame and coarseleftright_checked_tag_valid and
-          coarseleftright_checked_tag_output_column and coarseleftright_checked_passed_0;
-      end if;
+      ranges_column_choices(3) := choice(((ranges_column / 2) mod 8) = 0, ranges_column_alls(2) or (not
+        is_set(ranges_column, 0)), ranges_column_alls(2));
+      ranges_column_anys(2) := ranges_column_alls(2) or (not is_set(ranges_column, 4));
+      ranges_column_anys(3) := (not coarseleftright_checked_tag.start_of_frame) or (not
+        coarseleftright_checked_tag.valid) or (not coarseleftright_checked_tag.output_column);
+      ranges_column_choices_from_4(4) := choice(ranges_column_anys(3), ranges_column, 0);
+      ranges_column_choices_from_4(5) := choice((not ranges_column_alls(2)) and ranges_column_is_equal and
+        ranges_column_choices(3) and ranges_column_anys(2), 0, (ranges_column_choices_from_4(4) + 1) mod 256);
+      ranges_row_choice := choice(ranges_column_anys(3), ranges_row, 0);
+      ranges_row_choice_2 := choice(ranges_column_alls(1), not ranges_column_alls(2), (not ranges_column_alls(2)) and
+        (ranges_row = 121));
+      ranges_pixel_0_choice := choice(ranges_column_choices(1), coarseleftright_checked_passed_0,
+        coarseleftright_checked_tag.start_of_frame and coarseleftright_checked_tag.valid and
+        coarseleftright_checked_tag.output_column and coarseleftright_checked_passed_0);
       ranges_centre_valid_differs := ranges_ready_row /= 0;
       ranges_counts_sum := (ranges_middle mod 32) + 1;
-      ranges_counts_difference := ranges_counts_sum - (ranges_above mod 32);
+      ranges_counts_differences(1) := ranges_counts_sum - (ranges_above mod 32);
       ranges_counts_differences(2) := ranges_counts_sum - (ranges_right mod 32);
       ranges_counts_differences(3) := ranges_counts_sum - (ranges_below mod 32);
       ranges_counts_differences(4) := ranges_counts_sum - (ranges_left mod 32);
-      ranges_counts_sum_2 := as_number(((ranges_counts_difference >= 0) and (ranges_counts_difference < 3) and
+      ranges_counts_sum_2 := as_number(((ranges_counts_differences(1) >= 0) and (ranges_counts_differences(1) < 3) and
         is_set(ranges_above, 5))) + as_number(((ranges_counts_differences(2) >= 0) and (ranges_counts_differences(2) <
         3) and is_set(ranges_right, 5))) + as_number(((ranges_counts_differences(3) >= 0) and
         (ranges_counts_differences(3) < 3) and is_set(ranges_below, 5))) + as_number(((ranges_counts_differences(4) >=
         0) and (ranges_counts_differences(4) < 3) and is_set(ranges_left, 5)));
-      ranges_pair_0_value := is_set(ranges_disparity, 1);
-      if is_set(ranges_first_of_pair, 6) and ((not is_set(ranges_disparity, 0)) or (not ranges_counts)) then
-        ranges_pair_0_choice := (not is_set(ranges_first_of_pair, 7)) and ranges_pair_0_value and ranges_counts;
-      else
-        ranges_pair_0_choice := (not is_set(ranges_first_of_pair, 7)) or (ranges_pair_0_value and ranges_counts);
-      end if;
-      ranges_pair_0_values(2) := is_set(ranges_disparity, 2);
-      if ranges_pair_0_choice then
-        ranges_pair_0_choices(2) := (not is_set(ranges_first_of_pair, 8)) or (ranges_pair_0_values(2) and
-          ranges_counts);
-      else
-        ranges_pair_0_choices(2) := (not is_set(ranges_first_of_pair, 8)) and ranges_pair_0_values(2) and ranges_counts;
-      end if;
-      ranges_pair_0_values(3) := is_set(ranges_disparity, 3);
-      if ranges_pair_0_choices(2) then
-        ranges_pair_0_choices(3) := (not is_set(ranges_first_of_pair, 9)) or (ranges_pair_0_values(3) and
-          ranges_counts);
-      else
-        ranges_pair_0_choices(3) := (not is_set(ranges_first_of_pair, 9)) and ranges_pair_0_values(3) and ranges_counts;
-      end if;
-      if is_set(ranges_first_of_pair, 10) then
-        ranges_pair_0_choices(4) := is_set(ranges_disparity, 4) and ranges_counts;
-      else
-        ranges_pair_0_choices(4) := ranges_counts;
-      end if;
-      if ranges_pair_0_choices(3) then
-        ranges_pair_0_choices(5) := ranges_pair_0_choices(4);
-      else
-        ranges_pair_0_choices(5) := (not is_set(ranges_first_of_pair, 10)) and is_set(ranges_disparity, 4) and
-          ranges_counts;
-      end if;
-      if ranges_counts then
-        ranges_pair_0_choice_6 := (((ranges_disparity * 32) + ranges_disparity) * 2) + 1;
-      else
-        ranges_pair_0_choice_6 := 0;
-      end if;
-      if (not ranges_pair_0_choices(5)) and is_set(ranges_first_of_pair, 0) then
-        ranges_pair_0_choice_7 := ranges_first_of_pair / 64;
-      else
-        ranges_pair_0_choice_7 := ranges_pair_0_choice_6 / 64;
-      end if;
-      if ranges_pair_0_value then
-        ranges_pair_0_choices_from_8(8) := (not is_set(ranges_first_of_pair, 2)) or ranges_counts;
-      else
-        ranges_pair_0_choices_from_8(8) := not is_set(ranges_first_of_pair, 2);
-      end if;
-      if is_set(ranges_disparity, 0) and (not is_set(ranges_first_of_pair, 1)) and ranges_counts then
-        ranges_pair_0_choices_from_8(9) := ranges_pair_0_choices_from_8(8);
-      else
-        ranges_pair_0_choices_from_8(9) := ranges_pair_0_value and (not is_set(ranges_first_of_pair, 2)) and
-          ranges_counts;
-      end if;
+      ranges_pair_0_values(1) := is_set(ranges_disparity, 1);
+      ranges_pair_0_choices(1) := choice(is_set(ranges_first_of_pair, 6) and ((not is_set(ranges_disparity, 0)) or (not
+        ranges_counts)), (not is_set(ranges_first_of_pair, 7)) and ranges_pair_0_values(1) and ranges_counts, (not
+        is_set(ranges_first_of_pair, 7)) or (ranges_pair_0_values(1) and ranges_counts));
       for i in 2 to 3 loop
-        if ranges_pair_0_values(i) then
-          ranges_pair_0_choices_from_8(2 * i + 6) := (not is_set(ranges_first_of_pair, i + 1)) or ranges_counts;
-        else
-          ranges_pair_0_choices_from_8(2 * i + 6) := not is_set(ranges_first_of_pair, i + 1);
-        end if;
-        if ranges_pair_0_choices_from_8(2 * i + 5) then
-          ranges_pair_0_choices_from_8(2 * i + 7) := ranges_pair_0_choices_from_8(2 * i + 6);
-        else
-          ranges_pair_0_choices_from_8(2 * i + 7) := ranges_pair_0_values(i) and (not is_set(ranges_first_of_pair, i +
-            1)) and ranges_counts;
-        end if;
+        ranges_pair_0_values(i) := is_set(ranges_disparity, i);
+        ranges_pair_0_choices(i) := choice(ranges_pair_0_choices(i - 1), (not is_set(ranges_first_of_pair, i + 6)) or
+          (ranges_pair_0_values(i) and ranges_counts), (not is_set(ranges_first_of_pair, i + 6)) and
+          ranges_pair_0_values(i) and ranges_counts);
+      end loop;
+      ranges_pair_0_choices(4) := choice(is_set(ranges_first_of_pair, 10), is_set(ranges_disparity, 4) and
+        ranges_counts, ranges_counts);
+      ranges_pair_0_choices(5) := choice(ranges_pair_0_choices(3), ranges_pair_0_choices(4), (not
+        is_set(ranges_first_of_pair, 10)) and is_set(ranges_disparity, 4) and ranges_counts);
+      ranges_pair_0_choice_6 := choice(ranges_counts, (((ranges_disparity * 32) + ranges_disparity) * 2) + 1, 0);
+      ranges_pair_0_choice_7 := choice((not ranges_pair_0_choices(5)) and is_set(ranges_first_of_pair, 0),
+        ranges_first_of_pair / 64, ranges_pair_0_choice_6 / 64);
+      ranges_pair_0_choices(8) := choice(ranges_pair_0_values(1), (not is_set(ranges_first_of_pair, 2)) or
+        ranges_counts, not is_set(ranges_first_of_pair, 2));
+      ranges_pair_0_choices(9) := choice(is_set(ranges_disparity, 0) and (not is_set(ranges_first_of_pair, 1)) and
+        ranges_counts, ranges_pair_0_choices(8), ranges_pair_0_values(1) and (not is_set(ranges_first_of_pair, 2)) and
+        ranges_counts);
+      for i in 2 to 3 loop
+        ranges_pair_0_choices(2 * i + 6) := choice(ranges_pair_0_values(i), (not is_set(ranges_first_of_pair, i + 1))
+          or ranges_counts, not is_set(ranges_first_of_pair, i + 1));
+        ranges_pair_0_choices(2 * i + 7) := choice(ranges_pair_0_choices(2 * i + 5), ranges_pair_0_choices(2 * i + 6),
+          ranges_pair_0_values(i) and (not is_set(ranges_first_of_pair, i + 1)) and ranges_counts);
       end loop;
       ranges_pair_0_values(4) := is_set(ranges_first_of_pair, 5);
-      if is_set(ranges_disparity, 4) then
-        ranges_pair_0_choices_from_8(14) := ranges_pair_0_values(4) and ranges_counts;
-      else
-        ranges_pair_0_choices_from_8(14) := ranges_counts;
-      end if;
-      if ranges_pair_0_choices_from_8(13) then
-        ranges_pair_0_choices_from_8(15) := (not is_set(ranges_disparity, 4)) and ranges_pair_0_values(4) and
-          ranges_counts;
-      else
-        ranges_pair_0_choices_from_8(15) := ranges_pair_0_choices_from_8(14);
-      end if;
-      if ranges_counts then
-        ranges_pair_0_choice_16 := (ranges_disparity * 2) + 1;
-      else
-        ranges_pair_0_choice_16 := 0;
-      end if;
-      if (not ranges_pair_0_choices_from_8(15)) and is_set(ranges_first_of_pair, 0) then
-        ranges_pair_0_choice_17 := (ranges_first_of_pair mod 64) / 2;
-      else
-        ranges_pair_0_choice_17 := ranges_pair_0_choice_16 / 2;
-      end if;
-      ranges_range_value := is_set(ranges_pairs_ready_newest_0, 6);
-      if ranges_range_value then
-        ranges_range_choice := not is_set(ranges_pairs_ready_words_0, 7);
-      else
-        ranges_range_choice := ((ranges_pairs_ready_words_0 / 64) mod 4) = 0;
-      end if;
-      if is_set(ranges_pairs_ready_newest_0, 7) then
-        ranges_range_choices(2) := ranges_range_value or (not is_set(ranges_pairs_ready_words_0, 7)) or (not
-          is_set(ranges_pairs_ready_words_0, 6));
-      else
-        ranges_range_choices(2) := ranges_range_choice;
-      end if;
+      ranges_pair_0_choices(14) := choice(is_set(ranges_disparity, 4), ranges_pair_0_values(4) and ranges_counts,
+        ranges_counts);
+      ranges_pair_0_choices(15) := choice(ranges_pair_0_choices(13), (not is_set(ranges_disparity, 4)) and
+        ranges_pair_0_values(4) and ranges_counts, ranges_pair_0_choices(14));
+      ranges_pair_0_choice_16 := choice(ranges_counts, (ranges_disparity * 2) + 1, 0);
+      ranges_pair_0_choice_17 := choice((not ranges_pair_0_choices(15)) and is_set(ranges_first_of_pair, 0),
+        (ranges_first_of_pair mod 64) / 2, ranges_pair_0_choice_16 / 2);
+      ranges_range_values(1) := is_set(ranges_pairs_ready_newest_0, 6);
+      ranges_range_choices(1) := choice(ranges_range_values(1), not is_set(ranges_pairs_ready_words_0, 7),
+        ((ranges_pairs_ready_words_0 / 64) mod 4) = 0);
+      ranges_range_choices(2) := choice(is_set(ranges_pairs_ready_newest_0, 7), ranges_range_values(1) or (not
+        is_set(ranges_pairs_ready_words_0, 7)) or (not is_set(ranges_pairs_ready_words_0, 6)), ranges_range_choices(1));
       ranges_range_values(2) := is_set(ranges_pairs_ready_words_0, 8);
-      if ranges_range_choices(2) then
-        ranges_range_choices(3) := (not is_set(ranges_pairs_ready_newest_0, 8)) and ranges_range_values(2);
-      else
-        ranges_range_choices(3) := (not is_set(ranges_pairs_ready_newest_0, 8)) or ranges_range_values(2);
-      end if;
+      ranges_range_choices(3) := inverted_carry(ranges_range_choices(2), not is_set(ranges_pairs_ready_newest_0, 8),
+        ranges_range_values(2));
       ranges_range_values(3) := is_set(ranges_pairs_ready_words_0, 9);
-      if ranges_range_choices(3) then
-        ranges_range_choices(4) := (not is_set(ranges_pairs_ready_newest_0, 9)) or ranges_range_values(3);
-      else
-        ranges_range_choices(4) := (not is_set(ranges_pairs_ready_newest_0, 9)) and ranges_range_values(3);
-      end if;
-      if is_set(ranges_pairs_ready_newest_0, 10) then
-        ranges_range_choices(5) := is_set(ranges_pairs_ready_newest_0, 0);
-      else
-        ranges_range_choices(5) := (not is_set(ranges_pairs_ready_words_0, 10)) and is_set(ranges_pairs_ready_newest_0,
-          0);
-      end if;
-      if ranges_range_choices(4) then
-        ranges_range_choices(6) := is_set(ranges_pairs_ready_newest_0, 10) and (not is_set(ranges_pairs_ready_words_0,
-          10)) and is_set(ranges_pairs_ready_newest_0, 0);
-      else
-        ranges_range_choices(6) := ranges_range_choices(5);
-      end if;
-      if (not ranges_range_choices(6)) and is_set(ranges_pairs_ready_words_0, 0) then
-        ranges_range_choice_7 := ranges_pairs_ready_words_0 / 64;
-      else
-        ranges_range_choice_7 := ranges_pairs_ready_newest_0 / 64;
-      end if;
+      ranges_range_choices(4) := carry(ranges_range_choices(3), not is_set(ranges_pairs_ready_newest_0, 9),
+        ranges_range_values(3));
+      ranges_range_choices(5) := choice(is_set(ranges_pairs_ready_newest_0, 10), is_set(ranges_pairs_ready_newest_0,
+        0), (not is_set(ranges_pairs_ready_words_0, 10)) and is_set(ranges_pairs_ready_newest_0, 0));
+      ranges_range_choices(6) := choice(ranges_range_choices(4), is_set(ranges_pairs_ready_newest_0, 10) and (not
+        is_set(ranges_pairs_ready_words_0, 10)) and is_set(ranges_pairs_ready_newest_0, 0), ranges_range_choices(5));
+      ranges_range_choice_7 := choice((not ranges_range_choices(6)) and is_set(ranges_pairs_ready_words_0, 0),
+        ranges_pairs_ready_words_0 / 64, ranges_pairs_ready_newest_0 / 64);
       ranges_range_values(4) := is_set(ranges_pairs_ready_newest_0, 1);
-      if ranges_range_values(4) then
-        ranges_range_choices_from_8(8) := (not is_set(ranges_pairs_ready_words_0, 2)) or (not
-          is_set(ranges_pairs_ready_words_0, 1));
-      else
-        ranges_range_choices_from_8(8) := not is_set(ranges_pairs_ready_words_0, 2);
-      end if;
-      if is_set(ranges_pairs_ready_newest_0, 2) then
-        ranges_range_choices_from_8(9) := ranges_range_choices_from_8(8);
-      else
-        ranges_range_choices_from_8(9) := ranges_range_values(4) and (((ranges_pairs_ready_words_0 / 2) mod 4) = 0);
-      end if;
+      ranges_range_choices(8) := choice(ranges_range_values(4), (not is_set(ranges_pairs_ready_words_0, 2)) or (not
+        is_set(ranges_pairs_ready_words_0, 1)), not is_set(ranges_pairs_ready_words_0, 2));
+      ranges_range_choices(9) := choice(is_set(ranges_pairs_ready_newest_0, 2), ranges_range_choices(8),
+        ranges_range_values(4) and (((ranges_pairs_ready_words_0 / 2) mod 4) = 0));
       ranges_range_values(5) := is_set(ranges_pairs_ready_words_0, 3);
-      if ranges_range_choices_from_8(9) then
-        ranges_range_choices_from_8(10) := (not is_set(ranges_pairs_ready_newest_0, 3)) and ranges_range_values(5);
-      else
-        ranges_range_choices_from_8(10) := (not is_set(ranges_pairs_ready_newest_0, 3)) or ranges_range_values(5);
-      end if;
+      ranges_range_choices(10) := inverted_carry(ranges_range_choices(9), not is_set(ranges_pairs_ready_newest_0, 3),
+        ranges_range_values(5));
       ranges_range_values(6) := is_set(ranges_pairs_ready_words_0, 4);
-      if ranges_range_choices_from_8(10) then
-        ranges_range_choices_from_8(11) := (not is_set(ranges_pairs_ready_newest_0, 4)) or ranges_range_values(6);
-      else
-        ranges_range_choices_from_8(11) := (not is_set(ranges_pairs_ready_newest_0, 4)) and ranges_range_values(6);
-      end if;
+      ranges_range_choices(11) := carry(ranges_range_choices(10), not is_set(ranges_pairs_ready_newest_0, 4),
+        ranges_range_values(6));
       ranges_range_values(7) := is_set(ranges_pairs_ready_newest_0, 5);
       ranges_range_values(8) := is_set(ranges_pairs_ready_words_0, 5);
-      if ranges_range_values(7) then
-        ranges_range_choices_from_8(12) := ranges_range_values(8) and is_set(ranges_pairs_ready_newest_0, 0);
-      else
-        ranges_range_choices_from_8(12) := is_set(ranges_pairs_ready_newest_0, 0);
-      end if;
-      if ranges_range_choices_from_8(11) then
-        ranges_range_choices_from_8(13) := ranges_range_choices_from_8(12);
-      else
-        ranges_range_choices_from_8(13) := (not ranges_range_values(7)) and ranges_range_values(8) and
-          is_set(ranges_pairs_ready_newest_0, 0);
-      end if;
-      if (not ranges_range_choices_from_8(13)) and is_set(ranges_pairs_ready_words_0, 0) then
-        ranges_range_choice_14 := (ranges_pairs_ready_words_0 mod 64) / 2;
-      else
-        ranges_range_choice_14 := (ranges_pairs_ready_newest_0 mod 64) / 2;
-      end if;
-      ranges_row <= (ranges_row_choice + as_number(((not ranges_row_choice_2) and (not ranges_column_all_2) and
+      ranges_range_choices(12) := choice(ranges_range_values(7), ranges_range_values(8) and
+        is_set(ranges_pairs_ready_newest_0, 0), is_set(ranges_pairs_ready_newest_0, 0));
+      ranges_range_choices(13) := choice(ranges_range_choices(11), ranges_range_choices(12), (not
+        ranges_range_values(7)) and ranges_range_values(8) and is_set(ranges_pairs_ready_newest_0, 0));
+      ranges_range_choice_14 := choice((not ranges_range_choices(13)) and is_set(ranges_pairs_ready_words_0, 0),
+        (ranges_pairs_ready_words_0 mod 64) / 2, (ranges_pairs_ready_newest_0 mod 64) / 2);
+      ranges_row <= (ranges_row_choice + as_number(((not ranges_row_choice_2) and (not ranges_column_alls(2)) and
         ranges_column_is_equal and ranges_column_choices(3) and ranges_column_anys(2)))) mod 128;
-      ranges_pixel_0 <= (as_number((coarseleftright_checked_tag_valid and coarseleftright_checked_tag_output_column and
+      ranges_pixel_0 <= (as_number((coarseleftright_checked_tag.valid and coarseleftright_checked_tag.output_column and
         ranges_pixel_0_choice)) * 32) + coarseleftright_checked_disparity_0;
       ranges_in_column <= ranges_column_choices_from_4(4);
       ranges_in_row <= ranges_row_choice;
@@ -3630,32 +2449,16 @@ begin
       ranges_block_column <= (ranges_pair_ready_column + 65535) mod 65536;
       ranges_block_row <= ranges_pair_ready_row / 2;
       ranges_valid <= ranges_pair_ready_valid and is_set(ranges_pair_ready_row, 0);
-      if ranges_column_choices(2) then
-        ranges_column <= ranges_column_choices_from_4(5);
-      else
-        ranges_column <= ranges_column_choices_from_4(4);
-      end if;
-      if (ranges_ready_column / 16) = 0 then
-        ranges_centre_valid <= ((ranges_ready_column mod 16) /= 0) and ranges_centre_valid_differs and
-          ranges_ready_valid;
-      else
-        ranges_centre_valid <= ranges_centre_valid_differs and ranges_ready_valid;
-      end if;
-      if is_set(ranges_counts_sum_2, 2) then
-        ranges_counts <= is_set(ranges_middle, 5);
-      else
-        ranges_counts <= is_set(ranges_counts_sum_2, 1) and is_set(ranges_middle, 5);
-      end if;
-      if (not is_set(ranges_first_of_pair, 0)) and (not ranges_counts) then
-        ranges_pair_0 <= 0;
-      else
-        ranges_pair_0 <= (ranges_pair_0_choice_7 * 64) + (ranges_pair_0_choice_17 * 2) + 1;
-      end if;
-      if (not is_set(ranges_pairs_ready_words_0, 0)) and (not is_set(ranges_pairs_ready_newest_0, 0)) then
-        ranges_range <= 0;
-      else
-        ranges_range <= (ranges_range_choice_7 * 64) + (ranges_range_choice_14 * 2) + 1;
-      end if;
+      ranges_column <= choice(ranges_column_choices(2), ranges_column_choices_from_4(5),
+        ranges_column_choices_from_4(4));
+      ranges_centre_valid <= choice((ranges_ready_column / 16) = 0, ((ranges_ready_column mod 16) /= 0) and
+        ranges_centre_valid_differs and ranges_ready_valid, ranges_centre_valid_differs and ranges_ready_valid);
+      ranges_counts <= choice(is_set(ranges_counts_sum_2, 2), is_set(ranges_middle, 5), is_set(ranges_counts_sum_2, 1)
+        and is_set(ranges_middle, 5));
+      ranges_pair_0 <= choice((not is_set(ranges_first_of_pair, 0)) and (not ranges_counts), 0, (ranges_pair_0_choice_7
+        * 64) + (ranges_pair_0_choice_17 * 2) + 1);
+      ranges_range <= choice((not is_set(ranges_pairs_ready_words_0, 0)) and (not is_set(ranges_pairs_ready_newest_0,
+        0)), 0, (ranges_range_choice_7 * 64) + (ranges_range_choice_14 * 2) + 1);
       if ranges_ready_valid then
         ranges_pixels_write_words_0 <= (ranges_pixels_ready_words_0 / 64) + (ranges_pixels_ready_newest_0 * 64);
         ranges_pixels_written <= ranges_ready_column;
@@ -3664,17 +2467,10 @@ begin
         ranges_middle <= ranges_right;
         ranges_below <= ranges_next_below;
         ranges_next_below <= ranges_pixels_ready_newest_0;
-        if (((ranges_ready_row / 2) mod 16) /= 0) or is_set(ranges_ready_row, 6) or is_set(ranges_ready_row, 5) then
-          ranges_next_above <= ranges_pixels_ready_words_0 mod 64;
-        else
-          ranges_next_above <= 0;
-        end if;
-        if ((ranges_ready_row / 8) /= 0) or is_set(ranges_ready_row, 0) or is_set(ranges_ready_row, 2) or
-          is_set(ranges_ready_row, 1) then
-          ranges_right <= ranges_pixels_ready_words_0 / 64;
-        else
-          ranges_right <= 0;
-        end if;
+        ranges_next_above <= choice((((ranges_ready_row / 2) mod 16) /= 0) or is_set(ranges_ready_row, 6) or
+          is_set(ranges_ready_row, 5), ranges_pixels_ready_words_0 mod 64, 0);
+        ranges_right <= choice(((ranges_ready_row / 8) /= 0) or is_set(ranges_ready_row, 0) or is_set(ranges_ready_row,
+          2) or is_set(ranges_ready_row, 1), ranges_pixels_ready_words_0 / 64, 0);
       end if;
       if ranges_counted_valid then
         ranges_first_of_pair <= ranges_pair_0_choice_6;
@@ -3686,759 +2482,347 @@ begin
       -- targets
       targets_pause_all := ranges_valid and (ranges_block_column = 79) and (ranges_block_row /= 0);
       targets_pause_is_equal := targets_pause = 6;
-      if targets_pause_is_equal then
-        targets_pause_choice := 6;
-      else
-        targets_pause_choice := (targets_pause + 1) mod 65536;
-      end if;
+      targets_pause_choice := choice(targets_pause_is_equal, 6, (targets_pause + 1) mod 65536);
       targets_walked_is_equal := targets_walked = 80;
-      targets_walked_all := targets_again and targets_walked_is_equal and (not targets_last_row) and
+      targets_walked_alls(1) := targets_again and targets_walked_is_equal and (not targets_last_row) and
         targets_pause_is_equal;
       targets_walked_any := (not ranges_valid) or (ranges_block_column /= 79) or (ranges_block_row = 0);
-      targets_walked_alls(2) := (not targets_walked_all) and targets_walked_any;
+      targets_walked_alls(2) := (not targets_walked_alls(1)) and targets_walked_any;
       targets_walked_alls(3) := targets_pause_is_equal and (targets_walked /= 81);
-      if targets_walk_place = 0 then
-        targets_walk_place_choice := 79;
-      else
-        targets_walk_place_choice := (targets_walk_place + 127) mod 128;
-      end if;
-      if targets_walked_alls(3) then
-        targets_walk_place_choice_2 := targets_walk_place_choice;
-      else
-        targets_walk_place_choice_2 := targets_walk_place;
-      end if;
-      if targets_walked_is_equal then
-        targets_last_row_choice := (not targets_last_row) and (targets_pause /= 6);
-      else
-        targets_last_row_choice := not targets_last_row;
-      end if;
-      if targets_again then
-        targets_last_row_choice_2 := targets_last_row_choice;
-      else
-        targets_last_row_choice_2 := not targets_last_row;
-      end if;
-      targets_column_range_value := is_set(targets_rows_ready_words_0, 11);
-      targets_column_range_all := targets_ready_walk_has_above and targets_ready_walk_has_below;
-      if targets_column_range_value then
-        targets_column_range_choice := targets_ready_walk_has_above;
-      else
-        targets_column_range_choice := targets_column_range_all;
-      end if;
-      if is_set(targets_rows_ready_words_0, 0) then
-        targets_column_range_choices(2) := targets_column_range_choice;
-      else
-        targets_column_range_choices(2) := targets_column_range_value and targets_ready_walk_has_above and (not
-          targets_ready_walk_has_below);
-      end if;
-      if is_set(targets_rows_ready_words_1, 0) then
-        targets_column_range_choices(3) := (not targets_column_range_value) and targets_ready_walk_has_below;
-      else
-        targets_column_range_choices(3) := (not targets_column_range_value) or (not targets_ready_walk_has_below);
-      end if;
+      targets_walk_place_choices(1) := choice(targets_walk_place = 0, 79, (targets_walk_place + 127) mod 128);
+      targets_walk_place_choices(2) := choice(targets_walked_alls(3), targets_walk_place_choices(1),
+        targets_walk_place);
+      targets_last_row_choices(1) := choice(targets_walked_is_equal, (not targets_last_row) and (targets_pause /= 6),
+        not targets_last_row);
+      targets_last_row_choices(2) := choice(targets_again, targets_last_row_choices(1), not targets_last_row);
+      targets_column_range_values(1) := is_set(targets_rows_ready_words_0, 11);
+      targets_column_range_alls(1) := targets_ready_walk_has_above and targets_ready_walk_has_below;
+      targets_column_range_choices(1) := choice(targets_column_range_values(1), targets_ready_walk_has_above,
+        targets_column_range_alls(1));
+      targets_column_range_choices(2) := choice(is_set(targets_rows_ready_words_0, 0), targets_column_range_choices(1),
+        targets_column_range_values(1) and targets_ready_walk_has_above and (not targets_ready_walk_has_below));
+      targets_column_range_choices(3) := choice(is_set(targets_rows_ready_words_1, 0), (not
+        targets_column_range_values(1)) and targets_ready_walk_has_below, (not targets_column_range_values(1)) or (not
+        targets_ready_walk_has_below));
       targets_column_range_any := (not is_set(targets_rows_ready_words_1, 0)) or (not targets_ready_walk_has_below);
       targets_column_range_alls(2) := (not targets_column_range_choices(2)) and targets_column_range_choices(3);
       for i in 0 to 1 loop
         targets_column_range_values(2 * i + 2) := is_set(targets_rows_ready_words_0, 18 - i);
         targets_column_range_values(2 * i + 3) := is_set(targets_rows_ready_words_1, 7 - i);
-        if targets_ready_walk_has_below then
-          targets_column_range_choices(3 * i + 4) := targets_column_range_values(2 * i + 2);
-        else
-          targets_column_range_choices(3 * i + 4) := targets_column_range_values(2 * i + 3);
-        end if;
-        if targets_column_range_values(2 * i + 2) then
-          targets_column_range_choices(3 * i + 5) := targets_ready_walk_has_above;
-        else
-          targets_column_range_choices(3 * i + 5) := targets_column_range_all;
-        end if;
-        if is_set(targets_rows_ready_words_0, 7 - i) then
-          targets_column_range_choices(3 * i + 6) := targets_column_range_choices(3 * i + 5);
-        else
-          targets_column_range_choices(3 * i + 6) := targets_column_range_values(2 * i + 2) and
-            targets_ready_walk_has_above and (not targets_ready_walk_has_below);
-        end if;
+        targets_column_range_choices(3 * i + 4) := choice(targets_ready_walk_has_below, targets_column_range_values(2 *
+          i + 2), targets_column_range_values(2 * i + 3));
+        targets_column_range_choices(3 * i + 5) := choice(targets_column_range_values(2 * i + 2),
+          targets_ready_walk_has_above, targets_column_range_alls(1));
+        targets_column_range_choices(3 * i + 6) := choice(is_set(targets_rows_ready_words_0, 7 - i),
+          targets_column_range_choices(3 * i + 5), targets_column_range_values(2 * i + 2) and
+          targets_ready_walk_has_above and (not targets_ready_walk_has_below));
       end loop;
-      if targets_column_range_choices(4) then
-        targets_column_range_choices(10) := (not targets_column_range_choices(6)) or targets_column_range_choices(7) or
-          (not targets_column_range_choices(9));
-      else
-        targets_column_range_choices(10) := (not targets_column_range_choices(6)) and (targets_column_range_choices(7)
-          or (not targets_column_range_choices(9)));
-      end if;
+      targets_column_range_choices(10) := choice(targets_column_range_choices(4), (not targets_column_range_choices(6))
+        or targets_column_range_choices(7) or (not targets_column_range_choices(9)), (not
+        targets_column_range_choices(6)) and (targets_column_range_choices(7) or (not
+        targets_column_range_choices(9))));
       targets_column_range_values(6) := is_set(targets_rows_ready_words_0, 19);
       targets_column_range_values(7) := is_set(targets_rows_ready_words_1, 8);
-      if targets_ready_walk_has_below then
-        targets_column_range_choices(11) := targets_column_range_values(6);
-      else
-        targets_column_range_choices(11) := targets_column_range_values(7);
-      end if;
-      if targets_column_range_values(6) then
-        targets_column_range_choices(12) := targets_ready_walk_has_above;
-      else
-        targets_column_range_choices(12) := targets_column_range_all;
-      end if;
-      if is_set(targets_rows_ready_words_0, 8) then
-        targets_column_range_choices(13) := targets_column_range_choices(12);
-      else
-        targets_column_range_choices(13) := targets_column_range_values(6) and targets_ready_walk_has_above and (not
-          targets_ready_walk_has_below);
-      end if;
-      if targets_column_range_choices(10) then
-        targets_column_range_choices(14) := (not targets_column_range_choices(11)) and targets_column_range_choices(13);
-      else
-        targets_column_range_choices(14) := (not targets_column_range_choices(11)) or targets_column_range_choices(13);
-      end if;
+      targets_column_range_choices(11) := choice(targets_ready_walk_has_below, targets_column_range_values(6),
+        targets_column_range_values(7));
+      targets_column_range_choices(12) := choice(targets_column_range_values(6), targets_ready_walk_has_above,
+        targets_column_range_alls(1));
+      targets_column_range_choices(13) := choice(is_set(targets_rows_ready_words_0, 8),
+        targets_column_range_choices(12), targets_column_range_values(6) and targets_ready_walk_has_above and (not
+        targets_ready_walk_has_below));
+      targets_column_range_choices(14) := inverted_carry(targets_column_range_choices(10), not
+        targets_column_range_choices(11), targets_column_range_choices(13));
       targets_column_range_values(8) := is_set(targets_rows_ready_words_0, 20);
       targets_column_range_values(9) := is_set(targets_rows_ready_words_1, 9);
-      if targets_ready_walk_has_below then
-        targets_column_range_choices(15) := targets_column_range_values(8);
-      else
-        targets_column_range_choices(15) := targets_column_range_values(9);
-      end if;
-      if targets_column_range_values(8) then
-        targets_column_range_choices(16) := targets_ready_walk_has_above;
-      else
-        targets_column_range_choices(16) := targets_column_range_all;
-      end if;
-      if is_set(targets_rows_ready_words_0, 9) then
-        targets_column_range_choices(17) := targets_column_range_choices(16);
-      else
-        targets_column_range_choices(17) := targets_column_range_values(8) and targets_ready_walk_has_above and (not
-          targets_ready_walk_has_below);
-      end if;
-      if targets_column_range_choices(14) then
-        targets_column_range_choices(18) := (not targets_column_range_choices(15)) or targets_column_range_choices(17);
-      else
-        targets_column_range_choices(18) := (not targets_column_range_choices(15)) and targets_column_range_choices(17);
-      end if;
-      if targets_ready_walk_has_below then
-        targets_column_range_choices(19) := is_set(targets_rows_ready_words_0, 21);
-      else
-        targets_column_range_choices(19) := is_set(targets_rows_ready_words_1, 10);
-      end if;
-      if is_set(targets_rows_ready_words_0, 21) then
-        targets_column_range_choices(20) := targets_ready_walk_has_above;
-      else
-        targets_column_range_choices(20) := targets_column_range_all;
-      end if;
-      if is_set(targets_rows_ready_words_0, 10) then
-        targets_column_range_choices(21) := targets_column_range_choices(20);
-      else
-        targets_column_range_choices(21) := is_set(targets_rows_ready_words_0, 21) and targets_ready_walk_has_above and
-          (not targets_ready_walk_has_below);
-      end if;
-      if targets_ready_walk_has_below then
-        targets_column_range_choices(22) := targets_column_range_value;
-      else
-        targets_column_range_choices(22) := is_set(targets_rows_ready_words_1, 0);
-      end if;
-      if targets_column_range_choices(19) then
-        targets_column_range_choices(23) := targets_column_range_choices(22);
-      else
-        targets_column_range_choices(23) := (not targets_column_range_choices(21)) and targets_column_range_choices(22);
-      end if;
-      if targets_column_range_choices(18) then
-        targets_column_range_choices(24) := targets_column_range_choices(19) and (not targets_column_range_choices(21))
-          and targets_column_range_choices(22);
-      else
-        targets_column_range_choices(24) := targets_column_range_choices(23);
-      end if;
+      targets_column_range_choices(15) := choice(targets_ready_walk_has_below, targets_column_range_values(8),
+        targets_column_range_values(9));
+      targets_column_range_choices(16) := choice(targets_column_range_values(8), targets_ready_walk_has_above,
+        targets_column_range_alls(1));
+      targets_column_range_choices(17) := choice(is_set(targets_rows_ready_words_0, 9),
+        targets_column_range_choices(16), targets_column_range_values(8) and targets_ready_walk_has_above and (not
+        targets_ready_walk_has_below));
+      targets_column_range_choices(18) := carry(targets_column_range_choices(14), not targets_column_range_choices(15),
+        targets_column_range_choices(17));
+      targets_column_range_choices(19) := choice(targets_ready_walk_has_below, is_set(targets_rows_ready_words_0, 21),
+        is_set(targets_rows_ready_words_1, 10));
+      targets_column_range_choices(20) := choice(is_set(targets_rows_ready_words_0, 21), targets_ready_walk_has_above,
+        targets_column_range_alls(1));
+      targets_column_range_choices(21) := choice(is_set(targets_rows_ready_words_0, 10),
+        targets_column_range_choices(20), is_set(targets_rows_ready_words_0, 21) and targets_ready_walk_has_above and
+        (not targets_ready_walk_has_below));
+      targets_column_range_choices(22) := choice(targets_ready_walk_has_below, targets_column_range_values(1),
+        is_set(targets_rows_ready_words_1, 0));
+      targets_column_range_choices(23) := choice(targets_column_range_choices(19), targets_column_range_choices(22),
+        (not targets_column_range_choices(21)) and targets_column_range_choices(22));
+      targets_column_range_choices(24) := choice(targets_column_range_choices(18), targets_column_range_choices(19) and
+        (not targets_column_range_choices(21)) and targets_column_range_choices(22), targets_column_range_choices(23));
       targets_column_range_alls(3) := (not targets_column_range_choices(24)) and targets_column_range_choices(2);
-      for i in 25 to 26 loop
-        if targets_column_range_alls(3) then
-          targets_column_range_choices(i) := targets_column_range_choices(3 * i - 69);
-        else
-          targets_column_range_choices(i) := targets_column_range_choices(3 * i - 71);
-        end if;
-      end loop;
-      if (not targets_column_range_alls(2)) and targets_column_range_choices(25) then
-        targets_column_range_choices(27) := (not ((not targets_column_range_alls(2)) and
-          targets_column_range_choices(26) and ((not targets_column_range_values(5)) or (not
-          targets_ready_walk_has_below)))) and targets_column_range_values(3) and targets_ready_walk_has_below;
-      else
-        targets_column_range_choices(27) := (not ((not targets_column_range_alls(2)) and
-          targets_column_range_choices(26) and ((not targets_column_range_values(5)) or (not
-          targets_ready_walk_has_below)))) or (targets_column_range_values(3) and targets_ready_walk_has_below);
-      end if;
+      targets_column_range_choices(25) := choice(targets_column_range_alls(3), targets_column_range_choices(6),
+        targets_column_range_choices(4));
+      targets_column_range_choices(26) := choice(targets_column_range_alls(3), targets_column_range_choices(9),
+        targets_column_range_choices(7));
+      targets_column_range_choices(27) := choice((not targets_column_range_alls(2)) and
+        targets_column_range_choices(25), (not ((not targets_column_range_alls(2)) and targets_column_range_choices(26)
+        and ((not targets_column_range_values(5)) or (not targets_ready_walk_has_below)))) and
+        targets_column_range_values(3) and targets_ready_walk_has_below, (not ((not targets_column_range_alls(2)) and
+        targets_column_range_choices(26) and ((not targets_column_range_values(5)) or (not
+        targets_ready_walk_has_below)))) or (targets_column_range_values(3) and targets_ready_walk_has_below));
       for i in 0 to 1 loop
-        if targets_column_range_alls(3) then
-          targets_column_range_choices(2 * i + 28) := targets_column_range_choices(4 * i + 13);
-        else
-          targets_column_range_choices(2 * i + 28) := targets_column_range_choices(4 * i + 11);
-        end if;
-        if targets_column_range_choices(2 * i + 27) then
-          targets_column_range_choices(2 * i + 29) := (not ((not targets_column_range_alls(2)) and
-            targets_column_range_choices(2 * i + 28))) or (targets_column_range_values(2 * i + 7) and
-            targets_ready_walk_has_below);
-        else
-          targets_column_range_choices(2 * i + 29) := (not ((not targets_column_range_alls(2)) and
-            targets_column_range_choices(2 * i + 28))) and targets_column_range_values(2 * i + 7) and
-            targets_ready_walk_has_below;
-        end if;
+        targets_column_range_choices(2 * i + 28) := choice(targets_column_range_alls(3), targets_column_range_choices(4
+          * i + 13), targets_column_range_choices(4 * i + 11));
+        targets_column_range_choices(2 * i + 29) := choice(targets_column_range_choices(2 * i + 27), (not ((not
+          targets_column_range_alls(2)) and targets_column_range_choices(2 * i + 28))) or
+          (targets_column_range_values(2 * i + 7) and targets_ready_walk_has_below), (not ((not
+          targets_column_range_alls(2)) and targets_column_range_choices(2 * i + 28))) and
+          targets_column_range_values(2 * i + 7) and targets_ready_walk_has_below);
       end loop;
-      if targets_column_range_alls(3) then
-        targets_column_range_choices(32) := targets_column_range_choices(21);
-      else
-        targets_column_range_choices(32) := targets_column_range_choices(19);
-      end if;
-      if targets_column_range_choices(31) then
-        targets_column_range_choices(33) := (not ((not targets_column_range_alls(2)) and
-          targets_column_range_choices(32))) or (is_set(targets_rows_ready_words_1, 10) and
-          targets_ready_walk_has_below);
-      else
-        targets_column_range_choices(33) := (not ((not targets_column_range_alls(2)) and
-          targets_column_range_choices(32))) and is_set(targets_rows_ready_words_1, 10) and
-          targets_ready_walk_has_below;
-      end if;
+      targets_column_range_choices(32) := choice(targets_column_range_alls(3), targets_column_range_choices(21),
+        targets_column_range_choices(19));
+      targets_column_range_choices(33) := choice(targets_column_range_choices(31), (not ((not
+        targets_column_range_alls(2)) and targets_column_range_choices(32))) or (is_set(targets_rows_ready_words_1, 10)
+        and targets_ready_walk_has_below), (not ((not targets_column_range_alls(2)) and
+        targets_column_range_choices(32))) and is_set(targets_rows_ready_words_1, 10) and targets_ready_walk_has_below);
       targets_column_range_alls(4) := (not targets_column_range_alls(2)) and targets_column_range_any;
-      if targets_column_range_choices(33) then
-        targets_column_range_choices(34) := targets_column_range_alls(4);
-      else
-        targets_column_range_choices(34) := not targets_column_range_alls(2);
-      end if;
+      targets_column_range_choices(34) := choice(targets_column_range_choices(33), targets_column_range_alls(4), not
+        targets_column_range_alls(2));
       targets_column_range_value_10 := (targets_rows_ready_words_0 mod 2048) / 2;
-      if targets_ready_walk_has_below then
-        targets_column_range_choices_from_35(35) := targets_column_range_value_10;
-      else
-        targets_column_range_choices_from_35(35) := targets_rows_ready_words_0 / 4096;
-      end if;
-      if targets_ready_walk_has_above then
-        targets_column_range_choices_from_35(36) := targets_column_range_choices_from_35(35);
-      else
-        targets_column_range_choices_from_35(36) := 0;
-      end if;
-      if targets_ready_walk_has_below then
-        targets_column_range_choices_from_35(37) := targets_rows_ready_words_0 / 4096;
-      else
-        targets_column_range_choices_from_35(37) := targets_rows_ready_words_1 / 2;
-      end if;
-      if targets_column_range_alls(3) then
-        targets_column_range_choice_38 := (targets_column_range_choices_from_35(36) * 2) / 64;
-      else
-        targets_column_range_choice_38 := (targets_column_range_choices_from_35(37) * 2) / 64;
-      end if;
+      targets_column_range_choices_from_35(35) := choice(targets_ready_walk_has_below, targets_column_range_value_10,
+        targets_rows_ready_words_0 / 4096);
+      targets_column_range_choices_from_35(36) := choice(targets_ready_walk_has_above,
+        targets_column_range_choices_from_35(35), 0);
+      targets_column_range_choices_from_35(37) := choice(targets_ready_walk_has_below, targets_rows_ready_words_0 /
+        4096, targets_rows_ready_words_1 / 2);
+      targets_column_range_choice_38 := choice(targets_column_range_alls(3), (targets_column_range_choices_from_35(36)
+        * 2) / 64, (targets_column_range_choices_from_35(37) * 2) / 64);
       for i in 0 to 1 loop
-        targets_column_range_values_from_11(2 * i + 11) := is_set(targets_rows_ready_words_0, 13 - i);
-        targets_column_range_values_from_11(2 * i + 12) := is_set(targets_rows_ready_words_1, 2 - i);
-        if targets_ready_walk_has_below then
-          targets_column_range_choices_from_39(3 * i + 39) := targets_column_range_values_from_11(2 * i + 11);
-        else
-          targets_column_range_choices_from_39(3 * i + 39) := targets_column_range_values_from_11(2 * i + 12);
-        end if;
-        if targets_column_range_values_from_11(2 * i + 11) then
-          targets_column_range_choices_from_39(3 * i + 40) := targets_ready_walk_has_above;
-        else
-          targets_column_range_choices_from_39(3 * i + 40) := targets_column_range_all;
-        end if;
-        if is_set(targets_rows_ready_words_0, 2 - i) then
-          targets_column_range_choices_from_39(3 * i + 41) := targets_column_range_choices_from_39(3 * i + 40);
-        else
-          targets_column_range_choices_from_39(3 * i + 41) := targets_column_range_values_from_11(2 * i + 11) and
-            targets_ready_walk_has_above and (not targets_ready_walk_has_below);
-        end if;
+        targets_column_range_values(2 * i + 11) := is_set(targets_rows_ready_words_0, 13 - i);
+        targets_column_range_values(2 * i + 12) := is_set(targets_rows_ready_words_1, 2 - i);
+        targets_column_range_choices(3 * i + 39) := choice(targets_ready_walk_has_below, targets_column_range_values(2
+          * i + 11), targets_column_range_values(2 * i + 12));
+        targets_column_range_choices(3 * i + 40) := choice(targets_column_range_values(2 * i + 11),
+          targets_ready_walk_has_above, targets_column_range_alls(1));
+        targets_column_range_choices(3 * i + 41) := choice(is_set(targets_rows_ready_words_0, 2 - i),
+          targets_column_range_choices(3 * i + 40), targets_column_range_values(2 * i + 11) and
+          targets_ready_walk_has_above and (not targets_ready_walk_has_below));
       end loop;
-      if targets_column_range_choices_from_39(39) then
-        targets_column_range_choices_from_39(45) := (not targets_column_range_choices_from_39(41)) or
-          (targets_column_range_choices_from_39(42) and (not targets_column_range_choices_from_39(44)));
-      else
-        targets_column_range_choices_from_39(45) := (not targets_column_range_choices_from_39(41)) and
-          targets_column_range_choices_from_39(42) and (not targets_column_range_choices_from_39(44));
-      end if;
-      targets_column_range_values_from_11(15) := is_set(targets_rows_ready_words_0, 14);
-      targets_column_range_values_from_11(16) := is_set(targets_rows_ready_words_1, 3);
-      if targets_ready_walk_has_below then
-        targets_column_range_choices_from_39(46) := targets_column_range_values_from_11(15);
-      else
-        targets_column_range_choices_from_39(46) := targets_column_range_values_from_11(16);
-      end if;
-      if targets_column_range_values_from_11(15) then
-        targets_column_range_choices_from_39(47) := targets_ready_walk_has_above;
-      else
-        targets_column_range_choices_from_39(47) := targets_column_range_all;
-      end if;
-      if is_set(targets_rows_ready_words_0, 3) then
-        targets_column_range_choices_from_39(48) := targets_column_range_choices_from_39(47);
-      else
-        targets_column_range_choices_from_39(48) := targets_column_range_values_from_11(15) and
-          targets_ready_walk_has_above and (not targets_ready_walk_has_below);
-      end if;
-      if targets_column_range_choices_from_39(45) then
-        targets_column_range_choices_from_39(49) := (not targets_column_range_choices_from_39(46)) and
-          targets_column_range_choices_from_39(48);
-      else
-        targets_column_range_choices_from_39(49) := (not targets_column_range_choices_from_39(46)) or
-          targets_column_range_choices_from_39(48);
-      end if;
-      targets_column_range_values_from_11(17) := is_set(targets_rows_ready_words_0, 15);
-      targets_column_range_values_from_11(18) := is_set(targets_rows_ready_words_1, 4);
-      if targets_ready_walk_has_below then
-        targets_column_range_choices_from_39(50) := targets_column_range_values_from_11(17);
-      else
-        targets_column_range_choices_from_39(50) := targets_column_range_values_from_11(18);
-      end if;
-      if targets_column_range_values_from_11(17) then
-        targets_column_range_choices_from_39(51) := targets_ready_walk_has_above;
-      else
-        targets_column_range_choices_from_39(51) := targets_column_range_all;
-      end if;
-      if is_set(targets_rows_ready_words_0, 4) then
-        targets_column_range_choices_from_39(52) := targets_column_range_choices_from_39(51);
-      else
-        targets_column_range_choices_from_39(52) := targets_column_range_values_from_11(17) and
-          targets_ready_walk_has_above and (not targets_ready_walk_has_below);
-      end if;
-      if targets_column_range_choices_from_39(49) then
-        targets_column_range_choices_from_39(53) := (not targets_column_range_choices_from_39(50)) or
-          targets_column_range_choices_from_39(52);
-      else
-        targets_column_range_choices_from_39(53) := (not targets_column_range_choices_from_39(50)) and
-          targets_column_range_choices_from_39(52);
-      end if;
-      targets_column_range_values_from_11(19) := is_set(targets_rows_ready_words_0, 16);
-      targets_column_range_values_from_11(20) := is_set(targets_rows_ready_words_1, 5);
-      if targets_ready_walk_has_below then
-        targets_column_range_choices_from_39(54) := targets_column_range_values_from_11(19);
-      else
-        targets_column_range_choices_from_39(54) := targets_column_range_values_from_11(20);
-      end if;
-      if targets_column_range_values_from_11(19) then
-        targets_column_range_choices_from_39(55) := targets_ready_walk_has_above;
-      else
-        targets_column_range_choices_from_39(55) := targets_column_range_all;
-      end if;
-      if is_set(targets_rows_ready_words_0, 5) then
-        targets_column_range_choices_from_39(56) := targets_column_range_choices_from_39(55);
-      else
-        targets_column_range_choices_from_39(56) := targets_column_range_values_from_11(19) and
-          targets_ready_walk_has_above and (not targets_ready_walk_has_below);
-      end if;
-      if targets_column_range_choices_from_39(54) then
-        targets_column_range_choices_from_39(57) := targets_column_range_choices_from_39(56) and
-          targets_column_range_choices(22);
-      else
-        targets_column_range_choices_from_39(57) := targets_column_range_choices(22);
-      end if;
-      if targets_column_range_choices_from_39(53) then
-        targets_column_range_choices_from_39(58) := targets_column_range_choices_from_39(57);
-      else
-        targets_column_range_choices_from_39(58) := (not targets_column_range_choices_from_39(54)) and
-          targets_column_range_choices_from_39(56) and targets_column_range_choices(22);
-      end if;
-      targets_column_range_alls(5) := (not targets_column_range_choices_from_39(58)) and
-        targets_column_range_choices(2);
+      targets_column_range_choices(45) := choice(targets_column_range_choices(39), (not
+        targets_column_range_choices(41)) or (targets_column_range_choices(42) and (not
+        targets_column_range_choices(44))), (not targets_column_range_choices(41)) and targets_column_range_choices(42)
+        and (not targets_column_range_choices(44)));
+      targets_column_range_values(15) := is_set(targets_rows_ready_words_0, 14);
+      targets_column_range_values(16) := is_set(targets_rows_ready_words_1, 3);
+      targets_column_range_choices(46) := choice(targets_ready_walk_has_below, targets_column_range_values(15),
+        targets_column_range_values(16));
+      targets_column_range_choices(47) := choice(targets_column_range_values(15), targets_ready_walk_has_above,
+        targets_column_range_alls(1));
+      targets_column_range_choices(48) := choice(is_set(targets_rows_ready_words_0, 3),
+        targets_column_range_choices(47), targets_column_range_values(15) and targets_ready_walk_has_above and (not
+        targets_ready_walk_has_below));
+      targets_column_range_choices(49) := inverted_carry(targets_column_range_choices(45), not
+        targets_column_range_choices(46), targets_column_range_choices(48));
+      targets_column_range_values(17) := is_set(targets_rows_ready_words_0, 15);
+      targets_column_range_values(18) := is_set(targets_rows_ready_words_1, 4);
+      targets_column_range_choices(50) := choice(targets_ready_walk_has_below, targets_column_range_values(17),
+        targets_column_range_values(18));
+      targets_column_range_choices(51) := choice(targets_column_range_values(17), targets_ready_walk_has_above,
+        targets_column_range_alls(1));
+      targets_column_range_choices(52) := choice(is_set(targets_rows_ready_words_0, 4),
+        targets_column_range_choices(51), targets_column_range_values(17) and targets_ready_walk_has_above and (not
+        targets_ready_walk_has_below));
+      targets_column_range_choices(53) := carry(targets_column_range_choices(49), not targets_column_range_choices(50),
+        targets_column_range_choices(52));
+      targets_column_range_values(19) := is_set(targets_rows_ready_words_0, 16);
+      targets_column_range_values(20) := is_set(targets_rows_ready_words_1, 5);
+      targets_column_range_choices(54) := choice(targets_ready_walk_has_below, targets_column_range_values(19),
+        targets_column_range_values(20));
+      targets_column_range_choices(55) := choice(targets_column_range_values(19), targets_ready_walk_has_above,
+        targets_column_range_alls(1));
+      targets_column_range_choices(56) := choice(is_set(targets_rows_ready_words_0, 5),
+        targets_column_range_choices(55), targets_column_range_values(19) and targets_ready_walk_has_above and (not
+        targets_ready_walk_has_below));
+      targets_column_range_choices(57) := choice(targets_column_range_choices(54), targets_column_range_choices(56) and
+        targets_column_range_choices(22), targets_column_range_choices(22));
+      targets_column_range_choices(58) := choice(targets_column_range_choices(53), targets_column_range_choices(57),
+        (not targets_column_range_choices(54)) and targets_column_range_choices(56) and
+        targets_column_range_choices(22));
+      targets_column_range_alls(5) := (not targets_column_range_choices(58)) and targets_column_range_choices(2);
       targets_column_range_values_from_21(21) := (targets_rows_ready_words_0 / 4096) mod 32;
-      if targets_ready_walk_has_below then
-        targets_column_range_choices_from_59(59) := targets_column_range_value_10 mod 32;
-      else
-        targets_column_range_choices_from_59(59) := targets_column_range_values_from_21(21);
-      end if;
-      if targets_ready_walk_has_above then
-        targets_column_range_choices_from_59(60) := targets_column_range_choices_from_59(59);
-      else
-        targets_column_range_choices_from_59(60) := 0;
-      end if;
+      targets_column_range_choices_from_59(59) := choice(targets_ready_walk_has_below, targets_column_range_value_10
+        mod 32, targets_column_range_values_from_21(21));
+      targets_column_range_choices_from_59(60) := choice(targets_ready_walk_has_above,
+        targets_column_range_choices_from_59(59), 0);
       targets_column_range_values_from_21(22) := (targets_rows_ready_words_1 / 2) mod 32;
-      if targets_ready_walk_has_below then
-        targets_column_range_choices_from_59(61) := targets_column_range_values_from_21(21);
-      else
-        targets_column_range_choices_from_59(61) := targets_column_range_values_from_21(22);
-      end if;
-      if targets_column_range_alls(5) then
-        targets_column_range_choices_from_59(62) := targets_column_range_choices_from_59(60);
-      else
-        targets_column_range_choices_from_59(62) := targets_column_range_choices_from_59(61);
-      end if;
-      if targets_column_range_alls(2) then
-        targets_column_range_choices_from_63(63) := 0;
-      else
-        targets_column_range_choices_from_63(63) := (targets_column_range_choice_38 * 32) +
-          targets_column_range_choices_from_59(62);
-      end if;
-      if targets_ready_walk_has_below then
-        targets_column_range_choices_from_63(64) := targets_rows_ready_words_1 / 2;
-      else
-        targets_column_range_choices_from_63(64) := 0;
-      end if;
-      if targets_column_range_choices(34) then
-        targets_column_range_choice_65 := (targets_column_range_choices_from_63(63) * 2) / 64;
-      else
-        targets_column_range_choice_65 := (targets_column_range_choices_from_63(64) * 2) / 64;
-      end if;
-      for i in 66 to 67 loop
-        if targets_column_range_alls(5) then
-          targets_column_range_choices_from_66(i) := targets_column_range_choices_from_39(3 * i - 157);
-        else
-          targets_column_range_choices_from_66(i) := targets_column_range_choices_from_39(3 * i - 159);
-        end if;
-      end loop;
-      if (not targets_column_range_alls(2)) and targets_column_range_choices_from_66(66) then
-        targets_column_range_choices_from_66(68) := (not ((not targets_column_range_alls(2)) and
-          targets_column_range_choices_from_66(67))) and targets_ready_walk_has_below and (((targets_rows_ready_words_1
-          / 2) mod 4) = 3);
-      else
-        targets_column_range_choices_from_66(68) := ((not ((not targets_column_range_alls(2)) and
-          targets_column_range_choices_from_66(67))) and targets_column_range_values_from_11(14) and
-          targets_ready_walk_has_below) or (targets_column_range_values_from_11(12) and targets_ready_walk_has_below);
-      end if;
+      targets_column_range_choices_from_59(61) := choice(targets_ready_walk_has_below,
+        targets_column_range_values_from_21(21), targets_column_range_values_from_21(22));
+      targets_column_range_choices_from_59(62) := choice(targets_column_range_alls(5),
+        targets_column_range_choices_from_59(60), targets_column_range_choices_from_59(61));
+      targets_column_range_choices_from_63(63) := choice(targets_column_range_alls(2), 0,
+        (targets_column_range_choice_38 * 32) + targets_column_range_choices_from_59(62));
+      targets_column_range_choices_from_63(64) := choice(targets_ready_walk_has_below, targets_rows_ready_words_1 / 2,
+        0);
+      targets_column_range_choice_65 := choice(targets_column_range_choices(34),
+        (targets_column_range_choices_from_63(63) * 2) / 64, (targets_column_range_choices_from_63(64) * 2) / 64);
+      targets_column_range_choices(66) := choice(targets_column_range_alls(5), targets_column_range_choices(41),
+        targets_column_range_choices(39));
+      targets_column_range_choices(67) := choice(targets_column_range_alls(5), targets_column_range_choices(44),
+        targets_column_range_choices(42));
+      targets_column_range_choices(68) := choice((not targets_column_range_alls(2)) and
+        targets_column_range_choices(66), (not ((not targets_column_range_alls(2)) and
+        targets_column_range_choices(67))) and targets_ready_walk_has_below and (((targets_rows_ready_words_1 / 2) mod
+        4) = 3), ((not ((not targets_column_range_alls(2)) and targets_column_range_choices(67))) and
+        targets_column_range_values(14) and targets_ready_walk_has_below) or (targets_column_range_values(12) and
+        targets_ready_walk_has_below));
       for i in 0 to 2 loop
-        if targets_column_range_alls(5) then
-          targets_column_range_choices_from_66(2 * i + 69) := targets_column_range_choices_from_39(4 * i + 48);
-        else
-          targets_column_range_choices_from_66(2 * i + 69) := targets_column_range_choices_from_39(4 * i + 46);
-        end if;
-        if targets_column_range_choices_from_66(2 * i + 68) then
-          targets_column_range_choices_from_66(2 * i + 70) := (not ((not targets_column_range_alls(2)) and
-            targets_column_range_choices_from_66(2 * i + 69))) or (targets_column_range_values_from_11(2 * i + 16) and
-            targets_ready_walk_has_below);
-        else
-          targets_column_range_choices_from_66(2 * i + 70) := (not ((not targets_column_range_alls(2)) and
-            targets_column_range_choices_from_66(2 * i + 69))) and targets_column_range_values_from_11(2 * i + 16) and
-            targets_ready_walk_has_below;
-        end if;
+        targets_column_range_choices(2 * i + 69) := choice(targets_column_range_alls(5), targets_column_range_choices(4
+          * i + 48), targets_column_range_choices(4 * i + 46));
+        targets_column_range_choices(2 * i + 70) := choice(targets_column_range_choices(2 * i + 68), (not ((not
+          targets_column_range_alls(2)) and targets_column_range_choices(2 * i + 69))) or
+          (targets_column_range_values(2 * i + 16) and targets_ready_walk_has_below), (not ((not
+          targets_column_range_alls(2)) and targets_column_range_choices(2 * i + 69))) and
+          targets_column_range_values(2 * i + 16) and targets_ready_walk_has_below);
       end loop;
-      if targets_column_range_choices_from_66(74) then
-        targets_column_range_choices_from_66(75) := not targets_column_range_alls(2);
-      else
-        targets_column_range_choices_from_66(75) := targets_column_range_alls(4);
-      end if;
-      if targets_column_range_alls(2) then
-        targets_column_range_choices_from_76(76) := 0;
-      else
-        targets_column_range_choices_from_76(76) := targets_column_range_choices_from_59(62);
-      end if;
-      if targets_ready_walk_has_below then
-        targets_column_range_choices_from_76(77) := targets_column_range_values_from_21(22);
-      else
-        targets_column_range_choices_from_76(77) := 0;
-      end if;
-      if targets_column_range_choices_from_66(75) then
-        targets_column_range_choices_from_76(78) := targets_column_range_choices_from_76(76);
-      else
-        targets_column_range_choices_from_76(78) := targets_column_range_choices_from_76(77);
-      end if;
-      if (not targets_column_range_choices(2)) and targets_column_range_choices(3) and targets_column_range_any then
-        targets_column_range_choice_79 := 0;
-      else
-        targets_column_range_choice_79 := (targets_column_range_choice_65 * 64) +
-          (targets_column_range_choices_from_76(78) * 2) + 1;
-      end if;
+      targets_column_range_choices(75) := choice(targets_column_range_choices(74), not targets_column_range_alls(2),
+        targets_column_range_alls(4));
+      targets_column_range_choices_from_76(76) := choice(targets_column_range_alls(2), 0,
+        targets_column_range_choices_from_59(62));
+      targets_column_range_choices_from_76(77) := choice(targets_ready_walk_has_below,
+        targets_column_range_values_from_21(22), 0);
+      targets_column_range_choices_from_76(78) := choice(targets_column_range_choices(75),
+        targets_column_range_choices_from_76(76), targets_column_range_choices_from_76(77));
+      targets_column_range_choice_79 := choice((not targets_column_range_choices(2)) and
+        targets_column_range_choices(3) and targets_column_range_any, 0, (targets_column_range_choice_65 * 64) +
+        (targets_column_range_choices_from_76(78) * 2) + 1);
       targets_around_is_equal := targets_column_walk_column = 79;
-      if is_set(targets_here, 0) then
-        targets_around_choice := targets_around_is_equal;
-      else
-        targets_around_choice := (not is_set(targets_behind, 0)) or targets_around_is_equal;
-      end if;
-      targets_around_value := is_set(targets_here, 6);
+      targets_around_choices(1) := choice(is_set(targets_here, 0), targets_around_is_equal, (not is_set(targets_behind,
+        0)) or targets_around_is_equal);
+      targets_around_values(1) := is_set(targets_here, 6);
       targets_around_values(2) := is_set(targets_behind, 6);
       targets_around_differs := targets_column_walk_column /= 79;
       targets_around_values(3) := is_set(targets_here, 7);
       targets_around_values(4) := is_set(targets_behind, 7);
-      if (not targets_around_value) and targets_around_values(2) and targets_around_differs then
-        targets_around_choices(2) := targets_around_values(3) and (not targets_around_values(4)) and
-          targets_around_differs;
-      else
-        targets_around_choices(2) := targets_around_values(3) or (not targets_around_values(4)) or
-          targets_around_is_equal;
-      end if;
+      targets_around_choices(2) := choice((not targets_around_values(1)) and targets_around_values(2) and
+        targets_around_differs, targets_around_values(3) and (not targets_around_values(4)) and targets_around_differs,
+        targets_around_values(3) or (not targets_around_values(4)) or targets_around_is_equal);
       for i in 8 to 9 loop
         targets_around_values(2 * i - 11) := is_set(targets_here, i);
         targets_around_values(2 * i - 10) := is_set(targets_behind, i);
-        if targets_around_choices(i - 6) then
-          targets_around_choices(i - 5) := targets_around_values(2 * i - 11) or (not targets_around_values(2 * i - 10))
-            or targets_around_is_equal;
-        else
-          targets_around_choices(i - 5) := targets_around_values(2 * i - 11) and (not targets_around_values(2 * i -
-            10)) and targets_around_differs;
-        end if;
+        targets_around_choices(i - 5) := choice(targets_around_choices(i - 6), targets_around_values(2 * i - 11) or
+          (not targets_around_values(2 * i - 10)) or targets_around_is_equal, targets_around_values(2 * i - 11) and
+          (not targets_around_values(2 * i - 10)) and targets_around_differs);
       end loop;
-      if targets_around_choices(4) then
-        targets_around_choices(5) := is_set(targets_here, 10) or (not is_set(targets_behind, 10)) or
-          targets_around_is_equal;
-      else
-        targets_around_choices(5) := is_set(targets_here, 10) and (not is_set(targets_behind, 10)) and
-          targets_around_differs;
-      end if;
-      targets_around_all := (not is_set(targets_here, 0)) and is_set(targets_behind, 0) and targets_around_differs;
+      targets_around_choices(5) := choice(targets_around_choices(4), is_set(targets_here, 10) or (not
+        is_set(targets_behind, 10)) or targets_around_is_equal, is_set(targets_here, 10) and (not
+        is_set(targets_behind, 10)) and targets_around_differs);
+      targets_around_alls(1) := (not is_set(targets_here, 0)) and is_set(targets_behind, 0) and targets_around_differs;
       targets_around_alls(2) := is_set(targets_behind, 0) and targets_around_differs;
-      if targets_around_choices(5) then
-        targets_around_choices(6) := targets_around_all;
-      else
-        targets_around_choices(6) := targets_around_alls(2);
-      end if;
-      if targets_around_choices(6) then
-        targets_around_choices(7) := targets_around_values(4) and targets_around_differs;
-      else
-        targets_around_choices(7) := targets_around_values(3) and targets_around_differs;
-      end if;
-      if targets_around_choices(6) then
-        targets_around_choices(8) := targets_around_values(2) and targets_around_differs;
-      else
-        targets_around_choices(8) := targets_around_value and targets_around_differs;
-      end if;
-      if is_set(targets_here, 0) then
-        targets_around_choices(9) := targets_around_differs;
-      else
-        targets_around_choices(9) := targets_around_alls(2);
-      end if;
+      targets_around_choices(6) := choice(targets_around_choices(5), targets_around_alls(1), targets_around_alls(2));
+      targets_around_choices(7) := choice(targets_around_choices(6), targets_around_values(4) and
+        targets_around_differs, targets_around_values(3) and targets_around_differs);
+      targets_around_choices(8) := choice(targets_around_choices(6), targets_around_values(2) and
+        targets_around_differs, targets_around_values(1) and targets_around_differs);
+      targets_around_choices(9) := choice(is_set(targets_here, 0), targets_around_differs, targets_around_alls(2));
       targets_around_alls(3) := targets_around_choices(8) and targets_around_choices(9) and (not
         is_set(targets_column_range, 6));
       targets_around_values(9) := is_set(targets_column_range, 7);
-      if targets_around_alls(3) then
-        targets_around_choices(10) := (not targets_around_choices(9)) and targets_around_values(9);
-      else
-        targets_around_choices(10) := (not targets_around_choices(9)) or targets_around_values(9);
-      end if;
-      if targets_around_choices(7) then
-        targets_around_choices(11) := targets_around_choices(10);
-      else
-        targets_around_choices(11) := (not targets_around_alls(3)) or targets_around_values(9);
-      end if;
+      targets_around_choices(10) := inverted_carry(targets_around_alls(3), not targets_around_choices(9),
+        targets_around_values(9));
+      targets_around_choices(11) := choice(targets_around_choices(7), targets_around_choices(10), (not
+        targets_around_alls(3)) or targets_around_values(9));
       for i in 10 to 11 loop
-        if targets_around_choices(6) then
-          targets_around_choices(3 * i - 18) := targets_around_values(2 * i - 14) and targets_around_differs;
-        else
-          targets_around_choices(3 * i - 18) := targets_around_values(2 * i - 15) and targets_around_differs;
-        end if;
+        targets_around_choices(3 * i - 18) := choice(targets_around_choices(6), targets_around_values(2 * i - 14) and
+          targets_around_differs, targets_around_values(2 * i - 15) and targets_around_differs);
         targets_around_values(i) := is_set(targets_column_range, i - 2);
-        if targets_around_choices(3 * i - 18) then
-          targets_around_choices(3 * i - 17) := (not targets_around_choices(9)) and targets_around_values(i);
-        else
-          targets_around_choices(3 * i - 17) := targets_around_values(i);
-        end if;
-        if targets_around_choices(3 * i - 19) then
-          targets_around_choices(3 * i - 16) := (not targets_around_choices(3 * i - 18)) or (not
-            targets_around_choices(9)) or targets_around_values(i);
-        else
-          targets_around_choices(3 * i - 16) := targets_around_choices(3 * i - 17);
-        end if;
+        targets_around_choices(3 * i - 17) := choice(targets_around_choices(3 * i - 18), (not
+          targets_around_choices(9)) and targets_around_values(i), targets_around_values(i));
+        targets_around_choices(3 * i - 16) := choice(targets_around_choices(3 * i - 19), (not targets_around_choices(3
+          * i - 18)) or (not targets_around_choices(9)) or targets_around_values(i), targets_around_choices(3 * i -
+          17));
       end loop;
-      if targets_around_choices(6) then
-        targets_around_choices(18) := is_set(targets_behind, 10);
-      else
-        targets_around_choices(18) := is_set(targets_here, 10);
-      end if;
+      targets_around_choices(18) := choice(targets_around_choices(6), is_set(targets_behind, 10), is_set(targets_here,
+        10));
       targets_around_alls(4) := targets_around_choices(18) and targets_around_choices(9);
-      if targets_around_alls(4) then
-        targets_around_choices(19) := is_set(targets_column_range, 10) and is_set(targets_column_range, 0);
-      else
-        targets_around_choices(19) := is_set(targets_column_range, 0);
-      end if;
-      if targets_around_choices(17) then
-        targets_around_choices(20) := targets_around_choices(19);
-      else
-        targets_around_choices(20) := (not targets_around_alls(4)) and is_set(targets_column_range, 10) and
-          is_set(targets_column_range, 0);
-      end if;
-      if targets_around_is_equal then
-        targets_around_choices_from_21(21) := 0;
-      else
-        targets_around_choices_from_21(21) := targets_behind;
-      end if;
-      if targets_around_is_equal then
-        targets_around_choices_from_21(22) := 0;
-      else
-        targets_around_choices_from_21(22) := targets_here;
-      end if;
-      if targets_around_choices(6) then
-        targets_around_choice_23 := targets_around_choices_from_21(21) / 64;
-      else
-        targets_around_choice_23 := targets_around_choices_from_21(22) / 64;
-      end if;
+      targets_around_choices(19) := choice(targets_around_alls(4), is_set(targets_column_range, 10) and
+        is_set(targets_column_range, 0), is_set(targets_column_range, 0));
+      targets_around_choices(20) := choice(targets_around_choices(17), targets_around_choices(19), (not
+        targets_around_alls(4)) and is_set(targets_column_range, 10) and is_set(targets_column_range, 0));
+      targets_around_choices_from_21(21) := choice(targets_around_is_equal, 0, targets_behind);
+      targets_around_choices_from_21(22) := choice(targets_around_is_equal, 0, targets_here);
+      targets_around_choice_23 := choice(targets_around_choices(6), targets_around_choices_from_21(21) / 64,
+        targets_around_choices_from_21(22) / 64);
       targets_around_values(12) := is_set(targets_here, 1);
       targets_around_values(13) := is_set(targets_behind, 1);
       targets_around_values(14) := is_set(targets_here, 2);
       targets_around_values(15) := is_set(targets_behind, 2);
-      if targets_around_values(12) and (not targets_around_values(13)) and targets_around_differs then
-        targets_around_choices_from_24(24) := targets_around_values(14) or (not targets_around_values(15)) or
-          targets_around_is_equal;
-      else
-        targets_around_choices_from_24(24) := targets_around_values(14) and (not targets_around_values(15)) and
-          targets_around_differs;
-      end if;
+      targets_around_choices(24) := choice(targets_around_values(12) and (not targets_around_values(13)) and
+        targets_around_differs, targets_around_values(14) or (not targets_around_values(15)) or
+        targets_around_is_equal, targets_around_values(14) and (not targets_around_values(15)) and
+        targets_around_differs);
       for i in 3 to 5 loop
         targets_around_values(2 * i + 10) := is_set(targets_here, i);
         targets_around_values(2 * i + 11) := is_set(targets_behind, i);
-        if targets_around_choices_from_24(i + 21) then
-          targets_around_choices_from_24(i + 22) := targets_around_values(2 * i + 10) or (not targets_around_values(2 *
-            i + 11)) or targets_around_is_equal;
-        else
-          targets_around_choices_from_24(i + 22) := targets_around_values(2 * i + 10) and (not targets_around_values(2
-            * i + 11)) and targets_around_differs;
-        end if;
+        targets_around_choices(i + 22) := choice(targets_around_choices(i + 21), targets_around_values(2 * i + 10) or
+          (not targets_around_values(2 * i + 11)) or targets_around_is_equal, targets_around_values(2 * i + 10) and
+          (not targets_around_values(2 * i + 11)) and targets_around_differs);
       end loop;
-      if targets_around_choices_from_24(27) then
-        targets_around_choices_from_24(28) := targets_around_alls(2);
-      else
-        targets_around_choices_from_24(28) := targets_around_all;
-      end if;
-      if targets_around_is_equal then
-        targets_around_choices_from_29(29) := 0;
-      else
-        targets_around_choices_from_29(29) := targets_behind mod 64;
-      end if;
-      if targets_around_is_equal then
-        targets_around_choices_from_29(30) := 0;
-      else
-        targets_around_choices_from_29(30) := targets_here mod 64;
-      end if;
-      if targets_around_choices_from_24(28) then
-        targets_around_choice_31 := targets_around_choices_from_29(29) / 2;
-      else
-        targets_around_choice_31 := targets_around_choices_from_29(30) / 2;
-      end if;
-      if targets_around_choice then
-        targets_around_choice_32 := 0;
-      else
-        targets_around_choice_32 := (targets_around_choice_23 * 32) + targets_around_choice_31;
-      end if;
-      if (not targets_around_choices(20)) and targets_around_choices(9) then
-        targets_around_choice_33 := (targets_around_choice_32 * 2) / 64;
-      else
-        targets_around_choice_33 := targets_column_range / 64;
-      end if;
-      for i in 22 to 23 loop
-        if targets_around_choices_from_24(28) then
-          targets_around_choices_from_34(2 * i - 10) := targets_around_values(2 * i - 31) and targets_around_differs;
-        else
-          targets_around_choices_from_34(2 * i - 10) := targets_around_values(2 * i - 32) and targets_around_differs;
-        end if;
+      targets_around_choices(28) := choice(targets_around_choices(27), targets_around_alls(2), targets_around_alls(1));
+      targets_around_choices_from_29(29) := choice(targets_around_is_equal, 0, targets_behind mod 64);
+      targets_around_choices_from_29(30) := choice(targets_around_is_equal, 0, targets_here mod 64);
+      targets_around_choice_31 := choice(targets_around_choices(28), targets_around_choices_from_29(29) / 2,
+        targets_around_choices_from_29(30) / 2);
+      targets_around_choice_32 := choice(targets_around_choices(1), 0, (targets_around_choice_23 * 32) +
+        targets_around_choice_31);
+      targets_around_choice_33 := choice((not targets_around_choices(20)) and targets_around_choices(9),
+        (targets_around_choice_32 * 2) / 64, targets_column_range / 64);
+      targets_around_choices(34) := choice(targets_around_choices(28), targets_around_values(13) and
+        targets_around_differs, targets_around_values(12) and targets_around_differs);
+      targets_around_values(22) := is_set(targets_column_range, 1);
+      targets_around_choices(35) := choice(targets_around_choices(34), (not targets_around_choices(9)) and
+        targets_around_values(22), targets_around_values(22));
+      for i in 23 to 25 loop
+        targets_around_choices(3 * i - 33) := choice(targets_around_choices(28), targets_around_values(2 * i - 31) and
+          targets_around_differs, targets_around_values(2 * i - 32) and targets_around_differs);
         targets_around_values(i) := is_set(targets_column_range, i - 21);
-        if targets_around_choices_from_34(2 * i - 10) then
-          targets_around_choices_from_34(2 * i - 9) := (not targets_around_choices(9)) and targets_around_values(i);
-        else
-          targets_around_choices_from_34(2 * i - 9) := targets_around_values(i);
-        end if;
+        targets_around_choices(3 * i - 32) := choice(targets_around_choices(3 * i - 33), (not
+          targets_around_choices(9)) and targets_around_values(i), targets_around_values(i));
+        targets_around_choices(3 * i - 31) := choice(targets_around_choices(3 * i - 34), (not targets_around_choices(3
+          * i - 33)) or (not targets_around_choices(9)) or targets_around_values(i), targets_around_choices(3 * i -
+          32));
       end loop;
-      for i in 23 to 24 loop
-        if targets_around_choices_from_34(3 * i - 34) then
-          targets_around_choices_from_34(3 * i - 31) := (not targets_around_choices_from_34(3 * i - 33)) or (not
-            targets_around_choices(9)) or targets_around_values(i);
-        else
-          targets_around_choices_from_34(3 * i - 31) := targets_around_choices_from_34(3 * i - 32);
-        end if;
-        if targets_around_choices_from_24(28) then
-          targets_around_choices_from_34(3 * i - 30) := targets_around_values(2 * i - 29) and targets_around_differs;
-        else
-          targets_around_choices_from_34(3 * i - 30) := targets_around_values(2 * i - 30) and targets_around_differs;
-        end if;
-        targets_around_values(i + 1) := is_set(targets_column_range, i - 20);
-        if targets_around_choices_from_34(3 * i - 30) then
-          targets_around_choices_from_34(3 * i - 29) := (not targets_around_choices(9)) and targets_around_values(i +
-            1);
-        else
-          targets_around_choices_from_34(3 * i - 29) := targets_around_values(i + 1);
-        end if;
-      end loop;
-      if targets_around_choices_from_34(41) then
-        targets_around_choices_from_34(44) := (not targets_around_choices_from_34(42)) or (not
-          targets_around_choices(9)) or targets_around_values(25);
-      else
-        targets_around_choices_from_34(44) := targets_around_choices_from_34(43);
-      end if;
-      if targets_around_choices_from_24(28) then
-        targets_around_choices_from_34(45) := targets_around_values(21);
-      else
-        targets_around_choices_from_34(45) := targets_around_values(20);
-      end if;
-      if targets_around_choices_from_34(45) and targets_around_choices(9) then
-        targets_around_choices_from_34(46) := is_set(targets_column_range, 0);
-      else
-        targets_around_choices_from_34(46) := (not is_set(targets_column_range, 5)) and is_set(targets_column_range, 0);
-      end if;
-      if targets_around_choices_from_34(44) then
-        targets_around_choices_from_34(47) := targets_around_choices_from_34(45) and targets_around_choices(9) and (not
-          is_set(targets_column_range, 5)) and is_set(targets_column_range, 0);
-      else
-        targets_around_choices_from_34(47) := targets_around_choices_from_34(46);
-      end if;
-      if targets_around_choice then
-        targets_around_choices_from_48(48) := 0;
-      else
-        targets_around_choices_from_48(48) := targets_around_choice_31;
-      end if;
-      if (not targets_around_choices_from_34(47)) and targets_around_choices(9) then
-        targets_around_choices_from_48(49) := targets_around_choices_from_48(48);
-      else
-        targets_around_choices_from_48(49) := (targets_column_range mod 64) / 2;
-      end if;
+      targets_around_choices(45) := choice(targets_around_choices(28), targets_around_values(21),
+        targets_around_values(20));
+      targets_around_choices(46) := choice(targets_around_choices(45) and targets_around_choices(9),
+        is_set(targets_column_range, 0), (not is_set(targets_column_range, 5)) and is_set(targets_column_range, 0));
+      targets_around_choices(47) := choice(targets_around_choices(44), targets_around_choices(45) and
+        targets_around_choices(9) and (not is_set(targets_column_range, 5)) and is_set(targets_column_range, 0),
+        targets_around_choices(46));
+      targets_around_choices_from_48(48) := choice(targets_around_choices(1), 0, targets_around_choice_31);
+      targets_around_choices_from_48(49) := choice((not targets_around_choices(47)) and targets_around_choices(9),
+        targets_around_choices_from_48(48), (targets_column_range mod 64) / 2);
       targets_low_wish_value := (((targets_around mod 64) * 2) / 4) * 4;
-      if targets_low_wish_value < 118 then
-        targets_low_wish_choice := targets_low_wish_value;
-      else
-        targets_low_wish_choice := 118;
-      end if;
-      if targets_low_wish_choice < 6 then
-        targets_low_wish_choice_2 := 6;
-      else
-        targets_low_wish_choice_2 := targets_low_wish_choice;
-      end if;
+      targets_low_wish_choices(1) := choice(targets_low_wish_value < 118, targets_low_wish_value, 118);
+      targets_low_wish_choices(2) := choice(targets_low_wish_choices(1) < 6, 6, targets_low_wish_choices(1));
       targets_high_wish_value := (targets_around / 64) * 4;
-      if targets_high_wish_value < 118 then
-        targets_high_wish_choice := targets_high_wish_value;
-      else
-        targets_high_wish_choice := 118;
-      end if;
-      if targets_high_wish_choice < 6 then
-        targets_high_wish_choice_2 := 6;
-      else
-        targets_high_wish_choice_2 := targets_high_wish_choice;
-      end if;
+      targets_high_wish_choices(1) := choice(targets_high_wish_value < 118, targets_high_wish_value, 118);
+      targets_high_wish_choices(2) := choice(targets_high_wish_choices(1) < 6, 6, targets_high_wish_choices(1));
       targets_low_all := targets_wish_walk_valid and (targets_wish_walk_column /= 79);
       targets_low_differs := targets_wish_walk_column /= 78;
-      if targets_low_differs then
-        targets_low_choice := targets_low / 2;
-      else
-        targets_low_choice := 0;
-      end if;
-      if targets_low_differs then
-        targets_low_choice_2 := (targets_low / 2) mod 4;
-      else
-        targets_low_choice_2 := 0;
-      end if;
-      targets_low_sum := (((((targets_low_choice * 2) / 8) + 1) mod 8192) * 4) + targets_low_choice_2;
-      if ((targets_low_sum - (targets_low_wish / 2)) < 0) and targets_low_differs then
-        targets_low_choices(3) := targets_low_sum;
-      else
-        targets_low_choices(3) := targets_low_wish / 2;
-      end if;
-      if targets_known then
-        targets_low_choices(4) := targets_low_choices(3);
-      else
-        targets_low_choices(4) := targets_low_choice;
-      end if;
-      if targets_low_all then
-        targets_low_choices(5) := targets_low_choices(4);
-      else
-        targets_low_choices(5) := targets_low / 2;
-      end if;
-      if targets_low_differs then
-        targets_high_choice := targets_high / 2;
-      else
-        targets_high_choice := 8;
-      end if;
-      if targets_low_differs then
-        targets_high_choice_2 := (targets_high / 2) mod 4;
-      else
-        targets_high_choice_2 := 0;
-      end if;
-      if ((((((targets_high_wish / 8) + 3) * 4) + ((targets_high_wish / 2) mod 4)) - targets_high_choice) < 0) and
-        targets_low_differs then
-        targets_high_choices(3) := (((((targets_high_choice * 2) / 8) + 8189) mod 8192) * 4) + targets_high_choice_2;
-      else
-        targets_high_choices(3) := targets_high_wish / 2;
-      end if;
-      if targets_known then
-        targets_high_choices(4) := targets_high_choices(3);
-      else
-        targets_high_choices(4) := targets_high_choice;
-      end if;
-      if targets_low_all then
-        targets_high_choices(5) := targets_high_choices(4);
-      else
-        targets_high_choices(5) := targets_high / 2;
-      end if;
+      targets_low_choices(1) := choice(targets_low_differs, targets_low / 2, 0);
+      targets_low_choice_2 := choice(targets_low_differs, (targets_low / 2) mod 4, 0);
+      targets_low_sum := (((((targets_low_choices(1) * 2) / 8) + 1) mod 8192) * 4) + targets_low_choice_2;
+      targets_low_choices(3) := choice(((targets_low_sum - (targets_low_wish / 2)) < 0) and targets_low_differs,
+        targets_low_sum, targets_low_wish / 2);
+      targets_low_choices(4) := choice(targets_known, targets_low_choices(3), targets_low_choices(1));
+      targets_low_choices(5) := choice(targets_low_all, targets_low_choices(4), targets_low / 2);
+      targets_high_choices(1) := choice(targets_low_differs, targets_high / 2, 8);
+      targets_high_choice_2 := choice(targets_low_differs, (targets_high / 2) mod 4, 0);
+      targets_high_choices(3) := choice(((((((targets_high_wish / 8) + 3) * 4) + ((targets_high_wish / 2) mod 4)) -
+        targets_high_choices(1)) < 0) and targets_low_differs, (((((targets_high_choices(1) * 2) / 8) + 8189) mod 8192)
+        * 4) + targets_high_choice_2, targets_high_wish / 2);
+      targets_high_choices(4) := choice(targets_known, targets_high_choices(3), targets_high_choices(1));
+      targets_high_choices(5) := choice(targets_low_all, targets_high_choices(4), targets_high / 2);
       targets_newest_0 <= ranges_range;
       targets_comes <= ranges_valid;
-      targets_last_row <= (not targets_last_row_choice_2) and targets_walked_any;
+      targets_last_row <= (not targets_last_row_choices(2)) and targets_walked_any;
       targets_walk_column <= (79 - targets_walked) mod 65536;
       targets_walk_band <= targets_next_band mod 8;
       targets_walk_has_above <= targets_next_band /= 0;
@@ -4470,8 +2854,8 @@ begin
       targets_around_walk_band <= targets_column_walk_band;
       targets_around_walk_has_below <= targets_column_walk_has_below;
       targets_around_walk_valid <= targets_column_walk_valid;
-      targets_low_wish <= (((targets_low_wish_choice_2 / 2) + 32765) mod 64) * 2;
-      targets_high_wish <= (((targets_high_wish_choice_2 / 2) + 32765) mod 64) * 2;
+      targets_low_wish <= (((targets_low_wish_choices(2) / 2) + 32765) mod 64) * 2;
+      targets_high_wish <= (((targets_high_wish_choices(2) / 2) + 32765) mod 64) * 2;
       targets_known <= is_set(targets_around, 0);
       targets_wish_walk_column <= targets_around_walk_column;
       targets_wish_walk_band <= targets_around_walk_band;
@@ -4479,41 +2863,22 @@ begin
       targets_wish_walk_valid <= targets_around_walk_valid;
       targets_low <= targets_low_choices(5) * 2;
       targets_high <= targets_high_choices(5) * 2;
-      if ranges_valid then
-        targets_read_column <= ranges_block_column mod 128;
-      else
-        targets_read_column <= targets_walk_place;
-      end if;
-      if targets_pause_all then
-        targets_pause <= 0;
-        targets_next_band <= (ranges_block_row + 65535) mod 65536;
-      else
-        targets_pause <= targets_pause_choice;
-        targets_next_band <= (targets_next_band + as_number(targets_walked_all)) mod 65536;
-      end if;
-      if targets_walked_alls(2) then
-        targets_walked <= (targets_walked + as_number(targets_walked_alls(3))) mod 65536;
-        targets_walk_place <= targets_walk_place_choice_2;
-      else
-        targets_walked <= 0;
-        targets_walk_place <= 79;
-      end if;
-      if targets_ready_walk_column < 80 then
-        targets_column_range <= targets_column_range_choice_79;
-      else
-        targets_column_range <= 0;
-      end if;
-      if (not is_set(targets_column_range, 0)) and targets_around_choice then
-        targets_around <= 0;
-      else
-        targets_around <= (targets_around_choice_33 * 64) + (targets_around_choices_from_48(49) * 2) + 1;
-      end if;
+      targets_read_column <= choice(ranges_valid, ranges_block_column mod 128, targets_walk_place);
+      targets_pause <= choice(targets_pause_all, 0, targets_pause_choice);
+      targets_next_band <= choice(targets_pause_all, (ranges_block_row + 65535) mod 65536, (targets_next_band +
+        as_number(targets_walked_alls(1))) mod 65536);
+      targets_walked <= choice(targets_walked_alls(2), (targets_walked + as_number(targets_walked_alls(3))) mod 65536,
+        0);
+      targets_walk_place <= choice(targets_walked_alls(2), targets_walk_place_choices(2), 79);
+      targets_column_range <= choice(targets_ready_walk_column < 80, targets_column_range_choice_79, 0);
+      targets_around <= choice((not is_set(targets_column_range, 0)) and targets_around_choices(1), 0,
+        (targets_around_choice_33 * 64) + (targets_around_choices_from_48(49) * 2) + 1);
       if targets_pause_all then
         targets_again <= ranges_block_row = 59;
       end if;
       if targets_ready_comes then
-        targets_rows_write_words_0 <= (targets_rows_ready_words_0 / 2048) + (targets_rows_ready_words_1 * 2048);
-        targets_rows_write_words_1 <= targets_rows_ready_newest_0;
+        targets_rows_write_words(0) <= (targets_rows_ready_words_0 / 2048) + (targets_rows_ready_words_1 * 2048);
+        targets_rows_write_words(1) <= targets_rows_ready_newest_0;
         targets_write_column <= targets_ready_place;
       end if;
       if targets_column_walk_valid then
@@ -4527,11 +2892,8 @@ begin
       -- hold
       if in_valid then
         hold_back_ring_write_address <= hold_back_ring_read_address;
-        if hold_back_ring_read_address = 2819 then
-          hold_back_ring_read_address <= 0;
-        else
-          hold_back_ring_read_address <= (hold_back_ring_read_address + 1) mod 4096;
-        end if;
+        hold_back_ring_read_address <= choice(hold_back_ring_read_address = 2819, 0, (hold_back_ring_read_address + 1)
+          mod 4096);
       end if;
       hold_back_holds_groups_is_equal := hold_back_ring_read_address = 0;
       hold_back_next_holds_groups_any := hold_back_next_held_is_new or (hold_back_next_ring_read_address = 0);
@@ -4582,119 +2944,78 @@ begin
       if coarse_pixels_valid then
         hold_back_next_ring_write_address <= hold_back_next_ring_read_address;
         hold_back_next_held_is_new <= hold_back_next_holds_groups_any;
-        if hold_back_next_ring_read_address = 2819 then
-          hold_back_next_ring_read_address <= 0;
-        else
-          hold_back_next_ring_read_address <= (hold_back_next_ring_read_address + 1) mod 4096;
-        end if;
+        hold_back_next_ring_read_address <= choice(hold_back_next_ring_read_address = 2819, 0,
+          (hold_back_next_ring_read_address + 1) mod 4096);
       end if;
       if hold_back_next_held_valid then
         hold_back_next_next_ring_write_address <= hold_back_next_next_ring_read_address;
-        if hold_back_next_next_ring_read_address = 2819 then
-          hold_back_next_next_ring_read_address <= 0;
-        else
-          hold_back_next_next_ring_read_address <= (hold_back_next_next_ring_read_address + 1) mod 4096;
-        end if;
+        hold_back_next_next_ring_read_address <= choice(hold_back_next_next_ring_read_address = 2819, 0,
+          (hold_back_next_next_ring_read_address + 1) mod 4096);
       end if;
       if hold_back_next_next_held_valid then
         hold_back_next_next_next_ring_write_address <= hold_back_next_next_next_ring_read_address;
         hold_back_next_next_next_held_is_new <= hold_back_next_next_next_holds_groups_any;
-        if hold_back_next_next_next_ring_read_address = 2819 then
-          hold_back_next_next_next_ring_read_address <= 0;
-        else
-          hold_back_next_next_next_ring_read_address <= (hold_back_next_next_next_ring_read_address + 1) mod 4096;
-        end if;
+        hold_back_next_next_next_ring_read_address <= choice(hold_back_next_next_next_ring_read_address = 2819, 0,
+          (hold_back_next_next_next_ring_read_address + 1) mod 4096);
       end if;
       if hold_back_next_next_next_held_valid then
         hold_back_next_next_next_next_ring_write_address <= hold_back_next_next_next_next_ring_read_address;
-        if hold_back_next_next_next_next_ring_read_address = 2819 then
-          hold_back_next_next_next_next_ring_read_address <= 0;
-        else
-          hold_back_next_next_next_next_ring_read_address <= (hold_back_next_next_next_next_ring_read_address + 1) mod
-            4096;
-        end if;
+        hold_back_next_next_next_next_ring_read_address <= choice(hold_back_next_next_next_next_ring_read_address =
+          2819, 0, (hold_back_next_next_next_next_ring_read_address + 1) mod 4096);
       end if;
       if hold_back_next_next_next_next_held_valid then
         hold_back_next_next_next_next_next_ring_write_address <= hold_back_next_next_next_next_next_ring_read_address;
         hold_back_next_next_next_next_next_held_is_new <= hold_back_next_next_next_next_next_holds_groups_any;
-        if hold_back_next_next_next_next_next_ring_read_address = 2819 then
-          hold_back_next_next_next_next_next_ring_read_address <= 0;
-        else
-          hold_back_next_next_next_next_next_ring_read_address <= (hold_back_next_next_next_next_next_ring_read_address
-            + 1) mod 4096;
-        end if;
+        hold_back_next_next_next_next_next_ring_read_address <=
+          choice(hold_back_next_next_next_next_next_ring_read_address = 2819, 0,
+          (hold_back_next_next_next_next_next_ring_read_address + 1) mod 4096);
       end if;
       if hold_back_next_next_next_next_next_held_valid then
         hold_back_next_next_next_next_next_next_ring_write_address <=
           hold_back_next_next_next_next_next_next_ring_read_address;
-        if hold_back_next_next_next_next_next_next_ring_read_address = 2819 then
-          hold_back_next_next_next_next_next_next_ring_read_address <= 0;
-        else
-          hold_back_next_next_next_next_next_next_ring_read_address <=
-            (hold_back_next_next_next_next_next_next_ring_read_address + 1) mod 4096;
-        end if;
+        hold_back_next_next_next_next_next_next_ring_read_address <=
+          choice(hold_back_next_next_next_next_next_next_ring_read_address = 2819, 0,
+          (hold_back_next_next_next_next_next_next_ring_read_address + 1) mod 4096);
       end if;
       if hold_back_next_next_next_next_next_next_held_valid then
         hold_back_next_next_next_next_next_next_held_is_new <= hold_back_next_next_next_next_next_next_holds_groups_any;
         hold_back_next_next_next_next_next_next_next_ring_write_address <=
           hold_back_next_next_next_next_next_next_next_ring_read_address;
-        if hold_back_next_next_next_next_next_next_next_ring_read_address = 2818 then
-          hold_back_next_next_next_next_next_next_next_ring_read_address <= 0;
-        else
-          hold_back_next_next_next_next_next_next_next_ring_read_address <=
-            (hold_back_next_next_next_next_next_next_next_ring_read_address + 1) mod 4096;
-        end if;
+        hold_back_next_next_next_next_next_next_next_ring_read_address <=
+          choice(hold_back_next_next_next_next_next_next_next_ring_read_address = 2818, 0,
+          (hold_back_next_next_next_next_next_next_next_ring_read_address + 1) mod 4096);
       end if;
       if hold_back_next_next_next_next_next_next_next_held_valid then
         hold_back_next_next_next_next_next_next_next_next_ring_write_address <=
           hold_back_next_next_next_next_next_next_next_next_ring_read_address;
         hold_back_next_next_next_next_next_next_next_next_held_is_new <=
           hold_back_next_next_next_next_next_next_next_next_holds_groups_any;
-        if hold_back_next_next_next_next_next_next_next_next_ring_read_address = 2818 then
-          hold_back_next_next_next_next_next_next_next_next_ring_read_address <= 0;
-        else
-          hold_back_next_next_next_next_next_next_next_next_ring_read_address <=
-            (hold_back_next_next_next_next_next_next_next_next_ring_read_address + 1) mod 4096;
-        end if;
+        hold_back_next_next_next_next_next_next_next_next_ring_read_address <=
+          choice(hold_back_next_next_next_next_next_next_next_next_ring_read_address = 2818, 0,
+          (hold_back_next_next_next_next_next_next_next_next_ring_read_address + 1) mod 4096);
       end if;
       -- transform
-      transform_counter_group_is_equal := transform_counter_group = 479;
-      transform_counter_group_is_equal_2 := transform_counter_column = 639;
-      transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
-      if transform_counter_group_all then
-        transform_counter_group_choice := 15;
-      else
-        transform_counter_group_choice := 0;
-      end if;
+      transform_counter_group_is_equals(1) := transform_counter_group = 479;
+      transform_counter_group_is_equals(2) := transform_counter_column = 639;
+      transform_counter_group_all := transform_counter_group_is_equals(1) and transform_counter_group_is_equals(2);
+      transform_counter_group_choice := choice(transform_counter_group_all, 15, 0);
       transform_counter_group_differs := transform_counter_group /= 484;
-      if (transform_counter_group = 483) and transform_counter_next_frame then
-        transform_counter_group_choices(2) := 4;
-      else
-        transform_counter_group_choices(2) := (transform_counter_group + 1) mod 512;
-      end if;
-      if transform_counter_group_differs and hold_back_next_next_next_next_next_next_next_next_held_valid and
-        transform_counter_group_is_equal_2 then
-        transform_counter_group_choices(3) := transform_counter_group_choices(2);
-      else
-        transform_counter_group_choices(3) := transform_counter_group;
-      end if;
+      transform_counter_group_choices(2) := choice((transform_counter_group = 483) and transform_counter_next_frame, 4,
+        (transform_counter_group + 1) mod 512);
+      transform_counter_group_choices(3) := choice(transform_counter_group_differs and
+        hold_back_next_next_next_next_next_next_next_next_held_valid and transform_counter_group_is_equals(2),
+        transform_counter_group_choices(2), transform_counter_group);
       transform_centre_column_is_less := 3 < transform_counter_column;
-      if transform_centre_column_is_less then
-        transform_centre_column_choice := 255;
-      else
-        transform_centre_column_choice := 159;
-      end if;
+      transform_centre_column_choice := choice(transform_centre_column_is_less, 255, 159);
       transform_left_0 <= to_integer(hold_back_next_next_next_next_next_next_next_next_held_0(8 downto 1));
       transform_right_0 <= to_integer(hold_back_next_next_next_next_next_next_next_next_held_0(16 downto 9));
       transform_valid <= hold_back_next_next_next_next_next_next_next_next_held_valid;
       transform_left_rows_read_newest_0 <= transform_left_0;
-      transform_left_rows_ready_words(0) <= transform_left_rows_read_words(0);
-      transform_left_rows_ready_words(1) <= transform_left_rows_read_words(1);
+      transform_left_rows_ready_words <= transform_left_rows_read_words;
       transform_left_rows_ready_words_2 <= to_integer(transform_left_rows_read_words_2);
       transform_left_rows_ready_newest_0 <= transform_left_rows_read_newest_0;
       transform_right_rows_read_newest_0 <= transform_right_0;
-      transform_right_rows_ready_words(0) <= transform_right_rows_read_words(0);
-      transform_right_rows_ready_words(1) <= transform_right_rows_read_words(1);
+      transform_right_rows_ready_words <= transform_right_rows_read_words;
       transform_right_rows_ready_words_2 <= to_integer(transform_right_rows_read_words_2);
       transform_right_rows_ready_newest_0 <= transform_right_rows_read_newest_0;
       transform_read_column <= transform_counter_column;
@@ -4726,9 +3047,7 @@ begin
       transform_columns_inside(1) <= transform_up_to_last(1) and transform_from_first(1);
       transform_columns_start_of_frame <= is_set(others_from_8(8), 0);
       transform_columns_valid <= is_set(others_from_8(8), 8);
-      for i in 0 to 4 loop
-        transform_left_code_column_box_0_0(i) <= transform_left_column(i + 3);
-      end loop;
+      transform_left_code_column_box_0_0 <= transform_left_column(3 to 7);
       transform_left_code_column_centre <= transform_left_code_column_box_0_0(2);
       transform_left_code_column_near <= transform_left_code_column_box_0_0(1) + transform_left_code_column_box_0_0(3);
       transform_left_code_column_outer <= (510 - transform_left_code_column_box_0_0(4)) -
@@ -4744,12 +3063,12 @@ begin
       transform_left_code_column_response_2 <= transform_left_code_column_upper + transform_left_code_column_lower;
       transform_left_code_row_box_0(0) <= transform_left_code_column_response(0);
       transform_left_code_row_box_0(1) <= transform_left_code_column_response(1);
-      transform_left_code_row_box_0_2 <= transform_left_code_column_response_2;
+      transform_left_code_row_box_0(2) <= transform_left_code_column_response_2;
       transform_left_code_row_centre(0) <= transform_left_code_row_column(0, 1);
       transform_left_code_row_centre(1) <= transform_left_code_row_column(1, 1);
-      transform_left_code_row_centre_2 <= transform_left_code_row_column_2(1);
+      transform_left_code_row_centre(2) <= transform_left_code_row_column_2(1);
       transform_left_code_row_outer_1 <= transform_left_code_row_box_0(1) + transform_left_code_row_column(1, 3);
-      transform_left_code_row_outer_2 <= transform_left_code_row_box_0_2 + transform_left_code_row_column_2(3);
+      transform_left_code_row_outer_2 <= transform_left_code_row_box_0(2) + transform_left_code_row_column_2(3);
       transform_left_code_row_before(0) <= ((transform_left_code_row_column(0, 2) + (transform_left_code_row_column(0,
         3) / 2)) * 2) + (transform_left_code_row_column(0, 3) mod 2);
       transform_left_code_row_before(1) <= ((transform_left_code_row_column(1, 2) + (transform_left_code_row_column(1,
@@ -4760,11 +3079,11 @@ begin
         0)) * 2) + (transform_left_code_row_box_0(0) mod 2);
       transform_left_code_row_after(1) <= (((transform_left_code_row_box_0(1) / 2) + transform_left_code_row_column(1,
         0)) * 2) + (transform_left_code_row_box_0(1) mod 2);
-      transform_left_code_row_after_2 <= (((transform_left_code_row_box_0_2 / 2) + transform_left_code_row_column_2(0))
-        * 2) + (transform_left_code_row_box_0_2 mod 2);
+      transform_left_code_row_after_2 <= (((transform_left_code_row_box_0(2) / 2) +
+        transform_left_code_row_column_2(0)) * 2) + (transform_left_code_row_box_0(2) mod 2);
       transform_left_code_row_even(1) <= ((((transform_left_code_row_outer_1 / 2) - transform_left_code_row_centre(1))
         mod 8192) * 2) + (transform_left_code_row_outer_1 mod 2);
-      transform_left_code_row_even(2) <= ((((transform_left_code_row_outer_2 / 2) - transform_left_code_row_centre_2)
+      transform_left_code_row_even(2) <= ((((transform_left_code_row_outer_2 / 2) - transform_left_code_row_centre(2))
         mod 8192) * 2) + (transform_left_code_row_outer_2 mod 2);
       transform_left_code_row_odd(1) <= (transform_left_code_row_before(1) - transform_left_code_row_after(1)) mod
         16384;
@@ -4798,10 +3117,10 @@ begin
       transform_left_code_next_row_box_0(1) <= transform_left_code_next_column_response(1) +
         transform_left_code_next_row_earlier_0_0(1);
       transform_left_code_next_row_box_0_2 <= (transform_left_code_next_column_response_2 +
-        transform_left_code_next_row_earlier_0_2_0) mod 65536;
+        transform_left_code_next_row_earlier_0_0(2)) mod 65536;
       transform_left_code_next_row_centre(0) <= transform_left_code_next_row_column(0, 3);
       transform_left_code_next_row_centre(1) <= transform_left_code_next_row_column(1, 3);
-      transform_left_code_next_row_centre_2 <= transform_left_code_next_row_column_2(3) mod 32768;
+      transform_left_code_next_row_centre(2) <= transform_left_code_next_row_column_2(3) mod 32768;
       transform_left_code_next_row_outer(0) <= transform_left_code_next_row_box_0(0) +
         transform_left_code_next_row_column(0, 7);
       transform_left_code_next_row_outer(1) <= transform_left_code_next_row_box_0(1) +
@@ -4824,7 +3143,7 @@ begin
       transform_left_code_next_row_even(1) <= ((((transform_left_code_next_row_outer(1) / 2) -
         transform_left_code_next_row_centre(1)) mod 32768) * 2) + (transform_left_code_next_row_outer(1) mod 2);
       transform_left_code_next_row_even(2) <= ((((transform_left_code_next_row_outer_2 / 2) -
-        transform_left_code_next_row_centre_2) mod 32768) * 2) + (transform_left_code_next_row_outer_2 mod 2);
+        transform_left_code_next_row_centre(2)) mod 32768) * 2) + (transform_left_code_next_row_outer_2 mod 2);
       transform_left_code_next_row_odd(0) <= (transform_left_code_next_row_before(0) -
         transform_left_code_next_row_after(0)) mod 65536;
       transform_left_code_next_row_odd(1) <= (transform_left_code_next_row_before(1) -
@@ -4836,9 +3155,7 @@ begin
         ((((transform_left_code_next_row_odd(1) - transform_left_code_next_row_even(2)) mod 65536) / 32768) * 32) +
         ((((transform_left_code_next_row_even(1) - transform_left_code_next_row_odd(2)) mod 65536) / 32768) * 4) +
         ((((transform_left_code_next_row_even(1) + transform_left_code_next_row_odd(2)) mod 65536) / 32768) * 16);
-      for i in 0 to 4 loop
-        transform_right_code_column_box_0_0(i) <= transform_right_column(i + 3);
-      end loop;
+      transform_right_code_column_box_0_0 <= transform_right_column(3 to 7);
       transform_right_code_column_centre <= transform_right_code_column_box_0_0(2);
       transform_right_code_column_near <= transform_right_code_column_box_0_0(1) +
         transform_right_code_column_box_0_0(3);
@@ -4855,12 +3172,12 @@ begin
       transform_right_code_column_response_2 <= transform_right_code_column_upper + transform_right_code_column_lower;
       transform_right_code_row_box_0(0) <= transform_right_code_column_response(0);
       transform_right_code_row_box_0(1) <= transform_right_code_column_response(1);
-      transform_right_code_row_box_0_2 <= transform_right_code_column_response_2;
+      transform_right_code_row_box_0(2) <= transform_right_code_column_response_2;
       transform_right_code_row_centre(0) <= transform_right_code_row_column(0, 1);
       transform_right_code_row_centre(1) <= transform_right_code_row_column(1, 1);
-      transform_right_code_row_centre_2 <= transform_right_code_row_column_2(1);
+      transform_right_code_row_centre(2) <= transform_right_code_row_column_2(1);
       transform_right_code_row_outer_1 <= transform_right_code_row_box_0(1) + transform_right_code_row_column(1, 3);
-      transform_right_code_row_outer_2 <= transform_right_code_row_box_0_2 + transform_right_code_row_column_2(3);
+      transform_right_code_row_outer_2 <= transform_right_code_row_box_0(2) + transform_right_code_row_column_2(3);
       transform_right_code_row_before(0) <= ((transform_right_code_row_column(0, 2) +
         (transform_right_code_row_column(0, 3) / 2)) * 2) + (transform_right_code_row_column(0, 3) mod 2);
       transform_right_code_row_before(1) <= ((transform_right_code_row_column(1, 2) +
@@ -4871,12 +3188,12 @@ begin
         transform_right_code_row_column(0, 0)) * 2) + (transform_right_code_row_box_0(0) mod 2);
       transform_right_code_row_after(1) <= (((transform_right_code_row_box_0(1) / 2) +
         transform_right_code_row_column(1, 0)) * 2) + (transform_right_code_row_box_0(1) mod 2);
-      transform_right_code_row_after_2 <= (((transform_right_code_row_box_0_2 / 2) +
-        transform_right_code_row_column_2(0)) * 2) + (transform_right_code_row_box_0_2 mod 2);
+      transform_right_code_row_after_2 <= (((transform_right_code_row_box_0(2) / 2) +
+        transform_right_code_row_column_2(0)) * 2) + (transform_right_code_row_box_0(2) mod 2);
       transform_right_code_row_even(1) <= ((((transform_right_code_row_outer_1 / 2) -
         transform_right_code_row_centre(1)) mod 8192) * 2) + (transform_right_code_row_outer_1 mod 2);
       transform_right_code_row_even(2) <= ((((transform_right_code_row_outer_2 / 2) -
-        transform_right_code_row_centre_2) mod 8192) * 2) + (transform_right_code_row_outer_2 mod 2);
+        transform_right_code_row_centre(2)) mod 8192) * 2) + (transform_right_code_row_outer_2 mod 2);
       transform_right_code_row_odd(1) <= (transform_right_code_row_before(1) - transform_right_code_row_after(1)) mod
         16384;
       transform_right_code_row_odd(2) <= (transform_right_code_row_before_2 - transform_right_code_row_after_2) mod
@@ -4911,10 +3228,10 @@ begin
       transform_right_code_next_row_box_0(1) <= transform_right_code_next_column_response(1) +
         transform_right_code_next_row_earlier_0_0(1);
       transform_right_code_next_row_box_0_2 <= (transform_right_code_next_column_response_2 +
-        transform_right_code_next_row_earlier_0_2_0) mod 65536;
+        transform_right_code_next_row_earlier_0_0(2)) mod 65536;
       transform_right_code_next_row_centre(0) <= transform_right_code_next_row_column(0, 3);
       transform_right_code_next_row_centre(1) <= transform_right_code_next_row_column(1, 3);
-      transform_right_code_next_row_centre_2 <= transform_right_code_next_row_column_2(3) mod 32768;
+      transform_right_code_next_row_centre(2) <= transform_right_code_next_row_column_2(3) mod 32768;
       transform_right_code_next_row_outer(0) <= transform_right_code_next_row_box_0(0) +
         transform_right_code_next_row_column(0, 7);
       transform_right_code_next_row_outer(1) <= transform_right_code_next_row_box_0(1) +
@@ -4937,7 +3254,7 @@ begin
       transform_right_code_next_row_even(1) <= ((((transform_right_code_next_row_outer(1) / 2) -
         transform_right_code_next_row_centre(1)) mod 32768) * 2) + (transform_right_code_next_row_outer(1) mod 2);
       transform_right_code_next_row_even(2) <= ((((transform_right_code_next_row_outer_2 / 2) -
-        transform_right_code_next_row_centre_2) mod 32768) * 2) + (transform_right_code_next_row_outer_2 mod 2);
+        transform_right_code_next_row_centre(2)) mod 32768) * 2) + (transform_right_code_next_row_outer_2 mod 2);
       transform_right_code_next_row_odd(0) <= (transform_right_code_next_row_before(0) -
         transform_right_code_next_row_after(0)) mod 65536;
       transform_right_code_next_row_odd(1) <= (transform_right_code_next_row_before(1) -
@@ -4961,58 +3278,29 @@ begin
       end loop;
       transform_filtering_start_of_frame(7) <= transform_filtering_start_of_frame(6);
       transform_filtering_valid(7) <= transform_filtering_valid(6);
-      if hold_back_next_next_next_next_next_next_next_next_held_valid and
+      transform_counter_group <= choice(hold_back_next_next_next_next_next_next_next_next_held_valid and
         hold_back_next_next_next_next_next_next_next_next_holds_groups and
-        (hold_back_next_next_next_next_next_next_next_next_held_0(0) = '1') then
-        transform_counter_group <= transform_counter_group_choice * 32;
-      else
-        transform_counter_group <= transform_counter_group_choices(3);
-      end if;
-      if transform_filtering_inside(6, 0) then
-        transform_left_code_bits <= transform_left_code_earlier(1);
-        transform_right_code_bits <= transform_right_code_earlier(1);
-      else
-        transform_left_code_bits <= 0;
-        transform_right_code_bits <= 0;
-      end if;
-      if transform_filtering_inside(6, 1) then
-        transform_left_code_next_bits <= transform_left_code_next_row_signs;
-        transform_right_code_next_bits <= transform_right_code_next_row_signs;
-      else
-        transform_left_code_next_bits <= 0;
-        transform_right_code_next_bits <= 0;
-      end if;
-      if hold_back_next_next_next_next_next_next_next_next_holds_groups then
-        transform_counter_column_choice := (hold_back_next_next_next_next_next_next_next_next_held_0(0) = '1') or
-          transform_counter_group_is_equal_2;
-      else
-        transform_counter_column_choice := transform_counter_group_is_equal_2;
-      end if;
-      if transform_counter_group_is_equal_2 then
-        transform_counter_next_frame_choice := (transform_counter_group /= 483) and transform_counter_next_frame;
-      else
-        transform_counter_next_frame_choice := transform_counter_next_frame;
-      end if;
-      if transform_counter_group_differs then
-        transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice;
-      else
-        transform_counter_next_frame_choice_2 := transform_counter_next_frame;
-      end if;
+        (hold_back_next_next_next_next_next_next_next_next_held_0(0) = '1'), transform_counter_group_choice * 32,
+        transform_counter_group_choices(3));
+      transform_left_code_bits <= choice(transform_filtering_inside(6, 0), transform_left_code_earlier(1), 0);
+      transform_right_code_bits <= choice(transform_filtering_inside(6, 0), transform_right_code_earlier(1), 0);
+      transform_left_code_next_bits <= choice(transform_filtering_inside(6, 1), transform_left_code_next_row_signs, 0);
+      transform_right_code_next_bits <= choice(transform_filtering_inside(6, 1), transform_right_code_next_row_signs,
+        0);
+      transform_counter_column_choice := choice(hold_back_next_next_next_next_next_next_next_next_holds_groups,
+        (hold_back_next_next_next_next_next_next_next_next_held_0(0) = '1') or transform_counter_group_is_equals(2),
+        transform_counter_group_is_equals(2));
+      transform_counter_next_frame_choices(1) := choice(transform_counter_group_is_equals(2), (transform_counter_group
+        /= 483) and transform_counter_next_frame, transform_counter_next_frame);
+      transform_counter_next_frame_choices(2) := choice(transform_counter_group_differs,
+        transform_counter_next_frame_choices(1), transform_counter_next_frame);
       if hold_back_next_next_next_next_next_next_next_next_held_valid then
-        if transform_counter_column_choice then
-          transform_counter_column <= 0;
-        else
-          transform_counter_column <= (transform_counter_column + 1) mod 1024;
-        end if;
-        if transform_counter_next_frame_choice_2 then
-          transform_counter_next_frame <= transform_counter_group_all or (not
-            hold_back_next_next_next_next_next_next_next_next_holds_groups) or (not
-            (hold_back_next_next_next_next_next_next_next_next_held_0(0) = '1'));
-        else
-          transform_counter_next_frame <= transform_counter_group_is_equal and transform_counter_group_is_equal_2 and
-            hold_back_next_next_next_next_next_next_next_next_holds_groups and
-            (hold_back_next_next_next_next_next_next_next_next_held_0(0) = '1');
-        end if;
+        transform_counter_column <= choice(transform_counter_column_choice, 0, (transform_counter_column + 1) mod 1024);
+        transform_counter_next_frame <= choice(transform_counter_next_frame_choices(2), transform_counter_group_all or
+          (not hold_back_next_next_next_next_next_next_next_next_holds_groups) or (not
+          (hold_back_next_next_next_next_next_next_next_next_held_0(0) = '1')), transform_counter_group_is_equals(1)
+          and transform_counter_group_is_equals(2) and hold_back_next_next_next_next_next_next_next_next_holds_groups
+          and (hold_back_next_next_next_next_next_next_next_next_held_0(0) = '1'));
       end if;
       if is_set(others_from_8(8), 8) then
         transform_left_rows_write_words(0) <= transform_left_rows_ready_words(1)(7 downto 0) &
@@ -5034,10 +3322,8 @@ begin
           transform_left_code_row_column(i, 2) <= transform_left_code_row_column(i, 1);
           transform_left_code_row_column(i, 3) <= transform_left_code_row_column(i, 2);
         end loop;
-        transform_left_code_row_column_2(0) <= transform_left_code_row_box_0_2;
-        transform_left_code_row_column_2(1) <= transform_left_code_row_column_2(0);
-        transform_left_code_row_column_2(2) <= transform_left_code_row_column_2(1);
-        transform_left_code_row_column_2(3) <= transform_left_code_row_column_2(2);
+        transform_left_code_row_column_2(0) <= transform_left_code_row_box_0(2);
+        transform_left_code_row_column_2(1 to 3) <= transform_left_code_row_column_2(0 to 2);
         for i in 0 to 1 loop
           transform_left_code_next_row_column(i, 0) <= transform_left_code_next_row_box_0(i);
           for j in 1 to 7 loop
@@ -5045,19 +3331,15 @@ begin
           end loop;
         end loop;
         transform_left_code_next_row_column_2(0) <= transform_left_code_next_row_box_0_2;
-        for i in 1 to 7 loop
-          transform_left_code_next_row_column_2(i) <= transform_left_code_next_row_column_2(i - 1);
-        end loop;
+        transform_left_code_next_row_column_2(1 to 7) <= transform_left_code_next_row_column_2(0 to 6);
         for i in 0 to 1 loop
           transform_right_code_row_column(i, 0) <= transform_right_code_row_box_0(i);
           transform_right_code_row_column(i, 1) <= transform_right_code_row_column(i, 0);
           transform_right_code_row_column(i, 2) <= transform_right_code_row_column(i, 1);
           transform_right_code_row_column(i, 3) <= transform_right_code_row_column(i, 2);
         end loop;
-        transform_right_code_row_column_2(0) <= transform_right_code_row_box_0_2;
-        transform_right_code_row_column_2(1) <= transform_right_code_row_column_2(0);
-        transform_right_code_row_column_2(2) <= transform_right_code_row_column_2(1);
-        transform_right_code_row_column_2(3) <= transform_right_code_row_column_2(2);
+        transform_right_code_row_column_2(0) <= transform_right_code_row_box_0(2);
+        transform_right_code_row_column_2(1 to 3) <= transform_right_code_row_column_2(0 to 2);
         for i in 0 to 1 loop
           transform_right_code_next_row_column(i, 0) <= transform_right_code_next_row_box_0(i);
           for j in 1 to 7 loop
@@ -5065,9 +3347,7 @@ begin
           end loop;
         end loop;
         transform_right_code_next_row_column_2(0) <= transform_right_code_next_row_box_0_2;
-        for i in 1 to 7 loop
-          transform_right_code_next_row_column_2(i) <= transform_right_code_next_row_column_2(i - 1);
-        end loop;
+        transform_right_code_next_row_column_2(1 to 7) <= transform_right_code_next_row_column_2(0 to 6);
       end if;
       if transform_filtering_valid(6) then
         transform_left_code_earlier(0) <= transform_left_code_row_signs;
@@ -5078,19 +3358,15 @@ begin
       if transform_filtering_valid(2) then
         transform_left_code_next_row_earlier_0_0(0) <= transform_left_code_next_column_response(0);
         transform_left_code_next_row_earlier_0_0(1) <= transform_left_code_next_column_response(1);
-        transform_left_code_next_row_earlier_0_2_0 <= transform_left_code_next_column_response_2;
+        transform_left_code_next_row_earlier_0_0(2) <= transform_left_code_next_column_response_2;
         transform_right_code_next_row_earlier_0_0(0) <= transform_right_code_next_column_response(0);
         transform_right_code_next_row_earlier_0_0(1) <= transform_right_code_next_column_response(1);
-        transform_right_code_next_row_earlier_0_2_0 <= transform_right_code_next_column_response_2;
+        transform_right_code_next_row_earlier_0_0(2) <= transform_right_code_next_column_response_2;
       end if;
       -- ahead
       if transform_filtering_valid(7) then
         ahead_ring_write_address <= ahead_ring_read_address;
-        if ahead_ring_read_address = 116 then
-          ahead_ring_read_address <= 0;
-        else
-          ahead_ring_read_address <= (ahead_ring_read_address + 1) mod 128;
-        end if;
+        ahead_ring_read_address <= choice(ahead_ring_read_address = 116, 0, (ahead_ring_read_address + 1) mod 128);
       end if;
       ahead_holds_groups_is_equal := ahead_ring_read_address = 0;
       if ahead_holds_groups_is_equal then
@@ -5102,33 +3378,19 @@ begin
       raster_place_group_is_equal := raster_place_column = 639;
       raster_features_reference_0 <= to_integer(ahead_held_0(12 downto 1));
       raster_features_valid <= ahead_held_valid;
-      if ahead_held_valid and ahead_held_is_new and (ahead_held_0(0) = '1') then
-        raster_place_group <= 0;
-      else
-        raster_place_group <= (raster_place_group + as_number(((raster_place_group /= 484) and ahead_held_valid and
-          raster_place_group_is_equal))) mod 512;
-      end if;
+      raster_place_group <= choice(ahead_held_valid and ahead_held_is_new and (ahead_held_0(0) = '1'), 0,
+        (raster_place_group + as_number(((raster_place_group /= 484) and ahead_held_valid and
+        raster_place_group_is_equal))) mod 512);
       if ahead_held_valid then
-        if raster_place_group_is_equal or (ahead_held_is_new and (ahead_held_0(0) = '1')) then
-          raster_place_column <= 0;
-        else
-          raster_place_column <= (raster_place_column + 1) mod 1024;
-        end if;
+        raster_place_column <= choice(raster_place_group_is_equal or (ahead_held_is_new and (ahead_held_0(0) = '1')),
+          0, (raster_place_column + 1) mod 1024);
       end if;
       -- bases
       bases_address_0_is_less := raster_place_column < 16;
       bases_address_0_value := ((raster_place_column + 8177) mod 8192) / 8;
-      if bases_address_0_is_less then
-        bases_address_0_choice := 0;
-      else
-        bases_address_0_choice := bases_address_0_value;
-      end if;
+      bases_address_0_choice := choice(bases_address_0_is_less, 0, bases_address_0_value);
       bases_address_0_value_2 := (raster_place_group mod 64) * 16;
-      if bases_address_0_is_less then
-        bases_address_0_choice_2 := 0;
-      else
-        bases_address_0_choice_2 := bases_address_0_value mod 128;
-      end if;
+      bases_address_0_choice_2 := choice(bases_address_0_is_less, 0, bases_address_0_value mod 128);
       bases_goal_0_value(0) := ((bases_ready_targets(0) / 2) mod 128) * 2;
       bases_goal_0_value(1) := ((bases_ready_targets(1) / 2) mod 128) * 2;
       bases_goal_0_value(2) := ((bases_ready_targets(2) / 2) mod 128) * 2;
@@ -5170,89 +3432,46 @@ begin
       bases_wanted_head <= bases_ready_head;
       bases_wanted_frame_starts <= bases_ready_frame_starts;
       bases_wanted_valid <= bases_ready_valid;
-      bases_rises(0, 0) <= bases_rises_all(0, 0);
-      bases_rises(0, 1) <= bases_rises_all(0, 1);
-      bases_rises(1, 0) <= bases_rises_all(1, 0);
-      bases_rises(1, 1) <= bases_rises_all(1, 1);
-      bases_falls(0, 0) <= bases_falls_all(0, 0);
-      bases_falls(0, 1) <= bases_falls_all(0, 1);
-      bases_falls(1, 0) <= bases_falls_all(1, 0);
-      bases_falls(1, 1) <= bases_falls_all(1, 1);
+      bases_rises <= bases_rises_all;
+      bases_falls <= bases_falls_all;
       bases_stands_column <= bases_wanted_column;
       bases_stands_frame_starts <= bases_wanted_frame_starts;
       bases_stands_valid <= bases_wanted_valid;
-      if bases_address_0_is_less then
-        bases_asked_limit <= 624;
-      else
-        bases_asked_limit <= (639 - raster_place_column) mod 65536;
-      end if;
+      bases_asked_limit <= choice(bases_address_0_is_less, 624, (639 - raster_place_column) mod 65536);
       for i in 0 to 2 loop
-        if (bases_goal_0_value(i) - bases_ready_limit) < 0 then
-          bases_goal(0, i) <= bases_goal_0_value(i);
-        else
-          bases_goal(0, i) <= bases_ready_limit mod 256;
-        end if;
+        bases_goal(0, i) <= choice((bases_goal_0_value(i) - bases_ready_limit) < 0, bases_goal_0_value(i),
+          bases_ready_limit mod 256);
       end loop;
       for i in 0 to 2 loop
-        if ((bases_ready_targets(i) / 256) - bases_ready_limit) < 0 then
-          bases_goal(1, i) <= bases_ready_targets(i) / 256;
-        else
-          bases_goal(1, i) <= bases_ready_limit mod 256;
-        end if;
+        bases_goal(1, i) <= choice(((bases_ready_targets(i) / 256) - bases_ready_limit) < 0, bases_ready_targets(i) /
+          256, bases_ready_limit mod 256);
       end loop;
-      if bases_wanted_head then
-        bases_from(0, 0) <= bases_goal(0, 0);
-        bases_from(0, 1) <= bases_goal(0, 1);
-        bases_from(1, 0) <= bases_goal(1, 0);
-        bases_from(1, 1) <= bases_goal(1, 1);
-      else
-        bases_from(0, 0) <= bases_base(0, 0) mod 8192;
-        bases_from(0, 1) <= bases_base(0, 1) mod 8192;
-        bases_from(1, 0) <= bases_base(1, 0) mod 8192;
-        bases_from(1, 1) <= bases_base(1, 1) mod 8192;
-      end if;
+      bases_from(0, 0) <= choice(bases_wanted_head, bases_goal(0, 0), bases_base(0, 0) mod 8192);
+      bases_from(0, 1) <= choice(bases_wanted_head, bases_goal(0, 1), bases_base(0, 1) mod 8192);
+      bases_from(1, 0) <= choice(bases_wanted_head, bases_goal(1, 0), bases_base(1, 0) mod 8192);
+      bases_from(1, 1) <= choice(bases_wanted_head, bases_goal(1, 1), bases_base(1, 1) mod 8192);
       for i in 0 to 1 loop
-        for j in 0 to 1 loop
-          if ((((as_number(bases_falls_all(i, j)) * 32768) + 32768) mod 65536) - 32768) < 0 then
-            bases_base_choice(i, j) := 65535;
-          else
-            bases_base_choice(i, j) := 0;
-          end if;
-          if bases_rises_all(i, j) then
-            bases_base_choice_2(i, j) := bases_rises_sum(i, j) mod 65536;
-          else
-            bases_base_choice_2(i, j) := (bases_base(i, j) + bases_base_choice(i, j)) mod 65536;
-          end if;
-        end loop;
+        bases_base_choice(i, 0, 1) := choice(((((as_number(bases_falls_all(i, 0)) * 32768) + 32768) mod 65536) - 32768)
+          < 0, 65535, 0);
+        bases_base_choice(i, 0, 2) := choice(bases_rises_all(i, 0), bases_rises_sum(i, 0) mod 65536, (bases_base(i, 0)
+          + bases_base_choice(i, 0, 1)) mod 65536);
+        bases_base_choice(i, 1, 1) := choice(((((as_number(bases_falls_all(i, 1)) * 32768) + 32768) mod 65536) - 32768)
+          < 0, 65535, 0);
+        bases_base_choice(i, 1, 2) := choice(bases_rises_all(i, 1), bases_rises_sum(i, 1) mod 65536, (bases_base(i, 1)
+          + bases_base_choice(i, 1, 1)) mod 65536);
         bases_base_2_sum(i) := bases_base(i, 2) + 3;
-        if ((((as_number((((bases_goal(i, 2) - bases_base(i, 2)) < 0) and (not bases_wanted_head))) * 32768) + 32768)
-          mod 65536) - 32768) < 0 then
-          bases_base_choice(i, 2) := 65535;
-        else
-          bases_base_choice(i, 2) := 0;
-        end if;
-        if ((bases_goal(i, 2) - bases_base_2_sum(i)) >= 0) and (not bases_wanted_head) then
-          bases_base_choice_2(i, 2) := bases_base_2_sum(i) mod 65536;
-        else
-          bases_base_choice_2(i, 2) := (bases_base(i, 2) + bases_base_choice(i, 2)) mod 65536;
-        end if;
+        bases_base_choice(i, 2, 1) := choice(((((as_number((((bases_goal(i, 2) - bases_base(i, 2)) < 0) and (not
+          bases_wanted_head))) * 32768) + 32768) mod 65536) - 32768) < 0, 65535, 0);
+        bases_base_choice(i, 2, 2) := choice(((bases_goal(i, 2) - bases_base_2_sum(i)) >= 0) and (not
+          bases_wanted_head), bases_base_2_sum(i) mod 65536, (bases_base(i, 2) + bases_base_choice(i, 2, 1)) mod 65536);
       end loop;
       if bases_wanted_valid then
-        if bases_wanted_head then
-          bases_base(0, 0) <= bases_goal(0, 0);
-          bases_base(0, 1) <= bases_goal(0, 1);
-          bases_base(0, 2) <= bases_goal(0, 2);
-          bases_base(1, 0) <= bases_goal(1, 0);
-          bases_base(1, 1) <= bases_goal(1, 1);
-          bases_base(1, 2) <= bases_goal(1, 2);
-        else
-          bases_base(0, 0) <= bases_base_choice_2(0, 0);
-          bases_base(0, 1) <= bases_base_choice_2(0, 1);
-          bases_base(0, 2) <= bases_base_choice_2(0, 2);
-          bases_base(1, 0) <= bases_base_choice_2(1, 0);
-          bases_base(1, 1) <= bases_base_choice_2(1, 1);
-          bases_base(1, 2) <= bases_base_choice_2(1, 2);
-        end if;
+        bases_base(0, 0) <= choice(bases_wanted_head, bases_goal(0, 0), bases_base_choice(0, 0, 2));
+        bases_base(0, 1) <= choice(bases_wanted_head, bases_goal(0, 1), bases_base_choice(0, 1, 2));
+        bases_base(0, 2) <= choice(bases_wanted_head, bases_goal(0, 2), bases_base_choice(0, 2, 2));
+        bases_base(1, 0) <= choice(bases_wanted_head, bases_goal(1, 0), bases_base_choice(1, 0, 2));
+        bases_base(1, 1) <= choice(bases_wanted_head, bases_goal(1, 1), bases_base_choice(1, 1, 2));
+        bases_base(1, 2) <= choice(bases_wanted_head, bases_goal(1, 2), bases_base_choice(1, 2, 2));
       end if;
       if bases_stands_valid then
         bases_from_0_2 <= bases_base(0, 2);
@@ -5262,75 +3481,28 @@ begin
       rows_newest_column_any := (not transform_filtering_valid(7)) or (not transform_filtering_start_of_frame(7));
       rows_newest_column_is_equal := rows_newest_column = 639;
       rows_newest_column_sum := rows_newest_column + 1;
-      if rows_newest_column_is_equal then
-        rows_newest_column_choice := 0;
-      else
-        rows_newest_column_choice := rows_newest_column_sum mod 65536;
-      end if;
-      if rows_newest_column_any then
-        rows_newest_column_choice_2 := rows_newest_column_choice;
-      else
-        rows_newest_column_choice_2 := 0;
-      end if;
+      rows_newest_column_choices(1) := choice(rows_newest_column_is_equal, 0, rows_newest_column_sum mod 65536);
+      rows_newest_column_choices(2) := choice(rows_newest_column_any, rows_newest_column_choices(1), 0);
       if transform_filtering_valid(7) then
-        rows_last(1) <= rows_last(2);
-        rows_last(2) <= rows_last(3);
+        rows_last(1 to 2) <= rows_last(2 to 3);
         rows_last(3) <= rows_last_3_sum;
-        rows_newest_column <= rows_newest_column_choice_2;
+        rows_newest_column <= rows_newest_column_choices(2);
       end if;
       rows_newest_row_is_equal := (rows_newest_row / 32) = 50;
       rows_newest_row_sum := (rows_newest_row / 32) + 5;
-      if rows_newest_row_is_equal then
-        rows_newest_row_choice := 0;
-      else
-        rows_newest_row_choice := rows_newest_row_sum mod 2048;
-      end if;
-      if rows_newest_column_is_equal then
-        rows_newest_row_choices(2) := rows_newest_row_choice;
-      else
-        rows_newest_row_choices(2) := rows_newest_row / 32;
-      end if;
-      if rows_newest_column_any then
-        rows_newest_row_choices(3) := rows_newest_row_choices(2);
-      else
-        rows_newest_row_choices(3) := 0;
-      end if;
-      if transform_filtering_valid(7) then
-        rows_newest_row_choices(4) := rows_newest_row_choices(3);
-      else
-        rows_newest_row_choices(4) := rows_newest_row / 32;
-      end if;
+      rows_newest_row_choices(1) := choice(rows_newest_row_is_equal, 0, rows_newest_row_sum mod 2048);
+      rows_newest_row_choices(2) := choice(rows_newest_column_is_equal, rows_newest_row_choices(1), rows_newest_row /
+        32);
+      rows_newest_row_choices(3) := choice(rows_newest_column_any, rows_newest_row_choices(2), 0);
+      rows_newest_row_choices(4) := choice(transform_filtering_valid(7), rows_newest_row_choices(3), rows_newest_row /
+        32);
       rows_enter_row_all := (bases_stands_column = 0) and bases_stands_valid;
-      if (rows_enter_row / 32) = 50 then
-        rows_enter_row_choice := 0;
-      else
-        rows_enter_row_choice := ((rows_enter_row / 32) + 5) mod 2048;
-      end if;
-      if bases_stands_frame_starts then
-        rows_enter_row_choices(2) := 0;
-      else
-        rows_enter_row_choices(2) := rows_enter_row_choice;
-      end if;
-      if rows_enter_row_all then
-        rows_enter_row_choices(3) := rows_enter_row_choices(2);
-      else
-        rows_enter_row_choices(3) := rows_enter_row / 32;
-      end if;
-      if (rows_leave_row / 32) = 50 then
-        rows_leave_row_choice := 0;
-      else
-        rows_leave_row_choice := ((rows_leave_row / 32) + 5) mod 2048;
-      end if;
-      if bases_stands_frame_starts then
-        rows_leave_row_choices(2) := 10;
-      else
-        rows_leave_row_choices(2) := rows_leave_row_choice;
-      end if;
-      if rows_enter_row_all then
-        rows_leave_row_choices(3) := rows_leave_row_choices(2);
-      else
-        rows_leave_row_choices(3) := rows_leave_row / 32;
-      end if;
+      rows_enter_row_choices(1) := choice((rows_enter_row / 32) = 50, 0, ((rows_enter_row / 32) + 5) mod 2048);
+      rows_enter_row_choices(2) := choice(bases_stands_frame_starts, 0, rows_enter_row_choices(1));
+      rows_enter_row_choices(3) := choice(rows_enter_row_all, rows_enter_row_choices(2), rows_enter_row / 32);
+      rows_leave_row_choices(1) := choice((rows_leave_row / 32) = 50, 0, ((rows_leave_row / 32) + 5) mod 2048);
+      rows_leave_row_choices(2) := choice(bases_stands_frame_starts, 10, rows_leave_row_choices(1));
+      rows_leave_row_choices(3) := choice(rows_enter_row_all, rows_leave_row_choices(2), rows_leave_row / 32);
       rows_position_sum(0, 0) := bases_from(0, 0) + bases_stands_column;
       rows_position_sum(0, 1) := bases_from(0, 1) + bases_stands_column;
       rows_position_sum(1, 0) := bases_from(1, 0) + bases_stands_column;
@@ -5344,25 +3516,22 @@ begin
       rows_address_12_value := (((rows_leave_row / 32) + (rows_position(1, 1) / 128)) mod 64) * 32;
       rows_address_12_value_2 := (rows_position(1, 1) / 4) mod 32;
       for i in 0 to 1 loop
-        for j in 0 to 1 loop
-          if is_set(rows_ready_first_bank(i, j), 1) then
-            rows_codes_choice(i, j, 0) := rows_ready_codes(8 * i + 4 * j + 3);
-          else
-            rows_codes_choice(i, j, 0) := rows_ready_codes(8 * i + 4 * j + 1);
-          end if;
-          if is_set(rows_ready_first_bank(i, j), 1) then
-            rows_codes_0_choice_2(i, j) := rows_ready_codes(8 * i + 4 * j + 2);
-          else
-            rows_codes_0_choice_2(i, j) := rows_ready_codes(8 * i + 4 * j);
-          end if;
-          for k in 1 to 2 loop
-            if is_set(rows_ready_first_bank(i, j), 1) then
-              rows_codes_choice(i, j, k) := rows_ready_codes(8 * i + 4 * j + k - 1);
-            else
-              rows_codes_choice(i, j, k) := rows_ready_codes(8 * i + 4 * j + k + 1);
-            end if;
-          end loop;
-        end loop;
+        rows_codes_choice(i, 0, 0, 1) := choice(is_set(rows_ready_first_bank(i, 0), 1), rows_ready_codes(8 * i + 3),
+          rows_ready_codes(8 * i + 1));
+        rows_codes_choice(i, 0, 0, 2) := choice(is_set(rows_ready_first_bank(i, 0), 1), rows_ready_codes(8 * i + 2),
+          rows_ready_codes(8 * i));
+        rows_codes_choice(i, 0, 1, 1) := choice(is_set(rows_ready_first_bank(i, 0), 1), rows_ready_codes(8 * i),
+          rows_ready_codes(8 * i + 2));
+        rows_codes_choice(i, 0, 2, 1) := choice(is_set(rows_ready_first_bank(i, 0), 1), rows_ready_codes(8 * i + 1),
+          rows_ready_codes(8 * i + 3));
+        rows_codes_choice(i, 1, 0, 1) := choice(is_set(rows_ready_first_bank(i, 1), 1), rows_ready_codes(8 * i + 7),
+          rows_ready_codes(8 * i + 5));
+        rows_codes_choice(i, 1, 0, 2) := choice(is_set(rows_ready_first_bank(i, 1), 1), rows_ready_codes(8 * i + 6),
+          rows_ready_codes(8 * i + 4));
+        rows_codes_choice(i, 1, 1, 1) := choice(is_set(rows_ready_first_bank(i, 1), 1), rows_ready_codes(8 * i + 4),
+          rows_ready_codes(8 * i + 6));
+        rows_codes_choice(i, 1, 2, 1) := choice(is_set(rows_ready_first_bank(i, 1), 1), rows_ready_codes(8 * i + 5),
+          rows_ready_codes(8 * i + 7));
       end loop;
       rows_newest_row <= rows_newest_row_choices(4) * 32;
       rows_enter_row <= rows_enter_row_choices(3) * 32;
@@ -5379,10 +3548,7 @@ begin
       rows_wanted_one(0, 1) <= (not bases_falls(0, 1)) and (not bases_rises(0, 1));
       rows_wanted_one(1, 0) <= (not bases_falls(1, 0)) and (not bases_rises(1, 0));
       rows_wanted_one(1, 1) <= (not bases_falls(1, 1)) and (not bases_rises(1, 1));
-      rows_wanted_four(0, 0) <= bases_rises(0, 0);
-      rows_wanted_four(0, 1) <= bases_rises(0, 1);
-      rows_wanted_four(1, 0) <= bases_rises(1, 0);
-      rows_wanted_four(1, 1) <= bases_rises(1, 1);
+      rows_wanted_four <= bases_rises;
       rows_address(0) <= (rows_address_0_value + rows_address_0_value_2 + as_number((is_set(rows_wanted_first_bank(0,
         0), 1) or is_set(rows_wanted_first_bank(0, 0), 0)))) mod 2048;
       rows_address(1) <= (rows_address_0_value + rows_address_0_value_2 + (rows_wanted_first_bank(0, 0) / 2)) mod 2048;
@@ -5408,116 +3574,70 @@ begin
       rows_address(14) <= (rows_address_12_value + rows_address_12_value_2 + as_number((rows_wanted_first_bank(1, 1) =
         3))) mod 2048;
       rows_address(15) <= rows_address_12_value + rows_address_12_value_2;
-      rows_asked_first_bank(0, 0) <= rows_wanted_first_bank(0, 0);
-      rows_asked_first_bank(0, 1) <= rows_wanted_first_bank(0, 1);
-      rows_asked_first_bank(1, 0) <= rows_wanted_first_bank(1, 0);
-      rows_asked_first_bank(1, 1) <= rows_wanted_first_bank(1, 1);
-      rows_asked_one(0, 0) <= rows_wanted_one(0, 0);
-      rows_asked_one(0, 1) <= rows_wanted_one(0, 1);
-      rows_asked_one(1, 0) <= rows_wanted_one(1, 0);
-      rows_asked_one(1, 1) <= rows_wanted_one(1, 1);
-      rows_asked_four(0, 0) <= rows_wanted_four(0, 0);
-      rows_asked_four(0, 1) <= rows_wanted_four(0, 1);
-      rows_asked_four(1, 0) <= rows_wanted_four(1, 0);
-      rows_asked_four(1, 1) <= rows_wanted_four(1, 1);
-      rows_read_first_bank(0, 0) <= rows_asked_first_bank(0, 0);
-      rows_read_first_bank(0, 1) <= rows_asked_first_bank(0, 1);
-      rows_read_first_bank(1, 0) <= rows_asked_first_bank(1, 0);
-      rows_read_first_bank(1, 1) <= rows_asked_first_bank(1, 1);
-      rows_read_one(0, 0) <= rows_asked_one(0, 0);
-      rows_read_one(0, 1) <= rows_asked_one(0, 1);
-      rows_read_one(1, 0) <= rows_asked_one(1, 0);
-      rows_read_one(1, 1) <= rows_asked_one(1, 1);
-      rows_read_four(0, 0) <= rows_asked_four(0, 0);
-      rows_read_four(0, 1) <= rows_asked_four(0, 1);
-      rows_read_four(1, 0) <= rows_asked_four(1, 0);
-      rows_read_four(1, 1) <= rows_asked_four(1, 1);
+      rows_asked_first_bank <= rows_wanted_first_bank;
+      rows_asked_one <= rows_wanted_one;
+      rows_asked_four <= rows_wanted_four;
+      rows_read_first_bank <= rows_asked_first_bank;
+      rows_read_one <= rows_asked_one;
+      rows_read_four <= rows_asked_four;
       for i in 0 to 15 loop
         rows_ready_codes(i) <= to_integer(rows_read_codes(i));
       end loop;
-      rows_ready_first_bank(0, 0) <= rows_read_first_bank(0, 0);
-      rows_ready_first_bank(0, 1) <= rows_read_first_bank(0, 1);
-      rows_ready_first_bank(1, 0) <= rows_read_first_bank(1, 0);
-      rows_ready_first_bank(1, 1) <= rows_read_first_bank(1, 1);
-      rows_ready_one(0, 0) <= rows_read_one(0, 0);
-      rows_ready_one(0, 1) <= rows_read_one(0, 1);
-      rows_ready_one(1, 0) <= rows_read_one(1, 0);
-      rows_ready_one(1, 1) <= rows_read_one(1, 1);
-      rows_ready_four(0, 0) <= rows_read_four(0, 0);
-      rows_ready_four(0, 1) <= rows_read_four(0, 1);
-      rows_ready_four(1, 0) <= rows_read_four(1, 0);
-      rows_ready_four(1, 1) <= rows_read_four(1, 1);
-      rows_step_one(0, 0) <= rows_ready_one(0, 0);
-      rows_step_one(0, 1) <= rows_ready_one(0, 1);
-      rows_step_one(1, 0) <= rows_ready_one(1, 0);
-      rows_step_one(1, 1) <= rows_ready_one(1, 1);
-      rows_step_four(0, 0) <= rows_ready_four(0, 0);
-      rows_step_four(0, 1) <= rows_ready_four(0, 1);
-      rows_step_four(1, 0) <= rows_ready_four(1, 0);
-      rows_step_four(1, 1) <= rows_ready_four(1, 1);
+      rows_ready_first_bank <= rows_read_first_bank;
+      rows_ready_one <= rows_read_one;
+      rows_ready_four <= rows_read_four;
+      rows_step_one <= rows_ready_one;
+      rows_step_four <= rows_ready_four;
       for i in 0 to 1 loop
-        for j in 0 to 1 loop
-          if is_set(rows_ready_first_bank(i, j), 0) then
-            rows_codes(i, j, 0) <= rows_codes_choice(i, j, 0);
-            rows_codes(i, j, 1) <= rows_codes_choice(i, j, 1);
-            rows_codes(i, j, 2) <= rows_codes_choice(i, j, 2);
-            rows_codes(i, j, 3) <= rows_codes_0_choice_2(i, j);
-          else
-            rows_codes(i, j, 0) <= rows_codes_0_choice_2(i, j);
-            rows_codes(i, j, 1) <= rows_codes_choice(i, j, 0);
-            rows_codes(i, j, 2) <= rows_codes_choice(i, j, 1);
-            rows_codes(i, j, 3) <= rows_codes_choice(i, j, 2);
-          end if;
-        end loop;
+        rows_codes(i, 0, 0) <= choice(is_set(rows_ready_first_bank(i, 0), 0), rows_codes_choice(i, 0, 0, 1),
+          rows_codes_choice(i, 0, 0, 2));
+        rows_codes(i, 0, 1) <= choice(is_set(rows_ready_first_bank(i, 0), 0), rows_codes_choice(i, 0, 1, 1),
+          rows_codes_choice(i, 0, 0, 1));
+        rows_codes(i, 0, 2) <= choice(is_set(rows_ready_first_bank(i, 0), 0), rows_codes_choice(i, 0, 2, 1),
+          rows_codes_choice(i, 0, 1, 1));
+        rows_codes(i, 0, 3) <= choice(is_set(rows_ready_first_bank(i, 0), 0), rows_codes_choice(i, 0, 0, 2),
+          rows_codes_choice(i, 0, 2, 1));
+        rows_codes(i, 1, 0) <= choice(is_set(rows_ready_first_bank(i, 1), 0), rows_codes_choice(i, 1, 0, 1),
+          rows_codes_choice(i, 1, 0, 2));
+        rows_codes(i, 1, 1) <= choice(is_set(rows_ready_first_bank(i, 1), 0), rows_codes_choice(i, 1, 1, 1),
+          rows_codes_choice(i, 1, 0, 1));
+        rows_codes(i, 1, 2) <= choice(is_set(rows_ready_first_bank(i, 1), 0), rows_codes_choice(i, 1, 2, 1),
+          rows_codes_choice(i, 1, 1, 1));
+        rows_codes(i, 1, 3) <= choice(is_set(rows_ready_first_bank(i, 1), 0), rows_codes_choice(i, 1, 0, 2),
+          rows_codes_choice(i, 1, 2, 1));
       end loop;
-      if rows_newest_row_is_equal then
-        rows_write_word_choice := 0;
-      else
-        rows_write_word_choice := rows_newest_row_sum mod 64;
-      end if;
-      if rows_newest_column_is_equal then
-        rows_write_word_choices(2) := rows_write_word_choice;
-      else
-        rows_write_word_choices(2) := (rows_newest_row / 32) mod 64;
-      end if;
-      if rows_newest_column_any then
-        rows_write_word_choices(3) := rows_write_word_choices(2);
-      else
-        rows_write_word_choices(3) := 0;
-      end if;
+      rows_write_word_choices(1) := choice(rows_newest_row_is_equal, 0, rows_newest_row_sum mod 64);
+      rows_write_word_choices(2) := choice(rows_newest_column_is_equal, rows_write_word_choices(1), (rows_newest_row /
+        32) mod 64);
+      rows_write_word_choices(3) := choice(rows_newest_column_any, rows_write_word_choices(2), 0);
       rows_write_codes_0_all := ((((rows_newest_column_sum mod 65536) / 2) mod 2) = 1) and
         is_set(rows_newest_column_sum, 0) and rows_newest_column_any and (rows_newest_column /= 639) and
         transform_filtering_valid(7);
       if rows_write_codes_0_all then
         rows_write_codes(0) <= rows_last(1);
-        rows_write_codes(1) <= rows_last(2);
-        rows_write_codes(2) <= rows_last(3);
+        rows_write_codes(1 to 2) <= rows_last(2 to 3);
         rows_write_codes(3) <= rows_last_3_sum;
-        rows_write_word <= ((((((rows_newest_column_choice_2 / 4) mod 2048) / 32) + rows_write_word_choices(3)) mod 64)
-          * 32) + ((rows_newest_column_choice_2 / 4) mod 32);
+        rows_write_word <= ((((((rows_newest_column_choices(2) / 4) mod 2048) / 32) + rows_write_word_choices(3)) mod
+          64) * 32) + ((rows_newest_column_choices(2) / 4) mod 32);
       end if;
       -- pairs
       if raster_features_valid then
         pairs_ring_write_address <= pairs_ring_read_address;
-        if pairs_ring_read_address = 15 then
-          pairs_ring_read_address <= 0;
-        else
-          pairs_ring_read_address <= (pairs_ring_read_address + 1) mod 16;
-        end if;
+        pairs_ring_read_address <= choice(pairs_ring_read_address = 15, 0, (pairs_ring_read_address + 1) mod 16);
       end if;
       pairs_tag_first_cost_is_equal := raster_place_column = 15;
       pairs_row_inside(0) <= (raster_place_group >= 9) and (raster_place_group < 489);
       pairs_row_inside(1) <= raster_place_group < 480;
-      pairs_tag_row_start <= raster_place_column = 0;
-      pairs_tag_first_group <= raster_place_group = 0;
-      pairs_tag_border_column <= raster_place_column < 15;
-      pairs_tag_first_cost <= pairs_tag_first_cost_is_equal;
-      pairs_tag_leaves_window <= (((((raster_place_column / 8) + 8189) mod 8192) * 8) + (raster_place_column mod 8)) <
+      pairs_tag.row_start <= raster_place_column = 0;
+      pairs_tag.first_group <= raster_place_group = 0;
+      pairs_tag.border_column <= raster_place_column < 15;
+      pairs_tag.first_cost <= pairs_tag_first_cost_is_equal;
+      pairs_tag.leaves_window <= (((((raster_place_column / 8) + 8189) mod 8192) * 8) + (raster_place_column mod 8)) <
         65516;
-      pairs_tag_output_column <= ((((((raster_place_group / 4) + 16383) mod 16384) * 4) + (raster_place_group mod 4)) <
+      pairs_tag.output_column <= ((((((raster_place_group / 4) + 16383) mod 16384) * 4) + (raster_place_group mod 4)) <
         480) and (raster_place_column >= 15) and (raster_place_column < 639);
-      pairs_tag_start_of_frame <= (raster_place_group = 4) and pairs_tag_first_cost_is_equal;
-      pairs_tag_end_of_line <= raster_place_column = 638;
+      pairs_tag.start_of_frame <= (raster_place_group = 4) and pairs_tag_first_cost_is_equal;
+      pairs_tag.end_of_line <= raster_place_column = 638;
       -- compared
       compared_rows_read_newest_0 <= to_integer(pairs_delayed_0);
       compared_rows_ready_words(0) <= to_integer(compared_rows_read_words(0));
@@ -5526,26 +3646,10 @@ begin
       compared_rows_ready_words(3) <= to_integer(compared_rows_read_words(3));
       compared_rows_ready_words_4 <= to_integer(compared_rows_read_words_4);
       compared_rows_ready_newest_0 <= compared_rows_read_newest_0;
-      compared_read_inside(0) <= pairs_row_inside(0);
-      compared_read_inside(1) <= pairs_row_inside(1);
-      compared_read_tag_row_start <= pairs_tag_row_start;
-      compared_read_tag_first_group <= pairs_tag_first_group;
-      compared_read_tag_border_column <= pairs_tag_border_column;
-      compared_read_tag_first_cost <= pairs_tag_first_cost;
-      compared_read_tag_leaves_window <= pairs_tag_leaves_window;
-      compared_read_tag_output_column <= pairs_tag_output_column;
-      compared_read_tag_start_of_frame <= pairs_tag_start_of_frame;
-      compared_read_tag_end_of_line <= pairs_tag_end_of_line;
-      compared_ready_inside(0) <= compared_read_inside(0);
-      compared_ready_inside(1) <= compared_read_inside(1);
-      compared_ready_tag_row_start <= compared_read_tag_row_start;
-      compared_ready_tag_first_group <= compared_read_tag_first_group;
-      compared_ready_tag_border_column <= compared_read_tag_border_column;
-      compared_ready_tag_first_cost <= compared_read_tag_first_cost;
-      compared_ready_tag_leaves_window <= compared_read_tag_leaves_window;
-      compared_ready_tag_output_column <= compared_read_tag_output_column;
-      compared_ready_tag_start_of_frame <= compared_read_tag_start_of_frame;
-      compared_ready_tag_end_of_line <= compared_read_tag_end_of_line;
+      compared_read_inside <= pairs_row_inside;
+      compared_read_tag <= pairs_tag;
+      compared_ready_inside <= compared_read_inside;
+      compared_ready_tag <= compared_read_tag;
       compared_held_inside(0, 0) <= compared_ready_inside(0);
       compared_held_inside(0, 1) <= compared_ready_inside(1);
       for i in 1 to 7 loop
@@ -5554,14 +3658,14 @@ begin
         compared_held_inside(i, 0) <= compared_held_inside(i - 1, 0);
         compared_held_inside(i, 1) <= compared_held_inside(i - 1, 1);
       end loop;
-      compared_tags_row_start(0) <= compared_ready_tag_row_start;
-      compared_tags_first_group(0) <= compared_ready_tag_first_group;
-      compared_tags_border_column(0) <= compared_ready_tag_border_column;
-      compared_tags_first_cost(0) <= compared_ready_tag_first_cost;
-      compared_tags_leaves_window(0) <= compared_ready_tag_leaves_window;
-      compared_tags_output_column(0) <= compared_ready_tag_output_column;
-      compared_tags_start_of_frame(0) <= compared_ready_tag_start_of_frame;
-      compared_tags_end_of_line(0) <= compared_ready_tag_end_of_line;
+      compared_tags_row_start(0) <= compared_ready_tag.row_start;
+      compared_tags_first_group(0) <= compared_ready_tag.first_group;
+      compared_tags_border_column(0) <= compared_ready_tag.border_column;
+      compared_tags_first_cost(0) <= compared_ready_tag.first_cost;
+      compared_tags_leaves_window(0) <= compared_ready_tag.leaves_window;
+      compared_tags_output_column(0) <= compared_ready_tag.output_column;
+      compared_tags_start_of_frame(0) <= compared_ready_tag.start_of_frame;
+      compared_tags_end_of_line(0) <= compared_ready_tag.end_of_line;
       compared_tags_row_start(1) <= compared_tags_row_start(0);
       compared_tags_first_group(1) <= compared_tags_first_group(0);
       compared_tags_border_column(1) <= compared_tags_border_column(0);
@@ -5590,284 +3694,188 @@ begin
       compared_tags_output_column(7) <= compared_tags_output_column(6);
       compared_tags_start_of_frame(7) <= compared_tags_start_of_frame(6);
       compared_tags_end_of_line(7) <= compared_tags_end_of_line(6);
-      if compared_ready_inside(0) then
-        compared_held_reference(0, 0) <= compared_rows_ready_words(0) mod 4096;
-      else
-        compared_held_reference(0, 0) <= 0;
-      end if;
-      if compared_ready_inside(1) then
-        compared_held_reference(0, 1) <= compared_rows_ready_newest_0;
-      else
-        compared_held_reference(0, 1) <= 0;
-      end if;
+      compared_held_reference(0, 0) <= choice(compared_ready_inside(0), compared_rows_ready_words(0) mod 4096, 0);
+      compared_held_reference(0, 1) <= choice(compared_ready_inside(1), compared_rows_ready_newest_0, 0);
       if bases_ready_valid then
         for i in 0 to 2 loop
           compared_rows_write_words(i) <= (compared_rows_ready_words(i) / 4096) + ((compared_rows_ready_words(i + 1)
             mod 4096) * 4096);
         end loop;
         compared_rows_write_words(3) <= (compared_rows_ready_words(3) / 4096) + (compared_rows_ready_words_4 * 4096);
-        compared_rows_write_words_4 <= compared_rows_ready_newest_0;
+        compared_rows_write_words(4) <= compared_rows_ready_newest_0;
         compared_write_column <= bases_ready_column;
       end if;
       -- lowchain
       lowchain_lane_0_0_all := compared_tags_valid(6) and (rows_step_one(0, 0) or rows_step_four(0, 0));
       if lowchain_lane_0_0_all then
-        if rows_step_four(0, 0) then
-          for i in 0 to 11 loop
-            lowchain_lane(0, i) <= lowchain_lane(0, i + 4);
-          end loop;
-          lowchain_lane(0, 12) <= rows_codes(0, 0, 0);
-          lowchain_lane(0, 13) <= rows_codes(0, 0, 1);
-          lowchain_lane(0, 14) <= rows_codes(0, 0, 2);
-          lowchain_lane(0, 15) <= rows_codes(0, 0, 3);
-        else
-          for i in 0 to 14 loop
-            lowchain_lane(0, i) <= lowchain_lane(0, i + 1);
-          end loop;
-          lowchain_lane(0, 15) <= rows_codes(0, 0, 0);
-        end if;
+        for i in 0 to 11 loop
+          lowchain_lane(0, i) <= choice(rows_step_four(0, 0), lowchain_lane(0, i + 4), lowchain_lane(0, i + 1));
+        end loop;
+        lowchain_lane(0, 12) <= choice(rows_step_four(0, 0), rows_codes(0, 0, 0), lowchain_lane(0, 13));
+        lowchain_lane(0, 13) <= choice(rows_step_four(0, 0), rows_codes(0, 0, 1), lowchain_lane(0, 14));
+        lowchain_lane(0, 14) <= choice(rows_step_four(0, 0), rows_codes(0, 0, 2), lowchain_lane(0, 15));
+        lowchain_lane(0, 15) <= choice(rows_step_four(0, 0), rows_codes(0, 0, 3), rows_codes(0, 0, 0));
       end if;
-      if rows_step_one(0, 1) then
-        lowchain_lane_1_0_choice := compared_tags_valid(6);
-      else
-        lowchain_lane_1_0_choice := rows_step_four(0, 1) and compared_tags_valid(6);
-      end if;
+      lowchain_lane_1_0_choice := choice(rows_step_one(0, 1), compared_tags_valid(6), rows_step_four(0, 1) and
+        compared_tags_valid(6));
       if lowchain_lane_1_0_choice then
-        if rows_step_four(0, 1) then
-          for i in 0 to 11 loop
-            lowchain_lane(1, i) <= lowchain_lane(1, i + 4);
-          end loop;
-          lowchain_lane(1, 12) <= rows_codes(0, 1, 0);
-          lowchain_lane(1, 13) <= rows_codes(0, 1, 1);
-          lowchain_lane(1, 14) <= rows_codes(0, 1, 2);
-          lowchain_lane(1, 15) <= rows_codes(0, 1, 3);
-        else
-          for i in 0 to 14 loop
-            lowchain_lane(1, i) <= lowchain_lane(1, i + 1);
-          end loop;
-          lowchain_lane(1, 15) <= rows_codes(0, 1, 0);
-        end if;
+        for i in 0 to 11 loop
+          lowchain_lane(1, i) <= choice(rows_step_four(0, 1), lowchain_lane(1, i + 4), lowchain_lane(1, i + 1));
+        end loop;
+        lowchain_lane(1, 12) <= choice(rows_step_four(0, 1), rows_codes(0, 1, 0), lowchain_lane(1, 13));
+        lowchain_lane(1, 13) <= choice(rows_step_four(0, 1), rows_codes(0, 1, 1), lowchain_lane(1, 14));
+        lowchain_lane(1, 14) <= choice(rows_step_four(0, 1), rows_codes(0, 1, 2), lowchain_lane(1, 15));
+        lowchain_lane(1, 15) <= choice(rows_step_four(0, 1), rows_codes(0, 1, 3), rows_codes(0, 1, 0));
       end if;
       -- lowcost
       for i in 0 to 1 loop
-        lowcost_pixels_first_0_value(i) := is_set(compared_held_reference(7, i), 3);
-        lowcost_pixels_first_0_values(i, 2) := is_set(lowchain_lane(1 - i, 0), 3);
-        if lowcost_pixels_first_0_value(i) then
-          lowcost_pixels_first_choice(i, 0) := (not lowcost_pixels_first_0_values(i, 2)) or (not
-            compared_held_inside(7, i));
-        else
-          lowcost_pixels_first_choice(i, 0) := lowcost_pixels_first_0_values(i, 2) and compared_held_inside(7, i);
-        end if;
-        for j in 2 to 3 loop
-          lowcost_pixels_first_0_values(i, 2 * j - 1) := is_set(compared_held_reference(7, i), 7 - j);
-          lowcost_pixels_first_0_values(i, 2 * j) := is_set(lowchain_lane(1 - i, 0), 7 - j);
-          if lowcost_pixels_first_0_values(i, 2 * j - 1) then
-            lowcost_pixels_first_choices(i, 0, j) := (not lowcost_pixels_first_0_values(i, 2 * j)) or (not
-              compared_held_inside(7, i));
-          else
-            lowcost_pixels_first_choices(i, 0, j) := lowcost_pixels_first_0_values(i, 2 * j) and
-              compared_held_inside(7, i);
-          end if;
-        end loop;
-        if is_set(compared_held_reference(7, i), 0) then
-          lowcost_pixels_first_choices(i, 0, 4) := (not is_set(lowchain_lane(1 - i, 0), 0)) or (not
-            compared_held_inside(7, i));
-        else
-          lowcost_pixels_first_choices(i, 0, 4) := is_set(lowchain_lane(1 - i, 0), 0) and compared_held_inside(7, i);
-        end if;
-        for j in 5 to 6 loop
-          lowcost_pixels_first_0_values(i, 2 * j - 3) := is_set(compared_held_reference(7, i), 7 - j);
-          lowcost_pixels_first_0_values(i, 2 * j - 2) := is_set(lowchain_lane(1 - i, 0), 7 - j);
-          if lowcost_pixels_first_0_values(i, 2 * j - 3) then
-            lowcost_pixels_first_choices(i, 0, j) := (not lowcost_pixels_first_0_values(i, 2 * j - 2)) or (not
-              compared_held_inside(7, i));
-          else
-            lowcost_pixels_first_choices(i, 0, j) := lowcost_pixels_first_0_values(i, 2 * j - 2) and
-              compared_held_inside(7, i);
-          end if;
-        end loop;
-        for j in 7 to 8 loop
-          lowcost_pixels_first_0_values(i, 2 * j - 3) := is_set(compared_held_reference(7, i), 2 * j - 8);
-          lowcost_pixels_first_0_values(i, 2 * j - 2) := is_set(lowchain_lane(1 - i, 0), 2 * j - 8);
-          if lowcost_pixels_first_0_values(i, 2 * j - 3) then
-            lowcost_pixels_first_choices(i, 0, j) := (not lowcost_pixels_first_0_values(i, 2 * j - 2)) or (not
-              compared_held_inside(7, i));
-          else
-            lowcost_pixels_first_choices(i, 0, j) := lowcost_pixels_first_0_values(i, 2 * j - 2) and
-              compared_held_inside(7, i);
-          end if;
-        end loop;
-        for j in 9 to 10 loop
-          lowcost_pixels_first_0_values(i, 2 * j - 3) := is_set(compared_held_reference(7, i), 2 * j - 11);
-          lowcost_pixels_first_0_values(i, 2 * j - 2) := is_set(lowchain_lane(1 - i, 0), 2 * j - 11);
-          if lowcost_pixels_first_0_values(i, 2 * j - 3) then
-            lowcost_pixels_first_choices(i, 0, j) := (not lowcost_pixels_first_0_values(i, 2 * j - 2)) or (not
-              compared_held_inside(7, i));
-          else
-            lowcost_pixels_first_choices(i, 0, j) := lowcost_pixels_first_0_values(i, 2 * j - 2) and
-              compared_held_inside(7, i);
-          end if;
-        end loop;
-        if is_set(compared_held_reference(7, i), 11) then
-          lowcost_pixels_first_choices(i, 0, 11) := (not is_set(lowchain_lane(1 - i, 0), 11)) or (not
-            compared_held_inside(7, i));
-        else
-          lowcost_pixels_first_choices(i, 0, 11) := is_set(lowchain_lane(1 - i, 0), 11) and compared_held_inside(7, i);
-        end if;
-        lowcost_pixels_first_0_values(i, 19) := is_set(compared_held_reference(7, i), 10);
-        lowcost_pixels_first_0_values(i, 20) := is_set(lowchain_lane(1 - i, 0), 10);
-        if lowcost_pixels_first_0_values(i, 19) then
-          lowcost_pixels_first_choices(i, 0, 12) := (not lowcost_pixels_first_0_values(i, 20)) or (not
-            compared_held_inside(7, i));
-        else
-          lowcost_pixels_first_choices(i, 0, 12) := lowcost_pixels_first_0_values(i, 20) and compared_held_inside(7, i);
-        end if;
-        lowcost_pixels_first_1_differs(i) := lowcost_pixels_first_0_value(i) /= compared_held_inside(7, i);
-        if is_set(lowchain_lane(1 - i, 1), 3) then
-          lowcost_pixels_first_choice(i, 1) := lowcost_pixels_first_1_differs(i);
-        else
-          lowcost_pixels_first_choice(i, 1) := lowcost_pixels_first_0_value(i);
-        end if;
-        for j in 2 to 3 loop
-          lowcost_pixels_first_1_differss(i, j) := lowcost_pixels_first_0_values(i, 2 * j - 1) /=
-            compared_held_inside(7, i);
-          if is_set(lowchain_lane(1 - i, 1), 7 - j) then
-            lowcost_pixels_first_choices(i, 1, j) := lowcost_pixels_first_1_differss(i, j);
-          else
-            lowcost_pixels_first_choices(i, 1, j) := lowcost_pixels_first_0_values(i, 2 * j - 1);
-          end if;
-        end loop;
-        lowcost_pixels_first_1_differss(i, 4) := is_set(compared_held_reference(7, i), 0) /= compared_held_inside(7, i);
-        if is_set(lowchain_lane(1 - i, 1), 0) then
-          lowcost_pixels_first_choices(i, 1, 4) := lowcost_pixels_first_1_differss(i, 4);
-        else
-          lowcost_pixels_first_choices(i, 1, 4) := is_set(compared_held_reference(7, i), 0);
-        end if;
-        for j in 5 to 6 loop
-          lowcost_pixels_first_1_differss(i, j) := lowcost_pixels_first_0_values(i, 2 * j - 3) /=
-            compared_held_inside(7, i);
-          if is_set(lowchain_lane(1 - i, 1), 7 - j) then
-            lowcost_pixels_first_choices(i, 1, j) := lowcost_pixels_first_1_differss(i, j);
-          else
-            lowcost_pixels_first_choices(i, 1, j) := lowcost_pixels_first_0_values(i, 2 * j - 3);
-          end if;
-        end loop;
-        for j in 7 to 8 loop
-          lowcost_pixels_first_1_differss(i, j) := lowcost_pixels_first_0_values(i, 2 * j - 3) /=
-            compared_held_inside(7, i);
-          if is_set(lowchain_lane(1 - i, 1), 2 * j - 8) then
-            lowcost_pixels_first_choices(i, 1, j) := lowcost_pixels_first_1_differss(i, j);
-          else
-            lowcost_pixels_first_choices(i, 1, j) := lowcost_pixels_first_0_values(i, 2 * j - 3);
-          end if;
-        end loop;
-        for j in 9 to 10 loop
-          lowcost_pixels_first_1_differss(i, j) := lowcost_pixels_first_0_values(i, 2 * j - 3) /=
-            compared_held_inside(7, i);
-          if is_set(lowchain_lane(1 - i, 1), 2 * j - 11) then
-            lowcost_pixels_first_choices(i, 1, j) := lowcost_pixels_first_1_differss(i, j);
-          else
-            lowcost_pixels_first_choices(i, 1, j) := lowcost_pixels_first_0_values(i, 2 * j - 3);
-          end if;
-        end loop;
-        lowcost_pixels_first_1_differss(i, 11) := is_set(compared_held_reference(7, i), 11) /= compared_held_inside(7,
+        lowcost_pixels_first_0_value(i, 1) := is_set(compared_held_reference(7, i), 3);
+        lowcost_pixels_first_0_value(i, 2) := is_set(lowchain_lane(1 - i, 0), 3);
+        lowcost_pixels_first_choice(i, 0, 1) := choice(lowcost_pixels_first_0_value(i, 1), (not
+          lowcost_pixels_first_0_value(i, 2)) or (not compared_held_inside(7, i)), lowcost_pixels_first_0_value(i, 2)
+          and compared_held_inside(7, i));
+        lowcost_pixels_first_0_value(i, 3) := is_set(compared_held_reference(7, i), 5);
+        lowcost_pixels_first_0_value(i, 4) := is_set(lowchain_lane(1 - i, 0), 5);
+        lowcost_pixels_first_choice(i, 0, 2) := choice(lowcost_pixels_first_0_value(i, 3), (not
+          lowcost_pixels_first_0_value(i, 4)) or (not compared_held_inside(7, i)), lowcost_pixels_first_0_value(i, 4)
+          and compared_held_inside(7, i));
+        lowcost_pixels_first_0_value(i, 5) := is_set(compared_held_reference(7, i), 4);
+        lowcost_pixels_first_0_value(i, 6) := is_set(lowchain_lane(1 - i, 0), 4);
+        lowcost_pixels_first_choice(i, 0, 3) := choice(lowcost_pixels_first_0_value(i, 5), (not
+          lowcost_pixels_first_0_value(i, 6)) or (not compared_held_inside(7, i)), lowcost_pixels_first_0_value(i, 6)
+          and compared_held_inside(7, i));
+        lowcost_pixels_first_choice(i, 0, 4) := choice(is_set(compared_held_reference(7, i), 0), (not
+          is_set(lowchain_lane(1 - i, 0), 0)) or (not compared_held_inside(7, i)), is_set(lowchain_lane(1 - i, 0), 0)
+          and compared_held_inside(7, i));
+        lowcost_pixels_first_0_value(i, 7) := is_set(compared_held_reference(7, i), 2);
+        lowcost_pixels_first_0_value(i, 8) := is_set(lowchain_lane(1 - i, 0), 2);
+        lowcost_pixels_first_choice(i, 0, 5) := choice(lowcost_pixels_first_0_value(i, 7), (not
+          lowcost_pixels_first_0_value(i, 8)) or (not compared_held_inside(7, i)), lowcost_pixels_first_0_value(i, 8)
+          and compared_held_inside(7, i));
+        lowcost_pixels_first_0_value(i, 9) := is_set(compared_held_reference(7, i), 1);
+        lowcost_pixels_first_0_value(i, 10) := is_set(lowchain_lane(1 - i, 0), 1);
+        lowcost_pixels_first_choice(i, 0, 6) := choice(lowcost_pixels_first_0_value(i, 9), (not
+          lowcost_pixels_first_0_value(i, 10)) or (not compared_held_inside(7, i)), lowcost_pixels_first_0_value(i, 10)
+          and compared_held_inside(7, i));
+        lowcost_pixels_first_0_value(i, 11) := is_set(compared_held_reference(7, i), 6);
+        lowcost_pixels_first_0_value(i, 12) := is_set(lowchain_lane(1 - i, 0), 6);
+        lowcost_pixels_first_choice(i, 0, 7) := choice(lowcost_pixels_first_0_value(i, 11), (not
+          lowcost_pixels_first_0_value(i, 12)) or (not compared_held_inside(7, i)), lowcost_pixels_first_0_value(i, 12)
+          and compared_held_inside(7, i));
+        lowcost_pixels_first_0_value(i, 13) := is_set(compared_held_reference(7, i), 8);
+        lowcost_pixels_first_0_value(i, 14) := is_set(lowchain_lane(1 - i, 0), 8);
+        lowcost_pixels_first_choice(i, 0, 8) := choice(lowcost_pixels_first_0_value(i, 13), (not
+          lowcost_pixels_first_0_value(i, 14)) or (not compared_held_inside(7, i)), lowcost_pixels_first_0_value(i, 14)
+          and compared_held_inside(7, i));
+        lowcost_pixels_first_0_value(i, 15) := is_set(compared_held_reference(7, i), 7);
+        lowcost_pixels_first_0_value(i, 16) := is_set(lowchain_lane(1 - i, 0), 7);
+        lowcost_pixels_first_choice(i, 0, 9) := choice(lowcost_pixels_first_0_value(i, 15), (not
+          lowcost_pixels_first_0_value(i, 16)) or (not compared_held_inside(7, i)), lowcost_pixels_first_0_value(i, 16)
+          and compared_held_inside(7, i));
+        lowcost_pixels_first_0_value(i, 17) := is_set(compared_held_reference(7, i), 9);
+        lowcost_pixels_first_0_value(i, 18) := is_set(lowchain_lane(1 - i, 0), 9);
+        lowcost_pixels_first_choice(i, 0, 10) := choice(lowcost_pixels_first_0_value(i, 17), (not
+          lowcost_pixels_first_0_value(i, 18)) or (not compared_held_inside(7, i)), lowcost_pixels_first_0_value(i, 18)
+          and compared_held_inside(7, i));
+        lowcost_pixels_first_choice(i, 0, 11) := choice(is_set(compared_held_reference(7, i), 11), (not
+          is_set(lowchain_lane(1 - i, 0), 11)) or (not compared_held_inside(7, i)), is_set(lowchain_lane(1 - i, 0), 11)
+          and compared_held_inside(7, i));
+        lowcost_pixels_first_0_value(i, 19) := is_set(compared_held_reference(7, i), 10);
+        lowcost_pixels_first_0_value(i, 20) := is_set(lowchain_lane(1 - i, 0), 10);
+        lowcost_pixels_first_choice(i, 0, 12) := choice(lowcost_pixels_first_0_value(i, 19), (not
+          lowcost_pixels_first_0_value(i, 20)) or (not compared_held_inside(7, i)), lowcost_pixels_first_0_value(i, 20)
+          and compared_held_inside(7, i));
+        lowcost_pixels_first_1_differs(i, 1) := lowcost_pixels_first_0_value(i, 1) /= compared_held_inside(7, i);
+        lowcost_pixels_first_choice(i, 1, 1) := choice(is_set(lowchain_lane(1 - i, 1), 3),
+          lowcost_pixels_first_1_differs(i, 1), lowcost_pixels_first_0_value(i, 1));
+        lowcost_pixels_first_1_differs(i, 2) := lowcost_pixels_first_0_value(i, 3) /= compared_held_inside(7, i);
+        lowcost_pixels_first_choice(i, 1, 2) := choice(is_set(lowchain_lane(1 - i, 1), 5),
+          lowcost_pixels_first_1_differs(i, 2), lowcost_pixels_first_0_value(i, 3));
+        lowcost_pixels_first_1_differs(i, 3) := lowcost_pixels_first_0_value(i, 5) /= compared_held_inside(7, i);
+        lowcost_pixels_first_choice(i, 1, 3) := choice(is_set(lowchain_lane(1 - i, 1), 4),
+          lowcost_pixels_first_1_differs(i, 3), lowcost_pixels_first_0_value(i, 5));
+        lowcost_pixels_first_1_differs(i, 4) := is_set(compared_held_reference(7, i), 0) /= compared_held_inside(7, i);
+        lowcost_pixels_first_choice(i, 1, 4) := choice(is_set(lowchain_lane(1 - i, 1), 0),
+          lowcost_pixels_first_1_differs(i, 4), is_set(compared_held_reference(7, i), 0));
+        lowcost_pixels_first_1_differs(i, 5) := lowcost_pixels_first_0_value(i, 7) /= compared_held_inside(7, i);
+        lowcost_pixels_first_choice(i, 1, 5) := choice(is_set(lowchain_lane(1 - i, 1), 2),
+          lowcost_pixels_first_1_differs(i, 5), lowcost_pixels_first_0_value(i, 7));
+        lowcost_pixels_first_1_differs(i, 6) := lowcost_pixels_first_0_value(i, 9) /= compared_held_inside(7, i);
+        lowcost_pixels_first_choice(i, 1, 6) := choice(is_set(lowchain_lane(1 - i, 1), 1),
+          lowcost_pixels_first_1_differs(i, 6), lowcost_pixels_first_0_value(i, 9));
+        lowcost_pixels_first_1_differs(i, 7) := lowcost_pixels_first_0_value(i, 11) /= compared_held_inside(7, i);
+        lowcost_pixels_first_choice(i, 1, 7) := choice(is_set(lowchain_lane(1 - i, 1), 6),
+          lowcost_pixels_first_1_differs(i, 7), lowcost_pixels_first_0_value(i, 11));
+        lowcost_pixels_first_1_differs(i, 8) := lowcost_pixels_first_0_value(i, 13) /= compared_held_inside(7, i);
+        lowcost_pixels_first_choice(i, 1, 8) := choice(is_set(lowchain_lane(1 - i, 1), 8),
+          lowcost_pixels_first_1_differs(i, 8), lowcost_pixels_first_0_value(i, 13));
+        lowcost_pixels_first_1_differs(i, 9) := lowcost_pixels_first_0_value(i, 15) /= compared_held_inside(7, i);
+        lowcost_pixels_first_choice(i, 1, 9) := choice(is_set(lowchain_lane(1 - i, 1), 7),
+          lowcost_pixels_first_1_differs(i, 9), lowcost_pixels_first_0_value(i, 15));
+        lowcost_pixels_first_1_differs(i, 10) := lowcost_pixels_first_0_value(i, 17) /= compared_held_inside(7, i);
+        lowcost_pixels_first_choice(i, 1, 10) := choice(is_set(lowchain_lane(1 - i, 1), 9),
+          lowcost_pixels_first_1_differs(i, 10), lowcost_pixels_first_0_value(i, 17));
+        lowcost_pixels_first_1_differs(i, 11) := is_set(compared_held_reference(7, i), 11) /= compared_held_inside(7,
           i);
-        if is_set(lowchain_lane(1 - i, 1), 11) then
-          lowcost_pixels_first_choices(i, 1, 11) := lowcost_pixels_first_1_differss(i, 11);
-        else
-          lowcost_pixels_first_choices(i, 1, 11) := is_set(compared_held_reference(7, i), 11);
-        end if;
-        lowcost_pixels_first_1_differss(i, 12) := lowcost_pixels_first_0_values(i, 19) /= compared_held_inside(7, i);
+        lowcost_pixels_first_choice(i, 1, 11) := choice(is_set(lowchain_lane(1 - i, 1), 11),
+          lowcost_pixels_first_1_differs(i, 11), is_set(compared_held_reference(7, i), 11));
+        lowcost_pixels_first_1_differs(i, 12) := lowcost_pixels_first_0_value(i, 19) /= compared_held_inside(7, i);
         for j in 1 to 14 loop
-          if is_set(lowchain_lane(1 - i, j), 10) then
-            lowcost_pixels_first_choices(i, j, 12) := lowcost_pixels_first_1_differss(i, 12);
-          else
-            lowcost_pixels_first_choices(i, j, 12) := lowcost_pixels_first_0_values(i, 19);
-          end if;
-          if is_set(lowchain_lane(1 - i, j + 1), 3) then
-            lowcost_pixels_first_choice(i, j + 1) := lowcost_pixels_first_1_differs(i);
-          else
-            lowcost_pixels_first_choice(i, j + 1) := lowcost_pixels_first_0_value(i);
-          end if;
-          for k in 2 to 3 loop
-            if is_set(lowchain_lane(1 - i, j + 1), 7 - k) then
-              lowcost_pixels_first_choices(i, j + 1, k) := lowcost_pixels_first_1_differss(i, k);
-            else
-              lowcost_pixels_first_choices(i, j + 1, k) := lowcost_pixels_first_0_values(i, 2 * k - 1);
-            end if;
-          end loop;
-          if is_set(lowchain_lane(1 - i, j + 1), 0) then
-            lowcost_pixels_first_choices(i, j + 1, 4) := lowcost_pixels_first_1_differss(i, 4);
-          else
-            lowcost_pixels_first_choices(i, j + 1, 4) := is_set(compared_held_reference(7, i), 0);
-          end if;
-          for k in 5 to 6 loop
-            if is_set(lowchain_lane(1 - i, j + 1), 7 - k) then
-              lowcost_pixels_first_choices(i, j + 1, k) := lowcost_pixels_first_1_differss(i, k);
-            else
-              lowcost_pixels_first_choices(i, j + 1, k) := lowcost_pixels_first_0_values(i, 2 * k - 3);
-            end if;
-          end loop;
-          for k in 7 to 8 loop
-            if is_set(lowchain_lane(1 - i, j + 1), 2 * k - 8) then
-              lowcost_pixels_first_choices(i, j + 1, k) := lowcost_pixels_first_1_differss(i, k);
-            else
-              lowcost_pixels_first_choices(i, j + 1, k) := lowcost_pixels_first_0_values(i, 2 * k - 3);
-            end if;
-          end loop;
-          for k in 9 to 10 loop
-            if is_set(lowchain_lane(1 - i, j + 1), 2 * k - 11) then
-              lowcost_pixels_first_choices(i, j + 1, k) := lowcost_pixels_first_1_differss(i, k);
-            else
-              lowcost_pixels_first_choices(i, j + 1, k) := lowcost_pixels_first_0_values(i, 2 * k - 3);
-            end if;
-          end loop;
-          if is_set(lowchain_lane(1 - i, j + 1), 11) then
-            lowcost_pixels_first_choices(i, j + 1, 11) := lowcost_pixels_first_1_differss(i, 11);
-          else
-            lowcost_pixels_first_choices(i, j + 1, 11) := is_set(compared_held_reference(7, i), 11);
-          end if;
+          lowcost_pixels_first_choice(i, j, 12) := choice(is_set(lowchain_lane(1 - i, j), 10),
+            lowcost_pixels_first_1_differs(i, 12), lowcost_pixels_first_0_value(i, 19));
+          lowcost_pixels_first_choice(i, j + 1, 1) := choice(is_set(lowchain_lane(1 - i, j + 1), 3),
+            lowcost_pixels_first_1_differs(i, 1), lowcost_pixels_first_0_value(i, 1));
+          lowcost_pixels_first_choice(i, j + 1, 2) := choice(is_set(lowchain_lane(1 - i, j + 1), 5),
+            lowcost_pixels_first_1_differs(i, 2), lowcost_pixels_first_0_value(i, 3));
+          lowcost_pixels_first_choice(i, j + 1, 3) := choice(is_set(lowchain_lane(1 - i, j + 1), 4),
+            lowcost_pixels_first_1_differs(i, 3), lowcost_pixels_first_0_value(i, 5));
+          lowcost_pixels_first_choice(i, j + 1, 4) := choice(is_set(lowchain_lane(1 - i, j + 1), 0),
+            lowcost_pixels_first_1_differs(i, 4), is_set(compared_held_reference(7, i), 0));
+          lowcost_pixels_first_choice(i, j + 1, 5) := choice(is_set(lowchain_lane(1 - i, j + 1), 2),
+            lowcost_pixels_first_1_differs(i, 5), lowcost_pixels_first_0_value(i, 7));
+          lowcost_pixels_first_choice(i, j + 1, 6) := choice(is_set(lowchain_lane(1 - i, j + 1), 1),
+            lowcost_pixels_first_1_differs(i, 6), lowcost_pixels_first_0_value(i, 9));
+          lowcost_pixels_first_choice(i, j + 1, 7) := choice(is_set(lowchain_lane(1 - i, j + 1), 6),
+            lowcost_pixels_first_1_differs(i, 7), lowcost_pixels_first_0_value(i, 11));
+          lowcost_pixels_first_choice(i, j + 1, 8) := choice(is_set(lowchain_lane(1 - i, j + 1), 8),
+            lowcost_pixels_first_1_differs(i, 8), lowcost_pixels_first_0_value(i, 13));
+          lowcost_pixels_first_choice(i, j + 1, 9) := choice(is_set(lowchain_lane(1 - i, j + 1), 7),
+            lowcost_pixels_first_1_differs(i, 9), lowcost_pixels_first_0_value(i, 15));
+          lowcost_pixels_first_choice(i, j + 1, 10) := choice(is_set(lowchain_lane(1 - i, j + 1), 9),
+            lowcost_pixels_first_1_differs(i, 10), lowcost_pixels_first_0_value(i, 17));
+          lowcost_pixels_first_choice(i, j + 1, 11) := choice(is_set(lowchain_lane(1 - i, j + 1), 11),
+            lowcost_pixels_first_1_differs(i, 11), is_set(compared_held_reference(7, i), 11));
         end loop;
-        if is_set(lowchain_lane(1 - i, 15), 10) then
-          lowcost_pixels_first_choices(i, 15, 12) := lowcost_pixels_first_1_differss(i, 12);
-        else
-          lowcost_pixels_first_choices(i, 15, 12) := lowcost_pixels_first_0_values(i, 19);
-        end if;
+        lowcost_pixels_first_choice(i, 15, 12) := choice(is_set(lowchain_lane(1 - i, 15), 10),
+          lowcost_pixels_first_1_differs(i, 12), lowcost_pixels_first_0_value(i, 19));
       end loop;
       for i in 0 to 3 loop
         for j in 0 to 3 loop
-          if lowcost_ready_tag_first_group then
-            lowcost_column_0_choice(4 * i + j) := 0;
-          else
-            lowcost_column_0_choice(4 * i + j) := to_integer(lowcost_ready_words(i)(8 * j + 7 downto 8 * j));
-          end if;
-          if lowcost_ready_tag_border_column then
-            lowcost_column_0_choice_2(4 * i + j) := 0;
-          else
-            lowcost_column_0_choice_2(4 * i + j) := (lowcost_change_0(4 * i + j) + lowcost_column_0_choice(4 * i + j))
-              mod 256;
-          end if;
+          lowcost_column_0_choice(4 * i + j, 1) := choice(lowcost_ready_tag.first_group, 0,
+            to_integer(lowcost_ready_words(i)(8 * j + 7 downto 8 * j)));
+          lowcost_column_0_choice(4 * i + j, 2) := choice(lowcost_ready_tag.border_column, 0, (lowcost_change_0(4 * i +
+            j) + lowcost_column_0_choice(4 * i + j, 1)) mod 256);
         end loop;
       end loop;
       for i in 0 to 1 loop
         for j in 0 to 15 loop
-          lowcost_pixels_first(i, j) <= ((as_number(lowcost_pixels_first_choice(i, j)) +
-            as_number(lowcost_pixels_first_choices(i, j, 2)) + as_number(lowcost_pixels_first_choices(i, j, 3))) * 4) +
-            as_number(lowcost_pixels_first_choices(i, j, 4)) + as_number(lowcost_pixels_first_choices(i, j, 5)) +
-            as_number(lowcost_pixels_first_choices(i, j, 6)) + ((as_number(lowcost_pixels_first_choices(i, j, 7)) +
-            as_number(lowcost_pixels_first_choices(i, j, 8)) + as_number(lowcost_pixels_first_choices(i, j, 9))) * 16)
-            + ((as_number(lowcost_pixels_first_choices(i, j, 10)) + as_number(lowcost_pixels_first_choices(i, j, 11)) +
-            as_number(lowcost_pixels_first_choices(i, j, 12))) * 64);
+          lowcost_pixels_first(i, j) <= ((as_number(lowcost_pixels_first_choice(i, j, 1)) +
+            as_number(lowcost_pixels_first_choice(i, j, 2)) + as_number(lowcost_pixels_first_choice(i, j, 3))) * 4) +
+            as_number(lowcost_pixels_first_choice(i, j, 4)) + as_number(lowcost_pixels_first_choice(i, j, 5)) +
+            as_number(lowcost_pixels_first_choice(i, j, 6)) + ((as_number(lowcost_pixels_first_choice(i, j, 7)) +
+            as_number(lowcost_pixels_first_choice(i, j, 8)) + as_number(lowcost_pixels_first_choice(i, j, 9))) * 16) +
+            ((as_number(lowcost_pixels_first_choice(i, j, 10)) + as_number(lowcost_pixels_first_choice(i, j, 11)) +
+            as_number(lowcost_pixels_first_choice(i, j, 12))) * 64);
         end loop;
       end loop;
-      lowcost_pixels_first_tag_valid <= compared_tags_valid(7);
-      lowcost_pixels_first_tag_first_group <= compared_tags_first_group(7);
-      lowcost_pixels_first_tag_border_column <= compared_tags_border_column(7);
-      lowcost_pixels_first_tag_first_cost <= compared_tags_first_cost(7);
-      lowcost_pixels_first_tag_leaves_window <= compared_tags_leaves_window(7);
-      lowcost_pixels_first_tag_output_column <= compared_tags_output_column(7);
-      lowcost_pixels_first_tag_start_of_frame <= compared_tags_start_of_frame(7);
-      lowcost_pixels_first_tag_end_of_line <= compared_tags_end_of_line(7);
+      lowcost_pixels_first_tag.valid <= compared_tags_valid(7);
+      lowcost_pixels_first_tag.first_group <= compared_tags_first_group(7);
+      lowcost_pixels_first_tag.border_column <= compared_tags_border_column(7);
+      lowcost_pixels_first_tag.first_cost <= compared_tags_first_cost(7);
+      lowcost_pixels_first_tag.leaves_window <= compared_tags_leaves_window(7);
+      lowcost_pixels_first_tag.output_column <= compared_tags_output_column(7);
+      lowcost_pixels_first_tag.start_of_frame <= compared_tags_start_of_frame(7);
+      lowcost_pixels_first_tag.end_of_line <= compared_tags_end_of_line(7);
       for i in 0 to 1 loop
         for j in 0 to 15 loop
           lowcost_pixels_cost(i, j) <= (((lowcost_pixels_first(i, j) mod 4) + (((lowcost_pixels_first(i, j) / 2) mod 8)
@@ -5875,125 +3883,73 @@ begin
             (((lowcost_pixels_first(i, j) / 16) + (lowcost_pixels_first(i, j) / 64)) mod 2);
         end loop;
       end loop;
-      lowcost_pixels_tag_valid <= lowcost_pixels_first_tag_valid;
-      lowcost_pixels_tag_first_group <= lowcost_pixels_first_tag_first_group;
-      lowcost_pixels_tag_border_column <= lowcost_pixels_first_tag_border_column;
-      lowcost_pixels_tag_first_cost <= lowcost_pixels_first_tag_first_cost;
-      lowcost_pixels_tag_leaves_window <= lowcost_pixels_first_tag_leaves_window;
-      lowcost_pixels_tag_output_column <= lowcost_pixels_first_tag_output_column;
-      lowcost_pixels_tag_start_of_frame <= lowcost_pixels_first_tag_start_of_frame;
-      lowcost_pixels_tag_end_of_line <= lowcost_pixels_first_tag_end_of_line;
+      lowcost_pixels_tag <= lowcost_pixels_first_tag;
       lowcost_change_column <= lowcost_read_column;
       for i in 0 to 15 loop
         lowcost_change_0(i) <= lowcost_pixels_cost(1, i) - lowcost_pixels_cost(0, i);
       end loop;
-      lowcost_ready_words(0) <= lowcost_read_words(0);
-      lowcost_ready_words(1) <= lowcost_read_words(1);
-      lowcost_ready_words(2) <= lowcost_read_words(2);
-      lowcost_ready_words(3) <= lowcost_read_words(3);
+      lowcost_ready_words <= lowcost_read_words;
       lowcost_ready_column <= lowcost_change_column;
-      lowcost_ready_tag_valid <= lowcost_pixels_tag_valid;
-      lowcost_ready_tag_first_group <= lowcost_pixels_tag_first_group;
-      lowcost_ready_tag_border_column <= lowcost_pixels_tag_border_column;
-      lowcost_ready_tag_first_cost <= lowcost_pixels_tag_first_cost;
-      lowcost_ready_tag_leaves_window <= lowcost_pixels_tag_leaves_window;
-      lowcost_ready_tag_output_column <= lowcost_pixels_tag_output_column;
-      lowcost_ready_tag_start_of_frame <= lowcost_pixels_tag_start_of_frame;
-      lowcost_ready_tag_end_of_line <= lowcost_pixels_tag_end_of_line;
+      lowcost_ready_tag <= lowcost_pixels_tag;
       for i in 0 to 15 loop
-        lowcost_column_0(i) <= lowcost_column_0_choice_2(i);
+        lowcost_column_0(i) <= lowcost_column_0_choice(i, 2);
       end loop;
-      lowcost_tag_valid <= lowcost_ready_tag_valid;
-      lowcost_tag_first_cost <= lowcost_ready_tag_first_cost;
-      lowcost_tag_leaves_window <= lowcost_ready_tag_leaves_window;
-      lowcost_tag_output_column <= lowcost_ready_tag_output_column;
-      lowcost_tag_start_of_frame <= lowcost_ready_tag_start_of_frame;
-      lowcost_tag_end_of_line <= lowcost_ready_tag_end_of_line;
+      lowcost_tag.valid <= lowcost_ready_tag.valid;
+      lowcost_tag.first_cost <= lowcost_ready_tag.first_cost;
+      lowcost_tag.leaves_window <= lowcost_ready_tag.leaves_window;
+      lowcost_tag.output_column <= lowcost_ready_tag.output_column;
+      lowcost_tag.start_of_frame <= lowcost_ready_tag.start_of_frame;
+      lowcost_tag.end_of_line <= lowcost_ready_tag.end_of_line;
       if compared_tags_valid(7) then
-        if compared_tags_row_start(7) then
-          lowcost_read_column <= 0;
-        else
-          lowcost_read_column <= (lowcost_read_column + 1) mod 1024;
-        end if;
+        lowcost_read_column <= choice(compared_tags_row_start(7), 0, (lowcost_read_column + 1) mod 1024);
       end if;
-      if lowcost_ready_tag_valid then
+      if lowcost_ready_tag.valid then
         lowcost_write_column <= lowcost_ready_column;
         for i in 0 to 3 loop
-          lowcost_write_words(i) <= to_unsigned(lowcost_column_0_choice_2(4 * i + 3), 8) &
-            to_unsigned(lowcost_column_0_choice_2(4 * i + 2), 8) & to_unsigned(lowcost_column_0_choice_2(4 * i + 1), 8)
-            & to_unsigned(lowcost_column_0_choice_2(4 * i), 8);
+          lowcost_write_words(i) <= to_unsigned(lowcost_column_0_choice(4 * i + 3, 2), 8) &
+            to_unsigned(lowcost_column_0_choice(4 * i + 2, 2), 8) & to_unsigned(lowcost_column_0_choice(4 * i + 1, 2),
+            8) & to_unsigned(lowcost_column_0_choice(4 * i, 2), 8);
         end loop;
       end if;
       -- lowwindow
-      if lowcost_tag_valid then
+      if lowcost_tag.valid then
         lowwindow_ring_write_address <= lowwindow_ring_read_address;
-        if lowwindow_ring_read_address = 9 then
-          lowwindow_ring_read_address <= 0;
-        else
-          lowwindow_ring_read_address <= (lowwindow_ring_read_address + 1) mod 16;
-        end if;
+        lowwindow_ring_read_address <= choice(lowwindow_ring_read_address = 9, 0, (lowwindow_ring_read_address + 1) mod
+          16);
       end if;
-      for i in 0 to 1 loop
+      for i in 0 to 3 loop
         for j in 0 to 3 loop
-          if lowwindow_entering_tag_leaves_window then
-            lowwindow_change_0_choice(8 * i + j) := to_integer(lowwindow_leaving(2 * i)(8 * j + 7 downto 8 * j));
-          else
-            lowwindow_change_0_choice(8 * i + j) := 0;
-          end if;
-        end loop;
-        for j in 4 to 7 loop
-          if lowwindow_entering_tag_leaves_window then
-            lowwindow_change_0_choice(8 * i + j) := to_integer(lowwindow_leaving(2 * i + 1)(8 * j - 25 downto 8 * j -
-              32));
-          else
-            lowwindow_change_0_choice(8 * i + j) := 0;
-          end if;
+          lowwindow_change_0_choice(4 * i + j) := choice(lowwindow_entering_tag.leaves_window,
+            to_integer(lowwindow_leaving(i)(8 * j + 7 downto 8 * j)), 0);
         end loop;
       end loop;
-      for i in 0 to 15 loop
-        lowwindow_entering_0(i) <= lowcost_column_0(i);
-      end loop;
-      lowwindow_entering_tag_valid <= lowcost_tag_valid;
-      lowwindow_entering_tag_first_cost <= lowcost_tag_first_cost;
-      lowwindow_entering_tag_leaves_window <= lowcost_tag_leaves_window;
-      lowwindow_entering_tag_output_column <= lowcost_tag_output_column;
-      lowwindow_entering_tag_start_of_frame <= lowcost_tag_start_of_frame;
-      lowwindow_entering_tag_end_of_line <= lowcost_tag_end_of_line;
+      lowwindow_entering_0 <= lowcost_column_0;
+      lowwindow_entering_tag <= lowcost_tag;
       for i in 0 to 15 loop
         lowwindow_change_0(i) <= lowwindow_entering_0(i) - lowwindow_change_0_choice(i);
       end loop;
-      lowwindow_change_tag_valid <= lowwindow_entering_tag_valid;
-      lowwindow_change_tag_first_cost <= lowwindow_entering_tag_first_cost;
-      lowwindow_change_tag_output_column <= lowwindow_entering_tag_output_column;
-      lowwindow_change_tag_start_of_frame <= lowwindow_entering_tag_start_of_frame;
-      lowwindow_change_tag_end_of_line <= lowwindow_entering_tag_end_of_line;
-      lowwindow_tag_valid <= lowwindow_change_tag_valid;
-      lowwindow_tag_output_column <= lowwindow_centre_output_column(3);
-      lowwindow_tag_start_of_frame <= lowwindow_centre_start_of_frame(3);
-      lowwindow_tag_end_of_line <= lowwindow_centre_end_of_line(3);
+      lowwindow_change_tag.valid <= lowwindow_entering_tag.valid;
+      lowwindow_change_tag.first_cost <= lowwindow_entering_tag.first_cost;
+      lowwindow_change_tag.output_column <= lowwindow_entering_tag.output_column;
+      lowwindow_change_tag.start_of_frame <= lowwindow_entering_tag.start_of_frame;
+      lowwindow_change_tag.end_of_line <= lowwindow_entering_tag.end_of_line;
+      lowwindow_tag.valid <= lowwindow_change_tag.valid;
+      lowwindow_tag.output_column <= lowwindow_centre_output_column(3);
+      lowwindow_tag.start_of_frame <= lowwindow_centre_start_of_frame(3);
+      lowwindow_tag.end_of_line <= lowwindow_centre_end_of_line(3);
       for i in 0 to 15 loop
-        if lowwindow_change_tag_first_cost then
-          lowwindow_sum_0_choice(i) := 0;
-        else
-          lowwindow_sum_0_choice(i) := lowwindow_sum_0(i);
-        end if;
+        lowwindow_sum_0_choice(i) := choice(lowwindow_change_tag.first_cost, 0, lowwindow_sum_0(i));
       end loop;
-      if lowwindow_change_tag_valid then
+      if lowwindow_change_tag.valid then
         for i in 0 to 15 loop
           lowwindow_sum_0(i) <= (lowwindow_sum_0_choice(i) + lowwindow_change_0(i)) mod 2048;
         end loop;
-        lowwindow_centre_output_column(0) <= lowwindow_change_tag_output_column;
-        lowwindow_centre_output_column(1) <= lowwindow_centre_output_column(0);
-        lowwindow_centre_output_column(2) <= lowwindow_centre_output_column(1);
-        lowwindow_centre_output_column(3) <= lowwindow_centre_output_column(2);
-        lowwindow_centre_start_of_frame(0) <= lowwindow_change_tag_start_of_frame;
-        lowwindow_centre_start_of_frame(1) <= lowwindow_centre_start_of_frame(0);
-        lowwindow_centre_start_of_frame(2) <= lowwindow_centre_start_of_frame(1);
-        lowwindow_centre_start_of_frame(3) <= lowwindow_centre_start_of_frame(2);
-        lowwindow_centre_end_of_line(0) <= lowwindow_change_tag_end_of_line;
-        lowwindow_centre_end_of_line(1) <= lowwindow_centre_end_of_line(0);
-        lowwindow_centre_end_of_line(2) <= lowwindow_centre_end_of_line(1);
-        lowwindow_centre_end_of_line(3) <= lowwindow_centre_end_of_line(2);
+        lowwindow_centre_output_column(0) <= lowwindow_change_tag.output_column;
+        lowwindow_centre_output_column(1 to 3) <= lowwindow_centre_output_column(0 to 2);
+        lowwindow_centre_start_of_frame(0) <= lowwindow_change_tag.start_of_frame;
+        lowwindow_centre_start_of_frame(1 to 3) <= lowwindow_centre_start_of_frame(0 to 2);
+        lowwindow_centre_end_of_line(0) <= lowwindow_change_tag.end_of_line;
+        lowwindow_centre_end_of_line(1 to 3) <= lowwindow_centre_end_of_line(0 to 2);
       end if;
       -- lowwinner1
       for i in 0 to 7 loop
@@ -6006,131 +3962,34 @@ begin
       for i in 0 to 6 loop
         lowwinner1_best_last_0(i) <= lowwindow_sum_0(2 * i + 1);
       end loop;
-      lowwinner1_tag_valid <= lowwindow_tag_valid;
-      lowwinner1_tag_output_column <= lowwindow_tag_output_column;
-      lowwinner1_tag_start_of_frame <= lowwindow_tag_start_of_frame;
-      lowwinner1_tag_end_of_line <= lowwindow_tag_end_of_line;
-      if lowwinner1_best_cost_0_is_less(0) then
-        lowwinner1_best_cost_0(0) <= lowwindow_sum_0(1);
-        lowwinner1_best_below_0(0) <= lowwindow_sum_0(0);
-        lowwinner1_best_above_0(0) <= 0;
-      else
-        lowwinner1_best_cost_0(0) <= lowwindow_sum_0(0);
-        lowwinner1_best_below_0(0) <= 0;
-        lowwinner1_best_above_0(0) <= lowwindow_sum_0(1);
-      end if;
-      if lowwinner1_best_cost_0_is_less(1) then
-        lowwinner1_best_cost_0(1) <= lowwindow_sum_0(3);
-        lowwinner1_best_index_0_1 <= 3;
-        lowwinner1_best_below_0(1) <= lowwindow_sum_0(2);
-        lowwinner1_best_above_0(1) <= 0;
-      else
-        lowwinner1_best_cost_0(1) <= lowwindow_sum_0(2);
-        lowwinner1_best_index_0_1 <= 2;
-        lowwinner1_best_below_0(1) <= 0;
-        lowwinner1_best_above_0(1) <= lowwindow_sum_0(3);
-      end if;
-      if lowwinner1_best_cost_0_is_less(2) then
-        lowwinner1_best_cost_0(2) <= lowwindow_sum_0(5);
-        lowwinner1_best_index_0_2 <= 5;
-        lowwinner1_best_below_0(2) <= lowwindow_sum_0(4);
-        lowwinner1_best_above_0(2) <= 0;
-      else
-        lowwinner1_best_cost_0(2) <= lowwindow_sum_0(4);
-        lowwinner1_best_index_0_2 <= 4;
-        lowwinner1_best_below_0(2) <= 0;
-        lowwinner1_best_above_0(2) <= lowwindow_sum_0(5);
-      end if;
-      if lowwinner1_best_cost_0_is_less(3) then
-        lowwinner1_best_cost_0(3) <= lowwindow_sum_0(7);
-        lowwinner1_best_index_0_3 <= 7;
-        lowwinner1_best_below_0(3) <= lowwindow_sum_0(6);
-        lowwinner1_best_above_0(3) <= 0;
-      else
-        lowwinner1_best_cost_0(3) <= lowwindow_sum_0(6);
-        lowwinner1_best_index_0_3 <= 6;
-        lowwinner1_best_below_0(3) <= 0;
-        lowwinner1_best_above_0(3) <= lowwindow_sum_0(7);
-      end if;
-      if lowwinner1_best_cost_0_is_less(4) then
-        lowwinner1_best_cost_0(4) <= lowwindow_sum_0(9);
-        lowwinner1_best_index_0_4 <= 9;
-        lowwinner1_best_below_0(4) <= lowwindow_sum_0(8);
-        lowwinner1_best_above_0(4) <= 0;
-      else
-        lowwinner1_best_cost_0(4) <= lowwindow_sum_0(8);
-        lowwinner1_best_index_0_4 <= 8;
-        lowwinner1_best_below_0(4) <= 0;
-        lowwinner1_best_above_0(4) <= lowwindow_sum_0(9);
-      end if;
-      if lowwinner1_best_cost_0_is_less(5) then
-        lowwinner1_best_cost_0(5) <= lowwindow_sum_0(11);
-        lowwinner1_best_index_0_5 <= 11;
-        lowwinner1_best_below_0(5) <= lowwindow_sum_0(10);
-        lowwinner1_best_above_0(5) <= 0;
-      else
-        lowwinner1_best_cost_0(5) <= lowwindow_sum_0(10);
-        lowwinner1_best_index_0_5 <= 10;
-        lowwinner1_best_below_0(5) <= 0;
-        lowwinner1_best_above_0(5) <= lowwindow_sum_0(11);
-      end if;
-      if lowwinner1_best_cost_0_is_less(6) then
-        lowwinner1_best_cost_0(6) <= lowwindow_sum_0(13);
-        lowwinner1_best_index_0_6 <= 13;
-        lowwinner1_best_below_0(6) <= lowwindow_sum_0(12);
-        lowwinner1_best_above_0(6) <= 0;
-      else
-        lowwinner1_best_cost_0(6) <= lowwindow_sum_0(12);
-        lowwinner1_best_index_0_6 <= 12;
-        lowwinner1_best_below_0(6) <= 0;
-        lowwinner1_best_above_0(6) <= lowwindow_sum_0(13);
-      end if;
-      if lowwinner1_best_cost_0_is_less(7) then
-        lowwinner1_best_cost_0(7) <= lowwindow_sum_0(15);
-        lowwinner1_best_index_0_7 <= 15;
-        lowwinner1_best_below_0(7) <= lowwindow_sum_0(14);
-        lowwinner1_best_above_0(7) <= 0;
-      else
-        lowwinner1_best_cost_0(7) <= lowwindow_sum_0(14);
-        lowwinner1_best_index_0_7 <= 14;
-        lowwinner1_best_below_0(7) <= 0;
-        lowwinner1_best_above_0(7) <= lowwindow_sum_0(15);
-      end if;
+      lowwinner1_tag <= lowwindow_tag;
+      lowwinner1_best_cost_0(0) <= choice(lowwinner1_best_cost_0_is_less(0), lowwindow_sum_0(1), lowwindow_sum_0(0));
+      for i in 0 to 6 loop
+        lowwinner1_best_below_0(i) <= choice(lowwinner1_best_cost_0_is_less(i), lowwindow_sum_0(2 * i), 0);
+        lowwinner1_best_above_0(i) <= choice(lowwinner1_best_cost_0_is_less(i), 0, lowwindow_sum_0(2 * i + 1));
+        lowwinner1_best_cost_0(i + 1) <= choice(lowwinner1_best_cost_0_is_less(i + 1), lowwindow_sum_0(2 * i + 3),
+          lowwindow_sum_0(2 * i + 2));
+        lowwinner1_best_index_0(i + 1) <= choice(lowwinner1_best_cost_0_is_less(i + 1), 2 * i + 3, 2 * i + 2);
+      end loop;
+      lowwinner1_best_below_0(7) <= choice(lowwinner1_best_cost_0_is_less(7), lowwindow_sum_0(14), 0);
+      lowwinner1_best_above_0(7) <= choice(lowwinner1_best_cost_0_is_less(7), 0, lowwindow_sum_0(15));
       -- lowwinner2
       for i in 0 to 3 loop
         lowwinner2_best_cost_0_is_less(i) := (lowwinner1_best_cost_0(2 * i + 1) - lowwinner1_best_cost_0(2 * i)) < 0;
       end loop;
-      if lowwinner1_best_index_0_1 = 2 then
-        lowwinner2_best_below_0_choice(0) := lowwinner1_best_last_0(0);
-      else
-        lowwinner2_best_below_0_choice(0) := lowwinner1_best_below_0(1);
-      end if;
-      if lowwinner1_best_index_0_3 = 6 then
-        lowwinner2_best_below_0_choice(1) := lowwinner1_best_last_0(2);
-      else
-        lowwinner2_best_below_0_choice(1) := lowwinner1_best_below_0(3);
-      end if;
-      if is_set(lowwinner1_best_index_0_5, 3) and ((lowwinner1_best_index_0_5 mod 4) = 2) then
-        lowwinner2_best_below_0_choice(2) := lowwinner1_best_last_0(4);
-      else
-        lowwinner2_best_below_0_choice(2) := lowwinner1_best_below_0(5);
-      end if;
-      if lowwinner1_best_index_0_7 = 14 then
-        lowwinner2_best_below_0_choice(3) := lowwinner1_best_last_0(6);
-      else
-        lowwinner2_best_below_0_choice(3) := lowwinner1_best_below_0(7);
-      end if;
-      if lowwinner1_best_index_0_0 then
-        lowwinner2_best_above_0_choice(0) := lowwinner1_best_first_0(1);
-      else
-        lowwinner2_best_above_0_choice(0) := lowwinner1_best_above_0(0);
-      end if;
-      for i in 10 to 12 loop
-        if others_from_10(i) then
-          lowwinner2_best_above_0_choice(i - 9) := lowwinner1_best_first_0(2 * i - 17);
-        else
-          lowwinner2_best_above_0_choice(i - 9) := lowwinner1_best_above_0(2 * i - 18);
-        end if;
+      lowwinner2_best_below_0_choice(0) := choice(lowwinner1_best_index_0(1) = 2, lowwinner1_best_last_0(0),
+        lowwinner1_best_below_0(1));
+      lowwinner2_best_below_0_choice(1) := choice(lowwinner1_best_index_0(3) = 6, lowwinner1_best_last_0(2),
+        lowwinner1_best_below_0(3));
+      lowwinner2_best_below_0_choice(2) := choice(is_set(lowwinner1_best_index_0(5), 3) and
+        ((lowwinner1_best_index_0(5) mod 4) = 2), lowwinner1_best_last_0(4), lowwinner1_best_below_0(5));
+      lowwinner2_best_below_0_choice(3) := choice(lowwinner1_best_index_0(7) = 14, lowwinner1_best_last_0(6),
+        lowwinner1_best_below_0(7));
+      lowwinner2_best_above_0_choice(0) := choice(lowwinner1_best_index_0_0, lowwinner1_best_first_0(1),
+        lowwinner1_best_above_0(0));
+      for i in 1 to 3 loop
+        lowwinner2_best_above_0_choice(i) := choice(others_from_10(i + 9), lowwinner1_best_first_0(2 * i + 1),
+          lowwinner1_best_above_0(2 * i));
       end loop;
       lowwinner2_best_first_0(1) <= lowwinner1_best_first_0(2);
       lowwinner2_best_first_0(2) <= lowwinner1_best_first_0(4);
@@ -6138,233 +3997,124 @@ begin
       lowwinner2_best_last_0(0) <= lowwinner1_best_last_0(1);
       lowwinner2_best_last_0(1) <= lowwinner1_best_last_0(3);
       lowwinner2_best_last_0(2) <= lowwinner1_best_last_0(5);
-      lowwinner2_tag_valid <= lowwinner1_tag_valid;
-      lowwinner2_tag_output_column <= lowwinner1_tag_output_column;
-      lowwinner2_tag_start_of_frame <= lowwinner1_tag_start_of_frame;
-      lowwinner2_tag_end_of_line <= lowwinner1_tag_end_of_line;
-      if lowwinner2_best_cost_0_is_less(0) then
-        lowwinner2_best_cost_0(0) <= lowwinner1_best_cost_0(1);
-        lowwinner2_best_index_0_0 <= lowwinner1_best_index_0_1;
-        lowwinner2_best_below_0(0) <= lowwinner2_best_below_0_choice(0);
-        lowwinner2_best_above_0(0) <= lowwinner1_best_above_0(1);
-      else
-        lowwinner2_best_cost_0(0) <= lowwinner1_best_cost_0(0);
-        lowwinner2_best_index_0_0 <= as_number(lowwinner1_best_index_0_0);
-        lowwinner2_best_below_0(0) <= lowwinner1_best_below_0(0);
-        lowwinner2_best_above_0(0) <= lowwinner2_best_above_0_choice(0);
-      end if;
-      if lowwinner2_best_cost_0_is_less(1) then
-        lowwinner2_best_cost_0(1) <= lowwinner1_best_cost_0(3);
-        lowwinner2_best_index_0_1 <= lowwinner1_best_index_0_3;
-        lowwinner2_best_below_0(1) <= lowwinner2_best_below_0_choice(1);
-        lowwinner2_best_above_0(1) <= lowwinner1_best_above_0(3);
-      else
-        lowwinner2_best_cost_0(1) <= lowwinner1_best_cost_0(2);
-        lowwinner2_best_index_0_1 <= lowwinner1_best_index_0_2;
-        lowwinner2_best_below_0(1) <= lowwinner1_best_below_0(2);
-        lowwinner2_best_above_0(1) <= lowwinner2_best_above_0_choice(1);
-      end if;
-      if lowwinner2_best_cost_0_is_less(2) then
-        lowwinner2_best_cost_0(2) <= lowwinner1_best_cost_0(5);
-        lowwinner2_best_index_0_2 <= lowwinner1_best_index_0_5;
-        lowwinner2_best_below_0(2) <= lowwinner2_best_below_0_choice(2);
-        lowwinner2_best_above_0(2) <= lowwinner1_best_above_0(5);
-      else
-        lowwinner2_best_cost_0(2) <= lowwinner1_best_cost_0(4);
-        lowwinner2_best_index_0_2 <= lowwinner1_best_index_0_4;
-        lowwinner2_best_below_0(2) <= lowwinner1_best_below_0(4);
-        lowwinner2_best_above_0(2) <= lowwinner2_best_above_0_choice(2);
-      end if;
-      if lowwinner2_best_cost_0_is_less(3) then
-        lowwinner2_best_cost_0(3) <= lowwinner1_best_cost_0(7);
-        lowwinner2_best_index_0_3 <= lowwinner1_best_index_0_7;
-        lowwinner2_best_below_0(3) <= lowwinner2_best_below_0_choice(3);
-        lowwinner2_best_above_0(3) <= lowwinner1_best_above_0(7);
-      else
-        lowwinner2_best_cost_0(3) <= lowwinner1_best_cost_0(6);
-        lowwinner2_best_index_0_3 <= lowwinner1_best_index_0_6;
-        lowwinner2_best_below_0(3) <= lowwinner1_best_below_0(6);
-        lowwinner2_best_above_0(3) <= lowwinner2_best_above_0_choice(3);
-      end if;
+      lowwinner2_tag <= lowwinner1_tag;
+      lowwinner2_best_cost_0(0) <= choice(lowwinner2_best_cost_0_is_less(0), lowwinner1_best_cost_0(1),
+        lowwinner1_best_cost_0(0));
+      lowwinner2_best_index_0(0) <= choice(lowwinner2_best_cost_0_is_less(0), lowwinner1_best_index_0(1),
+        as_number(lowwinner1_best_index_0_0));
+      for i in 0 to 2 loop
+        lowwinner2_best_below_0(i) <= choice(lowwinner2_best_cost_0_is_less(i), lowwinner2_best_below_0_choice(i),
+          lowwinner1_best_below_0(2 * i));
+        lowwinner2_best_above_0(i) <= choice(lowwinner2_best_cost_0_is_less(i), lowwinner1_best_above_0(2 * i + 1),
+          lowwinner2_best_above_0_choice(i));
+        lowwinner2_best_cost_0(i + 1) <= choice(lowwinner2_best_cost_0_is_less(i + 1), lowwinner1_best_cost_0(2 * i +
+          3), lowwinner1_best_cost_0(2 * i + 2));
+        lowwinner2_best_index_0(i + 1) <= choice(lowwinner2_best_cost_0_is_less(i + 1), lowwinner1_best_index_0(2 * i +
+          3), lowwinner1_best_index_0(2 * i + 2));
+      end loop;
+      lowwinner2_best_below_0(3) <= choice(lowwinner2_best_cost_0_is_less(3), lowwinner2_best_below_0_choice(3),
+        lowwinner1_best_below_0(6));
+      lowwinner2_best_above_0(3) <= choice(lowwinner2_best_cost_0_is_less(3), lowwinner1_best_above_0(7),
+        lowwinner2_best_above_0_choice(3));
       -- lowwinner3
       lowwinner3_best_cost_0_is_less(0) := (lowwinner2_best_cost_0(1) - lowwinner2_best_cost_0(0)) < 0;
       lowwinner3_best_cost_0_is_less(1) := (lowwinner2_best_cost_0(3) - lowwinner2_best_cost_0(2)) < 0;
-      if lowwinner2_best_index_0_1 = 4 then
-        lowwinner3_best_below_0_choice(0) := lowwinner2_best_last_0(0);
-      else
-        lowwinner3_best_below_0_choice(0) := lowwinner2_best_below_0(1);
-      end if;
-      if lowwinner2_best_index_0_3 = 12 then
-        lowwinner3_best_below_0_choice(1) := lowwinner2_best_last_0(2);
-      else
-        lowwinner3_best_below_0_choice(1) := lowwinner2_best_below_0(3);
-      end if;
-      if lowwinner2_best_index_0_0 = 3 then
-        lowwinner3_best_above_0_choice(0) := lowwinner2_best_first_0(1);
-      else
-        lowwinner3_best_above_0_choice(0) := lowwinner2_best_above_0(0);
-      end if;
-      if is_set(lowwinner2_best_index_0_2, 3) and ((lowwinner2_best_index_0_2 mod 4) = 3) then
-        lowwinner3_best_above_0_choice(1) := lowwinner2_best_first_0(3);
-      else
-        lowwinner3_best_above_0_choice(1) := lowwinner2_best_above_0(2);
-      end if;
+      lowwinner3_best_below_0_choice(0) := choice(lowwinner2_best_index_0(1) = 4, lowwinner2_best_last_0(0),
+        lowwinner2_best_below_0(1));
+      lowwinner3_best_below_0_choice(1) := choice(lowwinner2_best_index_0(3) = 12, lowwinner2_best_last_0(2),
+        lowwinner2_best_below_0(3));
+      lowwinner3_best_above_0_choice(0) := choice(lowwinner2_best_index_0(0) = 3, lowwinner2_best_first_0(1),
+        lowwinner2_best_above_0(0));
+      lowwinner3_best_above_0_choice(1) := choice(is_set(lowwinner2_best_index_0(2), 3) and
+        ((lowwinner2_best_index_0(2) mod 4) = 3), lowwinner2_best_first_0(3), lowwinner2_best_above_0(2));
       lowwinner3_best_first_0_1 <= lowwinner2_best_first_0(2);
       lowwinner3_best_last_0_0 <= lowwinner2_best_last_0(1);
-      lowwinner3_tag_valid <= lowwinner2_tag_valid;
-      lowwinner3_tag_output_column <= lowwinner2_tag_output_column;
-      lowwinner3_tag_start_of_frame <= lowwinner2_tag_start_of_frame;
-      lowwinner3_tag_end_of_line <= lowwinner2_tag_end_of_line;
-      if lowwinner3_best_cost_0_is_less(0) then
-        lowwinner3_best_cost_0(0) <= lowwinner2_best_cost_0(1);
-        lowwinner3_best_index_0_0 <= lowwinner2_best_index_0_1;
-        lowwinner3_best_below_0(0) <= lowwinner3_best_below_0_choice(0);
-        lowwinner3_best_above_0(0) <= lowwinner2_best_above_0(1);
-      else
-        lowwinner3_best_cost_0(0) <= lowwinner2_best_cost_0(0);
-        lowwinner3_best_index_0_0 <= lowwinner2_best_index_0_0;
-        lowwinner3_best_below_0(0) <= lowwinner2_best_below_0(0);
-        lowwinner3_best_above_0(0) <= lowwinner3_best_above_0_choice(0);
-      end if;
-      if lowwinner3_best_cost_0_is_less(1) then
-        lowwinner3_best_cost_0(1) <= lowwinner2_best_cost_0(3);
-        lowwinner3_best_index_0_1 <= lowwinner2_best_index_0_3;
-        lowwinner3_best_below_0(1) <= lowwinner3_best_below_0_choice(1);
-        lowwinner3_best_above_0(1) <= lowwinner2_best_above_0(3);
-      else
-        lowwinner3_best_cost_0(1) <= lowwinner2_best_cost_0(2);
-        lowwinner3_best_index_0_1 <= lowwinner2_best_index_0_2;
-        lowwinner3_best_below_0(1) <= lowwinner2_best_below_0(2);
-        lowwinner3_best_above_0(1) <= lowwinner3_best_above_0_choice(1);
-      end if;
+      lowwinner3_tag <= lowwinner2_tag;
+      for i in 0 to 1 loop
+        lowwinner3_best_cost_0(i) <= choice(lowwinner3_best_cost_0_is_less(i), lowwinner2_best_cost_0(2 * i + 1),
+          lowwinner2_best_cost_0(2 * i));
+        lowwinner3_best_index_0(i) <= choice(lowwinner3_best_cost_0_is_less(i), lowwinner2_best_index_0(2 * i + 1),
+          lowwinner2_best_index_0(2 * i));
+        lowwinner3_best_below_0(i) <= choice(lowwinner3_best_cost_0_is_less(i), lowwinner3_best_below_0_choice(i),
+          lowwinner2_best_below_0(2 * i));
+        lowwinner3_best_above_0(i) <= choice(lowwinner3_best_cost_0_is_less(i), lowwinner2_best_above_0(2 * i + 1),
+          lowwinner3_best_above_0_choice(i));
+      end loop;
       -- lowwinner4
       lowwinner4_best_cost_0_0_is_less := (lowwinner3_best_cost_0(1) - lowwinner3_best_cost_0(0)) < 0;
-      if lowwinner3_best_index_0_1 = 8 then
-        lowwinner4_best_below_0_0_choice := lowwinner3_best_last_0_0;
-      else
-        lowwinner4_best_below_0_0_choice := lowwinner3_best_below_0(1);
-      end if;
-      if lowwinner3_best_index_0_0 = 7 then
-        lowwinner4_best_above_0_0_choice := lowwinner3_best_first_0_1;
-      else
-        lowwinner4_best_above_0_0_choice := lowwinner3_best_above_0(0);
-      end if;
-      lowwinner4_tag_valid <= lowwinner3_tag_valid;
-      lowwinner4_tag_output_column <= lowwinner3_tag_output_column;
-      lowwinner4_tag_start_of_frame <= lowwinner3_tag_start_of_frame;
-      lowwinner4_tag_end_of_line <= lowwinner3_tag_end_of_line;
-      if lowwinner4_best_cost_0_0_is_less then
-        lowwinner4_best_cost_0_0 <= lowwinner3_best_cost_0(1);
-        lowwinner4_best_index_0_0 <= lowwinner3_best_index_0_1;
-        lowwinner4_best_below_0_0 <= lowwinner4_best_below_0_0_choice;
-        lowwinner4_best_above_0_0 <= lowwinner3_best_above_0(1);
-      else
-        lowwinner4_best_cost_0_0 <= lowwinner3_best_cost_0(0);
-        lowwinner4_best_index_0_0 <= lowwinner3_best_index_0_0;
-        lowwinner4_best_below_0_0 <= lowwinner3_best_below_0(0);
-        lowwinner4_best_above_0_0 <= lowwinner4_best_above_0_0_choice;
-      end if;
+      lowwinner4_best_below_0_0_choice := choice(lowwinner3_best_index_0(1) = 8, lowwinner3_best_last_0_0,
+        lowwinner3_best_below_0(1));
+      lowwinner4_best_above_0_0_choice := choice(lowwinner3_best_index_0(0) = 7, lowwinner3_best_first_0_1,
+        lowwinner3_best_above_0(0));
+      lowwinner4_tag <= lowwinner3_tag;
+      lowwinner4_best_cost_0_0 <= choice(lowwinner4_best_cost_0_0_is_less, lowwinner3_best_cost_0(1),
+        lowwinner3_best_cost_0(0));
+      lowwinner4_best_index_0_0 <= choice(lowwinner4_best_cost_0_0_is_less, lowwinner3_best_index_0(1),
+        lowwinner3_best_index_0(0));
+      lowwinner4_best_below_0_0 <= choice(lowwinner4_best_cost_0_0_is_less, lowwinner4_best_below_0_0_choice,
+        lowwinner3_best_below_0(0));
+      lowwinner4_best_above_0_0 <= choice(lowwinner4_best_cost_0_0_is_less, lowwinner3_best_above_0(1),
+        lowwinner4_best_above_0_0_choice);
       -- highchain
       for i in 0 to 1 loop
-        if rows_step_one(1, i) then
-          highchain_lane_0_choice(i) := compared_tags_valid(6);
-        else
-          highchain_lane_0_choice(i) := rows_step_four(1, i) and compared_tags_valid(6);
-        end if;
+        highchain_lane_0_choice(i) := choice(rows_step_one(1, i), compared_tags_valid(6), rows_step_four(1, i) and
+          compared_tags_valid(6));
         if highchain_lane_0_choice(i) then
-          if rows_step_four(1, i) then
-            for j in 0 to 11 loop
-              highchain_lane(i, j) <= highchain_lane(i, j + 4);
-            end loop;
-            highchain_lane(i, 12) <= rows_codes(1, i, 0);
-            highchain_lane(i, 13) <= rows_codes(1, i, 1);
-            highchain_lane(i, 14) <= rows_codes(1, i, 2);
-            highchain_lane(i, 15) <= rows_codes(1, i, 3);
-          else
-            for j in 0 to 14 loop
-              highchain_lane(i, j) <= highchain_lane(i, j + 1);
-            end loop;
-            highchain_lane(i, 15) <= rows_codes(1, i, 0);
-          end if;
+          for j in 0 to 11 loop
+            highchain_lane(i, j) <= choice(rows_step_four(1, i), highchain_lane(i, j + 4), highchain_lane(i, j + 1));
+          end loop;
+          highchain_lane(i, 12) <= choice(rows_step_four(1, i), rows_codes(1, i, 0), highchain_lane(i, 13));
+          highchain_lane(i, 13) <= choice(rows_step_four(1, i), rows_codes(1, i, 1), highchain_lane(i, 14));
+          highchain_lane(i, 14) <= choice(rows_step_four(1, i), rows_codes(1, i, 2), highchain_lane(i, 15));
+          highchain_lane(i, 15) <= choice(rows_step_four(1, i), rows_codes(1, i, 3), rows_codes(1, i, 0));
         end if;
       end loop;
       -- highcost
       for i in 0 to 1 loop
         for j in 0 to 15 loop
-          if is_set(highchain_lane(1 - i, j), 3) then
-            highcost_pixels_first_choice(i, j) := lowcost_pixels_first_1_differs(i);
-          else
-            highcost_pixels_first_choice(i, j) := lowcost_pixels_first_0_value(i);
-          end if;
-          for k in 2 to 3 loop
-            if is_set(highchain_lane(1 - i, j), 7 - k) then
-              highcost_pixels_first_choices(i, j, k) := lowcost_pixels_first_1_differss(i, k);
-            else
-              highcost_pixels_first_choices(i, j, k) := lowcost_pixels_first_0_values(i, 2 * k - 1);
-            end if;
-          end loop;
-          if is_set(highchain_lane(1 - i, j), 0) then
-            highcost_pixels_first_choices(i, j, 4) := lowcost_pixels_first_1_differss(i, 4);
-          else
-            highcost_pixels_first_choices(i, j, 4) := is_set(compared_held_reference(7, i), 0);
-          end if;
-          for k in 5 to 6 loop
-            if is_set(highchain_lane(1 - i, j), 7 - k) then
-              highcost_pixels_first_choices(i, j, k) := lowcost_pixels_first_1_differss(i, k);
-            else
-              highcost_pixels_first_choices(i, j, k) := lowcost_pixels_first_0_values(i, 2 * k - 3);
-            end if;
-          end loop;
-          for k in 7 to 8 loop
-            if is_set(highchain_lane(1 - i, j), 2 * k - 8) then
-              highcost_pixels_first_choices(i, j, k) := lowcost_pixels_first_1_differss(i, k);
-            else
-              highcost_pixels_first_choices(i, j, k) := lowcost_pixels_first_0_values(i, 2 * k - 3);
-            end if;
-          end loop;
-          for k in 9 to 10 loop
-            if is_set(highchain_lane(1 - i, j), 2 * k - 11) then
-              highcost_pixels_first_choices(i, j, k) := lowcost_pixels_first_1_differss(i, k);
-            else
-              highcost_pixels_first_choices(i, j, k) := lowcost_pixels_first_0_values(i, 2 * k - 3);
-            end if;
-          end loop;
-          if is_set(highchain_lane(1 - i, j), 11) then
-            highcost_pixels_first_choices(i, j, 11) := lowcost_pixels_first_1_differss(i, 11);
-          else
-            highcost_pixels_first_choices(i, j, 11) := is_set(compared_held_reference(7, i), 11);
-          end if;
-          if is_set(highchain_lane(1 - i, j), 10) then
-            highcost_pixels_first_choices(i, j, 12) := lowcost_pixels_first_1_differss(i, 12);
-          else
-            highcost_pixels_first_choices(i, j, 12) := lowcost_pixels_first_0_values(i, 19);
-          end if;
+          highcost_pixels_first_choice(i, j, 1) := choice(is_set(highchain_lane(1 - i, j), 3),
+            lowcost_pixels_first_1_differs(i, 1), lowcost_pixels_first_0_value(i, 1));
+          highcost_pixels_first_choice(i, j, 2) := choice(is_set(highchain_lane(1 - i, j), 5),
+            lowcost_pixels_first_1_differs(i, 2), lowcost_pixels_first_0_value(i, 3));
+          highcost_pixels_first_choice(i, j, 3) := choice(is_set(highchain_lane(1 - i, j), 4),
+            lowcost_pixels_first_1_differs(i, 3), lowcost_pixels_first_0_value(i, 5));
+          highcost_pixels_first_choice(i, j, 4) := choice(is_set(highchain_lane(1 - i, j), 0),
+            lowcost_pixels_first_1_differs(i, 4), is_set(compared_held_reference(7, i), 0));
+          highcost_pixels_first_choice(i, j, 5) := choice(is_set(highchain_lane(1 - i, j), 2),
+            lowcost_pixels_first_1_differs(i, 5), lowcost_pixels_first_0_value(i, 7));
+          highcost_pixels_first_choice(i, j, 6) := choice(is_set(highchain_lane(1 - i, j), 1),
+            lowcost_pixels_first_1_differs(i, 6), lowcost_pixels_first_0_value(i, 9));
+          highcost_pixels_first_choice(i, j, 7) := choice(is_set(highchain_lane(1 - i, j), 6),
+            lowcost_pixels_first_1_differs(i, 7), lowcost_pixels_first_0_value(i, 11));
+          highcost_pixels_first_choice(i, j, 8) := choice(is_set(highchain_lane(1 - i, j), 8),
+            lowcost_pixels_first_1_differs(i, 8), lowcost_pixels_first_0_value(i, 13));
+          highcost_pixels_first_choice(i, j, 9) := choice(is_set(highchain_lane(1 - i, j), 7),
+            lowcost_pixels_first_1_differs(i, 9), lowcost_pixels_first_0_value(i, 15));
+          highcost_pixels_first_choice(i, j, 10) := choice(is_set(highchain_lane(1 - i, j), 9),
+            lowcost_pixels_first_1_differs(i, 10), lowcost_pixels_first_0_value(i, 17));
+          highcost_pixels_first_choice(i, j, 11) := choice(is_set(highchain_lane(1 - i, j), 11),
+            lowcost_pixels_first_1_differs(i, 11), is_set(compared_held_reference(7, i), 11));
+          highcost_pixels_first_choice(i, j, 12) := choice(is_set(highchain_lane(1 - i, j), 10),
+            lowcost_pixels_first_1_differs(i, 12), lowcost_pixels_first_0_value(i, 19));
         end loop;
       end loop;
       for i in 0 to 3 loop
         for j in 0 to 3 loop
-          if lowcost_ready_tag_first_group then
-            highcost_column_0_choice(4 * i + j) := 0;
-          else
-            highcost_column_0_choice(4 * i + j) := to_integer(highcost_ready_words(i)(8 * j + 7 downto 8 * j));
-          end if;
-          if lowcost_ready_tag_border_column then
-            highcost_column_0_choice_2(4 * i + j) := 0;
-          else
-            highcost_column_0_choice_2(4 * i + j) := (highcost_change_0(4 * i + j) + highcost_column_0_choice(4 * i +
-              j)) mod 256;
-          end if;
+          highcost_column_0_choice(4 * i + j, 1) := choice(lowcost_ready_tag.first_group, 0,
+            to_integer(highcost_ready_words(i)(8 * j + 7 downto 8 * j)));
+          highcost_column_0_choice(4 * i + j, 2) := choice(lowcost_ready_tag.border_column, 0, (highcost_change_0(4 * i
+            + j) + highcost_column_0_choice(4 * i + j, 1)) mod 256);
         end loop;
       end loop;
       for i in 0 to 1 loop
         for j in 0 to 15 loop
-          highcost_pixels_first(i, j) <= ((as_number(highcost_pixels_first_choice(i, j)) +
-            as_number(highcost_pixels_first_choices(i, j, 2)) + as_number(highcost_pixels_first_choices(i, j, 3))) * 4)
-            + as_number(highcost_pixels_first_choices(i, j, 4)) + as_number(highcost_pixels_first_choices(i, j, 5)) +
-            as_number(highcost_pixels_first_choices(i, j, 6)) + ((as_number(highcost_pixels_first_choices(i, j, 7)) +
-            as_number(highcost_pixels_first_choices(i, j, 8)) + as_number(highcost_pixels_first_choices(i, j, 9))) *
-            16) + ((as_number(highcost_pixels_first_choices(i, j, 10)) + as_number(highcost_pixels_first_choices(i, j,
-            11)) + as_number(highcost_pixels_first_choices(i, j, 12))) * 64);
+          highcost_pixels_first(i, j) <= ((as_number(highcost_pixels_first_choice(i, j, 1)) +
+            as_number(highcost_pixels_first_choice(i, j, 2)) + as_number(highcost_pixels_first_choice(i, j, 3))) * 4) +
+            as_number(highcost_pixels_first_choice(i, j, 4)) + as_number(highcost_pixels_first_choice(i, j, 5)) +
+            as_number(highcost_pixels_first_choice(i, j, 6)) + ((as_number(highcost_pixels_first_choice(i, j, 7)) +
+            as_number(highcost_pixels_first_choice(i, j, 8)) + as_number(highcost_pixels_first_choice(i, j, 9))) * 16)
+            + ((as_number(highcost_pixels_first_choice(i, j, 10)) + as_number(highcost_pixels_first_choice(i, j, 11)) +
+            as_number(highcost_pixels_first_choice(i, j, 12))) * 64);
         end loop;
       end loop;
       for i in 0 to 1 loop
@@ -6377,52 +4127,32 @@ begin
       for i in 0 to 15 loop
         highcost_change_0(i) <= highcost_pixels_cost(1, i) - highcost_pixels_cost(0, i);
       end loop;
-      highcost_ready_words(0) <= highcost_read_words(0);
-      highcost_ready_words(1) <= highcost_read_words(1);
-      highcost_ready_words(2) <= highcost_read_words(2);
-      highcost_ready_words(3) <= highcost_read_words(3);
+      highcost_ready_words <= highcost_read_words;
       for i in 0 to 15 loop
-        highcost_column_0(i) <= highcost_column_0_choice_2(i);
+        highcost_column_0(i) <= highcost_column_0_choice(i, 2);
       end loop;
-      if lowcost_ready_tag_valid then
+      if lowcost_ready_tag.valid then
         for i in 0 to 3 loop
-          highcost_write_words(i) <= to_unsigned(highcost_column_0_choice_2(4 * i + 3), 8) &
-            to_unsigned(highcost_column_0_choice_2(4 * i + 2), 8) & to_unsigned(highcost_column_0_choice_2(4 * i + 1),
-            8) & to_unsigned(highcost_column_0_choice_2(4 * i), 8);
+          highcost_write_words(i) <= to_unsigned(highcost_column_0_choice(4 * i + 3, 2), 8) &
+            to_unsigned(highcost_column_0_choice(4 * i + 2, 2), 8) & to_unsigned(highcost_column_0_choice(4 * i + 1,
+            2), 8) & to_unsigned(highcost_column_0_choice(4 * i, 2), 8);
         end loop;
       end if;
       -- highwindow
-      for i in 0 to 1 loop
+      for i in 0 to 3 loop
         for j in 0 to 3 loop
-          if lowwindow_entering_tag_leaves_window then
-            highwindow_change_0_choice(8 * i + j) := to_integer(highwindow_leaving(2 * i)(8 * j + 7 downto 8 * j));
-          else
-            highwindow_change_0_choice(8 * i + j) := 0;
-          end if;
-        end loop;
-        for j in 4 to 7 loop
-          if lowwindow_entering_tag_leaves_window then
-            highwindow_change_0_choice(8 * i + j) := to_integer(highwindow_leaving(2 * i + 1)(8 * j - 25 downto 8 * j -
-              32));
-          else
-            highwindow_change_0_choice(8 * i + j) := 0;
-          end if;
+          highwindow_change_0_choice(4 * i + j) := choice(lowwindow_entering_tag.leaves_window,
+            to_integer(highwindow_leaving(i)(8 * j + 7 downto 8 * j)), 0);
         end loop;
       end loop;
-      for i in 0 to 15 loop
-        highwindow_entering_0(i) <= highcost_column_0(i);
-      end loop;
+      highwindow_entering_0 <= highcost_column_0;
       for i in 0 to 15 loop
         highwindow_change_0(i) <= highwindow_entering_0(i) - highwindow_change_0_choice(i);
       end loop;
       for i in 0 to 15 loop
-        if lowwindow_change_tag_first_cost then
-          highwindow_sum_0_choice(i) := 0;
-        else
-          highwindow_sum_0_choice(i) := highwindow_sum_0(i);
-        end if;
+        highwindow_sum_0_choice(i) := choice(lowwindow_change_tag.first_cost, 0, highwindow_sum_0(i));
       end loop;
-      if lowwindow_change_tag_valid then
+      if lowwindow_change_tag.valid then
         for i in 0 to 15 loop
           highwindow_sum_0(i) <= (highwindow_sum_0_choice(i) + highwindow_change_0(i)) mod 2048;
         end loop;
@@ -6438,262 +4168,103 @@ begin
       for i in 0 to 6 loop
         highwinner1_best_last_0(i) <= highwindow_sum_0(2 * i + 1);
       end loop;
-      if highwinner1_best_cost_0_is_less(0) then
-        highwinner1_best_cost_0(0) <= highwindow_sum_0(1);
-        highwinner1_best_below_0(0) <= highwindow_sum_0(0);
-        highwinner1_best_above_0(0) <= 0;
-      else
-        highwinner1_best_cost_0(0) <= highwindow_sum_0(0);
-        highwinner1_best_below_0(0) <= 0;
-        highwinner1_best_above_0(0) <= highwindow_sum_0(1);
-      end if;
-      if highwinner1_best_cost_0_is_less(1) then
-        highwinner1_best_cost_0(1) <= highwindow_sum_0(3);
-        highwinner1_best_index_0_1 <= 3;
-        highwinner1_best_below_0(1) <= highwindow_sum_0(2);
-        highwinner1_best_above_0(1) <= 0;
-      else
-        highwinner1_best_cost_0(1) <= highwindow_sum_0(2);
-        highwinner1_best_index_0_1 <= 2;
-        highwinner1_best_below_0(1) <= 0;
-        highwinner1_best_above_0(1) <= highwindow_sum_0(3);
-      end if;
-      if highwinner1_best_cost_0_is_less(2) then
-        highwinner1_best_cost_0(2) <= highwindow_sum_0(5);
-        highwinner1_best_index_0_2 <= 5;
-        highwinner1_best_below_0(2) <= highwindow_sum_0(4);
-        highwinner1_best_above_0(2) <= 0;
-      else
-        highwinner1_best_cost_0(2) <= highwindow_sum_0(4);
-        highwinner1_best_index_0_2 <= 4;
-        highwinner1_best_below_0(2) <= 0;
-        highwinner1_best_above_0(2) <= highwindow_sum_0(5);
-      end if;
-      if highwinner1_best_cost_0_is_less(3) then
-        highwinner1_best_cost_0(3) <= highwindow_sum_0(7);
-        highwinner1_best_index_0_3 <= 7;
-        highwinner1_best_below_0(3) <= highwindow_sum_0(6);
-        highwinner1_best_above_0(3) <= 0;
-      else
-        highwinner1_best_cost_0(3) <= highwindow_sum_0(6);
-        highwinner1_best_index_0_3 <= 6;
-        highwinner1_best_below_0(3) <= 0;
-        highwinner1_best_above_0(3) <= highwindow_sum_0(7);
-      end if;
-      if highwinner1_best_cost_0_is_less(4) then
-        highwinner1_best_cost_0(4) <= highwindow_sum_0(9);
-        highwinner1_best_index_0_4 <= 9;
-        highwinner1_best_below_0(4) <= highwindow_sum_0(8);
-        highwinner1_best_above_0(4) <= 0;
-      else
-        highwinner1_best_cost_0(4) <= highwindow_sum_0(8);
-        highwinner1_best_index_0_4 <= 8;
-        highwinner1_best_below_0(4) <= 0;
-        highwinner1_best_above_0(4) <= highwindow_sum_0(9);
-      end if;
-      if highwinner1_best_cost_0_is_less(5) then
-        highwinner1_best_cost_0(5) <= highwindow_sum_0(11);
-        highwinner1_best_index_0_5 <= 11;
-        highwinner1_best_below_0(5) <= highwindow_sum_0(10);
-        highwinner1_best_above_0(5) <= 0;
-      else
-        highwinner1_best_cost_0(5) <= highwindow_sum_0(10);
-        highwinner1_best_index_0_5 <= 10;
-        highwinner1_best_below_0(5) <= 0;
-        highwinner1_best_above_0(5) <= highwindow_sum_0(11);
-      end if;
-      if highwinner1_best_cost_0_is_less(6) then
-        highwinner1_best_cost_0(6) <= highwindow_sum_0(13);
-        highwinner1_best_index_0_6 <= 13;
-        highwinner1_best_below_0(6) <= highwindow_sum_0(12);
-        highwinner1_best_above_0(6) <= 0;
-      else
-        highwinner1_best_cost_0(6) <= highwindow_sum_0(12);
-        highwinner1_best_index_0_6 <= 12;
-        highwinner1_best_below_0(6) <= 0;
-        highwinner1_best_above_0(6) <= highwindow_sum_0(13);
-      end if;
-      if highwinner1_best_cost_0_is_less(7) then
-        highwinner1_best_cost_0(7) <= highwindow_sum_0(15);
-        highwinner1_best_index_0_7 <= 15;
-        highwinner1_best_below_0(7) <= highwindow_sum_0(14);
-        highwinner1_best_above_0(7) <= 0;
-      else
-        highwinner1_best_cost_0(7) <= highwindow_sum_0(14);
-        highwinner1_best_index_0_7 <= 14;
-        highwinner1_best_below_0(7) <= 0;
-        highwinner1_best_above_0(7) <= highwindow_sum_0(15);
-      end if;
+      highwinner1_best_cost_0(0) <= choice(highwinner1_best_cost_0_is_less(0), highwindow_sum_0(1),
+        highwindow_sum_0(0));
+      for i in 0 to 6 loop
+        highwinner1_best_below_0(i) <= choice(highwinner1_best_cost_0_is_less(i), highwindow_sum_0(2 * i), 0);
+        highwinner1_best_above_0(i) <= choice(highwinner1_best_cost_0_is_less(i), 0, highwindow_sum_0(2 * i + 1));
+        highwinner1_best_cost_0(i + 1) <= choice(highwinner1_best_cost_0_is_less(i + 1), highwindow_sum_0(2 * i + 3),
+          highwindow_sum_0(2 * i + 2));
+        highwinner1_best_index_0(i + 1) <= choice(highwinner1_best_cost_0_is_less(i + 1), 2 * i + 3, 2 * i + 2);
+      end loop;
+      highwinner1_best_below_0(7) <= choice(highwinner1_best_cost_0_is_less(7), highwindow_sum_0(14), 0);
+      highwinner1_best_above_0(7) <= choice(highwinner1_best_cost_0_is_less(7), 0, highwindow_sum_0(15));
       -- highwinner2
       for i in 0 to 3 loop
         highwinner2_best_cost_0_is_less(i) := (highwinner1_best_cost_0(2 * i + 1) - highwinner1_best_cost_0(2 * i)) < 0;
       end loop;
-      if highwinner1_best_index_0_1 = 2 then
-        highwinner2_best_below_0_choice(0) := highwinner1_best_last_0(0);
-      else
-        highwinner2_best_below_0_choice(0) := highwinner1_best_below_0(1);
-      end if;
-      if highwinner1_best_index_0_3 = 6 then
-        highwinner2_best_below_0_choice(1) := highwinner1_best_last_0(2);
-      else
-        highwinner2_best_below_0_choice(1) := highwinner1_best_below_0(3);
-      end if;
-      if is_set(highwinner1_best_index_0_5, 3) and ((highwinner1_best_index_0_5 mod 4) = 2) then
-        highwinner2_best_below_0_choice(2) := highwinner1_best_last_0(4);
-      else
-        highwinner2_best_below_0_choice(2) := highwinner1_best_below_0(5);
-      end if;
-      if highwinner1_best_index_0_7 = 14 then
-        highwinner2_best_below_0_choice(3) := highwinner1_best_last_0(6);
-      else
-        highwinner2_best_below_0_choice(3) := highwinner1_best_below_0(7);
-      end if;
-      if highwinner1_best_index_0_0 then
-        highwinner2_best_above_0_choice(0) := highwinner1_best_first_0(1);
-      else
-        highwinner2_best_above_0_choice(0) := highwinner1_best_above_0(0);
-      end if;
-      if other_18 then
-        highwinner2_best_above_0_choice(1) := highwinner1_best_first_0(3);
-      else
-        highwinner2_best_above_0_choice(1) := highwinner1_best_above_0(2);
-      end if;
-      for i in 21 to 22 loop
-        if others_from_21(i) then
-          highwinner2_best_above_0_choice(i - 19) := highwinner1_best_first_0(2 * i - 37);
-        else
-          highwinner2_best_above_0_choice(i - 19) := highwinner1_best_above_0(2 * i - 38);
-        end if;
-      end loop;
+      highwinner2_best_below_0_choice(0) := choice(highwinner1_best_index_0(1) = 2, highwinner1_best_last_0(0),
+        highwinner1_best_below_0(1));
+      highwinner2_best_below_0_choice(1) := choice(highwinner1_best_index_0(3) = 6, highwinner1_best_last_0(2),
+        highwinner1_best_below_0(3));
+      highwinner2_best_below_0_choice(2) := choice(is_set(highwinner1_best_index_0(5), 3) and
+        ((highwinner1_best_index_0(5) mod 4) = 2), highwinner1_best_last_0(4), highwinner1_best_below_0(5));
+      highwinner2_best_below_0_choice(3) := choice(highwinner1_best_index_0(7) = 14, highwinner1_best_last_0(6),
+        highwinner1_best_below_0(7));
+      highwinner2_best_above_0_choice(0) := choice(highwinner1_best_index_0_0, highwinner1_best_first_0(1),
+        highwinner1_best_above_0(0));
+      highwinner2_best_above_0_choice(1) := choice(other_18, highwinner1_best_first_0(3), highwinner1_best_above_0(2));
+      highwinner2_best_above_0_choice(2) := choice(others_from_21(21), highwinner1_best_first_0(5),
+        highwinner1_best_above_0(4));
+      highwinner2_best_above_0_choice(3) := choice(others_from_21(22), highwinner1_best_first_0(7),
+        highwinner1_best_above_0(6));
       highwinner2_best_first_0(1) <= highwinner1_best_first_0(2);
       highwinner2_best_first_0(2) <= highwinner1_best_first_0(4);
       highwinner2_best_first_0(3) <= highwinner1_best_first_0(6);
       highwinner2_best_last_0(0) <= highwinner1_best_last_0(1);
       highwinner2_best_last_0(1) <= highwinner1_best_last_0(3);
       highwinner2_best_last_0(2) <= highwinner1_best_last_0(5);
-      if highwinner2_best_cost_0_is_less(0) then
-        highwinner2_best_cost_0(0) <= highwinner1_best_cost_0(1);
-        highwinner2_best_index_0_0 <= highwinner1_best_index_0_1;
-        highwinner2_best_below_0(0) <= highwinner2_best_below_0_choice(0);
-        highwinner2_best_above_0(0) <= highwinner1_best_above_0(1);
-      else
-        highwinner2_best_cost_0(0) <= highwinner1_best_cost_0(0);
-        highwinner2_best_index_0_0 <= as_number(highwinner1_best_index_0_0);
-        highwinner2_best_below_0(0) <= highwinner1_best_below_0(0);
-        highwinner2_best_above_0(0) <= highwinner2_best_above_0_choice(0);
-      end if;
-      if highwinner2_best_cost_0_is_less(1) then
-        highwinner2_best_cost_0(1) <= highwinner1_best_cost_0(3);
-        highwinner2_best_index_0_1 <= highwinner1_best_index_0_3;
-        highwinner2_best_below_0(1) <= highwinner2_best_below_0_choice(1);
-        highwinner2_best_above_0(1) <= highwinner1_best_above_0(3);
-      else
-        highwinner2_best_cost_0(1) <= highwinner1_best_cost_0(2);
-        highwinner2_best_index_0_1 <= highwinner1_best_index_0_2;
-        highwinner2_best_below_0(1) <= highwinner1_best_below_0(2);
-        highwinner2_best_above_0(1) <= highwinner2_best_above_0_choice(1);
-      end if;
-      if highwinner2_best_cost_0_is_less(2) then
-        highwinner2_best_cost_0(2) <= highwinner1_best_cost_0(5);
-        highwinner2_best_index_0_2 <= highwinner1_best_index_0_5;
-        highwinner2_best_below_0(2) <= highwinner2_best_below_0_choice(2);
-        highwinner2_best_above_0(2) <= highwinner1_best_above_0(5);
-      else
-        highwinner2_best_cost_0(2) <= highwinner1_best_cost_0(4);
-        highwinner2_best_index_0_2 <= highwinner1_best_index_0_4;
-        highwinner2_best_below_0(2) <= highwinner1_best_below_0(4);
-        highwinner2_best_above_0(2) <= highwinner2_best_above_0_choice(2);
-      end if;
-      if highwinner2_best_cost_0_is_less(3) then
-        highwinner2_best_cost_0(3) <= highwinner1_best_cost_0(7);
-        highwinner2_best_index_0_3 <= highwinner1_best_index_0_7;
-        highwinner2_best_below_0(3) <= highwinner2_best_below_0_choice(3);
-        highwinner2_best_above_0(3) <= highwinner1_best_above_0(7);
-      else
-        highwinner2_best_cost_0(3) <= highwinner1_best_cost_0(6);
-        highwinner2_best_index_0_3 <= highwinner1_best_index_0_6;
-        highwinner2_best_below_0(3) <= highwinner1_best_below_0(6);
-        highwinner2_best_above_0(3) <= highwinner2_best_above_0_choice(3);
-      end if;
+      highwinner2_best_cost_0(0) <= choice(highwinner2_best_cost_0_is_less(0), highwinner1_best_cost_0(1),
+        highwinner1_best_cost_0(0));
+      highwinner2_best_index_0(0) <= choice(highwinner2_best_cost_0_is_less(0), highwinner1_best_index_0(1),
+        as_number(highwinner1_best_index_0_0));
+      for i in 0 to 2 loop
+        highwinner2_best_below_0(i) <= choice(highwinner2_best_cost_0_is_less(i), highwinner2_best_below_0_choice(i),
+          highwinner1_best_below_0(2 * i));
+        highwinner2_best_above_0(i) <= choice(highwinner2_best_cost_0_is_less(i), highwinner1_best_above_0(2 * i + 1),
+          highwinner2_best_above_0_choice(i));
+        highwinner2_best_cost_0(i + 1) <= choice(highwinner2_best_cost_0_is_less(i + 1), highwinner1_best_cost_0(2 * i
+          + 3), highwinner1_best_cost_0(2 * i + 2));
+        highwinner2_best_index_0(i + 1) <= choice(highwinner2_best_cost_0_is_less(i + 1), highwinner1_best_index_0(2 *
+          i + 3), highwinner1_best_index_0(2 * i + 2));
+      end loop;
+      highwinner2_best_below_0(3) <= choice(highwinner2_best_cost_0_is_less(3), highwinner2_best_below_0_choice(3),
+        highwinner1_best_below_0(6));
+      highwinner2_best_above_0(3) <= choice(highwinner2_best_cost_0_is_less(3), highwinner1_best_above_0(7),
+        highwinner2_best_above_0_choice(3));
       -- highwinner3
       highwinner3_best_cost_0_is_less(0) := (highwinner2_best_cost_0(1) - highwinner2_best_cost_0(0)) < 0;
       highwinner3_best_cost_0_is_less(1) := (highwinner2_best_cost_0(3) - highwinner2_best_cost_0(2)) < 0;
-      if highwinner2_best_index_0_1 = 4 then
-        highwinner3_best_below_0_choice(0) := highwinner2_best_last_0(0);
-      else
-        highwinner3_best_below_0_choice(0) := highwinner2_best_below_0(1);
-      end if;
-      if highwinner2_best_index_0_3 = 12 then
-        highwinner3_best_below_0_choice(1) := highwinner2_best_last_0(2);
-      else
-        highwinner3_best_below_0_choice(1) := highwinner2_best_below_0(3);
-      end if;
-      if highwinner2_best_index_0_0 = 3 then
-        highwinner3_best_above_0_choice(0) := highwinner2_best_first_0(1);
-      else
-        highwinner3_best_above_0_choice(0) := highwinner2_best_above_0(0);
-      end if;
-      if is_set(highwinner2_best_index_0_2, 3) and ((highwinner2_best_index_0_2 mod 4) = 3) then
-        highwinner3_best_above_0_choice(1) := highwinner2_best_first_0(3);
-      else
-        highwinner3_best_above_0_choice(1) := highwinner2_best_above_0(2);
-      end if;
+      highwinner3_best_below_0_choice(0) := choice(highwinner2_best_index_0(1) = 4, highwinner2_best_last_0(0),
+        highwinner2_best_below_0(1));
+      highwinner3_best_below_0_choice(1) := choice(highwinner2_best_index_0(3) = 12, highwinner2_best_last_0(2),
+        highwinner2_best_below_0(3));
+      highwinner3_best_above_0_choice(0) := choice(highwinner2_best_index_0(0) = 3, highwinner2_best_first_0(1),
+        highwinner2_best_above_0(0));
+      highwinner3_best_above_0_choice(1) := choice(is_set(highwinner2_best_index_0(2), 3) and
+        ((highwinner2_best_index_0(2) mod 4) = 3), highwinner2_best_first_0(3), highwinner2_best_above_0(2));
       highwinner3_best_first_0_1 <= highwinner2_best_first_0(2);
       highwinner3_best_last_0_0 <= highwinner2_best_last_0(1);
-      if highwinner3_best_cost_0_is_less(0) then
-        highwinner3_best_cost_0(0) <= highwinner2_best_cost_0(1);
-        highwinner3_best_index_0_0 <= highwinner2_best_index_0_1;
-        highwinner3_best_below_0(0) <= highwinner3_best_below_0_choice(0);
-        highwinner3_best_above_0(0) <= highwinner2_best_above_0(1);
-      else
-        highwinner3_best_cost_0(0) <= highwinner2_best_cost_0(0);
-        highwinner3_best_index_0_0 <= highwinner2_best_index_0_0;
-        highwinner3_best_below_0(0) <= highwinner2_best_below_0(0);
-        highwinner3_best_above_0(0) <= highwinner3_best_above_0_choice(0);
-      end if;
-      if highwinner3_best_cost_0_is_less(1) then
-        highwinner3_best_cost_0(1) <= highwinner2_best_cost_0(3);
-        highwinner3_best_index_0_1 <= highwinner2_best_index_0_3;
-        highwinner3_best_below_0(1) <= highwinner3_best_below_0_choice(1);
-        highwinner3_best_above_0(1) <= highwinner2_best_above_0(3);
-      else
-        highwinner3_best_cost_0(1) <= highwinner2_best_cost_0(2);
-        highwinner3_best_index_0_1 <= highwinner2_best_index_0_2;
-        highwinner3_best_below_0(1) <= highwinner2_best_below_0(2);
-        highwinner3_best_above_0(1) <= highwinner3_best_above_0_choice(1);
-      end if;
+      for i in 0 to 1 loop
+        highwinner3_best_cost_0(i) <= choice(highwinner3_best_cost_0_is_less(i), highwinner2_best_cost_0(2 * i + 1),
+          highwinner2_best_cost_0(2 * i));
+        highwinner3_best_index_0(i) <= choice(highwinner3_best_cost_0_is_less(i), highwinner2_best_index_0(2 * i + 1),
+          highwinner2_best_index_0(2 * i));
+        highwinner3_best_below_0(i) <= choice(highwinner3_best_cost_0_is_less(i), highwinner3_best_below_0_choice(i),
+          highwinner2_best_below_0(2 * i));
+        highwinner3_best_above_0(i) <= choice(highwinner3_best_cost_0_is_less(i), highwinner2_best_above_0(2 * i + 1),
+          highwinner3_best_above_0_choice(i));
+      end loop;
       -- highwinner4
       highwinner4_best_cost_0_0_is_less := (highwinner3_best_cost_0(1) - highwinner3_best_cost_0(0)) < 0;
-      if highwinner3_best_index_0_1 = 8 then
-        highwinner4_best_below_0_0_choice := highwinner3_best_last_0_0;
-      else
-        highwinner4_best_below_0_0_choice := highwinner3_best_below_0(1);
-      end if;
-      if highwinner3_best_index_0_0 = 7 then
-        highwinner4_best_above_0_0_choice := highwinner3_best_first_0_1;
-      else
-        highwinner4_best_above_0_0_choice := highwinner3_best_above_0(0);
-      end if;
-      if highwinner4_best_cost_0_0_is_less then
-        highwinner4_best_cost_0_0 <= highwinner3_best_cost_0(1);
-        highwinner4_best_index_0_0 <= highwinner3_best_index_0_1;
-        highwinner4_best_below_0_0 <= highwinner4_best_below_0_0_choice;
-        highwinner4_best_above_0_0 <= highwinner3_best_above_0(1);
-      else
-        highwinner4_best_cost_0_0 <= highwinner3_best_cost_0(0);
-        highwinner4_best_index_0_0 <= highwinner3_best_index_0_0;
-        highwinner4_best_below_0_0 <= highwinner3_best_below_0(0);
-        highwinner4_best_above_0_0 <= highwinner4_best_above_0_0_choice;
-      end if;
+      highwinner4_best_below_0_0_choice := choice(highwinner3_best_index_0(1) = 8, highwinner3_best_last_0_0,
+        highwinner3_best_below_0(1));
+      highwinner4_best_above_0_0_choice := choice(highwinner3_best_index_0(0) = 7, highwinner3_best_first_0_1,
+        highwinner3_best_above_0(0));
+      highwinner4_best_cost_0_0 <= choice(highwinner4_best_cost_0_0_is_less, highwinner3_best_cost_0(1),
+        highwinner3_best_cost_0(0));
+      highwinner4_best_index_0_0 <= choice(highwinner4_best_cost_0_0_is_less, highwinner3_best_index_0(1),
+        highwinner3_best_index_0(0));
+      highwinner4_best_below_0_0 <= choice(highwinner4_best_cost_0_0_is_less, highwinner4_best_below_0_0_choice,
+        highwinner3_best_below_0(0));
+      highwinner4_best_above_0_0 <= choice(highwinner4_best_cost_0_0_is_less, highwinner3_best_above_0(1),
+        highwinner4_best_above_0_0_choice);
       -- centre
       if bases_stands_valid then
         centre_held_0(1) <= bases_from_0_2;
-        centre_held_0(2) <= centre_held_0(1);
-        centre_held_0(3) <= centre_held_0(2);
+        centre_held_0(2 to 3) <= centre_held_0(1 to 2);
         centre_held_1(0) <= bases_base(1, 2);
-        centre_held_1(1) <= centre_held_1(0);
-        centre_held_1(2) <= centre_held_1(1);
-        centre_held_1(3) <= centre_held_1(2);
+        centre_held_1(1 to 3) <= centre_held_1(0 to 2);
       end if;
       centre_line(0, 0) <= centre_held_0(3) mod 4096;
       for i in 1 to 16 loop
@@ -6705,23 +4276,15 @@ begin
       end loop;
       -- choice
       choice_best_cost_0_0_is_less := (highwinner4_best_cost_0_0 - lowwinner4_best_cost_0_0) < 0;
-      choice_best_tag_valid <= lowwinner4_tag_valid;
-      choice_best_tag_output_column <= lowwinner4_tag_output_column;
-      choice_best_tag_start_of_frame <= lowwinner4_tag_start_of_frame;
-      choice_best_tag_end_of_line <= lowwinner4_tag_end_of_line;
-      if choice_best_cost_0_0_is_less then
-        choice_best_cost_0_0 <= highwinner4_best_cost_0_0;
-        choice_best_index_0_0 <= highwinner4_best_index_0_0;
-        choice_best_below_0_0 <= highwinner4_best_below_0_0;
-        choice_best_above_0_0 <= highwinner4_best_above_0_0;
-        choice_base <= centre_line(1, 16);
-      else
-        choice_best_cost_0_0 <= lowwinner4_best_cost_0_0;
-        choice_best_index_0_0 <= lowwinner4_best_index_0_0;
-        choice_best_below_0_0 <= lowwinner4_best_below_0_0;
-        choice_best_above_0_0 <= lowwinner4_best_above_0_0;
-        choice_base <= centre_line(0, 16);
-      end if;
+      choice_best_tag <= lowwinner4_tag;
+      choice_best_cost_0_0 <= choice(choice_best_cost_0_0_is_less, highwinner4_best_cost_0_0, lowwinner4_best_cost_0_0);
+      choice_best_index_0_0 <= choice(choice_best_cost_0_0_is_less, highwinner4_best_index_0_0,
+        lowwinner4_best_index_0_0);
+      choice_best_below_0_0 <= choice(choice_best_cost_0_0_is_less, highwinner4_best_below_0_0,
+        lowwinner4_best_below_0_0);
+      choice_best_above_0_0 <= choice(choice_best_cost_0_0_is_less, highwinner4_best_above_0_0,
+        lowwinner4_best_above_0_0);
+      choice_base <= choice(choice_best_cost_0_0_is_less, centre_line(1, 16), centre_line(0, 16));
       -- refinement
       refinement_remainder_1_0_difference := (refinement_remainder_0(0) + 4096) - refinement_divisor_0(0);
       for i in 2 to 7 loop
@@ -6729,38 +4292,23 @@ begin
           1);
       end loop;
       refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
-      if refinement_divisor_0_0_is_less then
-        refinement_divisor_0_0_choice := refinement_v_0;
-      else
-        refinement_divisor_0_0_choice := refinement_u_0;
-      end if;
+      refinement_divisor_0_0_choice := choice(refinement_divisor_0_0_is_less, refinement_v_0, refinement_u_0);
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
       refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
-      if refinement_negative_0(8) then
-        refinement_fraction_0_choice := refinement_fraction_0_difference mod 256;
-      else
-        refinement_fraction_0_choice := refinement_fraction_0_value;
-      end if;
-      if refinement_negative_0(8) then
-        refinement_fraction_0_choice_2 := refinement_fraction_0_difference mod 8;
-      else
-        refinement_fraction_0_choice_2 := refinement_fraction_0_value mod 8;
-      end if;
+      refinement_fraction_0_choice := choice(refinement_negative_0(8), refinement_fraction_0_difference mod 256,
+        refinement_fraction_0_value);
+      refinement_fraction_0_choice_2 := choice(refinement_negative_0(8), refinement_fraction_0_difference mod 8,
+        refinement_fraction_0_value mod 8);
       refinement_disparity_0(0) <= choice_best_index_0_0;
-      for i in 1 to 11 loop
-        refinement_disparity_0(i) <= refinement_disparity_0(i - 1);
-      end loop;
+      refinement_disparity_0(1 to 11) <= refinement_disparity_0(0 to 10);
       refinement_passed_0(0) <= true;
-      refinement_passed_0(1) <= refinement_passed_0(0);
-      refinement_passed_0(2) <= refinement_passed_0(1);
+      refinement_passed_0(1 to 2) <= refinement_passed_0(0 to 1);
       refinement_passed_0s(6) <= targets_wish_walk_has_below;
-      for i in 7 to 11 loop
-        refinement_passed_0s(i) <= refinement_passed_0s(i - 1);
-      end loop;
-      refinement_tag_valid(0) <= choice_best_tag_valid;
-      refinement_tag_output_column(0) <= choice_best_tag_output_column;
-      refinement_tag_start_of_frame(0) <= choice_best_tag_start_of_frame;
-      refinement_tag_end_of_line(0) <= choice_best_tag_end_of_line;
+      refinement_passed_0s(7 to 11) <= refinement_passed_0s(6 to 10);
+      refinement_tag_valid(0) <= choice_best_tag.valid;
+      refinement_tag_output_column(0) <= choice_best_tag.output_column;
+      refinement_tag_start_of_frame(0) <= choice_best_tag.start_of_frame;
+      refinement_tag_end_of_line(0) <= choice_best_tag.end_of_line;
       for i in 1 to 11 loop
         refinement_tag_valid(i) <= refinement_tag_valid(i - 1);
         refinement_tag_output_column(i) <= refinement_tag_output_column(i - 1);
@@ -6774,43 +4322,23 @@ begin
       refinement_remainder_0(0) <= magnitude(refinement_difference_0);
       refinement_divisor_0(0) <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 11)) or
         (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 11))));
-      for i in 1 to 7 loop
-        refinement_divisor_0(i) <= refinement_divisor_0(i - 1);
-      end loop;
+      refinement_divisor_0(1 to 7) <= refinement_divisor_0(0 to 6);
       refinement_quotient_8_0 <= ((((4096 - refinement_divisor_0(7)) / 2) + refinement_remainder_0(7)) / 2048) +
         ((other_13 / 2) * 2);
       refinement_negative_0(0) <= refinement_divisor_0_0_is_less;
-      for i in 1 to 8 loop
-        refinement_negative_0(i) <= refinement_negative_0(i - 1);
-      end loop;
+      refinement_negative_0(1 to 8) <= refinement_negative_0(0 to 7);
       refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 32) * 8) + refinement_fraction_0_choice_2;
-      if choice_best_index_0_0 = 0 then
-        refinement_below_0 <= choice_best_above_0_0;
-      else
-        refinement_below_0 <= choice_best_below_0_0;
-      end if;
-      if choice_best_index_0_0 = 15 then
-        refinement_above_0 <= choice_best_below_0_0;
-      else
-        refinement_above_0 <= choice_best_above_0_0;
-      end if;
-      if is_set(refinement_remainder_1_0_difference, 12) then
-        refinement_remainder_0(1) <= refinement_remainder_1_0_difference mod 2048;
-      else
-        refinement_remainder_0(1) <= refinement_remainder_0(0);
-      end if;
+      refinement_below_0 <= choice(choice_best_index_0_0 = 0, choice_best_above_0_0, choice_best_below_0_0);
+      refinement_above_0 <= choice(choice_best_index_0_0 = 15, choice_best_below_0_0, choice_best_above_0_0);
+      refinement_remainder_0(1) <= choice(is_set(refinement_remainder_1_0_difference, 12),
+        refinement_remainder_1_0_difference mod 2048, refinement_remainder_0(0));
       for i in 2 to 7 loop
-        if is_set(refinement_remainder_0_difference(i), 12) then
-          refinement_remainder_0(i) <= refinement_remainder_0_difference(i) mod 2048;
-        else
-          refinement_remainder_0(i) <= (refinement_remainder_0(i - 1) mod 1024) * 2;
-        end if;
+        refinement_remainder_0(i) <= choice(is_set(refinement_remainder_0_difference(i), 12),
+          refinement_remainder_0_difference(i) mod 2048, (refinement_remainder_0(i - 1) mod 1024) * 2);
       end loop;
       -- base
       base(1) <= choice_base;
-      for i in 2 to 12 loop
-        base(i) <= base(i - 1);
-      end loop;
+      base(2 to 12) <= base(1 to 11);
       -- map
       map_disparity_0 <= ((((((base(12) + refinement_disparity_0(11) + (refinement_fraction_0 / 16)) mod 4096) * 2) +
         ((refinement_fraction_0 mod 16) / 8) + 8191) mod 8192) * 8) + (refinement_fraction_0 mod 8);
@@ -6821,11 +4349,7 @@ begin
       map_end_of_line <= refinement_tag_end_of_line(11) and refinement_tag_valid(11) and
         refinement_tag_output_column(11);
       -- other
-      if coarsetransform_centre_group_any then
-        other_29_choice := 127;
-      else
-        other_29_choice := 95;
-      end if;
+      other_29_choice := choice(coarsetransform_centre_group_any, 127, 95);
       other_0 <= (((transform_right_code_next_row_outer(0) / 2) - transform_right_code_next_row_centre(0)) mod 32768) *
         2;
       other(1) <= as_number(((transform_right_code_row_before(0) - transform_right_code_row_after(0)) < 0)) * 8192;
@@ -6917,12 +4441,8 @@ begin
         coarsetransform_centre_group <= 0;
         coarsetransform_from_first_0 <= false;
         coarsetransform_up_to_last_0 <= false;
-        for i in 0 to 4 loop
-          coarsetransform_left_column(i) <= 0;
-        end loop;
-        for i in 0 to 4 loop
-          coarsetransform_right_column(i) <= 0;
-        end loop;
+        coarsetransform_left_column <= (others => 0);
+        coarsetransform_right_column <= (others => 0);
         coarsetransform_columns_inside_0 <= false;
         coarsetransform_columns_start_of_frame <= false;
         coarsetransform_columns_valid <= false;
@@ -6931,34 +4451,19 @@ begin
         coarsetransform_left_code_column_outer <= 0;
         coarsetransform_left_code_column_upper <= 0;
         coarsetransform_left_code_column_lower <= 0;
-        coarsetransform_left_code_column_response(0) <= 0;
-        coarsetransform_left_code_column_response(1) <= 0;
+        coarsetransform_left_code_column_response <= (others => 0);
         coarsetransform_left_code_column_response_2 <= 0;
-        for i in 0 to 1 loop
-          coarsetransform_left_code_row_column(i, 0) <= 0;
-          coarsetransform_left_code_row_column(i, 1) <= 0;
-          coarsetransform_left_code_row_column(i, 2) <= 0;
-          coarsetransform_left_code_row_column(i, 3) <= 0;
-        end loop;
-        coarsetransform_left_code_row_column_2(0) <= 0;
-        coarsetransform_left_code_row_column_2(1) <= 0;
-        coarsetransform_left_code_row_column_2(2) <= 0;
-        coarsetransform_left_code_row_column_2(3) <= 0;
-        coarsetransform_left_code_row_centre(0) <= 0;
-        coarsetransform_left_code_row_centre(1) <= 0;
-        coarsetransform_left_code_row_centre_2 <= 0;
+        coarsetransform_left_code_row_column <= (others => (others => 0));
+        coarsetransform_left_code_row_column_2 <= (others => 0);
+        coarsetransform_left_code_row_centre <= (others => 0);
         coarsetransform_left_code_row_outer_1 <= 0;
         coarsetransform_left_code_row_outer_2 <= 0;
-        coarsetransform_left_code_row_before(0) <= 0;
-        coarsetransform_left_code_row_before(1) <= 0;
+        coarsetransform_left_code_row_before <= (others => 0);
         coarsetransform_left_code_row_before_2 <= 0;
-        coarsetransform_left_code_row_after(0) <= 0;
-        coarsetransform_left_code_row_after(1) <= 0;
+        coarsetransform_left_code_row_after <= (others => 0);
         coarsetransform_left_code_row_after_2 <= 0;
-        coarsetransform_left_code_row_even(1) <= 0;
-        coarsetransform_left_code_row_even(2) <= 0;
-        coarsetransform_left_code_row_odd(1) <= 0;
-        coarsetransform_left_code_row_odd(2) <= 0;
+        coarsetransform_left_code_row_even <= (others => 0);
+        coarsetransform_left_code_row_odd <= (others => 0);
         coarsetransform_left_code_row_signs <= 0;
         coarsetransform_left_code_bits <= 0;
         coarsetransform_right_code_column_centre <= 0;
@@ -6966,34 +4471,19 @@ begin
         coarsetransform_right_code_column_outer <= 0;
         coarsetransform_right_code_column_upper <= 0;
         coarsetransform_right_code_column_lower <= 0;
-        coarsetransform_right_code_column_response(0) <= 0;
-        coarsetransform_right_code_column_response(1) <= 0;
+        coarsetransform_right_code_column_response <= (others => 0);
         coarsetransform_right_code_column_response_2 <= 0;
-        for i in 0 to 1 loop
-          coarsetransform_right_code_row_column(i, 0) <= 0;
-          coarsetransform_right_code_row_column(i, 1) <= 0;
-          coarsetransform_right_code_row_column(i, 2) <= 0;
-          coarsetransform_right_code_row_column(i, 3) <= 0;
-        end loop;
-        coarsetransform_right_code_row_column_2(0) <= 0;
-        coarsetransform_right_code_row_column_2(1) <= 0;
-        coarsetransform_right_code_row_column_2(2) <= 0;
-        coarsetransform_right_code_row_column_2(3) <= 0;
-        coarsetransform_right_code_row_centre(0) <= 0;
-        coarsetransform_right_code_row_centre(1) <= 0;
-        coarsetransform_right_code_row_centre_2 <= 0;
+        coarsetransform_right_code_row_column <= (others => (others => 0));
+        coarsetransform_right_code_row_column_2 <= (others => 0);
+        coarsetransform_right_code_row_centre <= (others => 0);
         coarsetransform_right_code_row_outer_1 <= 0;
         coarsetransform_right_code_row_outer_2 <= 0;
-        coarsetransform_right_code_row_before(0) <= 0;
-        coarsetransform_right_code_row_before(1) <= 0;
+        coarsetransform_right_code_row_before <= (others => 0);
         coarsetransform_right_code_row_before_2 <= 0;
-        coarsetransform_right_code_row_after(0) <= 0;
-        coarsetransform_right_code_row_after(1) <= 0;
+        coarsetransform_right_code_row_after <= (others => 0);
         coarsetransform_right_code_row_after_2 <= 0;
-        coarsetransform_right_code_row_even(1) <= 0;
-        coarsetransform_right_code_row_even(2) <= 0;
-        coarsetransform_right_code_row_odd(1) <= 0;
-        coarsetransform_right_code_row_odd(2) <= 0;
+        coarsetransform_right_code_row_even <= (others => 0);
+        coarsetransform_right_code_row_odd <= (others => 0);
         coarsetransform_right_code_row_signs <= 0;
         coarsetransform_right_code_bits <= 0;
         for i in 0 to 4 loop
@@ -7013,329 +4503,153 @@ begin
         coarsedelay_ring_write_address <= 0;
         coarsedelay_ahead_0 <= 0;
         coarsedelay_column <= 0;
-        for i in 0 to 6 loop
-          coarsedelay_row_inside(i) <= false;
-        end loop;
-        coarsedelay_tag_valid <= false;
-        coarsedelay_tag_border_column <= false;
-        coarsedelay_tag_first_cost <= false;
-        coarsedelay_tag_output_column <= false;
-        coarsedelay_tag_start_of_frame <= false;
+        coarsedelay_row_inside <= (others => false);
+        coarsedelay_tag.valid <= false;
+        coarsedelay_tag.border_column <= false;
+        coarsedelay_tag.first_cost <= false;
+        coarsedelay_tag.output_column <= false;
+        coarsedelay_tag.start_of_frame <= false;
         coarserows_search_rows_read_newest_0 <= 0;
         coarserows_search_rows_ready_words_0 <= 0;
         coarserows_search_rows_ready_words_1 <= 0;
         coarserows_search_rows_ready_newest_0 <= 0;
-        coarserows_search_rows_write_words_0 <= 0;
-        coarserows_search_rows_write_words_1 <= 0;
+        coarserows_search_rows_write_words <= (others => 0);
         coarserows_reference_rows_read_newest_0 <= 0;
         coarserows_reference_rows_ready_words_0 <= 0;
         coarserows_reference_rows_ready_words_1 <= 0;
         coarserows_reference_rows_ready_newest_0 <= 0;
-        coarserows_reference_rows_write_words_0 <= 0;
-        coarserows_reference_rows_write_words_1 <= 0;
+        coarserows_reference_rows_write_words <= (others => 0);
         coarserows_read_column <= 0;
-        for i in 0 to 6 loop
-          coarserows_read_inside(i) <= false;
-        end loop;
-        coarserows_read_tag_valid <= false;
-        coarserows_read_tag_border_column <= false;
-        coarserows_read_tag_first_cost <= false;
-        coarserows_read_tag_output_column <= false;
-        coarserows_read_tag_start_of_frame <= false;
+        coarserows_read_inside <= (others => false);
+        coarserows_read_tag.valid <= false;
+        coarserows_read_tag.border_column <= false;
+        coarserows_read_tag.first_cost <= false;
+        coarserows_read_tag.output_column <= false;
+        coarserows_read_tag.start_of_frame <= false;
         coarserows_ready_column <= 0;
-        for i in 0 to 6 loop
-          coarserows_ready_inside(i) <= false;
-        end loop;
-        coarserows_ready_tag_valid <= false;
-        coarserows_ready_tag_border_column <= false;
-        coarserows_ready_tag_first_cost <= false;
-        coarserows_ready_tag_output_column <= false;
-        coarserows_ready_tag_start_of_frame <= false;
+        coarserows_ready_inside <= (others => false);
+        coarserows_ready_tag.valid <= false;
+        coarserows_ready_tag.border_column <= false;
+        coarserows_ready_tag.first_cost <= false;
+        coarserows_ready_tag.output_column <= false;
+        coarserows_ready_tag.start_of_frame <= false;
         coarserows_write_column <= 0;
-        for i in 0 to 6 loop
-          coarserows_search(i) <= 0;
-        end loop;
-        for i in 0 to 6 loop
-          coarserows_reference(i) <= 0;
-        end loop;
-        coarserows_tag_valid <= false;
-        coarserows_tag_border_column <= false;
-        coarserows_tag_first_cost <= false;
-        coarserows_tag_output_column <= false;
-        coarserows_tag_start_of_frame <= false;
-        for i in 0 to 2 loop
-          for j in 0 to 24 loop
-            coarseslice0shift_search(2 * i, j) <= 0;
-          end loop;
-          for j in 0 to 24 loop
-            coarseslice0shift_search(2 * i + 1, j) <= 0;
-          end loop;
-        end loop;
-        for i in 0 to 24 loop
-          coarseslice0shift_search(6, i) <= 0;
-        end loop;
-        for i in 0 to 6 loop
-          coarseslice0shift_reference(i) <= 0;
-        end loop;
-        for i in 0 to 6 loop
-          coarseslice0shift_search_out(i) <= 0;
-        end loop;
-        coarseslice0shift_tag_valid <= false;
-        coarseslice0shift_tag_border_column <= false;
-        coarseslice0shift_tag_first_cost <= false;
-        coarseslice0shift_tag_output_column <= false;
-        coarseslice0shift_tag_start_of_frame <= false;
-        for i in 0 to 2 loop
-          for j in 0 to 24 loop
-            coarseslice0cost_pixels_first(2 * i, j) <= 0;
-          end loop;
-          for j in 0 to 24 loop
-            coarseslice0cost_pixels_first(2 * i + 1, j) <= 0;
-          end loop;
-        end loop;
-        for i in 0 to 24 loop
-          coarseslice0cost_pixels_first(6, i) <= 0;
-        end loop;
-        coarseslice0cost_pixels_first_tag_valid <= false;
-        coarseslice0cost_pixels_first_tag_border_column <= false;
-        coarseslice0cost_pixels_first_tag_first_cost <= false;
-        coarseslice0cost_pixels_first_tag_output_column <= false;
-        coarseslice0cost_pixels_first_tag_start_of_frame <= false;
-        for i in 0 to 2 loop
-          for j in 0 to 24 loop
-            coarseslice0cost_pixels_cost(2 * i, j) <= 0;
-          end loop;
-          for j in 0 to 24 loop
-            coarseslice0cost_pixels_cost(2 * i + 1, j) <= 0;
-          end loop;
-        end loop;
-        for i in 0 to 24 loop
-          coarseslice0cost_pixels_cost(6, i) <= 0;
-        end loop;
-        coarseslice0cost_pixels_tag_valid <= false;
-        coarseslice0cost_pixels_tag_border_column <= false;
-        coarseslice0cost_pixels_tag_first_cost <= false;
-        coarseslice0cost_pixels_tag_output_column <= false;
-        coarseslice0cost_pixels_tag_start_of_frame <= false;
-        for i in 0 to 2 loop
-          for j in 0 to 24 loop
-            coarseslice0cost_pair(i, j) <= 0;
-          end loop;
-        end loop;
-        for i in 0 to 24 loop
-          coarseslice0cost_single_0(i) <= 0;
-        end loop;
-        coarseslice0cost_pair_tag_valid <= false;
-        coarseslice0cost_pair_tag_border_column <= false;
-        coarseslice0cost_pair_tag_first_cost <= false;
-        coarseslice0cost_pair_tag_output_column <= false;
-        coarseslice0cost_pair_tag_start_of_frame <= false;
-        for i in 0 to 24 loop
-          coarseslice0cost_column_0(i) <= 0;
-        end loop;
-        coarseslice0cost_tag_valid <= false;
-        coarseslice0cost_tag_border_column <= false;
-        coarseslice0cost_tag_first_cost <= false;
-        coarseslice0cost_tag_output_column <= false;
-        coarseslice0cost_tag_start_of_frame <= false;
-        for i in 0 to 24 loop
-          coarseslice0window_partial_0_0(i) <= 0;
-        end loop;
-        for i in 0 to 24 loop
-          coarseslice0window_partial_0_1(i) <= 0;
-        end loop;
-        for i in 0 to 24 loop
-          coarseslice0window_partial_0_2(i) <= 0;
-        end loop;
-        for i in 0 to 24 loop
-          coarseslice0window_partial_0_3(i) <= 0;
-        end loop;
-        for i in 0 to 24 loop
-          coarseslice0window_partial_0_4(i) <= 0;
-        end loop;
-        for i in 0 to 24 loop
-          coarseslice0window_partial_0_5(i) <= 0;
-        end loop;
-        coarseslice0window_centre_output_column(0) <= false;
-        coarseslice0window_centre_output_column(1) <= false;
-        coarseslice0window_centre_output_column(2) <= false;
-        coarseslice0window_centre_first_column(0) <= false;
-        coarseslice0window_centre_first_column(1) <= false;
-        coarseslice0window_centre_first_column(2) <= false;
+        coarserows_search <= (others => 0);
+        coarserows_reference <= (others => 0);
+        coarserows_tag.valid <= false;
+        coarserows_tag.border_column <= false;
+        coarserows_tag.first_cost <= false;
+        coarserows_tag.output_column <= false;
+        coarserows_tag.start_of_frame <= false;
+        coarseslice0shift_search <= (others => (others => 0));
+        coarseslice0shift_reference <= (others => 0);
+        coarseslice0shift_search_out <= (others => 0);
+        coarseslice0shift_tag.valid <= false;
+        coarseslice0shift_tag.border_column <= false;
+        coarseslice0shift_tag.first_cost <= false;
+        coarseslice0shift_tag.output_column <= false;
+        coarseslice0shift_tag.start_of_frame <= false;
+        coarseslice0cost_pixels_first <= (others => (others => 0));
+        coarseslice0cost_pixels_first_tag.valid <= false;
+        coarseslice0cost_pixels_first_tag.border_column <= false;
+        coarseslice0cost_pixels_first_tag.first_cost <= false;
+        coarseslice0cost_pixels_first_tag.output_column <= false;
+        coarseslice0cost_pixels_first_tag.start_of_frame <= false;
+        coarseslice0cost_pixels_cost <= (others => (others => 0));
+        coarseslice0cost_pixels_tag.valid <= false;
+        coarseslice0cost_pixels_tag.border_column <= false;
+        coarseslice0cost_pixels_tag.first_cost <= false;
+        coarseslice0cost_pixels_tag.output_column <= false;
+        coarseslice0cost_pixels_tag.start_of_frame <= false;
+        coarseslice0cost_pair <= (others => (others => 0));
+        coarseslice0cost_single_0 <= (others => 0);
+        coarseslice0cost_pair_tag.valid <= false;
+        coarseslice0cost_pair_tag.border_column <= false;
+        coarseslice0cost_pair_tag.first_cost <= false;
+        coarseslice0cost_pair_tag.output_column <= false;
+        coarseslice0cost_pair_tag.start_of_frame <= false;
+        coarseslice0cost_column_0 <= (others => 0);
+        coarseslice0cost_tag.valid <= false;
+        coarseslice0cost_tag.border_column <= false;
+        coarseslice0cost_tag.first_cost <= false;
+        coarseslice0cost_tag.output_column <= false;
+        coarseslice0cost_tag.start_of_frame <= false;
+        coarseslice0window_partial_0_0 <= (others => 0);
+        coarseslice0window_partial_0_1 <= (others => 0);
+        coarseslice0window_partial_0_2 <= (others => 0);
+        coarseslice0window_partial_0_3 <= (others => 0);
+        coarseslice0window_partial_0_4 <= (others => 0);
+        coarseslice0window_partial_0_5 <= (others => 0);
+        coarseslice0window_centre_output_column <= (others => false);
+        coarseslice0window_centre_first_column <= (others => false);
         coarseslice0window_centre_start_of_frame_0 <= false;
-        for i in 0 to 24 loop
-          coarseslice0window_sum_0(i) <= 0;
-        end loop;
-        coarseslice0window_tag_valid <= false;
-        coarseslice0window_tag_output_column <= false;
-        coarseslice0window_tag_first_column <= false;
-        coarseslice0window_tag_start_of_frame <= false;
-        for i in 0 to 24 loop
-          coarseslice0other_cost_0(i) <= 0;
-        end loop;
-        for i in 0 to 24 loop
-          coarseslice0other_winner_0(i) <= 0;
-        end loop;
+        coarseslice0window_sum_0 <= (others => 0);
+        coarseslice0window_tag.valid <= false;
+        coarseslice0window_tag.output_column <= false;
+        coarseslice0window_tag.first_column <= false;
+        coarseslice0window_tag.start_of_frame <= false;
+        coarseslice0other_cost_0 <= (others => 0);
+        coarseslice0other_winner_0 <= (others => 0);
         coarseslice0other_cost_out_0 <= 0;
         coarseslice0other_winner_out_0 <= 0;
-        for i in 0 to 12 loop
-          coarseslice0winner1_best_cost_0(i) <= 0;
-        end loop;
+        coarseslice0winner1_best_cost_0 <= (others => 0);
         coarseslice0winner1_best_index_0_0 <= false;
-        coarseslice0winner1_best_index_0_1 <= 0;
-        coarseslice0winner1_best_index_0_2 <= 0;
-        coarseslice0winner1_best_index_0_3 <= 0;
-        coarseslice0winner1_best_index_0_4 <= 0;
-        coarseslice0winner1_best_index_0_5 <= 0;
-        coarseslice0winner1_best_index_0_6 <= 0;
-        coarseslice0winner1_best_index_0_7 <= 0;
-        coarseslice0winner1_best_index_0_8 <= 0;
-        coarseslice0winner1_best_index_0_9 <= 0;
-        coarseslice0winner1_best_index_0_10 <= 0;
-        coarseslice0winner1_best_index_0_11 <= 0;
-        coarseslice0winner1_best_index_0_12 <= 0;
-        coarseslice0winner1_tag_valid <= false;
-        coarseslice0winner1_tag_output_column <= false;
-        coarseslice0winner1_tag_first_column <= false;
-        coarseslice0winner1_tag_start_of_frame <= false;
-        for i in 0 to 6 loop
-          coarseslice0winner2_best_cost_0(i) <= 0;
-        end loop;
-        coarseslice0winner2_best_index_0_0 <= 0;
-        coarseslice0winner2_best_index_0_1 <= 0;
-        coarseslice0winner2_best_index_0_2 <= 0;
-        coarseslice0winner2_best_index_0_3 <= 0;
-        coarseslice0winner2_best_index_0_4 <= 0;
-        coarseslice0winner2_best_index_0_5 <= 0;
-        coarseslice0winner2_best_index_0_6 <= 0;
-        coarseslice0winner2_tag_valid <= false;
-        coarseslice0winner2_tag_output_column <= false;
-        coarseslice0winner2_tag_start_of_frame <= false;
-        coarseslice0winner3_best_cost_0(0) <= 0;
-        coarseslice0winner3_best_cost_0(1) <= 0;
-        coarseslice0winner3_best_cost_0(2) <= 0;
-        coarseslice0winner3_best_cost_0(3) <= 0;
-        coarseslice0winner3_best_index_0_0 <= 0;
-        coarseslice0winner3_best_index_0_1 <= 0;
-        coarseslice0winner3_best_index_0_2 <= 0;
-        coarseslice0winner3_best_index_0_3 <= 0;
-        coarseslice0winner3_tag_valid <= false;
-        coarseslice0winner3_tag_output_column <= false;
-        coarseslice0winner3_tag_start_of_frame <= false;
-        coarseslice0winner4_best_cost_0(0) <= 0;
-        coarseslice0winner4_best_cost_0(1) <= 0;
-        coarseslice0winner4_best_index_0_0 <= 0;
-        coarseslice0winner4_best_index_0_1 <= 0;
-        coarseslice0winner4_tag_valid <= false;
-        coarseslice0winner4_tag_output_column <= false;
-        coarseslice0winner4_tag_start_of_frame <= false;
+        coarseslice0winner1_best_index_0 <= (others => 0);
+        coarseslice0winner1_tag.valid <= false;
+        coarseslice0winner1_tag.output_column <= false;
+        coarseslice0winner1_tag.first_column <= false;
+        coarseslice0winner1_tag.start_of_frame <= false;
+        coarseslice0winner2_best_cost_0 <= (others => 0);
+        coarseslice0winner2_best_index_0 <= (others => 0);
+        coarseslice0winner2_tag.valid <= false;
+        coarseslice0winner2_tag.output_column <= false;
+        coarseslice0winner2_tag.start_of_frame <= false;
+        coarseslice0winner3_best_cost_0 <= (others => 0);
+        coarseslice0winner3_best_index_0 <= (others => 0);
+        coarseslice0winner3_tag.valid <= false;
+        coarseslice0winner3_tag.output_column <= false;
+        coarseslice0winner3_tag.start_of_frame <= false;
+        coarseslice0winner4_best_cost_0 <= (others => 0);
+        coarseslice0winner4_best_index_0 <= (others => 0);
+        coarseslice0winner4_tag.valid <= false;
+        coarseslice0winner4_tag.output_column <= false;
+        coarseslice0winner4_tag.start_of_frame <= false;
         coarseslice0winner5_best_cost_0_0 <= 0;
         coarseslice0winner5_best_index_0_0 <= 0;
-        coarseslice0winner5_tag_valid <= false;
-        coarseslice0winner5_tag_output_column <= false;
-        coarseslice0winner5_tag_start_of_frame <= false;
+        coarseslice0winner5_tag.valid <= false;
+        coarseslice0winner5_tag.output_column <= false;
+        coarseslice0winner5_tag.start_of_frame <= false;
         coarseslice0_best_cost_0_0 <= 0;
         coarseslice0_best_index_0_0 <= 0;
-        coarseslice0_best_tag_valid <= false;
-        coarseslice0_best_tag_output_column <= false;
-        coarseslice0_best_tag_start_of_frame <= false;
-        for i in 0 to 2 loop
-          for j in 0 to 6 loop
-            coarseslice1shift_search(2 * i, j) <= 0;
-          end loop;
-          for j in 0 to 6 loop
-            coarseslice1shift_search(2 * i + 1, j) <= 0;
-          end loop;
-        end loop;
-        for i in 0 to 6 loop
-          coarseslice1shift_search(6, i) <= 0;
-        end loop;
-        for i in 0 to 6 loop
-          coarseslice1shift_reference(i) <= 0;
-        end loop;
-        for i in 0 to 2 loop
-          for j in 0 to 6 loop
-            coarseslice1cost_pixels_first(2 * i, j) <= 0;
-          end loop;
-          for j in 0 to 6 loop
-            coarseslice1cost_pixels_first(2 * i + 1, j) <= 0;
-          end loop;
-        end loop;
-        for i in 0 to 6 loop
-          coarseslice1cost_pixels_first(6, i) <= 0;
-        end loop;
-        for i in 0 to 2 loop
-          for j in 0 to 6 loop
-            coarseslice1cost_pixels_cost(2 * i, j) <= 0;
-          end loop;
-          for j in 0 to 6 loop
-            coarseslice1cost_pixels_cost(2 * i + 1, j) <= 0;
-          end loop;
-        end loop;
-        for i in 0 to 6 loop
-          coarseslice1cost_pixels_cost(6, i) <= 0;
-        end loop;
-        for i in 0 to 2 loop
-          for j in 0 to 6 loop
-            coarseslice1cost_pair(i, j) <= 0;
-          end loop;
-        end loop;
-        for i in 0 to 6 loop
-          coarseslice1cost_single_0(i) <= 0;
-        end loop;
-        for i in 0 to 6 loop
-          coarseslice1cost_column_0(i) <= 0;
-        end loop;
-        coarseslice1cost_tag_first_cost <= false;
-        coarseslice1cost_tag_output_column <= false;
-        for i in 0 to 6 loop
-          coarseslice1window_partial_0_0(i) <= 0;
-        end loop;
-        for i in 0 to 6 loop
-          coarseslice1window_partial_0_1(i) <= 0;
-        end loop;
-        for i in 0 to 6 loop
-          coarseslice1window_partial_0_2(i) <= 0;
-        end loop;
-        for i in 0 to 6 loop
-          coarseslice1window_partial_0_3(i) <= 0;
-        end loop;
-        for i in 0 to 6 loop
-          coarseslice1window_partial_0_4(i) <= 0;
-        end loop;
-        for i in 0 to 6 loop
-          coarseslice1window_partial_0_5(i) <= 0;
-        end loop;
-        coarseslice1window_centre_output_column(0) <= false;
-        coarseslice1window_centre_output_column(1) <= false;
-        coarseslice1window_centre_output_column(2) <= false;
-        coarseslice1window_centre_first_column(0) <= false;
-        coarseslice1window_centre_first_column(1) <= false;
-        coarseslice1window_centre_first_column(2) <= false;
-        coarseslice1window_centre_start_of_frame(0) <= false;
-        coarseslice1window_centre_start_of_frame(1) <= false;
-        for i in 0 to 6 loop
-          coarseslice1window_sum_0(i) <= 0;
-        end loop;
-        for i in 1 to 6 loop
-          coarseslice1other_cost_0(i) <= 0;
-        end loop;
-        for i in 0 to 6 loop
-          coarseslice1other_winner_0(i) <= 0;
-        end loop;
+        coarseslice0_best_tag.valid <= false;
+        coarseslice0_best_tag.output_column <= false;
+        coarseslice0_best_tag.start_of_frame <= false;
+        coarseslice1shift_search <= (others => (others => 0));
+        coarseslice1shift_reference <= (others => 0);
+        coarseslice1cost_pixels_first <= (others => (others => 0));
+        coarseslice1cost_pixels_cost <= (others => (others => 0));
+        coarseslice1cost_pair <= (others => (others => 0));
+        coarseslice1cost_single_0 <= (others => 0);
+        coarseslice1cost_column_0 <= (others => 0);
+        coarseslice1cost_tag <= (others => false);
+        coarseslice1window_partial_0_0 <= (others => 0);
+        coarseslice1window_partial_0_1 <= (others => 0);
+        coarseslice1window_partial_0_2 <= (others => 0);
+        coarseslice1window_partial_0_3 <= (others => 0);
+        coarseslice1window_partial_0_4 <= (others => 0);
+        coarseslice1window_partial_0_5 <= (others => 0);
+        coarseslice1window_centre_output_column <= (others => false);
+        coarseslice1window_centre_first_column <= (others => false);
+        coarseslice1window_centre_start_of_frame <= (others => false);
+        coarseslice1window_sum_0 <= (others => 0);
+        coarseslice1other_cost_0 <= (others => 0);
+        coarseslice1other_winner_0 <= (others => 0);
         coarseslice1other_winner_out_0 <= 0;
-        coarseslice1winner1_best_cost_0(0) <= 0;
-        coarseslice1winner1_best_cost_0(1) <= 0;
-        coarseslice1winner1_best_cost_0(2) <= 0;
-        coarseslice1winner1_best_cost_0(3) <= 0;
+        coarseslice1winner1_best_cost_0 <= (others => 0);
         coarseslice1winner1_best_index_0_0 <= false;
-        coarseslice1winner1_best_index_0_1 <= 0;
-        coarseslice1winner1_best_index_0_2 <= 0;
-        coarseslice1winner1_best_index_0_3 <= 0;
-        coarseslice1winner2_best_cost_0(0) <= 0;
-        coarseslice1winner2_best_cost_0(1) <= 0;
-        coarseslice1winner2_best_index_0_0 <= 0;
-        coarseslice1winner2_best_index_0_1 <= 0;
+        coarseslice1winner1_best_index_0 <= (others => 0);
+        coarseslice1winner2_best_cost_0 <= (others => 0);
+        coarseslice1winner2_best_index_0 <= (others => 0);
         coarseslice1winner3_best_cost_0_0 <= 0;
         coarseslice1winner3_best_index_0_0 <= 0;
         coarseslice1winner4_best_cost_0_0 <= 0;
@@ -7343,13 +4657,10 @@ begin
         coarseslice1winner5_best_cost_0_0 <= 0;
         coarseslice1winner5_best_index_0_0 <= 0;
         coarseslice1_best_index_0_0 <= 0;
-        coarseslice1_best_tag_valid <= false;
-        coarseslice1_best_tag_output_column <= false;
-        coarseslice1_best_tag_start_of_frame <= false;
-        coarseleftright_other_0(1) <= 0;
-        coarseleftright_other_0(2) <= 0;
-        coarseleftright_other_0(3) <= 0;
-        coarseleftright_other_0(4) <= 0;
+        coarseslice1_best_tag.valid <= false;
+        coarseslice1_best_tag.output_column <= false;
+        coarseslice1_best_tag.start_of_frame <= false;
+        coarseleftright_other_0 <= (others => 0);
         coarseleftright_ring_read_address <= 1;
         coarseleftright_ring_write_address <= 0;
         coarseleftright_holds_winners <= false;
@@ -7359,19 +4670,13 @@ begin
         coarseleftright_address_0 <= 0;
         coarseleftright_asking_disparity_0 <= 0;
         coarseleftright_asking_passed_0 <= true;
-        coarseleftright_asking_tag_valid <= false;
-        coarseleftright_asking_tag_output_column <= false;
-        coarseleftright_asking_tag_start_of_frame <= false;
+        coarseleftright_asking_tag <= (others => false);
         coarseleftright_answered_disparity_0 <= 0;
         coarseleftright_answered_passed_0 <= true;
-        coarseleftright_answered_tag_valid <= false;
-        coarseleftright_answered_tag_output_column <= false;
-        coarseleftright_answered_tag_start_of_frame <= false;
+        coarseleftright_answered_tag <= (others => false);
         coarseleftright_checked_disparity_0 <= 0;
         coarseleftright_checked_passed_0 <= true;
-        coarseleftright_checked_tag_valid <= false;
-        coarseleftright_checked_tag_output_column <= false;
-        coarseleftright_checked_tag_start_of_frame <= false;
+        coarseleftright_checked_tag <= (others => false);
         ranges_column <= 0;
         ranges_row <= 121;
         ranges_pixel_0 <= 0;
@@ -7442,8 +4747,7 @@ begin
         targets_rows_ready_words_0 <= 0;
         targets_rows_ready_words_1 <= 0;
         targets_rows_ready_newest_0 <= 0;
-        targets_rows_write_words_0 <= 0;
-        targets_rows_write_words_1 <= 0;
+        targets_rows_write_words <= (others => 0);
         targets_read_comes <= false;
         targets_ready_comes <= false;
         targets_read_place <= 0;
@@ -7540,16 +4844,14 @@ begin
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 484;
-        bases_address(0) <= 0;
-        bases_address(1) <= 0;
+        bases_address(0 to 1) <= (others => 0);
         bases_asked_limit <= 0;
         bases_asked_head <= false;
         bases_asked_valid <= false;
         bases_read_limit <= 0;
         bases_read_head <= false;
         bases_read_valid <= false;
-        bases_ready_targets(0) <= 0;
-        bases_ready_targets(1) <= 0;
+        bases_ready_targets(0 to 1) <= (others => 0);
         bases_ready_limit <= 0;
         bases_ready_head <= false;
         bases_ready_valid <= false;
@@ -7563,65 +4865,29 @@ begin
         bases_base(0, 1) <= 0;
         bases_base(1, 0) <= 0;
         bases_base(1, 1) <= 0;
-        bases_rises(0, 0) <= false;
-        bases_rises(0, 1) <= false;
-        bases_rises(1, 0) <= false;
-        bases_rises(1, 1) <= false;
-        bases_falls(0, 0) <= false;
-        bases_falls(0, 1) <= false;
-        bases_falls(1, 0) <= false;
-        bases_falls(1, 1) <= false;
+        bases_rises <= (others => (others => false));
+        bases_falls <= (others => (others => false));
         bases_stands_valid <= false;
         rows_newest_column <= 0;
-        rows_wanted_one(0, 0) <= false;
-        rows_wanted_one(0, 1) <= false;
-        rows_wanted_one(1, 0) <= false;
-        rows_wanted_one(1, 1) <= false;
-        rows_wanted_four(0, 0) <= false;
-        rows_wanted_four(0, 1) <= false;
-        rows_wanted_four(1, 0) <= false;
-        rows_wanted_four(1, 1) <= false;
-        rows_asked_one(0, 0) <= false;
-        rows_asked_one(0, 1) <= false;
-        rows_asked_one(1, 0) <= false;
-        rows_asked_one(1, 1) <= false;
-        rows_asked_four(0, 0) <= false;
-        rows_asked_four(0, 1) <= false;
-        rows_asked_four(1, 0) <= false;
-        rows_asked_four(1, 1) <= false;
-        rows_read_one(0, 0) <= false;
-        rows_read_one(0, 1) <= false;
-        rows_read_one(1, 0) <= false;
-        rows_read_one(1, 1) <= false;
-        rows_read_four(0, 0) <= false;
-        rows_read_four(0, 1) <= false;
-        rows_read_four(1, 0) <= false;
-        rows_read_four(1, 1) <= false;
-        rows_ready_one(0, 0) <= false;
-        rows_ready_one(0, 1) <= false;
-        rows_ready_one(1, 0) <= false;
-        rows_ready_one(1, 1) <= false;
-        rows_ready_four(0, 0) <= false;
-        rows_ready_four(0, 1) <= false;
-        rows_ready_four(1, 0) <= false;
-        rows_ready_four(1, 1) <= false;
-        rows_step_one(0, 0) <= false;
-        rows_step_one(0, 1) <= false;
-        rows_step_one(1, 0) <= false;
-        rows_step_one(1, 1) <= false;
-        rows_step_four(0, 0) <= false;
-        rows_step_four(0, 1) <= false;
-        rows_step_four(1, 0) <= false;
-        rows_step_four(1, 1) <= false;
-        pairs_tag_output_column <= false;
-        pairs_tag_start_of_frame <= false;
-        pairs_tag_end_of_line <= false;
-        compared_read_tag_output_column <= false;
-        compared_read_tag_start_of_frame <= false;
-        compared_read_tag_end_of_line <= false;
-        compared_ready_tag_output_column <= false;
-        compared_ready_tag_start_of_frame <= false;
-        compared_ready_tag_end_of_line <= false;
+        rows_wanted_one <= (others => (others => false));
+        rows_wanted_four <= (others => (others => false));
+        rows_asked_one <= (others => (others => false));
+        rows_asked_four <= (others => (others => false));
+        rows_read_one <= (others => (others => false));
+        rows_read_four <= (others => (others => false));
+        rows_ready_one <= (others => (others => false));
+        rows_ready_four <= (others => (others => false));
+        rows_step_one <= (others => (others => false));
+        rows_step_four <= (others => (others => false));
+        pairs_tag.output_column <= false;
+        pairs_tag.start_of_frame <= false;
+        pairs_tag.end_of_line <= false;
+        compared_read_tag.output_column <= false;
+        compared_read_tag.start_of_frame <= false;
+        compared_read_tag.end_of_line <= false;
+        compared_ready_tag.output_column <= false;
+        compared_ready_tag.start_of_frame <= false;
+        compared_ready_tag.end_of_line <= false;
         compared_tags_output_column(0) <= false;
         compared_tags_start_of_frame(0) <= false;
         compared_tags_end_of_line(0) <= false;
@@ -7634,66 +4900,39 @@ begin
         compared_tags_output_column(7) <= false;
         compared_tags_start_of_frame(7) <= false;
         compared_tags_end_of_line(7) <= false;
-        lowcost_pixels_first_tag_valid <= false;
-        lowcost_pixels_first_tag_output_column <= false;
-        lowcost_pixels_first_tag_start_of_frame <= false;
-        lowcost_pixels_first_tag_end_of_line <= false;
-        lowcost_pixels_tag_valid <= false;
-        lowcost_pixels_tag_output_column <= false;
-        lowcost_pixels_tag_start_of_frame <= false;
-        lowcost_pixels_tag_end_of_line <= false;
-        lowcost_ready_tag_valid <= false;
-        lowcost_ready_tag_output_column <= false;
-        lowcost_ready_tag_start_of_frame <= false;
-        lowcost_ready_tag_end_of_line <= false;
-        lowcost_tag_valid <= false;
-        lowcost_tag_output_column <= false;
-        lowcost_tag_start_of_frame <= false;
-        lowcost_tag_end_of_line <= false;
-        lowwindow_entering_tag_valid <= false;
-        lowwindow_entering_tag_output_column <= false;
-        lowwindow_entering_tag_start_of_frame <= false;
-        lowwindow_entering_tag_end_of_line <= false;
-        lowwindow_change_tag_valid <= false;
-        lowwindow_change_tag_output_column <= false;
-        lowwindow_change_tag_start_of_frame <= false;
-        lowwindow_change_tag_end_of_line <= false;
-        lowwindow_centre_output_column(0) <= false;
-        lowwindow_centre_output_column(1) <= false;
-        lowwindow_centre_output_column(2) <= false;
-        lowwindow_centre_output_column(3) <= false;
-        lowwindow_centre_start_of_frame(0) <= false;
-        lowwindow_centre_start_of_frame(1) <= false;
-        lowwindow_centre_start_of_frame(2) <= false;
-        lowwindow_centre_start_of_frame(3) <= false;
-        lowwindow_centre_end_of_line(0) <= false;
-        lowwindow_centre_end_of_line(1) <= false;
-        lowwindow_centre_end_of_line(2) <= false;
-        lowwindow_centre_end_of_line(3) <= false;
-        lowwindow_tag_valid <= false;
-        lowwindow_tag_output_column <= false;
-        lowwindow_tag_start_of_frame <= false;
-        lowwindow_tag_end_of_line <= false;
-        lowwinner1_tag_valid <= false;
-        lowwinner1_tag_output_column <= false;
-        lowwinner1_tag_start_of_frame <= false;
-        lowwinner1_tag_end_of_line <= false;
-        lowwinner2_tag_valid <= false;
-        lowwinner2_tag_output_column <= false;
-        lowwinner2_tag_start_of_frame <= false;
-        lowwinner2_tag_end_of_line <= false;
-        lowwinner3_tag_valid <= false;
-        lowwinner3_tag_output_column <= false;
-        lowwinner3_tag_start_of_frame <= false;
-        lowwinner3_tag_end_of_line <= false;
-        lowwinner4_tag_valid <= false;
-        lowwinner4_tag_output_column <= false;
-        lowwinner4_tag_start_of_frame <= false;
-        lowwinner4_tag_end_of_line <= false;
-        choice_best_tag_valid <= false;
-        choice_best_tag_output_column <= false;
-        choice_best_tag_start_of_frame <= false;
-        choice_best_tag_end_of_line <= false;
+        lowcost_pixels_first_tag.valid <= false;
+        lowcost_pixels_first_tag.output_column <= false;
+        lowcost_pixels_first_tag.start_of_frame <= false;
+        lowcost_pixels_first_tag.end_of_line <= false;
+        lowcost_pixels_tag.valid <= false;
+        lowcost_pixels_tag.output_column <= false;
+        lowcost_pixels_tag.start_of_frame <= false;
+        lowcost_pixels_tag.end_of_line <= false;
+        lowcost_ready_tag.valid <= false;
+        lowcost_ready_tag.output_column <= false;
+        lowcost_ready_tag.start_of_frame <= false;
+        lowcost_ready_tag.end_of_line <= false;
+        lowcost_tag.valid <= false;
+        lowcost_tag.output_column <= false;
+        lowcost_tag.start_of_frame <= false;
+        lowcost_tag.end_of_line <= false;
+        lowwindow_entering_tag.valid <= false;
+        lowwindow_entering_tag.output_column <= false;
+        lowwindow_entering_tag.start_of_frame <= false;
+        lowwindow_entering_tag.end_of_line <= false;
+        lowwindow_change_tag.valid <= false;
+        lowwindow_change_tag.output_column <= false;
+        lowwindow_change_tag.start_of_frame <= false;
+        lowwindow_change_tag.end_of_line <= false;
+        lowwindow_centre_output_column <= (others => false);
+        lowwindow_centre_start_of_frame <= (others => false);
+        lowwindow_centre_end_of_line <= (others => false);
+        lowwindow_tag <= (others => false);
+        lowwinner1_tag <= (others => false);
+        lowwinner2_tag <= (others => false);
+        lowwinner3_tag <= (others => false);
+        lowwinner4_tag <= (others => false);
+        choice_best_tag <= (others => false);
         for i in 0 to 11 loop
           refinement_tag_valid(i) <= false;
           refinement_tag_output_column(i) <= false;
@@ -7703,17 +4942,13 @@ begin
         map_valid <= false;
         map_start_of_frame <= false;
         map_end_of_line <= false;
-        others_from_8(8) <= 0;
-        others_from_8(9) <= 0;
-        others_from_23(23) <= 0;
-        others_from_23(24) <= 0;
+        others_from_8 <= (others => 0);
+        others_from_23 <= (others => 0);
         other_25 <= 0;
-        others_from_26(26) <= 0;
-        others_from_26(27) <= 0;
+        others_from_26 <= (others => 0);
         other_28 <= 0;
         other_29 <= 0;
-        others_from_30(30) <= 0;
-        others_from_30(31) <= 0;
+        others_from_30 <= (others => 0);
       end if;
     end if;
   end process;

@@ -93,12 +93,29 @@ architecture rtl of stereo_core_parts_320 is
     return (value / 2 ** place) mod 2 = 1;
   end function;
 
+  function choice(test : boolean; yes : boolean; no : boolean) return boolean is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
+  function choice(test : boolean; yes : integer; no : integer) return integer is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
   type boolean_1d is array (natural range <>) of boolean;
   type boolean_2d is array (natural range <>, natural range <>) of boolean;
   type integer_minus_19_to_19_1d is array (natural range <>) of integer range -19 to 19;
   type integer_minus_255_to_255_1d is array (natural range <>) of integer range -255 to 255;
   type natural_1021_1d is array (natural range <>) of natural range 0 to 1021;
   type natural_1021_2d is array (natural range <>, natural range <>) of natural range 0 to 1021;
+  type natural_11_1d is array (natural range <>) of natural range 0 to 11;
   type natural_12247_1d is array (natural range <>) of natural range 0 to 12247;
   type natural_1530_1d is array (natural range <>) of natural range 0 to 1530;
   type natural_16383_1d is array (natural range <>) of natural range 0 to 16383;
@@ -112,6 +129,7 @@ architecture rtl of stereo_core_parts_320 is
   type natural_255_2d is array (natural range <>, natural range <>) of natural range 0 to 255;
   type natural_257_1d is array (natural range <>) of natural range 0 to 257;
   type natural_3063_1d is array (natural range <>) of natural range 0 to 3063;
+  type natural_32767_1d is array (natural range <>) of natural range 0 to 32767;
   type natural_4082_1d is array (natural range <>) of natural range 0 to 4082;
   type natural_4082_2d is array (natural range <>, natural range <>) of natural range 0 to 4082;
   type natural_4095_1d is array (natural range <>) of natural range 0 to 4095;
@@ -123,6 +141,19 @@ architecture rtl of stereo_core_parts_320 is
   type natural_8192_1d is array (natural range <>) of natural range 0 to 8192;
   type unsigned_24_1d is array (natural range <>) of unsigned(23 downto 0);
   type unsigned_32_1d is array (natural range <>) of unsigned(31 downto 0);
+  type tag_9 is record
+    valid, row_start, first_group, border_column, first_cost, leaves_window, output_column, start_of_frame : boolean;
+    end_of_line : boolean;
+  end record;
+  type tag_8 is record
+    valid, first_group, border_column, first_cost, leaves_window, output_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_6 is record
+    valid, first_cost, leaves_window, output_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_4 is record
+    valid, output_column, start_of_frame, end_of_line : boolean;
+  end record;
   signal in_start_of_frame, in_valid : boolean;
   signal in_right_pixel, in_left_pixel : natural range 0 to 255;
   -- transform
@@ -131,28 +162,22 @@ architecture rtl of stereo_core_parts_320 is
   signal transform_left_rows_ready_newest_0, transform_left_rows_write_words_2 : natural range 0 to 255;
   signal transform_right_rows_read_newest_0, transform_right_rows_ready_words_2 : natural range 0 to 255;
   signal transform_right_rows_ready_newest_0, transform_right_rows_write_words_2 : natural range 0 to 255;
-  signal transform_left_column : natural_255_1d(0 to 9);
-  signal transform_right_column : natural_255_1d(0 to 9);
+  signal transform_left_column, transform_right_column : natural_255_1d(0 to 9);
   signal transform_left_code_column_box_0_0 : natural_255_1d(0 to 4);  -- transform_left_code_column_box_0_#_0
   signal transform_left_code_column_centre : natural range 0 to 255;
   signal transform_right_code_column_box_0_0 : natural_255_1d(0 to 4);  -- transform_right_code_column_box_0_#_0
   signal transform_right_code_column_centre : natural range 0 to 255;
   signal transform_valid, transform_counter_next_frame : boolean;
-  signal transform_from_first : boolean_1d(0 to 1);
-  signal transform_up_to_last : boolean_1d(0 to 1);
-  signal transform_columns_inside : boolean_1d(0 to 1);
+  signal transform_from_first, transform_up_to_last, transform_columns_inside : boolean_1d(0 to 1);
   signal transform_columns_start_of_frame, transform_columns_valid : boolean;
   signal transform_filtering_inside : boolean_2d(0 to 6, 0 to 1);  -- transform_filtering_#_inside_#
   signal transform_filtering_start_of_frame : boolean_1d(0 to 7);  -- transform_filtering_#_start_of_frame
   signal transform_filtering_valid : boolean_1d(0 to 7);  -- transform_filtering_#_valid
   signal transform_counter_column, transform_read_column, transform_ready_column : natural range 0 to 511;
   signal transform_write_column, transform_centre_column : natural range 0 to 511;
-  signal transform_left_rows_read_words : unsigned_32_1d(0 to 1);
-  signal transform_left_rows_ready_words : unsigned_32_1d(0 to 1);
-  signal transform_left_rows_write_words : unsigned_32_1d(0 to 1);
-  signal transform_right_rows_read_words : unsigned_32_1d(0 to 1);
-  signal transform_right_rows_ready_words : unsigned_32_1d(0 to 1);
-  signal transform_right_rows_write_words : unsigned_32_1d(0 to 1);
+  signal transform_left_rows_read_words, transform_left_rows_ready_words : unsigned_32_1d(0 to 1);
+  signal transform_left_rows_write_words, transform_right_rows_read_words : unsigned_32_1d(0 to 1);
+  signal transform_right_rows_ready_words, transform_right_rows_write_words : unsigned_32_1d(0 to 1);
   signal transform_left_rows_read_words_2, transform_right_rows_read_words_2 : unsigned(7 downto 0);
   signal transform_centre_group : natural range 0 to 256;
   signal transform_left_code_column_near, transform_left_code_column_outer : natural range 0 to 510;
@@ -164,31 +189,25 @@ architecture rtl of stereo_core_parts_320 is
   signal transform_left_code_column_upper, transform_left_code_column_lower : natural range 0 to 765;
   signal transform_right_code_column_upper, transform_right_code_column_lower : natural range 0 to 765;
   signal transform_left_code_column_response : natural_1021_1d(0 to 1);
-  signal transform_left_code_row_box_0 : natural_1021_1d(0 to 1);
+  signal transform_left_code_row_box_0 : natural_1530_1d(0 to 2);  -- transform_left_code_row_box_0_# up to 1021, 1021, 1530
   signal transform_left_code_row_column : natural_1021_2d(0 to 1, 0 to 3);
-  signal transform_left_code_row_centre : natural_1021_1d(0 to 1);
+  signal transform_left_code_row_centre : natural_1530_1d(0 to 2);  -- transform_left_code_row_centre_# up to 1021, 1021, 1530
   signal transform_right_code_column_response : natural_1021_1d(0 to 1);
-  signal transform_right_code_row_box_0 : natural_1021_1d(0 to 1);
+  signal transform_right_code_row_box_0 : natural_1530_1d(0 to 2);  -- transform_right_code_row_box_0_# up to 1021, 1021, 1530
   signal transform_right_code_row_column : natural_1021_2d(0 to 1, 0 to 3);
-  signal transform_right_code_row_centre : natural_1021_1d(0 to 1);
-  signal transform_left_code_column_response_2, transform_left_code_row_box_0_2 : natural range 0 to 1530;
+  signal transform_right_code_row_centre : natural_1530_1d(0 to 2);  -- transform_right_code_row_centre_# up to 1021, 1021, 1530
+  signal transform_left_code_column_response_2 : natural range 0 to 1530;
   signal transform_left_code_row_column_2 : natural_1530_1d(0 to 3);
-  signal transform_left_code_row_centre_2, transform_right_code_column_response_2 : natural range 0 to 1530;
-  signal transform_right_code_row_box_0_2 : natural range 0 to 1530;
+  signal transform_right_code_column_response_2 : natural range 0 to 1530;
   signal transform_right_code_row_column_2 : natural_1530_1d(0 to 3);
-  signal transform_right_code_row_centre_2 : natural range 0 to 1530;
   signal transform_left_code_row_outer_1, transform_right_code_row_outer_1 : natural range 0 to 2042;
   signal transform_left_code_row_outer_2, transform_right_code_row_outer_2 : natural range 0 to 3060;
-  signal transform_left_code_row_before : natural_3063_1d(0 to 1);
-  signal transform_left_code_row_after : natural_3063_1d(0 to 1);
-  signal transform_right_code_row_before : natural_3063_1d(0 to 1);
-  signal transform_right_code_row_after : natural_3063_1d(0 to 1);
+  signal transform_left_code_row_before, transform_left_code_row_after : natural_3063_1d(0 to 1);
+  signal transform_right_code_row_before, transform_right_code_row_after : natural_3063_1d(0 to 1);
   signal transform_left_code_row_before_2, transform_left_code_row_after_2 : natural range 0 to 4591;
   signal transform_right_code_row_before_2, transform_right_code_row_after_2 : natural range 0 to 4591;
-  signal transform_left_code_row_even : natural_16383_1d(1 to 2);
-  signal transform_left_code_row_odd : natural_16383_1d(1 to 2);
-  signal transform_right_code_row_even : natural_16383_1d(1 to 2);
-  signal transform_right_code_row_odd : natural_16383_1d(1 to 2);
+  signal transform_left_code_row_even, transform_left_code_row_odd : natural_16383_1d(1 to 2);
+  signal transform_right_code_row_even, transform_right_code_row_odd : natural_16383_1d(1 to 2);
   signal transform_left_code_row_signs : natural range 0 to 63;
   signal transform_left_code_earlier : natural_63_1d(0 to 1);
   signal transform_left_code_bits, transform_left_code_next_row_signs : natural range 0 to 63;
@@ -199,37 +218,32 @@ architecture rtl of stereo_core_parts_320 is
   signal transform_left_code_next_column_near, transform_left_code_next_column_outer : natural range 0 to 1020;
   signal transform_right_code_next_column_near, transform_right_code_next_column_outer : natural range 0 to 1020;
   signal transform_left_code_next_column_upper, transform_left_code_next_column_response_2 : natural range 0 to 65535;
-  signal transform_left_code_next_row_earlier_0_2_0, transform_left_code_next_row_box_0_2 : natural range 0 to 65535;
+  signal transform_left_code_next_row_earlier_0_0 : natural_65535_1d(0 to 2);  -- transform_left_code_next_row_earlier_0_#_0 up to 2041, 2041, 65535
+  signal transform_left_code_next_row_box_0_2 : natural range 0 to 65535;
   signal transform_left_code_next_row_column_2 : natural_65535_1d(0 to 7);
   signal transform_left_code_next_row_outer_2, transform_left_code_next_row_before_2 : natural range 0 to 65535;
   signal transform_left_code_next_row_after_2 : natural range 0 to 65535;
   signal transform_left_code_next_row_even : natural_65535_1d(1 to 2);
   signal transform_left_code_next_row_odd : natural_65535_1d(0 to 2);
   signal transform_right_code_next_column_upper, transform_right_code_next_column_response_2 : natural range 0 to 65535;
-  signal transform_right_code_next_row_earlier_0_2_0, transform_right_code_next_row_box_0_2 : natural range 0 to 65535;
+  signal transform_right_code_next_row_earlier_0_0 : natural_65535_1d(0 to 2);  -- transform_right_code_next_row_earlier_0_#_0 up to 2041, 2041, 65535
+  signal transform_right_code_next_row_box_0_2 : natural range 0 to 65535;
   signal transform_right_code_next_row_column_2 : natural_65535_1d(0 to 7);
   signal transform_right_code_next_row_outer_2, transform_right_code_next_row_before_2 : natural range 0 to 65535;
   signal transform_right_code_next_row_after_2 : natural range 0 to 65535;
   signal transform_right_code_next_row_even : natural_65535_1d(1 to 2);
   signal transform_right_code_next_row_odd : natural_65535_1d(0 to 2);
   signal transform_left_code_next_column_lower, transform_right_code_next_column_lower : natural range 0 to 1531;
-  signal transform_left_code_next_column_response : natural_2041_1d(0 to 1);
-  signal transform_left_code_next_row_earlier_0_0 : natural_2041_1d(0 to 1);  -- transform_left_code_next_row_earlier_0_#_0
-  signal transform_right_code_next_column_response : natural_2041_1d(0 to 1);
-  signal transform_right_code_next_row_earlier_0_0 : natural_2041_1d(0 to 1);  -- transform_right_code_next_row_earlier_0_#_0
+  signal transform_left_code_next_column_response, transform_right_code_next_column_response : natural_2041_1d(0 to 1);
   signal transform_left_code_next_row_box_0 : natural_4082_1d(0 to 1);
   signal transform_left_code_next_row_column : natural_4082_2d(0 to 1, 0 to 7);
-  signal transform_left_code_next_row_centre : natural_4082_1d(0 to 1);
+  signal transform_left_code_next_row_centre : natural_32767_1d(0 to 2);  -- transform_left_code_next_row_centre_# up to 4082, 4082, 32767
   signal transform_right_code_next_row_box_0 : natural_4082_1d(0 to 1);
   signal transform_right_code_next_row_column : natural_4082_2d(0 to 1, 0 to 7);
-  signal transform_right_code_next_row_centre : natural_4082_1d(0 to 1);
-  signal transform_left_code_next_row_centre_2, transform_right_code_next_row_centre_2 : natural range 0 to 32767;
-  signal transform_left_code_next_row_outer : natural_8164_1d(0 to 1);
-  signal transform_right_code_next_row_outer : natural_8164_1d(0 to 1);
-  signal transform_left_code_next_row_before : natural_12247_1d(0 to 1);
-  signal transform_left_code_next_row_after : natural_12247_1d(0 to 1);
-  signal transform_right_code_next_row_before : natural_12247_1d(0 to 1);
-  signal transform_right_code_next_row_after : natural_12247_1d(0 to 1);
+  signal transform_right_code_next_row_centre : natural_32767_1d(0 to 2);  -- transform_right_code_next_row_centre_# up to 4082, 4082, 32767
+  signal transform_left_code_next_row_outer, transform_right_code_next_row_outer : natural_8164_1d(0 to 1);
+  signal transform_left_code_next_row_before, transform_left_code_next_row_after : natural_12247_1d(0 to 1);
+  signal transform_right_code_next_row_before, transform_right_code_next_row_after : natural_12247_1d(0 to 1);
   -- raster
   signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 4095;
   signal raster_features_valid : boolean;
@@ -241,129 +255,77 @@ architecture rtl of stereo_core_parts_320 is
   signal delay_delayed_0 : unsigned(11 downto 0);
   signal delay_column : natural range 0 to 511;
   signal delay_row_inside : boolean_1d(0 to 1);
-  signal delay_tag_valid, delay_tag_row_start, delay_tag_first_group, delay_tag_border_column : boolean;
-  signal delay_tag_first_cost, delay_tag_leaves_window, delay_tag_output_column, delay_tag_start_of_frame : boolean;
-  signal delay_tag_end_of_line : boolean;
+  signal delay_tag : tag_9;
   -- rows
-  signal rows_search_rows_read_words : unsigned_24_1d(0 to 3);
-  signal rows_reference_rows_read_words : unsigned_24_1d(0 to 3);
+  signal rows_search_rows_read_words, rows_reference_rows_read_words : unsigned_24_1d(0 to 3);
   signal rows_search_rows_read_words_4, rows_reference_rows_read_words_4 : unsigned(11 downto 0);
   signal rows_search_rows_read_newest_0, rows_search_rows_ready_words_4 : natural range 0 to 4095;
-  signal rows_search_rows_ready_newest_0, rows_search_rows_write_words_4 : natural range 0 to 4095;
+  signal rows_search_rows_ready_newest_0 : natural range 0 to 4095;
+  signal rows_search_rows_write_words : natural_16777215_1d(0 to 4);  -- rows_search_rows_write_words_# up to 16777215 x 4, 4095
   signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_words_4 : natural range 0 to 4095;
-  signal rows_reference_rows_ready_newest_0, rows_reference_rows_write_words_4 : natural range 0 to 4095;
-  signal rows_search : natural_4095_1d(0 to 1);
-  signal rows_reference : natural_4095_1d(0 to 1);
-  signal rows_search_rows_ready_words : natural_16777215_1d(0 to 3);
-  signal rows_search_rows_write_words : natural_16777215_1d(0 to 3);
-  signal rows_reference_rows_ready_words : natural_16777215_1d(0 to 3);
-  signal rows_reference_rows_write_words : natural_16777215_1d(0 to 3);
+  signal rows_reference_rows_ready_newest_0 : natural range 0 to 4095;
+  signal rows_reference_rows_write_words : natural_16777215_1d(0 to 4);  -- rows_reference_rows_write_words_# up to 16777215 x 4, 4095
+  signal rows_search, rows_reference : natural_4095_1d(0 to 1);
+  signal rows_search_rows_ready_words, rows_reference_rows_ready_words : natural_16777215_1d(0 to 3);
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
   signal rows_read_inside : boolean_1d(0 to 1);
-  signal rows_read_tag_valid, rows_read_tag_row_start, rows_read_tag_first_group, rows_read_tag_border_column : boolean;
-  signal rows_read_tag_first_cost, rows_read_tag_leaves_window, rows_read_tag_output_column : boolean;
-  signal rows_read_tag_start_of_frame, rows_read_tag_end_of_line : boolean;
+  signal rows_read_tag : tag_9;
   signal rows_ready_inside : boolean_1d(0 to 1);
-  signal rows_ready_tag_valid, rows_ready_tag_row_start, rows_ready_tag_first_group : boolean;
-  signal rows_ready_tag_border_column, rows_ready_tag_first_cost, rows_ready_tag_leaves_window : boolean;
-  signal rows_ready_tag_output_column, rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line : boolean;
-  signal rows_tag_valid, rows_tag_row_start, rows_tag_first_group, rows_tag_border_column : boolean;
-  signal rows_tag_first_cost, rows_tag_leaves_window, rows_tag_output_column, rows_tag_start_of_frame : boolean;
-  signal rows_tag_end_of_line : boolean;
+  signal rows_ready_tag, rows_tag : tag_9;
   -- slice0shift
   signal slice0shift_search : natural_4095_2d(0 to 1, 0 to 11);
-  signal slice0shift_reference : natural_4095_1d(0 to 1);
-  signal slice0shift_search_out : natural_4095_1d(0 to 1);
-  signal slice0shift_tag_valid, slice0shift_tag_row_start, slice0shift_tag_first_group : boolean;
-  signal slice0shift_tag_border_column, slice0shift_tag_first_cost, slice0shift_tag_leaves_window : boolean;
-  signal slice0shift_tag_output_column, slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
+  signal slice0shift_reference, slice0shift_search_out : natural_4095_1d(0 to 1);
+  signal slice0shift_tag : tag_9;
   -- slice0cost
   signal slice0cost_pixels_first : natural_255_2d(0 to 1, 0 to 11);
   signal slice0cost_column_0 : natural_255_1d(0 to 11);
-  signal slice0cost_pixels_first_tag_valid, slice0cost_pixels_first_tag_row_start : boolean;
-  signal slice0cost_pixels_first_tag_first_group, slice0cost_pixels_first_tag_border_column : boolean;
-  signal slice0cost_pixels_first_tag_first_cost, slice0cost_pixels_first_tag_leaves_window : boolean;
-  signal slice0cost_pixels_first_tag_output_column, slice0cost_pixels_first_tag_start_of_frame : boolean;
-  signal slice0cost_pixels_first_tag_end_of_line, slice0cost_pixels_tag_valid : boolean;
-  signal slice0cost_pixels_tag_first_group, slice0cost_pixels_tag_border_column : boolean;
-  signal slice0cost_pixels_tag_first_cost, slice0cost_pixels_tag_leaves_window : boolean;
-  signal slice0cost_pixels_tag_output_column, slice0cost_pixels_tag_start_of_frame : boolean;
-  signal slice0cost_pixels_tag_end_of_line, slice0cost_ready_tag_valid, slice0cost_ready_tag_first_group : boolean;
-  signal slice0cost_ready_tag_border_column, slice0cost_ready_tag_first_cost : boolean;
-  signal slice0cost_ready_tag_leaves_window, slice0cost_ready_tag_output_column : boolean;
-  signal slice0cost_ready_tag_start_of_frame, slice0cost_ready_tag_end_of_line, slice0cost_tag_valid : boolean;
-  signal slice0cost_tag_first_group, slice0cost_tag_border_column, slice0cost_tag_first_cost : boolean;
-  signal slice0cost_tag_leaves_window, slice0cost_tag_output_column, slice0cost_tag_start_of_frame : boolean;
-  signal slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pixels_first_tag : tag_9;
+  signal slice0cost_pixels_tag, slice0cost_ready_tag, slice0cost_tag : tag_8;
   signal slice0cost_pixels_cost : natural_19_2d(0 to 1, 0 to 11);
   signal slice0cost_read_column, slice0cost_change_column, slice0cost_ready_column : natural range 0 to 511;
   signal slice0cost_write_column : natural range 0 to 511;
-  signal slice0cost_read_words : unsigned_32_1d(0 to 2);
-  signal slice0cost_ready_words : unsigned_32_1d(0 to 2);
-  signal slice0cost_write_words : unsigned_32_1d(0 to 2);
+  signal slice0cost_read_words, slice0cost_ready_words, slice0cost_write_words : unsigned_32_1d(0 to 2);
   signal slice0cost_change_0 : integer_minus_19_to_19_1d(0 to 11);
   -- slice0window
   signal slice0window_ring_read_address, slice0window_ring_write_address : natural range 0 to 15;
   signal slice0window_leaving : unsigned_32_1d(0 to 2);
   signal slice0window_entering_0 : natural_255_1d(0 to 11);
-  signal slice0window_entering_tag_valid, slice0window_entering_tag_first_cost : boolean;
-  signal slice0window_entering_tag_leaves_window, slice0window_entering_tag_output_column : boolean;
-  signal slice0window_entering_tag_start_of_frame, slice0window_entering_tag_end_of_line : boolean;
-  signal slice0window_change_tag_valid, slice0window_change_tag_first_cost : boolean;
-  signal slice0window_change_tag_leaves_window, slice0window_change_tag_output_column : boolean;
-  signal slice0window_change_tag_start_of_frame, slice0window_change_tag_end_of_line : boolean;
+  signal slice0window_entering_tag, slice0window_change_tag : tag_6;
   signal slice0window_centre_output_column_0, slice0window_centre_first_column_0 : boolean;
   signal slice0window_centre_start_of_frame_0, slice0window_centre_start_of_frame_3 : boolean;
-  signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_output_column : boolean;
-  signal slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
+  signal slice0window_centre_end_of_line_0 : boolean;
+  signal slice0window_tag : tag_4;
   signal slice0window_change_0 : integer_minus_255_to_255_1d(0 to 11);
   signal slice0window_sum_0 : natural_2047_1d(0 to 11);
   -- slice0winner1
-  signal slice0winner1_best_cost_0 : natural_2047_1d(0 to 5);
-  signal slice0winner1_best_below_0 : natural_2047_1d(0 to 5);
-  signal slice0winner1_best_above_0 : natural_2047_1d(0 to 5);
+  signal slice0winner1_best_cost_0, slice0winner1_best_below_0, slice0winner1_best_above_0 : natural_2047_1d(0 to 5);
   signal slice0winner1_best_first_0 : natural_2047_1d(0 to 5);
   signal slice0winner1_best_last_0 : natural_2047_1d(0 to 4);
-  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
-  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice0winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice0winner1_best_index_0_3 : natural range 0 to 7;
-  signal slice0winner1_best_index_0_4 : natural range 0 to 9;
-  signal slice0winner1_best_index_0_5 : natural range 0 to 11;
+  signal slice0winner1_best_index_0_0 : boolean;
+  signal slice0winner1_tag : tag_4;
+  signal slice0winner1_best_index_0 : natural_11_1d(1 to 5);  -- slice0winner1_best_index_0_# up to 3, 5 .. 11
   -- slice0winner2
-  signal slice0winner2_best_cost_0 : natural_2047_1d(0 to 2);
-  signal slice0winner2_best_below_0 : natural_2047_1d(0 to 2);
-  signal slice0winner2_best_above_0 : natural_2047_1d(0 to 2);
+  signal slice0winner2_best_cost_0, slice0winner2_best_below_0, slice0winner2_best_above_0 : natural_2047_1d(0 to 2);
   signal slice0winner2_best_first_0 : natural_2047_1d(0 to 2);
   signal slice0winner2_best_last_0 : natural_2047_1d(0 to 1);
-  signal slice0winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice0winner2_best_index_0_1 : natural range 0 to 7;
-  signal slice0winner2_best_index_0_2 : natural range 0 to 11;
-  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
-  signal slice0winner2_tag_end_of_line : boolean;
+  signal slice0winner2_best_index_0 : natural_11_1d(0 to 2);  -- slice0winner2_best_index_0_# up to 3, 7, 11
+  signal slice0winner2_tag : tag_4;
   -- slice0winner3
-  signal slice0winner3_best_cost_0 : natural_2047_1d(0 to 1);
-  signal slice0winner3_best_below_0 : natural_2047_1d(0 to 1);
-  signal slice0winner3_best_above_0 : natural_2047_1d(0 to 1);
+  signal slice0winner3_best_cost_0, slice0winner3_best_below_0, slice0winner3_best_above_0 : natural_2047_1d(0 to 1);
   signal slice0winner3_best_first_0 : natural_2047_1d(0 to 1);
   signal slice0winner3_best_last_0_0 : natural range 0 to 2047;
-  signal slice0winner3_best_index_0_0 : natural range 0 to 7;
-  signal slice0winner3_best_index_0_1 : natural range 0 to 11;
-  signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
-  signal slice0winner3_tag_end_of_line : boolean;
+  signal slice0winner3_best_index_0 : natural_11_1d(0 to 1);  -- slice0winner3_best_index_0_# up to 7, 11
+  signal slice0winner3_tag : tag_4;
   -- slice0winner4
   signal slice0winner4_best_cost_0_0, slice0winner4_best_below_0_0 : natural range 0 to 2047;
   signal slice0winner4_best_above_0_0, slice0winner4_best_first_0_0 : natural range 0 to 2047;
   signal slice0winner4_best_index_0_0 : natural range 0 to 11;
-  signal slice0winner4_tag_valid, slice0winner4_tag_output_column, slice0winner4_tag_start_of_frame : boolean;
-  signal slice0winner4_tag_end_of_line : boolean;
+  signal slice0winner4_tag : tag_4;
   -- slice0
   signal slice0_best_cost_0_0, slice0_best_below_0_0, slice0_best_above_0_0 : natural range 0 to 2047;
   signal slice0_best_first_0_0 : natural range 0 to 2047;
   signal slice0_best_index_0_0 : natural range 0 to 23;
-  signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
-  signal slice0_best_tag_end_of_line : boolean;
+  signal slice0_best_tag : tag_4;
   -- slice1shift
   signal slice1shift_search : natural_4095_2d(0 to 1, 0 to 11);
   signal slice1shift_reference : natural_4095_1d(0 to 1);
@@ -373,9 +335,7 @@ architecture rtl of stereo_core_parts_320 is
   signal slice1cost_pixels_cost : natural_19_2d(0 to 1, 0 to 11);
   signal slice1cost_read_column, slice1cost_change_column, slice1cost_ready_column : natural range 0 to 511;
   signal slice1cost_write_column : natural range 0 to 511;
-  signal slice1cost_read_words : unsigned_32_1d(0 to 2);
-  signal slice1cost_ready_words : unsigned_32_1d(0 to 2);
-  signal slice1cost_write_words : unsigned_32_1d(0 to 2);
+  signal slice1cost_read_words, slice1cost_ready_words, slice1cost_write_words : unsigned_32_1d(0 to 2);
   signal slice1cost_change_0 : integer_minus_19_to_19_1d(0 to 11);
   -- slice1window
   signal slice1window_ring_read_address, slice1window_ring_write_address : natural range 0 to 15;
@@ -387,34 +347,21 @@ architecture rtl of stereo_core_parts_320 is
   signal slice1window_centre_start_of_frame : boolean_1d(0 to 1);
   signal slice1window_centre_end_of_line : boolean_1d(0 to 2);
   -- slice1winner1
-  signal slice1winner1_best_cost_0 : natural_2047_1d(0 to 5);
-  signal slice1winner1_best_below_0 : natural_2047_1d(0 to 5);
-  signal slice1winner1_best_above_0 : natural_2047_1d(0 to 5);
+  signal slice1winner1_best_cost_0, slice1winner1_best_below_0, slice1winner1_best_above_0 : natural_2047_1d(0 to 5);
   signal slice1winner1_best_first_0 : natural_2047_1d(1 to 5);
   signal slice1winner1_best_last_0 : natural_2047_1d(0 to 5);
   signal slice1winner1_best_index_0_0 : boolean;
-  signal slice1winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice1winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice1winner1_best_index_0_3 : natural range 0 to 7;
-  signal slice1winner1_best_index_0_4 : natural range 0 to 9;
-  signal slice1winner1_best_index_0_5 : natural range 0 to 11;
+  signal slice1winner1_best_index_0 : natural_11_1d(1 to 5);  -- slice1winner1_best_index_0_# up to 3, 5 .. 11
   -- slice1winner2
-  signal slice1winner2_best_cost_0 : natural_2047_1d(0 to 2);
-  signal slice1winner2_best_below_0 : natural_2047_1d(0 to 2);
-  signal slice1winner2_best_above_0 : natural_2047_1d(0 to 2);
+  signal slice1winner2_best_cost_0, slice1winner2_best_below_0, slice1winner2_best_above_0 : natural_2047_1d(0 to 2);
   signal slice1winner2_best_first_0 : natural_2047_1d(1 to 2);
   signal slice1winner2_best_last_0 : natural_2047_1d(0 to 2);
-  signal slice1winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice1winner2_best_index_0_1 : natural range 0 to 7;
-  signal slice1winner2_best_index_0_2 : natural range 0 to 11;
+  signal slice1winner2_best_index_0 : natural_11_1d(0 to 2);  -- slice1winner2_best_index_0_# up to 3, 7, 11
   -- slice1winner3
-  signal slice1winner3_best_cost_0 : natural_2047_1d(0 to 1);
-  signal slice1winner3_best_below_0 : natural_2047_1d(0 to 1);
-  signal slice1winner3_best_above_0 : natural_2047_1d(0 to 1);
+  signal slice1winner3_best_cost_0, slice1winner3_best_below_0, slice1winner3_best_above_0 : natural_2047_1d(0 to 1);
   signal slice1winner3_best_first_0_1 : natural range 0 to 2047;
   signal slice1winner3_best_last_0 : natural_2047_1d(0 to 1);
-  signal slice1winner3_best_index_0_0 : natural range 0 to 7;
-  signal slice1winner3_best_index_0_1 : natural range 0 to 11;
+  signal slice1winner3_best_index_0 : natural_11_1d(0 to 1);  -- slice1winner3_best_index_0_# up to 7, 11
   -- slice1winner4
   signal slice1winner4_best_cost_0_0, slice1winner4_best_below_0_0 : natural range 0 to 2047;
   signal slice1winner4_best_above_0_0, slice1winner4_best_last_0_0 : natural range 0 to 2047;
@@ -422,8 +369,7 @@ architecture rtl of stereo_core_parts_320 is
   -- slice1
   signal slice1_best_cost_0_0, slice1_best_below_0_0, slice1_best_above_0_0 : natural range 0 to 2047;
   signal slice1_best_index_0_0 : natural range 0 to 23;
-  signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
-  signal slice1_best_tag_end_of_line : boolean;
+  signal slice1_best_tag : tag_4;
   -- refinement
   signal refinement_disparity_0 : natural_23_1d(0 to 11);  -- refinement_disparity_#_0
   signal refinement_passed_0 : boolean_1d(0 to 11);  -- refinement_passed_#_0
@@ -456,115 +402,6 @@ architecture rtl of stereo_core_parts_320 is
   signal others_from_14 : natural_8192_1d(14 to 15);  -- other_#
   signal others_from_18 : natural_8192_1d(18 to 19);  -- other_#
   signal other_16, other_20 : natural range 0 to 2042;
-  signal slice1window_leaving_2_memory_read_enable : boolean;
-  signal slice1window_leaving_2_memory_read_address, slice1window_leaving_2_memory_write_address : unsigned(3 downto 0);
-  signal slice1window_leaving_2_memory_write_data : unsigned(31 downto 0);
-  signal slice1window_leaving_1_memory_read_enable : boolean;
-  signal slice1window_leaving_1_memory_read_address, slice1window_leaving_1_memory_write_address : unsigned(3 downto 0);
-  signal slice1window_leaving_1_memory_write_data : unsigned(31 downto 0);
-  signal slice1window_leaving_0_memory_read_enable : boolean;
-  signal slice1window_leaving_0_memory_read_address, slice1window_leaving_0_memory_write_address : unsigned(3 downto 0);
-  signal slice1window_leaving_0_memory_write_data : unsigned(31 downto 0);
-  signal slice1cost_read_words_2_memory_read_enable : boolean;
-  signal slice1cost_read_words_2_memory_read_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_2_memory_write_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_2_memory_write_data : unsigned(31 downto 0);
-  signal slice1cost_read_words_1_memory_read_enable : boolean;
-  signal slice1cost_read_words_1_memory_read_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_1_memory_write_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_1_memory_write_data : unsigned(31 downto 0);
-  signal slice1cost_read_words_0_memory_read_enable : boolean;
-  signal slice1cost_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal slice1cost_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal slice0window_leaving_2_memory_read_enable : boolean;
-  signal slice0window_leaving_2_memory_read_address, slice0window_leaving_2_memory_write_address : unsigned(3 downto 0);
-  signal slice0window_leaving_2_memory_write_data : unsigned(31 downto 0);
-  signal slice0window_leaving_1_memory_read_enable : boolean;
-  signal slice0window_leaving_1_memory_read_address, slice0window_leaving_1_memory_write_address : unsigned(3 downto 0);
-  signal slice0window_leaving_1_memory_write_data : unsigned(31 downto 0);
-  signal slice0window_leaving_0_memory_read_enable : boolean;
-  signal slice0window_leaving_0_memory_read_address, slice0window_leaving_0_memory_write_address : unsigned(3 downto 0);
-  signal slice0window_leaving_0_memory_write_data : unsigned(31 downto 0);
-  signal slice0cost_read_words_2_memory_read_enable : boolean;
-  signal slice0cost_read_words_2_memory_read_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_2_memory_write_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_2_memory_write_data : unsigned(31 downto 0);
-  signal slice0cost_read_words_1_memory_read_enable : boolean;
-  signal slice0cost_read_words_1_memory_read_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_1_memory_write_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_1_memory_write_data : unsigned(31 downto 0);
-  signal slice0cost_read_words_0_memory_read_enable : boolean;
-  signal slice0cost_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal slice0cost_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal rows_search_rows_read_words_4_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_4_memory_read_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_4_memory_write_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_4_memory_write_data : unsigned(11 downto 0);
-  signal rows_search_rows_read_words_3_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_3_memory_read_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_3_memory_write_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_3_memory_write_data : unsigned(23 downto 0);
-  signal rows_search_rows_read_words_2_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_2_memory_read_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_2_memory_write_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_2_memory_write_data : unsigned(23 downto 0);
-  signal rows_search_rows_read_words_1_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_1_memory_read_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_1_memory_write_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
-  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
-  signal rows_reference_rows_read_words_4_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_4_memory_read_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_4_memory_write_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_4_memory_write_data : unsigned(11 downto 0);
-  signal rows_reference_rows_read_words_3_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_3_memory_read_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_3_memory_write_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_3_memory_write_data : unsigned(23 downto 0);
-  signal rows_reference_rows_read_words_2_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_2_memory_read_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_2_memory_write_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_2_memory_write_data : unsigned(23 downto 0);
-  signal rows_reference_rows_read_words_1_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_1_memory_read_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_1_memory_write_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
-  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
-  signal delay_delayed_0_memory_read_enable : boolean;
-  signal delay_delayed_0_memory_read_address, delay_delayed_0_memory_write_address : unsigned(4 downto 0);
-  signal delay_delayed_0_memory_write_data : unsigned(11 downto 0);
-  signal transform_left_rows_read_words_2_memory_read_enable : boolean;
-  signal transform_left_rows_read_words_2_memory_read_address : unsigned(8 downto 0);
-  signal transform_left_rows_read_words_2_memory_write_address : unsigned(8 downto 0);
-  signal transform_left_rows_read_words_2_memory_write_data : unsigned(7 downto 0);
-  signal transform_left_rows_read_words_1_memory_read_enable : boolean;
-  signal transform_left_rows_read_words_1_memory_read_address : unsigned(8 downto 0);
-  signal transform_left_rows_read_words_1_memory_write_address : unsigned(8 downto 0);
-  signal transform_left_rows_read_words_1_memory_write_data : unsigned(31 downto 0);
-  signal transform_left_rows_read_words_0_memory_read_enable : boolean;
-  signal transform_left_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal transform_right_rows_read_words_2_memory_read_enable : boolean;
-  signal transform_right_rows_read_words_2_memory_read_address : unsigned(8 downto 0);
-  signal transform_right_rows_read_words_2_memory_write_address : unsigned(8 downto 0);
-  signal transform_right_rows_read_words_2_memory_write_data : unsigned(7 downto 0);
-  signal transform_right_rows_read_words_1_memory_read_enable : boolean;
-  signal transform_right_rows_read_words_1_memory_read_address : unsigned(8 downto 0);
-  signal transform_right_rows_read_words_1_memory_write_address : unsigned(8 downto 0);
-  signal transform_right_rows_read_words_1_memory_write_data : unsigned(31 downto 0);
-  signal transform_right_rows_read_words_0_memory_read_enable : boolean;
-  signal transform_right_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
 
 begin
   in_start_of_frame <= start_of_frame = '1';
@@ -577,350 +414,191 @@ begin
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
 
-  slice1window_leaving_2_memory_read_enable <= true;
-  slice1window_leaving_2_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
-  slice1window_leaving_2_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
-  slice1window_leaving_2_memory_write_data <= to_unsigned(slice1cost_column_0(11), 8) & to_unsigned(slice1cost_column_0(10), 8) & to_unsigned(slice1cost_column_0(9), 8) & to_unsigned(slice1cost_column_0(8), 8);
-  slice1window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_2_memory_read_enable,
-      read_address => slice1window_leaving_2_memory_read_address, read_data => slice1window_leaving(2),
-      write_address => slice1window_leaving_2_memory_write_address, write_data => slice1window_leaving_2_memory_write_data);
+  slice1window_leaving_memory : for i in 2 downto 0 generate
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(31 downto 0);
+  begin
+    read_address <= to_unsigned(slice1window_ring_read_address, 4);
+    write_address <= to_unsigned(slice1window_ring_write_address, 4);
+    write_data <= to_unsigned(slice1cost_column_0(4 * i + 3), 8) & to_unsigned(slice1cost_column_0(4 * i + 2), 8) &
+      to_unsigned(slice1cost_column_0(4 * i + 1), 8) & to_unsigned(slice1cost_column_0(4 * i), 8);
+    cell : entity work.line_memory
+      generic map (depth => 10, width => 32, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice1window_leaving(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  slice1window_leaving_1_memory_read_enable <= true;
-  slice1window_leaving_1_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
-  slice1window_leaving_1_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
-  slice1window_leaving_1_memory_write_data <= to_unsigned(slice1cost_column_0(7), 8) & to_unsigned(slice1cost_column_0(6), 8) & to_unsigned(slice1cost_column_0(5), 8) & to_unsigned(slice1cost_column_0(4), 8);
-  slice1window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_1_memory_read_enable,
-      read_address => slice1window_leaving_1_memory_read_address, read_data => slice1window_leaving(1),
-      write_address => slice1window_leaving_1_memory_write_address, write_data => slice1window_leaving_1_memory_write_data);
+  slice1cost_read_words_memory : for i in 2 downto 0 generate
+    signal read_address, write_address : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(slice0cost_change_column, 9);
+    write_address <= to_unsigned(slice1cost_write_column, 9);
+    cell : entity work.line_memory
+      generic map (depth => 320, width => 32, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice1cost_read_words(i), write_address => write_address, write_data => slice1cost_write_words(i));
+  end generate;
 
-  slice1window_leaving_0_memory_read_enable <= true;
-  slice1window_leaving_0_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
-  slice1window_leaving_0_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
-  slice1window_leaving_0_memory_write_data <= to_unsigned(slice1cost_column_0(3), 8) & to_unsigned(slice1cost_column_0(2), 8) & to_unsigned(slice1cost_column_0(1), 8) & to_unsigned(slice1cost_column_0(0), 8);
-  slice1window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => slice1window_leaving_0_memory_read_enable,
-      read_address => slice1window_leaving_0_memory_read_address, read_data => slice1window_leaving(0),
-      write_address => slice1window_leaving_0_memory_write_address, write_data => slice1window_leaving_0_memory_write_data);
+  slice0window_leaving_memory : for i in 2 downto 0 generate
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(31 downto 0);
+  begin
+    read_address <= to_unsigned(slice0window_ring_read_address, 4);
+    write_address <= to_unsigned(slice0window_ring_write_address, 4);
+    write_data <= to_unsigned(slice0cost_column_0(4 * i + 3), 8) & to_unsigned(slice0cost_column_0(4 * i + 2), 8) &
+      to_unsigned(slice0cost_column_0(4 * i + 1), 8) & to_unsigned(slice0cost_column_0(4 * i), 8);
+    cell : entity work.line_memory
+      generic map (depth => 10, width => 32, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice0window_leaving(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  slice1cost_read_words_2_memory_read_enable <= true;
-  slice1cost_read_words_2_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
-  slice1cost_read_words_2_memory_write_address <= to_unsigned(slice1cost_write_column, 9);
-  slice1cost_read_words_2_memory_write_data <= slice1cost_write_words(2);
-  slice1cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 320, width => 32, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_2_memory_read_enable,
-      read_address => slice1cost_read_words_2_memory_read_address, read_data => slice1cost_read_words(2),
-      write_address => slice1cost_read_words_2_memory_write_address, write_data => slice1cost_read_words_2_memory_write_data);
+  slice0cost_read_words_memory : for i in 2 downto 0 generate
+    signal read_address, write_address : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(slice0cost_read_column, 9);
+    write_address <= to_unsigned(slice1cost_ready_column, 9);
+    cell : entity work.line_memory
+      generic map (depth => 320, width => 32, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        slice0cost_read_words(i), write_address => write_address, write_data => slice0cost_write_words(i));
+  end generate;
 
-  slice1cost_read_words_1_memory_read_enable <= true;
-  slice1cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
-  slice1cost_read_words_1_memory_write_address <= to_unsigned(slice1cost_write_column, 9);
-  slice1cost_read_words_1_memory_write_data <= slice1cost_write_words(1);
-  slice1cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 320, width => 32, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_1_memory_read_enable,
-      read_address => slice1cost_read_words_1_memory_read_address, read_data => slice1cost_read_words(1),
-      write_address => slice1cost_read_words_1_memory_write_address, write_data => slice1cost_read_words_1_memory_write_data);
+  rows_search_rows_read_words_4_memory : block
+    signal read_address, write_address : unsigned(8 downto 0);
+    signal write_data : unsigned(11 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 9);
+    write_address <= to_unsigned(rows_write_column, 9);
+    write_data <= to_unsigned(rows_search_rows_write_words(4), 12);
+    cell : entity work.line_memory
+      generic map (depth => 320, width => 12, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_search_rows_read_words_4, write_address => write_address, write_data => write_data);
+  end block;
 
-  slice1cost_read_words_0_memory_read_enable <= true;
-  slice1cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
-  slice1cost_read_words_0_memory_write_address <= to_unsigned(slice1cost_write_column, 9);
-  slice1cost_read_words_0_memory_write_data <= slice1cost_write_words(0);
-  slice1cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 32, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice1cost_read_words_0_memory_read_enable,
-      read_address => slice1cost_read_words_0_memory_read_address, read_data => slice1cost_read_words(0),
-      write_address => slice1cost_read_words_0_memory_write_address, write_data => slice1cost_read_words_0_memory_write_data);
+  rows_search_rows_read_words_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(8 downto 0);
+    signal write_data : unsigned(23 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 9);
+    write_address <= to_unsigned(rows_write_column, 9);
+    write_data <= to_unsigned(rows_search_rows_write_words(i), 24);
+    cell : entity work.line_memory
+      generic map (depth => 320, width => 24, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_search_rows_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  slice0window_leaving_2_memory_read_enable <= true;
-  slice0window_leaving_2_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
-  slice0window_leaving_2_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
-  slice0window_leaving_2_memory_write_data <= to_unsigned(slice0cost_column_0(11), 8) & to_unsigned(slice0cost_column_0(10), 8) & to_unsigned(slice0cost_column_0(9), 8) & to_unsigned(slice0cost_column_0(8), 8);
-  slice0window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_2_memory_read_enable,
-      read_address => slice0window_leaving_2_memory_read_address, read_data => slice0window_leaving(2),
-      write_address => slice0window_leaving_2_memory_write_address, write_data => slice0window_leaving_2_memory_write_data);
+  rows_reference_rows_read_words_4_memory : block
+    signal read_address, write_address : unsigned(8 downto 0);
+    signal write_data : unsigned(11 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 9);
+    write_address <= to_unsigned(rows_write_column, 9);
+    write_data <= to_unsigned(rows_reference_rows_write_words(4), 12);
+    cell : entity work.line_memory
+      generic map (depth => 320, width => 12, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_reference_rows_read_words_4, write_address => write_address, write_data => write_data);
+  end block;
 
-  slice0window_leaving_1_memory_read_enable <= true;
-  slice0window_leaving_1_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
-  slice0window_leaving_1_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
-  slice0window_leaving_1_memory_write_data <= to_unsigned(slice0cost_column_0(7), 8) & to_unsigned(slice0cost_column_0(6), 8) & to_unsigned(slice0cost_column_0(5), 8) & to_unsigned(slice0cost_column_0(4), 8);
-  slice0window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_1_memory_read_enable,
-      read_address => slice0window_leaving_1_memory_read_address, read_data => slice0window_leaving(1),
-      write_address => slice0window_leaving_1_memory_write_address, write_data => slice0window_leaving_1_memory_write_data);
+  rows_reference_rows_read_words_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(8 downto 0);
+    signal write_data : unsigned(23 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 9);
+    write_address <= to_unsigned(rows_write_column, 9);
+    write_data <= to_unsigned(rows_reference_rows_write_words(i), 24);
+    cell : entity work.line_memory
+      generic map (depth => 320, width => 24, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_reference_rows_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  slice0window_leaving_0_memory_read_enable <= true;
-  slice0window_leaving_0_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
-  slice0window_leaving_0_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
-  slice0window_leaving_0_memory_write_data <= to_unsigned(slice0cost_column_0(3), 8) & to_unsigned(slice0cost_column_0(2), 8) & to_unsigned(slice0cost_column_0(1), 8) & to_unsigned(slice0cost_column_0(0), 8);
-  slice0window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 10, width => 32, address_bits => 4)
-    port map (
-      clock => clock, read_enable => slice0window_leaving_0_memory_read_enable,
-      read_address => slice0window_leaving_0_memory_read_address, read_data => slice0window_leaving(0),
-      write_address => slice0window_leaving_0_memory_write_address, write_data => slice0window_leaving_0_memory_write_data);
+  delay_delayed_0_memory : block
+    signal read_address, write_address : unsigned(4 downto 0);
+    signal write_data : unsigned(11 downto 0);
+  begin
+    read_address <= to_unsigned(delay_ring_read_address, 5);
+    write_address <= to_unsigned(delay_ring_write_address, 5);
+    write_data <= to_unsigned(raster_features_reference_0, 12);
+    cell : entity work.line_memory
+      generic map (depth => 24, width => 12, address_bits => 5)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => delay_delayed_0,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  slice0cost_read_words_2_memory_read_enable <= true;
-  slice0cost_read_words_2_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
-  slice0cost_read_words_2_memory_write_address <= to_unsigned(slice1cost_ready_column, 9);
-  slice0cost_read_words_2_memory_write_data <= slice0cost_write_words(2);
-  slice0cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 320, width => 32, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_2_memory_read_enable,
-      read_address => slice0cost_read_words_2_memory_read_address, read_data => slice0cost_read_words(2),
-      write_address => slice0cost_read_words_2_memory_write_address, write_data => slice0cost_read_words_2_memory_write_data);
+  transform_left_rows_read_words_2_memory : block
+    signal read_address, write_address : unsigned(8 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(transform_counter_column, 9);
+    write_address <= to_unsigned(transform_write_column, 9);
+    write_data <= to_unsigned(transform_left_rows_write_words_2, 8);
+    cell : entity work.line_memory
+      generic map (depth => 320, width => 8, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        transform_left_rows_read_words_2, write_address => write_address, write_data => write_data);
+  end block;
 
-  slice0cost_read_words_1_memory_read_enable <= true;
-  slice0cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
-  slice0cost_read_words_1_memory_write_address <= to_unsigned(slice1cost_ready_column, 9);
-  slice0cost_read_words_1_memory_write_data <= slice0cost_write_words(1);
-  slice0cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 320, width => 32, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_1_memory_read_enable,
-      read_address => slice0cost_read_words_1_memory_read_address, read_data => slice0cost_read_words(1),
-      write_address => slice0cost_read_words_1_memory_write_address, write_data => slice0cost_read_words_1_memory_write_data);
+  transform_left_rows_read_words_memory : for i in 1 downto 0 generate
+    signal read_address, write_address : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(transform_counter_column, 9);
+    write_address <= to_unsigned(transform_write_column, 9);
+    cell : entity work.line_memory
+      generic map (depth => 320, width => 32, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        transform_left_rows_read_words(i), write_address => write_address, write_data =>
+        transform_left_rows_write_words(i));
+  end generate;
 
-  slice0cost_read_words_0_memory_read_enable <= true;
-  slice0cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
-  slice0cost_read_words_0_memory_write_address <= to_unsigned(slice1cost_ready_column, 9);
-  slice0cost_read_words_0_memory_write_data <= slice0cost_write_words(0);
-  slice0cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 32, address_bits => 9)
-    port map (
-      clock => clock, read_enable => slice0cost_read_words_0_memory_read_enable,
-      read_address => slice0cost_read_words_0_memory_read_address, read_data => slice0cost_read_words(0),
-      write_address => slice0cost_read_words_0_memory_write_address, write_data => slice0cost_read_words_0_memory_write_data);
+  transform_right_rows_read_words_2_memory : block
+    signal read_address, write_address : unsigned(8 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(transform_counter_column, 9);
+    write_address <= to_unsigned(transform_write_column, 9);
+    write_data <= to_unsigned(transform_right_rows_write_words_2, 8);
+    cell : entity work.line_memory
+      generic map (depth => 320, width => 8, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        transform_right_rows_read_words_2, write_address => write_address, write_data => write_data);
+  end block;
 
-  rows_search_rows_read_words_4_memory_read_enable <= true;
-  rows_search_rows_read_words_4_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_search_rows_read_words_4_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_4_memory_write_data <= to_unsigned(rows_search_rows_write_words_4, 12);
-  rows_search_rows_read_words_4_memory : entity work.line_memory
-    generic map (depth => 320, width => 12, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_4_memory_read_enable,
-      read_address => rows_search_rows_read_words_4_memory_read_address, read_data => rows_search_rows_read_words_4,
-      write_address => rows_search_rows_read_words_4_memory_write_address, write_data => rows_search_rows_read_words_4_memory_write_data);
-
-  rows_search_rows_read_words_3_memory_read_enable <= true;
-  rows_search_rows_read_words_3_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_search_rows_read_words_3_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_3_memory_write_data <= to_unsigned(rows_search_rows_write_words(3), 24);
-  rows_search_rows_read_words_3_memory : entity work.line_memory
-    generic map (depth => 320, width => 24, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_3_memory_read_enable,
-      read_address => rows_search_rows_read_words_3_memory_read_address, read_data => rows_search_rows_read_words(3),
-      write_address => rows_search_rows_read_words_3_memory_write_address, write_data => rows_search_rows_read_words_3_memory_write_data);
-
-  rows_search_rows_read_words_2_memory_read_enable <= true;
-  rows_search_rows_read_words_2_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_search_rows_read_words_2_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_2_memory_write_data <= to_unsigned(rows_search_rows_write_words(2), 24);
-  rows_search_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 320, width => 24, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_2_memory_read_enable,
-      read_address => rows_search_rows_read_words_2_memory_read_address, read_data => rows_search_rows_read_words(2),
-      write_address => rows_search_rows_read_words_2_memory_write_address, write_data => rows_search_rows_read_words_2_memory_write_data);
-
-  rows_search_rows_read_words_1_memory_read_enable <= true;
-  rows_search_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_search_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words(1), 24);
-  rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 320, width => 24, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_1_memory_read_enable,
-      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words(1),
-      write_address => rows_search_rows_read_words_1_memory_write_address, write_data => rows_search_rows_read_words_1_memory_write_data);
-
-  rows_search_rows_read_words_0_memory_read_enable <= true;
-  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words(0), 24);
-  rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 24, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
-      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words(0),
-      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
-
-  rows_reference_rows_read_words_4_memory_read_enable <= true;
-  rows_reference_rows_read_words_4_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_reference_rows_read_words_4_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_4_memory_write_data <= to_unsigned(rows_reference_rows_write_words_4, 12);
-  rows_reference_rows_read_words_4_memory : entity work.line_memory
-    generic map (depth => 320, width => 12, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_4_memory_read_enable,
-      read_address => rows_reference_rows_read_words_4_memory_read_address, read_data => rows_reference_rows_read_words_4,
-      write_address => rows_reference_rows_read_words_4_memory_write_address, write_data => rows_reference_rows_read_words_4_memory_write_data);
-
-  rows_reference_rows_read_words_3_memory_read_enable <= true;
-  rows_reference_rows_read_words_3_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_reference_rows_read_words_3_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_3_memory_write_data <= to_unsigned(rows_reference_rows_write_words(3), 24);
-  rows_reference_rows_read_words_3_memory : entity work.line_memory
-    generic map (depth => 320, width => 24, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_3_memory_read_enable,
-      read_address => rows_reference_rows_read_words_3_memory_read_address, read_data => rows_reference_rows_read_words(3),
-      write_address => rows_reference_rows_read_words_3_memory_write_address, write_data => rows_reference_rows_read_words_3_memory_write_data);
-
-  rows_reference_rows_read_words_2_memory_read_enable <= true;
-  rows_reference_rows_read_words_2_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_reference_rows_read_words_2_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_2_memory_write_data <= to_unsigned(rows_reference_rows_write_words(2), 24);
-  rows_reference_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 320, width => 24, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_2_memory_read_enable,
-      read_address => rows_reference_rows_read_words_2_memory_read_address, read_data => rows_reference_rows_read_words(2),
-      write_address => rows_reference_rows_read_words_2_memory_write_address, write_data => rows_reference_rows_read_words_2_memory_write_data);
-
-  rows_reference_rows_read_words_1_memory_read_enable <= true;
-  rows_reference_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_reference_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words(1), 24);
-  rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 320, width => 24, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_1_memory_read_enable,
-      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words(1),
-      write_address => rows_reference_rows_read_words_1_memory_write_address, write_data => rows_reference_rows_read_words_1_memory_write_data);
-
-  rows_reference_rows_read_words_0_memory_read_enable <= true;
-  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
-  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
-  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words(0), 24);
-  rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 24, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
-      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words(0),
-      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
-
-  delay_delayed_0_memory_read_enable <= true;
-  delay_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 5);
-  delay_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 5);
-  delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 12);
-  delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 24, width => 12, address_bits => 5)
-    port map (
-      clock => clock, read_enable => delay_delayed_0_memory_read_enable,
-      read_address => delay_delayed_0_memory_read_address, read_data => delay_delayed_0,
-      write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
-
-  transform_left_rows_read_words_2_memory_read_enable <= true;
-  transform_left_rows_read_words_2_memory_read_address <= to_unsigned(transform_counter_column, 9);
-  transform_left_rows_read_words_2_memory_write_address <= to_unsigned(transform_write_column, 9);
-  transform_left_rows_read_words_2_memory_write_data <= to_unsigned(transform_left_rows_write_words_2, 8);
-  transform_left_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 320, width => 8, address_bits => 9)
-    port map (
-      clock => clock, read_enable => transform_left_rows_read_words_2_memory_read_enable,
-      read_address => transform_left_rows_read_words_2_memory_read_address, read_data => transform_left_rows_read_words_2,
-      write_address => transform_left_rows_read_words_2_memory_write_address, write_data => transform_left_rows_read_words_2_memory_write_data);
-
-  transform_left_rows_read_words_1_memory_read_enable <= true;
-  transform_left_rows_read_words_1_memory_read_address <= to_unsigned(transform_counter_column, 9);
-  transform_left_rows_read_words_1_memory_write_address <= to_unsigned(transform_write_column, 9);
-  transform_left_rows_read_words_1_memory_write_data <= transform_left_rows_write_words(1);
-  transform_left_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 320, width => 32, address_bits => 9)
-    port map (
-      clock => clock, read_enable => transform_left_rows_read_words_1_memory_read_enable,
-      read_address => transform_left_rows_read_words_1_memory_read_address, read_data => transform_left_rows_read_words(1),
-      write_address => transform_left_rows_read_words_1_memory_write_address, write_data => transform_left_rows_read_words_1_memory_write_data);
-
-  transform_left_rows_read_words_0_memory_read_enable <= true;
-  transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 9);
-  transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 9);
-  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words(0);
-  transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 32, address_bits => 9)
-    port map (
-      clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
-      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words(0),
-      write_address => transform_left_rows_read_words_0_memory_write_address, write_data => transform_left_rows_read_words_0_memory_write_data);
-
-  transform_right_rows_read_words_2_memory_read_enable <= true;
-  transform_right_rows_read_words_2_memory_read_address <= to_unsigned(transform_counter_column, 9);
-  transform_right_rows_read_words_2_memory_write_address <= to_unsigned(transform_write_column, 9);
-  transform_right_rows_read_words_2_memory_write_data <= to_unsigned(transform_right_rows_write_words_2, 8);
-  transform_right_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 320, width => 8, address_bits => 9)
-    port map (
-      clock => clock, read_enable => transform_right_rows_read_words_2_memory_read_enable,
-      read_address => transform_right_rows_read_words_2_memory_read_address, read_data => transform_right_rows_read_words_2,
-      write_address => transform_right_rows_read_words_2_memory_write_address, write_data => transform_right_rows_read_words_2_memory_write_data);
-
-  transform_right_rows_read_words_1_memory_read_enable <= true;
-  transform_right_rows_read_words_1_memory_read_address <= to_unsigned(transform_counter_column, 9);
-  transform_right_rows_read_words_1_memory_write_address <= to_unsigned(transform_write_column, 9);
-  transform_right_rows_read_words_1_memory_write_data <= transform_right_rows_write_words(1);
-  transform_right_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 320, width => 32, address_bits => 9)
-    port map (
-      clock => clock, read_enable => transform_right_rows_read_words_1_memory_read_enable,
-      read_address => transform_right_rows_read_words_1_memory_read_address, read_data => transform_right_rows_read_words(1),
-      write_address => transform_right_rows_read_words_1_memory_write_address, write_data => transform_right_rows_read_words_1_memory_write_data);
-
-  transform_right_rows_read_words_0_memory_read_enable <= true;
-  transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 9);
-  transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 9);
-  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words(0);
-  transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 32, address_bits => 9)
-    port map (
-      clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
-      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words(0),
-      write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
+  transform_right_rows_read_words_memory : for i in 1 downto 0 generate
+    signal read_address, write_address : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(transform_counter_column, 9);
+    write_address <= to_unsigned(transform_write_column, 9);
+    cell : entity work.line_memory
+      generic map (depth => 320, width => 32, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        transform_right_rows_read_words(i), write_address => write_address, write_data =>
+        transform_right_rows_write_words(i));
+  end generate;
 
   process (clock)
-    variable transform_counter_group_is_equal : boolean;
-    variable transform_counter_group_is_equals : boolean_1d(2 to 4);  -- transform_counter_group_is_equal_#
+    variable transform_counter_group_is_equals : boolean_1d(1 to 4);  -- transform_counter_group_is_equal_#
     variable transform_counter_group_all, transform_counter_group_differs, transform_counter_group_choice_2 : boolean;
-    variable transform_centre_column_is_less, transform_counter_next_frame_choice : boolean;
-    variable transform_counter_next_frame_choice_2, raster_place_group_is_equal, raster_place_group_choice : boolean;
-    variable delay_tag_first_cost_is_equal : boolean;
-    variable slice0cost_pixels_first_0_value : boolean_1d(0 to 1);  -- slice0cost_pixels_first_#_0_value
-    variable slice0cost_pixels_first_0_values : boolean_2d(0 to 1, 2 to 10);  -- slice0cost_pixels_first_#_0_value_#
+    variable transform_centre_column_is_less : boolean;
+    variable transform_counter_next_frame_choices : boolean_1d(1 to 2);  -- transform_counter_next_frame_choice_#
+    variable raster_place_group_is_equal, raster_place_group_choice, delay_tag_first_cost_is_equal : boolean;
+    variable slice0cost_pixels_first_0_value : boolean_2d(0 to 1, 1 to 10);  -- slice0cost_pixels_first_#_0_value_#
     variable slice0winner1_best_cost_0_is_less : boolean_1d(0 to 5);  -- slice0winner1_best_cost_0_#_is_less
     variable slice0winner2_best_cost_0_is_less : boolean_1d(0 to 2);  -- slice0winner2_best_cost_0_#_is_less
     variable slice0winner3_best_cost_0_0_is_less, slice0winner4_best_cost_0_0_is_less : boolean;
-    variable slice1cost_pixels_first_0_value : boolean_1d(0 to 1);  -- slice1cost_pixels_first_#_0_value
-    variable slice1cost_pixels_first_0_values : boolean_2d(0 to 1, 2 to 10);  -- slice1cost_pixels_first_#_0_value_#
+    variable slice1cost_pixels_first_0_value : boolean_2d(0 to 1, 1 to 10);  -- slice1cost_pixels_first_#_0_value_#
     variable slice1winner1_best_cost_0_is_less : boolean_1d(0 to 5);  -- slice1winner1_best_cost_0_#_is_less
     variable slice1winner2_best_cost_0_is_less : boolean_1d(0 to 2);  -- slice1winner2_best_cost_0_#_is_less
     variable slice1winner3_best_cost_0_0_is_less, slice1winner4_best_cost_0_0_is_less : boolean;
     variable slice1_best_cost_0_0_is_less, refinement_divisor_0_0_is_less : boolean;
     variable transform_counter_group_choice : natural range 0 to 15;
     variable transform_counter_group_choices : natural_255_1d(3 to 4);  -- transform_counter_group_choice_#
-    variable slice0cost_column_0_choice : natural_255_1d(0 to 11);  -- slice0cost_column_0_#_choice
-    variable slice0cost_column_0_choice_2 : natural_255_1d(0 to 11);  -- slice0cost_column_0_#_choice_2
+    variable slice0cost_column_0_choice : natural_255_2d(0 to 11, 1 to 2);  -- slice0cost_column_0_#_choice_#
     variable slice0window_change_0_choice : natural_255_1d(0 to 11);  -- slice0window_change_0_#_choice
-    variable slice1cost_column_0_choice : natural_255_1d(0 to 11);  -- slice1cost_column_0_#_choice
-    variable slice1cost_column_0_choice_2 : natural_255_1d(0 to 11);  -- slice1cost_column_0_#_choice_2
+    variable slice1cost_column_0_choice : natural_255_2d(0 to 11, 1 to 2);  -- slice1cost_column_0_#_choice_#
     variable slice1window_change_0_choice : natural_255_1d(0 to 11);  -- slice1window_change_0_#_choice
     variable refinement_fraction_0_choice : natural range 0 to 255;
     variable transform_centre_column_choice : natural range 79 to 127;
@@ -944,50 +622,30 @@ begin
   begin
     if rising_edge(clock) then
       -- transform
-      transform_counter_group_is_equal := transform_counter_column = 319;
+      transform_counter_group_is_equals(1) := transform_counter_column = 319;
       transform_counter_group_is_equals(2) := transform_counter_group = 239;
-      transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equals(2);
-      if transform_counter_group_all then
-        transform_counter_group_choice := 15;
-      else
-        transform_counter_group_choice := 0;
-      end if;
+      transform_counter_group_all := transform_counter_group_is_equals(1) and transform_counter_group_is_equals(2);
+      transform_counter_group_choice := choice(transform_counter_group_all, 15, 0);
       transform_counter_group_is_equals(3) := (transform_counter_group / 16) = 15;
       transform_counter_group_differs := (transform_counter_group mod 16) /= 4;
-      if transform_counter_group_is_equals(3) then
-        transform_counter_group_choice_2 := transform_counter_group_differs and in_valid and
-          transform_counter_group_is_equal;
-      else
-        transform_counter_group_choice_2 := in_valid and transform_counter_group_is_equal;
-      end if;
+      transform_counter_group_choice_2 := choice(transform_counter_group_is_equals(3), transform_counter_group_differs
+        and in_valid and transform_counter_group_is_equals(1), in_valid and transform_counter_group_is_equals(1));
       transform_counter_group_is_equals(4) := transform_counter_group = 243;
-      if transform_counter_group_is_equals(4) and transform_counter_next_frame then
-        transform_counter_group_choices(3) := 4;
-      else
-        transform_counter_group_choices(3) := (transform_counter_group + 1) mod 256;
-      end if;
-      if transform_counter_group_choice_2 then
-        transform_counter_group_choices(4) := transform_counter_group_choices(3);
-      else
-        transform_counter_group_choices(4) := transform_counter_group;
-      end if;
+      transform_counter_group_choices(3) := choice(transform_counter_group_is_equals(4) and
+        transform_counter_next_frame, 4, (transform_counter_group + 1) mod 256);
+      transform_counter_group_choices(4) := choice(transform_counter_group_choice_2,
+        transform_counter_group_choices(3), transform_counter_group);
       transform_centre_column_is_less := 3 < transform_counter_column;
-      if transform_centre_column_is_less then
-        transform_centre_column_choice := 127;
-      else
-        transform_centre_column_choice := 79;
-      end if;
+      transform_centre_column_choice := choice(transform_centre_column_is_less, 127, 79);
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
       transform_left_rows_read_newest_0 <= transform_left_0;
-      transform_left_rows_ready_words(0) <= transform_left_rows_read_words(0);
-      transform_left_rows_ready_words(1) <= transform_left_rows_read_words(1);
+      transform_left_rows_ready_words <= transform_left_rows_read_words;
       transform_left_rows_ready_words_2 <= to_integer(transform_left_rows_read_words_2);
       transform_left_rows_ready_newest_0 <= transform_left_rows_read_newest_0;
       transform_right_rows_read_newest_0 <= transform_right_0;
-      transform_right_rows_ready_words(0) <= transform_right_rows_read_words(0);
-      transform_right_rows_ready_words(1) <= transform_right_rows_read_words(1);
+      transform_right_rows_ready_words <= transform_right_rows_read_words;
       transform_right_rows_ready_words_2 <= to_integer(transform_right_rows_read_words_2);
       transform_right_rows_ready_newest_0 <= transform_right_rows_read_newest_0;
       transform_read_column <= transform_counter_column;
@@ -1019,9 +677,7 @@ begin
       transform_columns_inside(1) <= transform_up_to_last(1) and transform_from_first(1);
       transform_columns_start_of_frame <= is_set(other(1), 0);
       transform_columns_valid <= is_set(other(1), 8);
-      for i in 0 to 4 loop
-        transform_left_code_column_box_0_0(i) <= transform_left_column(i + 3);
-      end loop;
+      transform_left_code_column_box_0_0 <= transform_left_column(3 to 7);
       transform_left_code_column_centre <= transform_left_code_column_box_0_0(2);
       transform_left_code_column_near <= transform_left_code_column_box_0_0(1) + transform_left_code_column_box_0_0(3);
       transform_left_code_column_outer <= (510 - transform_left_code_column_box_0_0(4)) -
@@ -1037,12 +693,12 @@ begin
       transform_left_code_column_response_2 <= transform_left_code_column_upper + transform_left_code_column_lower;
       transform_left_code_row_box_0(0) <= transform_left_code_column_response(0);
       transform_left_code_row_box_0(1) <= transform_left_code_column_response(1);
-      transform_left_code_row_box_0_2 <= transform_left_code_column_response_2;
+      transform_left_code_row_box_0(2) <= transform_left_code_column_response_2;
       transform_left_code_row_centre(0) <= transform_left_code_row_column(0, 1);
       transform_left_code_row_centre(1) <= transform_left_code_row_column(1, 1);
-      transform_left_code_row_centre_2 <= transform_left_code_row_column_2(1);
+      transform_left_code_row_centre(2) <= transform_left_code_row_column_2(1);
       transform_left_code_row_outer_1 <= transform_left_code_row_box_0(1) + transform_left_code_row_column(1, 3);
-      transform_left_code_row_outer_2 <= transform_left_code_row_box_0_2 + transform_left_code_row_column_2(3);
+      transform_left_code_row_outer_2 <= transform_left_code_row_box_0(2) + transform_left_code_row_column_2(3);
       transform_left_code_row_before(0) <= ((transform_left_code_row_column(0, 2) + (transform_left_code_row_column(0,
         3) / 2)) * 2) + (transform_left_code_row_column(0, 3) mod 2);
       transform_left_code_row_before(1) <= ((transform_left_code_row_column(1, 2) + (transform_left_code_row_column(1,
@@ -1053,11 +709,11 @@ begin
         0)) * 2) + (transform_left_code_row_box_0(0) mod 2);
       transform_left_code_row_after(1) <= (((transform_left_code_row_box_0(1) / 2) + transform_left_code_row_column(1,
         0)) * 2) + (transform_left_code_row_box_0(1) mod 2);
-      transform_left_code_row_after_2 <= (((transform_left_code_row_box_0_2 / 2) + transform_left_code_row_column_2(0))
-        * 2) + (transform_left_code_row_box_0_2 mod 2);
+      transform_left_code_row_after_2 <= (((transform_left_code_row_box_0(2) / 2) +
+        transform_left_code_row_column_2(0)) * 2) + (transform_left_code_row_box_0(2) mod 2);
       transform_left_code_row_even(1) <= ((((transform_left_code_row_outer_1 / 2) - transform_left_code_row_centre(1))
         mod 8192) * 2) + (transform_left_code_row_outer_1 mod 2);
-      transform_left_code_row_even(2) <= ((((transform_left_code_row_outer_2 / 2) - transform_left_code_row_centre_2)
+      transform_left_code_row_even(2) <= ((((transform_left_code_row_outer_2 / 2) - transform_left_code_row_centre(2))
         mod 8192) * 2) + (transform_left_code_row_outer_2 mod 2);
       transform_left_code_row_odd(1) <= (transform_left_code_row_before(1) - transform_left_code_row_after(1)) mod
         16384;
@@ -1091,10 +747,10 @@ begin
       transform_left_code_next_row_box_0(1) <= transform_left_code_next_column_response(1) +
         transform_left_code_next_row_earlier_0_0(1);
       transform_left_code_next_row_box_0_2 <= (transform_left_code_next_column_response_2 +
-        transform_left_code_next_row_earlier_0_2_0) mod 65536;
+        transform_left_code_next_row_earlier_0_0(2)) mod 65536;
       transform_left_code_next_row_centre(0) <= transform_left_code_next_row_column(0, 3);
       transform_left_code_next_row_centre(1) <= transform_left_code_next_row_column(1, 3);
-      transform_left_code_next_row_centre_2 <= transform_left_code_next_row_column_2(3) mod 32768;
+      transform_left_code_next_row_centre(2) <= transform_left_code_next_row_column_2(3) mod 32768;
       transform_left_code_next_row_outer(0) <= transform_left_code_next_row_box_0(0) +
         transform_left_code_next_row_column(0, 7);
       transform_left_code_next_row_outer(1) <= transform_left_code_next_row_box_0(1) +
@@ -1117,7 +773,7 @@ begin
       transform_left_code_next_row_even(1) <= ((((transform_left_code_next_row_outer(1) / 2) -
         transform_left_code_next_row_centre(1)) mod 32768) * 2) + (transform_left_code_next_row_outer(1) mod 2);
       transform_left_code_next_row_even(2) <= ((((transform_left_code_next_row_outer_2 / 2) -
-        transform_left_code_next_row_centre_2) mod 32768) * 2) + (transform_left_code_next_row_outer_2 mod 2);
+        transform_left_code_next_row_centre(2)) mod 32768) * 2) + (transform_left_code_next_row_outer_2 mod 2);
       transform_left_code_next_row_odd(0) <= (transform_left_code_next_row_before(0) -
         transform_left_code_next_row_after(0)) mod 65536;
       transform_left_code_next_row_odd(1) <= (transform_left_code_next_row_before(1) -
@@ -1129,9 +785,7 @@ begin
         ((((transform_left_code_next_row_odd(1) - transform_left_code_next_row_even(2)) mod 65536) / 32768) * 32) +
         ((((transform_left_code_next_row_even(1) - transform_left_code_next_row_odd(2)) mod 65536) / 32768) * 4) +
         ((((transform_left_code_next_row_even(1) + transform_left_code_next_row_odd(2)) mod 65536) / 32768) * 16);
-      for i in 0 to 4 loop
-        transform_right_code_column_box_0_0(i) <= transform_right_column(i + 3);
-      end loop;
+      transform_right_code_column_box_0_0 <= transform_right_column(3 to 7);
       transform_right_code_column_centre <= transform_right_code_column_box_0_0(2);
       transform_right_code_column_near <= transform_right_code_column_box_0_0(1) +
         transform_right_code_column_box_0_0(3);
@@ -1148,12 +802,12 @@ begin
       transform_right_code_column_response_2 <= transform_right_code_column_upper + transform_right_code_column_lower;
       transform_right_code_row_box_0(0) <= transform_right_code_column_response(0);
       transform_right_code_row_box_0(1) <= transform_right_code_column_response(1);
-      transform_right_code_row_box_0_2 <= transform_right_code_column_response_2;
+      transform_right_code_row_box_0(2) <= transform_right_code_column_response_2;
       transform_right_code_row_centre(0) <= transform_right_code_row_column(0, 1);
       transform_right_code_row_centre(1) <= transform_right_code_row_column(1, 1);
-      transform_right_code_row_centre_2 <= transform_right_code_row_column_2(1);
+      transform_right_code_row_centre(2) <= transform_right_code_row_column_2(1);
       transform_right_code_row_outer_1 <= transform_right_code_row_box_0(1) + transform_right_code_row_column(1, 3);
-      transform_right_code_row_outer_2 <= transform_right_code_row_box_0_2 + transform_right_code_row_column_2(3);
+      transform_right_code_row_outer_2 <= transform_right_code_row_box_0(2) + transform_right_code_row_column_2(3);
       transform_right_code_row_before(0) <= ((transform_right_code_row_column(0, 2) +
         (transform_right_code_row_column(0, 3) / 2)) * 2) + (transform_right_code_row_column(0, 3) mod 2);
       transform_right_code_row_before(1) <= ((transform_right_code_row_column(1, 2) +
@@ -1164,12 +818,12 @@ begin
         transform_right_code_row_column(0, 0)) * 2) + (transform_right_code_row_box_0(0) mod 2);
       transform_right_code_row_after(1) <= (((transform_right_code_row_box_0(1) / 2) +
         transform_right_code_row_column(1, 0)) * 2) + (transform_right_code_row_box_0(1) mod 2);
-      transform_right_code_row_after_2 <= (((transform_right_code_row_box_0_2 / 2) +
-        transform_right_code_row_column_2(0)) * 2) + (transform_right_code_row_box_0_2 mod 2);
+      transform_right_code_row_after_2 <= (((transform_right_code_row_box_0(2) / 2) +
+        transform_right_code_row_column_2(0)) * 2) + (transform_right_code_row_box_0(2) mod 2);
       transform_right_code_row_even(1) <= ((((transform_right_code_row_outer_1 / 2) -
         transform_right_code_row_centre(1)) mod 8192) * 2) + (transform_right_code_row_outer_1 mod 2);
       transform_right_code_row_even(2) <= ((((transform_right_code_row_outer_2 / 2) -
-        transform_right_code_row_centre_2) mod 8192) * 2) + (transform_right_code_row_outer_2 mod 2);
+        transform_right_code_row_centre(2)) mod 8192) * 2) + (transform_right_code_row_outer_2 mod 2);
       transform_right_code_row_odd(1) <= (transform_right_code_row_before(1) - transform_right_code_row_after(1)) mod
         16384;
       transform_right_code_row_odd(2) <= (transform_right_code_row_before_2 - transform_right_code_row_after_2) mod
@@ -1204,10 +858,10 @@ begin
       transform_right_code_next_row_box_0(1) <= transform_right_code_next_column_response(1) +
         transform_right_code_next_row_earlier_0_0(1);
       transform_right_code_next_row_box_0_2 <= (transform_right_code_next_column_response_2 +
-        transform_right_code_next_row_earlier_0_2_0) mod 65536;
+        transform_right_code_next_row_earlier_0_0(2)) mod 65536;
       transform_right_code_next_row_centre(0) <= transform_right_code_next_row_column(0, 3);
       transform_right_code_next_row_centre(1) <= transform_right_code_next_row_column(1, 3);
-      transform_right_code_next_row_centre_2 <= transform_right_code_next_row_column_2(3) mod 32768;
+      transform_right_code_next_row_centre(2) <= transform_right_code_next_row_column_2(3) mod 32768;
       transform_right_code_next_row_outer(0) <= transform_right_code_next_row_box_0(0) +
         transform_right_code_next_row_column(0, 7);
       transform_right_code_next_row_outer(1) <= transform_right_code_next_row_box_0(1) +
@@ -1230,7 +884,7 @@ begin
       transform_right_code_next_row_even(1) <= ((((transform_right_code_next_row_outer(1) / 2) -
         transform_right_code_next_row_centre(1)) mod 32768) * 2) + (transform_right_code_next_row_outer(1) mod 2);
       transform_right_code_next_row_even(2) <= ((((transform_right_code_next_row_outer_2 / 2) -
-        transform_right_code_next_row_centre_2) mod 32768) * 2) + (transform_right_code_next_row_outer_2 mod 2);
+        transform_right_code_next_row_centre(2)) mod 32768) * 2) + (transform_right_code_next_row_outer_2 mod 2);
       transform_right_code_next_row_odd(0) <= (transform_right_code_next_row_before(0) -
         transform_right_code_next_row_after(0)) mod 65536;
       transform_right_code_next_row_odd(1) <= (transform_right_code_next_row_before(1) -
@@ -1254,47 +908,23 @@ begin
       end loop;
       transform_filtering_start_of_frame(7) <= transform_filtering_start_of_frame(6);
       transform_filtering_valid(7) <= transform_filtering_valid(6);
-      if in_valid and in_start_of_frame then
-        transform_counter_group <= transform_counter_group_choice * 16;
-      else
-        transform_counter_group <= transform_counter_group_choices(4);
-      end if;
-      if transform_filtering_inside(6, 0) then
-        transform_left_code_bits <= transform_left_code_earlier(1);
-        transform_right_code_bits <= transform_right_code_earlier(1);
-      else
-        transform_left_code_bits <= 0;
-        transform_right_code_bits <= 0;
-      end if;
-      if transform_filtering_inside(6, 1) then
-        transform_left_code_next_bits <= transform_left_code_next_row_signs;
-        transform_right_code_next_bits <= transform_right_code_next_row_signs;
-      else
-        transform_left_code_next_bits <= 0;
-        transform_right_code_next_bits <= 0;
-      end if;
-      if transform_counter_group_is_equals(3) then
-        transform_counter_next_frame_choice := transform_counter_group_differs and transform_counter_group_is_equal;
-      else
-        transform_counter_next_frame_choice := transform_counter_group_is_equal;
-      end if;
-      if in_start_of_frame then
-        transform_counter_next_frame_choice_2 := transform_counter_group_all;
-      else
-        transform_counter_next_frame_choice_2 := transform_counter_next_frame;
-      end if;
+      transform_counter_group <= choice(in_valid and in_start_of_frame, transform_counter_group_choice * 16,
+        transform_counter_group_choices(4));
+      transform_left_code_bits <= choice(transform_filtering_inside(6, 0), transform_left_code_earlier(1), 0);
+      transform_right_code_bits <= choice(transform_filtering_inside(6, 0), transform_right_code_earlier(1), 0);
+      transform_left_code_next_bits <= choice(transform_filtering_inside(6, 1), transform_left_code_next_row_signs, 0);
+      transform_right_code_next_bits <= choice(transform_filtering_inside(6, 1), transform_right_code_next_row_signs,
+        0);
+      transform_counter_next_frame_choices(1) := choice(transform_counter_group_is_equals(3),
+        transform_counter_group_differs and transform_counter_group_is_equals(1), transform_counter_group_is_equals(1));
+      transform_counter_next_frame_choices(2) := choice(in_start_of_frame, transform_counter_group_all,
+        transform_counter_next_frame);
       if in_valid then
-        if in_start_of_frame or transform_counter_group_is_equal then
-          transform_counter_column <= 0;
-        else
-          transform_counter_column <= (transform_counter_column + 1) mod 512;
-        end if;
-        if transform_counter_group_is_equals(4) and transform_counter_next_frame_choice then
-          transform_counter_next_frame <= transform_counter_group_is_equal and transform_counter_group_is_equals(2) and
-            in_start_of_frame;
-        else
-          transform_counter_next_frame <= transform_counter_next_frame_choice_2;
-        end if;
+        transform_counter_column <= choice(in_start_of_frame or transform_counter_group_is_equals(1), 0,
+          (transform_counter_column + 1) mod 512);
+        transform_counter_next_frame <= choice(transform_counter_group_is_equals(4) and
+          transform_counter_next_frame_choices(1), transform_counter_group_is_equals(1) and
+          transform_counter_group_is_equals(2) and in_start_of_frame, transform_counter_next_frame_choices(2));
       end if;
       if is_set(other(1), 8) then
         transform_left_rows_write_words(0) <= transform_left_rows_ready_words(1)(7 downto 0) &
@@ -1316,10 +946,8 @@ begin
           transform_left_code_row_column(i, 2) <= transform_left_code_row_column(i, 1);
           transform_left_code_row_column(i, 3) <= transform_left_code_row_column(i, 2);
         end loop;
-        transform_left_code_row_column_2(0) <= transform_left_code_row_box_0_2;
-        transform_left_code_row_column_2(1) <= transform_left_code_row_column_2(0);
-        transform_left_code_row_column_2(2) <= transform_left_code_row_column_2(1);
-        transform_left_code_row_column_2(3) <= transform_left_code_row_column_2(2);
+        transform_left_code_row_column_2(0) <= transform_left_code_row_box_0(2);
+        transform_left_code_row_column_2(1 to 3) <= transform_left_code_row_column_2(0 to 2);
         for i in 0 to 1 loop
           transform_left_code_next_row_column(i, 0) <= transform_left_code_next_row_box_0(i);
           for j in 1 to 7 loop
@@ -1327,19 +955,15 @@ begin
           end loop;
         end loop;
         transform_left_code_next_row_column_2(0) <= transform_left_code_next_row_box_0_2;
-        for i in 1 to 7 loop
-          transform_left_code_next_row_column_2(i) <= transform_left_code_next_row_column_2(i - 1);
-        end loop;
+        transform_left_code_next_row_column_2(1 to 7) <= transform_left_code_next_row_column_2(0 to 6);
         for i in 0 to 1 loop
           transform_right_code_row_column(i, 0) <= transform_right_code_row_box_0(i);
           transform_right_code_row_column(i, 1) <= transform_right_code_row_column(i, 0);
           transform_right_code_row_column(i, 2) <= transform_right_code_row_column(i, 1);
           transform_right_code_row_column(i, 3) <= transform_right_code_row_column(i, 2);
         end loop;
-        transform_right_code_row_column_2(0) <= transform_right_code_row_box_0_2;
-        transform_right_code_row_column_2(1) <= transform_right_code_row_column_2(0);
-        transform_right_code_row_column_2(2) <= transform_right_code_row_column_2(1);
-        transform_right_code_row_column_2(3) <= transform_right_code_row_column_2(2);
+        transform_right_code_row_column_2(0) <= transform_right_code_row_box_0(2);
+        transform_right_code_row_column_2(1 to 3) <= transform_right_code_row_column_2(0 to 2);
         for i in 0 to 1 loop
           transform_right_code_next_row_column(i, 0) <= transform_right_code_next_row_box_0(i);
           for j in 1 to 7 loop
@@ -1347,9 +971,7 @@ begin
           end loop;
         end loop;
         transform_right_code_next_row_column_2(0) <= transform_right_code_next_row_box_0_2;
-        for i in 1 to 7 loop
-          transform_right_code_next_row_column_2(i) <= transform_right_code_next_row_column_2(i - 1);
-        end loop;
+        transform_right_code_next_row_column_2(1 to 7) <= transform_right_code_next_row_column_2(0 to 6);
       end if;
       if transform_filtering_valid(6) then
         transform_left_code_earlier(0) <= transform_left_code_row_signs;
@@ -1360,43 +982,29 @@ begin
       if transform_filtering_valid(2) then
         transform_left_code_next_row_earlier_0_0(0) <= transform_left_code_next_column_response(0);
         transform_left_code_next_row_earlier_0_0(1) <= transform_left_code_next_column_response(1);
-        transform_left_code_next_row_earlier_0_2_0 <= transform_left_code_next_column_response_2;
+        transform_left_code_next_row_earlier_0_0(2) <= transform_left_code_next_column_response_2;
         transform_right_code_next_row_earlier_0_0(0) <= transform_right_code_next_column_response(0);
         transform_right_code_next_row_earlier_0_0(1) <= transform_right_code_next_column_response(1);
-        transform_right_code_next_row_earlier_0_2_0 <= transform_right_code_next_column_response_2;
+        transform_right_code_next_row_earlier_0_0(2) <= transform_right_code_next_column_response_2;
       end if;
       -- raster
       raster_place_group_is_equal := raster_place_column = 319;
-      if ((raster_place_group mod 16) = 4) and is_set(raster_place_group, 7) and (((raster_place_group / 16) mod 4) =
-        3) then
-        raster_place_group_choice := transform_filtering_valid(7) and raster_place_group_is_equal and (not
-          is_set(raster_place_group, 6));
-      else
-        raster_place_group_choice := transform_filtering_valid(7) and raster_place_group_is_equal;
-      end if;
+      raster_place_group_choice := choice(((raster_place_group mod 16) = 4) and is_set(raster_place_group, 7) and
+        (((raster_place_group / 16) mod 4) = 3), transform_filtering_valid(7) and raster_place_group_is_equal and (not
+        is_set(raster_place_group, 6)), transform_filtering_valid(7) and raster_place_group_is_equal);
       raster_features_search_0 <= (transform_left_code_next_bits * 64) + transform_left_code_bits;
       raster_features_reference_0 <= (transform_right_code_next_bits * 64) + transform_right_code_bits;
       raster_features_valid <= transform_filtering_valid(7);
-      if transform_filtering_valid(7) and transform_filtering_start_of_frame(7) then
-        raster_place_group <= 0;
-      else
-        raster_place_group <= (raster_place_group + as_number(raster_place_group_choice)) mod 256;
-      end if;
+      raster_place_group <= choice(transform_filtering_valid(7) and transform_filtering_start_of_frame(7), 0,
+        (raster_place_group + as_number(raster_place_group_choice)) mod 256);
       if transform_filtering_valid(7) then
-        if raster_place_group_is_equal or transform_filtering_start_of_frame(7) then
-          raster_place_column <= 0;
-        else
-          raster_place_column <= (raster_place_column + 1) mod 512;
-        end if;
+        raster_place_column <= choice(raster_place_group_is_equal or transform_filtering_start_of_frame(7), 0,
+          (raster_place_column + 1) mod 512);
       end if;
       -- delay
       if raster_features_valid then
         delay_ring_write_address <= delay_ring_read_address;
-        if delay_ring_read_address = 23 then
-          delay_ring_read_address <= 0;
-        else
-          delay_ring_read_address <= (delay_ring_read_address + 1) mod 32;
-        end if;
+        delay_ring_read_address <= choice(delay_ring_read_address = 23, 0, (delay_ring_read_address + 1) mod 32);
       end if;
       delay_tag_first_cost_is_equal := raster_place_column = 23;
       delay_ahead_0 <= raster_features_search_0;
@@ -1404,17 +1012,17 @@ begin
       delay_row_inside(0) <= (raster_place_group >= 9) and (raster_place_group < 249);
       delay_row_inside(1) <= (not is_set(raster_place_group, 7)) or (not is_set(raster_place_group, 6)) or (not
         is_set(raster_place_group, 5)) or (not is_set(raster_place_group, 4));
-      delay_tag_valid <= raster_features_valid;
-      delay_tag_row_start <= raster_place_column = 0;
-      delay_tag_first_group <= raster_place_group = 0;
-      delay_tag_border_column <= raster_place_column < 23;
-      delay_tag_first_cost <= delay_tag_first_cost_is_equal;
-      delay_tag_leaves_window <= (((((raster_place_column / 32) + 2047) mod 2048) * 32) + (raster_place_column mod 32))
+      delay_tag.valid <= raster_features_valid;
+      delay_tag.row_start <= raster_place_column = 0;
+      delay_tag.first_group <= raster_place_group = 0;
+      delay_tag.border_column <= raster_place_column < 23;
+      delay_tag.first_cost <= delay_tag_first_cost_is_equal;
+      delay_tag.leaves_window <= (((((raster_place_column / 32) + 2047) mod 2048) * 32) + (raster_place_column mod 32))
         < 65508;
-      delay_tag_output_column <= ((((((raster_place_group / 4) + 16383) mod 16384) * 4) + (raster_place_group mod 4)) <
+      delay_tag.output_column <= ((((((raster_place_group / 4) + 16383) mod 16384) * 4) + (raster_place_group mod 4)) <
         240) and (raster_place_column >= 23) and (raster_place_column < 319);
-      delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 4);
-      delay_tag_end_of_line <= raster_place_column = 318;
+      delay_tag.start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 4);
+      delay_tag.end_of_line <= raster_place_column = 318;
       -- rows
       rows_search_rows_read_newest_0 <= delay_ahead_0;
       rows_search_rows_ready_words(0) <= to_integer(rows_search_rows_read_words(0));
@@ -1431,71 +1039,35 @@ begin
       rows_reference_rows_ready_words_4 <= to_integer(rows_reference_rows_read_words_4);
       rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
       rows_read_column <= delay_column;
-      rows_read_inside(0) <= delay_row_inside(0);
-      rows_read_inside(1) <= delay_row_inside(1);
-      rows_read_tag_valid <= delay_tag_valid;
-      rows_read_tag_row_start <= delay_tag_row_start;
-      rows_read_tag_first_group <= delay_tag_first_group;
-      rows_read_tag_border_column <= delay_tag_border_column;
-      rows_read_tag_first_cost <= delay_tag_first_cost;
-      rows_read_tag_leaves_window <= delay_tag_leaves_window;
-      rows_read_tag_output_column <= delay_tag_output_column;
-      rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
-      rows_read_tag_end_of_line <= delay_tag_end_of_line;
+      rows_read_inside <= delay_row_inside;
+      rows_read_tag <= delay_tag;
       rows_ready_column <= rows_read_column;
-      rows_ready_inside(0) <= rows_read_inside(0);
-      rows_ready_inside(1) <= rows_read_inside(1);
-      rows_ready_tag_valid <= rows_read_tag_valid;
-      rows_ready_tag_row_start <= rows_read_tag_row_start;
-      rows_ready_tag_first_group <= rows_read_tag_first_group;
-      rows_ready_tag_border_column <= rows_read_tag_border_column;
-      rows_ready_tag_first_cost <= rows_read_tag_first_cost;
-      rows_ready_tag_leaves_window <= rows_read_tag_leaves_window;
-      rows_ready_tag_output_column <= rows_read_tag_output_column;
-      rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
-      rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_tag_valid <= rows_ready_tag_valid;
-      rows_tag_row_start <= rows_ready_tag_row_start;
-      rows_tag_first_group <= rows_ready_tag_first_group;
-      rows_tag_border_column <= rows_ready_tag_border_column;
-      rows_tag_first_cost <= rows_ready_tag_first_cost;
-      rows_tag_leaves_window <= rows_ready_tag_leaves_window;
-      rows_tag_output_column <= rows_ready_tag_output_column;
-      rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
-      rows_tag_end_of_line <= rows_ready_tag_end_of_line;
-      if rows_ready_inside(0) then
-        rows_search(0) <= rows_search_rows_ready_words(0) mod 4096;
-        rows_reference(0) <= rows_reference_rows_ready_words(0) mod 4096;
-      else
-        rows_search(0) <= 0;
-        rows_reference(0) <= 0;
-      end if;
-      if rows_ready_inside(1) then
-        rows_search(1) <= rows_search_rows_ready_newest_0;
-        rows_reference(1) <= rows_reference_rows_ready_newest_0;
-      else
-        rows_search(1) <= 0;
-        rows_reference(1) <= 0;
-      end if;
-      if rows_ready_tag_valid then
+      rows_ready_inside <= rows_read_inside;
+      rows_ready_tag <= rows_read_tag;
+      rows_tag <= rows_ready_tag;
+      rows_search(0) <= choice(rows_ready_inside(0), rows_search_rows_ready_words(0) mod 4096, 0);
+      rows_reference(0) <= choice(rows_ready_inside(0), rows_reference_rows_ready_words(0) mod 4096, 0);
+      rows_search(1) <= choice(rows_ready_inside(1), rows_search_rows_ready_newest_0, 0);
+      rows_reference(1) <= choice(rows_ready_inside(1), rows_reference_rows_ready_newest_0, 0);
+      if rows_ready_tag.valid then
         for i in 0 to 2 loop
           rows_search_rows_write_words(i) <= (rows_search_rows_ready_words(i) / 4096) +
             ((rows_search_rows_ready_words(i + 1) mod 4096) * 4096);
         end loop;
         rows_search_rows_write_words(3) <= (rows_search_rows_ready_words(3) / 4096) + (rows_search_rows_ready_words_4 *
           4096);
-        rows_search_rows_write_words_4 <= rows_search_rows_ready_newest_0;
+        rows_search_rows_write_words(4) <= rows_search_rows_ready_newest_0;
         for i in 0 to 2 loop
           rows_reference_rows_write_words(i) <= (rows_reference_rows_ready_words(i) / 4096) +
             ((rows_reference_rows_ready_words(i + 1) mod 4096) * 4096);
         end loop;
         rows_reference_rows_write_words(3) <= (rows_reference_rows_ready_words(3) / 4096) +
           (rows_reference_rows_ready_words_4 * 4096);
-        rows_reference_rows_write_words_4 <= rows_reference_rows_ready_newest_0;
+        rows_reference_rows_write_words(4) <= rows_reference_rows_ready_newest_0;
         rows_write_column <= rows_ready_column;
       end if;
       -- slice0shift
-      if rows_tag_valid then
+      if rows_tag.valid then
         for i in 0 to 1 loop
           for j in 0 to 10 loop
             slice0shift_search(i, j) <= slice0shift_search(i, j + 1);
@@ -1503,106 +1075,72 @@ begin
           slice0shift_search(i, 11) <= rows_search(i);
         end loop;
       end if;
-      slice0shift_reference(0) <= rows_reference(0);
-      slice0shift_reference(1) <= rows_reference(1);
+      slice0shift_reference <= rows_reference;
       slice0shift_search_out(0) <= slice0shift_search(0, 0);
       slice0shift_search_out(1) <= slice0shift_search(1, 0);
-      slice0shift_tag_valid <= rows_tag_valid;
-      slice0shift_tag_row_start <= rows_tag_row_start;
-      slice0shift_tag_first_group <= rows_tag_first_group;
-      slice0shift_tag_border_column <= rows_tag_border_column;
-      slice0shift_tag_first_cost <= rows_tag_first_cost;
-      slice0shift_tag_leaves_window <= rows_tag_leaves_window;
-      slice0shift_tag_output_column <= rows_tag_output_column;
-      slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
-      slice0shift_tag_end_of_line <= rows_tag_end_of_line;
+      slice0shift_tag <= rows_tag;
       -- slice0cost
       for i in 0 to 1 loop
-        slice0cost_pixels_first_0_value(i) := is_set(slice0shift_reference(i), 3);
-        for j in 5 to 6 loop
-          slice0cost_pixels_first_0_values(i, 4 * j - 18) := is_set(slice0shift_reference(i), j);
-          slice0cost_pixels_first_0_values(i, 4 * j - 17) := is_set(slice0shift_reference(i), 4 * j - 16);
-          slice0cost_pixels_first_0_values(i, 4 * j - 16) := is_set(slice0shift_reference(i), 5 * j - 23);
-          slice0cost_pixels_first_0_values(i, 4 * j - 15) := is_set(slice0shift_reference(i), 8 * j - 39);
-        end loop;
-        slice0cost_pixels_first_0_values(i, 10) := is_set(slice0shift_reference(i), 10);
+        slice0cost_pixels_first_0_value(i, 1) := is_set(slice0shift_reference(i), 3);
+        slice0cost_pixels_first_0_value(i, 2) := is_set(slice0shift_reference(i), 5);
+        slice0cost_pixels_first_0_value(i, 3) := is_set(slice0shift_reference(i), 4);
+        slice0cost_pixels_first_0_value(i, 4) := is_set(slice0shift_reference(i), 2);
+        slice0cost_pixels_first_0_value(i, 5) := is_set(slice0shift_reference(i), 1);
+        slice0cost_pixels_first_0_value(i, 6) := is_set(slice0shift_reference(i), 6);
+        slice0cost_pixels_first_0_value(i, 7) := is_set(slice0shift_reference(i), 8);
+        slice0cost_pixels_first_0_value(i, 8) := is_set(slice0shift_reference(i), 7);
+        slice0cost_pixels_first_0_value(i, 9) := is_set(slice0shift_reference(i), 9);
+        slice0cost_pixels_first_0_value(i, 10) := is_set(slice0shift_reference(i), 10);
       end loop;
       for i in 0 to 1 loop
         for j in 0 to 3 loop
-          if slice0cost_ready_tag_first_group then
-            slice0cost_column_0_choice(4 * i + j) := 0;
-          else
-            slice0cost_column_0_choice(4 * i + j) := to_integer(slice0cost_ready_words(i)(8 * j + 7 downto 8 * j));
-          end if;
-          if slice0cost_ready_tag_border_column then
-            slice0cost_column_0_choice_2(4 * i + j) := 0;
-          else
-            slice0cost_column_0_choice_2(4 * i + j) := (slice0cost_change_0(4 * i + j) + slice0cost_column_0_choice(4 *
-              i + j)) mod 256;
-          end if;
+          slice0cost_column_0_choice(4 * i + j, 1) := choice(slice0cost_ready_tag.first_group, 0,
+            to_integer(slice0cost_ready_words(i)(8 * j + 7 downto 8 * j)));
+          slice0cost_column_0_choice(4 * i + j, 2) := choice(slice0cost_ready_tag.border_column, 0,
+            (slice0cost_change_0(4 * i + j) + slice0cost_column_0_choice(4 * i + j, 1)) mod 256);
         end loop;
       end loop;
       for i in 8 to 10 loop
-        if slice0cost_ready_tag_first_group then
-          slice0cost_column_0_choice(i) := 0;
-        else
-          slice0cost_column_0_choice(i) := to_integer(slice0cost_ready_words(2)(8 * i - 57 downto 8 * i - 64));
-        end if;
-        if slice0cost_ready_tag_border_column then
-          slice0cost_column_0_choice_2(i) := 0;
-        else
-          slice0cost_column_0_choice_2(i) := (slice0cost_change_0(i) + slice0cost_column_0_choice(i)) mod 256;
-        end if;
+        slice0cost_column_0_choice(i, 1) := choice(slice0cost_ready_tag.first_group, 0,
+          to_integer(slice0cost_ready_words(2)(8 * i - 57 downto 8 * i - 64)));
+        slice0cost_column_0_choice(i, 2) := choice(slice0cost_ready_tag.border_column, 0, (slice0cost_change_0(i) +
+          slice0cost_column_0_choice(i, 1)) mod 256);
       end loop;
-      if slice0cost_ready_tag_first_group then
-        slice0cost_column_0_choice(11) := 0;
-      else
-        slice0cost_column_0_choice(11) := to_integer(slice0cost_ready_words(2)(31 downto 24));
-      end if;
-      if slice0cost_ready_tag_border_column then
-        slice0cost_column_0_choice_2(11) := 0;
-      else
-        slice0cost_column_0_choice_2(11) := (slice0cost_column_0_choice(11) + slice0cost_change_0(11)) mod 256;
-      end if;
+      slice0cost_column_0_choice(11, 1) := choice(slice0cost_ready_tag.first_group, 0,
+        to_integer(slice0cost_ready_words(2)(31 downto 24)));
+      slice0cost_column_0_choice(11, 2) := choice(slice0cost_ready_tag.border_column, 0,
+        (slice0cost_column_0_choice(11, 1) + slice0cost_change_0(11)) mod 256);
       for i in 0 to 1 loop
-        slice0cost_pixels_first(i, 0) <= ((as_number((slice0cost_pixels_first_0_value(i) /=
-          is_set(slice0shift_search(i, 0), 3))) + as_number((slice0cost_pixels_first_0_values(i, 2) /=
-          is_set(slice0shift_search(i, 0), 5))) + as_number((slice0cost_pixels_first_0_values(i, 3) /=
+        slice0cost_pixels_first(i, 0) <= ((as_number((slice0cost_pixels_first_0_value(i, 1) /=
+          is_set(slice0shift_search(i, 0), 3))) + as_number((slice0cost_pixels_first_0_value(i, 2) /=
+          is_set(slice0shift_search(i, 0), 5))) + as_number((slice0cost_pixels_first_0_value(i, 3) /=
           is_set(slice0shift_search(i, 0), 4)))) * 4) + as_number((is_set(slice0shift_reference(i), 0) /=
-          is_set(slice0shift_search(i, 0), 0))) + as_number((slice0cost_pixels_first_0_values(i, 4) /=
-          is_set(slice0shift_search(i, 0), 2))) + as_number((slice0cost_pixels_first_0_values(i, 5) /=
-          is_set(slice0shift_search(i, 0), 1))) + ((as_number((slice0cost_pixels_first_0_values(i, 6) /=
-          is_set(slice0shift_search(i, 0), 6))) + as_number((slice0cost_pixels_first_0_values(i, 7) /=
-          is_set(slice0shift_search(i, 0), 8))) + as_number((slice0cost_pixels_first_0_values(i, 8) /=
-          is_set(slice0shift_search(i, 0), 7)))) * 16) + ((as_number((slice0cost_pixels_first_0_values(i, 9) /=
+          is_set(slice0shift_search(i, 0), 0))) + as_number((slice0cost_pixels_first_0_value(i, 4) /=
+          is_set(slice0shift_search(i, 0), 2))) + as_number((slice0cost_pixels_first_0_value(i, 5) /=
+          is_set(slice0shift_search(i, 0), 1))) + ((as_number((slice0cost_pixels_first_0_value(i, 6) /=
+          is_set(slice0shift_search(i, 0), 6))) + as_number((slice0cost_pixels_first_0_value(i, 7) /=
+          is_set(slice0shift_search(i, 0), 8))) + as_number((slice0cost_pixels_first_0_value(i, 8) /=
+          is_set(slice0shift_search(i, 0), 7)))) * 16) + ((as_number((slice0cost_pixels_first_0_value(i, 9) /=
           is_set(slice0shift_search(i, 0), 9))) + as_number((is_set(slice0shift_reference(i), 11) /=
-          is_set(slice0shift_search(i, 0), 11))) + as_number((slice0cost_pixels_first_0_values(i, 10) /=
+          is_set(slice0shift_search(i, 0), 11))) + as_number((slice0cost_pixels_first_0_value(i, 10) /=
           is_set(slice0shift_search(i, 0), 10)))) * 64);
         for j in 1 to 11 loop
           slice0cost_pixels_first(i, j) <= ((as_number((is_set(slice0shift_search(i, j), 3) /=
-            slice0cost_pixels_first_0_value(i))) + as_number((is_set(slice0shift_search(i, j), 5) /=
-            slice0cost_pixels_first_0_values(i, 2))) + as_number((is_set(slice0shift_search(i, j), 4) /=
-            slice0cost_pixels_first_0_values(i, 3)))) * 4) + as_number((is_set(slice0shift_search(i, j), 0) /=
+            slice0cost_pixels_first_0_value(i, 1))) + as_number((is_set(slice0shift_search(i, j), 5) /=
+            slice0cost_pixels_first_0_value(i, 2))) + as_number((is_set(slice0shift_search(i, j), 4) /=
+            slice0cost_pixels_first_0_value(i, 3)))) * 4) + as_number((is_set(slice0shift_search(i, j), 0) /=
             is_set(slice0shift_reference(i), 0))) + as_number((is_set(slice0shift_search(i, j), 2) /=
-            slice0cost_pixels_first_0_values(i, 4))) + as_number((is_set(slice0shift_search(i, j), 1) /=
-            slice0cost_pixels_first_0_values(i, 5))) + ((as_number((is_set(slice0shift_search(i, j), 6) /=
-            slice0cost_pixels_first_0_values(i, 6))) + as_number((is_set(slice0shift_search(i, j), 8) /=
-            slice0cost_pixels_first_0_values(i, 7))) + as_number((is_set(slice0shift_search(i, j), 7) /=
-            slice0cost_pixels_first_0_values(i, 8)))) * 16) + ((as_number((is_set(slice0shift_search(i, j), 9) /=
-            slice0cost_pixels_first_0_values(i, 9))) + as_number((is_set(slice0shift_search(i, j), 11) /=
+            slice0cost_pixels_first_0_value(i, 4))) + as_number((is_set(slice0shift_search(i, j), 1) /=
+            slice0cost_pixels_first_0_value(i, 5))) + ((as_number((is_set(slice0shift_search(i, j), 6) /=
+            slice0cost_pixels_first_0_value(i, 6))) + as_number((is_set(slice0shift_search(i, j), 8) /=
+            slice0cost_pixels_first_0_value(i, 7))) + as_number((is_set(slice0shift_search(i, j), 7) /=
+            slice0cost_pixels_first_0_value(i, 8)))) * 16) + ((as_number((is_set(slice0shift_search(i, j), 9) /=
+            slice0cost_pixels_first_0_value(i, 9))) + as_number((is_set(slice0shift_search(i, j), 11) /=
             is_set(slice0shift_reference(i), 11))) + as_number((is_set(slice0shift_search(i, j), 10) /=
-            slice0cost_pixels_first_0_values(i, 10)))) * 64);
+            slice0cost_pixels_first_0_value(i, 10)))) * 64);
         end loop;
       end loop;
-      slice0cost_pixels_first_tag_valid <= slice0shift_tag_valid;
-      slice0cost_pixels_first_tag_row_start <= slice0shift_tag_row_start;
-      slice0cost_pixels_first_tag_first_group <= slice0shift_tag_first_group;
-      slice0cost_pixels_first_tag_border_column <= slice0shift_tag_border_column;
-      slice0cost_pixels_first_tag_first_cost <= slice0shift_tag_first_cost;
-      slice0cost_pixels_first_tag_leaves_window <= slice0shift_tag_leaves_window;
-      slice0cost_pixels_first_tag_output_column <= slice0shift_tag_output_column;
-      slice0cost_pixels_first_tag_start_of_frame <= slice0shift_tag_start_of_frame;
-      slice0cost_pixels_first_tag_end_of_line <= slice0shift_tag_end_of_line;
+      slice0cost_pixels_first_tag <= slice0shift_tag;
       for i in 0 to 1 loop
         for j in 0 to 11 loop
           slice0cost_pixels_cost(i, j) <= (((slice0cost_pixels_first(i, j) mod 4) + (((slice0cost_pixels_first(i, j) /
@@ -1610,120 +1148,80 @@ begin
             2)) * 2) + (((slice0cost_pixels_first(i, j) / 16) + (slice0cost_pixels_first(i, j) / 64)) mod 2);
         end loop;
       end loop;
-      slice0cost_pixels_tag_valid <= slice0cost_pixels_first_tag_valid;
-      slice0cost_pixels_tag_first_group <= slice0cost_pixels_first_tag_first_group;
-      slice0cost_pixels_tag_border_column <= slice0cost_pixels_first_tag_border_column;
-      slice0cost_pixels_tag_first_cost <= slice0cost_pixels_first_tag_first_cost;
-      slice0cost_pixels_tag_leaves_window <= slice0cost_pixels_first_tag_leaves_window;
-      slice0cost_pixels_tag_output_column <= slice0cost_pixels_first_tag_output_column;
-      slice0cost_pixels_tag_start_of_frame <= slice0cost_pixels_first_tag_start_of_frame;
-      slice0cost_pixels_tag_end_of_line <= slice0cost_pixels_first_tag_end_of_line;
+      slice0cost_pixels_tag.valid <= slice0cost_pixels_first_tag.valid;
+      slice0cost_pixels_tag.first_group <= slice0cost_pixels_first_tag.first_group;
+      slice0cost_pixels_tag.border_column <= slice0cost_pixels_first_tag.border_column;
+      slice0cost_pixels_tag.first_cost <= slice0cost_pixels_first_tag.first_cost;
+      slice0cost_pixels_tag.leaves_window <= slice0cost_pixels_first_tag.leaves_window;
+      slice0cost_pixels_tag.output_column <= slice0cost_pixels_first_tag.output_column;
+      slice0cost_pixels_tag.start_of_frame <= slice0cost_pixels_first_tag.start_of_frame;
+      slice0cost_pixels_tag.end_of_line <= slice0cost_pixels_first_tag.end_of_line;
       for i in 0 to 11 loop
         slice0cost_change_0(i) <= slice0cost_pixels_cost(1, i) - slice0cost_pixels_cost(0, i);
       end loop;
-      slice0cost_ready_words(0) <= slice0cost_read_words(0);
-      slice0cost_ready_words(1) <= slice0cost_read_words(1);
-      slice0cost_ready_words(2) <= slice0cost_read_words(2);
+      slice0cost_ready_words <= slice0cost_read_words;
       slice0cost_ready_column <= slice0cost_change_column;
-      slice0cost_ready_tag_valid <= slice0cost_pixels_tag_valid;
-      slice0cost_ready_tag_first_group <= slice0cost_pixels_tag_first_group;
-      slice0cost_ready_tag_border_column <= slice0cost_pixels_tag_border_column;
-      slice0cost_ready_tag_first_cost <= slice0cost_pixels_tag_first_cost;
-      slice0cost_ready_tag_leaves_window <= slice0cost_pixels_tag_leaves_window;
-      slice0cost_ready_tag_output_column <= slice0cost_pixels_tag_output_column;
-      slice0cost_ready_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
-      slice0cost_ready_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
+      slice0cost_ready_tag <= slice0cost_pixels_tag;
       for i in 0 to 11 loop
-        slice0cost_column_0(i) <= slice0cost_column_0_choice_2(i);
+        slice0cost_column_0(i) <= slice0cost_column_0_choice(i, 2);
       end loop;
       slice0cost_write_column <= slice0cost_ready_column;
-      slice0cost_tag_valid <= slice0cost_ready_tag_valid;
-      slice0cost_tag_first_group <= slice0cost_ready_tag_first_group;
-      slice0cost_tag_border_column <= slice0cost_ready_tag_border_column;
-      slice0cost_tag_first_cost <= slice0cost_ready_tag_first_cost;
-      slice0cost_tag_leaves_window <= slice0cost_ready_tag_leaves_window;
-      slice0cost_tag_output_column <= slice0cost_ready_tag_output_column;
-      slice0cost_tag_start_of_frame <= slice0cost_ready_tag_start_of_frame;
-      slice0cost_tag_end_of_line <= slice0cost_ready_tag_end_of_line;
-      if slice0shift_tag_valid then
-        if slice0shift_tag_row_start then
-          slice0cost_read_column <= 0;
-        else
-          slice0cost_read_column <= (slice0cost_read_column + 1) mod 512;
-        end if;
+      slice0cost_tag <= slice0cost_ready_tag;
+      if slice0shift_tag.valid then
+        slice0cost_read_column <= choice(slice0shift_tag.row_start, 0, (slice0cost_read_column + 1) mod 512);
       end if;
-      if slice0cost_pixels_first_tag_valid then
-        if slice0cost_pixels_first_tag_row_start then
-          slice0cost_change_column <= 0;
-        else
-          slice0cost_change_column <= (slice0cost_change_column + 1) mod 512;
-        end if;
+      if slice0cost_pixels_first_tag.valid then
+        slice0cost_change_column <= choice(slice0cost_pixels_first_tag.row_start, 0, (slice0cost_change_column + 1) mod
+          512);
       end if;
-      if slice0cost_ready_tag_valid then
+      if slice0cost_ready_tag.valid then
         for i in 0 to 2 loop
-          slice0cost_write_words(i) <= to_unsigned(slice0cost_column_0_choice_2(4 * i + 3), 8) &
-            to_unsigned(slice0cost_column_0_choice_2(4 * i + 2), 8) & to_unsigned(slice0cost_column_0_choice_2(4 * i +
-            1), 8) & to_unsigned(slice0cost_column_0_choice_2(4 * i), 8);
+          slice0cost_write_words(i) <= to_unsigned(slice0cost_column_0_choice(4 * i + 3, 2), 8) &
+            to_unsigned(slice0cost_column_0_choice(4 * i + 2, 2), 8) & to_unsigned(slice0cost_column_0_choice(4 * i +
+            1, 2), 8) & to_unsigned(slice0cost_column_0_choice(4 * i, 2), 8);
         end loop;
       end if;
       -- slice0window
-      if slice0cost_tag_valid then
+      if slice0cost_tag.valid then
         slice0window_ring_write_address <= slice0window_ring_read_address;
-        if slice0window_ring_read_address = 9 then
-          slice0window_ring_read_address <= 0;
-        else
-          slice0window_ring_read_address <= (slice0window_ring_read_address + 1) mod 16;
-        end if;
+        slice0window_ring_read_address <= choice(slice0window_ring_read_address = 9, 0, (slice0window_ring_read_address
+          + 1) mod 16);
       end if;
       for i in 0 to 2 loop
         for j in 0 to 3 loop
-          if slice0window_entering_tag_leaves_window then
-            slice0window_change_0_choice(4 * i + j) := to_integer(slice0window_leaving(i)(8 * j + 7 downto 8 * j));
-          else
-            slice0window_change_0_choice(4 * i + j) := 0;
-          end if;
+          slice0window_change_0_choice(4 * i + j) := choice(slice0window_entering_tag.leaves_window,
+            to_integer(slice0window_leaving(i)(8 * j + 7 downto 8 * j)), 0);
         end loop;
       end loop;
-      for i in 0 to 11 loop
-        slice0window_entering_0(i) <= slice0cost_column_0(i);
-      end loop;
-      slice0window_entering_tag_valid <= slice0cost_tag_valid;
-      slice0window_entering_tag_first_cost <= slice0cost_tag_first_cost;
-      slice0window_entering_tag_leaves_window <= slice0cost_tag_leaves_window;
-      slice0window_entering_tag_output_column <= slice0cost_tag_output_column;
-      slice0window_entering_tag_start_of_frame <= slice0cost_tag_start_of_frame;
-      slice0window_entering_tag_end_of_line <= slice0cost_tag_end_of_line;
+      slice0window_entering_0 <= slice0cost_column_0;
+      slice0window_entering_tag.valid <= slice0cost_tag.valid;
+      slice0window_entering_tag.first_cost <= slice0cost_tag.first_cost;
+      slice0window_entering_tag.leaves_window <= slice0cost_tag.leaves_window;
+      slice0window_entering_tag.output_column <= slice0cost_tag.output_column;
+      slice0window_entering_tag.start_of_frame <= slice0cost_tag.start_of_frame;
+      slice0window_entering_tag.end_of_line <= slice0cost_tag.end_of_line;
       for i in 0 to 11 loop
         slice0window_change_0(i) <= slice0window_entering_0(i) - slice0window_change_0_choice(i);
       end loop;
-      slice0window_change_tag_valid <= slice0window_entering_tag_valid;
-      slice0window_change_tag_first_cost <= slice0window_entering_tag_first_cost;
-      slice0window_change_tag_leaves_window <= slice0window_entering_tag_leaves_window;
-      slice0window_change_tag_output_column <= slice0window_entering_tag_output_column;
-      slice0window_change_tag_start_of_frame <= slice0window_entering_tag_start_of_frame;
-      slice0window_change_tag_end_of_line <= slice0window_entering_tag_end_of_line;
-      slice0window_centre_output_column_0 <= slice0window_change_tag_output_column;
-      slice0window_centre_first_column_0 <= slice0window_change_tag_first_cost;
-      slice0window_centre_start_of_frame_0 <= slice0window_change_tag_start_of_frame;
-      slice0window_centre_end_of_line_0 <= slice0window_change_tag_end_of_line;
-      slice0window_tag_valid <= slice0window_change_tag_valid;
+      slice0window_change_tag <= slice0window_entering_tag;
+      slice0window_centre_output_column_0 <= slice0window_change_tag.output_column;
+      slice0window_centre_first_column_0 <= slice0window_change_tag.first_cost;
+      slice0window_centre_start_of_frame_0 <= slice0window_change_tag.start_of_frame;
+      slice0window_centre_end_of_line_0 <= slice0window_change_tag.end_of_line;
+      slice0window_tag.valid <= slice0window_change_tag.valid;
       for i in 0 to 11 loop
-        if slice0window_change_tag_first_cost then
-          slice0window_sum_0_choice(i) := 0;
-        else
-          slice0window_sum_0_choice(i) := slice0window_sum_0(i);
-        end if;
+        slice0window_sum_0_choice(i) := choice(slice0window_change_tag.first_cost, 0, slice0window_sum_0(i));
       end loop;
-      if slice0window_change_tag_valid then
+      if slice0window_change_tag.valid then
         for i in 0 to 11 loop
           slice0window_sum_0(i) <= (slice0window_sum_0_choice(i) + slice0window_change_0(i)) mod 2048;
         end loop;
       end if;
-      if slice0window_tag_valid then
+      if slice0window_tag.valid then
         slice0window_centre_start_of_frame_3 <= slice1window_centre_start_of_frame(1);
-        slice0window_tag_output_column <= slice1window_centre_output_column(2);
-        slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_3;
-        slice0window_tag_end_of_line <= slice1window_centre_end_of_line(2);
+        slice0window_tag.output_column <= slice1window_centre_output_column(2);
+        slice0window_tag.start_of_frame <= slice0window_centre_start_of_frame_3;
+        slice0window_tag.end_of_line <= slice1window_centre_end_of_line(2);
       end if;
       -- slice0winner1
       for i in 0 to 5 loop
@@ -1736,225 +1234,106 @@ begin
       for i in 0 to 4 loop
         slice0winner1_best_last_0(i) <= slice0window_sum_0(2 * i + 1);
       end loop;
-      slice0winner1_tag_valid <= slice0window_tag_valid;
-      slice0winner1_tag_output_column <= slice0window_tag_output_column;
-      slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
-      slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
-      if slice0winner1_best_cost_0_is_less(0) then
-        slice0winner1_best_cost_0(0) <= slice0window_sum_0(1);
-        slice0winner1_best_below_0(0) <= slice0window_sum_0(0);
-        slice0winner1_best_above_0(0) <= 0;
-      else
-        slice0winner1_best_cost_0(0) <= slice0window_sum_0(0);
-        slice0winner1_best_below_0(0) <= 0;
-        slice0winner1_best_above_0(0) <= slice0window_sum_0(1);
-      end if;
-      if slice0winner1_best_cost_0_is_less(1) then
-        slice0winner1_best_cost_0(1) <= slice0window_sum_0(3);
-        slice0winner1_best_index_0_1 <= 3;
-        slice0winner1_best_below_0(1) <= slice0window_sum_0(2);
-        slice0winner1_best_above_0(1) <= 0;
-      else
-        slice0winner1_best_cost_0(1) <= slice0window_sum_0(2);
-        slice0winner1_best_index_0_1 <= 2;
-        slice0winner1_best_below_0(1) <= 0;
-        slice0winner1_best_above_0(1) <= slice0window_sum_0(3);
-      end if;
-      if slice0winner1_best_cost_0_is_less(2) then
-        slice0winner1_best_cost_0(2) <= slice0window_sum_0(5);
-        slice0winner1_best_index_0_2 <= 5;
-        slice0winner1_best_below_0(2) <= slice0window_sum_0(4);
-        slice0winner1_best_above_0(2) <= 0;
-      else
-        slice0winner1_best_cost_0(2) <= slice0window_sum_0(4);
-        slice0winner1_best_index_0_2 <= 4;
-        slice0winner1_best_below_0(2) <= 0;
-        slice0winner1_best_above_0(2) <= slice0window_sum_0(5);
-      end if;
-      if slice0winner1_best_cost_0_is_less(3) then
-        slice0winner1_best_cost_0(3) <= slice0window_sum_0(7);
-        slice0winner1_best_index_0_3 <= 7;
-        slice0winner1_best_below_0(3) <= slice0window_sum_0(6);
-        slice0winner1_best_above_0(3) <= 0;
-      else
-        slice0winner1_best_cost_0(3) <= slice0window_sum_0(6);
-        slice0winner1_best_index_0_3 <= 6;
-        slice0winner1_best_below_0(3) <= 0;
-        slice0winner1_best_above_0(3) <= slice0window_sum_0(7);
-      end if;
-      if slice0winner1_best_cost_0_is_less(4) then
-        slice0winner1_best_cost_0(4) <= slice0window_sum_0(9);
-        slice0winner1_best_index_0_4 <= 9;
-        slice0winner1_best_below_0(4) <= slice0window_sum_0(8);
-        slice0winner1_best_above_0(4) <= 0;
-      else
-        slice0winner1_best_cost_0(4) <= slice0window_sum_0(8);
-        slice0winner1_best_index_0_4 <= 8;
-        slice0winner1_best_below_0(4) <= 0;
-        slice0winner1_best_above_0(4) <= slice0window_sum_0(9);
-      end if;
-      if slice0winner1_best_cost_0_is_less(5) then
-        slice0winner1_best_cost_0(5) <= slice0window_sum_0(11);
-        slice0winner1_best_index_0_5 <= 11;
-        slice0winner1_best_below_0(5) <= slice0window_sum_0(10);
-        slice0winner1_best_above_0(5) <= 0;
-      else
-        slice0winner1_best_cost_0(5) <= slice0window_sum_0(10);
-        slice0winner1_best_index_0_5 <= 10;
-        slice0winner1_best_below_0(5) <= 0;
-        slice0winner1_best_above_0(5) <= slice0window_sum_0(11);
-      end if;
+      slice0winner1_tag <= slice0window_tag;
+      slice0winner1_best_cost_0(0) <= choice(slice0winner1_best_cost_0_is_less(0), slice0window_sum_0(1),
+        slice0window_sum_0(0));
+      for i in 0 to 4 loop
+        slice0winner1_best_below_0(i) <= choice(slice0winner1_best_cost_0_is_less(i), slice0window_sum_0(2 * i), 0);
+        slice0winner1_best_above_0(i) <= choice(slice0winner1_best_cost_0_is_less(i), 0, slice0window_sum_0(2 * i + 1));
+        slice0winner1_best_cost_0(i + 1) <= choice(slice0winner1_best_cost_0_is_less(i + 1), slice0window_sum_0(2 * i +
+          3), slice0window_sum_0(2 * i + 2));
+        slice0winner1_best_index_0(i + 1) <= choice(slice0winner1_best_cost_0_is_less(i + 1), 2 * i + 3, 2 * i + 2);
+      end loop;
+      slice0winner1_best_below_0(5) <= choice(slice0winner1_best_cost_0_is_less(5), slice0window_sum_0(10), 0);
+      slice0winner1_best_above_0(5) <= choice(slice0winner1_best_cost_0_is_less(5), 0, slice0window_sum_0(11));
       -- slice0winner2
       for i in 0 to 2 loop
         slice0winner2_best_cost_0_is_less(i) := (slice0winner1_best_cost_0(2 * i + 1) - slice0winner1_best_cost_0(2 *
           i)) < 0;
       end loop;
-      if slice0winner1_best_index_0_1 = 2 then
-        slice0winner2_best_below_0_choice(0) := slice0winner1_best_last_0(0);
-      else
-        slice0winner2_best_below_0_choice(0) := slice0winner1_best_below_0(1);
-      end if;
-      if slice0winner1_best_index_0_3 = 6 then
-        slice0winner2_best_below_0_choice(1) := slice0winner1_best_last_0(2);
-      else
-        slice0winner2_best_below_0_choice(1) := slice0winner1_best_below_0(3);
-      end if;
-      if is_set(slice0winner1_best_index_0_5, 3) and ((slice0winner1_best_index_0_5 mod 4) = 2) then
-        slice0winner2_best_below_0_choice(2) := slice0winner1_best_last_0(4);
-      else
-        slice0winner2_best_below_0_choice(2) := slice0winner1_best_below_0(5);
-      end if;
-      if slice0winner1_best_index_0_0 then
-        slice0winner2_best_above_0_choice(0) := slice0winner1_best_first_0(1);
-      else
-        slice0winner2_best_above_0_choice(0) := slice0winner1_best_above_0(0);
-      end if;
-      if other_0 then
-        slice0winner2_best_above_0_choice(1) := slice0winner1_best_first_0(3);
-      else
-        slice0winner2_best_above_0_choice(1) := slice0winner1_best_above_0(2);
-      end if;
-      if other_3 then
-        slice0winner2_best_above_0_choice(2) := slice0winner1_best_first_0(5);
-      else
-        slice0winner2_best_above_0_choice(2) := slice0winner1_best_above_0(4);
-      end if;
+      slice0winner2_best_below_0_choice(0) := choice(slice0winner1_best_index_0(1) = 2, slice0winner1_best_last_0(0),
+        slice0winner1_best_below_0(1));
+      slice0winner2_best_below_0_choice(1) := choice(slice0winner1_best_index_0(3) = 6, slice0winner1_best_last_0(2),
+        slice0winner1_best_below_0(3));
+      slice0winner2_best_below_0_choice(2) := choice(is_set(slice0winner1_best_index_0(5), 3) and
+        ((slice0winner1_best_index_0(5) mod 4) = 2), slice0winner1_best_last_0(4), slice0winner1_best_below_0(5));
+      slice0winner2_best_above_0_choice(0) := choice(slice0winner1_best_index_0_0, slice0winner1_best_first_0(1),
+        slice0winner1_best_above_0(0));
+      slice0winner2_best_above_0_choice(1) := choice(other_0, slice0winner1_best_first_0(3),
+        slice0winner1_best_above_0(2));
+      slice0winner2_best_above_0_choice(2) := choice(other_3, slice0winner1_best_first_0(5),
+        slice0winner1_best_above_0(4));
       slice0winner2_best_first_0(0) <= slice0winner1_best_first_0(0);
       slice0winner2_best_first_0(1) <= slice0winner1_best_first_0(2);
       slice0winner2_best_first_0(2) <= slice0winner1_best_first_0(4);
       slice0winner2_best_last_0(0) <= slice0winner1_best_last_0(1);
       slice0winner2_best_last_0(1) <= slice0winner1_best_last_0(3);
-      slice0winner2_tag_valid <= slice0winner1_tag_valid;
-      slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
-      slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-      slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
-      if slice0winner2_best_cost_0_is_less(0) then
-        slice0winner2_best_cost_0(0) <= slice0winner1_best_cost_0(1);
-        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
-        slice0winner2_best_below_0(0) <= slice0winner2_best_below_0_choice(0);
-        slice0winner2_best_above_0(0) <= slice0winner1_best_above_0(1);
-      else
-        slice0winner2_best_cost_0(0) <= slice0winner1_best_cost_0(0);
-        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
-        slice0winner2_best_below_0(0) <= slice0winner1_best_below_0(0);
-        slice0winner2_best_above_0(0) <= slice0winner2_best_above_0_choice(0);
-      end if;
-      if slice0winner2_best_cost_0_is_less(1) then
-        slice0winner2_best_cost_0(1) <= slice0winner1_best_cost_0(3);
-        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3;
-        slice0winner2_best_below_0(1) <= slice0winner2_best_below_0_choice(1);
-        slice0winner2_best_above_0(1) <= slice0winner1_best_above_0(3);
-      else
-        slice0winner2_best_cost_0(1) <= slice0winner1_best_cost_0(2);
-        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2;
-        slice0winner2_best_below_0(1) <= slice0winner1_best_below_0(2);
-        slice0winner2_best_above_0(1) <= slice0winner2_best_above_0_choice(1);
-      end if;
-      if slice0winner2_best_cost_0_is_less(2) then
-        slice0winner2_best_cost_0(2) <= slice0winner1_best_cost_0(5);
-        slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5;
-        slice0winner2_best_below_0(2) <= slice0winner2_best_below_0_choice(2);
-        slice0winner2_best_above_0(2) <= slice0winner1_best_above_0(5);
-      else
-        slice0winner2_best_cost_0(2) <= slice0winner1_best_cost_0(4);
-        slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_4;
-        slice0winner2_best_below_0(2) <= slice0winner1_best_below_0(4);
-        slice0winner2_best_above_0(2) <= slice0winner2_best_above_0_choice(2);
-      end if;
+      slice0winner2_tag <= slice0winner1_tag;
+      slice0winner2_best_cost_0(0) <= choice(slice0winner2_best_cost_0_is_less(0), slice0winner1_best_cost_0(1),
+        slice0winner1_best_cost_0(0));
+      slice0winner2_best_index_0(0) <= choice(slice0winner2_best_cost_0_is_less(0), slice0winner1_best_index_0(1),
+        as_number(slice0winner1_best_index_0_0));
+      for i in 0 to 1 loop
+        slice0winner2_best_below_0(i) <= choice(slice0winner2_best_cost_0_is_less(i),
+          slice0winner2_best_below_0_choice(i), slice0winner1_best_below_0(2 * i));
+        slice0winner2_best_above_0(i) <= choice(slice0winner2_best_cost_0_is_less(i), slice0winner1_best_above_0(2 * i
+          + 1), slice0winner2_best_above_0_choice(i));
+        slice0winner2_best_cost_0(i + 1) <= choice(slice0winner2_best_cost_0_is_less(i + 1),
+          slice0winner1_best_cost_0(2 * i + 3), slice0winner1_best_cost_0(2 * i + 2));
+        slice0winner2_best_index_0(i + 1) <= choice(slice0winner2_best_cost_0_is_less(i + 1),
+          slice0winner1_best_index_0(2 * i + 3), slice0winner1_best_index_0(2 * i + 2));
+      end loop;
+      slice0winner2_best_below_0(2) <= choice(slice0winner2_best_cost_0_is_less(2),
+        slice0winner2_best_below_0_choice(2), slice0winner1_best_below_0(4));
+      slice0winner2_best_above_0(2) <= choice(slice0winner2_best_cost_0_is_less(2), slice0winner1_best_above_0(5),
+        slice0winner2_best_above_0_choice(2));
       -- slice0winner3
       slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0(1) - slice0winner2_best_cost_0(0)) < 0;
-      if slice0winner2_best_index_0_1 = 4 then
-        slice0winner3_best_below_0_0_choice := slice0winner2_best_last_0(0);
-      else
-        slice0winner3_best_below_0_0_choice := slice0winner2_best_below_0(1);
-      end if;
-      if slice0winner2_best_index_0_0 = 3 then
-        slice0winner3_best_above_0_0_choice := slice0winner2_best_first_0(1);
-      else
-        slice0winner3_best_above_0_0_choice := slice0winner2_best_above_0(0);
-      end if;
+      slice0winner3_best_below_0_0_choice := choice(slice0winner2_best_index_0(1) = 4, slice0winner2_best_last_0(0),
+        slice0winner2_best_below_0(1));
+      slice0winner3_best_above_0_0_choice := choice(slice0winner2_best_index_0(0) = 3, slice0winner2_best_first_0(1),
+        slice0winner2_best_above_0(0));
       slice0winner3_best_cost_0(1) <= slice0winner2_best_cost_0(2);
-      slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_2;
+      slice0winner3_best_index_0(1) <= slice0winner2_best_index_0(2);
       slice0winner3_best_below_0(1) <= slice0winner2_best_below_0(2);
       slice0winner3_best_above_0(1) <= slice0winner2_best_above_0(2);
       slice0winner3_best_first_0(0) <= slice0winner2_best_first_0(0);
       slice0winner3_best_first_0(1) <= slice0winner2_best_first_0(2);
       slice0winner3_best_last_0_0 <= slice0winner2_best_last_0(1);
-      slice0winner3_tag_valid <= slice0winner2_tag_valid;
-      slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
-      slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
-      if slice0winner3_best_cost_0_0_is_less then
-        slice0winner3_best_cost_0(0) <= slice0winner2_best_cost_0(1);
-        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1;
-        slice0winner3_best_below_0(0) <= slice0winner3_best_below_0_0_choice;
-        slice0winner3_best_above_0(0) <= slice0winner2_best_above_0(1);
-      else
-        slice0winner3_best_cost_0(0) <= slice0winner2_best_cost_0(0);
-        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_0;
-        slice0winner3_best_below_0(0) <= slice0winner2_best_below_0(0);
-        slice0winner3_best_above_0(0) <= slice0winner3_best_above_0_0_choice;
-      end if;
+      slice0winner3_tag <= slice0winner2_tag;
+      slice0winner3_best_cost_0(0) <= choice(slice0winner3_best_cost_0_0_is_less, slice0winner2_best_cost_0(1),
+        slice0winner2_best_cost_0(0));
+      slice0winner3_best_index_0(0) <= choice(slice0winner3_best_cost_0_0_is_less, slice0winner2_best_index_0(1),
+        slice0winner2_best_index_0(0));
+      slice0winner3_best_below_0(0) <= choice(slice0winner3_best_cost_0_0_is_less, slice0winner3_best_below_0_0_choice,
+        slice0winner2_best_below_0(0));
+      slice0winner3_best_above_0(0) <= choice(slice0winner3_best_cost_0_0_is_less, slice0winner2_best_above_0(1),
+        slice0winner3_best_above_0_0_choice);
       -- slice0winner4
       slice0winner4_best_cost_0_0_is_less := (slice0winner3_best_cost_0(1) - slice0winner3_best_cost_0(0)) < 0;
-      if is_set(slice0winner3_best_index_0_1, 3) and ((slice0winner3_best_index_0_1 mod 4) = 0) then
-        slice0winner4_best_below_0_0_choice := slice0winner3_best_last_0_0;
-      else
-        slice0winner4_best_below_0_0_choice := slice0winner3_best_below_0(1);
-      end if;
-      if slice0winner3_best_index_0_0 = 7 then
-        slice0winner4_best_above_0_0_choice := slice0winner3_best_first_0(1);
-      else
-        slice0winner4_best_above_0_0_choice := slice0winner3_best_above_0(0);
-      end if;
+      slice0winner4_best_below_0_0_choice := choice(is_set(slice0winner3_best_index_0(1), 3) and
+        ((slice0winner3_best_index_0(1) mod 4) = 0), slice0winner3_best_last_0_0, slice0winner3_best_below_0(1));
+      slice0winner4_best_above_0_0_choice := choice(slice0winner3_best_index_0(0) = 7, slice0winner3_best_first_0(1),
+        slice0winner3_best_above_0(0));
       slice0winner4_best_first_0_0 <= slice0winner3_best_first_0(0);
-      slice0winner4_tag_valid <= slice0winner3_tag_valid;
-      slice0winner4_tag_output_column <= slice0winner3_tag_output_column;
-      slice0winner4_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
-      slice0winner4_tag_end_of_line <= slice0winner3_tag_end_of_line;
-      if slice0winner4_best_cost_0_0_is_less then
-        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0(1);
-        slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1;
-        slice0winner4_best_below_0_0 <= slice0winner4_best_below_0_0_choice;
-        slice0winner4_best_above_0_0 <= slice0winner3_best_above_0(1);
-      else
-        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0(0);
-        slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_0;
-        slice0winner4_best_below_0_0 <= slice0winner3_best_below_0(0);
-        slice0winner4_best_above_0_0 <= slice0winner4_best_above_0_0_choice;
-      end if;
+      slice0winner4_tag <= slice0winner3_tag;
+      slice0winner4_best_cost_0_0 <= choice(slice0winner4_best_cost_0_0_is_less, slice0winner3_best_cost_0(1),
+        slice0winner3_best_cost_0(0));
+      slice0winner4_best_index_0_0 <= choice(slice0winner4_best_cost_0_0_is_less, slice0winner3_best_index_0(1),
+        slice0winner3_best_index_0(0));
+      slice0winner4_best_below_0_0 <= choice(slice0winner4_best_cost_0_0_is_less, slice0winner4_best_below_0_0_choice,
+        slice0winner3_best_below_0(0));
+      slice0winner4_best_above_0_0 <= choice(slice0winner4_best_cost_0_0_is_less, slice0winner3_best_above_0(1),
+        slice0winner4_best_above_0_0_choice);
       -- slice0
       slice0_best_cost_0_0 <= slice0winner4_best_cost_0_0;
       slice0_best_index_0_0 <= (((slice0winner4_best_index_0_0 / 4) + 3) * 4) + (slice0winner4_best_index_0_0 mod 4);
       slice0_best_below_0_0 <= slice0winner4_best_below_0_0;
       slice0_best_above_0_0 <= slice0winner4_best_above_0_0;
       slice0_best_first_0_0 <= slice0winner4_best_first_0_0;
-      slice0_best_tag_valid <= slice0winner4_tag_valid;
-      slice0_best_tag_output_column <= slice0winner4_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner4_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner4_tag_end_of_line;
+      slice0_best_tag <= slice0winner4_tag;
       -- slice1shift
-      if slice0shift_tag_valid then
+      if slice0shift_tag.valid then
         for i in 0 to 1 loop
           for j in 0 to 10 loop
             slice1shift_search(i, j) <= slice1shift_search(i, j + 1);
@@ -1962,84 +1341,66 @@ begin
           slice1shift_search(i, 11) <= slice0shift_search_out(i);
         end loop;
       end if;
-      slice1shift_reference(0) <= slice0shift_reference(0);
-      slice1shift_reference(1) <= slice0shift_reference(1);
+      slice1shift_reference <= slice0shift_reference;
       -- slice1cost
       for i in 0 to 1 loop
-        slice1cost_pixels_first_0_value(i) := is_set(slice1shift_reference(i), 3);
-        for j in 5 to 6 loop
-          slice1cost_pixels_first_0_values(i, 4 * j - 18) := is_set(slice1shift_reference(i), j);
-          slice1cost_pixels_first_0_values(i, 4 * j - 17) := is_set(slice1shift_reference(i), 4 * j - 16);
-          slice1cost_pixels_first_0_values(i, 4 * j - 16) := is_set(slice1shift_reference(i), 5 * j - 23);
-          slice1cost_pixels_first_0_values(i, 4 * j - 15) := is_set(slice1shift_reference(i), 8 * j - 39);
-        end loop;
-        slice1cost_pixels_first_0_values(i, 10) := is_set(slice1shift_reference(i), 10);
+        slice1cost_pixels_first_0_value(i, 1) := is_set(slice1shift_reference(i), 3);
+        slice1cost_pixels_first_0_value(i, 2) := is_set(slice1shift_reference(i), 5);
+        slice1cost_pixels_first_0_value(i, 3) := is_set(slice1shift_reference(i), 4);
+        slice1cost_pixels_first_0_value(i, 4) := is_set(slice1shift_reference(i), 2);
+        slice1cost_pixels_first_0_value(i, 5) := is_set(slice1shift_reference(i), 1);
+        slice1cost_pixels_first_0_value(i, 6) := is_set(slice1shift_reference(i), 6);
+        slice1cost_pixels_first_0_value(i, 7) := is_set(slice1shift_reference(i), 8);
+        slice1cost_pixels_first_0_value(i, 8) := is_set(slice1shift_reference(i), 7);
+        slice1cost_pixels_first_0_value(i, 9) := is_set(slice1shift_reference(i), 9);
+        slice1cost_pixels_first_0_value(i, 10) := is_set(slice1shift_reference(i), 10);
       end loop;
       for i in 0 to 1 loop
         for j in 0 to 3 loop
-          if slice0cost_tag_first_group then
-            slice1cost_column_0_choice(4 * i + j) := 0;
-          else
-            slice1cost_column_0_choice(4 * i + j) := to_integer(slice1cost_ready_words(i)(8 * j + 7 downto 8 * j));
-          end if;
-          if slice0cost_tag_border_column then
-            slice1cost_column_0_choice_2(4 * i + j) := 0;
-          else
-            slice1cost_column_0_choice_2(4 * i + j) := (slice1cost_change_0(4 * i + j) + slice1cost_column_0_choice(4 *
-              i + j)) mod 256;
-          end if;
+          slice1cost_column_0_choice(4 * i + j, 1) := choice(slice0cost_tag.first_group, 0,
+            to_integer(slice1cost_ready_words(i)(8 * j + 7 downto 8 * j)));
+          slice1cost_column_0_choice(4 * i + j, 2) := choice(slice0cost_tag.border_column, 0, (slice1cost_change_0(4 *
+            i + j) + slice1cost_column_0_choice(4 * i + j, 1)) mod 256);
         end loop;
       end loop;
       for i in 8 to 10 loop
-        if slice0cost_tag_first_group then
-          slice1cost_column_0_choice(i) := 0;
-        else
-          slice1cost_column_0_choice(i) := to_integer(slice1cost_ready_words(2)(8 * i - 57 downto 8 * i - 64));
-        end if;
-        if slice0cost_tag_border_column then
-          slice1cost_column_0_choice_2(i) := 0;
-        else
-          slice1cost_column_0_choice_2(i) := (slice1cost_change_0(i) + slice1cost_column_0_choice(i)) mod 256;
-        end if;
+        slice1cost_column_0_choice(i, 1) := choice(slice0cost_tag.first_group, 0,
+          to_integer(slice1cost_ready_words(2)(8 * i - 57 downto 8 * i - 64)));
+        slice1cost_column_0_choice(i, 2) := choice(slice0cost_tag.border_column, 0, (slice1cost_change_0(i) +
+          slice1cost_column_0_choice(i, 1)) mod 256);
       end loop;
-      if slice0cost_tag_first_group then
-        slice1cost_column_0_choice(11) := 0;
-      else
-        slice1cost_column_0_choice(11) := to_integer(slice1cost_ready_words(2)(31 downto 24));
-      end if;
-      if slice0cost_tag_border_column then
-        slice1cost_column_0_choice_2(11) := 0;
-      else
-        slice1cost_column_0_choice_2(11) := (slice1cost_column_0_choice(11) + slice1cost_change_0(11)) mod 256;
-      end if;
+      slice1cost_column_0_choice(11, 1) := choice(slice0cost_tag.first_group, 0,
+        to_integer(slice1cost_ready_words(2)(31 downto 24)));
+      slice1cost_column_0_choice(11, 2) := choice(slice0cost_tag.border_column, 0, (slice1cost_column_0_choice(11, 1) +
+        slice1cost_change_0(11)) mod 256);
       for i in 0 to 1 loop
-        slice1cost_pixels_first(i, 0) <= ((as_number((slice1cost_pixels_first_0_value(i) /=
-          is_set(slice1shift_search(i, 0), 3))) + as_number((slice1cost_pixels_first_0_values(i, 2) /=
-          is_set(slice1shift_search(i, 0), 5))) + as_number((slice1cost_pixels_first_0_values(i, 3) /=
+        slice1cost_pixels_first(i, 0) <= ((as_number((slice1cost_pixels_first_0_value(i, 1) /=
+          is_set(slice1shift_search(i, 0), 3))) + as_number((slice1cost_pixels_first_0_value(i, 2) /=
+          is_set(slice1shift_search(i, 0), 5))) + as_number((slice1cost_pixels_first_0_value(i, 3) /=
           is_set(slice1shift_search(i, 0), 4)))) * 4) + as_number((is_set(slice1shift_reference(i), 0) /=
-          is_set(slice1shift_search(i, 0), 0))) + as_number((slice1cost_pixels_first_0_values(i, 4) /=
-          is_set(slice1shift_search(i, 0), 2))) + as_number((slice1cost_pixels_first_0_values(i, 5) /=
-          is_set(slice1shift_search(i, 0), 1))) + ((as_number((slice1cost_pixels_first_0_values(i, 6) /=
-          is_set(slice1shift_search(i, 0), 6))) + as_number((slice1cost_pixels_first_0_values(i, 7) /=
-          is_set(slice1shift_search(i, 0), 8))) + as_number((slice1cost_pixels_first_0_values(i, 8) /=
-          is_set(slice1shift_search(i, 0), 7)))) * 16) + ((as_number((slice1cost_pixels_first_0_values(i, 9) /=
+          is_set(slice1shift_search(i, 0), 0))) + as_number((slice1cost_pixels_first_0_value(i, 4) /=
+          is_set(slice1shift_search(i, 0), 2))) + as_number((slice1cost_pixels_first_0_value(i, 5) /=
+          is_set(slice1shift_search(i, 0), 1))) + ((as_number((slice1cost_pixels_first_0_value(i, 6) /=
+          is_set(slice1shift_search(i, 0), 6))) + as_number((slice1cost_pixels_first_0_value(i, 7) /=
+          is_set(slice1shift_search(i, 0), 8))) + as_number((slice1cost_pixels_first_0_value(i, 8) /=
+          is_set(slice1shift_search(i, 0), 7)))) * 16) + ((as_number((slice1cost_pixels_first_0_value(i, 9) /=
           is_set(slice1shift_search(i, 0), 9))) + as_number((is_set(slice1shift_reference(i), 11) /=
-          is_set(slice1shift_search(i, 0), 11))) + as_number((slice1cost_pixels_first_0_values(i, 10) /=
+          is_set(slice1shift_search(i, 0), 11))) + as_number((slice1cost_pixels_first_0_value(i, 10) /=
           is_set(slice1shift_search(i, 0), 10)))) * 64);
         for j in 1 to 11 loop
           slice1cost_pixels_first(i, j) <= ((as_number((is_set(slice1shift_search(i, j), 3) /=
-            slice1cost_pixels_first_0_value(i))) + as_number((is_set(slice1shift_search(i, j), 5) /=
-            slice1cost_pixels_first_0_values(i, 2))) + as_number((is_set(slice1shift_search(i, j), 4) /=
-            slice1cost_pixels_first_0_values(i, 3)))) * 4) + as_number((is_set(slice1shift_search(i, j), 0) /=
+            slice1cost_pixels_first_0_value(i, 1))) + as_number((is_set(slice1shift_search(i, j), 5) /=
+            slice1cost_pixels_first_0_value(i, 2))) + as_number((is_set(slice1shift_search(i, j), 4) /=
+            slice1cost_pixels_first_0_value(i, 3)))) * 4) + as_number((is_set(slice1shift_search(i, j), 0) /=
             is_set(slice1shift_reference(i), 0))) + as_number((is_set(slice1shift_search(i, j), 2) /=
-            slice1cost_pixels_first_0_values(i, 4))) + as_number((is_set(slice1shift_search(i, j), 1) /=
-            slice1cost_pixels_first_0_values(i, 5))) + ((as_number((is_set(slice1shift_search(i, j), 6) /=
-            slice1cost_pixels_first_0_values(i, 6))) + as_number((is_set(slice1shift_search(i, j), 8) /=
-            slice1cost_pixels_first_0_values(i, 7))) + as_number((is_set(slice1shift_search(i, j), 7) /=
-            slice1cost_pixels_first_0_values(i, 8)))) * 16) + ((as_number((is_set(slice1shift_search(i, j), 9) /=
-            slice1cost_pixels_first_0_values(i, 9))) + as_number((is_set(slice1shift_search(i, j), 11) /=
+            slice1cost_pixels_first_0_value(i, 4))) + as_number((is_set(slice1shift_search(i, j), 1) /=
+            slice1cost_pixels_first_0_value(i, 5))) + ((as_number((is_set(slice1shift_search(i, j), 6) /=
+            slice1cost_pixels_first_0_value(i, 6))) + as_number((is_set(slice1shift_search(i, j), 8) /=
+            slice1cost_pixels_first_0_value(i, 7))) + as_number((is_set(slice1shift_search(i, j), 7) /=
+            slice1cost_pixels_first_0_value(i, 8)))) * 16) + ((as_number((is_set(slice1shift_search(i, j), 9) /=
+            slice1cost_pixels_first_0_value(i, 9))) + as_number((is_set(slice1shift_search(i, j), 11) /=
             is_set(slice1shift_reference(i), 11))) + as_number((is_set(slice1shift_search(i, j), 10) /=
-            slice1cost_pixels_first_0_values(i, 10)))) * 64);
+            slice1cost_pixels_first_0_value(i, 10)))) * 64);
         end loop;
       end loop;
       for i in 0 to 1 loop
@@ -2054,66 +1415,50 @@ begin
       for i in 0 to 11 loop
         slice1cost_change_0(i) <= slice1cost_pixels_cost(1, i) - slice1cost_pixels_cost(0, i);
       end loop;
-      slice1cost_ready_words(0) <= slice1cost_read_words(0);
-      slice1cost_ready_words(1) <= slice1cost_read_words(1);
-      slice1cost_ready_words(2) <= slice1cost_read_words(2);
+      slice1cost_ready_words <= slice1cost_read_words;
       for i in 0 to 11 loop
-        slice1cost_column_0(i) <= slice1cost_column_0_choice_2(i);
+        slice1cost_column_0(i) <= slice1cost_column_0_choice(i, 2);
       end loop;
-      if slice0cost_ready_tag_valid then
+      if slice0cost_ready_tag.valid then
         slice1cost_ready_column <= slice1cost_change_column;
       end if;
-      if slice0cost_tag_valid then
+      if slice0cost_tag.valid then
         slice1cost_write_column <= slice0cost_write_column;
         for i in 0 to 2 loop
-          slice1cost_write_words(i) <= to_unsigned(slice1cost_column_0_choice_2(4 * i + 3), 8) &
-            to_unsigned(slice1cost_column_0_choice_2(4 * i + 2), 8) & to_unsigned(slice1cost_column_0_choice_2(4 * i +
-            1), 8) & to_unsigned(slice1cost_column_0_choice_2(4 * i), 8);
+          slice1cost_write_words(i) <= to_unsigned(slice1cost_column_0_choice(4 * i + 3, 2), 8) &
+            to_unsigned(slice1cost_column_0_choice(4 * i + 2, 2), 8) & to_unsigned(slice1cost_column_0_choice(4 * i +
+            1, 2), 8) & to_unsigned(slice1cost_column_0_choice(4 * i, 2), 8);
         end loop;
       end if;
       -- slice1window
-      if slice0window_entering_tag_valid then
+      if slice0window_entering_tag.valid then
         slice1window_ring_write_address <= slice1window_ring_read_address;
-        if slice1window_ring_read_address = 9 then
-          slice1window_ring_read_address <= 0;
-        else
-          slice1window_ring_read_address <= (slice1window_ring_read_address + 1) mod 16;
-        end if;
+        slice1window_ring_read_address <= choice(slice1window_ring_read_address = 9, 0, (slice1window_ring_read_address
+          + 1) mod 16);
       end if;
       for i in 0 to 2 loop
         for j in 0 to 3 loop
-          if slice0window_change_tag_leaves_window then
-            slice1window_change_0_choice(4 * i + j) := to_integer(slice1window_leaving(i)(8 * j + 7 downto 8 * j));
-          else
-            slice1window_change_0_choice(4 * i + j) := 0;
-          end if;
+          slice1window_change_0_choice(4 * i + j) := choice(slice0window_change_tag.leaves_window,
+            to_integer(slice1window_leaving(i)(8 * j + 7 downto 8 * j)), 0);
         end loop;
       end loop;
-      for i in 0 to 11 loop
-        slice1window_entering_0(i) <= slice1cost_column_0(i);
-      end loop;
+      slice1window_entering_0 <= slice1cost_column_0;
       for i in 0 to 11 loop
         slice1window_change_0(i) <= slice1window_entering_0(i) - slice1window_change_0_choice(i);
       end loop;
       for i in 0 to 11 loop
-        if slice0window_centre_first_column_0 then
-          slice1window_sum_0_choice(i) := 0;
-        else
-          slice1window_sum_0_choice(i) := slice1window_sum_0(i);
-        end if;
+        slice1window_sum_0_choice(i) := choice(slice0window_centre_first_column_0, 0, slice1window_sum_0(i));
       end loop;
-      if slice0window_tag_valid then
+      if slice0window_tag.valid then
         for i in 0 to 11 loop
           slice1window_sum_0(i) <= (slice1window_sum_0_choice(i) + slice1window_change_0(i)) mod 2048;
         end loop;
         slice1window_centre_output_column(0) <= slice0window_centre_output_column_0;
-        slice1window_centre_output_column(1) <= slice1window_centre_output_column(0);
-        slice1window_centre_output_column(2) <= slice1window_centre_output_column(1);
+        slice1window_centre_output_column(1 to 2) <= slice1window_centre_output_column(0 to 1);
         slice1window_centre_start_of_frame(0) <= slice0window_centre_start_of_frame_0;
         slice1window_centre_start_of_frame(1) <= slice1window_centre_start_of_frame(0);
         slice1window_centre_end_of_line(0) <= slice0window_centre_end_of_line_0;
-        slice1window_centre_end_of_line(1) <= slice1window_centre_end_of_line(0);
-        slice1window_centre_end_of_line(2) <= slice1window_centre_end_of_line(1);
+        slice1window_centre_end_of_line(1 to 2) <= slice1window_centre_end_of_line(0 to 1);
       end if;
       -- slice1winner1
       for i in 0 to 5 loop
@@ -2126,221 +1471,106 @@ begin
       for i in 0 to 5 loop
         slice1winner1_best_last_0(i) <= slice1window_sum_0(2 * i + 1);
       end loop;
-      if slice1winner1_best_cost_0_is_less(0) then
-        slice1winner1_best_cost_0(0) <= slice1window_sum_0(1);
-        slice1winner1_best_below_0(0) <= slice1window_sum_0(0);
-        slice1winner1_best_above_0(0) <= 0;
-      else
-        slice1winner1_best_cost_0(0) <= slice1window_sum_0(0);
-        slice1winner1_best_below_0(0) <= 0;
-        slice1winner1_best_above_0(0) <= slice1window_sum_0(1);
-      end if;
-      if slice1winner1_best_cost_0_is_less(1) then
-        slice1winner1_best_cost_0(1) <= slice1window_sum_0(3);
-        slice1winner1_best_index_0_1 <= 3;
-        slice1winner1_best_below_0(1) <= slice1window_sum_0(2);
-        slice1winner1_best_above_0(1) <= 0;
-      else
-        slice1winner1_best_cost_0(1) <= slice1window_sum_0(2);
-        slice1winner1_best_index_0_1 <= 2;
-        slice1winner1_best_below_0(1) <= 0;
-        slice1winner1_best_above_0(1) <= slice1window_sum_0(3);
-      end if;
-      if slice1winner1_best_cost_0_is_less(2) then
-        slice1winner1_best_cost_0(2) <= slice1window_sum_0(5);
-        slice1winner1_best_index_0_2 <= 5;
-        slice1winner1_best_below_0(2) <= slice1window_sum_0(4);
-        slice1winner1_best_above_0(2) <= 0;
-      else
-        slice1winner1_best_cost_0(2) <= slice1window_sum_0(4);
-        slice1winner1_best_index_0_2 <= 4;
-        slice1winner1_best_below_0(2) <= 0;
-        slice1winner1_best_above_0(2) <= slice1window_sum_0(5);
-      end if;
-      if slice1winner1_best_cost_0_is_less(3) then
-        slice1winner1_best_cost_0(3) <= slice1window_sum_0(7);
-        slice1winner1_best_index_0_3 <= 7;
-        slice1winner1_best_below_0(3) <= slice1window_sum_0(6);
-        slice1winner1_best_above_0(3) <= 0;
-      else
-        slice1winner1_best_cost_0(3) <= slice1window_sum_0(6);
-        slice1winner1_best_index_0_3 <= 6;
-        slice1winner1_best_below_0(3) <= 0;
-        slice1winner1_best_above_0(3) <= slice1window_sum_0(7);
-      end if;
-      if slice1winner1_best_cost_0_is_less(4) then
-        slice1winner1_best_cost_0(4) <= slice1window_sum_0(9);
-        slice1winner1_best_index_0_4 <= 9;
-        slice1winner1_best_below_0(4) <= slice1window_sum_0(8);
-        slice1winner1_best_above_0(4) <= 0;
-      else
-        slice1winner1_best_cost_0(4) <= slice1window_sum_0(8);
-        slice1winner1_best_index_0_4 <= 8;
-        slice1winner1_best_below_0(4) <= 0;
-        slice1winner1_best_above_0(4) <= slice1window_sum_0(9);
-      end if;
-      if slice1winner1_best_cost_0_is_less(5) then
-        slice1winner1_best_cost_0(5) <= slice1window_sum_0(11);
-        slice1winner1_best_index_0_5 <= 11;
-        slice1winner1_best_below_0(5) <= slice1window_sum_0(10);
-        slice1winner1_best_above_0(5) <= 0;
-      else
-        slice1winner1_best_cost_0(5) <= slice1window_sum_0(10);
-        slice1winner1_best_index_0_5 <= 10;
-        slice1winner1_best_below_0(5) <= 0;
-        slice1winner1_best_above_0(5) <= slice1window_sum_0(11);
-      end if;
+      slice1winner1_best_cost_0(0) <= choice(slice1winner1_best_cost_0_is_less(0), slice1window_sum_0(1),
+        slice1window_sum_0(0));
+      for i in 0 to 4 loop
+        slice1winner1_best_below_0(i) <= choice(slice1winner1_best_cost_0_is_less(i), slice1window_sum_0(2 * i), 0);
+        slice1winner1_best_above_0(i) <= choice(slice1winner1_best_cost_0_is_less(i), 0, slice1window_sum_0(2 * i + 1));
+        slice1winner1_best_cost_0(i + 1) <= choice(slice1winner1_best_cost_0_is_less(i + 1), slice1window_sum_0(2 * i +
+          3), slice1window_sum_0(2 * i + 2));
+        slice1winner1_best_index_0(i + 1) <= choice(slice1winner1_best_cost_0_is_less(i + 1), 2 * i + 3, 2 * i + 2);
+      end loop;
+      slice1winner1_best_below_0(5) <= choice(slice1winner1_best_cost_0_is_less(5), slice1window_sum_0(10), 0);
+      slice1winner1_best_above_0(5) <= choice(slice1winner1_best_cost_0_is_less(5), 0, slice1window_sum_0(11));
       -- slice1winner2
       for i in 0 to 2 loop
         slice1winner2_best_cost_0_is_less(i) := (slice1winner1_best_cost_0(2 * i + 1) - slice1winner1_best_cost_0(2 *
           i)) < 0;
       end loop;
-      if slice1winner1_best_index_0_1 = 2 then
-        slice1winner2_best_below_0_choice(0) := slice1winner1_best_last_0(0);
-      else
-        slice1winner2_best_below_0_choice(0) := slice1winner1_best_below_0(1);
-      end if;
-      if slice1winner1_best_index_0_3 = 6 then
-        slice1winner2_best_below_0_choice(1) := slice1winner1_best_last_0(2);
-      else
-        slice1winner2_best_below_0_choice(1) := slice1winner1_best_below_0(3);
-      end if;
-      if is_set(slice1winner1_best_index_0_5, 3) and ((slice1winner1_best_index_0_5 mod 4) = 2) then
-        slice1winner2_best_below_0_choice(2) := slice1winner1_best_last_0(4);
-      else
-        slice1winner2_best_below_0_choice(2) := slice1winner1_best_below_0(5);
-      end if;
-      if slice1winner1_best_index_0_0 then
-        slice1winner2_best_above_0_choice(0) := slice1winner1_best_first_0(1);
-      else
-        slice1winner2_best_above_0_choice(0) := slice1winner1_best_above_0(0);
-      end if;
-      for i in 11 to 12 loop
-        if others_from_11(i) then
-          slice1winner2_best_above_0_choice(i - 10) := slice1winner1_best_first_0(2 * i - 19);
-        else
-          slice1winner2_best_above_0_choice(i - 10) := slice1winner1_best_above_0(2 * i - 20);
-        end if;
-      end loop;
+      slice1winner2_best_below_0_choice(0) := choice(slice1winner1_best_index_0(1) = 2, slice1winner1_best_last_0(0),
+        slice1winner1_best_below_0(1));
+      slice1winner2_best_below_0_choice(1) := choice(slice1winner1_best_index_0(3) = 6, slice1winner1_best_last_0(2),
+        slice1winner1_best_below_0(3));
+      slice1winner2_best_below_0_choice(2) := choice(is_set(slice1winner1_best_index_0(5), 3) and
+        ((slice1winner1_best_index_0(5) mod 4) = 2), slice1winner1_best_last_0(4), slice1winner1_best_below_0(5));
+      slice1winner2_best_above_0_choice(0) := choice(slice1winner1_best_index_0_0, slice1winner1_best_first_0(1),
+        slice1winner1_best_above_0(0));
+      slice1winner2_best_above_0_choice(1) := choice(others_from_11(11), slice1winner1_best_first_0(3),
+        slice1winner1_best_above_0(2));
+      slice1winner2_best_above_0_choice(2) := choice(others_from_11(12), slice1winner1_best_first_0(5),
+        slice1winner1_best_above_0(4));
       slice1winner2_best_first_0(1) <= slice1winner1_best_first_0(2);
       slice1winner2_best_first_0(2) <= slice1winner1_best_first_0(4);
       slice1winner2_best_last_0(0) <= slice1winner1_best_last_0(1);
       slice1winner2_best_last_0(1) <= slice1winner1_best_last_0(3);
       slice1winner2_best_last_0(2) <= slice1winner1_best_last_0(5);
-      if slice1winner2_best_cost_0_is_less(0) then
-        slice1winner2_best_cost_0(0) <= slice1winner1_best_cost_0(1);
-        slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1;
-        slice1winner2_best_below_0(0) <= slice1winner2_best_below_0_choice(0);
-        slice1winner2_best_above_0(0) <= slice1winner1_best_above_0(1);
-      else
-        slice1winner2_best_cost_0(0) <= slice1winner1_best_cost_0(0);
-        slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
-        slice1winner2_best_below_0(0) <= slice1winner1_best_below_0(0);
-        slice1winner2_best_above_0(0) <= slice1winner2_best_above_0_choice(0);
-      end if;
-      if slice1winner2_best_cost_0_is_less(1) then
-        slice1winner2_best_cost_0(1) <= slice1winner1_best_cost_0(3);
-        slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3;
-        slice1winner2_best_below_0(1) <= slice1winner2_best_below_0_choice(1);
-        slice1winner2_best_above_0(1) <= slice1winner1_best_above_0(3);
-      else
-        slice1winner2_best_cost_0(1) <= slice1winner1_best_cost_0(2);
-        slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_2;
-        slice1winner2_best_below_0(1) <= slice1winner1_best_below_0(2);
-        slice1winner2_best_above_0(1) <= slice1winner2_best_above_0_choice(1);
-      end if;
-      if slice1winner2_best_cost_0_is_less(2) then
-        slice1winner2_best_cost_0(2) <= slice1winner1_best_cost_0(5);
-        slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5;
-        slice1winner2_best_below_0(2) <= slice1winner2_best_below_0_choice(2);
-        slice1winner2_best_above_0(2) <= slice1winner1_best_above_0(5);
-      else
-        slice1winner2_best_cost_0(2) <= slice1winner1_best_cost_0(4);
-        slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_4;
-        slice1winner2_best_below_0(2) <= slice1winner1_best_below_0(4);
-        slice1winner2_best_above_0(2) <= slice1winner2_best_above_0_choice(2);
-      end if;
+      slice1winner2_best_cost_0(0) <= choice(slice1winner2_best_cost_0_is_less(0), slice1winner1_best_cost_0(1),
+        slice1winner1_best_cost_0(0));
+      slice1winner2_best_index_0(0) <= choice(slice1winner2_best_cost_0_is_less(0), slice1winner1_best_index_0(1),
+        as_number(slice1winner1_best_index_0_0));
+      for i in 0 to 1 loop
+        slice1winner2_best_below_0(i) <= choice(slice1winner2_best_cost_0_is_less(i),
+          slice1winner2_best_below_0_choice(i), slice1winner1_best_below_0(2 * i));
+        slice1winner2_best_above_0(i) <= choice(slice1winner2_best_cost_0_is_less(i), slice1winner1_best_above_0(2 * i
+          + 1), slice1winner2_best_above_0_choice(i));
+        slice1winner2_best_cost_0(i + 1) <= choice(slice1winner2_best_cost_0_is_less(i + 1),
+          slice1winner1_best_cost_0(2 * i + 3), slice1winner1_best_cost_0(2 * i + 2));
+        slice1winner2_best_index_0(i + 1) <= choice(slice1winner2_best_cost_0_is_less(i + 1),
+          slice1winner1_best_index_0(2 * i + 3), slice1winner1_best_index_0(2 * i + 2));
+      end loop;
+      slice1winner2_best_below_0(2) <= choice(slice1winner2_best_cost_0_is_less(2),
+        slice1winner2_best_below_0_choice(2), slice1winner1_best_below_0(4));
+      slice1winner2_best_above_0(2) <= choice(slice1winner2_best_cost_0_is_less(2), slice1winner1_best_above_0(5),
+        slice1winner2_best_above_0_choice(2));
       -- slice1winner3
       slice1winner3_best_cost_0_0_is_less := (slice1winner2_best_cost_0(1) - slice1winner2_best_cost_0(0)) < 0;
-      if slice1winner2_best_index_0_1 = 4 then
-        slice1winner3_best_below_0_0_choice := slice1winner2_best_last_0(0);
-      else
-        slice1winner3_best_below_0_0_choice := slice1winner2_best_below_0(1);
-      end if;
-      if slice1winner2_best_index_0_0 = 3 then
-        slice1winner3_best_above_0_0_choice := slice1winner2_best_first_0(1);
-      else
-        slice1winner3_best_above_0_0_choice := slice1winner2_best_above_0(0);
-      end if;
+      slice1winner3_best_below_0_0_choice := choice(slice1winner2_best_index_0(1) = 4, slice1winner2_best_last_0(0),
+        slice1winner2_best_below_0(1));
+      slice1winner3_best_above_0_0_choice := choice(slice1winner2_best_index_0(0) = 3, slice1winner2_best_first_0(1),
+        slice1winner2_best_above_0(0));
       slice1winner3_best_cost_0(1) <= slice1winner2_best_cost_0(2);
-      slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_2;
+      slice1winner3_best_index_0(1) <= slice1winner2_best_index_0(2);
       slice1winner3_best_below_0(1) <= slice1winner2_best_below_0(2);
       slice1winner3_best_above_0(1) <= slice1winner2_best_above_0(2);
       slice1winner3_best_first_0_1 <= slice1winner2_best_first_0(2);
-      slice1winner3_best_last_0(0) <= slice1winner2_best_last_0(1);
-      slice1winner3_best_last_0(1) <= slice1winner2_best_last_0(2);
-      if slice1winner3_best_cost_0_0_is_less then
-        slice1winner3_best_cost_0(0) <= slice1winner2_best_cost_0(1);
-        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1;
-        slice1winner3_best_below_0(0) <= slice1winner3_best_below_0_0_choice;
-        slice1winner3_best_above_0(0) <= slice1winner2_best_above_0(1);
-      else
-        slice1winner3_best_cost_0(0) <= slice1winner2_best_cost_0(0);
-        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_0;
-        slice1winner3_best_below_0(0) <= slice1winner2_best_below_0(0);
-        slice1winner3_best_above_0(0) <= slice1winner3_best_above_0_0_choice;
-      end if;
+      slice1winner3_best_last_0 <= slice1winner2_best_last_0(1 to 2);
+      slice1winner3_best_cost_0(0) <= choice(slice1winner3_best_cost_0_0_is_less, slice1winner2_best_cost_0(1),
+        slice1winner2_best_cost_0(0));
+      slice1winner3_best_index_0(0) <= choice(slice1winner3_best_cost_0_0_is_less, slice1winner2_best_index_0(1),
+        slice1winner2_best_index_0(0));
+      slice1winner3_best_below_0(0) <= choice(slice1winner3_best_cost_0_0_is_less, slice1winner3_best_below_0_0_choice,
+        slice1winner2_best_below_0(0));
+      slice1winner3_best_above_0(0) <= choice(slice1winner3_best_cost_0_0_is_less, slice1winner2_best_above_0(1),
+        slice1winner3_best_above_0_0_choice);
       -- slice1winner4
       slice1winner4_best_cost_0_0_is_less := (slice1winner3_best_cost_0(1) - slice1winner3_best_cost_0(0)) < 0;
-      if is_set(slice1winner3_best_index_0_1, 3) and ((slice1winner3_best_index_0_1 mod 4) = 0) then
-        slice1winner4_best_below_0_0_choice := slice1winner3_best_last_0(0);
-      else
-        slice1winner4_best_below_0_0_choice := slice1winner3_best_below_0(1);
-      end if;
-      if slice1winner3_best_index_0_0 = 7 then
-        slice1winner4_best_above_0_0_choice := slice1winner3_best_first_0_1;
-      else
-        slice1winner4_best_above_0_0_choice := slice1winner3_best_above_0(0);
-      end if;
+      slice1winner4_best_below_0_0_choice := choice(is_set(slice1winner3_best_index_0(1), 3) and
+        ((slice1winner3_best_index_0(1) mod 4) = 0), slice1winner3_best_last_0(0), slice1winner3_best_below_0(1));
+      slice1winner4_best_above_0_0_choice := choice(slice1winner3_best_index_0(0) = 7, slice1winner3_best_first_0_1,
+        slice1winner3_best_above_0(0));
       slice1winner4_best_last_0_0 <= slice1winner3_best_last_0(1);
-      if slice1winner4_best_cost_0_0_is_less then
-        slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0(1);
-        slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_1;
-        slice1winner4_best_below_0_0 <= slice1winner4_best_below_0_0_choice;
-        slice1winner4_best_above_0_0 <= slice1winner3_best_above_0(1);
-      else
-        slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0(0);
-        slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_0;
-        slice1winner4_best_below_0_0 <= slice1winner3_best_below_0(0);
-        slice1winner4_best_above_0_0 <= slice1winner4_best_above_0_0_choice;
-      end if;
+      slice1winner4_best_cost_0_0 <= choice(slice1winner4_best_cost_0_0_is_less, slice1winner3_best_cost_0(1),
+        slice1winner3_best_cost_0(0));
+      slice1winner4_best_index_0_0 <= choice(slice1winner4_best_cost_0_0_is_less, slice1winner3_best_index_0(1),
+        slice1winner3_best_index_0(0));
+      slice1winner4_best_below_0_0 <= choice(slice1winner4_best_cost_0_0_is_less, slice1winner4_best_below_0_0_choice,
+        slice1winner3_best_below_0(0));
+      slice1winner4_best_above_0_0 <= choice(slice1winner4_best_cost_0_0_is_less, slice1winner3_best_above_0(1),
+        slice1winner4_best_above_0_0_choice);
       -- slice1
       slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner4_best_cost_0_0) < 0;
-      if slice0_best_index_0_0 = 12 then
-        slice1_best_below_0_0_choice := slice1winner4_best_last_0_0;
-      else
-        slice1_best_below_0_0_choice := slice0_best_below_0_0;
-      end if;
-      if slice1winner4_best_index_0_0 = 11 then
-        slice1_best_above_0_0_choice := slice0_best_first_0_0;
-      else
-        slice1_best_above_0_0_choice := slice1winner4_best_above_0_0;
-      end if;
-      slice1_best_tag_valid <= slice0_best_tag_valid;
-      slice1_best_tag_output_column <= slice0_best_tag_output_column;
-      slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
-      slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
-      if slice1_best_cost_0_0_is_less then
-        slice1_best_cost_0_0 <= slice0_best_cost_0_0;
-        slice1_best_index_0_0 <= slice0_best_index_0_0;
-        slice1_best_below_0_0 <= slice1_best_below_0_0_choice;
-        slice1_best_above_0_0 <= slice0_best_above_0_0;
-      else
-        slice1_best_cost_0_0 <= slice1winner4_best_cost_0_0;
-        slice1_best_index_0_0 <= slice1winner4_best_index_0_0;
-        slice1_best_below_0_0 <= slice1winner4_best_below_0_0;
-        slice1_best_above_0_0 <= slice1_best_above_0_0_choice;
-      end if;
+      slice1_best_below_0_0_choice := choice(slice0_best_index_0_0 = 12, slice1winner4_best_last_0_0,
+        slice0_best_below_0_0);
+      slice1_best_above_0_0_choice := choice(slice1winner4_best_index_0_0 = 11, slice0_best_first_0_0,
+        slice1winner4_best_above_0_0);
+      slice1_best_tag <= slice0_best_tag;
+      slice1_best_cost_0_0 <= choice(slice1_best_cost_0_0_is_less, slice0_best_cost_0_0, slice1winner4_best_cost_0_0);
+      slice1_best_index_0_0 <= choice(slice1_best_cost_0_0_is_less, slice0_best_index_0_0,
+        slice1winner4_best_index_0_0);
+      slice1_best_below_0_0 <= choice(slice1_best_cost_0_0_is_less, slice1_best_below_0_0_choice,
+        slice1winner4_best_below_0_0);
+      slice1_best_above_0_0 <= choice(slice1_best_cost_0_0_is_less, slice0_best_above_0_0,
+        slice1_best_above_0_0_choice);
       -- refinement
       refinement_remainder_1_0_difference := (refinement_remainder_0(0) + 4096) - refinement_divisor_0(0);
       for i in 2 to 7 loop
@@ -2348,35 +1578,21 @@ begin
           1);
       end loop;
       refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
-      if refinement_divisor_0_0_is_less then
-        refinement_divisor_0_0_choice := refinement_v_0;
-      else
-        refinement_divisor_0_0_choice := refinement_u_0;
-      end if;
+      refinement_divisor_0_0_choice := choice(refinement_divisor_0_0_is_less, refinement_v_0, refinement_u_0);
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
       refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
-      if refinement_negative_0(8) then
-        refinement_fraction_0_choice := refinement_fraction_0_difference mod 256;
-      else
-        refinement_fraction_0_choice := refinement_fraction_0_value;
-      end if;
-      if refinement_negative_0(8) then
-        refinement_fraction_0_choice_2 := refinement_fraction_0_difference mod 8;
-      else
-        refinement_fraction_0_choice_2 := refinement_fraction_0_value mod 8;
-      end if;
+      refinement_fraction_0_choice := choice(refinement_negative_0(8), refinement_fraction_0_difference mod 256,
+        refinement_fraction_0_value);
+      refinement_fraction_0_choice_2 := choice(refinement_negative_0(8), refinement_fraction_0_difference mod 8,
+        refinement_fraction_0_value mod 8);
       refinement_disparity_0(0) <= slice1_best_index_0_0;
-      for i in 1 to 11 loop
-        refinement_disparity_0(i) <= refinement_disparity_0(i - 1);
-      end loop;
+      refinement_disparity_0(1 to 11) <= refinement_disparity_0(0 to 10);
       refinement_passed_0(0) <= true;
-      for i in 1 to 11 loop
-        refinement_passed_0(i) <= refinement_passed_0(i - 1);
-      end loop;
-      refinement_tag_valid(0) <= slice1_best_tag_valid;
-      refinement_tag_output_column(0) <= slice1_best_tag_output_column;
-      refinement_tag_start_of_frame(0) <= slice1_best_tag_start_of_frame;
-      refinement_tag_end_of_line(0) <= slice1_best_tag_end_of_line;
+      refinement_passed_0(1 to 11) <= refinement_passed_0(0 to 10);
+      refinement_tag_valid(0) <= slice1_best_tag.valid;
+      refinement_tag_output_column(0) <= slice1_best_tag.output_column;
+      refinement_tag_start_of_frame(0) <= slice1_best_tag.start_of_frame;
+      refinement_tag_end_of_line(0) <= slice1_best_tag.end_of_line;
       for i in 1 to 11 loop
         refinement_tag_valid(i) <= refinement_tag_valid(i - 1);
         refinement_tag_output_column(i) <= refinement_tag_output_column(i - 1);
@@ -2390,37 +1606,19 @@ begin
       refinement_remainder_0(0) <= magnitude(refinement_difference_0);
       refinement_divisor_0(0) <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 11)) or
         (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 11))));
-      for i in 1 to 7 loop
-        refinement_divisor_0(i) <= refinement_divisor_0(i - 1);
-      end loop;
+      refinement_divisor_0(1 to 7) <= refinement_divisor_0(0 to 6);
       refinement_quotient_8_0 <= ((((4096 - refinement_divisor_0(7)) / 2) + refinement_remainder_0(7)) / 2048) +
         ((other_4 / 2) * 2);
       refinement_negative_0(0) <= refinement_divisor_0_0_is_less;
-      for i in 1 to 8 loop
-        refinement_negative_0(i) <= refinement_negative_0(i - 1);
-      end loop;
+      refinement_negative_0(1 to 8) <= refinement_negative_0(0 to 7);
       refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 32) * 8) + refinement_fraction_0_choice_2;
-      if slice1_best_index_0_0 = 0 then
-        refinement_below_0 <= slice1_best_above_0_0;
-      else
-        refinement_below_0 <= slice1_best_below_0_0;
-      end if;
-      if slice1_best_index_0_0 = 23 then
-        refinement_above_0 <= slice1_best_below_0_0;
-      else
-        refinement_above_0 <= slice1_best_above_0_0;
-      end if;
-      if is_set(refinement_remainder_1_0_difference, 12) then
-        refinement_remainder_0(1) <= refinement_remainder_1_0_difference mod 2048;
-      else
-        refinement_remainder_0(1) <= refinement_remainder_0(0);
-      end if;
+      refinement_below_0 <= choice(slice1_best_index_0_0 = 0, slice1_best_above_0_0, slice1_best_below_0_0);
+      refinement_above_0 <= choice(slice1_best_index_0_0 = 23, slice1_best_below_0_0, slice1_best_above_0_0);
+      refinement_remainder_0(1) <= choice(is_set(refinement_remainder_1_0_difference, 12),
+        refinement_remainder_1_0_difference mod 2048, refinement_remainder_0(0));
       for i in 2 to 7 loop
-        if is_set(refinement_remainder_0_difference(i), 12) then
-          refinement_remainder_0(i) <= refinement_remainder_0_difference(i) mod 2048;
-        else
-          refinement_remainder_0(i) <= (refinement_remainder_0(i - 1) mod 1024) * 2;
-        end if;
+        refinement_remainder_0(i) <= choice(is_set(refinement_remainder_0_difference(i), 12),
+          refinement_remainder_0_difference(i) mod 2048, (refinement_remainder_0(i - 1) mod 1024) * 2);
       end loop;
       -- map
       map_out_disparity_0 <= (((((refinement_disparity_0(11) + (refinement_fraction_0 / 16)) * 2) +
@@ -2478,111 +1676,85 @@ begin
         delay_ring_read_address <= 1;
         delay_ring_write_address <= 0;
         delay_column <= 0;
-        delay_tag_valid <= false;
-        delay_tag_row_start <= false;
-        delay_tag_output_column <= false;
-        delay_tag_start_of_frame <= false;
-        delay_tag_end_of_line <= false;
+        delay_tag.valid <= false;
+        delay_tag.row_start <= false;
+        delay_tag.output_column <= false;
+        delay_tag.start_of_frame <= false;
+        delay_tag.end_of_line <= false;
         rows_read_column <= 0;
-        rows_read_tag_valid <= false;
-        rows_read_tag_row_start <= false;
-        rows_read_tag_output_column <= false;
-        rows_read_tag_start_of_frame <= false;
-        rows_read_tag_end_of_line <= false;
+        rows_read_tag.valid <= false;
+        rows_read_tag.row_start <= false;
+        rows_read_tag.output_column <= false;
+        rows_read_tag.start_of_frame <= false;
+        rows_read_tag.end_of_line <= false;
         rows_ready_column <= 0;
-        rows_ready_tag_valid <= false;
-        rows_ready_tag_row_start <= false;
-        rows_ready_tag_output_column <= false;
-        rows_ready_tag_start_of_frame <= false;
-        rows_ready_tag_end_of_line <= false;
+        rows_ready_tag.valid <= false;
+        rows_ready_tag.row_start <= false;
+        rows_ready_tag.output_column <= false;
+        rows_ready_tag.start_of_frame <= false;
+        rows_ready_tag.end_of_line <= false;
         rows_write_column <= 0;
-        rows_tag_valid <= false;
-        rows_tag_row_start <= false;
-        rows_tag_output_column <= false;
-        rows_tag_start_of_frame <= false;
-        rows_tag_end_of_line <= false;
-        slice0shift_tag_valid <= false;
-        slice0shift_tag_row_start <= false;
-        slice0shift_tag_output_column <= false;
-        slice0shift_tag_start_of_frame <= false;
-        slice0shift_tag_end_of_line <= false;
-        slice0cost_pixels_first_tag_valid <= false;
-        slice0cost_pixels_first_tag_row_start <= false;
-        slice0cost_pixels_first_tag_output_column <= false;
-        slice0cost_pixels_first_tag_start_of_frame <= false;
-        slice0cost_pixels_first_tag_end_of_line <= false;
-        slice0cost_pixels_tag_valid <= false;
-        slice0cost_pixels_tag_output_column <= false;
-        slice0cost_pixels_tag_start_of_frame <= false;
-        slice0cost_pixels_tag_end_of_line <= false;
+        rows_tag.valid <= false;
+        rows_tag.row_start <= false;
+        rows_tag.output_column <= false;
+        rows_tag.start_of_frame <= false;
+        rows_tag.end_of_line <= false;
+        slice0shift_tag.valid <= false;
+        slice0shift_tag.row_start <= false;
+        slice0shift_tag.output_column <= false;
+        slice0shift_tag.start_of_frame <= false;
+        slice0shift_tag.end_of_line <= false;
+        slice0cost_pixels_first_tag.valid <= false;
+        slice0cost_pixels_first_tag.row_start <= false;
+        slice0cost_pixels_first_tag.output_column <= false;
+        slice0cost_pixels_first_tag.start_of_frame <= false;
+        slice0cost_pixels_first_tag.end_of_line <= false;
+        slice0cost_pixels_tag.valid <= false;
+        slice0cost_pixels_tag.output_column <= false;
+        slice0cost_pixels_tag.start_of_frame <= false;
+        slice0cost_pixels_tag.end_of_line <= false;
         slice0cost_read_column <= 0;
         slice0cost_change_column <= 0;
         slice0cost_ready_column <= 0;
-        slice0cost_ready_tag_valid <= false;
-        slice0cost_ready_tag_output_column <= false;
-        slice0cost_ready_tag_start_of_frame <= false;
-        slice0cost_ready_tag_end_of_line <= false;
+        slice0cost_ready_tag.valid <= false;
+        slice0cost_ready_tag.output_column <= false;
+        slice0cost_ready_tag.start_of_frame <= false;
+        slice0cost_ready_tag.end_of_line <= false;
         slice0cost_write_column <= 0;
-        slice0cost_tag_valid <= false;
-        slice0cost_tag_output_column <= false;
-        slice0cost_tag_start_of_frame <= false;
-        slice0cost_tag_end_of_line <= false;
+        slice0cost_tag.valid <= false;
+        slice0cost_tag.output_column <= false;
+        slice0cost_tag.start_of_frame <= false;
+        slice0cost_tag.end_of_line <= false;
         slice0window_ring_read_address <= 1;
         slice0window_ring_write_address <= 0;
-        slice0window_entering_tag_valid <= false;
-        slice0window_entering_tag_output_column <= false;
-        slice0window_entering_tag_start_of_frame <= false;
-        slice0window_entering_tag_end_of_line <= false;
-        slice0window_change_tag_valid <= false;
-        slice0window_change_tag_output_column <= false;
-        slice0window_change_tag_start_of_frame <= false;
-        slice0window_change_tag_end_of_line <= false;
+        slice0window_entering_tag.valid <= false;
+        slice0window_entering_tag.output_column <= false;
+        slice0window_entering_tag.start_of_frame <= false;
+        slice0window_entering_tag.end_of_line <= false;
+        slice0window_change_tag.valid <= false;
+        slice0window_change_tag.output_column <= false;
+        slice0window_change_tag.start_of_frame <= false;
+        slice0window_change_tag.end_of_line <= false;
         slice0window_centre_output_column_0 <= false;
         slice0window_centre_start_of_frame_0 <= false;
         slice0window_centre_start_of_frame_3 <= false;
         slice0window_centre_end_of_line_0 <= false;
-        slice0window_tag_valid <= false;
-        slice0window_tag_output_column <= false;
-        slice0window_tag_start_of_frame <= false;
-        slice0window_tag_end_of_line <= false;
-        slice0winner1_tag_valid <= false;
-        slice0winner1_tag_output_column <= false;
-        slice0winner1_tag_start_of_frame <= false;
-        slice0winner1_tag_end_of_line <= false;
-        slice0winner2_tag_valid <= false;
-        slice0winner2_tag_output_column <= false;
-        slice0winner2_tag_start_of_frame <= false;
-        slice0winner2_tag_end_of_line <= false;
-        slice0winner3_tag_valid <= false;
-        slice0winner3_tag_output_column <= false;
-        slice0winner3_tag_start_of_frame <= false;
-        slice0winner3_tag_end_of_line <= false;
-        slice0winner4_tag_valid <= false;
-        slice0winner4_tag_output_column <= false;
-        slice0winner4_tag_start_of_frame <= false;
-        slice0winner4_tag_end_of_line <= false;
-        slice0_best_tag_valid <= false;
-        slice0_best_tag_output_column <= false;
-        slice0_best_tag_start_of_frame <= false;
-        slice0_best_tag_end_of_line <= false;
+        slice0window_tag <= (others => false);
+        slice0winner1_tag <= (others => false);
+        slice0winner2_tag <= (others => false);
+        slice0winner3_tag <= (others => false);
+        slice0winner4_tag <= (others => false);
+        slice0_best_tag <= (others => false);
         slice1cost_read_column <= 0;
         slice1cost_change_column <= 0;
         slice1cost_ready_column <= 0;
         slice1cost_write_column <= 0;
         slice1window_ring_read_address <= 1;
         slice1window_ring_write_address <= 0;
-        slice1window_centre_output_column(0) <= false;
-        slice1window_centre_output_column(1) <= false;
-        slice1window_centre_output_column(2) <= false;
-        slice1window_centre_start_of_frame(0) <= false;
-        slice1window_centre_start_of_frame(1) <= false;
-        slice1window_centre_end_of_line(0) <= false;
-        slice1window_centre_end_of_line(1) <= false;
-        slice1window_centre_end_of_line(2) <= false;
-        slice1_best_tag_valid <= false;
-        slice1_best_tag_output_column <= false;
-        slice1_best_tag_start_of_frame <= false;
-        slice1_best_tag_end_of_line <= false;
+        slice1window_centre_output_column <= (others => false);
+        slice1window_centre_start_of_frame <= (others => false);
+        slice1window_centre_end_of_line <= (others => false);
+        slice1_best_tag <= (others => false);
         for i in 0 to 11 loop
           refinement_tag_valid(i) <= false;
           refinement_tag_output_column(i) <= false;
@@ -2592,8 +1764,7 @@ begin
         map_out_valid <= false;
         map_out_start_of_frame <= false;
         map_out_end_of_line <= false;
-        other(1) <= 0;
-        other(2) <= 0;
+        other <= (others => 0);
       end if;
     end if;
   end process;

@@ -93,6 +93,22 @@ architecture rtl of stereo_core_tiny_phase is
     return (value / 2 ** place) mod 2 = 1;
   end function;
 
+  function choice(test : boolean; yes : boolean; no : boolean) return boolean is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
+  function choice(test : boolean; yes : integer; no : integer) return integer is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
   type boolean_1d is array (natural range <>) of boolean;
   type boolean_2d is array (natural range <>, natural range <>) of boolean;
   type natural_1021_1d is array (natural range <>) of natural range 0 to 1021;
@@ -112,6 +128,7 @@ architecture rtl of stereo_core_tiny_phase is
   type natural_285_1d is array (natural range <>) of natural range 0 to 285;
   type natural_3063_1d is array (natural range <>) of natural range 0 to 3063;
   type natural_31_1d is array (natural range <>) of natural range 0 to 31;
+  type natural_32767_1d is array (natural range <>) of natural range 0 to 32767;
   type natural_380_1d is array (natural range <>) of natural range 0 to 380;
   type natural_38_2d is array (natural range <>, natural range <>) of natural range 0 to 38;
   type natural_4082_1d is array (natural range <>) of natural range 0 to 4082;
@@ -122,6 +139,7 @@ architecture rtl of stereo_core_tiny_phase is
   type natural_510_1d is array (natural range <>) of natural range 0 to 510;
   type natural_511_1d is array (natural range <>) of natural range 0 to 511;
   type natural_513_to_2046_1d is array (natural range <>) of natural range 513 to 2046;
+  type natural_5_1d is array (natural range <>) of natural range 0 to 5;
   type natural_63_1d is array (natural range <>) of natural range 0 to 63;
   type natural_65535_1d is array (natural range <>) of natural range 0 to 65535;
   type natural_8164_1d is array (natural range <>) of natural range 0 to 8164;
@@ -129,6 +147,12 @@ architecture rtl of stereo_core_tiny_phase is
   type natural_95_1d is array (natural range <>) of natural range 0 to 95;
   type unsigned_24_1d is array (natural range <>) of unsigned(23 downto 0);
   type unsigned_32_1d is array (natural range <>) of unsigned(31 downto 0);
+  type tag_5 is record
+    valid, border_column, output_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_4 is record
+    valid, output_column, start_of_frame, end_of_line : boolean;
+  end record;
   signal in_start_of_frame, in_valid : boolean;
   signal in_right_pixel, in_left_pixel : natural range 0 to 255;
   -- transform
@@ -137,16 +161,13 @@ architecture rtl of stereo_core_tiny_phase is
   signal transform_left_rows_write_words_2, transform_right_rows_read_newest_0 : natural range 0 to 255;
   signal transform_right_rows_ready_words_2, transform_right_rows_ready_newest_0 : natural range 0 to 255;
   signal transform_right_rows_write_words_2 : natural range 0 to 255;
-  signal transform_left_column : natural_255_1d(0 to 9);
-  signal transform_right_column : natural_255_1d(0 to 9);
+  signal transform_left_column, transform_right_column : natural_255_1d(0 to 9);
   signal transform_left_code_column_box_0_0 : natural_255_1d(0 to 4);  -- transform_left_code_column_box_0_#_0
   signal transform_left_code_column_centre : natural range 0 to 255;
   signal transform_right_code_column_box_0_0 : natural_255_1d(0 to 4);  -- transform_right_code_column_box_0_#_0
   signal transform_right_code_column_centre : natural range 0 to 255;
   signal transform_valid, transform_counter_next_frame : boolean;
-  signal transform_from_first : boolean_1d(0 to 1);
-  signal transform_up_to_last : boolean_1d(0 to 1);
-  signal transform_columns_inside : boolean_1d(0 to 1);
+  signal transform_from_first, transform_up_to_last, transform_columns_inside : boolean_1d(0 to 1);
   signal transform_columns_start_of_frame, transform_columns_valid : boolean;
   signal transform_filtering_inside : boolean_2d(0 to 6, 0 to 1);  -- transform_filtering_#_inside_#
   signal transform_filtering_start_of_frame : boolean_1d(0 to 7);  -- transform_filtering_#_start_of_frame
@@ -160,12 +181,9 @@ architecture rtl of stereo_core_tiny_phase is
   signal transform_right_code_bits, transform_right_code_next_row_signs : natural range 0 to 63;
   signal transform_right_code_next_bits : natural range 0 to 63;
   signal transform_counter_group : natural range 0 to 31;
-  signal transform_left_rows_read_words : unsigned_32_1d(0 to 1);
-  signal transform_left_rows_ready_words : unsigned_32_1d(0 to 1);
-  signal transform_left_rows_write_words : unsigned_32_1d(0 to 1);
-  signal transform_right_rows_read_words : unsigned_32_1d(0 to 1);
-  signal transform_right_rows_ready_words : unsigned_32_1d(0 to 1);
-  signal transform_right_rows_write_words : unsigned_32_1d(0 to 1);
+  signal transform_left_rows_read_words, transform_left_rows_ready_words : unsigned_32_1d(0 to 1);
+  signal transform_left_rows_write_words, transform_right_rows_read_words : unsigned_32_1d(0 to 1);
+  signal transform_right_rows_ready_words, transform_right_rows_write_words : unsigned_32_1d(0 to 1);
   signal transform_left_rows_read_words_2, transform_right_rows_read_words_2 : unsigned(7 downto 0);
   signal transform_centre_group : natural range 0 to 32;
   signal transform_left_code_column_near, transform_left_code_column_outer : natural range 0 to 510;
@@ -177,65 +195,54 @@ architecture rtl of stereo_core_tiny_phase is
   signal transform_left_code_column_upper, transform_left_code_column_lower : natural range 0 to 765;
   signal transform_right_code_column_upper, transform_right_code_column_lower : natural range 0 to 765;
   signal transform_left_code_column_response : natural_1021_1d(0 to 1);
-  signal transform_left_code_row_box_0 : natural_1021_1d(0 to 1);
+  signal transform_left_code_row_box_0 : natural_1530_1d(0 to 2);  -- transform_left_code_row_box_0_# up to 1021, 1021, 1530
   signal transform_left_code_row_column : natural_1021_2d(0 to 1, 0 to 3);
-  signal transform_left_code_row_centre : natural_1021_1d(0 to 1);
+  signal transform_left_code_row_centre : natural_1530_1d(0 to 2);  -- transform_left_code_row_centre_# up to 1021, 1021, 1530
   signal transform_right_code_column_response : natural_1021_1d(0 to 1);
-  signal transform_right_code_row_box_0 : natural_1021_1d(0 to 1);
+  signal transform_right_code_row_box_0 : natural_1530_1d(0 to 2);  -- transform_right_code_row_box_0_# up to 1021, 1021, 1530
   signal transform_right_code_row_column : natural_1021_2d(0 to 1, 0 to 3);
-  signal transform_right_code_row_centre : natural_1021_1d(0 to 1);
-  signal transform_left_code_column_response_2, transform_left_code_row_box_0_2 : natural range 0 to 1530;
+  signal transform_right_code_row_centre : natural_1530_1d(0 to 2);  -- transform_right_code_row_centre_# up to 1021, 1021, 1530
+  signal transform_left_code_column_response_2 : natural range 0 to 1530;
   signal transform_left_code_row_column_2 : natural_1530_1d(0 to 3);
-  signal transform_left_code_row_centre_2, transform_right_code_column_response_2 : natural range 0 to 1530;
-  signal transform_right_code_row_box_0_2 : natural range 0 to 1530;
+  signal transform_right_code_column_response_2 : natural range 0 to 1530;
   signal transform_right_code_row_column_2 : natural_1530_1d(0 to 3);
-  signal transform_right_code_row_centre_2 : natural range 0 to 1530;
   signal transform_left_code_row_outer_1, transform_right_code_row_outer_1 : natural range 0 to 2042;
   signal transform_left_code_row_outer_2, transform_right_code_row_outer_2 : natural range 0 to 3060;
-  signal transform_left_code_row_before : natural_3063_1d(0 to 1);
-  signal transform_left_code_row_after : natural_3063_1d(0 to 1);
-  signal transform_right_code_row_before : natural_3063_1d(0 to 1);
-  signal transform_right_code_row_after : natural_3063_1d(0 to 1);
+  signal transform_left_code_row_before, transform_left_code_row_after : natural_3063_1d(0 to 1);
+  signal transform_right_code_row_before, transform_right_code_row_after : natural_3063_1d(0 to 1);
   signal transform_left_code_row_before_2, transform_left_code_row_after_2 : natural range 0 to 4591;
   signal transform_right_code_row_before_2, transform_right_code_row_after_2 : natural range 0 to 4591;
-  signal transform_left_code_row_even : natural_16383_1d(1 to 2);
-  signal transform_left_code_row_odd : natural_16383_1d(1 to 2);
-  signal transform_right_code_row_even : natural_16383_1d(1 to 2);
-  signal transform_right_code_row_odd : natural_16383_1d(1 to 2);
+  signal transform_left_code_row_even, transform_left_code_row_odd : natural_16383_1d(1 to 2);
+  signal transform_right_code_row_even, transform_right_code_row_odd : natural_16383_1d(1 to 2);
   signal transform_left_code_next_column_near, transform_left_code_next_column_outer : natural range 0 to 1020;
   signal transform_right_code_next_column_near, transform_right_code_next_column_outer : natural range 0 to 1020;
   signal transform_left_code_next_column_upper, transform_left_code_next_column_response_2 : natural range 0 to 65535;
-  signal transform_left_code_next_row_earlier_0_2_0, transform_left_code_next_row_box_0_2 : natural range 0 to 65535;
+  signal transform_left_code_next_row_earlier_0_0 : natural_65535_1d(0 to 2);  -- transform_left_code_next_row_earlier_0_#_0 up to 2041, 2041, 65535
+  signal transform_left_code_next_row_box_0_2 : natural range 0 to 65535;
   signal transform_left_code_next_row_column_2 : natural_65535_1d(0 to 7);
   signal transform_left_code_next_row_outer_2, transform_left_code_next_row_before_2 : natural range 0 to 65535;
   signal transform_left_code_next_row_after_2 : natural range 0 to 65535;
   signal transform_left_code_next_row_even : natural_65535_1d(1 to 2);
   signal transform_left_code_next_row_odd : natural_65535_1d(0 to 2);
   signal transform_right_code_next_column_upper, transform_right_code_next_column_response_2 : natural range 0 to 65535;
-  signal transform_right_code_next_row_earlier_0_2_0, transform_right_code_next_row_box_0_2 : natural range 0 to 65535;
+  signal transform_right_code_next_row_earlier_0_0 : natural_65535_1d(0 to 2);  -- transform_right_code_next_row_earlier_0_#_0 up to 2041, 2041, 65535
+  signal transform_right_code_next_row_box_0_2 : natural range 0 to 65535;
   signal transform_right_code_next_row_column_2 : natural_65535_1d(0 to 7);
   signal transform_right_code_next_row_outer_2, transform_right_code_next_row_before_2 : natural range 0 to 65535;
   signal transform_right_code_next_row_after_2 : natural range 0 to 65535;
   signal transform_right_code_next_row_even : natural_65535_1d(1 to 2);
   signal transform_right_code_next_row_odd : natural_65535_1d(0 to 2);
   signal transform_left_code_next_column_lower, transform_right_code_next_column_lower : natural range 0 to 1531;
-  signal transform_left_code_next_column_response : natural_2041_1d(0 to 1);
-  signal transform_left_code_next_row_earlier_0_0 : natural_2041_1d(0 to 1);  -- transform_left_code_next_row_earlier_0_#_0
-  signal transform_right_code_next_column_response : natural_2041_1d(0 to 1);
-  signal transform_right_code_next_row_earlier_0_0 : natural_2041_1d(0 to 1);  -- transform_right_code_next_row_earlier_0_#_0
+  signal transform_left_code_next_column_response, transform_right_code_next_column_response : natural_2041_1d(0 to 1);
   signal transform_left_code_next_row_box_0 : natural_4082_1d(0 to 1);
   signal transform_left_code_next_row_column : natural_4082_2d(0 to 1, 0 to 7);
-  signal transform_left_code_next_row_centre : natural_4082_1d(0 to 1);
+  signal transform_left_code_next_row_centre : natural_32767_1d(0 to 2);  -- transform_left_code_next_row_centre_# up to 4082, 4082, 32767
   signal transform_right_code_next_row_box_0 : natural_4082_1d(0 to 1);
   signal transform_right_code_next_row_column : natural_4082_2d(0 to 1, 0 to 7);
-  signal transform_right_code_next_row_centre : natural_4082_1d(0 to 1);
-  signal transform_left_code_next_row_centre_2, transform_right_code_next_row_centre_2 : natural range 0 to 32767;
-  signal transform_left_code_next_row_outer : natural_8164_1d(0 to 1);
-  signal transform_right_code_next_row_outer : natural_8164_1d(0 to 1);
-  signal transform_left_code_next_row_before : natural_12247_1d(0 to 1);
-  signal transform_left_code_next_row_after : natural_12247_1d(0 to 1);
-  signal transform_right_code_next_row_before : natural_12247_1d(0 to 1);
-  signal transform_right_code_next_row_after : natural_12247_1d(0 to 1);
+  signal transform_right_code_next_row_centre : natural_32767_1d(0 to 2);  -- transform_right_code_next_row_centre_# up to 4082, 4082, 32767
+  signal transform_left_code_next_row_outer, transform_right_code_next_row_outer : natural_8164_1d(0 to 1);
+  signal transform_left_code_next_row_before, transform_left_code_next_row_after : natural_12247_1d(0 to 1);
+  signal transform_right_code_next_row_before, transform_right_code_next_row_after : natural_12247_1d(0 to 1);
   -- raster
   signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 4095;
   signal raster_features_valid, raster_place_next_frame : boolean;
@@ -247,44 +254,26 @@ architecture rtl of stereo_core_tiny_phase is
   signal delay_delayed_0 : unsigned(11 downto 0);
   signal delay_column : natural range 0 to 63;
   signal delay_row_inside : boolean_1d(0 to 4);
-  signal delay_tag_valid, delay_tag_border_column, delay_tag_output_column, delay_tag_start_of_frame : boolean;
-  signal delay_tag_end_of_line : boolean;
+  signal delay_tag : tag_5;
   -- rows
-  signal rows_search_rows_read_words : unsigned_24_1d(0 to 1);
-  signal rows_reference_rows_read_words : unsigned_24_1d(0 to 1);
+  signal rows_search_rows_read_words, rows_reference_rows_read_words : unsigned_24_1d(0 to 1);
   signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 4095;
   signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0 : natural range 0 to 4095;
-  signal rows_search : natural_4095_1d(0 to 4);
-  signal rows_reference : natural_4095_1d(0 to 4);
-  signal rows_search_rows_ready_words : natural_16777215_1d(0 to 1);
-  signal rows_search_rows_write_words : natural_16777215_1d(0 to 1);
-  signal rows_reference_rows_ready_words : natural_16777215_1d(0 to 1);
-  signal rows_reference_rows_write_words : natural_16777215_1d(0 to 1);
+  signal rows_search, rows_reference : natural_4095_1d(0 to 4);
+  signal rows_search_rows_ready_words, rows_search_rows_write_words : natural_16777215_1d(0 to 1);
+  signal rows_reference_rows_ready_words, rows_reference_rows_write_words : natural_16777215_1d(0 to 1);
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 63;
   signal rows_read_inside : boolean_1d(0 to 4);
-  signal rows_read_tag_valid, rows_read_tag_border_column, rows_read_tag_output_column : boolean;
-  signal rows_read_tag_start_of_frame, rows_read_tag_end_of_line : boolean;
+  signal rows_read_tag : tag_5;
   signal rows_ready_inside : boolean_1d(0 to 4);
-  signal rows_ready_tag_valid, rows_ready_tag_border_column, rows_ready_tag_output_column : boolean;
-  signal rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line, rows_tag_valid, rows_tag_border_column : boolean;
-  signal rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  signal rows_ready_tag, rows_tag : tag_5;
   -- slice0shift
   signal slice0shift_search : natural_4095_2d(0 to 4, 0 to 5);
-  signal slice0shift_reference : natural_4095_1d(0 to 4);
-  signal slice0shift_search_out : natural_4095_1d(0 to 4);
-  signal slice0shift_tag_valid, slice0shift_tag_border_column, slice0shift_tag_output_column : boolean;
-  signal slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
+  signal slice0shift_reference, slice0shift_search_out : natural_4095_1d(0 to 4);
+  signal slice0shift_tag : tag_5;
   -- slice0cost
   signal slice0cost_pixels_first : natural_255_2d(0 to 4, 0 to 5);
-  signal slice0cost_pixels_first_tag_valid, slice0cost_pixels_first_tag_border_column : boolean;
-  signal slice0cost_pixels_first_tag_output_column, slice0cost_pixels_first_tag_start_of_frame : boolean;
-  signal slice0cost_pixels_first_tag_end_of_line, slice0cost_pixels_tag_valid : boolean;
-  signal slice0cost_pixels_tag_border_column, slice0cost_pixels_tag_output_column : boolean;
-  signal slice0cost_pixels_tag_start_of_frame, slice0cost_pixels_tag_end_of_line, slice0cost_pair_tag_valid : boolean;
-  signal slice0cost_pair_tag_border_column, slice0cost_pair_tag_output_column : boolean;
-  signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
-  signal slice0cost_tag_border_column, slice0cost_tag_output_column, slice0cost_tag_start_of_frame : boolean;
-  signal slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pixels_first_tag, slice0cost_pixels_tag, slice0cost_pair_tag, slice0cost_tag : tag_5;
   signal slice0cost_pixels_cost : natural_19_2d(0 to 4, 0 to 5);
   signal slice0cost_single_0 : natural_19_1d(0 to 5);
   signal slice0cost_pair : natural_38_2d(0 to 1, 0 to 5);
@@ -295,41 +284,32 @@ architecture rtl of stereo_core_tiny_phase is
   signal slice0window_partial_0_2 : natural_285_1d(0 to 5);
   signal slice0window_partial_0_3 : natural_380_1d(0 to 5);
   signal slice0window_centre_output_column_0, slice0window_centre_start_of_frame_0 : boolean;
-  signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_output_column : boolean;
-  signal slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
+  signal slice0window_centre_end_of_line_0 : boolean;
+  signal slice0window_tag : tag_4;
   signal slice0window_sum_0 : natural_475_1d(0 to 5);
   -- slice0winner1
-  signal slice0winner1_best_cost_0 : natural_475_1d(0 to 2);
-  signal slice0winner1_best_below_0 : natural_475_1d(0 to 2);
-  signal slice0winner1_best_above_0 : natural_475_1d(0 to 2);
+  signal slice0winner1_best_cost_0, slice0winner1_best_below_0, slice0winner1_best_above_0 : natural_475_1d(0 to 2);
   signal slice0winner1_best_first_0 : natural_475_1d(0 to 2);
   signal slice0winner1_best_last_0 : natural_475_1d(0 to 1);
-  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
-  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice0winner1_best_index_0_2 : natural range 0 to 5;
+  signal slice0winner1_best_index_0_0 : boolean;
+  signal slice0winner1_tag : tag_4;
+  signal slice0winner1_best_index_0 : natural_5_1d(1 to 2);  -- slice0winner1_best_index_0_# up to 3, 5
   -- slice0winner2
-  signal slice0winner2_best_cost_0 : natural_475_1d(0 to 1);
-  signal slice0winner2_best_below_0 : natural_475_1d(0 to 1);
-  signal slice0winner2_best_above_0 : natural_475_1d(0 to 1);
+  signal slice0winner2_best_cost_0, slice0winner2_best_below_0, slice0winner2_best_above_0 : natural_475_1d(0 to 1);
   signal slice0winner2_best_first_0 : natural_475_1d(0 to 1);
   signal slice0winner2_best_last_0_0 : natural range 0 to 475;
-  signal slice0winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice0winner2_best_index_0_1 : natural range 0 to 5;
-  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
-  signal slice0winner2_tag_end_of_line : boolean;
+  signal slice0winner2_best_index_0 : natural_5_1d(0 to 1);  -- slice0winner2_best_index_0_# up to 3, 5
+  signal slice0winner2_tag : tag_4;
   -- slice0winner3
   signal slice0winner3_best_cost_0_0, slice0winner3_best_below_0_0 : natural range 0 to 475;
   signal slice0winner3_best_above_0_0, slice0winner3_best_first_0_0 : natural range 0 to 475;
   signal slice0winner3_best_index_0_0 : natural range 0 to 5;
-  signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
-  signal slice0winner3_tag_end_of_line : boolean;
+  signal slice0winner3_tag : tag_4;
   -- slice0
   signal slice0_best_cost_0_0, slice0_best_below_0_0, slice0_best_above_0_0 : natural range 0 to 475;
   signal slice0_best_first_0_0 : natural range 0 to 475;
   signal slice0_best_index_0_0 : natural range 0 to 11;
-  signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
-  signal slice0_best_tag_end_of_line : boolean;
+  signal slice0_best_tag : tag_4;
   -- slice1shift
   signal slice1shift_search : natural_4095_2d(0 to 4, 0 to 5);
   signal slice1shift_reference : natural_4095_1d(0 to 4);
@@ -348,22 +328,16 @@ architecture rtl of stereo_core_tiny_phase is
   signal slice1window_centre_end_of_line_0 : boolean;
   signal slice1window_sum_0 : natural_475_1d(0 to 5);
   -- slice1winner1
-  signal slice1winner1_best_cost_0 : natural_475_1d(0 to 2);
-  signal slice1winner1_best_below_0 : natural_475_1d(0 to 2);
-  signal slice1winner1_best_above_0 : natural_475_1d(0 to 2);
+  signal slice1winner1_best_cost_0, slice1winner1_best_below_0, slice1winner1_best_above_0 : natural_475_1d(0 to 2);
   signal slice1winner1_best_first_0 : natural_475_1d(1 to 2);
   signal slice1winner1_best_last_0 : natural_475_1d(0 to 2);
   signal slice1winner1_best_index_0_0 : boolean;
-  signal slice1winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice1winner1_best_index_0_2 : natural range 0 to 5;
+  signal slice1winner1_best_index_0 : natural_5_1d(1 to 2);  -- slice1winner1_best_index_0_# up to 3, 5
   -- slice1winner2
-  signal slice1winner2_best_cost_0 : natural_475_1d(0 to 1);
-  signal slice1winner2_best_below_0 : natural_475_1d(0 to 1);
-  signal slice1winner2_best_above_0 : natural_475_1d(0 to 1);
+  signal slice1winner2_best_cost_0, slice1winner2_best_below_0, slice1winner2_best_above_0 : natural_475_1d(0 to 1);
   signal slice1winner2_best_first_0_1 : natural range 0 to 475;
   signal slice1winner2_best_last_0 : natural_475_1d(0 to 1);
-  signal slice1winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice1winner2_best_index_0_1 : natural range 0 to 5;
+  signal slice1winner2_best_index_0 : natural_5_1d(0 to 1);  -- slice1winner2_best_index_0_# up to 3, 5
   -- slice1winner3
   signal slice1winner3_best_cost_0_0, slice1winner3_best_below_0_0 : natural range 0 to 475;
   signal slice1winner3_best_above_0_0, slice1winner3_best_last_0_0 : natural range 0 to 475;
@@ -371,8 +345,7 @@ architecture rtl of stereo_core_tiny_phase is
   -- slice1
   signal slice1_best_cost_0_0, slice1_best_below_0_0, slice1_best_above_0_0 : natural range 0 to 475;
   signal slice1_best_index_0_0 : natural range 0 to 11;
-  signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
-  signal slice1_best_tag_end_of_line : boolean;
+  signal slice1_best_tag : tag_4;
   -- refinement
   signal refinement_disparity_0 : natural_11_1d(0 to 11);  -- refinement_disparity_#_0
   signal refinement_passed_0 : boolean_1d(0 to 11);  -- refinement_passed_#_0
@@ -381,9 +354,9 @@ architecture rtl of stereo_core_tiny_phase is
   signal refinement_tag_start_of_frame : boolean_1d(0 to 11);  -- refinement_tag_#_start_of_frame
   signal refinement_tag_end_of_line : boolean_1d(0 to 11);  -- refinement_tag_#_end_of_line
   signal refinement_negative_0 : boolean_1d(0 to 8);  -- refinement_negative_#_0
-  signal refinement_cost_0, refinement_below_0, refinement_above_0, refinement_remainder_0_0 : natural range 0 to 475;
+  signal refinement_cost_0, refinement_below_0, refinement_above_0 : natural range 0 to 475;
+  signal refinement_remainder_0 : natural_511_1d(0 to 7);  -- refinement_remainder_#_0 up to 475, 511 x 7
   signal refinement_u_0, refinement_v_0 : natural range 0 to 511;
-  signal refinement_remainder_0 : natural_511_1d(1 to 7);  -- refinement_remainder_#_0
   signal refinement_divisor_0 : natural_511_1d(0 to 7);  -- refinement_divisor_#_0
   signal refinement_difference_0 : integer range -475 to 475;
   signal refinement_quotient_8_0, refinement_fraction_0 : natural range 0 to 255;
@@ -403,49 +376,6 @@ architecture rtl of stereo_core_tiny_phase is
   signal others_from_12 : natural_8192_1d(12 to 13);  -- other_#
   signal other_10, other_14 : natural range 0 to 2042;
   signal others_from_15 : natural_257_1d(15 to 16);  -- other_#
-  signal rows_search_rows_read_words_1_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_1_memory_read_address : unsigned(5 downto 0);
-  signal rows_search_rows_read_words_1_memory_write_address : unsigned(5 downto 0);
-  signal rows_search_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
-  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
-  signal rows_reference_rows_read_words_1_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_1_memory_read_address : unsigned(5 downto 0);
-  signal rows_reference_rows_read_words_1_memory_write_address : unsigned(5 downto 0);
-  signal rows_reference_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
-  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
-  signal delay_delayed_0_memory_read_enable : boolean;
-  signal delay_delayed_0_memory_read_address, delay_delayed_0_memory_write_address : unsigned(3 downto 0);
-  signal delay_delayed_0_memory_write_data : unsigned(11 downto 0);
-  signal transform_left_rows_read_words_2_memory_read_enable : boolean;
-  signal transform_left_rows_read_words_2_memory_read_address : unsigned(5 downto 0);
-  signal transform_left_rows_read_words_2_memory_write_address : unsigned(5 downto 0);
-  signal transform_left_rows_read_words_2_memory_write_data : unsigned(7 downto 0);
-  signal transform_left_rows_read_words_1_memory_read_enable : boolean;
-  signal transform_left_rows_read_words_1_memory_read_address : unsigned(5 downto 0);
-  signal transform_left_rows_read_words_1_memory_write_address : unsigned(5 downto 0);
-  signal transform_left_rows_read_words_1_memory_write_data : unsigned(31 downto 0);
-  signal transform_left_rows_read_words_0_memory_read_enable : boolean;
-  signal transform_left_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal transform_right_rows_read_words_2_memory_read_enable : boolean;
-  signal transform_right_rows_read_words_2_memory_read_address : unsigned(5 downto 0);
-  signal transform_right_rows_read_words_2_memory_write_address : unsigned(5 downto 0);
-  signal transform_right_rows_read_words_2_memory_write_data : unsigned(7 downto 0);
-  signal transform_right_rows_read_words_1_memory_read_enable : boolean;
-  signal transform_right_rows_read_words_1_memory_read_address : unsigned(5 downto 0);
-  signal transform_right_rows_read_words_1_memory_write_address : unsigned(5 downto 0);
-  signal transform_right_rows_read_words_1_memory_write_data : unsigned(31 downto 0);
-  signal transform_right_rows_read_words_0_memory_read_enable : boolean;
-  signal transform_right_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
 
 begin
   in_start_of_frame <= start_of_frame = '1';
@@ -458,146 +388,111 @@ begin
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
 
-  rows_search_rows_read_words_1_memory_read_enable <= true;
-  rows_search_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 6);
-  rows_search_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 6);
-  rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words(1), 24);
-  rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 40, width => 24, address_bits => 6)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_1_memory_read_enable,
-      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words(1),
-      write_address => rows_search_rows_read_words_1_memory_write_address, write_data => rows_search_rows_read_words_1_memory_write_data);
+  rows_search_rows_read_words_memory : for i in 1 downto 0 generate
+    signal read_address, write_address : unsigned(5 downto 0);
+    signal write_data : unsigned(23 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 6);
+    write_address <= to_unsigned(rows_write_column, 6);
+    write_data <= to_unsigned(rows_search_rows_write_words(i), 24);
+    cell : entity work.line_memory
+      generic map (depth => 40, width => 24, address_bits => 6)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_search_rows_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  rows_search_rows_read_words_0_memory_read_enable <= true;
-  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 6);
-  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 6);
-  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words(0), 24);
-  rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 24, address_bits => 6)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
-      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words(0),
-      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
+  rows_reference_rows_read_words_memory : for i in 1 downto 0 generate
+    signal read_address, write_address : unsigned(5 downto 0);
+    signal write_data : unsigned(23 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 6);
+    write_address <= to_unsigned(rows_write_column, 6);
+    write_data <= to_unsigned(rows_reference_rows_write_words(i), 24);
+    cell : entity work.line_memory
+      generic map (depth => 40, width => 24, address_bits => 6)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_reference_rows_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  rows_reference_rows_read_words_1_memory_read_enable <= true;
-  rows_reference_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 6);
-  rows_reference_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 6);
-  rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words(1), 24);
-  rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 40, width => 24, address_bits => 6)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_1_memory_read_enable,
-      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words(1),
-      write_address => rows_reference_rows_read_words_1_memory_write_address, write_data => rows_reference_rows_read_words_1_memory_write_data);
+  delay_delayed_0_memory : block
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(11 downto 0);
+  begin
+    read_address <= to_unsigned(delay_ring_read_address, 4);
+    write_address <= to_unsigned(delay_ring_write_address, 4);
+    write_data <= to_unsigned(raster_features_reference_0, 12);
+    cell : entity work.line_memory
+      generic map (depth => 12, width => 12, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => delay_delayed_0,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  rows_reference_rows_read_words_0_memory_read_enable <= true;
-  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 6);
-  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 6);
-  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words(0), 24);
-  rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 24, address_bits => 6)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
-      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words(0),
-      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
+  transform_left_rows_read_words_2_memory : block
+    signal read_address, write_address : unsigned(5 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(transform_counter_column, 6);
+    write_address <= to_unsigned(transform_write_column, 6);
+    write_data <= to_unsigned(transform_left_rows_write_words_2, 8);
+    cell : entity work.line_memory
+      generic map (depth => 40, width => 8, address_bits => 6)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        transform_left_rows_read_words_2, write_address => write_address, write_data => write_data);
+  end block;
 
-  delay_delayed_0_memory_read_enable <= true;
-  delay_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 4);
-  delay_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 4);
-  delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 12);
-  delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 12, width => 12, address_bits => 4)
-    port map (
-      clock => clock, read_enable => delay_delayed_0_memory_read_enable,
-      read_address => delay_delayed_0_memory_read_address, read_data => delay_delayed_0,
-      write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
+  transform_left_rows_read_words_memory : for i in 1 downto 0 generate
+    signal read_address, write_address : unsigned(5 downto 0);
+  begin
+    read_address <= to_unsigned(transform_counter_column, 6);
+    write_address <= to_unsigned(transform_write_column, 6);
+    cell : entity work.line_memory
+      generic map (depth => 40, width => 32, address_bits => 6)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        transform_left_rows_read_words(i), write_address => write_address, write_data =>
+        transform_left_rows_write_words(i));
+  end generate;
 
-  transform_left_rows_read_words_2_memory_read_enable <= true;
-  transform_left_rows_read_words_2_memory_read_address <= to_unsigned(transform_counter_column, 6);
-  transform_left_rows_read_words_2_memory_write_address <= to_unsigned(transform_write_column, 6);
-  transform_left_rows_read_words_2_memory_write_data <= to_unsigned(transform_left_rows_write_words_2, 8);
-  transform_left_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 40, width => 8, address_bits => 6)
-    port map (
-      clock => clock, read_enable => transform_left_rows_read_words_2_memory_read_enable,
-      read_address => transform_left_rows_read_words_2_memory_read_address, read_data => transform_left_rows_read_words_2,
-      write_address => transform_left_rows_read_words_2_memory_write_address, write_data => transform_left_rows_read_words_2_memory_write_data);
+  transform_right_rows_read_words_2_memory : block
+    signal read_address, write_address : unsigned(5 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(transform_counter_column, 6);
+    write_address <= to_unsigned(transform_write_column, 6);
+    write_data <= to_unsigned(transform_right_rows_write_words_2, 8);
+    cell : entity work.line_memory
+      generic map (depth => 40, width => 8, address_bits => 6)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        transform_right_rows_read_words_2, write_address => write_address, write_data => write_data);
+  end block;
 
-  transform_left_rows_read_words_1_memory_read_enable <= true;
-  transform_left_rows_read_words_1_memory_read_address <= to_unsigned(transform_counter_column, 6);
-  transform_left_rows_read_words_1_memory_write_address <= to_unsigned(transform_write_column, 6);
-  transform_left_rows_read_words_1_memory_write_data <= transform_left_rows_write_words(1);
-  transform_left_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 40, width => 32, address_bits => 6)
-    port map (
-      clock => clock, read_enable => transform_left_rows_read_words_1_memory_read_enable,
-      read_address => transform_left_rows_read_words_1_memory_read_address, read_data => transform_left_rows_read_words(1),
-      write_address => transform_left_rows_read_words_1_memory_write_address, write_data => transform_left_rows_read_words_1_memory_write_data);
-
-  transform_left_rows_read_words_0_memory_read_enable <= true;
-  transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 6);
-  transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 6);
-  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words(0);
-  transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32, address_bits => 6)
-    port map (
-      clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
-      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words(0),
-      write_address => transform_left_rows_read_words_0_memory_write_address, write_data => transform_left_rows_read_words_0_memory_write_data);
-
-  transform_right_rows_read_words_2_memory_read_enable <= true;
-  transform_right_rows_read_words_2_memory_read_address <= to_unsigned(transform_counter_column, 6);
-  transform_right_rows_read_words_2_memory_write_address <= to_unsigned(transform_write_column, 6);
-  transform_right_rows_read_words_2_memory_write_data <= to_unsigned(transform_right_rows_write_words_2, 8);
-  transform_right_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 40, width => 8, address_bits => 6)
-    port map (
-      clock => clock, read_enable => transform_right_rows_read_words_2_memory_read_enable,
-      read_address => transform_right_rows_read_words_2_memory_read_address, read_data => transform_right_rows_read_words_2,
-      write_address => transform_right_rows_read_words_2_memory_write_address, write_data => transform_right_rows_read_words_2_memory_write_data);
-
-  transform_right_rows_read_words_1_memory_read_enable <= true;
-  transform_right_rows_read_words_1_memory_read_address <= to_unsigned(transform_counter_column, 6);
-  transform_right_rows_read_words_1_memory_write_address <= to_unsigned(transform_write_column, 6);
-  transform_right_rows_read_words_1_memory_write_data <= transform_right_rows_write_words(1);
-  transform_right_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 40, width => 32, address_bits => 6)
-    port map (
-      clock => clock, read_enable => transform_right_rows_read_words_1_memory_read_enable,
-      read_address => transform_right_rows_read_words_1_memory_read_address, read_data => transform_right_rows_read_words(1),
-      write_address => transform_right_rows_read_words_1_memory_write_address, write_data => transform_right_rows_read_words_1_memory_write_data);
-
-  transform_right_rows_read_words_0_memory_read_enable <= true;
-  transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 6);
-  transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 6);
-  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words(0);
-  transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32, address_bits => 6)
-    port map (
-      clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
-      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words(0),
-      write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
+  transform_right_rows_read_words_memory : for i in 1 downto 0 generate
+    signal read_address, write_address : unsigned(5 downto 0);
+  begin
+    read_address <= to_unsigned(transform_counter_column, 6);
+    write_address <= to_unsigned(transform_write_column, 6);
+    cell : entity work.line_memory
+      generic map (depth => 40, width => 32, address_bits => 6)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        transform_right_rows_read_words(i), write_address => write_address, write_data =>
+        transform_right_rows_write_words(i));
+  end generate;
 
   process (clock)
-    variable transform_counter_group_is_equal : boolean;
-    variable transform_counter_group_is_equals : boolean_1d(2 to 3);  -- transform_counter_group_is_equal_#
+    variable transform_counter_group_is_equals : boolean_1d(1 to 3);  -- transform_counter_group_is_equal_#
     variable transform_counter_group_all, transform_counter_group_choice_2, transform_centre_column_any : boolean;
     variable transform_from_first_is_equal : boolean_1d(0 to 1);  -- transform_from_first_#_is_equal
     variable transform_from_first_value : boolean_1d(0 to 1);  -- transform_from_first_#_value
-    variable transform_from_first_1_choice, transform_from_first_1_choice_2, transform_up_to_last_0_choice : boolean;
-    variable transform_up_to_last_0_is_equal, transform_up_to_last_0_choice_2 : boolean;
-    variable transform_counter_next_frame_choice, raster_place_group_is_equal : boolean;
-    variable raster_place_group_is_equals : boolean_1d(2 to 3);  -- raster_place_group_is_equal_#
-    variable raster_place_group_all, raster_place_next_frame_choice : boolean;
-    variable raster_place_next_frame_choices : boolean_1d(2 to 3);  -- raster_place_next_frame_choice_#
+    variable transform_from_first_1_choices : boolean_1d(1 to 2);  -- transform_from_first_1_choice_#
+    variable transform_up_to_last_0_choices : boolean_1d(1 to 2);  -- transform_up_to_last_0_choice_#
+    variable transform_up_to_last_0_is_equal, transform_counter_next_frame_choice : boolean;
+    variable raster_place_group_is_equals : boolean_1d(1 to 3);  -- raster_place_group_is_equal_#
+    variable raster_place_group_all : boolean;
+    variable raster_place_next_frame_choices : boolean_1d(1 to 3);  -- raster_place_next_frame_choice_#
     variable delay_row_inside_2_is_less : boolean;
-    variable slice0cost_pixels_first_0_value : boolean_1d(0 to 4);  -- slice0cost_pixels_first_#_0_value
-    variable slice0cost_pixels_first_0_values : boolean_2d(0 to 4, 2 to 10);  -- slice0cost_pixels_first_#_0_value_#
+    variable slice0cost_pixels_first_0_value : boolean_2d(0 to 4, 1 to 10);  -- slice0cost_pixels_first_#_0_value_#
     variable slice0winner1_best_cost_0_is_less : boolean_1d(0 to 2);  -- slice0winner1_best_cost_0_#_is_less
     variable slice0winner2_best_cost_0_0_is_less, slice0winner3_best_cost_0_0_is_less : boolean;
-    variable slice1cost_pixels_first_0_value : boolean_1d(0 to 4);  -- slice1cost_pixels_first_#_0_value
-    variable slice1cost_pixels_first_0_values : boolean_2d(0 to 4, 2 to 10);  -- slice1cost_pixels_first_#_0_value_#
+    variable slice1cost_pixels_first_0_value : boolean_2d(0 to 4, 1 to 10);  -- slice1cost_pixels_first_#_0_value_#
     variable slice1winner1_best_cost_0_is_less : boolean_1d(0 to 2);  -- slice1winner1_best_cost_0_#_is_less
     variable slice1winner2_best_cost_0_0_is_less, slice1winner3_best_cost_0_0_is_less : boolean;
     variable slice1_best_cost_0_0_is_less, refinement_divisor_0_0_is_less : boolean;
@@ -620,75 +515,44 @@ begin
   begin
     if rising_edge(clock) then
       -- transform
-      transform_counter_group_is_equal := transform_counter_column = 39;
+      transform_counter_group_is_equals(1) := transform_counter_column = 39;
       transform_counter_group_is_equals(2) := transform_counter_group = 17;
-      transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equals(2);
-      if transform_counter_group_all then
-        transform_counter_group_choice := 9;
-      else
-        transform_counter_group_choice := 0;
-      end if;
-      if (transform_counter_group / 2) = 11 then
-        transform_counter_group_choice_2 := transform_counter_group_is_equal and in_valid and
-          is_set(transform_counter_group, 0);
-      else
-        transform_counter_group_choice_2 := transform_counter_group_is_equal and in_valid;
-      end if;
+      transform_counter_group_all := transform_counter_group_is_equals(1) and transform_counter_group_is_equals(2);
+      transform_counter_group_choice := choice(transform_counter_group_all, 9, 0);
+      transform_counter_group_choice_2 := choice((transform_counter_group / 2) = 11,
+        transform_counter_group_is_equals(1) and in_valid and is_set(transform_counter_group, 0),
+        transform_counter_group_is_equals(1) and in_valid);
       transform_counter_group_is_equals(3) := transform_counter_group = 21;
-      if transform_counter_next_frame and transform_counter_group_is_equals(3) then
-        transform_counter_group_choices(3) := 4;
-      else
-        transform_counter_group_choices(3) := (transform_counter_group + 1) mod 32;
-      end if;
-      if transform_counter_group_choice_2 then
-        transform_counter_group_choices(4) := transform_counter_group_choices(3);
-      else
-        transform_counter_group_choices(4) := transform_counter_group;
-      end if;
+      transform_counter_group_choices(3) := choice(transform_counter_next_frame and
+        transform_counter_group_is_equals(3), 4, (transform_counter_group + 1) mod 32);
+      transform_counter_group_choices(4) := choice(transform_counter_group_choice_2,
+        transform_counter_group_choices(3), transform_counter_group);
       transform_centre_column_any := is_set(transform_counter_column, 5) or is_set(transform_counter_column, 4) or
         is_set(transform_counter_column, 3) or is_set(transform_counter_column, 2);
-      if transform_centre_column_any then
-        transform_centre_column_choice := 15;
-      else
-        transform_centre_column_choice := 9;
-      end if;
+      transform_centre_column_choice := choice(transform_centre_column_any, 15, 9);
       transform_from_first_is_equal(0) := ((transform_centre_column / 4) mod 8) = 0;
       transform_from_first_value(0) := is_set(transform_centre_column, 1);
       transform_from_first_is_equal(1) := ((transform_centre_column / 4) mod 4) = 0;
       transform_from_first_value(1) := is_set(transform_centre_column, 3);
-      if transform_from_first_value(0) then
-        transform_from_first_1_choice := transform_from_first_is_equal(1);
-      else
-        transform_from_first_1_choice := not transform_from_first_value(1);
-      end if;
-      if is_set(transform_centre_column, 0) then
-        transform_from_first_1_choice_2 := transform_from_first_is_equal(1);
-      else
-        transform_from_first_1_choice_2 := transform_from_first_1_choice;
-      end if;
-      if transform_from_first_value(0) then
-        transform_up_to_last_0_choice := transform_from_first_is_equal(0);
-      else
-        transform_up_to_last_0_choice := ((transform_centre_column / 8) mod 4) = 0;
-      end if;
+      transform_from_first_1_choices(1) := choice(transform_from_first_value(0), transform_from_first_is_equal(1), not
+        transform_from_first_value(1));
+      transform_from_first_1_choices(2) := choice(is_set(transform_centre_column, 0), transform_from_first_is_equal(1),
+        transform_from_first_1_choices(1));
+      transform_up_to_last_0_choices(1) := choice(transform_from_first_value(0), transform_from_first_is_equal(0),
+        ((transform_centre_column / 8) mod 4) = 0);
       transform_up_to_last_0_is_equal := (transform_centre_group / 16) = 0;
-      if (not is_set(transform_centre_group, 3)) and ((not is_set(transform_centre_group, 2)) or
-        ((transform_centre_group mod 4) = 0)) then
-        transform_up_to_last_0_choice_2 := not is_set(transform_centre_group, 5);
-      else
-        transform_up_to_last_0_choice_2 := transform_up_to_last_0_is_equal;
-      end if;
+      transform_up_to_last_0_choices(2) := choice((not is_set(transform_centre_group, 3)) and ((not
+        is_set(transform_centre_group, 2)) or ((transform_centre_group mod 4) = 0)), not is_set(transform_centre_group,
+        5), transform_up_to_last_0_is_equal);
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
       transform_left_rows_read_newest_0 <= transform_left_0;
-      transform_left_rows_ready_words(0) <= transform_left_rows_read_words(0);
-      transform_left_rows_ready_words(1) <= transform_left_rows_read_words(1);
+      transform_left_rows_ready_words <= transform_left_rows_read_words;
       transform_left_rows_ready_words_2 <= to_integer(transform_left_rows_read_words_2);
       transform_left_rows_ready_newest_0 <= transform_left_rows_read_newest_0;
       transform_right_rows_read_newest_0 <= transform_right_0;
-      transform_right_rows_ready_words(0) <= transform_right_rows_read_words(0);
-      transform_right_rows_ready_words(1) <= transform_right_rows_read_words(1);
+      transform_right_rows_ready_words <= transform_right_rows_read_words;
       transform_right_rows_ready_words_2 <= to_integer(transform_right_rows_read_words_2);
       transform_right_rows_ready_newest_0 <= transform_right_rows_read_newest_0;
       transform_read_column <= transform_counter_column;
@@ -716,9 +580,7 @@ begin
       transform_columns_inside(1) <= transform_up_to_last(1) and transform_from_first(1);
       transform_columns_start_of_frame <= is_set(others_from_15(15), 0);
       transform_columns_valid <= is_set(others_from_15(15), 8);
-      for i in 0 to 4 loop
-        transform_left_code_column_box_0_0(i) <= transform_left_column(i + 3);
-      end loop;
+      transform_left_code_column_box_0_0 <= transform_left_column(3 to 7);
       transform_left_code_column_centre <= transform_left_code_column_box_0_0(2);
       transform_left_code_column_near <= transform_left_code_column_box_0_0(1) + transform_left_code_column_box_0_0(3);
       transform_left_code_column_outer <= (510 - transform_left_code_column_box_0_0(4)) -
@@ -734,12 +596,12 @@ begin
       transform_left_code_column_response_2 <= transform_left_code_column_upper + transform_left_code_column_lower;
       transform_left_code_row_box_0(0) <= transform_left_code_column_response(0);
       transform_left_code_row_box_0(1) <= transform_left_code_column_response(1);
-      transform_left_code_row_box_0_2 <= transform_left_code_column_response_2;
+      transform_left_code_row_box_0(2) <= transform_left_code_column_response_2;
       transform_left_code_row_centre(0) <= transform_left_code_row_column(0, 1);
       transform_left_code_row_centre(1) <= transform_left_code_row_column(1, 1);
-      transform_left_code_row_centre_2 <= transform_left_code_row_column_2(1);
+      transform_left_code_row_centre(2) <= transform_left_code_row_column_2(1);
       transform_left_code_row_outer_1 <= transform_left_code_row_box_0(1) + transform_left_code_row_column(1, 3);
-      transform_left_code_row_outer_2 <= transform_left_code_row_box_0_2 + transform_left_code_row_column_2(3);
+      transform_left_code_row_outer_2 <= transform_left_code_row_box_0(2) + transform_left_code_row_column_2(3);
       transform_left_code_row_before(0) <= ((transform_left_code_row_column(0, 2) + (transform_left_code_row_column(0,
         3) / 2)) * 2) + (transform_left_code_row_column(0, 3) mod 2);
       transform_left_code_row_before(1) <= ((transform_left_code_row_column(1, 2) + (transform_left_code_row_column(1,
@@ -750,11 +612,11 @@ begin
         0)) * 2) + (transform_left_code_row_box_0(0) mod 2);
       transform_left_code_row_after(1) <= (((transform_left_code_row_box_0(1) / 2) + transform_left_code_row_column(1,
         0)) * 2) + (transform_left_code_row_box_0(1) mod 2);
-      transform_left_code_row_after_2 <= (((transform_left_code_row_box_0_2 / 2) + transform_left_code_row_column_2(0))
-        * 2) + (transform_left_code_row_box_0_2 mod 2);
+      transform_left_code_row_after_2 <= (((transform_left_code_row_box_0(2) / 2) +
+        transform_left_code_row_column_2(0)) * 2) + (transform_left_code_row_box_0(2) mod 2);
       transform_left_code_row_even(1) <= ((((transform_left_code_row_outer_1 / 2) - transform_left_code_row_centre(1))
         mod 8192) * 2) + (transform_left_code_row_outer_1 mod 2);
-      transform_left_code_row_even(2) <= ((((transform_left_code_row_outer_2 / 2) - transform_left_code_row_centre_2)
+      transform_left_code_row_even(2) <= ((((transform_left_code_row_outer_2 / 2) - transform_left_code_row_centre(2))
         mod 8192) * 2) + (transform_left_code_row_outer_2 mod 2);
       transform_left_code_row_odd(1) <= (transform_left_code_row_before(1) - transform_left_code_row_after(1)) mod
         16384;
@@ -788,10 +650,10 @@ begin
       transform_left_code_next_row_box_0(1) <= transform_left_code_next_column_response(1) +
         transform_left_code_next_row_earlier_0_0(1);
       transform_left_code_next_row_box_0_2 <= (transform_left_code_next_column_response_2 +
-        transform_left_code_next_row_earlier_0_2_0) mod 65536;
+        transform_left_code_next_row_earlier_0_0(2)) mod 65536;
       transform_left_code_next_row_centre(0) <= transform_left_code_next_row_column(0, 3);
       transform_left_code_next_row_centre(1) <= transform_left_code_next_row_column(1, 3);
-      transform_left_code_next_row_centre_2 <= transform_left_code_next_row_column_2(3) mod 32768;
+      transform_left_code_next_row_centre(2) <= transform_left_code_next_row_column_2(3) mod 32768;
       transform_left_code_next_row_outer(0) <= transform_left_code_next_row_box_0(0) +
         transform_left_code_next_row_column(0, 7);
       transform_left_code_next_row_outer(1) <= transform_left_code_next_row_box_0(1) +
@@ -814,7 +676,7 @@ begin
       transform_left_code_next_row_even(1) <= ((((transform_left_code_next_row_outer(1) / 2) -
         transform_left_code_next_row_centre(1)) mod 32768) * 2) + (transform_left_code_next_row_outer(1) mod 2);
       transform_left_code_next_row_even(2) <= ((((transform_left_code_next_row_outer_2 / 2) -
-        transform_left_code_next_row_centre_2) mod 32768) * 2) + (transform_left_code_next_row_outer_2 mod 2);
+        transform_left_code_next_row_centre(2)) mod 32768) * 2) + (transform_left_code_next_row_outer_2 mod 2);
       transform_left_code_next_row_odd(0) <= (transform_left_code_next_row_before(0) -
         transform_left_code_next_row_after(0)) mod 65536;
       transform_left_code_next_row_odd(1) <= (transform_left_code_next_row_before(1) -
@@ -826,9 +688,7 @@ begin
         ((((transform_left_code_next_row_odd(1) - transform_left_code_next_row_even(2)) mod 65536) / 32768) * 32) +
         ((((transform_left_code_next_row_even(1) - transform_left_code_next_row_odd(2)) mod 65536) / 32768) * 4) +
         ((((transform_left_code_next_row_even(1) + transform_left_code_next_row_odd(2)) mod 65536) / 32768) * 16);
-      for i in 0 to 4 loop
-        transform_right_code_column_box_0_0(i) <= transform_right_column(i + 3);
-      end loop;
+      transform_right_code_column_box_0_0 <= transform_right_column(3 to 7);
       transform_right_code_column_centre <= transform_right_code_column_box_0_0(2);
       transform_right_code_column_near <= transform_right_code_column_box_0_0(1) +
         transform_right_code_column_box_0_0(3);
@@ -845,12 +705,12 @@ begin
       transform_right_code_column_response_2 <= transform_right_code_column_upper + transform_right_code_column_lower;
       transform_right_code_row_box_0(0) <= transform_right_code_column_response(0);
       transform_right_code_row_box_0(1) <= transform_right_code_column_response(1);
-      transform_right_code_row_box_0_2 <= transform_right_code_column_response_2;
+      transform_right_code_row_box_0(2) <= transform_right_code_column_response_2;
       transform_right_code_row_centre(0) <= transform_right_code_row_column(0, 1);
       transform_right_code_row_centre(1) <= transform_right_code_row_column(1, 1);
-      transform_right_code_row_centre_2 <= transform_right_code_row_column_2(1);
+      transform_right_code_row_centre(2) <= transform_right_code_row_column_2(1);
       transform_right_code_row_outer_1 <= transform_right_code_row_box_0(1) + transform_right_code_row_column(1, 3);
-      transform_right_code_row_outer_2 <= transform_right_code_row_box_0_2 + transform_right_code_row_column_2(3);
+      transform_right_code_row_outer_2 <= transform_right_code_row_box_0(2) + transform_right_code_row_column_2(3);
       transform_right_code_row_before(0) <= ((transform_right_code_row_column(0, 2) +
         (transform_right_code_row_column(0, 3) / 2)) * 2) + (transform_right_code_row_column(0, 3) mod 2);
       transform_right_code_row_before(1) <= ((transform_right_code_row_column(1, 2) +
@@ -861,12 +721,12 @@ begin
         transform_right_code_row_column(0, 0)) * 2) + (transform_right_code_row_box_0(0) mod 2);
       transform_right_code_row_after(1) <= (((transform_right_code_row_box_0(1) / 2) +
         transform_right_code_row_column(1, 0)) * 2) + (transform_right_code_row_box_0(1) mod 2);
-      transform_right_code_row_after_2 <= (((transform_right_code_row_box_0_2 / 2) +
-        transform_right_code_row_column_2(0)) * 2) + (transform_right_code_row_box_0_2 mod 2);
+      transform_right_code_row_after_2 <= (((transform_right_code_row_box_0(2) / 2) +
+        transform_right_code_row_column_2(0)) * 2) + (transform_right_code_row_box_0(2) mod 2);
       transform_right_code_row_even(1) <= ((((transform_right_code_row_outer_1 / 2) -
         transform_right_code_row_centre(1)) mod 8192) * 2) + (transform_right_code_row_outer_1 mod 2);
       transform_right_code_row_even(2) <= ((((transform_right_code_row_outer_2 / 2) -
-        transform_right_code_row_centre_2) mod 8192) * 2) + (transform_right_code_row_outer_2 mod 2);
+        transform_right_code_row_centre(2)) mod 8192) * 2) + (transform_right_code_row_outer_2 mod 2);
       transform_right_code_row_odd(1) <= (transform_right_code_row_before(1) - transform_right_code_row_after(1)) mod
         16384;
       transform_right_code_row_odd(2) <= (transform_right_code_row_before_2 - transform_right_code_row_after_2) mod
@@ -901,10 +761,10 @@ begin
       transform_right_code_next_row_box_0(1) <= transform_right_code_next_column_response(1) +
         transform_right_code_next_row_earlier_0_0(1);
       transform_right_code_next_row_box_0_2 <= (transform_right_code_next_column_response_2 +
-        transform_right_code_next_row_earlier_0_2_0) mod 65536;
+        transform_right_code_next_row_earlier_0_0(2)) mod 65536;
       transform_right_code_next_row_centre(0) <= transform_right_code_next_row_column(0, 3);
       transform_right_code_next_row_centre(1) <= transform_right_code_next_row_column(1, 3);
-      transform_right_code_next_row_centre_2 <= transform_right_code_next_row_column_2(3) mod 32768;
+      transform_right_code_next_row_centre(2) <= transform_right_code_next_row_column_2(3) mod 32768;
       transform_right_code_next_row_outer(0) <= transform_right_code_next_row_box_0(0) +
         transform_right_code_next_row_column(0, 7);
       transform_right_code_next_row_outer(1) <= transform_right_code_next_row_box_0(1) +
@@ -927,7 +787,7 @@ begin
       transform_right_code_next_row_even(1) <= ((((transform_right_code_next_row_outer(1) / 2) -
         transform_right_code_next_row_centre(1)) mod 32768) * 2) + (transform_right_code_next_row_outer(1) mod 2);
       transform_right_code_next_row_even(2) <= ((((transform_right_code_next_row_outer_2 / 2) -
-        transform_right_code_next_row_centre_2) mod 32768) * 2) + (transform_right_code_next_row_outer_2 mod 2);
+        transform_right_code_next_row_centre(2)) mod 32768) * 2) + (transform_right_code_next_row_outer_2 mod 2);
       transform_right_code_next_row_odd(0) <= (transform_right_code_next_row_before(0) -
         transform_right_code_next_row_after(0)) mod 65536;
       transform_right_code_next_row_odd(1) <= (transform_right_code_next_row_before(1) -
@@ -951,71 +811,39 @@ begin
       end loop;
       transform_filtering_start_of_frame(7) <= transform_filtering_start_of_frame(6);
       transform_filtering_valid(7) <= transform_filtering_valid(6);
-      if in_valid and in_start_of_frame then
-        transform_counter_group <= transform_counter_group_choice * 2;
-      else
-        transform_counter_group <= transform_counter_group_choices(4);
-      end if;
-      if transform_from_first_is_equal(0) then
-        transform_from_first(0) <= (not (((not is_set(transform_centre_group, 2)) or (not
-          is_set(transform_centre_group, 1)) or (not is_set(transform_centre_group, 0))) and ((transform_centre_group /
-          8) = 0))) and (is_set(transform_centre_column, 5) or transform_from_first_value(0));
-      else
-        transform_from_first(0) <= not (((not is_set(transform_centre_group, 2)) or (not is_set(transform_centre_group,
-          1)) or (not is_set(transform_centre_group, 0))) and ((transform_centre_group / 8) = 0));
-      end if;
-      if (not is_set(transform_centre_group, 4)) and ((not is_set(transform_centre_group, 3)) or
-        (((transform_centre_group / 2) mod 4) = 0)) then
-        transform_from_first(1) <= (not (transform_from_first_1_choice_2 and ((transform_centre_column / 16) = 0))) and
-          is_set(transform_centre_group, 5);
-      else
-        transform_from_first(1) <= not (transform_from_first_1_choice_2 and ((transform_centre_column / 16) = 0));
-      end if;
-      if transform_up_to_last_0_choice then
-        transform_up_to_last(0) <= transform_up_to_last_0_choice_2;
-      else
-        transform_up_to_last(0) <= transform_up_to_last_0_choice_2 and (not is_set(transform_centre_column, 5));
-      end if;
-      if ((not is_set(transform_centre_group, 1)) or (not is_set(transform_centre_group, 0))) and
-        (((transform_centre_group / 4) mod 4) = 0) then
-        transform_up_to_last(1) <= (not (is_set(transform_centre_column, 5) and (is_set(transform_centre_column, 4) or
-          transform_from_first_value(1) or is_set(transform_centre_column, 2)))) and (not
-          is_set(transform_centre_group, 5));
-      else
-        transform_up_to_last(1) <= (not (is_set(transform_centre_column, 5) and (is_set(transform_centre_column, 4) or
-          transform_from_first_value(1) or is_set(transform_centre_column, 2)))) and transform_up_to_last_0_is_equal;
-      end if;
-      if transform_filtering_inside(6, 0) then
-        transform_left_code_bits <= transform_left_code_earlier(1);
-        transform_right_code_bits <= transform_right_code_earlier(1);
-      else
-        transform_left_code_bits <= 0;
-        transform_right_code_bits <= 0;
-      end if;
-      if transform_filtering_inside(6, 1) then
-        transform_left_code_next_bits <= transform_left_code_next_row_signs;
-        transform_right_code_next_bits <= transform_right_code_next_row_signs;
-      else
-        transform_left_code_next_bits <= 0;
-        transform_right_code_next_bits <= 0;
-      end if;
-      if in_start_of_frame then
-        transform_counter_next_frame_choice := transform_counter_group_all;
-      else
-        transform_counter_next_frame_choice := transform_counter_next_frame;
-      end if;
+      transform_counter_group <= choice(in_valid and in_start_of_frame, transform_counter_group_choice * 2,
+        transform_counter_group_choices(4));
+      transform_from_first(0) <= choice(transform_from_first_is_equal(0), (not (((not is_set(transform_centre_group,
+        2)) or (not is_set(transform_centre_group, 1)) or (not is_set(transform_centre_group, 0))) and
+        ((transform_centre_group / 8) = 0))) and (is_set(transform_centre_column, 5) or transform_from_first_value(0)),
+        not (((not is_set(transform_centre_group, 2)) or (not is_set(transform_centre_group, 1)) or (not
+        is_set(transform_centre_group, 0))) and ((transform_centre_group / 8) = 0)));
+      transform_from_first(1) <= choice((not is_set(transform_centre_group, 4)) and ((not
+        is_set(transform_centre_group, 3)) or (((transform_centre_group / 2) mod 4) = 0)), (not
+        (transform_from_first_1_choices(2) and ((transform_centre_column / 16) = 0))) and
+        is_set(transform_centre_group, 5), not (transform_from_first_1_choices(2) and ((transform_centre_column / 16) =
+        0)));
+      transform_up_to_last(0) <= choice(transform_up_to_last_0_choices(1), transform_up_to_last_0_choices(2),
+        transform_up_to_last_0_choices(2) and (not is_set(transform_centre_column, 5)));
+      transform_up_to_last(1) <= choice(((not is_set(transform_centre_group, 1)) or (not is_set(transform_centre_group,
+        0))) and (((transform_centre_group / 4) mod 4) = 0), (not (is_set(transform_centre_column, 5) and
+        (is_set(transform_centre_column, 4) or transform_from_first_value(1) or is_set(transform_centre_column, 2))))
+        and (not is_set(transform_centre_group, 5)), (not (is_set(transform_centre_column, 5) and
+        (is_set(transform_centre_column, 4) or transform_from_first_value(1) or is_set(transform_centre_column, 2))))
+        and transform_up_to_last_0_is_equal);
+      transform_left_code_bits <= choice(transform_filtering_inside(6, 0), transform_left_code_earlier(1), 0);
+      transform_right_code_bits <= choice(transform_filtering_inside(6, 0), transform_right_code_earlier(1), 0);
+      transform_left_code_next_bits <= choice(transform_filtering_inside(6, 1), transform_left_code_next_row_signs, 0);
+      transform_right_code_next_bits <= choice(transform_filtering_inside(6, 1), transform_right_code_next_row_signs,
+        0);
+      transform_counter_next_frame_choice := choice(in_start_of_frame, transform_counter_group_all,
+        transform_counter_next_frame);
       if in_valid then
-        if transform_counter_group_is_equal or in_start_of_frame then
-          transform_counter_column <= 0;
-        else
-          transform_counter_column <= (transform_counter_column + 1) mod 64;
-        end if;
-        if transform_counter_group_is_equal and transform_counter_group_is_equals(3) then
-          transform_counter_next_frame <= transform_counter_group_is_equal and transform_counter_group_is_equals(2) and
-            in_start_of_frame;
-        else
-          transform_counter_next_frame <= transform_counter_next_frame_choice;
-        end if;
+        transform_counter_column <= choice(transform_counter_group_is_equals(1) or in_start_of_frame, 0,
+          (transform_counter_column + 1) mod 64);
+        transform_counter_next_frame <= choice(transform_counter_group_is_equals(1) and
+          transform_counter_group_is_equals(3), transform_counter_group_is_equals(1) and
+          transform_counter_group_is_equals(2) and in_start_of_frame, transform_counter_next_frame_choice);
       end if;
       if is_set(others_from_15(15), 8) then
         transform_left_rows_write_words(0) <= transform_left_rows_ready_words(1)(7 downto 0) &
@@ -1037,10 +865,8 @@ begin
           transform_left_code_row_column(i, 2) <= transform_left_code_row_column(i, 1);
           transform_left_code_row_column(i, 3) <= transform_left_code_row_column(i, 2);
         end loop;
-        transform_left_code_row_column_2(0) <= transform_left_code_row_box_0_2;
-        transform_left_code_row_column_2(1) <= transform_left_code_row_column_2(0);
-        transform_left_code_row_column_2(2) <= transform_left_code_row_column_2(1);
-        transform_left_code_row_column_2(3) <= transform_left_code_row_column_2(2);
+        transform_left_code_row_column_2(0) <= transform_left_code_row_box_0(2);
+        transform_left_code_row_column_2(1 to 3) <= transform_left_code_row_column_2(0 to 2);
         for i in 0 to 1 loop
           transform_left_code_next_row_column(i, 0) <= transform_left_code_next_row_box_0(i);
           for j in 1 to 7 loop
@@ -1048,19 +874,15 @@ begin
           end loop;
         end loop;
         transform_left_code_next_row_column_2(0) <= transform_left_code_next_row_box_0_2;
-        for i in 1 to 7 loop
-          transform_left_code_next_row_column_2(i) <= transform_left_code_next_row_column_2(i - 1);
-        end loop;
+        transform_left_code_next_row_column_2(1 to 7) <= transform_left_code_next_row_column_2(0 to 6);
         for i in 0 to 1 loop
           transform_right_code_row_column(i, 0) <= transform_right_code_row_box_0(i);
           transform_right_code_row_column(i, 1) <= transform_right_code_row_column(i, 0);
           transform_right_code_row_column(i, 2) <= transform_right_code_row_column(i, 1);
           transform_right_code_row_column(i, 3) <= transform_right_code_row_column(i, 2);
         end loop;
-        transform_right_code_row_column_2(0) <= transform_right_code_row_box_0_2;
-        transform_right_code_row_column_2(1) <= transform_right_code_row_column_2(0);
-        transform_right_code_row_column_2(2) <= transform_right_code_row_column_2(1);
-        transform_right_code_row_column_2(3) <= transform_right_code_row_column_2(2);
+        transform_right_code_row_column_2(0) <= transform_right_code_row_box_0(2);
+        transform_right_code_row_column_2(1 to 3) <= transform_right_code_row_column_2(0 to 2);
         for i in 0 to 1 loop
           transform_right_code_next_row_column(i, 0) <= transform_right_code_next_row_box_0(i);
           for j in 1 to 7 loop
@@ -1068,9 +890,7 @@ begin
           end loop;
         end loop;
         transform_right_code_next_row_column_2(0) <= transform_right_code_next_row_box_0_2;
-        for i in 1 to 7 loop
-          transform_right_code_next_row_column_2(i) <= transform_right_code_next_row_column_2(i - 1);
-        end loop;
+        transform_right_code_next_row_column_2(1 to 7) <= transform_right_code_next_row_column_2(0 to 6);
       end if;
       if transform_filtering_valid(6) then
         transform_left_code_earlier(0) <= transform_left_code_row_signs;
@@ -1081,73 +901,43 @@ begin
       if transform_filtering_valid(2) then
         transform_left_code_next_row_earlier_0_0(0) <= transform_left_code_next_column_response(0);
         transform_left_code_next_row_earlier_0_0(1) <= transform_left_code_next_column_response(1);
-        transform_left_code_next_row_earlier_0_2_0 <= transform_left_code_next_column_response_2;
+        transform_left_code_next_row_earlier_0_0(2) <= transform_left_code_next_column_response_2;
         transform_right_code_next_row_earlier_0_0(0) <= transform_right_code_next_column_response(0);
         transform_right_code_next_row_earlier_0_0(1) <= transform_right_code_next_column_response(1);
-        transform_right_code_next_row_earlier_0_2_0 <= transform_right_code_next_column_response_2;
+        transform_right_code_next_row_earlier_0_0(2) <= transform_right_code_next_column_response_2;
       end if;
       -- raster
-      raster_place_group_is_equal := raster_place_column = 39;
+      raster_place_group_is_equals(1) := raster_place_column = 39;
       raster_place_group_is_equals(2) := raster_place_group = 17;
-      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equals(2);
-      if raster_place_group_all then
-        raster_place_group_choice := 9;
-      else
-        raster_place_group_choice := 0;
-      end if;
+      raster_place_group_all := raster_place_group_is_equals(1) and raster_place_group_is_equals(2);
+      raster_place_group_choice := choice(raster_place_group_all, 9, 0);
       raster_place_group_is_equals(3) := raster_place_group = 19;
-      if raster_place_next_frame and raster_place_group_is_equals(3) then
-        raster_place_group_choices(2) := 2;
-      else
-        raster_place_group_choices(2) := (raster_place_group + 1) mod 32;
-      end if;
-      if (raster_place_group /= 20) and raster_place_group_is_equal and transform_filtering_valid(7) then
-        raster_place_group_choices(3) := raster_place_group_choices(2);
-      else
-        raster_place_group_choices(3) := raster_place_group;
-      end if;
-      if raster_place_group_is_equals(3) then
-        raster_place_next_frame_choice := (raster_place_column /= 39) and raster_place_next_frame;
-      else
-        raster_place_next_frame_choice := raster_place_next_frame;
-      end if;
-      if raster_place_group_all then
-        raster_place_next_frame_choices(2) := transform_filtering_valid(7);
-      else
-        raster_place_next_frame_choices(2) := transform_filtering_valid(7) and (not
-          transform_filtering_start_of_frame(7));
-      end if;
-      if raster_place_next_frame_choice then
-        raster_place_next_frame_choices(3) := raster_place_next_frame_choices(2);
-      else
-        raster_place_next_frame_choices(3) := raster_place_group_is_equal and raster_place_group_is_equals(2) and
-          transform_filtering_valid(7) and transform_filtering_start_of_frame(7);
-      end if;
+      raster_place_group_choices(2) := choice(raster_place_next_frame and raster_place_group_is_equals(3), 2,
+        (raster_place_group + 1) mod 32);
+      raster_place_group_choices(3) := choice((raster_place_group /= 20) and raster_place_group_is_equals(1) and
+        transform_filtering_valid(7), raster_place_group_choices(2), raster_place_group);
+      raster_place_next_frame_choices(1) := choice(raster_place_group_is_equals(3), (raster_place_column /= 39) and
+        raster_place_next_frame, raster_place_next_frame);
+      raster_place_next_frame_choices(2) := choice(raster_place_group_all, transform_filtering_valid(7),
+        transform_filtering_valid(7) and (not transform_filtering_start_of_frame(7)));
+      raster_place_next_frame_choices(3) := choice(raster_place_next_frame_choices(1),
+        raster_place_next_frame_choices(2), raster_place_group_is_equals(1) and raster_place_group_is_equals(2) and
+        transform_filtering_valid(7) and transform_filtering_start_of_frame(7));
       raster_features_search_0 <= (transform_left_code_next_bits * 64) + transform_left_code_bits;
       raster_features_reference_0 <= (transform_right_code_next_bits * 64) + transform_right_code_bits;
       raster_features_valid <= transform_filtering_valid(7);
       raster_place_next_frame <= raster_place_next_frame_choices(3) or ((not transform_filtering_valid(7)) and
         raster_place_next_frame);
-      if transform_filtering_valid(7) and transform_filtering_start_of_frame(7) then
-        raster_place_group <= raster_place_group_choice * 2;
-      else
-        raster_place_group <= raster_place_group_choices(3);
-      end if;
+      raster_place_group <= choice(transform_filtering_valid(7) and transform_filtering_start_of_frame(7),
+        raster_place_group_choice * 2, raster_place_group_choices(3));
       if transform_filtering_valid(7) then
-        if raster_place_group_is_equal or transform_filtering_start_of_frame(7) then
-          raster_place_column <= 0;
-        else
-          raster_place_column <= (raster_place_column + 1) mod 64;
-        end if;
+        raster_place_column <= choice(raster_place_group_is_equals(1) or transform_filtering_start_of_frame(7), 0,
+          (raster_place_column + 1) mod 64);
       end if;
       -- delay
       if raster_features_valid then
         delay_ring_write_address <= delay_ring_read_address;
-        if delay_ring_read_address = 11 then
-          delay_ring_read_address <= 0;
-        else
-          delay_ring_read_address <= (delay_ring_read_address + 1) mod 16;
-        end if;
+        delay_ring_read_address <= choice(delay_ring_read_address = 11, 0, (delay_ring_read_address + 1) mod 16);
       end if;
       delay_row_inside_2_is_less := (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2))
         < 18;
@@ -1158,13 +948,13 @@ begin
       delay_row_inside(2) <= delay_row_inside_2_is_less;
       delay_row_inside(3) <= (raster_place_group >= 1) and (raster_place_group < 19);
       delay_row_inside(4) <= (not is_set(raster_place_group, 4)) or (((raster_place_group / 2) mod 8) = 0);
-      delay_tag_valid <= raster_features_valid;
-      delay_tag_border_column <= (not (is_set(raster_place_column, 3) and (is_set(raster_place_column, 2) or
+      delay_tag.valid <= raster_features_valid;
+      delay_tag.border_column <= (not (is_set(raster_place_column, 3) and (is_set(raster_place_column, 2) or
         ((raster_place_column mod 4) = 3)))) and ((raster_place_column / 16) = 0);
-      delay_tag_output_column <= delay_row_inside_2_is_less and (raster_place_column >= 11) and (raster_place_column <
+      delay_tag.output_column <= delay_row_inside_2_is_less and (raster_place_column >= 11) and (raster_place_column <
         39);
-      delay_tag_start_of_frame <= (raster_place_column = 11) and (raster_place_group = 2);
-      delay_tag_end_of_line <= raster_place_column = 38;
+      delay_tag.start_of_frame <= (raster_place_column = 11) and (raster_place_group = 2);
+      delay_tag.end_of_line <= raster_place_column = 38;
       -- rows
       rows_search_rows_read_newest_0 <= delay_ahead_0;
       rows_search_rows_ready_words(0) <= to_integer(rows_search_rows_read_words(0));
@@ -1175,52 +965,21 @@ begin
       rows_reference_rows_ready_words(1) <= to_integer(rows_reference_rows_read_words(1));
       rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
       rows_read_column <= delay_column;
-      for i in 0 to 4 loop
-        rows_read_inside(i) <= delay_row_inside(i);
-      end loop;
-      rows_read_tag_valid <= delay_tag_valid;
-      rows_read_tag_border_column <= delay_tag_border_column;
-      rows_read_tag_output_column <= delay_tag_output_column;
-      rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
-      rows_read_tag_end_of_line <= delay_tag_end_of_line;
+      rows_read_inside <= delay_row_inside;
+      rows_read_tag <= delay_tag;
       rows_ready_column <= rows_read_column;
-      for i in 0 to 4 loop
-        rows_ready_inside(i) <= rows_read_inside(i);
-      end loop;
-      rows_ready_tag_valid <= rows_read_tag_valid;
-      rows_ready_tag_border_column <= rows_read_tag_border_column;
-      rows_ready_tag_output_column <= rows_read_tag_output_column;
-      rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
-      rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_tag_valid <= rows_ready_tag_valid;
-      rows_tag_border_column <= rows_ready_tag_border_column;
-      rows_tag_output_column <= rows_ready_tag_output_column;
-      rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
-      rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      rows_ready_inside <= rows_read_inside;
+      rows_ready_tag <= rows_read_tag;
+      rows_tag <= rows_ready_tag;
       for i in 0 to 1 loop
-        if rows_ready_inside(2 * i) then
-          rows_search(2 * i) <= rows_search_rows_ready_words(i) mod 4096;
-          rows_reference(2 * i) <= rows_reference_rows_ready_words(i) mod 4096;
-        else
-          rows_search(2 * i) <= 0;
-          rows_reference(2 * i) <= 0;
-        end if;
-        if rows_ready_inside(2 * i + 1) then
-          rows_search(2 * i + 1) <= rows_search_rows_ready_words(i) / 4096;
-          rows_reference(2 * i + 1) <= rows_reference_rows_ready_words(i) / 4096;
-        else
-          rows_search(2 * i + 1) <= 0;
-          rows_reference(2 * i + 1) <= 0;
-        end if;
+        rows_search(2 * i) <= choice(rows_ready_inside(2 * i), rows_search_rows_ready_words(i) mod 4096, 0);
+        rows_reference(2 * i) <= choice(rows_ready_inside(2 * i), rows_reference_rows_ready_words(i) mod 4096, 0);
+        rows_search(2 * i + 1) <= choice(rows_ready_inside(2 * i + 1), rows_search_rows_ready_words(i) / 4096, 0);
+        rows_reference(2 * i + 1) <= choice(rows_ready_inside(2 * i + 1), rows_reference_rows_ready_words(i) / 4096, 0);
       end loop;
-      if rows_ready_inside(4) then
-        rows_search(4) <= rows_search_rows_ready_newest_0;
-        rows_reference(4) <= rows_reference_rows_ready_newest_0;
-      else
-        rows_search(4) <= 0;
-        rows_reference(4) <= 0;
-      end if;
-      if rows_ready_tag_valid then
+      rows_search(4) <= choice(rows_ready_inside(4), rows_search_rows_ready_newest_0, 0);
+      rows_reference(4) <= choice(rows_ready_inside(4), rows_reference_rows_ready_newest_0, 0);
+      if rows_ready_tag.valid then
         rows_search_rows_write_words(0) <= (rows_search_rows_ready_words(0) / 4096) + ((rows_search_rows_ready_words(1)
           mod 4096) * 4096);
         rows_search_rows_write_words(1) <= (rows_search_rows_ready_words(1) / 4096) + (rows_search_rows_ready_newest_0
@@ -1232,7 +991,7 @@ begin
         rows_write_column <= rows_ready_column;
       end if;
       -- slice0shift
-      if rows_tag_valid then
+      if rows_tag.valid then
         for i in 0 to 4 loop
           for j in 0 to 4 loop
             slice0shift_search(i, j) <= slice0shift_search(i, j + 1);
@@ -1240,106 +999,63 @@ begin
           slice0shift_search(i, 5) <= rows_search(i);
         end loop;
       end if;
-      for i in 0 to 4 loop
-        slice0shift_reference(i) <= rows_reference(i);
-      end loop;
+      slice0shift_reference <= rows_reference;
       for i in 0 to 4 loop
         slice0shift_search_out(i) <= slice0shift_search(i, 0);
       end loop;
-      slice0shift_tag_valid <= rows_tag_valid;
-      slice0shift_tag_border_column <= rows_tag_border_column;
-      slice0shift_tag_output_column <= rows_tag_output_column;
-      slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
-      slice0shift_tag_end_of_line <= rows_tag_end_of_line;
+      slice0shift_tag <= rows_tag;
       -- slice0cost
-      for i in 0 to 1 loop
-        slice0cost_pixels_first_0_value(2 * i) := is_set(slice0shift_reference(2 * i), 3);
-        for j in 5 to 6 loop
-          slice0cost_pixels_first_0_values(2 * i, 4 * j - 18) := is_set(slice0shift_reference(2 * i), j);
-          slice0cost_pixels_first_0_values(2 * i, 4 * j - 17) := is_set(slice0shift_reference(2 * i), 4 * j - 16);
-          slice0cost_pixels_first_0_values(2 * i, 4 * j - 16) := is_set(slice0shift_reference(2 * i), 5 * j - 23);
-          slice0cost_pixels_first_0_values(2 * i, 4 * j - 15) := is_set(slice0shift_reference(2 * i), 8 * j - 39);
-        end loop;
-        slice0cost_pixels_first_0_values(2 * i, 10) := is_set(slice0shift_reference(2 * i), 10);
-        slice0cost_pixels_first_0_value(2 * i + 1) := is_set(slice0shift_reference(2 * i + 1), 3);
-        for j in 5 to 6 loop
-          slice0cost_pixels_first_0_values(2 * i + 1, 4 * j - 18) := is_set(slice0shift_reference(2 * i + 1), j);
-          slice0cost_pixels_first_0_values(2 * i + 1, 4 * j - 17) := is_set(slice0shift_reference(2 * i + 1), 4 * j -
-            16);
-          slice0cost_pixels_first_0_values(2 * i + 1, 4 * j - 16) := is_set(slice0shift_reference(2 * i + 1), 5 * j -
-            23);
-          slice0cost_pixels_first_0_values(2 * i + 1, 4 * j - 15) := is_set(slice0shift_reference(2 * i + 1), 8 * j -
-            39);
-        end loop;
-        slice0cost_pixels_first_0_values(2 * i + 1, 10) := is_set(slice0shift_reference(2 * i + 1), 10);
-      end loop;
-      slice0cost_pixels_first_0_value(4) := is_set(slice0shift_reference(4), 3);
-      for i in 5 to 6 loop
-        slice0cost_pixels_first_0_values(4, 4 * i - 18) := is_set(slice0shift_reference(4), i);
-        slice0cost_pixels_first_0_values(4, 4 * i - 17) := is_set(slice0shift_reference(4), 4 * i - 16);
-        slice0cost_pixels_first_0_values(4, 4 * i - 16) := is_set(slice0shift_reference(4), 5 * i - 23);
-        slice0cost_pixels_first_0_values(4, 4 * i - 15) := is_set(slice0shift_reference(4), 8 * i - 39);
-      end loop;
-      slice0cost_pixels_first_0_values(4, 10) := is_set(slice0shift_reference(4), 10);
       for i in 0 to 4 loop
-        slice0cost_pixels_first(i, 0) <= ((as_number((slice0cost_pixels_first_0_value(i) /=
-          is_set(slice0shift_search(i, 0), 3))) + as_number((slice0cost_pixels_first_0_values(i, 2) /=
-          is_set(slice0shift_search(i, 0), 5))) + as_number((slice0cost_pixels_first_0_values(i, 3) /=
+        slice0cost_pixels_first_0_value(i, 1) := is_set(slice0shift_reference(i), 3);
+        slice0cost_pixels_first_0_value(i, 2) := is_set(slice0shift_reference(i), 5);
+        slice0cost_pixels_first_0_value(i, 3) := is_set(slice0shift_reference(i), 4);
+        slice0cost_pixels_first_0_value(i, 4) := is_set(slice0shift_reference(i), 2);
+        slice0cost_pixels_first_0_value(i, 5) := is_set(slice0shift_reference(i), 1);
+        slice0cost_pixels_first_0_value(i, 6) := is_set(slice0shift_reference(i), 6);
+        slice0cost_pixels_first_0_value(i, 7) := is_set(slice0shift_reference(i), 8);
+        slice0cost_pixels_first_0_value(i, 8) := is_set(slice0shift_reference(i), 7);
+        slice0cost_pixels_first_0_value(i, 9) := is_set(slice0shift_reference(i), 9);
+        slice0cost_pixels_first_0_value(i, 10) := is_set(slice0shift_reference(i), 10);
+      end loop;
+      for i in 0 to 4 loop
+        slice0cost_pixels_first(i, 0) <= ((as_number((slice0cost_pixels_first_0_value(i, 1) /=
+          is_set(slice0shift_search(i, 0), 3))) + as_number((slice0cost_pixels_first_0_value(i, 2) /=
+          is_set(slice0shift_search(i, 0), 5))) + as_number((slice0cost_pixels_first_0_value(i, 3) /=
           is_set(slice0shift_search(i, 0), 4)))) * 4) + as_number((is_set(slice0shift_reference(i), 0) /=
-          is_set(slice0shift_search(i, 0), 0))) + as_number((slice0cost_pixels_first_0_values(i, 4) /=
-          is_set(slice0shift_search(i, 0), 2))) + as_number((slice0cost_pixels_first_0_values(i, 5) /=
-          is_set(slice0shift_search(i, 0), 1))) + ((as_number((slice0cost_pixels_first_0_values(i, 6) /=
-          is_set(slice0shift_search(i, 0), 6))) + as_number((slice0cost_pixels_first_0_values(i, 7) /=
-          is_set(slice0shift_search(i, 0), 8))) + as_number((slice0cost_pixels_first_0_values(i, 8) /=
-          is_set(slice0shift_search(i, 0), 7)))) * 16) + ((as_number((slice0cost_pixels_first_0_values(i, 9) /=
+          is_set(slice0shift_search(i, 0), 0))) + as_number((slice0cost_pixels_first_0_value(i, 4) /=
+          is_set(slice0shift_search(i, 0), 2))) + as_number((slice0cost_pixels_first_0_value(i, 5) /=
+          is_set(slice0shift_search(i, 0), 1))) + ((as_number((slice0cost_pixels_first_0_value(i, 6) /=
+          is_set(slice0shift_search(i, 0), 6))) + as_number((slice0cost_pixels_first_0_value(i, 7) /=
+          is_set(slice0shift_search(i, 0), 8))) + as_number((slice0cost_pixels_first_0_value(i, 8) /=
+          is_set(slice0shift_search(i, 0), 7)))) * 16) + ((as_number((slice0cost_pixels_first_0_value(i, 9) /=
           is_set(slice0shift_search(i, 0), 9))) + as_number((is_set(slice0shift_reference(i), 11) /=
-          is_set(slice0shift_search(i, 0), 11))) + as_number((slice0cost_pixels_first_0_values(i, 10) /=
+          is_set(slice0shift_search(i, 0), 11))) + as_number((slice0cost_pixels_first_0_value(i, 10) /=
           is_set(slice0shift_search(i, 0), 10)))) * 64);
         for j in 1 to 5 loop
           slice0cost_pixels_first(i, j) <= ((as_number((is_set(slice0shift_search(i, j), 3) /=
-            slice0cost_pixels_first_0_value(i))) + as_number((is_set(slice0shift_search(i, j), 5) /=
-            slice0cost_pixels_first_0_values(i, 2))) + as_number((is_set(slice0shift_search(i, j), 4) /=
-            slice0cost_pixels_first_0_values(i, 3)))) * 4) + as_number((is_set(slice0shift_search(i, j), 0) /=
+            slice0cost_pixels_first_0_value(i, 1))) + as_number((is_set(slice0shift_search(i, j), 5) /=
+            slice0cost_pixels_first_0_value(i, 2))) + as_number((is_set(slice0shift_search(i, j), 4) /=
+            slice0cost_pixels_first_0_value(i, 3)))) * 4) + as_number((is_set(slice0shift_search(i, j), 0) /=
             is_set(slice0shift_reference(i), 0))) + as_number((is_set(slice0shift_search(i, j), 2) /=
-            slice0cost_pixels_first_0_values(i, 4))) + as_number((is_set(slice0shift_search(i, j), 1) /=
-            slice0cost_pixels_first_0_values(i, 5))) + ((as_number((is_set(slice0shift_search(i, j), 6) /=
-            slice0cost_pixels_first_0_values(i, 6))) + as_number((is_set(slice0shift_search(i, j), 8) /=
-            slice0cost_pixels_first_0_values(i, 7))) + as_number((is_set(slice0shift_search(i, j), 7) /=
-            slice0cost_pixels_first_0_values(i, 8)))) * 16) + ((as_number((is_set(slice0shift_search(i, j), 9) /=
-            slice0cost_pixels_first_0_values(i, 9))) + as_number((is_set(slice0shift_search(i, j), 11) /=
+            slice0cost_pixels_first_0_value(i, 4))) + as_number((is_set(slice0shift_search(i, j), 1) /=
+            slice0cost_pixels_first_0_value(i, 5))) + ((as_number((is_set(slice0shift_search(i, j), 6) /=
+            slice0cost_pixels_first_0_value(i, 6))) + as_number((is_set(slice0shift_search(i, j), 8) /=
+            slice0cost_pixels_first_0_value(i, 7))) + as_number((is_set(slice0shift_search(i, j), 7) /=
+            slice0cost_pixels_first_0_value(i, 8)))) * 16) + ((as_number((is_set(slice0shift_search(i, j), 9) /=
+            slice0cost_pixels_first_0_value(i, 9))) + as_number((is_set(slice0shift_search(i, j), 11) /=
             is_set(slice0shift_reference(i), 11))) + as_number((is_set(slice0shift_search(i, j), 10) /=
-            slice0cost_pixels_first_0_values(i, 10)))) * 64);
+            slice0cost_pixels_first_0_value(i, 10)))) * 64);
         end loop;
       end loop;
-      slice0cost_pixels_first_tag_valid <= slice0shift_tag_valid;
-      slice0cost_pixels_first_tag_border_column <= slice0shift_tag_border_column;
-      slice0cost_pixels_first_tag_output_column <= slice0shift_tag_output_column;
-      slice0cost_pixels_first_tag_start_of_frame <= slice0shift_tag_start_of_frame;
-      slice0cost_pixels_first_tag_end_of_line <= slice0shift_tag_end_of_line;
-      for i in 0 to 1 loop
+      slice0cost_pixels_first_tag <= slice0shift_tag;
+      for i in 0 to 4 loop
         for j in 0 to 5 loop
-          slice0cost_pixels_cost(2 * i, j) <= (((slice0cost_pixels_first(2 * i, j) mod 4) +
-            (((slice0cost_pixels_first(2 * i, j) / 2) mod 8) / 2) + ((((slice0cost_pixels_first(2 * i, j) / 16) mod 4)
-            + (slice0cost_pixels_first(2 * i, j) / 64)) / 2)) * 2) + (((slice0cost_pixels_first(2 * i, j) / 16) +
-            (slice0cost_pixels_first(2 * i, j) / 64)) mod 2);
-        end loop;
-        for j in 0 to 5 loop
-          slice0cost_pixels_cost(2 * i + 1, j) <= (((slice0cost_pixels_first(2 * i + 1, j) mod 4) +
-            (((slice0cost_pixels_first(2 * i + 1, j) / 2) mod 8) / 2) + ((((slice0cost_pixels_first(2 * i + 1, j) / 16)
-            mod 4) + (slice0cost_pixels_first(2 * i + 1, j) / 64)) / 2)) * 2) + (((slice0cost_pixels_first(2 * i + 1,
-            j) / 16) + (slice0cost_pixels_first(2 * i + 1, j) / 64)) mod 2);
+          slice0cost_pixels_cost(i, j) <= (((slice0cost_pixels_first(i, j) mod 4) + (((slice0cost_pixels_first(i, j) /
+            2) mod 8) / 2) + ((((slice0cost_pixels_first(i, j) / 16) mod 4) + (slice0cost_pixels_first(i, j) / 64)) /
+            2)) * 2) + (((slice0cost_pixels_first(i, j) / 16) + (slice0cost_pixels_first(i, j) / 64)) mod 2);
         end loop;
       end loop;
-      for i in 0 to 5 loop
-        slice0cost_pixels_cost(4, i) <= (((slice0cost_pixels_first(4, i) mod 4) + (((slice0cost_pixels_first(4, i) / 2)
-          mod 8) / 2) + ((((slice0cost_pixels_first(4, i) / 16) mod 4) + (slice0cost_pixels_first(4, i) / 64)) / 2)) *
-          2) + (((slice0cost_pixels_first(4, i) / 16) + (slice0cost_pixels_first(4, i) / 64)) mod 2);
-      end loop;
-      slice0cost_pixels_tag_valid <= slice0cost_pixels_first_tag_valid;
-      slice0cost_pixels_tag_border_column <= slice0cost_pixels_first_tag_border_column;
-      slice0cost_pixels_tag_output_column <= slice0cost_pixels_first_tag_output_column;
-      slice0cost_pixels_tag_start_of_frame <= slice0cost_pixels_first_tag_start_of_frame;
-      slice0cost_pixels_tag_end_of_line <= slice0cost_pixels_first_tag_end_of_line;
+      slice0cost_pixels_tag <= slice0cost_pixels_first_tag;
       for i in 0 to 5 loop
         slice0cost_pair(0, i) <= slice0cost_pixels_cost(1, i) + slice0cost_pixels_cost(2, i);
       end loop;
@@ -1349,30 +1065,15 @@ begin
       for i in 0 to 5 loop
         slice0cost_single_0(i) <= slice0cost_pixels_cost(0, i);
       end loop;
-      slice0cost_pair_tag_valid <= slice0cost_pixels_tag_valid;
-      slice0cost_pair_tag_border_column <= slice0cost_pixels_tag_border_column;
-      slice0cost_pair_tag_output_column <= slice0cost_pixels_tag_output_column;
-      slice0cost_pair_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
-      slice0cost_pair_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
-      slice0cost_tag_valid <= slice0cost_pair_tag_valid;
-      slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
-      slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
-      slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
-      slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
-      if slice0cost_pair_tag_border_column then
-        for i in 0 to 5 loop
-          slice0cost_column_0(i) <= 0;
-        end loop;
-      else
-        for i in 0 to 5 loop
-          slice0cost_column_0(i) <= slice0cost_single_0(i) + slice0cost_pair(0, i) + slice0cost_pair(1, i);
-        end loop;
-      end if;
+      slice0cost_pair_tag <= slice0cost_pixels_tag;
+      slice0cost_tag <= slice0cost_pair_tag;
+      for i in 0 to 5 loop
+        slice0cost_column_0(i) <= choice(slice0cost_pair_tag.border_column, 0, slice0cost_single_0(i) +
+          slice0cost_pair(0, i) + slice0cost_pair(1, i));
+      end loop;
       -- slice0window
-      if slice0cost_tag_valid then
-        for i in 0 to 5 loop
-          slice0window_partial_0_0(i) <= slice0cost_column_0(i);
-        end loop;
+      if slice0cost_tag.valid then
+        slice0window_partial_0_0 <= slice0cost_column_0;
         for i in 0 to 5 loop
           slice0window_partial_0_1(i) <= slice0window_partial_0_0(i) + slice0cost_column_0(i);
         end loop;
@@ -1383,17 +1084,17 @@ begin
           slice0window_partial_0_3(i) <= slice0window_partial_0_2(i) + slice0cost_column_0(i);
         end loop;
       end if;
-      slice0window_centre_output_column_0 <= slice0cost_tag_output_column;
-      slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
-      slice0window_centre_end_of_line_0 <= slice0cost_tag_end_of_line;
+      slice0window_centre_output_column_0 <= slice0cost_tag.output_column;
+      slice0window_centre_start_of_frame_0 <= slice0cost_tag.start_of_frame;
+      slice0window_centre_end_of_line_0 <= slice0cost_tag.end_of_line;
       for i in 0 to 5 loop
         slice0window_sum_0(i) <= slice0window_partial_0_3(i) + slice0cost_column_0(i);
       end loop;
-      slice0window_tag_valid <= slice0cost_tag_valid;
-      if slice0window_tag_valid then
-        slice0window_tag_output_column <= slice1window_centre_output_column_0;
-        slice0window_tag_start_of_frame <= slice1window_centre_start_of_frame_0;
-        slice0window_tag_end_of_line <= slice1window_centre_end_of_line_0;
+      slice0window_tag.valid <= slice0cost_tag.valid;
+      if slice0window_tag.valid then
+        slice0window_tag.output_column <= slice1window_centre_output_column_0;
+        slice0window_tag.start_of_frame <= slice1window_centre_start_of_frame_0;
+        slice0window_tag.end_of_line <= slice1window_centre_end_of_line_0;
       end if;
       -- slice0winner1
       slice0winner1_best_cost_0_is_less(0) := (slice0window_sum_0(1) - slice0window_sum_0(0)) < 0;
@@ -1405,115 +1106,65 @@ begin
       slice0winner1_best_first_0(2) <= slice0window_sum_0(4);
       slice0winner1_best_last_0(0) <= slice0window_sum_0(1);
       slice0winner1_best_last_0(1) <= slice0window_sum_0(3);
-      slice0winner1_tag_valid <= slice0window_tag_valid;
-      slice0winner1_tag_output_column <= slice0window_tag_output_column;
-      slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
-      slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
-      if slice0winner1_best_cost_0_is_less(0) then
-        slice0winner1_best_cost_0(0) <= slice0window_sum_0(1);
-        slice0winner1_best_below_0(0) <= slice0window_sum_0(0);
-        slice0winner1_best_above_0(0) <= 0;
-      else
-        slice0winner1_best_cost_0(0) <= slice0window_sum_0(0);
-        slice0winner1_best_below_0(0) <= 0;
-        slice0winner1_best_above_0(0) <= slice0window_sum_0(1);
-      end if;
-      if slice0winner1_best_cost_0_is_less(1) then
-        slice0winner1_best_cost_0(1) <= slice0window_sum_0(3);
-        slice0winner1_best_index_0_1 <= 3;
-        slice0winner1_best_below_0(1) <= slice0window_sum_0(2);
-        slice0winner1_best_above_0(1) <= 0;
-      else
-        slice0winner1_best_cost_0(1) <= slice0window_sum_0(2);
-        slice0winner1_best_index_0_1 <= 2;
-        slice0winner1_best_below_0(1) <= 0;
-        slice0winner1_best_above_0(1) <= slice0window_sum_0(3);
-      end if;
-      if slice0winner1_best_cost_0_is_less(2) then
-        slice0winner1_best_cost_0(2) <= slice0window_sum_0(5);
-        slice0winner1_best_index_0_2 <= 5;
-        slice0winner1_best_below_0(2) <= slice0window_sum_0(4);
-        slice0winner1_best_above_0(2) <= 0;
-      else
-        slice0winner1_best_cost_0(2) <= slice0window_sum_0(4);
-        slice0winner1_best_index_0_2 <= 4;
-        slice0winner1_best_below_0(2) <= 0;
-        slice0winner1_best_above_0(2) <= slice0window_sum_0(5);
-      end if;
+      slice0winner1_tag <= slice0window_tag;
+      slice0winner1_best_cost_0(0) <= choice(slice0winner1_best_cost_0_is_less(0), slice0window_sum_0(1),
+        slice0window_sum_0(0));
+      for i in 0 to 1 loop
+        slice0winner1_best_below_0(i) <= choice(slice0winner1_best_cost_0_is_less(i), slice0window_sum_0(2 * i), 0);
+        slice0winner1_best_above_0(i) <= choice(slice0winner1_best_cost_0_is_less(i), 0, slice0window_sum_0(2 * i + 1));
+        slice0winner1_best_cost_0(i + 1) <= choice(slice0winner1_best_cost_0_is_less(i + 1), slice0window_sum_0(2 * i +
+          3), slice0window_sum_0(2 * i + 2));
+        slice0winner1_best_index_0(i + 1) <= choice(slice0winner1_best_cost_0_is_less(i + 1), 2 * i + 3, 2 * i + 2);
+      end loop;
+      slice0winner1_best_below_0(2) <= choice(slice0winner1_best_cost_0_is_less(2), slice0window_sum_0(4), 0);
+      slice0winner1_best_above_0(2) <= choice(slice0winner1_best_cost_0_is_less(2), 0, slice0window_sum_0(5));
       -- slice0winner2
       slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0(1) - slice0winner1_best_cost_0(0)) < 0;
-      if slice0winner1_best_index_0_1 = 2 then
-        slice0winner2_best_below_0_0_choice := slice0winner1_best_last_0(0);
-      else
-        slice0winner2_best_below_0_0_choice := slice0winner1_best_below_0(1);
-      end if;
-      if slice0winner1_best_index_0_0 then
-        slice0winner2_best_above_0_0_choice := slice0winner1_best_first_0(1);
-      else
-        slice0winner2_best_above_0_0_choice := slice0winner1_best_above_0(0);
-      end if;
+      slice0winner2_best_below_0_0_choice := choice(slice0winner1_best_index_0(1) = 2, slice0winner1_best_last_0(0),
+        slice0winner1_best_below_0(1));
+      slice0winner2_best_above_0_0_choice := choice(slice0winner1_best_index_0_0, slice0winner1_best_first_0(1),
+        slice0winner1_best_above_0(0));
       slice0winner2_best_cost_0(1) <= slice0winner1_best_cost_0(2);
-      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2;
+      slice0winner2_best_index_0(1) <= slice0winner1_best_index_0(2);
       slice0winner2_best_below_0(1) <= slice0winner1_best_below_0(2);
       slice0winner2_best_above_0(1) <= slice0winner1_best_above_0(2);
       slice0winner2_best_first_0(0) <= slice0winner1_best_first_0(0);
       slice0winner2_best_first_0(1) <= slice0winner1_best_first_0(2);
       slice0winner2_best_last_0_0 <= slice0winner1_best_last_0(1);
-      slice0winner2_tag_valid <= slice0winner1_tag_valid;
-      slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
-      slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-      slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
-      if slice0winner2_best_cost_0_0_is_less then
-        slice0winner2_best_cost_0(0) <= slice0winner1_best_cost_0(1);
-        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
-        slice0winner2_best_below_0(0) <= slice0winner2_best_below_0_0_choice;
-        slice0winner2_best_above_0(0) <= slice0winner1_best_above_0(1);
-      else
-        slice0winner2_best_cost_0(0) <= slice0winner1_best_cost_0(0);
-        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
-        slice0winner2_best_below_0(0) <= slice0winner1_best_below_0(0);
-        slice0winner2_best_above_0(0) <= slice0winner2_best_above_0_0_choice;
-      end if;
+      slice0winner2_tag <= slice0winner1_tag;
+      slice0winner2_best_cost_0(0) <= choice(slice0winner2_best_cost_0_0_is_less, slice0winner1_best_cost_0(1),
+        slice0winner1_best_cost_0(0));
+      slice0winner2_best_index_0(0) <= choice(slice0winner2_best_cost_0_0_is_less, slice0winner1_best_index_0(1),
+        as_number(slice0winner1_best_index_0_0));
+      slice0winner2_best_below_0(0) <= choice(slice0winner2_best_cost_0_0_is_less, slice0winner2_best_below_0_0_choice,
+        slice0winner1_best_below_0(0));
+      slice0winner2_best_above_0(0) <= choice(slice0winner2_best_cost_0_0_is_less, slice0winner1_best_above_0(1),
+        slice0winner2_best_above_0_0_choice);
       -- slice0winner3
       slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0(1) - slice0winner2_best_cost_0(0)) < 0;
-      if is_set(slice0winner2_best_index_0_1, 2) and (not is_set(slice0winner2_best_index_0_1, 0)) then
-        slice0winner3_best_below_0_0_choice := slice0winner2_best_last_0_0;
-      else
-        slice0winner3_best_below_0_0_choice := slice0winner2_best_below_0(1);
-      end if;
-      if slice0winner2_best_index_0_0 = 3 then
-        slice0winner3_best_above_0_0_choice := slice0winner2_best_first_0(1);
-      else
-        slice0winner3_best_above_0_0_choice := slice0winner2_best_above_0(0);
-      end if;
+      slice0winner3_best_below_0_0_choice := choice(is_set(slice0winner2_best_index_0(1), 2) and (not
+        is_set(slice0winner2_best_index_0(1), 0)), slice0winner2_best_last_0_0, slice0winner2_best_below_0(1));
+      slice0winner3_best_above_0_0_choice := choice(slice0winner2_best_index_0(0) = 3, slice0winner2_best_first_0(1),
+        slice0winner2_best_above_0(0));
       slice0winner3_best_first_0_0 <= slice0winner2_best_first_0(0);
-      slice0winner3_tag_valid <= slice0winner2_tag_valid;
-      slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
-      slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
-      if slice0winner3_best_cost_0_0_is_less then
-        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0(1);
-        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1;
-        slice0winner3_best_below_0_0 <= slice0winner3_best_below_0_0_choice;
-        slice0winner3_best_above_0_0 <= slice0winner2_best_above_0(1);
-      else
-        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0(0);
-        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_0;
-        slice0winner3_best_below_0_0 <= slice0winner2_best_below_0(0);
-        slice0winner3_best_above_0_0 <= slice0winner3_best_above_0_0_choice;
-      end if;
+      slice0winner3_tag <= slice0winner2_tag;
+      slice0winner3_best_cost_0_0 <= choice(slice0winner3_best_cost_0_0_is_less, slice0winner2_best_cost_0(1),
+        slice0winner2_best_cost_0(0));
+      slice0winner3_best_index_0_0 <= choice(slice0winner3_best_cost_0_0_is_less, slice0winner2_best_index_0(1),
+        slice0winner2_best_index_0(0));
+      slice0winner3_best_below_0_0 <= choice(slice0winner3_best_cost_0_0_is_less, slice0winner3_best_below_0_0_choice,
+        slice0winner2_best_below_0(0));
+      slice0winner3_best_above_0_0 <= choice(slice0winner3_best_cost_0_0_is_less, slice0winner2_best_above_0(1),
+        slice0winner3_best_above_0_0_choice);
       -- slice0
       slice0_best_cost_0_0 <= slice0winner3_best_cost_0_0;
       slice0_best_index_0_0 <= (((slice0winner3_best_index_0_0 / 2) + 3) * 2) + (slice0winner3_best_index_0_0 mod 2);
       slice0_best_below_0_0 <= slice0winner3_best_below_0_0;
       slice0_best_above_0_0 <= slice0winner3_best_above_0_0;
       slice0_best_first_0_0 <= slice0winner3_best_first_0_0;
-      slice0_best_tag_valid <= slice0winner3_tag_valid;
-      slice0_best_tag_output_column <= slice0winner3_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner3_tag_end_of_line;
+      slice0_best_tag <= slice0winner3_tag;
       -- slice1shift
-      if slice0shift_tag_valid then
+      if slice0shift_tag.valid then
         for i in 0 to 4 loop
           for j in 0 to 4 loop
             slice1shift_search(i, j) <= slice1shift_search(i, j + 1);
@@ -1521,87 +1172,56 @@ begin
           slice1shift_search(i, 5) <= slice0shift_search_out(i);
         end loop;
       end if;
-      for i in 0 to 4 loop
-        slice1shift_reference(i) <= slice0shift_reference(i);
-      end loop;
+      slice1shift_reference <= slice0shift_reference;
       -- slice1cost
-      for i in 0 to 1 loop
-        slice1cost_pixels_first_0_value(2 * i) := is_set(slice1shift_reference(2 * i), 3);
-        for j in 5 to 6 loop
-          slice1cost_pixels_first_0_values(2 * i, 4 * j - 18) := is_set(slice1shift_reference(2 * i), j);
-          slice1cost_pixels_first_0_values(2 * i, 4 * j - 17) := is_set(slice1shift_reference(2 * i), 4 * j - 16);
-          slice1cost_pixels_first_0_values(2 * i, 4 * j - 16) := is_set(slice1shift_reference(2 * i), 5 * j - 23);
-          slice1cost_pixels_first_0_values(2 * i, 4 * j - 15) := is_set(slice1shift_reference(2 * i), 8 * j - 39);
-        end loop;
-        slice1cost_pixels_first_0_values(2 * i, 10) := is_set(slice1shift_reference(2 * i), 10);
-        slice1cost_pixels_first_0_value(2 * i + 1) := is_set(slice1shift_reference(2 * i + 1), 3);
-        for j in 5 to 6 loop
-          slice1cost_pixels_first_0_values(2 * i + 1, 4 * j - 18) := is_set(slice1shift_reference(2 * i + 1), j);
-          slice1cost_pixels_first_0_values(2 * i + 1, 4 * j - 17) := is_set(slice1shift_reference(2 * i + 1), 4 * j -
-            16);
-          slice1cost_pixels_first_0_values(2 * i + 1, 4 * j - 16) := is_set(slice1shift_reference(2 * i + 1), 5 * j -
-            23);
-          slice1cost_pixels_first_0_values(2 * i + 1, 4 * j - 15) := is_set(slice1shift_reference(2 * i + 1), 8 * j -
-            39);
-        end loop;
-        slice1cost_pixels_first_0_values(2 * i + 1, 10) := is_set(slice1shift_reference(2 * i + 1), 10);
-      end loop;
-      slice1cost_pixels_first_0_value(4) := is_set(slice1shift_reference(4), 3);
-      for i in 5 to 6 loop
-        slice1cost_pixels_first_0_values(4, 4 * i - 18) := is_set(slice1shift_reference(4), i);
-        slice1cost_pixels_first_0_values(4, 4 * i - 17) := is_set(slice1shift_reference(4), 4 * i - 16);
-        slice1cost_pixels_first_0_values(4, 4 * i - 16) := is_set(slice1shift_reference(4), 5 * i - 23);
-        slice1cost_pixels_first_0_values(4, 4 * i - 15) := is_set(slice1shift_reference(4), 8 * i - 39);
-      end loop;
-      slice1cost_pixels_first_0_values(4, 10) := is_set(slice1shift_reference(4), 10);
       for i in 0 to 4 loop
-        slice1cost_pixels_first(i, 0) <= ((as_number((slice1cost_pixels_first_0_value(i) /=
-          is_set(slice1shift_search(i, 0), 3))) + as_number((slice1cost_pixels_first_0_values(i, 2) /=
-          is_set(slice1shift_search(i, 0), 5))) + as_number((slice1cost_pixels_first_0_values(i, 3) /=
+        slice1cost_pixels_first_0_value(i, 1) := is_set(slice1shift_reference(i), 3);
+        slice1cost_pixels_first_0_value(i, 2) := is_set(slice1shift_reference(i), 5);
+        slice1cost_pixels_first_0_value(i, 3) := is_set(slice1shift_reference(i), 4);
+        slice1cost_pixels_first_0_value(i, 4) := is_set(slice1shift_reference(i), 2);
+        slice1cost_pixels_first_0_value(i, 5) := is_set(slice1shift_reference(i), 1);
+        slice1cost_pixels_first_0_value(i, 6) := is_set(slice1shift_reference(i), 6);
+        slice1cost_pixels_first_0_value(i, 7) := is_set(slice1shift_reference(i), 8);
+        slice1cost_pixels_first_0_value(i, 8) := is_set(slice1shift_reference(i), 7);
+        slice1cost_pixels_first_0_value(i, 9) := is_set(slice1shift_reference(i), 9);
+        slice1cost_pixels_first_0_value(i, 10) := is_set(slice1shift_reference(i), 10);
+      end loop;
+      for i in 0 to 4 loop
+        slice1cost_pixels_first(i, 0) <= ((as_number((slice1cost_pixels_first_0_value(i, 1) /=
+          is_set(slice1shift_search(i, 0), 3))) + as_number((slice1cost_pixels_first_0_value(i, 2) /=
+          is_set(slice1shift_search(i, 0), 5))) + as_number((slice1cost_pixels_first_0_value(i, 3) /=
           is_set(slice1shift_search(i, 0), 4)))) * 4) + as_number((is_set(slice1shift_reference(i), 0) /=
-          is_set(slice1shift_search(i, 0), 0))) + as_number((slice1cost_pixels_first_0_values(i, 4) /=
-          is_set(slice1shift_search(i, 0), 2))) + as_number((slice1cost_pixels_first_0_values(i, 5) /=
-          is_set(slice1shift_search(i, 0), 1))) + ((as_number((slice1cost_pixels_first_0_values(i, 6) /=
-          is_set(slice1shift_search(i, 0), 6))) + as_number((slice1cost_pixels_first_0_values(i, 7) /=
-          is_set(slice1shift_search(i, 0), 8))) + as_number((slice1cost_pixels_first_0_values(i, 8) /=
-          is_set(slice1shift_search(i, 0), 7)))) * 16) + ((as_number((slice1cost_pixels_first_0_values(i, 9) /=
+          is_set(slice1shift_search(i, 0), 0))) + as_number((slice1cost_pixels_first_0_value(i, 4) /=
+          is_set(slice1shift_search(i, 0), 2))) + as_number((slice1cost_pixels_first_0_value(i, 5) /=
+          is_set(slice1shift_search(i, 0), 1))) + ((as_number((slice1cost_pixels_first_0_value(i, 6) /=
+          is_set(slice1shift_search(i, 0), 6))) + as_number((slice1cost_pixels_first_0_value(i, 7) /=
+          is_set(slice1shift_search(i, 0), 8))) + as_number((slice1cost_pixels_first_0_value(i, 8) /=
+          is_set(slice1shift_search(i, 0), 7)))) * 16) + ((as_number((slice1cost_pixels_first_0_value(i, 9) /=
           is_set(slice1shift_search(i, 0), 9))) + as_number((is_set(slice1shift_reference(i), 11) /=
-          is_set(slice1shift_search(i, 0), 11))) + as_number((slice1cost_pixels_first_0_values(i, 10) /=
+          is_set(slice1shift_search(i, 0), 11))) + as_number((slice1cost_pixels_first_0_value(i, 10) /=
           is_set(slice1shift_search(i, 0), 10)))) * 64);
         for j in 1 to 5 loop
           slice1cost_pixels_first(i, j) <= ((as_number((is_set(slice1shift_search(i, j), 3) /=
-            slice1cost_pixels_first_0_value(i))) + as_number((is_set(slice1shift_search(i, j), 5) /=
-            slice1cost_pixels_first_0_values(i, 2))) + as_number((is_set(slice1shift_search(i, j), 4) /=
-            slice1cost_pixels_first_0_values(i, 3)))) * 4) + as_number((is_set(slice1shift_search(i, j), 0) /=
+            slice1cost_pixels_first_0_value(i, 1))) + as_number((is_set(slice1shift_search(i, j), 5) /=
+            slice1cost_pixels_first_0_value(i, 2))) + as_number((is_set(slice1shift_search(i, j), 4) /=
+            slice1cost_pixels_first_0_value(i, 3)))) * 4) + as_number((is_set(slice1shift_search(i, j), 0) /=
             is_set(slice1shift_reference(i), 0))) + as_number((is_set(slice1shift_search(i, j), 2) /=
-            slice1cost_pixels_first_0_values(i, 4))) + as_number((is_set(slice1shift_search(i, j), 1) /=
-            slice1cost_pixels_first_0_values(i, 5))) + ((as_number((is_set(slice1shift_search(i, j), 6) /=
-            slice1cost_pixels_first_0_values(i, 6))) + as_number((is_set(slice1shift_search(i, j), 8) /=
-            slice1cost_pixels_first_0_values(i, 7))) + as_number((is_set(slice1shift_search(i, j), 7) /=
-            slice1cost_pixels_first_0_values(i, 8)))) * 16) + ((as_number((is_set(slice1shift_search(i, j), 9) /=
-            slice1cost_pixels_first_0_values(i, 9))) + as_number((is_set(slice1shift_search(i, j), 11) /=
+            slice1cost_pixels_first_0_value(i, 4))) + as_number((is_set(slice1shift_search(i, j), 1) /=
+            slice1cost_pixels_first_0_value(i, 5))) + ((as_number((is_set(slice1shift_search(i, j), 6) /=
+            slice1cost_pixels_first_0_value(i, 6))) + as_number((is_set(slice1shift_search(i, j), 8) /=
+            slice1cost_pixels_first_0_value(i, 7))) + as_number((is_set(slice1shift_search(i, j), 7) /=
+            slice1cost_pixels_first_0_value(i, 8)))) * 16) + ((as_number((is_set(slice1shift_search(i, j), 9) /=
+            slice1cost_pixels_first_0_value(i, 9))) + as_number((is_set(slice1shift_search(i, j), 11) /=
             is_set(slice1shift_reference(i), 11))) + as_number((is_set(slice1shift_search(i, j), 10) /=
-            slice1cost_pixels_first_0_values(i, 10)))) * 64);
+            slice1cost_pixels_first_0_value(i, 10)))) * 64);
         end loop;
       end loop;
-      for i in 0 to 1 loop
+      for i in 0 to 4 loop
         for j in 0 to 5 loop
-          slice1cost_pixels_cost(2 * i, j) <= (((slice1cost_pixels_first(2 * i, j) mod 4) +
-            (((slice1cost_pixels_first(2 * i, j) / 2) mod 8) / 2) + ((((slice1cost_pixels_first(2 * i, j) / 16) mod 4)
-            + (slice1cost_pixels_first(2 * i, j) / 64)) / 2)) * 2) + (((slice1cost_pixels_first(2 * i, j) / 16) +
-            (slice1cost_pixels_first(2 * i, j) / 64)) mod 2);
+          slice1cost_pixels_cost(i, j) <= (((slice1cost_pixels_first(i, j) mod 4) + (((slice1cost_pixels_first(i, j) /
+            2) mod 8) / 2) + ((((slice1cost_pixels_first(i, j) / 16) mod 4) + (slice1cost_pixels_first(i, j) / 64)) /
+            2)) * 2) + (((slice1cost_pixels_first(i, j) / 16) + (slice1cost_pixels_first(i, j) / 64)) mod 2);
         end loop;
-        for j in 0 to 5 loop
-          slice1cost_pixels_cost(2 * i + 1, j) <= (((slice1cost_pixels_first(2 * i + 1, j) mod 4) +
-            (((slice1cost_pixels_first(2 * i + 1, j) / 2) mod 8) / 2) + ((((slice1cost_pixels_first(2 * i + 1, j) / 16)
-            mod 4) + (slice1cost_pixels_first(2 * i + 1, j) / 64)) / 2)) * 2) + (((slice1cost_pixels_first(2 * i + 1,
-            j) / 16) + (slice1cost_pixels_first(2 * i + 1, j) / 64)) mod 2);
-        end loop;
-      end loop;
-      for i in 0 to 5 loop
-        slice1cost_pixels_cost(4, i) <= (((slice1cost_pixels_first(4, i) mod 4) + (((slice1cost_pixels_first(4, i) / 2)
-          mod 8) / 2) + ((((slice1cost_pixels_first(4, i) / 16) mod 4) + (slice1cost_pixels_first(4, i) / 64)) / 2)) *
-          2) + (((slice1cost_pixels_first(4, i) / 16) + (slice1cost_pixels_first(4, i) / 64)) mod 2);
       end loop;
       for i in 0 to 5 loop
         slice1cost_pair(0, i) <= slice1cost_pixels_cost(1, i) + slice1cost_pixels_cost(2, i);
@@ -1612,20 +1232,13 @@ begin
       for i in 0 to 5 loop
         slice1cost_single_0(i) <= slice1cost_pixels_cost(0, i);
       end loop;
-      if slice0cost_tag_border_column then
-        for i in 0 to 5 loop
-          slice1cost_column_0(i) <= 0;
-        end loop;
-      else
-        for i in 0 to 5 loop
-          slice1cost_column_0(i) <= slice1cost_single_0(i) + slice1cost_pair(0, i) + slice1cost_pair(1, i);
-        end loop;
-      end if;
+      for i in 0 to 5 loop
+        slice1cost_column_0(i) <= choice(slice0cost_tag.border_column, 0, slice1cost_single_0(i) + slice1cost_pair(0,
+          i) + slice1cost_pair(1, i));
+      end loop;
       -- slice1window
-      if slice0window_tag_valid then
-        for i in 0 to 5 loop
-          slice1window_partial_0_0(i) <= slice1cost_column_0(i);
-        end loop;
+      if slice0window_tag.valid then
+        slice1window_partial_0_0 <= slice1cost_column_0;
         for i in 0 to 5 loop
           slice1window_partial_0_1(i) <= slice1window_partial_0_0(i) + slice1cost_column_0(i);
         end loop;
@@ -1652,154 +1265,88 @@ begin
       slice1winner1_best_last_0(0) <= slice1window_sum_0(1);
       slice1winner1_best_last_0(1) <= slice1window_sum_0(3);
       slice1winner1_best_last_0(2) <= slice1window_sum_0(5);
-      if slice1winner1_best_cost_0_is_less(0) then
-        slice1winner1_best_cost_0(0) <= slice1window_sum_0(1);
-        slice1winner1_best_below_0(0) <= slice1window_sum_0(0);
-        slice1winner1_best_above_0(0) <= 0;
-      else
-        slice1winner1_best_cost_0(0) <= slice1window_sum_0(0);
-        slice1winner1_best_below_0(0) <= 0;
-        slice1winner1_best_above_0(0) <= slice1window_sum_0(1);
-      end if;
-      if slice1winner1_best_cost_0_is_less(1) then
-        slice1winner1_best_cost_0(1) <= slice1window_sum_0(3);
-        slice1winner1_best_index_0_1 <= 3;
-        slice1winner1_best_below_0(1) <= slice1window_sum_0(2);
-        slice1winner1_best_above_0(1) <= 0;
-      else
-        slice1winner1_best_cost_0(1) <= slice1window_sum_0(2);
-        slice1winner1_best_index_0_1 <= 2;
-        slice1winner1_best_below_0(1) <= 0;
-        slice1winner1_best_above_0(1) <= slice1window_sum_0(3);
-      end if;
-      if slice1winner1_best_cost_0_is_less(2) then
-        slice1winner1_best_cost_0(2) <= slice1window_sum_0(5);
-        slice1winner1_best_index_0_2 <= 5;
-        slice1winner1_best_below_0(2) <= slice1window_sum_0(4);
-        slice1winner1_best_above_0(2) <= 0;
-      else
-        slice1winner1_best_cost_0(2) <= slice1window_sum_0(4);
-        slice1winner1_best_index_0_2 <= 4;
-        slice1winner1_best_below_0(2) <= 0;
-        slice1winner1_best_above_0(2) <= slice1window_sum_0(5);
-      end if;
+      slice1winner1_best_cost_0(0) <= choice(slice1winner1_best_cost_0_is_less(0), slice1window_sum_0(1),
+        slice1window_sum_0(0));
+      for i in 0 to 1 loop
+        slice1winner1_best_below_0(i) <= choice(slice1winner1_best_cost_0_is_less(i), slice1window_sum_0(2 * i), 0);
+        slice1winner1_best_above_0(i) <= choice(slice1winner1_best_cost_0_is_less(i), 0, slice1window_sum_0(2 * i + 1));
+        slice1winner1_best_cost_0(i + 1) <= choice(slice1winner1_best_cost_0_is_less(i + 1), slice1window_sum_0(2 * i +
+          3), slice1window_sum_0(2 * i + 2));
+        slice1winner1_best_index_0(i + 1) <= choice(slice1winner1_best_cost_0_is_less(i + 1), 2 * i + 3, 2 * i + 2);
+      end loop;
+      slice1winner1_best_below_0(2) <= choice(slice1winner1_best_cost_0_is_less(2), slice1window_sum_0(4), 0);
+      slice1winner1_best_above_0(2) <= choice(slice1winner1_best_cost_0_is_less(2), 0, slice1window_sum_0(5));
       -- slice1winner2
       slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0(1) - slice1winner1_best_cost_0(0)) < 0;
-      if slice1winner1_best_index_0_1 = 2 then
-        slice1winner2_best_below_0_0_choice := slice1winner1_best_last_0(0);
-      else
-        slice1winner2_best_below_0_0_choice := slice1winner1_best_below_0(1);
-      end if;
-      if slice1winner1_best_index_0_0 then
-        slice1winner2_best_above_0_0_choice := slice1winner1_best_first_0(1);
-      else
-        slice1winner2_best_above_0_0_choice := slice1winner1_best_above_0(0);
-      end if;
+      slice1winner2_best_below_0_0_choice := choice(slice1winner1_best_index_0(1) = 2, slice1winner1_best_last_0(0),
+        slice1winner1_best_below_0(1));
+      slice1winner2_best_above_0_0_choice := choice(slice1winner1_best_index_0_0, slice1winner1_best_first_0(1),
+        slice1winner1_best_above_0(0));
       slice1winner2_best_cost_0(1) <= slice1winner1_best_cost_0(2);
-      slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_2;
+      slice1winner2_best_index_0(1) <= slice1winner1_best_index_0(2);
       slice1winner2_best_below_0(1) <= slice1winner1_best_below_0(2);
       slice1winner2_best_above_0(1) <= slice1winner1_best_above_0(2);
       slice1winner2_best_first_0_1 <= slice1winner1_best_first_0(2);
-      slice1winner2_best_last_0(0) <= slice1winner1_best_last_0(1);
-      slice1winner2_best_last_0(1) <= slice1winner1_best_last_0(2);
-      if slice1winner2_best_cost_0_0_is_less then
-        slice1winner2_best_cost_0(0) <= slice1winner1_best_cost_0(1);
-        slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1;
-        slice1winner2_best_below_0(0) <= slice1winner2_best_below_0_0_choice;
-        slice1winner2_best_above_0(0) <= slice1winner1_best_above_0(1);
-      else
-        slice1winner2_best_cost_0(0) <= slice1winner1_best_cost_0(0);
-        slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
-        slice1winner2_best_below_0(0) <= slice1winner1_best_below_0(0);
-        slice1winner2_best_above_0(0) <= slice1winner2_best_above_0_0_choice;
-      end if;
+      slice1winner2_best_last_0 <= slice1winner1_best_last_0(1 to 2);
+      slice1winner2_best_cost_0(0) <= choice(slice1winner2_best_cost_0_0_is_less, slice1winner1_best_cost_0(1),
+        slice1winner1_best_cost_0(0));
+      slice1winner2_best_index_0(0) <= choice(slice1winner2_best_cost_0_0_is_less, slice1winner1_best_index_0(1),
+        as_number(slice1winner1_best_index_0_0));
+      slice1winner2_best_below_0(0) <= choice(slice1winner2_best_cost_0_0_is_less, slice1winner2_best_below_0_0_choice,
+        slice1winner1_best_below_0(0));
+      slice1winner2_best_above_0(0) <= choice(slice1winner2_best_cost_0_0_is_less, slice1winner1_best_above_0(1),
+        slice1winner2_best_above_0_0_choice);
       -- slice1winner3
       slice1winner3_best_cost_0_0_is_less := (slice1winner2_best_cost_0(1) - slice1winner2_best_cost_0(0)) < 0;
-      if is_set(slice1winner2_best_index_0_1, 2) and (not is_set(slice1winner2_best_index_0_1, 0)) then
-        slice1winner3_best_below_0_0_choice := slice1winner2_best_last_0(0);
-      else
-        slice1winner3_best_below_0_0_choice := slice1winner2_best_below_0(1);
-      end if;
-      if slice1winner2_best_index_0_0 = 3 then
-        slice1winner3_best_above_0_0_choice := slice1winner2_best_first_0_1;
-      else
-        slice1winner3_best_above_0_0_choice := slice1winner2_best_above_0(0);
-      end if;
+      slice1winner3_best_below_0_0_choice := choice(is_set(slice1winner2_best_index_0(1), 2) and (not
+        is_set(slice1winner2_best_index_0(1), 0)), slice1winner2_best_last_0(0), slice1winner2_best_below_0(1));
+      slice1winner3_best_above_0_0_choice := choice(slice1winner2_best_index_0(0) = 3, slice1winner2_best_first_0_1,
+        slice1winner2_best_above_0(0));
       slice1winner3_best_last_0_0 <= slice1winner2_best_last_0(1);
-      if slice1winner3_best_cost_0_0_is_less then
-        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0(1);
-        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1;
-        slice1winner3_best_below_0_0 <= slice1winner3_best_below_0_0_choice;
-        slice1winner3_best_above_0_0 <= slice1winner2_best_above_0(1);
-      else
-        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0(0);
-        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_0;
-        slice1winner3_best_below_0_0 <= slice1winner2_best_below_0(0);
-        slice1winner3_best_above_0_0 <= slice1winner3_best_above_0_0_choice;
-      end if;
+      slice1winner3_best_cost_0_0 <= choice(slice1winner3_best_cost_0_0_is_less, slice1winner2_best_cost_0(1),
+        slice1winner2_best_cost_0(0));
+      slice1winner3_best_index_0_0 <= choice(slice1winner3_best_cost_0_0_is_less, slice1winner2_best_index_0(1),
+        slice1winner2_best_index_0(0));
+      slice1winner3_best_below_0_0 <= choice(slice1winner3_best_cost_0_0_is_less, slice1winner3_best_below_0_0_choice,
+        slice1winner2_best_below_0(0));
+      slice1winner3_best_above_0_0 <= choice(slice1winner3_best_cost_0_0_is_less, slice1winner2_best_above_0(1),
+        slice1winner3_best_above_0_0_choice);
       -- slice1
       slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner3_best_cost_0_0) < 0;
-      if slice0_best_index_0_0 = 6 then
-        slice1_best_below_0_0_choice := slice1winner3_best_last_0_0;
-      else
-        slice1_best_below_0_0_choice := slice0_best_below_0_0;
-      end if;
-      if slice1winner3_best_index_0_0 = 5 then
-        slice1_best_above_0_0_choice := slice0_best_first_0_0;
-      else
-        slice1_best_above_0_0_choice := slice1winner3_best_above_0_0;
-      end if;
-      slice1_best_tag_valid <= slice0_best_tag_valid;
-      slice1_best_tag_output_column <= slice0_best_tag_output_column;
-      slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
-      slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
-      if slice1_best_cost_0_0_is_less then
-        slice1_best_cost_0_0 <= slice0_best_cost_0_0;
-        slice1_best_index_0_0 <= slice0_best_index_0_0;
-        slice1_best_below_0_0 <= slice1_best_below_0_0_choice;
-        slice1_best_above_0_0 <= slice0_best_above_0_0;
-      else
-        slice1_best_cost_0_0 <= slice1winner3_best_cost_0_0;
-        slice1_best_index_0_0 <= slice1winner3_best_index_0_0;
-        slice1_best_below_0_0 <= slice1winner3_best_below_0_0;
-        slice1_best_above_0_0 <= slice1_best_above_0_0_choice;
-      end if;
+      slice1_best_below_0_0_choice := choice(slice0_best_index_0_0 = 6, slice1winner3_best_last_0_0,
+        slice0_best_below_0_0);
+      slice1_best_above_0_0_choice := choice(slice1winner3_best_index_0_0 = 5, slice0_best_first_0_0,
+        slice1winner3_best_above_0_0);
+      slice1_best_tag <= slice0_best_tag;
+      slice1_best_cost_0_0 <= choice(slice1_best_cost_0_0_is_less, slice0_best_cost_0_0, slice1winner3_best_cost_0_0);
+      slice1_best_index_0_0 <= choice(slice1_best_cost_0_0_is_less, slice0_best_index_0_0,
+        slice1winner3_best_index_0_0);
+      slice1_best_below_0_0 <= choice(slice1_best_cost_0_0_is_less, slice1_best_below_0_0_choice,
+        slice1winner3_best_below_0_0);
+      slice1_best_above_0_0 <= choice(slice1_best_cost_0_0_is_less, slice0_best_above_0_0,
+        slice1_best_above_0_0_choice);
       -- refinement
-      refinement_remainder_1_0_difference := (refinement_remainder_0_0 + 1024) - refinement_divisor_0(0);
+      refinement_remainder_1_0_difference := (refinement_remainder_0(0) + 1024) - refinement_divisor_0(0);
       for i in 2 to 7 loop
         refinement_remainder_0_difference(i) := ((refinement_remainder_0(i - 1) * 2) + 1024) - refinement_divisor_0(i -
           1);
       end loop;
       refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
-      if refinement_divisor_0_0_is_less then
-        refinement_divisor_0_0_choice := refinement_v_0;
-      else
-        refinement_divisor_0_0_choice := refinement_u_0;
-      end if;
+      refinement_divisor_0_0_choice := choice(refinement_divisor_0_0_is_less, refinement_v_0, refinement_u_0);
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
       refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
-      if refinement_negative_0(8) then
-        refinement_fraction_0_choice := refinement_fraction_0_difference mod 256;
-      else
-        refinement_fraction_0_choice := refinement_fraction_0_value;
-      end if;
-      if refinement_negative_0(8) then
-        refinement_fraction_0_choice_2 := refinement_fraction_0_difference mod 8;
-      else
-        refinement_fraction_0_choice_2 := refinement_fraction_0_value mod 8;
-      end if;
+      refinement_fraction_0_choice := choice(refinement_negative_0(8), refinement_fraction_0_difference mod 256,
+        refinement_fraction_0_value);
+      refinement_fraction_0_choice_2 := choice(refinement_negative_0(8), refinement_fraction_0_difference mod 8,
+        refinement_fraction_0_value mod 8);
       refinement_disparity_0(0) <= slice1_best_index_0_0;
-      for i in 1 to 11 loop
-        refinement_disparity_0(i) <= refinement_disparity_0(i - 1);
-      end loop;
+      refinement_disparity_0(1 to 11) <= refinement_disparity_0(0 to 10);
       refinement_passed_0(0) <= true;
-      for i in 1 to 11 loop
-        refinement_passed_0(i) <= refinement_passed_0(i - 1);
-      end loop;
-      refinement_tag_valid(0) <= slice1_best_tag_valid;
-      refinement_tag_output_column(0) <= slice1_best_tag_output_column;
-      refinement_tag_start_of_frame(0) <= slice1_best_tag_start_of_frame;
-      refinement_tag_end_of_line(0) <= slice1_best_tag_end_of_line;
+      refinement_passed_0(1 to 11) <= refinement_passed_0(0 to 10);
+      refinement_tag_valid(0) <= slice1_best_tag.valid;
+      refinement_tag_output_column(0) <= slice1_best_tag.output_column;
+      refinement_tag_start_of_frame(0) <= slice1_best_tag.start_of_frame;
+      refinement_tag_end_of_line(0) <= slice1_best_tag.end_of_line;
       for i in 1 to 11 loop
         refinement_tag_valid(i) <= refinement_tag_valid(i - 1);
         refinement_tag_output_column(i) <= refinement_tag_output_column(i - 1);
@@ -1810,40 +1357,22 @@ begin
       refinement_u_0 <= (refinement_below_0 - refinement_cost_0) mod 512;
       refinement_v_0 <= (refinement_above_0 - refinement_cost_0) mod 512;
       refinement_difference_0 <= refinement_above_0 - refinement_below_0;
-      refinement_remainder_0_0 <= magnitude(refinement_difference_0);
+      refinement_remainder_0(0) <= magnitude(refinement_difference_0);
       refinement_divisor_0(0) <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 9)) or
         (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 9))));
-      for i in 1 to 7 loop
-        refinement_divisor_0(i) <= refinement_divisor_0(i - 1);
-      end loop;
+      refinement_divisor_0(1 to 7) <= refinement_divisor_0(0 to 6);
       refinement_quotient_8_0 <= ((((1024 - refinement_divisor_0(7)) / 2) + refinement_remainder_0(7)) / 512) +
         ((other_0 / 2) * 2);
       refinement_negative_0(0) <= refinement_divisor_0_0_is_less;
-      for i in 1 to 8 loop
-        refinement_negative_0(i) <= refinement_negative_0(i - 1);
-      end loop;
+      refinement_negative_0(1 to 8) <= refinement_negative_0(0 to 7);
       refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 32) * 8) + refinement_fraction_0_choice_2;
-      if slice1_best_index_0_0 = 0 then
-        refinement_below_0 <= slice1_best_above_0_0;
-      else
-        refinement_below_0 <= slice1_best_below_0_0;
-      end if;
-      if slice1_best_index_0_0 = 11 then
-        refinement_above_0 <= slice1_best_below_0_0;
-      else
-        refinement_above_0 <= slice1_best_above_0_0;
-      end if;
-      if is_set(refinement_remainder_1_0_difference, 10) then
-        refinement_remainder_0(1) <= refinement_remainder_1_0_difference mod 512;
-      else
-        refinement_remainder_0(1) <= refinement_remainder_0_0;
-      end if;
+      refinement_below_0 <= choice(slice1_best_index_0_0 = 0, slice1_best_above_0_0, slice1_best_below_0_0);
+      refinement_above_0 <= choice(slice1_best_index_0_0 = 11, slice1_best_below_0_0, slice1_best_above_0_0);
+      refinement_remainder_0(1) <= choice(is_set(refinement_remainder_1_0_difference, 10),
+        refinement_remainder_1_0_difference mod 512, refinement_remainder_0(0));
       for i in 2 to 7 loop
-        if is_set(refinement_remainder_0_difference(i), 10) then
-          refinement_remainder_0(i) <= refinement_remainder_0_difference(i) mod 512;
-        else
-          refinement_remainder_0(i) <= (refinement_remainder_0(i - 1) mod 256) * 2;
-        end if;
+        refinement_remainder_0(i) <= choice(is_set(refinement_remainder_0_difference(i), 10),
+          refinement_remainder_0_difference(i) mod 512, (refinement_remainder_0(i - 1) mod 256) * 2);
       end loop;
       -- map
       map_out_disparity_0 <= (((((refinement_disparity_0(11) + (refinement_fraction_0 / 16)) * 2) +
@@ -1897,75 +1426,57 @@ begin
         delay_ring_read_address <= 1;
         delay_ring_write_address <= 0;
         delay_column <= 0;
-        delay_tag_valid <= false;
-        delay_tag_output_column <= false;
-        delay_tag_start_of_frame <= false;
-        delay_tag_end_of_line <= false;
+        delay_tag.valid <= false;
+        delay_tag.output_column <= false;
+        delay_tag.start_of_frame <= false;
+        delay_tag.end_of_line <= false;
         rows_read_column <= 0;
-        rows_read_tag_valid <= false;
-        rows_read_tag_output_column <= false;
-        rows_read_tag_start_of_frame <= false;
-        rows_read_tag_end_of_line <= false;
+        rows_read_tag.valid <= false;
+        rows_read_tag.output_column <= false;
+        rows_read_tag.start_of_frame <= false;
+        rows_read_tag.end_of_line <= false;
         rows_ready_column <= 0;
-        rows_ready_tag_valid <= false;
-        rows_ready_tag_output_column <= false;
-        rows_ready_tag_start_of_frame <= false;
-        rows_ready_tag_end_of_line <= false;
+        rows_ready_tag.valid <= false;
+        rows_ready_tag.output_column <= false;
+        rows_ready_tag.start_of_frame <= false;
+        rows_ready_tag.end_of_line <= false;
         rows_write_column <= 0;
-        rows_tag_valid <= false;
-        rows_tag_output_column <= false;
-        rows_tag_start_of_frame <= false;
-        rows_tag_end_of_line <= false;
-        slice0shift_tag_valid <= false;
-        slice0shift_tag_output_column <= false;
-        slice0shift_tag_start_of_frame <= false;
-        slice0shift_tag_end_of_line <= false;
-        slice0cost_pixels_first_tag_valid <= false;
-        slice0cost_pixels_first_tag_output_column <= false;
-        slice0cost_pixels_first_tag_start_of_frame <= false;
-        slice0cost_pixels_first_tag_end_of_line <= false;
-        slice0cost_pixels_tag_valid <= false;
-        slice0cost_pixels_tag_output_column <= false;
-        slice0cost_pixels_tag_start_of_frame <= false;
-        slice0cost_pixels_tag_end_of_line <= false;
-        slice0cost_pair_tag_valid <= false;
-        slice0cost_pair_tag_output_column <= false;
-        slice0cost_pair_tag_start_of_frame <= false;
-        slice0cost_pair_tag_end_of_line <= false;
-        slice0cost_tag_valid <= false;
-        slice0cost_tag_output_column <= false;
-        slice0cost_tag_start_of_frame <= false;
-        slice0cost_tag_end_of_line <= false;
+        rows_tag.valid <= false;
+        rows_tag.output_column <= false;
+        rows_tag.start_of_frame <= false;
+        rows_tag.end_of_line <= false;
+        slice0shift_tag.valid <= false;
+        slice0shift_tag.output_column <= false;
+        slice0shift_tag.start_of_frame <= false;
+        slice0shift_tag.end_of_line <= false;
+        slice0cost_pixels_first_tag.valid <= false;
+        slice0cost_pixels_first_tag.output_column <= false;
+        slice0cost_pixels_first_tag.start_of_frame <= false;
+        slice0cost_pixels_first_tag.end_of_line <= false;
+        slice0cost_pixels_tag.valid <= false;
+        slice0cost_pixels_tag.output_column <= false;
+        slice0cost_pixels_tag.start_of_frame <= false;
+        slice0cost_pixels_tag.end_of_line <= false;
+        slice0cost_pair_tag.valid <= false;
+        slice0cost_pair_tag.output_column <= false;
+        slice0cost_pair_tag.start_of_frame <= false;
+        slice0cost_pair_tag.end_of_line <= false;
+        slice0cost_tag.valid <= false;
+        slice0cost_tag.output_column <= false;
+        slice0cost_tag.start_of_frame <= false;
+        slice0cost_tag.end_of_line <= false;
         slice0window_centre_output_column_0 <= false;
         slice0window_centre_start_of_frame_0 <= false;
         slice0window_centre_end_of_line_0 <= false;
-        slice0window_tag_valid <= false;
-        slice0window_tag_output_column <= false;
-        slice0window_tag_start_of_frame <= false;
-        slice0window_tag_end_of_line <= false;
-        slice0winner1_tag_valid <= false;
-        slice0winner1_tag_output_column <= false;
-        slice0winner1_tag_start_of_frame <= false;
-        slice0winner1_tag_end_of_line <= false;
-        slice0winner2_tag_valid <= false;
-        slice0winner2_tag_output_column <= false;
-        slice0winner2_tag_start_of_frame <= false;
-        slice0winner2_tag_end_of_line <= false;
-        slice0winner3_tag_valid <= false;
-        slice0winner3_tag_output_column <= false;
-        slice0winner3_tag_start_of_frame <= false;
-        slice0winner3_tag_end_of_line <= false;
-        slice0_best_tag_valid <= false;
-        slice0_best_tag_output_column <= false;
-        slice0_best_tag_start_of_frame <= false;
-        slice0_best_tag_end_of_line <= false;
+        slice0window_tag <= (others => false);
+        slice0winner1_tag <= (others => false);
+        slice0winner2_tag <= (others => false);
+        slice0winner3_tag <= (others => false);
+        slice0_best_tag <= (others => false);
         slice1window_centre_output_column_0 <= false;
         slice1window_centre_start_of_frame_0 <= false;
         slice1window_centre_end_of_line_0 <= false;
-        slice1_best_tag_valid <= false;
-        slice1_best_tag_output_column <= false;
-        slice1_best_tag_start_of_frame <= false;
-        slice1_best_tag_end_of_line <= false;
+        slice1_best_tag <= (others => false);
         for i in 0 to 11 loop
           refinement_tag_valid(i) <= false;
           refinement_tag_output_column(i) <= false;
@@ -1975,8 +1486,7 @@ begin
         map_out_valid <= false;
         map_out_start_of_frame <= false;
         map_out_end_of_line <= false;
-        others_from_15(15) <= 0;
-        others_from_15(16) <= 0;
+        others_from_15 <= (others => 0);
       end if;
     end if;
   end process;

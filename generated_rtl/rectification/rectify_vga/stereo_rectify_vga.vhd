@@ -94,6 +94,30 @@ architecture rtl of stereo_rectify_vga is
     return (value / 2 ** place) mod 2 = 1;
   end function;
 
+  function choice(test : boolean; yes : boolean; no : boolean) return boolean is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
+  function choice(test : boolean; yes : integer; no : integer) return integer is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
+  function choice(test : boolean; yes : unsigned; no : unsigned) return unsigned is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
   type boolean_1d is array (natural range <>) of boolean;
   type natural_1048575_1d is array (natural range <>) of natural range 0 to 1048575;
   type natural_15_1d is array (natural range <>) of natural range 0 to 15;
@@ -119,8 +143,7 @@ architecture rtl of stereo_rectify_vga is
   -- grid
   signal grid_node_column : natural range 0 to 63;
   signal grid_node_row : natural range 0 to 31;
-  signal grid_weight_x_held : natural_15_1d(0 to 4);
-  signal grid_weight_y_held : natural_15_1d(0 to 4);
+  signal grid_weight_x_held, grid_weight_y_held : natural_15_1d(0 to 4);
   -- leftoffsets
   signal leftoffsets_nodes_even_line : natural range 0 to 336;
   signal leftoffsets_nodes_odd_line : natural range 0 to 315;
@@ -131,8 +154,7 @@ architecture rtl of stereo_rectify_vga is
   signal leftoffsets_nodes_odd_column : natural range 0 to 31;
   signal leftoffsets_nodes_to_even_even, leftoffsets_nodes_to_even_odd, leftoffsets_nodes_to_odd_even : boolean;
   signal leftoffsets_nodes_to_odd_odd : boolean;
-  signal leftoffsets_nodes_row_odd : boolean_1d(0 to 3);
-  signal leftoffsets_nodes_column_odd : boolean_1d(0 to 3);
+  signal leftoffsets_nodes_row_odd, leftoffsets_nodes_column_odd : boolean_1d(0 to 3);
   signal leftoffsets_nodes_written, leftoffsets_nodes_even_even_write_word : unsigned(31 downto 0);
   signal leftoffsets_nodes_even_even_read_word, leftoffsets_nodes_even_even_ready_word : unsigned(31 downto 0);
   signal leftoffsets_nodes_even_odd_write_word, leftoffsets_nodes_even_odd_read_word : unsigned(31 downto 0);
@@ -195,16 +217,14 @@ architecture rtl of stereo_rectify_vga is
   signal lefttaps_taps_column : natural range 0 to 16383;
   signal lefttaps_taps_row : natural range 0 to 63;
   signal lefttaps_weight_x, lefttaps_weight_y : natural range 0 to 31;
-  signal lefttaps_column_shown : boolean_1d(0 to 1);
-  signal lefttaps_row_shown : boolean_1d(0 to 1);
+  signal lefttaps_column_shown, lefttaps_row_shown : boolean_1d(0 to 1);
   -- righttaps
   signal righttaps_source_x : natural range 0 to 98271;
   signal righttaps_offset_y : natural range 0 to 65535;
   signal righttaps_taps_column : natural range 0 to 16383;
   signal righttaps_taps_row : natural range 0 to 63;
   signal righttaps_weight_x, righttaps_weight_y : natural range 0 to 31;
-  signal righttaps_column_shown : boolean_1d(0 to 1);
-  signal righttaps_row_shown : boolean_1d(0 to 1);
+  signal righttaps_column_shown, righttaps_row_shown : boolean_1d(0 to 1);
   -- leftsampler
   signal leftsampler_rows_even_line, leftsampler_rows_odd_line, leftsampler_rows_write_line : natural range 0 to 8191;
   signal leftsampler_rows_even_column, leftsampler_rows_odd_column : natural range 0 to 8191;
@@ -217,8 +237,7 @@ architecture rtl of stereo_rectify_vga is
   signal leftsampler_rows_write_column : natural range 0 to 512;
   signal leftsampler_rows_to_even_even, leftsampler_rows_to_even_odd, leftsampler_rows_to_odd_even : boolean;
   signal leftsampler_rows_to_odd_odd : boolean;
-  signal leftsampler_rows_row_odd : boolean_1d(0 to 3);
-  signal leftsampler_rows_column_odd : boolean_1d(0 to 3);
+  signal leftsampler_rows_row_odd, leftsampler_rows_column_odd : boolean_1d(0 to 3);
   signal leftsampler_rows_written, leftsampler_rows_even_even_write_word : natural range 0 to 255;
   signal leftsampler_rows_even_even_ready_word, leftsampler_rows_even_odd_write_word : natural range 0 to 255;
   signal leftsampler_rows_even_odd_ready_word, leftsampler_rows_odd_even_write_word : natural range 0 to 255;
@@ -227,8 +246,7 @@ architecture rtl of stereo_rectify_vga is
   signal leftsampler_pixel_right_from, leftsampler_pixel_row_value : natural range 0 to 255;
   signal leftsampler_rows_even_even_read_word, leftsampler_rows_even_odd_read_word : unsigned(7 downto 0);
   signal leftsampler_rows_odd_even_read_word, leftsampler_rows_odd_odd_read_word : unsigned(7 downto 0);
-  signal leftsampler_weight_x_held : natural_31_1d(0 to 3);
-  signal leftsampler_weight_y_held : natural_31_1d(0 to 3);
+  signal leftsampler_weight_x_held, leftsampler_weight_y_held : natural_31_1d(0 to 3);
   signal leftsampler_pixel_left_part : natural range 0 to 31;
   signal leftsampler_pixel_weight_x_held : natural_31_1d(0 to 2);
   signal leftsampler_pixel_row_part : natural range 0 to 31;
@@ -253,10 +271,8 @@ architecture rtl of stereo_rectify_vga is
   signal rightsampler_pixel_right_from, rightsampler_pixel_row_value : natural range 0 to 255;
   signal rightsampler_rows_even_even_read_word, rightsampler_rows_even_odd_read_word : unsigned(7 downto 0);
   signal rightsampler_rows_odd_even_read_word, rightsampler_rows_odd_odd_read_word : unsigned(7 downto 0);
-  signal rightsampler_rows_row_odd : boolean_1d(0 to 3);
-  signal rightsampler_rows_column_odd : boolean_1d(0 to 3);
-  signal rightsampler_weight_x_held : natural_31_1d(0 to 3);
-  signal rightsampler_weight_y_held : natural_31_1d(0 to 3);
+  signal rightsampler_rows_row_odd, rightsampler_rows_column_odd : boolean_1d(0 to 3);
+  signal rightsampler_weight_x_held, rightsampler_weight_y_held : natural_31_1d(0 to 3);
   signal rightsampler_pixel_left_part : natural range 0 to 31;
   signal rightsampler_pixel_weight_x_held : natural_31_1d(0 to 2);
   signal rightsampler_pixel_row_part : natural range 0 to 31;
@@ -276,70 +292,6 @@ architecture rtl of stereo_rectify_vga is
   signal others_from_7 : natural_1048575_1d(7 to 9);  -- other_#
   signal other_4, other_6 : natural range 0 to 8191;
   signal others_from_10 : natural_8191_1d(10 to 11);  -- other_#
-  signal leftsampler_rows_even_even_read_word_memory_read_enable : boolean;
-  signal leftsampler_rows_even_even_read_word_memory_read_address : unsigned(12 downto 0);
-  signal leftsampler_rows_even_even_read_word_memory_write_address : unsigned(12 downto 0);
-  signal leftsampler_rows_even_even_read_word_memory_write_data : unsigned(7 downto 0);
-  signal leftsampler_rows_even_odd_read_word_memory_read_enable : boolean;
-  signal leftsampler_rows_even_odd_read_word_memory_read_address : unsigned(12 downto 0);
-  signal leftsampler_rows_even_odd_read_word_memory_write_address : unsigned(12 downto 0);
-  signal leftsampler_rows_even_odd_read_word_memory_write_data : unsigned(7 downto 0);
-  signal leftsampler_rows_odd_even_read_word_memory_read_enable : boolean;
-  signal leftsampler_rows_odd_even_read_word_memory_read_address : unsigned(12 downto 0);
-  signal leftsampler_rows_odd_even_read_word_memory_write_address : unsigned(12 downto 0);
-  signal leftsampler_rows_odd_even_read_word_memory_write_data : unsigned(7 downto 0);
-  signal leftsampler_rows_odd_odd_read_word_memory_read_enable : boolean;
-  signal leftsampler_rows_odd_odd_read_word_memory_read_address : unsigned(12 downto 0);
-  signal leftsampler_rows_odd_odd_read_word_memory_write_address : unsigned(12 downto 0);
-  signal leftsampler_rows_odd_odd_read_word_memory_write_data : unsigned(7 downto 0);
-  signal rightsampler_rows_even_even_read_word_memory_read_enable : boolean;
-  signal rightsampler_rows_even_even_read_word_memory_read_address : unsigned(12 downto 0);
-  signal rightsampler_rows_even_even_read_word_memory_write_address : unsigned(12 downto 0);
-  signal rightsampler_rows_even_even_read_word_memory_write_data : unsigned(7 downto 0);
-  signal rightsampler_rows_even_odd_read_word_memory_read_enable : boolean;
-  signal rightsampler_rows_even_odd_read_word_memory_read_address : unsigned(12 downto 0);
-  signal rightsampler_rows_even_odd_read_word_memory_write_address : unsigned(12 downto 0);
-  signal rightsampler_rows_even_odd_read_word_memory_write_data : unsigned(7 downto 0);
-  signal rightsampler_rows_odd_even_read_word_memory_read_enable : boolean;
-  signal rightsampler_rows_odd_even_read_word_memory_read_address : unsigned(12 downto 0);
-  signal rightsampler_rows_odd_even_read_word_memory_write_address : unsigned(12 downto 0);
-  signal rightsampler_rows_odd_even_read_word_memory_write_data : unsigned(7 downto 0);
-  signal rightsampler_rows_odd_odd_read_word_memory_read_enable : boolean;
-  signal rightsampler_rows_odd_odd_read_word_memory_read_address : unsigned(12 downto 0);
-  signal rightsampler_rows_odd_odd_read_word_memory_write_address : unsigned(12 downto 0);
-  signal rightsampler_rows_odd_odd_read_word_memory_write_data : unsigned(7 downto 0);
-  signal leftoffsets_nodes_even_even_read_word_memory_read_enable : boolean;
-  signal leftoffsets_nodes_even_even_read_word_memory_read_address : unsigned(8 downto 0);
-  signal leftoffsets_nodes_even_even_read_word_memory_write_address : unsigned(8 downto 0);
-  signal leftoffsets_nodes_even_even_read_word_memory_write_data : unsigned(31 downto 0);
-  signal leftoffsets_nodes_even_odd_read_word_memory_read_enable : boolean;
-  signal leftoffsets_nodes_even_odd_read_word_memory_read_address : unsigned(8 downto 0);
-  signal leftoffsets_nodes_even_odd_read_word_memory_write_address : unsigned(8 downto 0);
-  signal leftoffsets_nodes_even_odd_read_word_memory_write_data : unsigned(31 downto 0);
-  signal leftoffsets_nodes_odd_even_read_word_memory_read_enable : boolean;
-  signal leftoffsets_nodes_odd_even_read_word_memory_read_address : unsigned(8 downto 0);
-  signal leftoffsets_nodes_odd_even_read_word_memory_write_address : unsigned(8 downto 0);
-  signal leftoffsets_nodes_odd_even_read_word_memory_write_data : unsigned(31 downto 0);
-  signal leftoffsets_nodes_odd_odd_read_word_memory_read_enable : boolean;
-  signal leftoffsets_nodes_odd_odd_read_word_memory_read_address : unsigned(8 downto 0);
-  signal leftoffsets_nodes_odd_odd_read_word_memory_write_address : unsigned(8 downto 0);
-  signal leftoffsets_nodes_odd_odd_read_word_memory_write_data : unsigned(31 downto 0);
-  signal rightoffsets_nodes_even_even_read_word_memory_read_enable : boolean;
-  signal rightoffsets_nodes_even_even_read_word_memory_read_address : unsigned(8 downto 0);
-  signal rightoffsets_nodes_even_even_read_word_memory_write_address : unsigned(8 downto 0);
-  signal rightoffsets_nodes_even_even_read_word_memory_write_data : unsigned(31 downto 0);
-  signal rightoffsets_nodes_even_odd_read_word_memory_read_enable : boolean;
-  signal rightoffsets_nodes_even_odd_read_word_memory_read_address : unsigned(8 downto 0);
-  signal rightoffsets_nodes_even_odd_read_word_memory_write_address : unsigned(8 downto 0);
-  signal rightoffsets_nodes_even_odd_read_word_memory_write_data : unsigned(31 downto 0);
-  signal rightoffsets_nodes_odd_even_read_word_memory_read_enable : boolean;
-  signal rightoffsets_nodes_odd_even_read_word_memory_read_address : unsigned(8 downto 0);
-  signal rightoffsets_nodes_odd_even_read_word_memory_write_address : unsigned(8 downto 0);
-  signal rightoffsets_nodes_odd_even_read_word_memory_write_data : unsigned(31 downto 0);
-  signal rightoffsets_nodes_odd_odd_read_word_memory_read_enable : boolean;
-  signal rightoffsets_nodes_odd_odd_read_word_memory_read_address : unsigned(8 downto 0);
-  signal rightoffsets_nodes_odd_odd_read_word_memory_write_address : unsigned(8 downto 0);
-  signal rightoffsets_nodes_odd_odd_read_word_memory_write_data : unsigned(31 downto 0);
 
 begin
   in_node_x <= to_integer(unsigned(to_stdlogicvector(to_bitvector(node_x))));
@@ -357,219 +309,242 @@ begin
   rectified_start_of_frame <= as_bit(valid_held(9) and starts_held(9));
   rectified_valid <= as_bit(valid_held(9));
 
-  leftsampler_rows_even_even_read_word_memory_read_enable <= true;
-  leftsampler_rows_even_even_read_word_memory_read_address <= to_unsigned(leftsampler_rows_even_even_read_address, 13);
-  leftsampler_rows_even_even_read_word_memory_write_address <= to_unsigned(leftsampler_rows_even_even_write_address, 13);
-  leftsampler_rows_even_even_read_word_memory_write_data <= to_unsigned(leftsampler_rows_even_even_write_word, 8);
-  leftsampler_rows_even_even_read_word_memory : entity work.line_memory
-    generic map (depth => 5457, width => 8, address_bits => 13)
-    port map (
-      clock => clock, read_enable => leftsampler_rows_even_even_read_word_memory_read_enable,
-      read_address => leftsampler_rows_even_even_read_word_memory_read_address, read_data => leftsampler_rows_even_even_read_word,
-      write_address => leftsampler_rows_even_even_read_word_memory_write_address, write_data => leftsampler_rows_even_even_read_word_memory_write_data);
+  leftsampler_rows_even_even_read_word_memory : block
+    signal read_address, write_address : unsigned(12 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(leftsampler_rows_even_even_read_address, 13);
+    write_address <= to_unsigned(leftsampler_rows_even_even_write_address, 13);
+    write_data <= to_unsigned(leftsampler_rows_even_even_write_word, 8);
+    cell : entity work.line_memory
+      generic map (depth => 5457, width => 8, address_bits => 13)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        leftsampler_rows_even_even_read_word, write_address => write_address, write_data => write_data);
+  end block;
 
-  leftsampler_rows_even_odd_read_word_memory_read_enable <= true;
-  leftsampler_rows_even_odd_read_word_memory_read_address <= to_unsigned(leftsampler_rows_even_odd_read_address, 13);
-  leftsampler_rows_even_odd_read_word_memory_write_address <= to_unsigned(leftsampler_rows_even_odd_write_address, 13);
-  leftsampler_rows_even_odd_read_word_memory_write_data <= to_unsigned(leftsampler_rows_even_odd_write_word, 8);
-  leftsampler_rows_even_odd_read_word_memory : entity work.line_memory
-    generic map (depth => 5457, width => 8, address_bits => 13)
-    port map (
-      clock => clock, read_enable => leftsampler_rows_even_odd_read_word_memory_read_enable,
-      read_address => leftsampler_rows_even_odd_read_word_memory_read_address, read_data => leftsampler_rows_even_odd_read_word,
-      write_address => leftsampler_rows_even_odd_read_word_memory_write_address, write_data => leftsampler_rows_even_odd_read_word_memory_write_data);
+  leftsampler_rows_even_odd_read_word_memory : block
+    signal read_address, write_address : unsigned(12 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(leftsampler_rows_even_odd_read_address, 13);
+    write_address <= to_unsigned(leftsampler_rows_even_odd_write_address, 13);
+    write_data <= to_unsigned(leftsampler_rows_even_odd_write_word, 8);
+    cell : entity work.line_memory
+      generic map (depth => 5457, width => 8, address_bits => 13)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        leftsampler_rows_even_odd_read_word, write_address => write_address, write_data => write_data);
+  end block;
 
-  leftsampler_rows_odd_even_read_word_memory_read_enable <= true;
-  leftsampler_rows_odd_even_read_word_memory_read_address <= to_unsigned(leftsampler_rows_odd_even_read_address, 13);
-  leftsampler_rows_odd_even_read_word_memory_write_address <= to_unsigned(leftsampler_rows_odd_even_write_address, 13);
-  leftsampler_rows_odd_even_read_word_memory_write_data <= to_unsigned(leftsampler_rows_odd_even_write_word, 8);
-  leftsampler_rows_odd_even_read_word_memory : entity work.line_memory
-    generic map (depth => 5457, width => 8, address_bits => 13)
-    port map (
-      clock => clock, read_enable => leftsampler_rows_odd_even_read_word_memory_read_enable,
-      read_address => leftsampler_rows_odd_even_read_word_memory_read_address, read_data => leftsampler_rows_odd_even_read_word,
-      write_address => leftsampler_rows_odd_even_read_word_memory_write_address, write_data => leftsampler_rows_odd_even_read_word_memory_write_data);
+  leftsampler_rows_odd_even_read_word_memory : block
+    signal read_address, write_address : unsigned(12 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(leftsampler_rows_odd_even_read_address, 13);
+    write_address <= to_unsigned(leftsampler_rows_odd_even_write_address, 13);
+    write_data <= to_unsigned(leftsampler_rows_odd_even_write_word, 8);
+    cell : entity work.line_memory
+      generic map (depth => 5457, width => 8, address_bits => 13)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        leftsampler_rows_odd_even_read_word, write_address => write_address, write_data => write_data);
+  end block;
 
-  leftsampler_rows_odd_odd_read_word_memory_read_enable <= true;
-  leftsampler_rows_odd_odd_read_word_memory_read_address <= to_unsigned(leftsampler_rows_odd_odd_read_address, 13);
-  leftsampler_rows_odd_odd_read_word_memory_write_address <= to_unsigned(leftsampler_rows_odd_odd_write_address, 13);
-  leftsampler_rows_odd_odd_read_word_memory_write_data <= to_unsigned(leftsampler_rows_odd_odd_write_word, 8);
-  leftsampler_rows_odd_odd_read_word_memory : entity work.line_memory
-    generic map (depth => 5457, width => 8, address_bits => 13)
-    port map (
-      clock => clock, read_enable => leftsampler_rows_odd_odd_read_word_memory_read_enable,
-      read_address => leftsampler_rows_odd_odd_read_word_memory_read_address, read_data => leftsampler_rows_odd_odd_read_word,
-      write_address => leftsampler_rows_odd_odd_read_word_memory_write_address, write_data => leftsampler_rows_odd_odd_read_word_memory_write_data);
+  leftsampler_rows_odd_odd_read_word_memory : block
+    signal read_address, write_address : unsigned(12 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(leftsampler_rows_odd_odd_read_address, 13);
+    write_address <= to_unsigned(leftsampler_rows_odd_odd_write_address, 13);
+    write_data <= to_unsigned(leftsampler_rows_odd_odd_write_word, 8);
+    cell : entity work.line_memory
+      generic map (depth => 5457, width => 8, address_bits => 13)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        leftsampler_rows_odd_odd_read_word, write_address => write_address, write_data => write_data);
+  end block;
 
-  rightsampler_rows_even_even_read_word_memory_read_enable <= true;
-  rightsampler_rows_even_even_read_word_memory_read_address <= to_unsigned(rightsampler_rows_even_even_read_address, 13);
-  rightsampler_rows_even_even_read_word_memory_write_address <= to_unsigned(leftsampler_rows_even_even_write_address, 13);
-  rightsampler_rows_even_even_read_word_memory_write_data <= to_unsigned(rightsampler_rows_even_even_write_word, 8);
-  rightsampler_rows_even_even_read_word_memory : entity work.line_memory
-    generic map (depth => 5457, width => 8, address_bits => 13)
-    port map (
-      clock => clock, read_enable => rightsampler_rows_even_even_read_word_memory_read_enable,
-      read_address => rightsampler_rows_even_even_read_word_memory_read_address, read_data => rightsampler_rows_even_even_read_word,
-      write_address => rightsampler_rows_even_even_read_word_memory_write_address, write_data => rightsampler_rows_even_even_read_word_memory_write_data);
+  rightsampler_rows_even_even_read_word_memory : block
+    signal read_address, write_address : unsigned(12 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(rightsampler_rows_even_even_read_address, 13);
+    write_address <= to_unsigned(leftsampler_rows_even_even_write_address, 13);
+    write_data <= to_unsigned(rightsampler_rows_even_even_write_word, 8);
+    cell : entity work.line_memory
+      generic map (depth => 5457, width => 8, address_bits => 13)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rightsampler_rows_even_even_read_word, write_address => write_address, write_data => write_data);
+  end block;
 
-  rightsampler_rows_even_odd_read_word_memory_read_enable <= true;
-  rightsampler_rows_even_odd_read_word_memory_read_address <= to_unsigned(rightsampler_rows_even_odd_read_address, 13);
-  rightsampler_rows_even_odd_read_word_memory_write_address <= to_unsigned(leftsampler_rows_even_odd_write_address, 13);
-  rightsampler_rows_even_odd_read_word_memory_write_data <= to_unsigned(rightsampler_rows_even_odd_write_word, 8);
-  rightsampler_rows_even_odd_read_word_memory : entity work.line_memory
-    generic map (depth => 5457, width => 8, address_bits => 13)
-    port map (
-      clock => clock, read_enable => rightsampler_rows_even_odd_read_word_memory_read_enable,
-      read_address => rightsampler_rows_even_odd_read_word_memory_read_address, read_data => rightsampler_rows_even_odd_read_word,
-      write_address => rightsampler_rows_even_odd_read_word_memory_write_address, write_data => rightsampler_rows_even_odd_read_word_memory_write_data);
+  rightsampler_rows_even_odd_read_word_memory : block
+    signal read_address, write_address : unsigned(12 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(rightsampler_rows_even_odd_read_address, 13);
+    write_address <= to_unsigned(leftsampler_rows_even_odd_write_address, 13);
+    write_data <= to_unsigned(rightsampler_rows_even_odd_write_word, 8);
+    cell : entity work.line_memory
+      generic map (depth => 5457, width => 8, address_bits => 13)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rightsampler_rows_even_odd_read_word, write_address => write_address, write_data => write_data);
+  end block;
 
-  rightsampler_rows_odd_even_read_word_memory_read_enable <= true;
-  rightsampler_rows_odd_even_read_word_memory_read_address <= to_unsigned(rightsampler_rows_odd_even_read_address, 13);
-  rightsampler_rows_odd_even_read_word_memory_write_address <= to_unsigned(leftsampler_rows_odd_even_write_address, 13);
-  rightsampler_rows_odd_even_read_word_memory_write_data <= to_unsigned(rightsampler_rows_odd_even_write_word, 8);
-  rightsampler_rows_odd_even_read_word_memory : entity work.line_memory
-    generic map (depth => 5457, width => 8, address_bits => 13)
-    port map (
-      clock => clock, read_enable => rightsampler_rows_odd_even_read_word_memory_read_enable,
-      read_address => rightsampler_rows_odd_even_read_word_memory_read_address, read_data => rightsampler_rows_odd_even_read_word,
-      write_address => rightsampler_rows_odd_even_read_word_memory_write_address, write_data => rightsampler_rows_odd_even_read_word_memory_write_data);
+  rightsampler_rows_odd_even_read_word_memory : block
+    signal read_address, write_address : unsigned(12 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(rightsampler_rows_odd_even_read_address, 13);
+    write_address <= to_unsigned(leftsampler_rows_odd_even_write_address, 13);
+    write_data <= to_unsigned(rightsampler_rows_odd_even_write_word, 8);
+    cell : entity work.line_memory
+      generic map (depth => 5457, width => 8, address_bits => 13)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rightsampler_rows_odd_even_read_word, write_address => write_address, write_data => write_data);
+  end block;
 
-  rightsampler_rows_odd_odd_read_word_memory_read_enable <= true;
-  rightsampler_rows_odd_odd_read_word_memory_read_address <= to_unsigned(rightsampler_rows_odd_odd_read_address, 13);
-  rightsampler_rows_odd_odd_read_word_memory_write_address <= to_unsigned(leftsampler_rows_odd_odd_write_address, 13);
-  rightsampler_rows_odd_odd_read_word_memory_write_data <= to_unsigned(rightsampler_rows_odd_odd_write_word, 8);
-  rightsampler_rows_odd_odd_read_word_memory : entity work.line_memory
-    generic map (depth => 5457, width => 8, address_bits => 13)
-    port map (
-      clock => clock, read_enable => rightsampler_rows_odd_odd_read_word_memory_read_enable,
-      read_address => rightsampler_rows_odd_odd_read_word_memory_read_address, read_data => rightsampler_rows_odd_odd_read_word,
-      write_address => rightsampler_rows_odd_odd_read_word_memory_write_address, write_data => rightsampler_rows_odd_odd_read_word_memory_write_data);
+  rightsampler_rows_odd_odd_read_word_memory : block
+    signal read_address, write_address : unsigned(12 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(rightsampler_rows_odd_odd_read_address, 13);
+    write_address <= to_unsigned(leftsampler_rows_odd_odd_write_address, 13);
+    write_data <= to_unsigned(rightsampler_rows_odd_odd_write_word, 8);
+    cell : entity work.line_memory
+      generic map (depth => 5457, width => 8, address_bits => 13)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rightsampler_rows_odd_odd_read_word, write_address => write_address, write_data => write_data);
+  end block;
 
-  leftoffsets_nodes_even_even_read_word_memory_read_enable <= true;
-  leftoffsets_nodes_even_even_read_word_memory_read_address <= to_unsigned(leftoffsets_nodes_even_even_read_address, 9);
-  leftoffsets_nodes_even_even_read_word_memory_write_address <= to_unsigned(leftoffsets_nodes_even_even_write_address, 9);
-  leftoffsets_nodes_even_even_read_word_memory_write_data <= leftoffsets_nodes_even_even_write_word;
-  leftoffsets_nodes_even_even_read_word_memory : entity work.line_memory
-    generic map (depth => 336, width => 32, address_bits => 9)
-    port map (
-      clock => clock, read_enable => leftoffsets_nodes_even_even_read_word_memory_read_enable,
-      read_address => leftoffsets_nodes_even_even_read_word_memory_read_address, read_data => leftoffsets_nodes_even_even_read_word,
-      write_address => leftoffsets_nodes_even_even_read_word_memory_write_address, write_data => leftoffsets_nodes_even_even_read_word_memory_write_data);
+  leftoffsets_nodes_even_even_read_word_memory : block
+    signal read_address, write_address : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(leftoffsets_nodes_even_even_read_address, 9);
+    write_address <= to_unsigned(leftoffsets_nodes_even_even_write_address, 9);
+    cell : entity work.line_memory
+      generic map (depth => 336, width => 32, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        leftoffsets_nodes_even_even_read_word, write_address => write_address, write_data =>
+        leftoffsets_nodes_even_even_write_word);
+  end block;
 
-  leftoffsets_nodes_even_odd_read_word_memory_read_enable <= true;
-  leftoffsets_nodes_even_odd_read_word_memory_read_address <= to_unsigned(leftoffsets_nodes_even_odd_read_address, 9);
-  leftoffsets_nodes_even_odd_read_word_memory_write_address <= to_unsigned(leftoffsets_nodes_even_odd_write_address, 9);
-  leftoffsets_nodes_even_odd_read_word_memory_write_data <= leftoffsets_nodes_even_odd_write_word;
-  leftoffsets_nodes_even_odd_read_word_memory : entity work.line_memory
-    generic map (depth => 336, width => 32, address_bits => 9)
-    port map (
-      clock => clock, read_enable => leftoffsets_nodes_even_odd_read_word_memory_read_enable,
-      read_address => leftoffsets_nodes_even_odd_read_word_memory_read_address, read_data => leftoffsets_nodes_even_odd_read_word,
-      write_address => leftoffsets_nodes_even_odd_read_word_memory_write_address, write_data => leftoffsets_nodes_even_odd_read_word_memory_write_data);
+  leftoffsets_nodes_even_odd_read_word_memory : block
+    signal read_address, write_address : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(leftoffsets_nodes_even_odd_read_address, 9);
+    write_address <= to_unsigned(leftoffsets_nodes_even_odd_write_address, 9);
+    cell : entity work.line_memory
+      generic map (depth => 336, width => 32, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        leftoffsets_nodes_even_odd_read_word, write_address => write_address, write_data =>
+        leftoffsets_nodes_even_odd_write_word);
+  end block;
 
-  leftoffsets_nodes_odd_even_read_word_memory_read_enable <= true;
-  leftoffsets_nodes_odd_even_read_word_memory_read_address <= to_unsigned(leftoffsets_nodes_odd_even_read_address, 9);
-  leftoffsets_nodes_odd_even_read_word_memory_write_address <= to_unsigned(leftoffsets_nodes_odd_even_write_address, 9);
-  leftoffsets_nodes_odd_even_read_word_memory_write_data <= leftoffsets_nodes_odd_even_write_word;
-  leftoffsets_nodes_odd_even_read_word_memory : entity work.line_memory
-    generic map (depth => 336, width => 32, address_bits => 9)
-    port map (
-      clock => clock, read_enable => leftoffsets_nodes_odd_even_read_word_memory_read_enable,
-      read_address => leftoffsets_nodes_odd_even_read_word_memory_read_address, read_data => leftoffsets_nodes_odd_even_read_word,
-      write_address => leftoffsets_nodes_odd_even_read_word_memory_write_address, write_data => leftoffsets_nodes_odd_even_read_word_memory_write_data);
+  leftoffsets_nodes_odd_even_read_word_memory : block
+    signal read_address, write_address : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(leftoffsets_nodes_odd_even_read_address, 9);
+    write_address <= to_unsigned(leftoffsets_nodes_odd_even_write_address, 9);
+    cell : entity work.line_memory
+      generic map (depth => 336, width => 32, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        leftoffsets_nodes_odd_even_read_word, write_address => write_address, write_data =>
+        leftoffsets_nodes_odd_even_write_word);
+  end block;
 
-  leftoffsets_nodes_odd_odd_read_word_memory_read_enable <= true;
-  leftoffsets_nodes_odd_odd_read_word_memory_read_address <= to_unsigned(leftoffsets_nodes_odd_odd_read_address, 9);
-  leftoffsets_nodes_odd_odd_read_word_memory_write_address <= to_unsigned(leftoffsets_nodes_odd_odd_write_address, 9);
-  leftoffsets_nodes_odd_odd_read_word_memory_write_data <= leftoffsets_nodes_odd_odd_write_word;
-  leftoffsets_nodes_odd_odd_read_word_memory : entity work.line_memory
-    generic map (depth => 336, width => 32, address_bits => 9)
-    port map (
-      clock => clock, read_enable => leftoffsets_nodes_odd_odd_read_word_memory_read_enable,
-      read_address => leftoffsets_nodes_odd_odd_read_word_memory_read_address, read_data => leftoffsets_nodes_odd_odd_read_word,
-      write_address => leftoffsets_nodes_odd_odd_read_word_memory_write_address, write_data => leftoffsets_nodes_odd_odd_read_word_memory_write_data);
+  leftoffsets_nodes_odd_odd_read_word_memory : block
+    signal read_address, write_address : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(leftoffsets_nodes_odd_odd_read_address, 9);
+    write_address <= to_unsigned(leftoffsets_nodes_odd_odd_write_address, 9);
+    cell : entity work.line_memory
+      generic map (depth => 336, width => 32, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        leftoffsets_nodes_odd_odd_read_word, write_address => write_address, write_data =>
+        leftoffsets_nodes_odd_odd_write_word);
+  end block;
 
-  rightoffsets_nodes_even_even_read_word_memory_read_enable <= true;
-  rightoffsets_nodes_even_even_read_word_memory_read_address <= to_unsigned(leftoffsets_nodes_even_even_read_address, 9);
-  rightoffsets_nodes_even_even_read_word_memory_write_address <= to_unsigned(rightoffsets_nodes_even_even_write_address, 9);
-  rightoffsets_nodes_even_even_read_word_memory_write_data <= rightoffsets_nodes_even_even_write_word;
-  rightoffsets_nodes_even_even_read_word_memory : entity work.line_memory
-    generic map (depth => 336, width => 32, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rightoffsets_nodes_even_even_read_word_memory_read_enable,
-      read_address => rightoffsets_nodes_even_even_read_word_memory_read_address, read_data => rightoffsets_nodes_even_even_read_word,
-      write_address => rightoffsets_nodes_even_even_read_word_memory_write_address, write_data => rightoffsets_nodes_even_even_read_word_memory_write_data);
+  rightoffsets_nodes_even_even_read_word_memory : block
+    signal read_address, write_address : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(leftoffsets_nodes_even_even_read_address, 9);
+    write_address <= to_unsigned(rightoffsets_nodes_even_even_write_address, 9);
+    cell : entity work.line_memory
+      generic map (depth => 336, width => 32, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rightoffsets_nodes_even_even_read_word, write_address => write_address, write_data =>
+        rightoffsets_nodes_even_even_write_word);
+  end block;
 
-  rightoffsets_nodes_even_odd_read_word_memory_read_enable <= true;
-  rightoffsets_nodes_even_odd_read_word_memory_read_address <= to_unsigned(leftoffsets_nodes_even_odd_read_address, 9);
-  rightoffsets_nodes_even_odd_read_word_memory_write_address <= to_unsigned(rightoffsets_nodes_even_odd_write_address, 9);
-  rightoffsets_nodes_even_odd_read_word_memory_write_data <= rightoffsets_nodes_even_odd_write_word;
-  rightoffsets_nodes_even_odd_read_word_memory : entity work.line_memory
-    generic map (depth => 336, width => 32, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rightoffsets_nodes_even_odd_read_word_memory_read_enable,
-      read_address => rightoffsets_nodes_even_odd_read_word_memory_read_address, read_data => rightoffsets_nodes_even_odd_read_word,
-      write_address => rightoffsets_nodes_even_odd_read_word_memory_write_address, write_data => rightoffsets_nodes_even_odd_read_word_memory_write_data);
+  rightoffsets_nodes_even_odd_read_word_memory : block
+    signal read_address, write_address : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(leftoffsets_nodes_even_odd_read_address, 9);
+    write_address <= to_unsigned(rightoffsets_nodes_even_odd_write_address, 9);
+    cell : entity work.line_memory
+      generic map (depth => 336, width => 32, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rightoffsets_nodes_even_odd_read_word, write_address => write_address, write_data =>
+        rightoffsets_nodes_even_odd_write_word);
+  end block;
 
-  rightoffsets_nodes_odd_even_read_word_memory_read_enable <= true;
-  rightoffsets_nodes_odd_even_read_word_memory_read_address <= to_unsigned(leftoffsets_nodes_odd_even_read_address, 9);
-  rightoffsets_nodes_odd_even_read_word_memory_write_address <= to_unsigned(rightoffsets_nodes_odd_even_write_address, 9);
-  rightoffsets_nodes_odd_even_read_word_memory_write_data <= rightoffsets_nodes_odd_even_write_word;
-  rightoffsets_nodes_odd_even_read_word_memory : entity work.line_memory
-    generic map (depth => 336, width => 32, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rightoffsets_nodes_odd_even_read_word_memory_read_enable,
-      read_address => rightoffsets_nodes_odd_even_read_word_memory_read_address, read_data => rightoffsets_nodes_odd_even_read_word,
-      write_address => rightoffsets_nodes_odd_even_read_word_memory_write_address, write_data => rightoffsets_nodes_odd_even_read_word_memory_write_data);
+  rightoffsets_nodes_odd_even_read_word_memory : block
+    signal read_address, write_address : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(leftoffsets_nodes_odd_even_read_address, 9);
+    write_address <= to_unsigned(rightoffsets_nodes_odd_even_write_address, 9);
+    cell : entity work.line_memory
+      generic map (depth => 336, width => 32, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rightoffsets_nodes_odd_even_read_word, write_address => write_address, write_data =>
+        rightoffsets_nodes_odd_even_write_word);
+  end block;
 
-  rightoffsets_nodes_odd_odd_read_word_memory_read_enable <= true;
-  rightoffsets_nodes_odd_odd_read_word_memory_read_address <= to_unsigned(leftoffsets_nodes_odd_odd_read_address, 9);
-  rightoffsets_nodes_odd_odd_read_word_memory_write_address <= to_unsigned(rightoffsets_nodes_odd_odd_write_address, 9);
-  rightoffsets_nodes_odd_odd_read_word_memory_write_data <= rightoffsets_nodes_odd_odd_write_word;
-  rightoffsets_nodes_odd_odd_read_word_memory : entity work.line_memory
-    generic map (depth => 336, width => 32, address_bits => 9)
-    port map (
-      clock => clock, read_enable => rightoffsets_nodes_odd_odd_read_word_memory_read_enable,
-      read_address => rightoffsets_nodes_odd_odd_read_word_memory_read_address, read_data => rightoffsets_nodes_odd_odd_read_word,
-      write_address => rightoffsets_nodes_odd_odd_read_word_memory_write_address, write_data => rightoffsets_nodes_odd_odd_read_word_memory_write_data);
+  rightoffsets_nodes_odd_odd_read_word_memory : block
+    signal read_address, write_address : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(leftoffsets_nodes_odd_odd_read_address, 9);
+    write_address <= to_unsigned(rightoffsets_nodes_odd_odd_write_address, 9);
+    cell : entity work.line_memory
+      generic map (depth => 336, width => 32, address_bits => 9)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rightoffsets_nodes_odd_odd_read_word, write_address => write_address, write_data =>
+        rightoffsets_nodes_odd_odd_write_word);
+  end block;
 
   process (clock)
-    variable counter_column_is_equal, counter_next_frame_is_equal, counter_next_frame_choice : boolean;
-    variable counter_next_frame_choices : boolean_1d(2 to 3);  -- counter_next_frame_choice_#
-    variable counter_next_frame_is_equal_2, counter_group_differs, grid_node_row_all : boolean;
-    variable sample_place_column_is_equal, sample_place_next_frame_is_equal, sample_place_next_frame_choice : boolean;
-    variable sample_place_next_frame_is_equal_2, sample_place_next_frame_choice_2, sample_place_group_differs : boolean;
-    variable lefttaps_taps_column_is_less, lefttaps_taps_row_is_not_less, lefttaps_taps_row_is_less : boolean;
-    variable lefttaps_taps_row_value, lefttaps_taps_row_choice : boolean;
-    variable lefttaps_taps_row_values : boolean_1d(2 to 5);  -- lefttaps_taps_row_value_#
-    variable lefttaps_taps_row_all : boolean;
-    variable lefttaps_taps_row_choices : boolean_1d(2 to 5);  -- lefttaps_taps_row_choice_#
-    variable righttaps_taps_column_is_less, righttaps_taps_row_is_not_less, righttaps_taps_row_is_less : boolean;
-    variable righttaps_taps_row_value, righttaps_taps_row_all, righttaps_taps_row_choice : boolean;
-    variable righttaps_taps_row_choices : boolean_1d(2 to 10);  -- righttaps_taps_row_choice_#
-    variable righttaps_taps_row_values : boolean_1d(2 to 5);  -- righttaps_taps_row_value_#
+    variable counter_column_is_equal : boolean;
+    variable counter_next_frame_is_equals : boolean_1d(1 to 2);  -- counter_next_frame_is_equal_#
+    variable counter_next_frame_choices : boolean_1d(1 to 3);  -- counter_next_frame_choice_#
+    variable counter_group_differs, grid_node_row_all, sample_place_column_is_equal : boolean;
+    variable sample_place_next_frame_is_equals : boolean_1d(1 to 2);  -- sample_place_next_frame_is_equal_#
+    variable sample_place_next_frame_choices : boolean_1d(1 to 2);  -- sample_place_next_frame_choice_#
+    variable sample_place_group_differs, lefttaps_taps_column_is_less, lefttaps_taps_row_is_not_less : boolean;
+    variable lefttaps_taps_row_is_less : boolean;
+    variable lefttaps_taps_row_values : boolean_1d(1 to 5);  -- lefttaps_taps_row_value_#
+    variable lefttaps_taps_row_choices : boolean_1d(1 to 5);  -- lefttaps_taps_row_choice_#
+    variable lefttaps_taps_row_all, righttaps_taps_column_is_less, righttaps_taps_row_is_not_less : boolean;
+    variable righttaps_taps_row_is_less : boolean;
+    variable righttaps_taps_row_values : boolean_1d(1 to 5);  -- righttaps_taps_row_value_#
+    variable righttaps_taps_row_all : boolean;
+    variable righttaps_taps_row_choices : boolean_1d(1 to 10);  -- righttaps_taps_row_choice_#
     variable counter_group_choice, sample_place_group_choice : natural range 0 to 15;
     variable counter_group_choices : natural_511_1d(2 to 3);  -- counter_group_choice_#
     variable grid_node_row_choice, leftoffsets_nodes_even_even_write_address_value : natural range 0 to 511;
     variable sample_place_group_choices : natural_511_1d(2 to 3);  -- sample_place_group_choice_#
     variable grid_node_row_sum : natural range 495 to 1006;
-    variable leftoffsets_x_left_from_choice : natural range 0 to 65535;
-    variable leftoffsets_x_left_from_choices : natural_65535_1d(2 to 3);  -- leftoffsets_x_left_from_choice_#
-    variable leftoffsets_x_left_difference_choice, leftoffsets_x_right_from_choice : natural range 0 to 65535;
-    variable leftoffsets_x_right_from_choices : natural_65535_1d(2 to 3);  -- leftoffsets_x_right_from_choice_#
-    variable leftoffsets_x_right_difference_choice, rightoffsets_x_left_from_choice : natural range 0 to 65535;
-    variable rightoffsets_x_left_from_choices : natural_65535_1d(2 to 3);  -- rightoffsets_x_left_from_choice_#
-    variable rightoffsets_x_left_difference_choice, rightoffsets_x_right_from_choice : natural range 0 to 65535;
-    variable rightoffsets_x_right_from_choices : natural_65535_1d(2 to 3);  -- rightoffsets_x_right_from_choice_#
+    variable leftoffsets_x_left_from_choices : natural_65535_1d(1 to 3);  -- leftoffsets_x_left_from_choice_#
+    variable leftoffsets_x_left_difference_choice : natural range 0 to 65535;
+    variable leftoffsets_x_right_from_choices : natural_65535_1d(1 to 3);  -- leftoffsets_x_right_from_choice_#
+    variable leftoffsets_x_right_difference_choice : natural range 0 to 65535;
+    variable rightoffsets_x_left_from_choices : natural_65535_1d(1 to 3);  -- rightoffsets_x_left_from_choice_#
+    variable rightoffsets_x_left_difference_choice : natural range 0 to 65535;
+    variable rightoffsets_x_right_from_choices : natural_65535_1d(1 to 3);  -- rightoffsets_x_right_from_choice_#
     variable rightoffsets_x_right_difference_choice : natural range 0 to 65535;
-    variable leftoffsets_y_left_from_choice : unsigned(31 downto 0);
-    variable leftoffsets_y_left_from_choices : unsigned_32_1d(2 to 3);  -- leftoffsets_y_left_from_choice_#
-    variable leftoffsets_y_left_difference_choice, leftoffsets_y_right_from_choice : unsigned(31 downto 0);
-    variable leftoffsets_y_right_from_choices : unsigned_32_1d(2 to 3);  -- leftoffsets_y_right_from_choice_#
-    variable leftoffsets_y_right_difference_choice, rightoffsets_y_left_from_choice : unsigned(31 downto 0);
-    variable rightoffsets_y_left_from_choices : unsigned_32_1d(2 to 3);  -- rightoffsets_y_left_from_choice_#
-    variable rightoffsets_y_left_difference_choice, rightoffsets_y_right_from_choice : unsigned(31 downto 0);
-    variable rightoffsets_y_right_from_choices : unsigned_32_1d(2 to 3);  -- rightoffsets_y_right_from_choice_#
+    variable leftoffsets_y_left_from_choices : unsigned_32_1d(1 to 3);  -- leftoffsets_y_left_from_choice_#
+    variable leftoffsets_y_left_difference_choice : unsigned(31 downto 0);
+    variable leftoffsets_y_right_from_choices : unsigned_32_1d(1 to 3);  -- leftoffsets_y_right_from_choice_#
+    variable leftoffsets_y_right_difference_choice : unsigned(31 downto 0);
+    variable rightoffsets_y_left_from_choices : unsigned_32_1d(1 to 3);  -- rightoffsets_y_left_from_choice_#
+    variable rightoffsets_y_left_difference_choice : unsigned(31 downto 0);
+    variable rightoffsets_y_right_from_choices : unsigned_32_1d(1 to 3);  -- rightoffsets_y_right_from_choice_#
     variable rightoffsets_y_right_difference_choice : unsigned(31 downto 0);
     variable sample_place_column_sum : natural range 1 to 1024;
     variable lefttaps_taps_row_difference, righttaps_taps_row_difference : integer range -1518 to 529;
@@ -577,74 +552,39 @@ begin
     variable lefttaps_taps_row_choices_from_6 : natural_63_1d(6 to 7);  -- lefttaps_taps_row_choice_#
     variable righttaps_taps_row_choices_from_11 : natural_63_1d(11 to 12);  -- righttaps_taps_row_choice_#
     variable leftsampler_shown_held_0_choice, rightsampler_shown_held_0_choice : natural range 0 to 3;
-    variable leftsampler_pixel_left_from_choice : natural range 0 to 255;
-    variable leftsampler_pixel_left_from_choices : natural_255_1d(2 to 4);  -- leftsampler_pixel_left_from_choice_#
-    variable leftsampler_pixel_left_difference_choice : natural range 0 to 255;
-    variable leftsampler_pixel_left_difference_choice_2, leftsampler_pixel_right_from_choice : natural range 0 to 255;
-    variable leftsampler_pixel_right_from_choices : natural_255_1d(2 to 4);  -- leftsampler_pixel_right_from_choice_#
-    variable leftsampler_pixel_right_difference_choice : natural range 0 to 255;
-    variable leftsampler_pixel_right_difference_choice_2, rightsampler_pixel_left_from_choice : natural range 0 to 255;
-    variable rightsampler_pixel_left_from_choices : natural_255_1d(2 to 4);  -- rightsampler_pixel_left_from_choice_#
-    variable rightsampler_pixel_left_difference_choice : natural range 0 to 255;
-    variable rightsampler_pixel_left_difference_choice_2, rightsampler_pixel_right_from_choice : natural range 0 to 255;
-    variable rightsampler_pixel_right_from_choices : natural_255_1d(2 to 4);  -- rightsampler_pixel_right_from_choice_#
-    variable rightsampler_pixel_right_difference_choice : natural range 0 to 255;
-    variable rightsampler_pixel_right_difference_choice_2 : natural range 0 to 255;
+    variable leftsampler_pixel_left_from_choices : natural_255_1d(1 to 4);  -- leftsampler_pixel_left_from_choice_#
+    variable leftsampler_pixel_left_difference_choices : natural_255_1d(1 to 2);  -- leftsampler_pixel_left_difference_choice_#
+    variable leftsampler_pixel_right_from_choices : natural_255_1d(1 to 4);  -- leftsampler_pixel_right_from_choice_#
+    variable leftsampler_pixel_right_difference_choices : natural_255_1d(1 to 2);  -- leftsampler_pixel_right_difference_choice_#
+    variable rightsampler_pixel_left_from_choices : natural_255_1d(1 to 4);  -- rightsampler_pixel_left_from_choice_#
+    variable rightsampler_pixel_left_difference_choices : natural_255_1d(1 to 2);  -- rightsampler_pixel_left_difference_choice_#
+    variable rightsampler_pixel_right_from_choices : natural_255_1d(1 to 4);  -- rightsampler_pixel_right_from_choice_#
+    variable rightsampler_pixel_right_difference_choices : natural_255_1d(1 to 2);  -- rightsampler_pixel_right_difference_choice_#
     variable leftsampler_rows_even_even_write_address_value : natural range 0 to 8191;
   begin
     if rising_edge(clock) then
       -- counter
       counter_column_is_equal := counter_column = 639;
-      counter_next_frame_is_equal := counter_group = 496;
-      if counter_next_frame_is_equal then
-        counter_next_frame_choice := counter_next_frame and (counter_group = 497);
-      else
-        counter_next_frame_choice := counter_next_frame;
-      end if;
-      if counter_column_is_equal then
-        counter_next_frame_choices(2) := counter_next_frame_choice;
-      else
-        counter_next_frame_choices(2) := counter_next_frame;
-      end if;
-      counter_next_frame_is_equal_2 := counter_group = 479;
-      if counter_next_frame_is_equal_2 then
-        counter_next_frame_choices(3) := counter_column_is_equal or (not in_start_of_frame);
-      else
-        counter_next_frame_choices(3) := not in_start_of_frame;
-      end if;
+      counter_next_frame_is_equals(1) := counter_group = 496;
+      counter_next_frame_choices(1) := choice(counter_next_frame_is_equals(1), counter_next_frame and (counter_group =
+        497), counter_next_frame);
+      counter_next_frame_choices(2) := choice(counter_column_is_equal, counter_next_frame_choices(1),
+        counter_next_frame);
+      counter_next_frame_is_equals(2) := counter_group = 479;
+      counter_next_frame_choices(3) := choice(counter_next_frame_is_equals(2), counter_column_is_equal or (not
+        in_start_of_frame), not in_start_of_frame);
       if in_valid then
-        if counter_column_is_equal or in_start_of_frame then
-          counter_column <= 0;
-        else
-          counter_column <= (counter_column + 1) mod 1024;
-        end if;
-        if counter_next_frame_choices(2) then
-          counter_next_frame <= counter_next_frame_choices(3);
-        else
-          counter_next_frame <= counter_next_frame_is_equal_2 and counter_column_is_equal and in_start_of_frame;
-        end if;
+        counter_column <= choice(counter_column_is_equal or in_start_of_frame, 0, (counter_column + 1) mod 1024);
+        counter_next_frame <= choice(counter_next_frame_choices(2), counter_next_frame_choices(3),
+          counter_next_frame_is_equals(2) and counter_column_is_equal and in_start_of_frame);
       end if;
-      if counter_next_frame_is_equal_2 and counter_column_is_equal then
-        counter_group_choice := 15;
-      else
-        counter_group_choice := 0;
-      end if;
+      counter_group_choice := choice(counter_next_frame_is_equals(2) and counter_column_is_equal, 15, 0);
       counter_group_differs := counter_group /= 497;
-      if counter_next_frame_is_equal and counter_next_frame then
-        counter_group_choices(2) := 17;
-      else
-        counter_group_choices(2) := (counter_group + 1) mod 512;
-      end if;
-      if counter_column_is_equal and in_valid and counter_group_differs then
-        counter_group_choices(3) := counter_group_choices(2);
-      else
-        counter_group_choices(3) := counter_group;
-      end if;
-      if in_start_of_frame and in_valid then
-        counter_group <= counter_group_choice * 32;
-      else
-        counter_group <= counter_group_choices(3);
-      end if;
+      counter_group_choices(2) := choice(counter_next_frame_is_equals(1) and counter_next_frame, 17, (counter_group +
+        1) mod 512);
+      counter_group_choices(3) := choice(counter_column_is_equal and in_valid and counter_group_differs,
+        counter_group_choices(2), counter_group);
+      counter_group <= choice(in_start_of_frame and in_valid, counter_group_choice * 32, counter_group_choices(3));
       -- delay
       delay_held_left(0) <= in_left_pixel;
       delay_held_right(0) <= in_right_pixel;
@@ -659,108 +599,50 @@ begin
       -- grid
       grid_node_row_all := counter_group_differs and (16 < counter_group);
       grid_node_row_sum := counter_group + 495;
-      if grid_node_row_all then
-        grid_node_row_choice := grid_node_row_sum mod 512;
-      else
-        grid_node_row_choice := 0;
-      end if;
+      grid_node_row_choice := choice(grid_node_row_all, grid_node_row_sum mod 512, 0);
       grid_node_column <= counter_column / 16;
       grid_node_row <= grid_node_row_choice / 16;
       grid_weight_x_held(0) <= counter_column mod 16;
-      grid_weight_x_held(1) <= grid_weight_x_held(0);
-      grid_weight_x_held(2) <= grid_weight_x_held(1);
-      grid_weight_x_held(3) <= grid_weight_x_held(2);
-      grid_weight_x_held(4) <= grid_weight_x_held(3);
-      grid_weight_y_held(1) <= grid_weight_y_held(0);
-      grid_weight_y_held(2) <= grid_weight_y_held(1);
-      grid_weight_y_held(3) <= grid_weight_y_held(2);
-      grid_weight_y_held(4) <= grid_weight_y_held(3);
-      if grid_node_row_all then
-        grid_weight_y_held(0) <= grid_node_row_sum mod 16;
-      else
-        grid_weight_y_held(0) <= 0;
-      end if;
+      grid_weight_x_held(1 to 4) <= grid_weight_x_held(0 to 3);
+      grid_weight_y_held(1 to 4) <= grid_weight_y_held(0 to 3);
+      grid_weight_y_held(0) <= choice(grid_node_row_all, grid_node_row_sum mod 16, 0);
       -- leftoffsets
-      if leftoffsets_nodes_column_odd(3) then
-        leftoffsets_x_left_from_choice := to_integer(leftoffsets_nodes_odd_odd_ready_word(15 downto 0));
-      else
-        leftoffsets_x_left_from_choice := to_integer(leftoffsets_nodes_odd_even_ready_word(15 downto 0));
-      end if;
-      if leftoffsets_nodes_column_odd(3) then
-        leftoffsets_x_left_from_choices(2) := to_integer(leftoffsets_nodes_even_odd_ready_word(15 downto 0));
-      else
-        leftoffsets_x_left_from_choices(2) := to_integer(leftoffsets_nodes_even_even_ready_word(15 downto 0));
-      end if;
-      if leftoffsets_nodes_row_odd(3) then
-        leftoffsets_x_left_from_choices(3) := leftoffsets_x_left_from_choice;
-      else
-        leftoffsets_x_left_from_choices(3) := leftoffsets_x_left_from_choices(2);
-      end if;
-      if leftoffsets_nodes_row_odd(3) then
-        leftoffsets_x_left_difference_choice := leftoffsets_x_left_from_choices(2);
-      else
-        leftoffsets_x_left_difference_choice := leftoffsets_x_left_from_choice;
-      end if;
-      if leftoffsets_nodes_column_odd(3) then
-        leftoffsets_x_right_from_choice := to_integer(leftoffsets_nodes_odd_even_ready_word(15 downto 0));
-      else
-        leftoffsets_x_right_from_choice := to_integer(leftoffsets_nodes_odd_odd_ready_word(15 downto 0));
-      end if;
-      if leftoffsets_nodes_column_odd(3) then
-        leftoffsets_x_right_from_choices(2) := to_integer(leftoffsets_nodes_even_even_ready_word(15 downto 0));
-      else
-        leftoffsets_x_right_from_choices(2) := to_integer(leftoffsets_nodes_even_odd_ready_word(15 downto 0));
-      end if;
-      if leftoffsets_nodes_row_odd(3) then
-        leftoffsets_x_right_from_choices(3) := leftoffsets_x_right_from_choice;
-      else
-        leftoffsets_x_right_from_choices(3) := leftoffsets_x_right_from_choices(2);
-      end if;
-      if leftoffsets_nodes_row_odd(3) then
-        leftoffsets_x_right_difference_choice := leftoffsets_x_right_from_choices(2);
-      else
-        leftoffsets_x_right_difference_choice := leftoffsets_x_right_from_choice;
-      end if;
-      if leftoffsets_nodes_column_odd(3) then
-        leftoffsets_y_left_from_choice := leftoffsets_nodes_odd_odd_ready_word;
-      else
-        leftoffsets_y_left_from_choice := leftoffsets_nodes_odd_even_ready_word;
-      end if;
-      if leftoffsets_nodes_column_odd(3) then
-        leftoffsets_y_left_from_choices(2) := leftoffsets_nodes_even_odd_ready_word;
-      else
-        leftoffsets_y_left_from_choices(2) := leftoffsets_nodes_even_even_ready_word;
-      end if;
-      if leftoffsets_nodes_row_odd(3) then
-        leftoffsets_y_left_from_choices(3) := leftoffsets_y_left_from_choice;
-      else
-        leftoffsets_y_left_from_choices(3) := leftoffsets_y_left_from_choices(2);
-      end if;
-      if leftoffsets_nodes_row_odd(3) then
-        leftoffsets_y_left_difference_choice := leftoffsets_y_left_from_choices(2);
-      else
-        leftoffsets_y_left_difference_choice := leftoffsets_y_left_from_choice;
-      end if;
-      if leftoffsets_nodes_column_odd(3) then
-        leftoffsets_y_right_from_choice := leftoffsets_nodes_odd_even_ready_word;
-      else
-        leftoffsets_y_right_from_choice := leftoffsets_nodes_odd_odd_ready_word;
-      end if;
-      if leftoffsets_nodes_column_odd(3) then
-        leftoffsets_y_right_from_choices(2) := leftoffsets_nodes_even_even_ready_word;
-      else
-        leftoffsets_y_right_from_choices(2) := leftoffsets_nodes_even_odd_ready_word;
-      end if;
-      if leftoffsets_nodes_row_odd(3) then
-        leftoffsets_y_right_from_choices(3) := leftoffsets_y_right_from_choice;
-      else
-        leftoffsets_y_right_from_choices(3) := leftoffsets_y_right_from_choices(2);
-      end if;
-      if leftoffsets_nodes_row_odd(3) then
-        leftoffsets_y_right_difference_choice := leftoffsets_y_right_from_choices(2);
-      else
-        leftoffsets_y_right_difference_choice := leftoffsets_y_right_from_choice;
-      end if;
+      leftoffsets_x_left_from_choices(1) := choice(leftoffsets_nodes_column_odd(3),
+        to_integer(leftoffsets_nodes_odd_odd_ready_word(15 downto 0)),
+        to_integer(leftoffsets_nodes_odd_even_ready_word(15 downto 0)));
+      leftoffsets_x_left_from_choices(2) := choice(leftoffsets_nodes_column_odd(3),
+        to_integer(leftoffsets_nodes_even_odd_ready_word(15 downto 0)),
+        to_integer(leftoffsets_nodes_even_even_ready_word(15 downto 0)));
+      leftoffsets_x_left_from_choices(3) := choice(leftoffsets_nodes_row_odd(3), leftoffsets_x_left_from_choices(1),
+        leftoffsets_x_left_from_choices(2));
+      leftoffsets_x_left_difference_choice := choice(leftoffsets_nodes_row_odd(3), leftoffsets_x_left_from_choices(2),
+        leftoffsets_x_left_from_choices(1));
+      leftoffsets_x_right_from_choices(1) := choice(leftoffsets_nodes_column_odd(3),
+        to_integer(leftoffsets_nodes_odd_even_ready_word(15 downto 0)),
+        to_integer(leftoffsets_nodes_odd_odd_ready_word(15 downto 0)));
+      leftoffsets_x_right_from_choices(2) := choice(leftoffsets_nodes_column_odd(3),
+        to_integer(leftoffsets_nodes_even_even_ready_word(15 downto 0)),
+        to_integer(leftoffsets_nodes_even_odd_ready_word(15 downto 0)));
+      leftoffsets_x_right_from_choices(3) := choice(leftoffsets_nodes_row_odd(3), leftoffsets_x_right_from_choices(1),
+        leftoffsets_x_right_from_choices(2));
+      leftoffsets_x_right_difference_choice := choice(leftoffsets_nodes_row_odd(3),
+        leftoffsets_x_right_from_choices(2), leftoffsets_x_right_from_choices(1));
+      leftoffsets_y_left_from_choices(1) := choice(leftoffsets_nodes_column_odd(3),
+        leftoffsets_nodes_odd_odd_ready_word, leftoffsets_nodes_odd_even_ready_word);
+      leftoffsets_y_left_from_choices(2) := choice(leftoffsets_nodes_column_odd(3),
+        leftoffsets_nodes_even_odd_ready_word, leftoffsets_nodes_even_even_ready_word);
+      leftoffsets_y_left_from_choices(3) := choice(leftoffsets_nodes_row_odd(3), leftoffsets_y_left_from_choices(1),
+        leftoffsets_y_left_from_choices(2));
+      leftoffsets_y_left_difference_choice := choice(leftoffsets_nodes_row_odd(3), leftoffsets_y_left_from_choices(2),
+        leftoffsets_y_left_from_choices(1));
+      leftoffsets_y_right_from_choices(1) := choice(leftoffsets_nodes_column_odd(3),
+        leftoffsets_nodes_odd_even_ready_word, leftoffsets_nodes_odd_odd_ready_word);
+      leftoffsets_y_right_from_choices(2) := choice(leftoffsets_nodes_column_odd(3),
+        leftoffsets_nodes_even_even_ready_word, leftoffsets_nodes_even_odd_ready_word);
+      leftoffsets_y_right_from_choices(3) := choice(leftoffsets_nodes_row_odd(3), leftoffsets_y_right_from_choices(1),
+        leftoffsets_y_right_from_choices(2));
+      leftoffsets_y_right_difference_choice := choice(leftoffsets_nodes_row_odd(3),
+        leftoffsets_y_right_from_choices(2), leftoffsets_y_right_from_choices(1));
       leftoffsets_nodes_odd_line <= (grid_node_row / 2) * 21;
       leftoffsets_nodes_write_line <= (((in_node_row mod 1024) / 2) * 21) mod 512;
       leftoffsets_nodes_even_column <= (grid_node_column + 1) / 2;
@@ -785,13 +667,9 @@ begin
       leftoffsets_nodes_odd_odd_read_address <= leftoffsets_nodes_odd_line + leftoffsets_nodes_odd_column;
       leftoffsets_nodes_odd_odd_ready_word <= leftoffsets_nodes_odd_odd_read_word;
       leftoffsets_nodes_row_odd(0) <= is_set(grid_node_row, 0);
-      leftoffsets_nodes_row_odd(1) <= leftoffsets_nodes_row_odd(0);
-      leftoffsets_nodes_row_odd(2) <= leftoffsets_nodes_row_odd(1);
-      leftoffsets_nodes_row_odd(3) <= leftoffsets_nodes_row_odd(2);
+      leftoffsets_nodes_row_odd(1 to 3) <= leftoffsets_nodes_row_odd(0 to 2);
       leftoffsets_nodes_column_odd(0) <= is_set(grid_node_column, 0);
-      leftoffsets_nodes_column_odd(1) <= leftoffsets_nodes_column_odd(0);
-      leftoffsets_nodes_column_odd(2) <= leftoffsets_nodes_column_odd(1);
-      leftoffsets_nodes_column_odd(3) <= leftoffsets_nodes_column_odd(2);
+      leftoffsets_nodes_column_odd(1 to 3) <= leftoffsets_nodes_column_odd(0 to 2);
       leftoffsets_x_left_from <= leftoffsets_x_left_from_choices(3);
       leftoffsets_x_left_difference <= leftoffsets_x_left_difference_choice - leftoffsets_x_left_from_choices(3);
       leftoffsets_x_left_part <= grid_weight_y_held(4);
@@ -804,8 +682,7 @@ begin
       leftoffsets_x_right_value <= ((((leftoffsets_x_right_base / 16) + (others_from_7(8) / 16)) mod 65536) * 16) +
         (others_from_7(8) mod 16);
       leftoffsets_x_weight_x_held(0) <= grid_weight_x_held(4);
-      leftoffsets_x_weight_x_held(1) <= leftoffsets_x_weight_x_held(0);
-      leftoffsets_x_weight_x_held(2) <= leftoffsets_x_weight_x_held(1);
+      leftoffsets_x_weight_x_held(1 to 2) <= leftoffsets_x_weight_x_held(0 to 1);
       leftoffsets_x_row_from <= leftoffsets_x_left_value;
       leftoffsets_x_row_difference <= leftoffsets_x_right_value - leftoffsets_x_left_value;
       leftoffsets_x_row_part <= leftoffsets_x_weight_x_held(2);
@@ -833,11 +710,7 @@ begin
       leftoffsets_y_row_share <= leftoffsets_y_row_difference * leftoffsets_x_row_part;
       leftoffsets_y_row_value <= ((((leftoffsets_y_row_base / 16) + ((leftoffsets_y_row_share mod 33554432) / 16)) mod
         2097152) * 16) / 512;
-      if grid_node_row = 31 then
-        leftoffsets_nodes_even_line <= 0;
-      else
-        leftoffsets_nodes_even_line <= ((grid_node_row + 1) / 2) * 21;
-      end if;
+      leftoffsets_nodes_even_line <= choice(grid_node_row = 31, 0, ((grid_node_row + 1) / 2) * 21);
       leftoffsets_nodes_even_even_write_address_value := (leftoffsets_nodes_write_line +
         leftoffsets_nodes_write_column) mod 512;
       if leftoffsets_nodes_to_even_even then
@@ -857,86 +730,42 @@ begin
         leftoffsets_nodes_odd_odd_write_word <= leftoffsets_nodes_written;
       end if;
       -- rightoffsets
-      if leftoffsets_nodes_column_odd(3) then
-        rightoffsets_x_left_from_choice := to_integer(rightoffsets_nodes_odd_odd_ready_word(15 downto 0));
-      else
-        rightoffsets_x_left_from_choice := to_integer(rightoffsets_nodes_odd_even_ready_word(15 downto 0));
-      end if;
-      if leftoffsets_nodes_column_odd(3) then
-        rightoffsets_x_left_from_choices(2) := to_integer(rightoffsets_nodes_even_odd_ready_word(15 downto 0));
-      else
-        rightoffsets_x_left_from_choices(2) := to_integer(rightoffsets_nodes_even_even_ready_word(15 downto 0));
-      end if;
-      if leftoffsets_nodes_row_odd(3) then
-        rightoffsets_x_left_from_choices(3) := rightoffsets_x_left_from_choice;
-      else
-        rightoffsets_x_left_from_choices(3) := rightoffsets_x_left_from_choices(2);
-      end if;
-      if leftoffsets_nodes_row_odd(3) then
-        rightoffsets_x_left_difference_choice := rightoffsets_x_left_from_choices(2);
-      else
-        rightoffsets_x_left_difference_choice := rightoffsets_x_left_from_choice;
-      end if;
-      if leftoffsets_nodes_column_odd(3) then
-        rightoffsets_x_right_from_choice := to_integer(rightoffsets_nodes_odd_even_ready_word(15 downto 0));
-      else
-        rightoffsets_x_right_from_choice := to_integer(rightoffsets_nodes_odd_odd_ready_word(15 downto 0));
-      end if;
-      if leftoffsets_nodes_column_odd(3) then
-        rightoffsets_x_right_from_choices(2) := to_integer(rightoffsets_nodes_even_even_ready_word(15 downto 0));
-      else
-        rightoffsets_x_right_from_choices(2) := to_integer(rightoffsets_nodes_even_odd_ready_word(15 downto 0));
-      end if;
-      if leftoffsets_nodes_row_odd(3) then
-        rightoffsets_x_right_from_choices(3) := rightoffsets_x_right_from_choice;
-      else
-        rightoffsets_x_right_from_choices(3) := rightoffsets_x_right_from_choices(2);
-      end if;
-      if leftoffsets_nodes_row_odd(3) then
-        rightoffsets_x_right_difference_choice := rightoffsets_x_right_from_choices(2);
-      else
-        rightoffsets_x_right_difference_choice := rightoffsets_x_right_from_choice;
-      end if;
-      if leftoffsets_nodes_column_odd(3) then
-        rightoffsets_y_left_from_choice := rightoffsets_nodes_odd_odd_ready_word;
-      else
-        rightoffsets_y_left_from_choice := rightoffsets_nodes_odd_even_ready_word;
-      end if;
-      if leftoffsets_nodes_column_odd(3) then
-        rightoffsets_y_left_from_choices(2) := rightoffsets_nodes_even_odd_ready_word;
-      else
-        rightoffsets_y_left_from_choices(2) := rightoffsets_nodes_even_even_ready_word;
-      end if;
-      if leftoffsets_nodes_row_odd(3) then
-        rightoffsets_y_left_from_choices(3) := rightoffsets_y_left_from_choice;
-      else
-        rightoffsets_y_left_from_choices(3) := rightoffsets_y_left_from_choices(2);
-      end if;
-      if leftoffsets_nodes_row_odd(3) then
-        rightoffsets_y_left_difference_choice := rightoffsets_y_left_from_choices(2);
-      else
-        rightoffsets_y_left_difference_choice := rightoffsets_y_left_from_choice;
-      end if;
-      if leftoffsets_nodes_column_odd(3) then
-        rightoffsets_y_right_from_choice := rightoffsets_nodes_odd_even_ready_word;
-      else
-        rightoffsets_y_right_from_choice := rightoffsets_nodes_odd_odd_ready_word;
-      end if;
-      if leftoffsets_nodes_column_odd(3) then
-        rightoffsets_y_right_from_choices(2) := rightoffsets_nodes_even_even_ready_word;
-      else
-        rightoffsets_y_right_from_choices(2) := rightoffsets_nodes_even_odd_ready_word;
-      end if;
-      if leftoffsets_nodes_row_odd(3) then
-        rightoffsets_y_right_from_choices(3) := rightoffsets_y_right_from_choice;
-      else
-        rightoffsets_y_right_from_choices(3) := rightoffsets_y_right_from_choices(2);
-      end if;
-      if leftoffsets_nodes_row_odd(3) then
-        rightoffsets_y_right_difference_choice := rightoffsets_y_right_from_choices(2);
-      else
-        rightoffsets_y_right_difference_choice := rightoffsets_y_right_from_choice;
-      end if;
+      rightoffsets_x_left_from_choices(1) := choice(leftoffsets_nodes_column_odd(3),
+        to_integer(rightoffsets_nodes_odd_odd_ready_word(15 downto 0)),
+        to_integer(rightoffsets_nodes_odd_even_ready_word(15 downto 0)));
+      rightoffsets_x_left_from_choices(2) := choice(leftoffsets_nodes_column_odd(3),
+        to_integer(rightoffsets_nodes_even_odd_ready_word(15 downto 0)),
+        to_integer(rightoffsets_nodes_even_even_ready_word(15 downto 0)));
+      rightoffsets_x_left_from_choices(3) := choice(leftoffsets_nodes_row_odd(3), rightoffsets_x_left_from_choices(1),
+        rightoffsets_x_left_from_choices(2));
+      rightoffsets_x_left_difference_choice := choice(leftoffsets_nodes_row_odd(3),
+        rightoffsets_x_left_from_choices(2), rightoffsets_x_left_from_choices(1));
+      rightoffsets_x_right_from_choices(1) := choice(leftoffsets_nodes_column_odd(3),
+        to_integer(rightoffsets_nodes_odd_even_ready_word(15 downto 0)),
+        to_integer(rightoffsets_nodes_odd_odd_ready_word(15 downto 0)));
+      rightoffsets_x_right_from_choices(2) := choice(leftoffsets_nodes_column_odd(3),
+        to_integer(rightoffsets_nodes_even_even_ready_word(15 downto 0)),
+        to_integer(rightoffsets_nodes_even_odd_ready_word(15 downto 0)));
+      rightoffsets_x_right_from_choices(3) := choice(leftoffsets_nodes_row_odd(3),
+        rightoffsets_x_right_from_choices(1), rightoffsets_x_right_from_choices(2));
+      rightoffsets_x_right_difference_choice := choice(leftoffsets_nodes_row_odd(3),
+        rightoffsets_x_right_from_choices(2), rightoffsets_x_right_from_choices(1));
+      rightoffsets_y_left_from_choices(1) := choice(leftoffsets_nodes_column_odd(3),
+        rightoffsets_nodes_odd_odd_ready_word, rightoffsets_nodes_odd_even_ready_word);
+      rightoffsets_y_left_from_choices(2) := choice(leftoffsets_nodes_column_odd(3),
+        rightoffsets_nodes_even_odd_ready_word, rightoffsets_nodes_even_even_ready_word);
+      rightoffsets_y_left_from_choices(3) := choice(leftoffsets_nodes_row_odd(3), rightoffsets_y_left_from_choices(1),
+        rightoffsets_y_left_from_choices(2));
+      rightoffsets_y_left_difference_choice := choice(leftoffsets_nodes_row_odd(3),
+        rightoffsets_y_left_from_choices(2), rightoffsets_y_left_from_choices(1));
+      rightoffsets_y_right_from_choices(1) := choice(leftoffsets_nodes_column_odd(3),
+        rightoffsets_nodes_odd_even_ready_word, rightoffsets_nodes_odd_odd_ready_word);
+      rightoffsets_y_right_from_choices(2) := choice(leftoffsets_nodes_column_odd(3),
+        rightoffsets_nodes_even_even_ready_word, rightoffsets_nodes_even_odd_ready_word);
+      rightoffsets_y_right_from_choices(3) := choice(leftoffsets_nodes_row_odd(3),
+        rightoffsets_y_right_from_choices(1), rightoffsets_y_right_from_choices(2));
+      rightoffsets_y_right_difference_choice := choice(leftoffsets_nodes_row_odd(3),
+        rightoffsets_y_right_from_choices(2), rightoffsets_y_right_from_choices(1));
       rightoffsets_nodes_to_even_even <= (not is_set(in_node_column, 0)) and (not is_set(in_node_row, 0)) and
         in_node_valid and in_node_right;
       rightoffsets_nodes_to_even_odd <= is_set(in_node_column, 0) and (not is_set(in_node_row, 0)) and in_node_valid
@@ -1004,48 +833,24 @@ begin
       -- sample
       sample_place_column_is_equal := sample_place_column = 639;
       sample_place_column_sum := sample_place_column + 1;
-      sample_place_next_frame_is_equal := sample_place_group = 496;
-      if sample_place_next_frame_is_equal then
-        sample_place_next_frame_choice := sample_place_next_frame and ((sample_place_column /= 639) or
-          (sample_place_group = 497));
-      else
-        sample_place_next_frame_choice := sample_place_next_frame;
-      end if;
-      sample_place_next_frame_is_equal_2 := sample_place_group = 479;
-      if sample_place_next_frame_is_equal_2 then
-        sample_place_next_frame_choice_2 := (not delay_held_start_of_frame(10)) or sample_place_column_is_equal;
-      else
-        sample_place_next_frame_choice_2 := not delay_held_start_of_frame(10);
-      end if;
+      sample_place_next_frame_is_equals(1) := sample_place_group = 496;
+      sample_place_next_frame_choices(1) := choice(sample_place_next_frame_is_equals(1), sample_place_next_frame and
+        ((sample_place_column /= 639) or (sample_place_group = 497)), sample_place_next_frame);
+      sample_place_next_frame_is_equals(2) := sample_place_group = 479;
+      sample_place_next_frame_choices(2) := choice(sample_place_next_frame_is_equals(2), (not
+        delay_held_start_of_frame(10)) or sample_place_column_is_equal, not delay_held_start_of_frame(10));
       if delay_held_valid(10) then
-        if delay_held_start_of_frame(10) or sample_place_column_is_equal then
-          sample_place_column <= 0;
-        else
-          sample_place_column <= sample_place_column_sum mod 1024;
-        end if;
-        if sample_place_next_frame_choice then
-          sample_place_next_frame <= sample_place_next_frame_choice_2;
-        else
-          sample_place_next_frame <= sample_place_next_frame_is_equal_2 and delay_held_start_of_frame(10) and
-            sample_place_column_is_equal;
-        end if;
+        sample_place_column <= choice(delay_held_start_of_frame(10) or sample_place_column_is_equal, 0,
+          sample_place_column_sum mod 1024);
+        sample_place_next_frame <= choice(sample_place_next_frame_choices(1), sample_place_next_frame_choices(2),
+          sample_place_next_frame_is_equals(2) and delay_held_start_of_frame(10) and sample_place_column_is_equal);
       end if;
-      if sample_place_next_frame_is_equal_2 and sample_place_column_is_equal then
-        sample_place_group_choice := 15;
-      else
-        sample_place_group_choice := 0;
-      end if;
+      sample_place_group_choice := choice(sample_place_next_frame_is_equals(2) and sample_place_column_is_equal, 15, 0);
       sample_place_group_differs := sample_place_group /= 497;
-      if sample_place_next_frame_is_equal and sample_place_next_frame then
-        sample_place_group_choices(2) := 17;
-      else
-        sample_place_group_choices(2) := (sample_place_group + 1) mod 512;
-      end if;
-      if sample_place_column_is_equal and delay_held_valid(10) and sample_place_group_differs then
-        sample_place_group_choices(3) := sample_place_group_choices(2);
-      else
-        sample_place_group_choices(3) := sample_place_group;
-      end if;
+      sample_place_group_choices(2) := choice(sample_place_next_frame_is_equals(1) and sample_place_next_frame, 17,
+        (sample_place_group + 1) mod 512);
+      sample_place_group_choices(3) := choice(sample_place_column_is_equal and delay_held_valid(10) and
+        sample_place_group_differs, sample_place_group_choices(2), sample_place_group);
       sample_pixels_left <= delay_held_left(10);
       sample_pixels_right <= delay_held_right(10);
       sample_pixels_valid <= delay_held_valid(10);
@@ -1063,17 +868,10 @@ begin
       sample_kept_pixels_right <= sample_taken_pixels_right;
       sample_kept_pixels_valid <= sample_taken_pixels_valid;
       sample_kept_starts <= sample_starts;
-      if delay_held_start_of_frame(10) and delay_held_valid(10) then
-        sample_place_group <= sample_place_group_choice * 32;
-      else
-        sample_place_group <= sample_place_group_choices(3);
-      end if;
+      sample_place_group <= choice(delay_held_start_of_frame(10) and delay_held_valid(10), sample_place_group_choice *
+        32, sample_place_group_choices(3));
       if sample_place_column_is_equal and delay_held_valid(10) then
-        if sample_slot = 33 then
-          sample_slot <= 0;
-        else
-          sample_slot <= (sample_slot + 1) mod 64;
-        end if;
+        sample_slot <= choice(sample_slot = 33, 0, (sample_slot + 1) mod 64);
       end if;
       -- lefttaps
       lefttaps_taps_column_is_less := (((((lefttaps_source_x / 16384) + 127) mod 128) * 512) + ((lefttaps_source_x /
@@ -1081,59 +879,37 @@ begin
       lefttaps_taps_row_difference := 529 - (lefttaps_offset_y / 32);
       lefttaps_taps_row_is_not_less := (lefttaps_offset_y / 32) >= 495;
       lefttaps_taps_row_is_less := (lefttaps_offset_y / 32) < 529;
-      lefttaps_taps_row_value := (((lefttaps_taps_row_difference mod 64) / 2) mod 2) = 1;
-      if (not is_set(sample_taken_row, 0)) and is_set(lefttaps_taps_row_difference, 0) and
-        lefttaps_taps_row_is_not_less and lefttaps_taps_row_is_less then
-        lefttaps_taps_row_choice := (not is_set(sample_taken_row, 1)) or (lefttaps_taps_row_value and
-          lefttaps_taps_row_is_not_less and lefttaps_taps_row_is_less);
-      else
-        lefttaps_taps_row_choice := (not is_set(sample_taken_row, 1)) and lefttaps_taps_row_value and
-          lefttaps_taps_row_is_not_less and lefttaps_taps_row_is_less;
-      end if;
+      lefttaps_taps_row_values(1) := (((lefttaps_taps_row_difference mod 64) / 2) mod 2) = 1;
+      lefttaps_taps_row_choices(1) := choice((not is_set(sample_taken_row, 0)) and is_set(lefttaps_taps_row_difference,
+        0) and lefttaps_taps_row_is_not_less and lefttaps_taps_row_is_less, (not is_set(sample_taken_row, 1)) or
+        (lefttaps_taps_row_values(1) and lefttaps_taps_row_is_not_less and lefttaps_taps_row_is_less), (not
+        is_set(sample_taken_row, 1)) and lefttaps_taps_row_values(1) and lefttaps_taps_row_is_not_less and
+        lefttaps_taps_row_is_less);
       lefttaps_taps_row_values(2) := is_set(sample_taken_row, 2);
       lefttaps_taps_row_all := lefttaps_taps_row_is_not_less and lefttaps_taps_row_is_less;
-      if lefttaps_taps_row_choice then
-        lefttaps_taps_row_choices(2) := lefttaps_taps_row_values(2) and ((not ((((lefttaps_taps_row_difference mod 64)
-          / 4) mod 2) = 1)) or (not lefttaps_taps_row_all));
-      else
-        lefttaps_taps_row_choices(2) := lefttaps_taps_row_values(2) or (not ((((lefttaps_taps_row_difference mod 64) /
-          4) mod 2) = 1)) or (not lefttaps_taps_row_all);
-      end if;
+      lefttaps_taps_row_choices(2) := choice(lefttaps_taps_row_choices(1), lefttaps_taps_row_values(2) and ((not
+        ((((lefttaps_taps_row_difference mod 64) / 4) mod 2) = 1)) or (not lefttaps_taps_row_all)),
+        lefttaps_taps_row_values(2) or (not ((((lefttaps_taps_row_difference mod 64) / 4) mod 2) = 1)) or (not
+        lefttaps_taps_row_all));
       lefttaps_taps_row_values(3) := is_set(sample_taken_row, 3);
-      if lefttaps_taps_row_choices(2) then
-        lefttaps_taps_row_choices(3) := lefttaps_taps_row_values(3) or (not ((((lefttaps_taps_row_difference mod 64) /
-          8) mod 2) = 1)) or (not lefttaps_taps_row_all);
-      else
-        lefttaps_taps_row_choices(3) := lefttaps_taps_row_values(3) and ((not ((((lefttaps_taps_row_difference mod 64)
-          / 8) mod 2) = 1)) or (not lefttaps_taps_row_all));
-      end if;
+      lefttaps_taps_row_choices(3) := choice(lefttaps_taps_row_choices(2), lefttaps_taps_row_values(3) or (not
+        ((((lefttaps_taps_row_difference mod 64) / 8) mod 2) = 1)) or (not lefttaps_taps_row_all),
+        lefttaps_taps_row_values(3) and ((not ((((lefttaps_taps_row_difference mod 64) / 8) mod 2) = 1)) or (not
+        lefttaps_taps_row_all)));
       lefttaps_taps_row_values(4) := is_set(sample_taken_row, 4);
-      if lefttaps_taps_row_choices(3) then
-        lefttaps_taps_row_choices(4) := lefttaps_taps_row_values(4) or (not ((((lefttaps_taps_row_difference mod 64) /
-          16) mod 2) = 1)) or (not lefttaps_taps_row_all);
-      else
-        lefttaps_taps_row_choices(4) := lefttaps_taps_row_values(4) and ((not ((((lefttaps_taps_row_difference mod 64)
-          / 16) mod 2) = 1)) or (not lefttaps_taps_row_all));
-      end if;
+      lefttaps_taps_row_choices(4) := choice(lefttaps_taps_row_choices(3), lefttaps_taps_row_values(4) or (not
+        ((((lefttaps_taps_row_difference mod 64) / 16) mod 2) = 1)) or (not lefttaps_taps_row_all),
+        lefttaps_taps_row_values(4) and ((not ((((lefttaps_taps_row_difference mod 64) / 16) mod 2) = 1)) or (not
+        lefttaps_taps_row_all)));
       lefttaps_taps_row_values(5) := ((lefttaps_taps_row_difference mod 64) / 32) = 1;
-      if lefttaps_taps_row_choices(4) then
-        lefttaps_taps_row_choices(5) := (not is_set(sample_taken_row, 5)) and lefttaps_taps_row_values(5) and
-          lefttaps_taps_row_is_not_less and lefttaps_taps_row_is_less;
-      else
-        lefttaps_taps_row_choices(5) := (not is_set(sample_taken_row, 5)) or (lefttaps_taps_row_values(5) and
-          lefttaps_taps_row_is_not_less and lefttaps_taps_row_is_less);
-      end if;
+      lefttaps_taps_row_choices(5) := choice(lefttaps_taps_row_choices(4), (not is_set(sample_taken_row, 5)) and
+        lefttaps_taps_row_values(5) and lefttaps_taps_row_is_not_less and lefttaps_taps_row_is_less, (not
+        is_set(sample_taken_row, 5)) or (lefttaps_taps_row_values(5) and lefttaps_taps_row_is_not_less and
+        lefttaps_taps_row_is_less));
       lefttaps_taps_row_sum := ((((sample_taken_row / 2) + 17) mod 32) * 2) + (sample_taken_row mod 2);
-      if lefttaps_taps_row_choices(5) then
-        lefttaps_taps_row_choices_from_6(6) := lefttaps_taps_row_sum;
-      else
-        lefttaps_taps_row_choices_from_6(6) := sample_taken_row;
-      end if;
-      if lefttaps_taps_row_all then
-        lefttaps_taps_row_choices_from_6(7) := lefttaps_taps_row_difference mod 64;
-      else
-        lefttaps_taps_row_choices_from_6(7) := 0;
-      end if;
+      lefttaps_taps_row_choices_from_6(6) := choice(lefttaps_taps_row_choices(5), lefttaps_taps_row_sum,
+        sample_taken_row);
+      lefttaps_taps_row_choices_from_6(7) := choice(lefttaps_taps_row_all, lefttaps_taps_row_difference mod 64, 0);
       lefttaps_source_x <= (((leftoffsets_x_row_value / 32) + sample_place_column) * 32) + (leftoffsets_x_row_value mod
         32);
       lefttaps_offset_y <= leftoffsets_y_row_value;
@@ -1147,89 +923,45 @@ begin
         16)) < 33) and (((sample_row + (lefttaps_offset_y / 32) + 65024) mod 65536) < 480);
       lefttaps_row_shown(1) <= lefttaps_taps_row_is_not_less and ((lefttaps_offset_y / 32) < 528) and (((sample_row +
         (lefttaps_offset_y / 32) + 65025) mod 65536) < 480);
-      if lefttaps_taps_column_is_less then
-        lefttaps_taps_column <= ((lefttaps_source_x / 32) + 65025) mod 16384;
-      else
-        lefttaps_taps_column <= 0;
-      end if;
+      lefttaps_taps_column <= choice(lefttaps_taps_column_is_less, ((lefttaps_source_x / 32) + 65025) mod 16384, 0);
       -- righttaps
       righttaps_taps_column_is_less := (((((righttaps_source_x / 16384) + 127) mod 128) * 512) + ((righttaps_source_x /
         32) mod 512)) < 640;
       righttaps_taps_row_difference := 529 - (righttaps_offset_y / 32);
       righttaps_taps_row_is_not_less := (righttaps_offset_y / 32) >= 495;
       righttaps_taps_row_is_less := (righttaps_offset_y / 32) < 529;
-      righttaps_taps_row_value := (((righttaps_taps_row_difference mod 64) / 2) mod 2) = 1;
+      righttaps_taps_row_values(1) := (((righttaps_taps_row_difference mod 64) / 2) mod 2) = 1;
       righttaps_taps_row_all := righttaps_taps_row_is_not_less and righttaps_taps_row_is_less;
-      if righttaps_taps_row_value then
-        righttaps_taps_row_choice := righttaps_taps_row_all or (not is_set(sample_taken_row, 1));
-      else
-        righttaps_taps_row_choice := not is_set(sample_taken_row, 1);
-      end if;
-      if is_set(righttaps_taps_row_difference, 0) and righttaps_taps_row_is_not_less and righttaps_taps_row_is_less and
-        (not is_set(sample_taken_row, 0)) then
-        righttaps_taps_row_choices(2) := righttaps_taps_row_choice;
-      else
-        righttaps_taps_row_choices(2) := righttaps_taps_row_value and righttaps_taps_row_is_not_less and
-          righttaps_taps_row_is_less and (not is_set(sample_taken_row, 1));
-      end if;
+      righttaps_taps_row_choices(1) := choice(righttaps_taps_row_values(1), righttaps_taps_row_all or (not
+        is_set(sample_taken_row, 1)), not is_set(sample_taken_row, 1));
+      righttaps_taps_row_choices(2) := choice(is_set(righttaps_taps_row_difference, 0) and
+        righttaps_taps_row_is_not_less and righttaps_taps_row_is_less and (not is_set(sample_taken_row, 0)),
+        righttaps_taps_row_choices(1), righttaps_taps_row_values(1) and righttaps_taps_row_is_not_less and
+        righttaps_taps_row_is_less and (not is_set(sample_taken_row, 1)));
       righttaps_taps_row_values(2) := (((righttaps_taps_row_difference mod 64) / 4) mod 2) = 1;
-      if righttaps_taps_row_values(2) then
-        righttaps_taps_row_choices(3) := (not righttaps_taps_row_all) and lefttaps_taps_row_values(2);
-      else
-        righttaps_taps_row_choices(3) := lefttaps_taps_row_values(2);
-      end if;
-      if righttaps_taps_row_choices(2) then
-        righttaps_taps_row_choices(4) := righttaps_taps_row_choices(3);
-      else
-        righttaps_taps_row_choices(4) := (not righttaps_taps_row_values(2)) or (not righttaps_taps_row_all) or
-          lefttaps_taps_row_values(2);
-      end if;
+      righttaps_taps_row_choices(3) := choice(righttaps_taps_row_values(2), (not righttaps_taps_row_all) and
+        lefttaps_taps_row_values(2), lefttaps_taps_row_values(2));
+      righttaps_taps_row_choices(4) := choice(righttaps_taps_row_choices(2), righttaps_taps_row_choices(3), (not
+        righttaps_taps_row_values(2)) or (not righttaps_taps_row_all) or lefttaps_taps_row_values(2));
       righttaps_taps_row_values(3) := (((righttaps_taps_row_difference mod 64) / 8) mod 2) = 1;
-      if righttaps_taps_row_values(3) then
-        righttaps_taps_row_choices(5) := (not righttaps_taps_row_all) and lefttaps_taps_row_values(3);
-      else
-        righttaps_taps_row_choices(5) := lefttaps_taps_row_values(3);
-      end if;
-      if righttaps_taps_row_choices(4) then
-        righttaps_taps_row_choices(6) := (not righttaps_taps_row_values(3)) or (not righttaps_taps_row_all) or
-          lefttaps_taps_row_values(3);
-      else
-        righttaps_taps_row_choices(6) := righttaps_taps_row_choices(5);
-      end if;
+      righttaps_taps_row_choices(5) := choice(righttaps_taps_row_values(3), (not righttaps_taps_row_all) and
+        lefttaps_taps_row_values(3), lefttaps_taps_row_values(3));
+      righttaps_taps_row_choices(6) := choice(righttaps_taps_row_choices(4), (not righttaps_taps_row_values(3)) or (not
+        righttaps_taps_row_all) or lefttaps_taps_row_values(3), righttaps_taps_row_choices(5));
       righttaps_taps_row_values(4) := (((righttaps_taps_row_difference mod 64) / 16) mod 2) = 1;
-      if righttaps_taps_row_values(4) then
-        righttaps_taps_row_choices(7) := (not righttaps_taps_row_all) and lefttaps_taps_row_values(4);
-      else
-        righttaps_taps_row_choices(7) := lefttaps_taps_row_values(4);
-      end if;
-      if righttaps_taps_row_choices(6) then
-        righttaps_taps_row_choices(8) := (not righttaps_taps_row_values(4)) or (not righttaps_taps_row_all) or
-          lefttaps_taps_row_values(4);
-      else
-        righttaps_taps_row_choices(8) := righttaps_taps_row_choices(7);
-      end if;
+      righttaps_taps_row_choices(7) := choice(righttaps_taps_row_values(4), (not righttaps_taps_row_all) and
+        lefttaps_taps_row_values(4), lefttaps_taps_row_values(4));
+      righttaps_taps_row_choices(8) := choice(righttaps_taps_row_choices(6), (not righttaps_taps_row_values(4)) or (not
+        righttaps_taps_row_all) or lefttaps_taps_row_values(4), righttaps_taps_row_choices(7));
       righttaps_taps_row_values(5) := ((righttaps_taps_row_difference mod 64) / 32) = 1;
-      if righttaps_taps_row_values(5) then
-        righttaps_taps_row_choices(9) := righttaps_taps_row_all or (not is_set(sample_taken_row, 5));
-      else
-        righttaps_taps_row_choices(9) := not is_set(sample_taken_row, 5);
-      end if;
-      if righttaps_taps_row_choices(8) then
-        righttaps_taps_row_choices(10) := righttaps_taps_row_values(5) and righttaps_taps_row_is_not_less and
-          righttaps_taps_row_is_less and (not is_set(sample_taken_row, 5));
-      else
-        righttaps_taps_row_choices(10) := righttaps_taps_row_choices(9);
-      end if;
-      if righttaps_taps_row_choices(10) then
-        righttaps_taps_row_choices_from_11(11) := lefttaps_taps_row_sum;
-      else
-        righttaps_taps_row_choices_from_11(11) := sample_taken_row;
-      end if;
-      if righttaps_taps_row_all then
-        righttaps_taps_row_choices_from_11(12) := righttaps_taps_row_difference mod 64;
-      else
-        righttaps_taps_row_choices_from_11(12) := 0;
-      end if;
+      righttaps_taps_row_choices(9) := choice(righttaps_taps_row_values(5), righttaps_taps_row_all or (not
+        is_set(sample_taken_row, 5)), not is_set(sample_taken_row, 5));
+      righttaps_taps_row_choices(10) := choice(righttaps_taps_row_choices(8), righttaps_taps_row_values(5) and
+        righttaps_taps_row_is_not_less and righttaps_taps_row_is_less and (not is_set(sample_taken_row, 5)),
+        righttaps_taps_row_choices(9));
+      righttaps_taps_row_choices_from_11(11) := choice(righttaps_taps_row_choices(10), lefttaps_taps_row_sum,
+        sample_taken_row);
+      righttaps_taps_row_choices_from_11(12) := choice(righttaps_taps_row_all, righttaps_taps_row_difference mod 64, 0);
       righttaps_source_x <= (((rightoffsets_x_row_value / 32) + sample_place_column) * 32) + (rightoffsets_x_row_value
         mod 32);
       righttaps_offset_y <= rightoffsets_y_row_value;
@@ -1243,78 +975,34 @@ begin
         mod 16)) < 33) and (((sample_row + (righttaps_offset_y / 32) + 65024) mod 65536) < 480);
       righttaps_row_shown(1) <= righttaps_taps_row_is_not_less and ((righttaps_offset_y / 32) < 528) and (((sample_row
         + (righttaps_offset_y / 32) + 65025) mod 65536) < 480);
-      if righttaps_taps_column_is_less then
-        righttaps_taps_column <= ((righttaps_source_x / 32) + 65025) mod 16384;
-      else
-        righttaps_taps_column <= 0;
-      end if;
+      righttaps_taps_column <= choice(righttaps_taps_column_is_less, ((righttaps_source_x / 32) + 65025) mod 16384, 0);
       -- leftsampler
-      if lefttaps_row_shown(0) then
-        leftsampler_shown_held_0_choice := (as_number(lefttaps_column_shown(1)) * 2) +
-          as_number(lefttaps_column_shown(0));
-      else
-        leftsampler_shown_held_0_choice := 0;
-      end if;
-      if leftsampler_rows_column_odd(3) then
-        leftsampler_pixel_left_from_choice := leftsampler_rows_odd_odd_ready_word;
-      else
-        leftsampler_pixel_left_from_choice := leftsampler_rows_odd_even_ready_word;
-      end if;
-      if leftsampler_rows_column_odd(3) then
-        leftsampler_pixel_left_from_choices(2) := leftsampler_rows_even_odd_ready_word;
-      else
-        leftsampler_pixel_left_from_choices(2) := leftsampler_rows_even_even_ready_word;
-      end if;
-      if leftsampler_rows_row_odd(3) then
-        leftsampler_pixel_left_from_choices(3) := leftsampler_pixel_left_from_choice;
-      else
-        leftsampler_pixel_left_from_choices(3) := leftsampler_pixel_left_from_choices(2);
-      end if;
-      if is_set(leftsampler_shown_held(3), 0) then
-        leftsampler_pixel_left_from_choices(4) := leftsampler_pixel_left_from_choices(3);
-      else
-        leftsampler_pixel_left_from_choices(4) := 0;
-      end if;
-      if leftsampler_rows_row_odd(3) then
-        leftsampler_pixel_left_difference_choice := leftsampler_pixel_left_from_choices(2);
-      else
-        leftsampler_pixel_left_difference_choice := leftsampler_pixel_left_from_choice;
-      end if;
-      if is_set(leftsampler_shown_held(3), 2) then
-        leftsampler_pixel_left_difference_choice_2 := leftsampler_pixel_left_difference_choice;
-      else
-        leftsampler_pixel_left_difference_choice_2 := 0;
-      end if;
-      if leftsampler_rows_column_odd(3) then
-        leftsampler_pixel_right_from_choice := leftsampler_rows_odd_even_ready_word;
-      else
-        leftsampler_pixel_right_from_choice := leftsampler_rows_odd_odd_ready_word;
-      end if;
-      if leftsampler_rows_column_odd(3) then
-        leftsampler_pixel_right_from_choices(2) := leftsampler_rows_even_even_ready_word;
-      else
-        leftsampler_pixel_right_from_choices(2) := leftsampler_rows_even_odd_ready_word;
-      end if;
-      if leftsampler_rows_row_odd(3) then
-        leftsampler_pixel_right_from_choices(3) := leftsampler_pixel_right_from_choice;
-      else
-        leftsampler_pixel_right_from_choices(3) := leftsampler_pixel_right_from_choices(2);
-      end if;
-      if is_set(leftsampler_shown_held(3), 1) then
-        leftsampler_pixel_right_from_choices(4) := leftsampler_pixel_right_from_choices(3);
-      else
-        leftsampler_pixel_right_from_choices(4) := 0;
-      end if;
-      if leftsampler_rows_row_odd(3) then
-        leftsampler_pixel_right_difference_choice := leftsampler_pixel_right_from_choices(2);
-      else
-        leftsampler_pixel_right_difference_choice := leftsampler_pixel_right_from_choice;
-      end if;
-      if is_set(leftsampler_shown_held(3), 3) then
-        leftsampler_pixel_right_difference_choice_2 := leftsampler_pixel_right_difference_choice;
-      else
-        leftsampler_pixel_right_difference_choice_2 := 0;
-      end if;
+      leftsampler_shown_held_0_choice := choice(lefttaps_row_shown(0), (as_number(lefttaps_column_shown(1)) * 2) +
+        as_number(lefttaps_column_shown(0)), 0);
+      leftsampler_pixel_left_from_choices(1) := choice(leftsampler_rows_column_odd(3),
+        leftsampler_rows_odd_odd_ready_word, leftsampler_rows_odd_even_ready_word);
+      leftsampler_pixel_left_from_choices(2) := choice(leftsampler_rows_column_odd(3),
+        leftsampler_rows_even_odd_ready_word, leftsampler_rows_even_even_ready_word);
+      leftsampler_pixel_left_from_choices(3) := choice(leftsampler_rows_row_odd(3),
+        leftsampler_pixel_left_from_choices(1), leftsampler_pixel_left_from_choices(2));
+      leftsampler_pixel_left_from_choices(4) := choice(is_set(leftsampler_shown_held(3), 0),
+        leftsampler_pixel_left_from_choices(3), 0);
+      leftsampler_pixel_left_difference_choices(1) := choice(leftsampler_rows_row_odd(3),
+        leftsampler_pixel_left_from_choices(2), leftsampler_pixel_left_from_choices(1));
+      leftsampler_pixel_left_difference_choices(2) := choice(is_set(leftsampler_shown_held(3), 2),
+        leftsampler_pixel_left_difference_choices(1), 0);
+      leftsampler_pixel_right_from_choices(1) := choice(leftsampler_rows_column_odd(3),
+        leftsampler_rows_odd_even_ready_word, leftsampler_rows_odd_odd_ready_word);
+      leftsampler_pixel_right_from_choices(2) := choice(leftsampler_rows_column_odd(3),
+        leftsampler_rows_even_even_ready_word, leftsampler_rows_even_odd_ready_word);
+      leftsampler_pixel_right_from_choices(3) := choice(leftsampler_rows_row_odd(3),
+        leftsampler_pixel_right_from_choices(1), leftsampler_pixel_right_from_choices(2));
+      leftsampler_pixel_right_from_choices(4) := choice(is_set(leftsampler_shown_held(3), 1),
+        leftsampler_pixel_right_from_choices(3), 0);
+      leftsampler_pixel_right_difference_choices(1) := choice(leftsampler_rows_row_odd(3),
+        leftsampler_pixel_right_from_choices(2), leftsampler_pixel_right_from_choices(1));
+      leftsampler_pixel_right_difference_choices(2) := choice(is_set(leftsampler_shown_held(3), 3),
+        leftsampler_pixel_right_difference_choices(1), 0);
       leftsampler_rows_odd_line <= ((lefttaps_taps_row / 2) * 321) mod 8192;
       leftsampler_rows_write_line <= ((sample_kept_row / 2) * 321) mod 8192;
       leftsampler_rows_even_column <= ((lefttaps_taps_column + 1) mod 16384) / 2;
@@ -1338,40 +1026,29 @@ begin
       leftsampler_rows_odd_odd_read_address <= (leftsampler_rows_odd_line + leftsampler_rows_odd_column) mod 8192;
       leftsampler_rows_odd_odd_ready_word <= to_integer(leftsampler_rows_odd_odd_read_word);
       leftsampler_rows_row_odd(0) <= is_set(lefttaps_taps_row, 0);
-      leftsampler_rows_row_odd(1) <= leftsampler_rows_row_odd(0);
-      leftsampler_rows_row_odd(2) <= leftsampler_rows_row_odd(1);
-      leftsampler_rows_row_odd(3) <= leftsampler_rows_row_odd(2);
+      leftsampler_rows_row_odd(1 to 3) <= leftsampler_rows_row_odd(0 to 2);
       leftsampler_rows_column_odd(0) <= is_set(lefttaps_taps_column, 0);
-      leftsampler_rows_column_odd(1) <= leftsampler_rows_column_odd(0);
-      leftsampler_rows_column_odd(2) <= leftsampler_rows_column_odd(1);
-      leftsampler_rows_column_odd(3) <= leftsampler_rows_column_odd(2);
+      leftsampler_rows_column_odd(1 to 3) <= leftsampler_rows_column_odd(0 to 2);
       leftsampler_weight_x_held(0) <= lefttaps_weight_x;
-      leftsampler_weight_x_held(1) <= leftsampler_weight_x_held(0);
-      leftsampler_weight_x_held(2) <= leftsampler_weight_x_held(1);
-      leftsampler_weight_x_held(3) <= leftsampler_weight_x_held(2);
+      leftsampler_weight_x_held(1 to 3) <= leftsampler_weight_x_held(0 to 2);
       leftsampler_weight_y_held(0) <= lefttaps_weight_y;
-      leftsampler_weight_y_held(1) <= leftsampler_weight_y_held(0);
-      leftsampler_weight_y_held(2) <= leftsampler_weight_y_held(1);
-      leftsampler_weight_y_held(3) <= leftsampler_weight_y_held(2);
-      leftsampler_shown_held(1) <= leftsampler_shown_held(0);
-      leftsampler_shown_held(2) <= leftsampler_shown_held(1);
-      leftsampler_shown_held(3) <= leftsampler_shown_held(2);
+      leftsampler_weight_y_held(1 to 3) <= leftsampler_weight_y_held(0 to 2);
+      leftsampler_shown_held(1 to 3) <= leftsampler_shown_held(0 to 2);
       leftsampler_pixel_left_from <= leftsampler_pixel_left_from_choices(4);
-      leftsampler_pixel_left_difference <= leftsampler_pixel_left_difference_choice_2 -
+      leftsampler_pixel_left_difference <= leftsampler_pixel_left_difference_choices(2) -
         leftsampler_pixel_left_from_choices(4);
       leftsampler_pixel_left_part <= leftsampler_weight_y_held(3);
       leftsampler_pixel_left_base <= leftsampler_pixel_left_from * 32;
       leftsampler_pixel_left_value <= ((((leftsampler_pixel_left_base / 32) + (others_from_10(11) / 32)) mod 256) * 32)
         + (others_from_10(11) mod 32);
       leftsampler_pixel_right_from <= leftsampler_pixel_right_from_choices(4);
-      leftsampler_pixel_right_difference <= leftsampler_pixel_right_difference_choice_2 -
+      leftsampler_pixel_right_difference <= leftsampler_pixel_right_difference_choices(2) -
         leftsampler_pixel_right_from_choices(4);
       leftsampler_pixel_right_base <= leftsampler_pixel_right_from * 32;
       leftsampler_pixel_right_value <= ((((leftsampler_pixel_right_base / 32) + (others_from_10(10) / 32)) mod 256) *
         32) + (others_from_10(10) mod 32);
       leftsampler_pixel_weight_x_held(0) <= leftsampler_weight_x_held(3);
-      leftsampler_pixel_weight_x_held(1) <= leftsampler_pixel_weight_x_held(0);
-      leftsampler_pixel_weight_x_held(2) <= leftsampler_pixel_weight_x_held(1);
+      leftsampler_pixel_weight_x_held(1 to 2) <= leftsampler_pixel_weight_x_held(0 to 1);
       leftsampler_pixel_row_from <= leftsampler_pixel_left_value;
       leftsampler_pixel_row_difference <= leftsampler_pixel_right_value - leftsampler_pixel_left_value;
       leftsampler_pixel_row_part <= leftsampler_pixel_weight_x_held(2);
@@ -1380,17 +1057,10 @@ begin
       leftsampler_pixel_row_share <= leftsampler_pixel_row_difference * leftsampler_pixel_row_part;
       leftsampler_pixel_row_value <= (((((leftsampler_pixel_row_base / 32) + ((leftsampler_pixel_row_share mod 524288)
         / 32)) mod 16384) * 32) / 1024) mod 256;
-      if lefttaps_taps_row = 33 then
-        leftsampler_rows_even_line <= 0;
-      else
-        leftsampler_rows_even_line <= (((lefttaps_taps_row + 1) / 2) * 321) mod 8192;
-      end if;
-      if lefttaps_row_shown(1) then
-        leftsampler_shown_held(0) <= leftsampler_shown_held_0_choice + (as_number(lefttaps_column_shown(0)) * 4) +
-          (as_number(lefttaps_column_shown(1)) * 8);
-      else
-        leftsampler_shown_held(0) <= leftsampler_shown_held_0_choice;
-      end if;
+      leftsampler_rows_even_line <= choice(lefttaps_taps_row = 33, 0, (((lefttaps_taps_row + 1) / 2) * 321) mod 8192);
+      leftsampler_shown_held(0) <= choice(lefttaps_row_shown(1), leftsampler_shown_held_0_choice +
+        (as_number(lefttaps_column_shown(0)) * 4) + (as_number(lefttaps_column_shown(1)) * 8),
+        leftsampler_shown_held_0_choice);
       leftsampler_rows_even_even_write_address_value := (leftsampler_rows_write_line + leftsampler_rows_write_column)
         mod 8192;
       if leftsampler_rows_to_even_even then
@@ -1410,72 +1080,32 @@ begin
         leftsampler_rows_odd_odd_write_word <= leftsampler_rows_written;
       end if;
       -- rightsampler
-      if righttaps_row_shown(0) then
-        rightsampler_shown_held_0_choice := (as_number(righttaps_column_shown(1)) * 2) +
-          as_number(righttaps_column_shown(0));
-      else
-        rightsampler_shown_held_0_choice := 0;
-      end if;
-      if rightsampler_rows_column_odd(3) then
-        rightsampler_pixel_left_from_choice := rightsampler_rows_odd_odd_ready_word;
-      else
-        rightsampler_pixel_left_from_choice := rightsampler_rows_odd_even_ready_word;
-      end if;
-      if rightsampler_rows_column_odd(3) then
-        rightsampler_pixel_left_from_choices(2) := rightsampler_rows_even_odd_ready_word;
-      else
-        rightsampler_pixel_left_from_choices(2) := rightsampler_rows_even_even_ready_word;
-      end if;
-      if rightsampler_rows_row_odd(3) then
-        rightsampler_pixel_left_from_choices(3) := rightsampler_pixel_left_from_choice;
-      else
-        rightsampler_pixel_left_from_choices(3) := rightsampler_pixel_left_from_choices(2);
-      end if;
-      if is_set(rightsampler_shown_held(3), 0) then
-        rightsampler_pixel_left_from_choices(4) := rightsampler_pixel_left_from_choices(3);
-      else
-        rightsampler_pixel_left_from_choices(4) := 0;
-      end if;
-      if rightsampler_rows_row_odd(3) then
-        rightsampler_pixel_left_difference_choice := rightsampler_pixel_left_from_choices(2);
-      else
-        rightsampler_pixel_left_difference_choice := rightsampler_pixel_left_from_choice;
-      end if;
-      if is_set(rightsampler_shown_held(3), 2) then
-        rightsampler_pixel_left_difference_choice_2 := rightsampler_pixel_left_difference_choice;
-      else
-        rightsampler_pixel_left_difference_choice_2 := 0;
-      end if;
-      if rightsampler_rows_column_odd(3) then
-        rightsampler_pixel_right_from_choice := rightsampler_rows_odd_even_ready_word;
-      else
-        rightsampler_pixel_right_from_choice := rightsampler_rows_odd_odd_ready_word;
-      end if;
-      if rightsampler_rows_column_odd(3) then
-        rightsampler_pixel_right_from_choices(2) := rightsampler_rows_even_even_ready_word;
-      else
-        rightsampler_pixel_right_from_choices(2) := rightsampler_rows_even_odd_ready_word;
-      end if;
-      if rightsampler_rows_row_odd(3) then
-        rightsampler_pixel_right_from_choices(3) := rightsampler_pixel_right_from_choice;
-      else
-        rightsampler_pixel_right_from_choices(3) := rightsampler_pixel_right_from_choices(2);
-      end if;
-      if is_set(rightsampler_shown_held(3), 1) then
-        rightsampler_pixel_right_from_choices(4) := rightsampler_pixel_right_from_choices(3);
-      else
-        rightsampler_pixel_right_from_choices(4) := 0;
-      end if;
-      if rightsampler_rows_row_odd(3) then
-        rightsampler_pixel_right_difference_choice := rightsampler_pixel_right_from_choices(2);
-      else
-        rightsampler_pixel_right_difference_choice := rightsampler_pixel_right_from_choice;
-      end if;
-      if is_set(rightsampler_shown_held(3), 3) then
-        rightsampler_pixel_right_difference_choice_2 := rightsampler_pixel_right_difference_choice;
-      else
-        rightsampler_pixel_right_difference_choice_2 := 0;
-      end if;
+      rightsampler_shown_held_0_choice := choice(righttaps_row_shown(0), (as_number(righttaps_column_shown(1)) * 2) +
+        as_number(righttaps_column_shown(0)), 0);
+      rightsampler_pixel_left_from_choices(1) := choice(rightsampler_rows_column_odd(3),
+        rightsampler_rows_odd_odd_ready_word, rightsampler_rows_odd_even_ready_word);
+      rightsampler_pixel_left_from_choices(2) := choice(rightsampler_rows_column_odd(3),
+        rightsampler_rows_even_odd_ready_word, rightsampler_rows_even_even_ready_word);
+      rightsampler_pixel_left_from_choices(3) := choice(rightsampler_rows_row_odd(3),
+        rightsampler_pixel_left_from_choices(1), rightsampler_pixel_left_from_choices(2));
+      rightsampler_pixel_left_from_choices(4) := choice(is_set(rightsampler_shown_held(3), 0),
+        rightsampler_pixel_left_from_choices(3), 0);
+      rightsampler_pixel_left_difference_choices(1) := choice(rightsampler_rows_row_odd(3),
+        rightsampler_pixel_left_from_choices(2), rightsampler_pixel_left_from_choices(1));
+      rightsampler_pixel_left_difference_choices(2) := choice(is_set(rightsampler_shown_held(3), 2),
+        rightsampler_pixel_left_difference_choices(1), 0);
+      rightsampler_pixel_right_from_choices(1) := choice(rightsampler_rows_column_odd(3),
+        rightsampler_rows_odd_even_ready_word, rightsampler_rows_odd_odd_ready_word);
+      rightsampler_pixel_right_from_choices(2) := choice(rightsampler_rows_column_odd(3),
+        rightsampler_rows_even_even_ready_word, rightsampler_rows_even_odd_ready_word);
+      rightsampler_pixel_right_from_choices(3) := choice(rightsampler_rows_row_odd(3),
+        rightsampler_pixel_right_from_choices(1), rightsampler_pixel_right_from_choices(2));
+      rightsampler_pixel_right_from_choices(4) := choice(is_set(rightsampler_shown_held(3), 1),
+        rightsampler_pixel_right_from_choices(3), 0);
+      rightsampler_pixel_right_difference_choices(1) := choice(rightsampler_rows_row_odd(3),
+        rightsampler_pixel_right_from_choices(2), rightsampler_pixel_right_from_choices(1));
+      rightsampler_pixel_right_difference_choices(2) := choice(is_set(rightsampler_shown_held(3), 3),
+        rightsampler_pixel_right_difference_choices(1), 0);
       rightsampler_rows_odd_line <= ((righttaps_taps_row / 2) * 321) mod 8192;
       rightsampler_rows_even_column <= ((righttaps_taps_column + 1) mod 16384) / 2;
       rightsampler_rows_odd_column <= righttaps_taps_column / 2;
@@ -1490,40 +1120,29 @@ begin
       rightsampler_rows_odd_odd_read_address <= (rightsampler_rows_odd_line + rightsampler_rows_odd_column) mod 8192;
       rightsampler_rows_odd_odd_ready_word <= to_integer(rightsampler_rows_odd_odd_read_word);
       rightsampler_rows_row_odd(0) <= is_set(righttaps_taps_row, 0);
-      rightsampler_rows_row_odd(1) <= rightsampler_rows_row_odd(0);
-      rightsampler_rows_row_odd(2) <= rightsampler_rows_row_odd(1);
-      rightsampler_rows_row_odd(3) <= rightsampler_rows_row_odd(2);
+      rightsampler_rows_row_odd(1 to 3) <= rightsampler_rows_row_odd(0 to 2);
       rightsampler_rows_column_odd(0) <= is_set(righttaps_taps_column, 0);
-      rightsampler_rows_column_odd(1) <= rightsampler_rows_column_odd(0);
-      rightsampler_rows_column_odd(2) <= rightsampler_rows_column_odd(1);
-      rightsampler_rows_column_odd(3) <= rightsampler_rows_column_odd(2);
+      rightsampler_rows_column_odd(1 to 3) <= rightsampler_rows_column_odd(0 to 2);
       rightsampler_weight_x_held(0) <= righttaps_weight_x;
-      rightsampler_weight_x_held(1) <= rightsampler_weight_x_held(0);
-      rightsampler_weight_x_held(2) <= rightsampler_weight_x_held(1);
-      rightsampler_weight_x_held(3) <= rightsampler_weight_x_held(2);
+      rightsampler_weight_x_held(1 to 3) <= rightsampler_weight_x_held(0 to 2);
       rightsampler_weight_y_held(0) <= righttaps_weight_y;
-      rightsampler_weight_y_held(1) <= rightsampler_weight_y_held(0);
-      rightsampler_weight_y_held(2) <= rightsampler_weight_y_held(1);
-      rightsampler_weight_y_held(3) <= rightsampler_weight_y_held(2);
-      rightsampler_shown_held(1) <= rightsampler_shown_held(0);
-      rightsampler_shown_held(2) <= rightsampler_shown_held(1);
-      rightsampler_shown_held(3) <= rightsampler_shown_held(2);
+      rightsampler_weight_y_held(1 to 3) <= rightsampler_weight_y_held(0 to 2);
+      rightsampler_shown_held(1 to 3) <= rightsampler_shown_held(0 to 2);
       rightsampler_pixel_left_from <= rightsampler_pixel_left_from_choices(4);
-      rightsampler_pixel_left_difference <= rightsampler_pixel_left_difference_choice_2 -
+      rightsampler_pixel_left_difference <= rightsampler_pixel_left_difference_choices(2) -
         rightsampler_pixel_left_from_choices(4);
       rightsampler_pixel_left_part <= rightsampler_weight_y_held(3);
       rightsampler_pixel_left_base <= rightsampler_pixel_left_from * 32;
       rightsampler_pixel_left_value <= ((((other_4 / 32) + (rightsampler_pixel_left_base / 32)) mod 256) * 32) +
         (other_4 mod 32);
       rightsampler_pixel_right_from <= rightsampler_pixel_right_from_choices(4);
-      rightsampler_pixel_right_difference <= rightsampler_pixel_right_difference_choice_2 -
+      rightsampler_pixel_right_difference <= rightsampler_pixel_right_difference_choices(2) -
         rightsampler_pixel_right_from_choices(4);
       rightsampler_pixel_right_base <= rightsampler_pixel_right_from * 32;
       rightsampler_pixel_right_value <= ((((other_6 / 32) + (rightsampler_pixel_right_base / 32)) mod 256) * 32) +
         (other_6 mod 32);
       rightsampler_pixel_weight_x_held(0) <= rightsampler_weight_x_held(3);
-      rightsampler_pixel_weight_x_held(1) <= rightsampler_pixel_weight_x_held(0);
-      rightsampler_pixel_weight_x_held(2) <= rightsampler_pixel_weight_x_held(1);
+      rightsampler_pixel_weight_x_held(1 to 2) <= rightsampler_pixel_weight_x_held(0 to 1);
       rightsampler_pixel_row_from <= rightsampler_pixel_left_value;
       rightsampler_pixel_row_difference <= rightsampler_pixel_right_value - rightsampler_pixel_left_value;
       rightsampler_pixel_row_part <= rightsampler_pixel_weight_x_held(2);
@@ -1532,17 +1151,11 @@ begin
       rightsampler_pixel_row_share <= rightsampler_pixel_row_part * rightsampler_pixel_row_difference;
       rightsampler_pixel_row_value <= ((((((rightsampler_pixel_row_share mod 524288) / 32) +
         (rightsampler_pixel_row_base / 32)) mod 16384) * 32) / 1024) mod 256;
-      if righttaps_taps_row = 33 then
-        rightsampler_rows_even_line <= 0;
-      else
-        rightsampler_rows_even_line <= (((righttaps_taps_row + 1) / 2) * 321) mod 8192;
-      end if;
-      if righttaps_row_shown(1) then
-        rightsampler_shown_held(0) <= rightsampler_shown_held_0_choice + (as_number(righttaps_column_shown(0)) * 4) +
-          (as_number(righttaps_column_shown(1)) * 8);
-      else
-        rightsampler_shown_held(0) <= rightsampler_shown_held_0_choice;
-      end if;
+      rightsampler_rows_even_line <= choice(righttaps_taps_row = 33, 0, (((righttaps_taps_row + 1) / 2) * 321) mod
+        8192);
+      rightsampler_shown_held(0) <= choice(righttaps_row_shown(1), rightsampler_shown_held_0_choice +
+        (as_number(righttaps_column_shown(0)) * 4) + (as_number(righttaps_column_shown(1)) * 8),
+        rightsampler_shown_held_0_choice);
       if leftsampler_rows_to_even_even then
         rightsampler_rows_even_even_write_word <= rightsampler_rows_written;
       end if;
@@ -1557,14 +1170,10 @@ begin
       end if;
       -- valid
       valid_held(0) <= sample_kept_pixels_valid;
-      for i in 1 to 9 loop
-        valid_held(i) <= valid_held(i - 1);
-      end loop;
+      valid_held(1 to 9) <= valid_held(0 to 8);
       -- starts
       starts_held(0) <= sample_kept_starts;
-      for i in 1 to 9 loop
-        starts_held(i) <= starts_held(i - 1);
-      end loop;
+      starts_held(1 to 9) <= starts_held(0 to 8);
       -- other
       other(0) <= (rightoffsets_y_right_difference * leftoffsets_x_left_part) mod 1048576;
       other(1) <= (rightoffsets_y_left_difference * leftoffsets_x_left_part) mod 1048576;
@@ -1627,12 +1236,8 @@ begin
         leftsampler_rows_even_odd_write_address <= 0;
         leftsampler_rows_odd_even_write_address <= 0;
         leftsampler_rows_odd_odd_write_address <= 0;
-        for i in 0 to 9 loop
-          valid_held(i) <= false;
-        end loop;
-        for i in 0 to 9 loop
-          starts_held(i) <= false;
-        end loop;
+        valid_held <= (others => false);
+        starts_held <= (others => false);
       end if;
     end if;
   end process;

@@ -95,13 +95,48 @@ architecture rtl of stereo_core_sgm_1242_f8 is
     return (value / 2 ** place) mod 2 = 1;
   end function;
 
+  -- the majority: a comparison or a sum as a chain of its bits
+  function carry(before : boolean; a : boolean; b : boolean) return boolean is
+  begin
+    if before then
+      return a or b;
+    end if;
+    return a and b;
+  end function;
+
+  function inverted_carry(before : boolean; a : boolean; b : boolean) return boolean is
+  begin
+    if before then
+      return a and b;
+    end if;
+    return a or b;
+  end function;
+
+  function choice(test : boolean; yes : boolean; no : boolean) return boolean is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
+  function choice(test : boolean; yes : integer; no : integer) return integer is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
   type boolean_1d is array (natural range <>) of boolean;
   type boolean_2d is array (natural range <>, natural range <>) of boolean;
+  type boolean_3d is array (natural range <>, natural range <>, natural range <>) of boolean;
   type natural_105_1d is array (natural range <>) of natural range 0 to 105;
   type natural_127_1d is array (natural range <>) of natural range 0 to 127;
   type natural_127_2d is array (natural range <>, natural range <>) of natural range 0 to 127;
   type natural_14_1d is array (natural range <>) of natural range 0 to 14;
   type natural_14_2d is array (natural range <>, natural range <>) of natural range 0 to 14;
+  type natural_15_1d is array (natural range <>) of natural range 0 to 15;
   type natural_16383_1d is array (natural range <>) of natural range 0 to 16383;
   type natural_16383_2d is array (natural range <>, natural range <>) of natural range 0 to 16383;
   type natural_169_1d is array (natural range <>) of natural range 0 to 169;
@@ -111,10 +146,12 @@ architecture rtl of stereo_core_sgm_1242_f8 is
   type natural_254_1d is array (natural range <>) of natural range 0 to 254;
   type natural_255_1d is array (natural range <>) of natural range 0 to 255;
   type natural_255_2d is array (natural range <>, natural range <>) of natural range 0 to 255;
-  type natural_255_to_256_1d is array (natural range <>) of natural range 255 to 256;
+  type natural_255_to_256_2d is array (natural range <>, natural range <>) of natural range 255 to 256;
   type natural_28_1d is array (natural range <>) of natural range 0 to 28;
   type natural_2_2d is array (natural range <>, natural range <>) of natural range 0 to 2;
   type natural_31_1d is array (natural range <>) of natural range 0 to 31;
+  type natural_31_2d is array (natural range <>, natural range <>) of natural range 0 to 31;
+  type natural_3_1d is array (natural range <>) of natural range 0 to 3;
   type natural_3_3d is array (natural range <>, natural range <>, natural range <>) of natural range 0 to 3;
   type natural_4095_1d is array (natural range <>) of natural range 0 to 4095;
   type natural_42_1d is array (natural range <>) of natural range 0 to 42;
@@ -129,6 +166,18 @@ architecture rtl of stereo_core_sgm_1242_f8 is
   type unsigned_30_1d is array (natural range <>) of unsigned(29 downto 0);
   type unsigned_49_1d is array (natural range <>) of unsigned(48 downto 0);
   type unsigned_8_2d is array (natural range <>, natural range <>) of unsigned(7 downto 0);
+  type tag_6 is record
+    valid, map_column, output_column, first_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_5 is record
+    valid, map_column, output_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_4 is record
+    valid, map_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_5_b is record
+    valid, row_start, map_column, start_of_frame, end_of_line : boolean;
+  end record;
   signal in_start_of_frame, in_valid : boolean;
   signal in_right_pixel, in_left_pixel : natural range 0 to 255;
   -- transform
@@ -194,25 +243,19 @@ architecture rtl of stereo_core_sgm_1242_f8 is
   signal delay_ahead_0, delay_delayed_0 : natural range 0 to 16383;
   signal delay_column : natural range 0 to 2047;
   signal delay_row_inside : boolean_1d(0 to 2);
-  signal delay_tag_valid, delay_tag_map_column, delay_tag_output_column, delay_tag_first_column : boolean;
-  signal delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
+  signal delay_tag : tag_6;
   -- rows
   signal rows_search_rows_read_words_0, rows_reference_rows_read_words_0 : unsigned(27 downto 0);
   signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 16383;
   signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0 : natural range 0 to 16383;
-  signal rows_search : natural_16383_1d(0 to 2);
-  signal rows_reference : natural_16383_1d(0 to 2);
+  signal rows_search, rows_reference : natural_16383_1d(0 to 2);
   signal rows_search_rows_ready_words_0, rows_search_rows_write_words_0 : natural range 0 to 268435455;
   signal rows_reference_rows_ready_words_0, rows_reference_rows_write_words_0 : natural range 0 to 268435455;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 2047;
   signal rows_read_inside : boolean_1d(0 to 2);
-  signal rows_read_tag_valid, rows_read_tag_map_column, rows_read_tag_output_column : boolean;
-  signal rows_read_tag_first_column, rows_read_tag_start_of_frame, rows_read_tag_end_of_line : boolean;
+  signal rows_read_tag : tag_6;
   signal rows_ready_inside : boolean_1d(0 to 2);
-  signal rows_ready_tag_valid, rows_ready_tag_map_column, rows_ready_tag_output_column : boolean;
-  signal rows_ready_tag_first_column, rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line : boolean;
-  signal rows_tag_valid, rows_tag_map_column, rows_tag_output_column, rows_tag_first_column : boolean;
-  signal rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  signal rows_ready_tag, rows_tag : tag_6;
   -- line
   signal line_centre_map_column_0, line_centre_output_column_0, line_centre_first_column_0 : boolean;
   signal line_centre_start_of_frame_0, line_centre_end_of_line_0, line_order_falls, line_order_inside : boolean;
@@ -220,8 +263,7 @@ architecture rtl of stereo_core_sgm_1242_f8 is
   signal line_order_turned_valid, line_order_turned_map_column, line_order_turned_output_column : boolean;
   signal line_order_turned_first_column, line_order_turned_start_of_frame, line_order_turned_end_of_line : boolean;
   signal line_newest_first_column, line_newest_top : boolean;
-  signal line_comes : boolean_1d(1 to 35);
-  signal line_starts_phases : boolean_1d(1 to 35);
+  signal line_comes, line_starts_phases : boolean_1d(1 to 35);
   signal line_places_map_column : boolean_1d(0 to 4);  -- line_places_#_map_column
   signal line_places_first_column : boolean_1d(0 to 3);  -- line_places_#_first_column
   signal line_places_0_top : boolean;
@@ -232,9 +274,7 @@ architecture rtl of stereo_core_sgm_1242_f8 is
   signal line_order_address : natural range 0 to 2047;
   signal line_places_address : natural_2047_1d(0 to 2);  -- line_places_#_address
   -- costsshift
-  signal costsshift_newest : natural_16383_1d(0 to 2);
-  signal costsshift_new_reference : natural_16383_1d(0 to 2);
-  signal costsshift_handed_on : natural_16383_1d(0 to 2);
+  signal costsshift_newest, costsshift_new_reference, costsshift_handed_on : natural_16383_1d(0 to 2);
   signal costsshift_read_reference : natural_16383_1d(0 to 2);
   signal costsshift_search : natural_16383_2d(0 to 2, 0 to 15);
   signal costsshift_reference : natural_16383_1d(0 to 2);
@@ -277,12 +317,8 @@ architecture rtl of stereo_core_sgm_1242_f8 is
   signal pathsleft_fresh_past_eight, pathsleft_fresh_past_oldest, pathsleft_fresh_past_cheapest : natural range 0 to 64;
   signal pathsleft_fresh_here : natural range 0 to 64;
   signal pathsleft_fresh_known, pathsleft_q_less, pathsleft_g_less, pathsleft_lower_neighbour : natural range 0 to 127;
-  signal pathsleft_stay : natural_127_1d(0 to 15);
-  signal pathsleft_step : natural_127_1d(0 to 15);
-  signal pathsleft_stay_change : natural_127_1d(0 to 15);
-  signal pathsleft_step_change : natural_127_1d(0 to 15);
-  signal pathsleft_cost : natural_127_1d(0 to 15);
-  signal pathsleft_arrived : natural_127_1d(0 to 15);
+  signal pathsleft_stay, pathsleft_step, pathsleft_stay_change, pathsleft_step_change : natural_127_1d(0 to 15);
+  signal pathsleft_cost, pathsleft_arrived : natural_127_1d(0 to 15);
   signal pathsleft_tree_smallest : natural_127_1d(0 to 7);
   signal pathsleft_tree_next_smallest : natural_127_1d(0 to 3);
   signal pathsleft_tree_next_next_smallest : natural_127_1d(0 to 1);
@@ -317,8 +353,7 @@ architecture rtl of stereo_core_sgm_1242_f8 is
   signal pathsabove_delay_held : unsigned_30_1d(0 to 2);
   signal pathsabove_delay_held_3 : unsigned(5 downto 0);
   signal pathsabove_smallest_total, pathsabove_smallest : natural range 0 to 63;
-  signal pathsabove_cost : natural_63_1d(0 to 15);
-  signal pathsabove_held : natural_63_1d(0 to 15);
+  signal pathsabove_cost, pathsabove_held : natural_63_1d(0 to 15);
   signal pathsabove_lower_neighbour : natural range 0 to 63;
   signal pathsabove_beside : natural_63_1d(0 to 15);
   signal pathsabove_own : natural_63_1d(0 to 14);
@@ -360,12 +395,8 @@ architecture rtl of stereo_core_sgm_1242_f8 is
   signal pathsright_fresh_past_cheapest, pathsright_fresh_here : natural range 0 to 64;
   signal pathsright_fresh_known, pathsright_q_less, pathsright_g_less : natural range 0 to 127;
   signal pathsright_lower_neighbour : natural range 0 to 127;
-  signal pathsright_stay : natural_127_1d(0 to 15);
-  signal pathsright_step : natural_127_1d(0 to 15);
-  signal pathsright_stay_change : natural_127_1d(0 to 15);
-  signal pathsright_step_change : natural_127_1d(0 to 15);
-  signal pathsright_cost : natural_127_1d(0 to 15);
-  signal pathsright_arrived : natural_127_1d(0 to 15);
+  signal pathsright_stay, pathsright_step, pathsright_stay_change, pathsright_step_change : natural_127_1d(0 to 15);
+  signal pathsright_cost, pathsright_arrived : natural_127_1d(0 to 15);
   signal pathsright_tree_smallest : natural_127_1d(0 to 7);
   signal pathsright_tree_next_smallest : natural_127_1d(0 to 3);
   signal pathsright_tree_next_next_smallest : natural_127_1d(0 to 1);
@@ -384,38 +415,26 @@ architecture rtl of stereo_core_sgm_1242_f8 is
   -- winnerswinner1
   signal winnerswinner1_best_cost_0 : natural_255_1d(0 to 7);
   signal winnerswinner1_best_index_0_0, winnerswinner1_best_below_0 : boolean;
-  signal winnerswinner1_best_index_0_1 : natural range 0 to 3;
-  signal winnerswinner1_best_index_0_2 : natural range 0 to 5;
-  signal winnerswinner1_best_index_0_3 : natural range 0 to 7;
-  signal winnerswinner1_best_index_0_4 : natural range 0 to 9;
-  signal winnerswinner1_best_index_0_5 : natural range 0 to 11;
-  signal winnerswinner1_best_index_0_6 : natural range 0 to 13;
-  signal winnerswinner1_best_index_0_7 : natural range 0 to 15;
+  signal winnerswinner1_best_index_0 : natural_15_1d(1 to 7);  -- winnerswinner1_best_index_0_# up to 3, 5 .. 15
   -- winnerswinner2
   signal winnerswinner2_best_cost_0 : natural_255_1d(0 to 3);
-  signal winnerswinner2_best_index_0_0 : natural range 0 to 3;
-  signal winnerswinner2_best_index_0_1 : natural range 0 to 7;
-  signal winnerswinner2_best_index_0_2 : natural range 0 to 11;
-  signal winnerswinner2_best_index_0_3 : natural range 0 to 15;
+  signal winnerswinner2_best_index_0 : natural_15_1d(0 to 3);  -- winnerswinner2_best_index_0_# up to 3, 7 .. 15
   -- winnerswinner3
   signal winnerswinner3_best_cost_0 : natural_255_1d(0 to 1);
-  signal winnerswinner3_best_index_0_0 : natural range 0 to 7;
-  signal winnerswinner3_best_index_0_1 : natural range 0 to 15;
+  signal winnerswinner3_best_index_0 : natural_15_1d(0 to 1);  -- winnerswinner3_best_index_0_# up to 7, 15
   -- winnerswinner4
   signal winnerswinner4_best_cost_0_0 : natural range 0 to 255;
   signal winnerswinner4_best_index_0_0 : natural range 0 to 15;
   -- winners
   signal winners_best_cost_0_0, winners_best_index_0_0 : natural range 0 to 255;
-  signal winners_best_tag_valid, winners_best_tag_map_column, winners_best_tag_output_column : boolean;
-  signal winners_best_tag_start_of_frame, winners_best_tag_end_of_line : boolean;
+  signal winners_best_tag : tag_5;
   -- turn
   signal turn_order_address, turn_write_place : natural range 0 to 2047;
   signal turn_order_falls, turn_order_inside, turn_order_complete, turn_order_output, turn_order_first : boolean;
   signal turn_order_turned_valid, turn_order_turned_map_column, turn_order_turned_start_of_frame : boolean;
-  signal turn_order_turned_end_of_line, turn_comes, turn_read_tag_valid, turn_read_tag_map_column : boolean;
-  signal turn_read_tag_start_of_frame, turn_read_tag_end_of_line, turn_ready_tag_valid : boolean;
-  signal turn_ready_tag_row_start, turn_ready_tag_map_column, turn_ready_tag_start_of_frame : boolean;
-  signal turn_ready_tag_end_of_line : boolean;
+  signal turn_order_turned_end_of_line, turn_comes : boolean;
+  signal turn_read_tag : tag_4;
+  signal turn_ready_tag : tag_5_b;
   signal turn_newest, turn_write_words_0, turn_ready : natural range 0 to 511;
   signal turn_read_words_0 : unsigned(8 downto 0);
   -- map
@@ -458,627 +477,11 @@ architecture rtl of stereo_core_sgm_1242_f8 is
   signal relief_rows_ready_newest_0, relief_rows_write_words_0, relief_shown_0, relief_column_0 : natural range 0 to 63;
   signal relief_entering, relief_entered, relief_between, relief_write_turned_0 : natural range 0 to 63;
   signal relief_rows_read_words_0, relief_turned_0 : unsigned(5 downto 0);
-  signal relief_left : natural_64_1d(0 to 2);
-  signal relief_right : natural_64_1d(0 to 2);
+  signal relief_left, relief_right : natural_64_1d(0 to 2);
   signal relief_write_address : natural range 0 to 2047;
   -- other
   signal other : unsigned_49_1d(0 to 1);
   signal other_2 : natural range 0 to 510;
-  signal transform_left_rows_read_words_0_memory_read_enable : boolean;
-  signal transform_left_rows_read_words_0_memory_read_address : unsigned(10 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_address : unsigned(10 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal transform_right_rows_read_words_0_memory_read_enable : boolean;
-  signal transform_right_rows_read_words_0_memory_read_address : unsigned(10 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_address : unsigned(10 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal map_rows_read_words_0_memory_read_enable : boolean;
-  signal map_rows_read_words_0_memory_read_address, map_rows_read_words_0_memory_write_address : unsigned(10 downto 0);
-  signal map_rows_read_words_0_memory_write_data : unsigned(17 downto 0);
-  signal turn_read_words_0_memory_read_enable : boolean;
-  signal turn_read_words_0_memory_read_address, turn_read_words_0_memory_write_address : unsigned(10 downto 0);
-  signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
-  signal pathsright_read_words_7_memory_read_enable : boolean;
-  signal pathsright_read_words_7_memory_read_address : unsigned(2 downto 0);
-  signal pathsright_read_words_7_memory_write_address : unsigned(2 downto 0);
-  signal pathsright_read_words_7_memory_write_data : unsigned(27 downto 0);
-  signal pathsright_read_words_6_memory_read_enable : boolean;
-  signal pathsright_read_words_6_memory_read_address : unsigned(2 downto 0);
-  signal pathsright_read_words_6_memory_write_address : unsigned(2 downto 0);
-  signal pathsright_read_words_6_memory_write_data : unsigned(27 downto 0);
-  signal pathsright_read_words_5_memory_read_enable : boolean;
-  signal pathsright_read_words_5_memory_read_address : unsigned(2 downto 0);
-  signal pathsright_read_words_5_memory_write_address : unsigned(2 downto 0);
-  signal pathsright_read_words_5_memory_write_data : unsigned(27 downto 0);
-  signal pathsright_read_words_4_memory_read_enable : boolean;
-  signal pathsright_read_words_4_memory_read_address : unsigned(2 downto 0);
-  signal pathsright_read_words_4_memory_write_address : unsigned(2 downto 0);
-  signal pathsright_read_words_4_memory_write_data : unsigned(27 downto 0);
-  signal pathsright_read_words_3_memory_read_enable : boolean;
-  signal pathsright_read_words_3_memory_read_address : unsigned(2 downto 0);
-  signal pathsright_read_words_3_memory_write_address : unsigned(2 downto 0);
-  signal pathsright_read_words_3_memory_write_data : unsigned(27 downto 0);
-  signal pathsright_read_words_2_memory_read_enable : boolean;
-  signal pathsright_read_words_2_memory_read_address : unsigned(2 downto 0);
-  signal pathsright_read_words_2_memory_write_address : unsigned(2 downto 0);
-  signal pathsright_read_words_2_memory_write_data : unsigned(27 downto 0);
-  signal pathsright_read_words_1_memory_read_enable : boolean;
-  signal pathsright_read_words_1_memory_read_address : unsigned(2 downto 0);
-  signal pathsright_read_words_1_memory_write_address : unsigned(2 downto 0);
-  signal pathsright_read_words_1_memory_write_data : unsigned(27 downto 0);
-  signal pathsright_read_words_0_memory_read_enable : boolean;
-  signal pathsright_read_words_0_memory_read_address : unsigned(2 downto 0);
-  signal pathsright_read_words_0_memory_write_address : unsigned(2 downto 0);
-  signal pathsright_read_words_0_memory_write_data : unsigned(27 downto 0);
-  signal pathsright_read_neighbour_0_memory_read_enable : boolean;
-  signal pathsright_read_neighbour_0_memory_read_address : unsigned(2 downto 0);
-  signal pathsright_read_neighbour_0_memory_write_address : unsigned(2 downto 0);
-  signal pathsright_read_neighbour_0_memory_write_data : unsigned(6 downto 0);
-  signal pathsright_lowest_0_memory_read_enable : boolean;
-  signal pathsright_lowest_0_memory_read_address, pathsright_lowest_0_memory_write_address : unsigned(3 downto 0);
-  signal pathsright_lowest_0_memory_write_data : unsigned(6 downto 0);
-  signal pathsturn_read_smallest_0_memory_read_enable : boolean;
-  signal pathsturn_read_smallest_0_memory_read_address : unsigned(10 downto 0);
-  signal pathsturn_read_smallest_0_memory_write_address : unsigned(10 downto 0);
-  signal pathsturn_read_smallest_0_memory_write_data : unsigned(4 downto 0);
-  signal pathsturn_sum_memory_read_words_0_13_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_0_13_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_13_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_13_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_0_12_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_0_12_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_12_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_12_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_0_11_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_0_11_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_11_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_11_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_0_10_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_0_10_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_10_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_10_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_0_9_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_0_9_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_9_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_9_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_0_8_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_0_8_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_8_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_8_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_0_7_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_0_7_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_7_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_7_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_0_6_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_0_6_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_6_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_6_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_0_5_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_0_5_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_5_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_5_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_0_4_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_0_4_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_4_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_4_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_0_3_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_0_3_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_3_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_3_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_0_2_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_0_2_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_2_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_2_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_0_1_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_0_1_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_1_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_1_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_0_0_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_0_0_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_0_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_0_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_1_13_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_1_13_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_13_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_13_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_1_12_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_1_12_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_12_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_12_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_1_11_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_1_11_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_11_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_11_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_1_10_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_1_10_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_10_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_10_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_1_9_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_1_9_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_9_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_9_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_1_8_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_1_8_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_8_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_8_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_1_7_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_1_7_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_7_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_7_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_1_6_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_1_6_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_6_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_6_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_1_5_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_1_5_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_5_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_5_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_1_4_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_1_4_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_4_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_4_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_1_3_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_1_3_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_3_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_3_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_1_2_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_1_2_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_2_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_2_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_1_1_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_1_1_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_1_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_1_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_1_0_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_1_0_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_0_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_0_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_2_13_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_2_13_memory_read_address : unsigned(10 downto 0);
-  signal pathsturn_sum_memory_read_words_2_13_memory_write_address : unsigned(10 downto 0);
-  signal pathsturn_sum_memory_read_words_2_13_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_2_12_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_2_12_memory_read_address : unsigned(10 downto 0);
-  signal pathsturn_sum_memory_read_words_2_12_memory_write_address : unsigned(10 downto 0);
-  signal pathsturn_sum_memory_read_words_2_12_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_2_11_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_2_11_memory_read_address : unsigned(10 downto 0);
-  signal pathsturn_sum_memory_read_words_2_11_memory_write_address : unsigned(10 downto 0);
-  signal pathsturn_sum_memory_read_words_2_11_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_2_10_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_2_10_memory_read_address : unsigned(10 downto 0);
-  signal pathsturn_sum_memory_read_words_2_10_memory_write_address : unsigned(10 downto 0);
-  signal pathsturn_sum_memory_read_words_2_10_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_2_9_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_2_9_memory_read_address : unsigned(10 downto 0);
-  signal pathsturn_sum_memory_read_words_2_9_memory_write_address : unsigned(10 downto 0);
-  signal pathsturn_sum_memory_read_words_2_9_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_2_8_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_2_8_memory_read_address : unsigned(10 downto 0);
-  signal pathsturn_sum_memory_read_words_2_8_memory_write_address : unsigned(10 downto 0);
-  signal pathsturn_sum_memory_read_words_2_8_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_2_7_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_2_7_memory_read_address : unsigned(10 downto 0);
-  signal pathsturn_sum_memory_read_words_2_7_memory_write_address : unsigned(10 downto 0);
-  signal pathsturn_sum_memory_read_words_2_7_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_2_6_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_2_6_memory_read_address : unsigned(10 downto 0);
-  signal pathsturn_sum_memory_read_words_2_6_memory_write_address : unsigned(10 downto 0);
-  signal pathsturn_sum_memory_read_words_2_6_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_2_5_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_2_5_memory_read_address : unsigned(10 downto 0);
-  signal pathsturn_sum_memory_read_words_2_5_memory_write_address : unsigned(10 downto 0);
-  signal pathsturn_sum_memory_read_words_2_5_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_2_4_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_2_4_memory_read_address : unsigned(10 downto 0);
-  signal pathsturn_sum_memory_read_words_2_4_memory_write_address : unsigned(10 downto 0);
-  signal pathsturn_sum_memory_read_words_2_4_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_2_3_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_2_3_memory_read_address : unsigned(10 downto 0);
-  signal pathsturn_sum_memory_read_words_2_3_memory_write_address : unsigned(10 downto 0);
-  signal pathsturn_sum_memory_read_words_2_3_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_2_2_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_2_2_memory_read_address : unsigned(10 downto 0);
-  signal pathsturn_sum_memory_read_words_2_2_memory_write_address : unsigned(10 downto 0);
-  signal pathsturn_sum_memory_read_words_2_2_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_2_1_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_2_1_memory_read_address : unsigned(10 downto 0);
-  signal pathsturn_sum_memory_read_words_2_1_memory_write_address : unsigned(10 downto 0);
-  signal pathsturn_sum_memory_read_words_2_1_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_2_0_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_2_0_memory_read_address : unsigned(10 downto 0);
-  signal pathsturn_sum_memory_read_words_2_0_memory_write_address : unsigned(10 downto 0);
-  signal pathsturn_sum_memory_read_words_2_0_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_cost_memory_read_words_0_5_memory_read_enable : boolean;
-  signal pathsturn_cost_memory_read_words_0_5_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_0_5_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_0_5_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_cost_memory_read_words_0_4_memory_read_enable : boolean;
-  signal pathsturn_cost_memory_read_words_0_4_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_0_4_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_0_4_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_cost_memory_read_words_0_3_memory_read_enable : boolean;
-  signal pathsturn_cost_memory_read_words_0_3_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_0_3_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_0_3_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_cost_memory_read_words_0_2_memory_read_enable : boolean;
-  signal pathsturn_cost_memory_read_words_0_2_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_0_2_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_0_2_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_cost_memory_read_words_0_1_memory_read_enable : boolean;
-  signal pathsturn_cost_memory_read_words_0_1_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_0_1_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_0_1_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_cost_memory_read_words_0_0_memory_read_enable : boolean;
-  signal pathsturn_cost_memory_read_words_0_0_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_0_0_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_0_0_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_cost_memory_read_words_1_5_memory_read_enable : boolean;
-  signal pathsturn_cost_memory_read_words_1_5_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_1_5_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_1_5_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_cost_memory_read_words_1_4_memory_read_enable : boolean;
-  signal pathsturn_cost_memory_read_words_1_4_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_1_4_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_1_4_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_cost_memory_read_words_1_3_memory_read_enable : boolean;
-  signal pathsturn_cost_memory_read_words_1_3_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_1_3_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_1_3_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_cost_memory_read_words_1_2_memory_read_enable : boolean;
-  signal pathsturn_cost_memory_read_words_1_2_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_1_2_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_1_2_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_cost_memory_read_words_1_1_memory_read_enable : boolean;
-  signal pathsturn_cost_memory_read_words_1_1_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_1_1_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_1_1_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_cost_memory_read_words_1_0_memory_read_enable : boolean;
-  signal pathsturn_cost_memory_read_words_1_0_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_1_0_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_1_0_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_cost_memory_read_words_2_5_memory_read_enable : boolean;
-  signal pathsturn_cost_memory_read_words_2_5_memory_read_address : unsigned(10 downto 0);
-  signal pathsturn_cost_memory_read_words_2_5_memory_write_address : unsigned(10 downto 0);
-  signal pathsturn_cost_memory_read_words_2_5_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_cost_memory_read_words_2_4_memory_read_enable : boolean;
-  signal pathsturn_cost_memory_read_words_2_4_memory_read_address : unsigned(10 downto 0);
-  signal pathsturn_cost_memory_read_words_2_4_memory_write_address : unsigned(10 downto 0);
-  signal pathsturn_cost_memory_read_words_2_4_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_cost_memory_read_words_2_3_memory_read_enable : boolean;
-  signal pathsturn_cost_memory_read_words_2_3_memory_read_address : unsigned(10 downto 0);
-  signal pathsturn_cost_memory_read_words_2_3_memory_write_address : unsigned(10 downto 0);
-  signal pathsturn_cost_memory_read_words_2_3_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_cost_memory_read_words_2_2_memory_read_enable : boolean;
-  signal pathsturn_cost_memory_read_words_2_2_memory_read_address : unsigned(10 downto 0);
-  signal pathsturn_cost_memory_read_words_2_2_memory_write_address : unsigned(10 downto 0);
-  signal pathsturn_cost_memory_read_words_2_2_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_cost_memory_read_words_2_1_memory_read_enable : boolean;
-  signal pathsturn_cost_memory_read_words_2_1_memory_read_address : unsigned(10 downto 0);
-  signal pathsturn_cost_memory_read_words_2_1_memory_write_address : unsigned(10 downto 0);
-  signal pathsturn_cost_memory_read_words_2_1_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_cost_memory_read_words_2_0_memory_read_enable : boolean;
-  signal pathsturn_cost_memory_read_words_2_0_memory_read_address : unsigned(10 downto 0);
-  signal pathsturn_cost_memory_read_words_2_0_memory_write_address : unsigned(10 downto 0);
-  signal pathsturn_cost_memory_read_words_2_0_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_delay_held_3_memory_read_enable : boolean;
-  signal pathsabove_delay_held_3_memory_read_address : unsigned(3 downto 0);
-  signal pathsabove_delay_held_3_memory_write_address : unsigned(3 downto 0);
-  signal pathsabove_delay_held_3_memory_write_data : unsigned(5 downto 0);
-  signal pathsabove_delay_held_2_memory_read_enable : boolean;
-  signal pathsabove_delay_held_2_memory_read_address : unsigned(3 downto 0);
-  signal pathsabove_delay_held_2_memory_write_address : unsigned(3 downto 0);
-  signal pathsabove_delay_held_2_memory_write_data : unsigned(29 downto 0);
-  signal pathsabove_delay_held_1_memory_read_enable : boolean;
-  signal pathsabove_delay_held_1_memory_read_address : unsigned(3 downto 0);
-  signal pathsabove_delay_held_1_memory_write_address : unsigned(3 downto 0);
-  signal pathsabove_delay_held_1_memory_write_data : unsigned(29 downto 0);
-  signal pathsabove_delay_held_0_memory_read_enable : boolean;
-  signal pathsabove_delay_held_0_memory_read_address : unsigned(3 downto 0);
-  signal pathsabove_delay_held_0_memory_write_address : unsigned(3 downto 0);
-  signal pathsabove_delay_held_0_memory_write_data : unsigned(29 downto 0);
-  signal pathsabove_memory_read_words_0_9_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_0_9_memory_read_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_9_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_9_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_0_8_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_0_8_memory_read_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_8_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_8_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_0_7_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_0_7_memory_read_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_7_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_7_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_0_6_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_0_6_memory_read_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_6_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_6_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_0_5_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_0_5_memory_read_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_5_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_5_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_0_4_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_0_4_memory_read_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_4_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_4_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_0_3_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_0_3_memory_read_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_3_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_3_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_0_2_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_0_2_memory_read_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_2_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_2_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_0_1_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_0_1_memory_read_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_1_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_1_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_0_0_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_0_0_memory_read_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_0_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_0_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_1_9_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_1_9_memory_read_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_1_9_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_1_9_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_1_8_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_1_8_memory_read_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_1_8_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_1_8_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_1_7_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_1_7_memory_read_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_1_7_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_1_7_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_1_6_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_1_6_memory_read_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_1_6_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_1_6_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_1_5_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_1_5_memory_read_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_1_5_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_1_5_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_1_4_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_1_4_memory_read_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_1_4_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_1_4_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_1_3_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_1_3_memory_read_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_1_3_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_1_3_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_1_2_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_1_2_memory_read_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_1_2_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_1_2_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_1_1_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_1_1_memory_read_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_1_1_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_1_1_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_1_0_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_1_0_memory_read_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_1_0_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_1_0_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_2_9_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_2_9_memory_read_address : unsigned(10 downto 0);
-  signal pathsabove_memory_read_words_2_9_memory_write_address : unsigned(10 downto 0);
-  signal pathsabove_memory_read_words_2_9_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_2_8_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_2_8_memory_read_address : unsigned(10 downto 0);
-  signal pathsabove_memory_read_words_2_8_memory_write_address : unsigned(10 downto 0);
-  signal pathsabove_memory_read_words_2_8_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_2_7_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_2_7_memory_read_address : unsigned(10 downto 0);
-  signal pathsabove_memory_read_words_2_7_memory_write_address : unsigned(10 downto 0);
-  signal pathsabove_memory_read_words_2_7_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_2_6_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_2_6_memory_read_address : unsigned(10 downto 0);
-  signal pathsabove_memory_read_words_2_6_memory_write_address : unsigned(10 downto 0);
-  signal pathsabove_memory_read_words_2_6_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_2_5_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_2_5_memory_read_address : unsigned(10 downto 0);
-  signal pathsabove_memory_read_words_2_5_memory_write_address : unsigned(10 downto 0);
-  signal pathsabove_memory_read_words_2_5_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_2_4_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_2_4_memory_read_address : unsigned(10 downto 0);
-  signal pathsabove_memory_read_words_2_4_memory_write_address : unsigned(10 downto 0);
-  signal pathsabove_memory_read_words_2_4_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_2_3_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_2_3_memory_read_address : unsigned(10 downto 0);
-  signal pathsabove_memory_read_words_2_3_memory_write_address : unsigned(10 downto 0);
-  signal pathsabove_memory_read_words_2_3_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_2_2_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_2_2_memory_read_address : unsigned(10 downto 0);
-  signal pathsabove_memory_read_words_2_2_memory_write_address : unsigned(10 downto 0);
-  signal pathsabove_memory_read_words_2_2_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_2_1_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_2_1_memory_read_address : unsigned(10 downto 0);
-  signal pathsabove_memory_read_words_2_1_memory_write_address : unsigned(10 downto 0);
-  signal pathsabove_memory_read_words_2_1_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_2_0_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_2_0_memory_read_address : unsigned(10 downto 0);
-  signal pathsabove_memory_read_words_2_0_memory_write_address : unsigned(10 downto 0);
-  signal pathsabove_memory_read_words_2_0_memory_write_data : unsigned(7 downto 0);
-  signal pathsleft_read_words_7_memory_read_enable : boolean;
-  signal pathsleft_read_words_7_memory_read_address, pathsleft_read_words_7_memory_write_address : unsigned(2 downto 0);
-  signal pathsleft_read_words_7_memory_write_data : unsigned(27 downto 0);
-  signal pathsleft_read_words_6_memory_read_enable : boolean;
-  signal pathsleft_read_words_6_memory_read_address, pathsleft_read_words_6_memory_write_address : unsigned(2 downto 0);
-  signal pathsleft_read_words_6_memory_write_data : unsigned(27 downto 0);
-  signal pathsleft_read_words_5_memory_read_enable : boolean;
-  signal pathsleft_read_words_5_memory_read_address, pathsleft_read_words_5_memory_write_address : unsigned(2 downto 0);
-  signal pathsleft_read_words_5_memory_write_data : unsigned(27 downto 0);
-  signal pathsleft_read_words_4_memory_read_enable : boolean;
-  signal pathsleft_read_words_4_memory_read_address, pathsleft_read_words_4_memory_write_address : unsigned(2 downto 0);
-  signal pathsleft_read_words_4_memory_write_data : unsigned(27 downto 0);
-  signal pathsleft_read_words_3_memory_read_enable : boolean;
-  signal pathsleft_read_words_3_memory_read_address, pathsleft_read_words_3_memory_write_address : unsigned(2 downto 0);
-  signal pathsleft_read_words_3_memory_write_data : unsigned(27 downto 0);
-  signal pathsleft_read_words_2_memory_read_enable : boolean;
-  signal pathsleft_read_words_2_memory_read_address, pathsleft_read_words_2_memory_write_address : unsigned(2 downto 0);
-  signal pathsleft_read_words_2_memory_write_data : unsigned(27 downto 0);
-  signal pathsleft_read_words_1_memory_read_enable : boolean;
-  signal pathsleft_read_words_1_memory_read_address, pathsleft_read_words_1_memory_write_address : unsigned(2 downto 0);
-  signal pathsleft_read_words_1_memory_write_data : unsigned(27 downto 0);
-  signal pathsleft_read_words_0_memory_read_enable : boolean;
-  signal pathsleft_read_words_0_memory_read_address, pathsleft_read_words_0_memory_write_address : unsigned(2 downto 0);
-  signal pathsleft_read_words_0_memory_write_data : unsigned(27 downto 0);
-  signal pathsleft_read_neighbour_0_memory_read_enable : boolean;
-  signal pathsleft_read_neighbour_0_memory_read_address : unsigned(2 downto 0);
-  signal pathsleft_read_neighbour_0_memory_write_address : unsigned(2 downto 0);
-  signal pathsleft_read_neighbour_0_memory_write_data : unsigned(6 downto 0);
-  signal pathsleft_lowest_0_memory_read_enable : boolean;
-  signal pathsleft_lowest_0_memory_read_address, pathsleft_lowest_0_memory_write_address : unsigned(3 downto 0);
-  signal pathsleft_lowest_0_memory_write_data : unsigned(6 downto 0);
-  signal paths_cost_delay_held_1_memory_read_enable : boolean;
-  signal paths_cost_delay_held_1_memory_read_address : unsigned(3 downto 0);
-  signal paths_cost_delay_held_1_memory_write_address : unsigned(3 downto 0);
-  signal paths_cost_delay_held_1_memory_write_data : unsigned(17 downto 0);
-  signal paths_cost_delay_held_0_memory_read_enable : boolean;
-  signal paths_cost_delay_held_0_memory_read_address : unsigned(3 downto 0);
-  signal paths_cost_delay_held_0_memory_write_address : unsigned(3 downto 0);
-  signal paths_cost_delay_held_0_memory_write_data : unsigned(29 downto 0);
-  signal relief_turned_0_memory_read_enable : boolean;
-  signal relief_turned_0_memory_read_address, relief_turned_0_memory_write_address : unsigned(10 downto 0);
-  signal relief_turned_0_memory_write_data : unsigned(5 downto 0);
-  signal relief_rows_read_words_0_memory_read_enable : boolean;
-  signal relief_rows_read_words_0_memory_read_address : unsigned(10 downto 0);
-  signal relief_rows_read_words_0_memory_write_address : unsigned(10 downto 0);
-  signal relief_rows_read_words_0_memory_write_data : unsigned(5 downto 0);
-  signal costswindow_read_words_7_memory_read_enable : boolean;
-  signal costswindow_read_words_7_memory_read_address : unsigned(2 downto 0);
-  signal costswindow_read_words_7_memory_write_address : unsigned(2 downto 0);
-  signal costswindow_read_words_7_memory_write_data : unsigned(27 downto 0);
-  signal costswindow_read_words_6_memory_read_enable : boolean;
-  signal costswindow_read_words_6_memory_read_address : unsigned(2 downto 0);
-  signal costswindow_read_words_6_memory_write_address : unsigned(2 downto 0);
-  signal costswindow_read_words_6_memory_write_data : unsigned(27 downto 0);
-  signal costswindow_read_words_5_memory_read_enable : boolean;
-  signal costswindow_read_words_5_memory_read_address : unsigned(2 downto 0);
-  signal costswindow_read_words_5_memory_write_address : unsigned(2 downto 0);
-  signal costswindow_read_words_5_memory_write_data : unsigned(27 downto 0);
-  signal costswindow_read_words_4_memory_read_enable : boolean;
-  signal costswindow_read_words_4_memory_read_address : unsigned(2 downto 0);
-  signal costswindow_read_words_4_memory_write_address : unsigned(2 downto 0);
-  signal costswindow_read_words_4_memory_write_data : unsigned(27 downto 0);
-  signal costswindow_read_words_3_memory_read_enable : boolean;
-  signal costswindow_read_words_3_memory_read_address : unsigned(2 downto 0);
-  signal costswindow_read_words_3_memory_write_address : unsigned(2 downto 0);
-  signal costswindow_read_words_3_memory_write_data : unsigned(26 downto 0);
-  signal costswindow_read_words_2_memory_read_enable : boolean;
-  signal costswindow_read_words_2_memory_read_address : unsigned(2 downto 0);
-  signal costswindow_read_words_2_memory_write_address : unsigned(2 downto 0);
-  signal costswindow_read_words_2_memory_write_data : unsigned(26 downto 0);
-  signal costswindow_read_words_1_memory_read_enable : boolean;
-  signal costswindow_read_words_1_memory_read_address : unsigned(2 downto 0);
-  signal costswindow_read_words_1_memory_write_address : unsigned(2 downto 0);
-  signal costswindow_read_words_1_memory_write_data : unsigned(26 downto 0);
-  signal costswindow_read_words_0_memory_read_enable : boolean;
-  signal costswindow_read_words_0_memory_read_address : unsigned(2 downto 0);
-  signal costswindow_read_words_0_memory_write_address : unsigned(2 downto 0);
-  signal costswindow_read_words_0_memory_write_data : unsigned(26 downto 0);
-  signal costsshift_read_words_23_memory_read_enable : boolean;
-  signal costsshift_read_words_23_memory_read_address : unsigned(2 downto 0);
-  signal costsshift_read_words_23_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_23_memory_write_data : unsigned(27 downto 0);
-  signal costsshift_read_words_22_memory_read_enable : boolean;
-  signal costsshift_read_words_22_memory_read_address : unsigned(2 downto 0);
-  signal costsshift_read_words_22_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_22_memory_write_data : unsigned(27 downto 0);
-  signal costsshift_read_words_21_memory_read_enable : boolean;
-  signal costsshift_read_words_21_memory_read_address : unsigned(2 downto 0);
-  signal costsshift_read_words_21_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_21_memory_write_data : unsigned(27 downto 0);
-  signal costsshift_read_words_20_memory_read_enable : boolean;
-  signal costsshift_read_words_20_memory_read_address : unsigned(2 downto 0);
-  signal costsshift_read_words_20_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_20_memory_write_data : unsigned(27 downto 0);
-  signal costsshift_read_words_19_memory_read_enable : boolean;
-  signal costsshift_read_words_19_memory_read_address : unsigned(2 downto 0);
-  signal costsshift_read_words_19_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_19_memory_write_data : unsigned(27 downto 0);
-  signal costsshift_read_words_18_memory_read_enable : boolean;
-  signal costsshift_read_words_18_memory_read_address : unsigned(2 downto 0);
-  signal costsshift_read_words_18_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_18_memory_write_data : unsigned(27 downto 0);
-  signal costsshift_read_words_17_memory_read_enable : boolean;
-  signal costsshift_read_words_17_memory_read_address : unsigned(2 downto 0);
-  signal costsshift_read_words_17_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_17_memory_write_data : unsigned(27 downto 0);
-  signal costsshift_read_words_16_memory_read_enable : boolean;
-  signal costsshift_read_words_16_memory_read_address : unsigned(2 downto 0);
-  signal costsshift_read_words_16_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_16_memory_write_data : unsigned(27 downto 0);
-  signal costsshift_read_words_15_memory_read_enable : boolean;
-  signal costsshift_read_words_15_memory_read_address : unsigned(2 downto 0);
-  signal costsshift_read_words_15_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_15_memory_write_data : unsigned(27 downto 0);
-  signal costsshift_read_words_14_memory_read_enable : boolean;
-  signal costsshift_read_words_14_memory_read_address : unsigned(2 downto 0);
-  signal costsshift_read_words_14_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_14_memory_write_data : unsigned(27 downto 0);
-  signal costsshift_read_words_13_memory_read_enable : boolean;
-  signal costsshift_read_words_13_memory_read_address : unsigned(2 downto 0);
-  signal costsshift_read_words_13_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_13_memory_write_data : unsigned(27 downto 0);
-  signal costsshift_read_words_12_memory_read_enable : boolean;
-  signal costsshift_read_words_12_memory_read_address : unsigned(2 downto 0);
-  signal costsshift_read_words_12_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_12_memory_write_data : unsigned(27 downto 0);
-  signal costsshift_read_words_11_memory_read_enable : boolean;
-  signal costsshift_read_words_11_memory_read_address : unsigned(2 downto 0);
-  signal costsshift_read_words_11_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_11_memory_write_data : unsigned(27 downto 0);
-  signal costsshift_read_words_10_memory_read_enable : boolean;
-  signal costsshift_read_words_10_memory_read_address : unsigned(2 downto 0);
-  signal costsshift_read_words_10_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_10_memory_write_data : unsigned(27 downto 0);
-  signal costsshift_read_words_9_memory_read_enable : boolean;
-  signal costsshift_read_words_9_memory_read_address : unsigned(2 downto 0);
-  signal costsshift_read_words_9_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_9_memory_write_data : unsigned(27 downto 0);
-  signal costsshift_read_words_8_memory_read_enable : boolean;
-  signal costsshift_read_words_8_memory_read_address : unsigned(2 downto 0);
-  signal costsshift_read_words_8_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_8_memory_write_data : unsigned(27 downto 0);
-  signal costsshift_read_words_7_memory_read_enable : boolean;
-  signal costsshift_read_words_7_memory_read_address : unsigned(2 downto 0);
-  signal costsshift_read_words_7_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_7_memory_write_data : unsigned(27 downto 0);
-  signal costsshift_read_words_6_memory_read_enable : boolean;
-  signal costsshift_read_words_6_memory_read_address : unsigned(2 downto 0);
-  signal costsshift_read_words_6_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_6_memory_write_data : unsigned(27 downto 0);
-  signal costsshift_read_words_5_memory_read_enable : boolean;
-  signal costsshift_read_words_5_memory_read_address : unsigned(2 downto 0);
-  signal costsshift_read_words_5_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_5_memory_write_data : unsigned(27 downto 0);
-  signal costsshift_read_words_4_memory_read_enable : boolean;
-  signal costsshift_read_words_4_memory_read_address : unsigned(2 downto 0);
-  signal costsshift_read_words_4_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_4_memory_write_data : unsigned(27 downto 0);
-  signal costsshift_read_words_3_memory_read_enable : boolean;
-  signal costsshift_read_words_3_memory_read_address : unsigned(2 downto 0);
-  signal costsshift_read_words_3_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_3_memory_write_data : unsigned(27 downto 0);
-  signal costsshift_read_words_2_memory_read_enable : boolean;
-  signal costsshift_read_words_2_memory_read_address : unsigned(2 downto 0);
-  signal costsshift_read_words_2_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_2_memory_write_data : unsigned(27 downto 0);
-  signal costsshift_read_words_1_memory_read_enable : boolean;
-  signal costsshift_read_words_1_memory_read_address : unsigned(2 downto 0);
-  signal costsshift_read_words_1_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_1_memory_write_data : unsigned(27 downto 0);
-  signal costsshift_read_words_0_memory_read_enable : boolean;
-  signal costsshift_read_words_0_memory_read_address : unsigned(2 downto 0);
-  signal costsshift_read_words_0_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_0_memory_write_data : unsigned(27 downto 0);
-  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_0_memory_read_address : unsigned(10 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_address : unsigned(10 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_data : unsigned(27 downto 0);
-  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(10 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(10 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(27 downto 0);
 
 begin
   in_start_of_frame <= start_of_frame = '1';
@@ -1091,1947 +494,618 @@ begin
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
 
-  transform_left_rows_read_words_0_memory_read_enable <= true;
-  transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 11);
-  transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 11);
-  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
-  transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 1242, width => 32, address_bits => 11)
-    port map (
-      clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
-      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words_0,
-      write_address => transform_left_rows_read_words_0_memory_write_address, write_data => transform_left_rows_read_words_0_memory_write_data);
-
-  transform_right_rows_read_words_0_memory_read_enable <= true;
-  transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 11);
-  transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 11);
-  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
-  transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 1242, width => 32, address_bits => 11)
-    port map (
-      clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
-      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words_0,
-      write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
-
-  map_rows_read_words_0_memory_read_enable <= true;
-  map_rows_read_words_0_memory_read_address <= to_unsigned(map_counter_column, 11);
-  map_rows_read_words_0_memory_write_address <= to_unsigned(map_write_column, 11);
-  map_rows_read_words_0_memory_write_data <= to_unsigned(map_rows_write_words_0, 18);
-  map_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 1240, width => 18, address_bits => 11)
-    port map (
-      clock => clock, read_enable => map_rows_read_words_0_memory_read_enable,
-      read_address => map_rows_read_words_0_memory_read_address, read_data => map_rows_read_words_0,
-      write_address => map_rows_read_words_0_memory_write_address, write_data => map_rows_read_words_0_memory_write_data);
-
-  turn_read_words_0_memory_read_enable <= true;
-  turn_read_words_0_memory_read_address <= to_unsigned(turn_order_address, 11);
-  turn_read_words_0_memory_write_address <= to_unsigned(turn_write_place, 11);
-  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 9);
-  turn_read_words_0_memory : entity work.line_memory
-    generic map (depth => 1241, width => 9, address_bits => 11)
-    port map (
-      clock => clock, read_enable => turn_read_words_0_memory_read_enable,
-      read_address => turn_read_words_0_memory_read_address, read_data => turn_read_words_0,
-      write_address => turn_read_words_0_memory_write_address, write_data => turn_read_words_0_memory_write_data);
-
-  pathsright_read_words_7_memory_read_enable <= true;
-  pathsright_read_words_7_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 3);
-  pathsright_read_words_7_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsright_read_words_7_memory_write_data <= to_unsigned(pathsright_arrived(15), 7) & to_unsigned(pathsright_arrived(14), 7) & to_unsigned(pathsright_arrived(13), 7) & to_unsigned(pathsright_arrived(12), 7);
-  pathsright_read_words_7_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => pathsright_read_words_7_memory_read_enable,
-      read_address => pathsright_read_words_7_memory_read_address, read_data => pathsright_read_words(7),
-      write_address => pathsright_read_words_7_memory_write_address, write_data => pathsright_read_words_7_memory_write_data);
-
-  pathsright_read_words_6_memory_read_enable <= true;
-  pathsright_read_words_6_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 3);
-  pathsright_read_words_6_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsright_read_words_6_memory_write_data <= to_unsigned(pathsright_arrived(11), 7) & to_unsigned(pathsright_arrived(10), 7) & to_unsigned(pathsright_arrived(9), 7) & to_unsigned(pathsright_arrived(8), 7);
-  pathsright_read_words_6_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => pathsright_read_words_6_memory_read_enable,
-      read_address => pathsright_read_words_6_memory_read_address, read_data => pathsright_read_words(6),
-      write_address => pathsright_read_words_6_memory_write_address, write_data => pathsright_read_words_6_memory_write_data);
-
-  pathsright_read_words_5_memory_read_enable <= true;
-  pathsright_read_words_5_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 3);
-  pathsright_read_words_5_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsright_read_words_5_memory_write_data <= to_unsigned(pathsright_arrived(7), 7) & to_unsigned(pathsright_arrived(6), 7) & to_unsigned(pathsright_arrived(5), 7) & to_unsigned(pathsright_arrived(4), 7);
-  pathsright_read_words_5_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => pathsright_read_words_5_memory_read_enable,
-      read_address => pathsright_read_words_5_memory_read_address, read_data => pathsright_read_words(5),
-      write_address => pathsright_read_words_5_memory_write_address, write_data => pathsright_read_words_5_memory_write_data);
-
-  pathsright_read_words_4_memory_read_enable <= true;
-  pathsright_read_words_4_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 3);
-  pathsright_read_words_4_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsright_read_words_4_memory_write_data <= to_unsigned(pathsright_arrived(3), 7) & to_unsigned(pathsright_arrived(2), 7) & to_unsigned(pathsright_arrived(1), 7) & to_unsigned(pathsright_arrived(0), 7);
-  pathsright_read_words_4_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => pathsright_read_words_4_memory_read_enable,
-      read_address => pathsright_read_words_4_memory_read_address, read_data => pathsright_read_words(4),
-      write_address => pathsright_read_words_4_memory_write_address, write_data => pathsright_read_words_4_memory_write_data);
-
-  pathsright_read_words_3_memory_read_enable <= true;
-  pathsright_read_words_3_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 3);
-  pathsright_read_words_3_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsright_read_words_3_memory_write_data <= to_unsigned(pathsright_cost(15), 7) & to_unsigned(pathsright_cost(14), 7) & to_unsigned(pathsright_cost(13), 7) & to_unsigned(pathsright_cost(12), 7);
-  pathsright_read_words_3_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => pathsright_read_words_3_memory_read_enable,
-      read_address => pathsright_read_words_3_memory_read_address, read_data => pathsright_read_words(3),
-      write_address => pathsright_read_words_3_memory_write_address, write_data => pathsright_read_words_3_memory_write_data);
-
-  pathsright_read_words_2_memory_read_enable <= true;
-  pathsright_read_words_2_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 3);
-  pathsright_read_words_2_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsright_read_words_2_memory_write_data <= to_unsigned(pathsright_cost(11), 7) & to_unsigned(pathsright_cost(10), 7) & to_unsigned(pathsright_cost(9), 7) & to_unsigned(pathsright_cost(8), 7);
-  pathsright_read_words_2_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => pathsright_read_words_2_memory_read_enable,
-      read_address => pathsright_read_words_2_memory_read_address, read_data => pathsright_read_words(2),
-      write_address => pathsright_read_words_2_memory_write_address, write_data => pathsright_read_words_2_memory_write_data);
-
-  pathsright_read_words_1_memory_read_enable <= true;
-  pathsright_read_words_1_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 3);
-  pathsright_read_words_1_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsright_read_words_1_memory_write_data <= to_unsigned(pathsright_cost(7), 7) & to_unsigned(pathsright_cost(6), 7) & to_unsigned(pathsright_cost(5), 7) & to_unsigned(pathsright_cost(4), 7);
-  pathsright_read_words_1_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => pathsright_read_words_1_memory_read_enable,
-      read_address => pathsright_read_words_1_memory_read_address, read_data => pathsright_read_words(1),
-      write_address => pathsright_read_words_1_memory_write_address, write_data => pathsright_read_words_1_memory_write_data);
-
-  pathsright_read_words_0_memory_read_enable <= true;
-  pathsright_read_words_0_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 3);
-  pathsright_read_words_0_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsright_read_words_0_memory_write_data <= to_unsigned(pathsright_cost(3), 7) & to_unsigned(pathsright_cost(2), 7) & to_unsigned(pathsright_cost(1), 7) & to_unsigned(pathsright_cost(0), 7);
-  pathsright_read_words_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => pathsright_read_words_0_memory_read_enable,
-      read_address => pathsright_read_words_0_memory_read_address, read_data => pathsright_read_words(0),
-      write_address => pathsright_read_words_0_memory_write_address, write_data => pathsright_read_words_0_memory_write_data);
-
-  pathsright_read_neighbour_0_memory_read_enable <= true;
-  pathsright_read_neighbour_0_memory_read_address <= to_unsigned(pathsleft_ahead_count_phase, 3);
-  pathsright_read_neighbour_0_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsright_read_neighbour_0_memory_write_data <= to_unsigned(pathsright_cost(0), 7);
-  pathsright_read_neighbour_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 7, address_bits => 3)
-    port map (
-      clock => clock, read_enable => pathsright_read_neighbour_0_memory_read_enable,
-      read_address => pathsright_read_neighbour_0_memory_read_address, read_data => pathsright_read_neighbour_0,
-      write_address => pathsright_read_neighbour_0_memory_write_address, write_data => pathsright_read_neighbour_0_memory_write_data);
-
-  pathsright_lowest_0_memory_read_enable <= true;
-  pathsright_lowest_0_memory_read_address <= to_unsigned(pathsleft_low_address, 4);
-  pathsright_lowest_0_memory_write_address <= to_unsigned(pathsleft_low_write_address, 4);
-  pathsright_lowest_0_memory_write_data <= to_unsigned(pathsright_low_0, 7);
-  pathsright_lowest_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 7, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsright_lowest_0_memory_read_enable,
-      read_address => pathsright_lowest_0_memory_read_address, read_data => pathsright_lowest_0,
-      write_address => pathsright_lowest_0_memory_write_address, write_data => pathsright_lowest_0_memory_write_data);
-
-  pathsturn_read_smallest_0_memory_read_enable <= true;
-  pathsturn_read_smallest_0_memory_read_address <= to_unsigned(pathsturn_smallest_address, 11);
-  pathsturn_read_smallest_0_memory_write_address <= to_unsigned(pathsturn_write_smallest_address, 11);
-  pathsturn_read_smallest_0_memory_write_data <= to_unsigned(pathsturn_write_smallest_0, 5);
-  pathsturn_read_smallest_0_memory : entity work.line_memory
-    generic map (depth => 1241, width => 5, address_bits => 11)
-    port map (
-      clock => clock, read_enable => pathsturn_read_smallest_0_memory_read_enable,
-      read_address => pathsturn_read_smallest_0_memory_read_address, read_data => pathsturn_read_smallest_0,
-      write_address => pathsturn_read_smallest_0_memory_write_address, write_data => pathsturn_read_smallest_0_memory_write_data);
-
-  pathsturn_sum_memory_read_words_0_13_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_0_13_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_0_13_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(0), 12);
-  pathsturn_sum_memory_read_words_0_13_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(0, 13), 8);
-  pathsturn_sum_memory_read_words_0_13_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_0_13_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_0_13_memory_read_address, read_data => pathsturn_sum_memory_read_words(0, 13),
-      write_address => pathsturn_sum_memory_read_words_0_13_memory_write_address, write_data => pathsturn_sum_memory_read_words_0_13_memory_write_data);
-
-  pathsturn_sum_memory_read_words_0_12_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_0_12_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_0_12_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(0), 12);
-  pathsturn_sum_memory_read_words_0_12_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(0, 12), 8);
-  pathsturn_sum_memory_read_words_0_12_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_0_12_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_0_12_memory_read_address, read_data => pathsturn_sum_memory_read_words(0, 12),
-      write_address => pathsturn_sum_memory_read_words_0_12_memory_write_address, write_data => pathsturn_sum_memory_read_words_0_12_memory_write_data);
-
-  pathsturn_sum_memory_read_words_0_11_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_0_11_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_0_11_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(0), 12);
-  pathsturn_sum_memory_read_words_0_11_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(0, 11), 8);
-  pathsturn_sum_memory_read_words_0_11_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_0_11_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_0_11_memory_read_address, read_data => pathsturn_sum_memory_read_words(0, 11),
-      write_address => pathsturn_sum_memory_read_words_0_11_memory_write_address, write_data => pathsturn_sum_memory_read_words_0_11_memory_write_data);
-
-  pathsturn_sum_memory_read_words_0_10_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_0_10_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_0_10_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(0), 12);
-  pathsturn_sum_memory_read_words_0_10_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(0, 10), 8);
-  pathsturn_sum_memory_read_words_0_10_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_0_10_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_0_10_memory_read_address, read_data => pathsturn_sum_memory_read_words(0, 10),
-      write_address => pathsturn_sum_memory_read_words_0_10_memory_write_address, write_data => pathsturn_sum_memory_read_words_0_10_memory_write_data);
-
-  pathsturn_sum_memory_read_words_0_9_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_0_9_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_0_9_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(0), 12);
-  pathsturn_sum_memory_read_words_0_9_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(0, 9), 8);
-  pathsturn_sum_memory_read_words_0_9_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_0_9_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_0_9_memory_read_address, read_data => pathsturn_sum_memory_read_words(0, 9),
-      write_address => pathsturn_sum_memory_read_words_0_9_memory_write_address, write_data => pathsturn_sum_memory_read_words_0_9_memory_write_data);
-
-  pathsturn_sum_memory_read_words_0_8_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_0_8_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_0_8_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(0), 12);
-  pathsturn_sum_memory_read_words_0_8_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(0, 8), 8);
-  pathsturn_sum_memory_read_words_0_8_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_0_8_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_0_8_memory_read_address, read_data => pathsturn_sum_memory_read_words(0, 8),
-      write_address => pathsturn_sum_memory_read_words_0_8_memory_write_address, write_data => pathsturn_sum_memory_read_words_0_8_memory_write_data);
-
-  pathsturn_sum_memory_read_words_0_7_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_0_7_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_0_7_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(0), 12);
-  pathsturn_sum_memory_read_words_0_7_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(0, 7), 8);
-  pathsturn_sum_memory_read_words_0_7_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_0_7_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_0_7_memory_read_address, read_data => pathsturn_sum_memory_read_words(0, 7),
-      write_address => pathsturn_sum_memory_read_words_0_7_memory_write_address, write_data => pathsturn_sum_memory_read_words_0_7_memory_write_data);
-
-  pathsturn_sum_memory_read_words_0_6_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_0_6_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_0_6_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(0), 12);
-  pathsturn_sum_memory_read_words_0_6_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(0, 6), 8);
-  pathsturn_sum_memory_read_words_0_6_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_0_6_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_0_6_memory_read_address, read_data => pathsturn_sum_memory_read_words(0, 6),
-      write_address => pathsturn_sum_memory_read_words_0_6_memory_write_address, write_data => pathsturn_sum_memory_read_words_0_6_memory_write_data);
-
-  pathsturn_sum_memory_read_words_0_5_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_0_5_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_0_5_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(0), 12);
-  pathsturn_sum_memory_read_words_0_5_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(0, 5), 8);
-  pathsturn_sum_memory_read_words_0_5_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_0_5_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_0_5_memory_read_address, read_data => pathsturn_sum_memory_read_words(0, 5),
-      write_address => pathsturn_sum_memory_read_words_0_5_memory_write_address, write_data => pathsturn_sum_memory_read_words_0_5_memory_write_data);
-
-  pathsturn_sum_memory_read_words_0_4_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_0_4_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_0_4_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(0), 12);
-  pathsturn_sum_memory_read_words_0_4_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(0, 4), 8);
-  pathsturn_sum_memory_read_words_0_4_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_0_4_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_0_4_memory_read_address, read_data => pathsturn_sum_memory_read_words(0, 4),
-      write_address => pathsturn_sum_memory_read_words_0_4_memory_write_address, write_data => pathsturn_sum_memory_read_words_0_4_memory_write_data);
-
-  pathsturn_sum_memory_read_words_0_3_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_0_3_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_0_3_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(0), 12);
-  pathsturn_sum_memory_read_words_0_3_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(0, 3), 8);
-  pathsturn_sum_memory_read_words_0_3_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_0_3_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_0_3_memory_read_address, read_data => pathsturn_sum_memory_read_words(0, 3),
-      write_address => pathsturn_sum_memory_read_words_0_3_memory_write_address, write_data => pathsturn_sum_memory_read_words_0_3_memory_write_data);
-
-  pathsturn_sum_memory_read_words_0_2_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_0_2_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_0_2_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(0), 12);
-  pathsturn_sum_memory_read_words_0_2_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(0, 2), 8);
-  pathsturn_sum_memory_read_words_0_2_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_0_2_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_0_2_memory_read_address, read_data => pathsturn_sum_memory_read_words(0, 2),
-      write_address => pathsturn_sum_memory_read_words_0_2_memory_write_address, write_data => pathsturn_sum_memory_read_words_0_2_memory_write_data);
-
-  pathsturn_sum_memory_read_words_0_1_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_0_1_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_0_1_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(0), 12);
-  pathsturn_sum_memory_read_words_0_1_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(0, 1), 8);
-  pathsturn_sum_memory_read_words_0_1_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_0_1_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_0_1_memory_read_address, read_data => pathsturn_sum_memory_read_words(0, 1),
-      write_address => pathsturn_sum_memory_read_words_0_1_memory_write_address, write_data => pathsturn_sum_memory_read_words_0_1_memory_write_data);
-
-  pathsturn_sum_memory_read_words_0_0_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_0_0_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_0_0_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(0), 12);
-  pathsturn_sum_memory_read_words_0_0_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(0, 0), 8);
-  pathsturn_sum_memory_read_words_0_0_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_0_0_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_0_0_memory_read_address, read_data => pathsturn_sum_memory_read_words(0, 0),
-      write_address => pathsturn_sum_memory_read_words_0_0_memory_write_address, write_data => pathsturn_sum_memory_read_words_0_0_memory_write_data);
-
-  pathsturn_sum_memory_read_words_1_13_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_1_13_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_1_13_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(1), 12);
-  pathsturn_sum_memory_read_words_1_13_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(1, 13), 8);
-  pathsturn_sum_memory_read_words_1_13_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_1_13_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_1_13_memory_read_address, read_data => pathsturn_sum_memory_read_words(1, 13),
-      write_address => pathsturn_sum_memory_read_words_1_13_memory_write_address, write_data => pathsturn_sum_memory_read_words_1_13_memory_write_data);
-
-  pathsturn_sum_memory_read_words_1_12_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_1_12_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_1_12_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(1), 12);
-  pathsturn_sum_memory_read_words_1_12_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(1, 12), 8);
-  pathsturn_sum_memory_read_words_1_12_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_1_12_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_1_12_memory_read_address, read_data => pathsturn_sum_memory_read_words(1, 12),
-      write_address => pathsturn_sum_memory_read_words_1_12_memory_write_address, write_data => pathsturn_sum_memory_read_words_1_12_memory_write_data);
-
-  pathsturn_sum_memory_read_words_1_11_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_1_11_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_1_11_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(1), 12);
-  pathsturn_sum_memory_read_words_1_11_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(1, 11), 8);
-  pathsturn_sum_memory_read_words_1_11_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_1_11_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_1_11_memory_read_address, read_data => pathsturn_sum_memory_read_words(1, 11),
-      write_address => pathsturn_sum_memory_read_words_1_11_memory_write_address, write_data => pathsturn_sum_memory_read_words_1_11_memory_write_data);
-
-  pathsturn_sum_memory_read_words_1_10_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_1_10_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_1_10_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(1), 12);
-  pathsturn_sum_memory_read_words_1_10_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(1, 10), 8);
-  pathsturn_sum_memory_read_words_1_10_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_1_10_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_1_10_memory_read_address, read_data => pathsturn_sum_memory_read_words(1, 10),
-      write_address => pathsturn_sum_memory_read_words_1_10_memory_write_address, write_data => pathsturn_sum_memory_read_words_1_10_memory_write_data);
-
-  pathsturn_sum_memory_read_words_1_9_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_1_9_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_1_9_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(1), 12);
-  pathsturn_sum_memory_read_words_1_9_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(1, 9), 8);
-  pathsturn_sum_memory_read_words_1_9_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_1_9_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_1_9_memory_read_address, read_data => pathsturn_sum_memory_read_words(1, 9),
-      write_address => pathsturn_sum_memory_read_words_1_9_memory_write_address, write_data => pathsturn_sum_memory_read_words_1_9_memory_write_data);
-
-  pathsturn_sum_memory_read_words_1_8_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_1_8_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_1_8_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(1), 12);
-  pathsturn_sum_memory_read_words_1_8_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(1, 8), 8);
-  pathsturn_sum_memory_read_words_1_8_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_1_8_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_1_8_memory_read_address, read_data => pathsturn_sum_memory_read_words(1, 8),
-      write_address => pathsturn_sum_memory_read_words_1_8_memory_write_address, write_data => pathsturn_sum_memory_read_words_1_8_memory_write_data);
-
-  pathsturn_sum_memory_read_words_1_7_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_1_7_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_1_7_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(1), 12);
-  pathsturn_sum_memory_read_words_1_7_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(1, 7), 8);
-  pathsturn_sum_memory_read_words_1_7_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_1_7_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_1_7_memory_read_address, read_data => pathsturn_sum_memory_read_words(1, 7),
-      write_address => pathsturn_sum_memory_read_words_1_7_memory_write_address, write_data => pathsturn_sum_memory_read_words_1_7_memory_write_data);
-
-  pathsturn_sum_memory_read_words_1_6_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_1_6_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_1_6_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(1), 12);
-  pathsturn_sum_memory_read_words_1_6_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(1, 6), 8);
-  pathsturn_sum_memory_read_words_1_6_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_1_6_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_1_6_memory_read_address, read_data => pathsturn_sum_memory_read_words(1, 6),
-      write_address => pathsturn_sum_memory_read_words_1_6_memory_write_address, write_data => pathsturn_sum_memory_read_words_1_6_memory_write_data);
-
-  pathsturn_sum_memory_read_words_1_5_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_1_5_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_1_5_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(1), 12);
-  pathsturn_sum_memory_read_words_1_5_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(1, 5), 8);
-  pathsturn_sum_memory_read_words_1_5_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_1_5_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_1_5_memory_read_address, read_data => pathsturn_sum_memory_read_words(1, 5),
-      write_address => pathsturn_sum_memory_read_words_1_5_memory_write_address, write_data => pathsturn_sum_memory_read_words_1_5_memory_write_data);
-
-  pathsturn_sum_memory_read_words_1_4_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_1_4_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_1_4_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(1), 12);
-  pathsturn_sum_memory_read_words_1_4_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(1, 4), 8);
-  pathsturn_sum_memory_read_words_1_4_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_1_4_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_1_4_memory_read_address, read_data => pathsturn_sum_memory_read_words(1, 4),
-      write_address => pathsturn_sum_memory_read_words_1_4_memory_write_address, write_data => pathsturn_sum_memory_read_words_1_4_memory_write_data);
-
-  pathsturn_sum_memory_read_words_1_3_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_1_3_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_1_3_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(1), 12);
-  pathsturn_sum_memory_read_words_1_3_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(1, 3), 8);
-  pathsturn_sum_memory_read_words_1_3_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_1_3_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_1_3_memory_read_address, read_data => pathsturn_sum_memory_read_words(1, 3),
-      write_address => pathsturn_sum_memory_read_words_1_3_memory_write_address, write_data => pathsturn_sum_memory_read_words_1_3_memory_write_data);
-
-  pathsturn_sum_memory_read_words_1_2_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_1_2_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_1_2_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(1), 12);
-  pathsturn_sum_memory_read_words_1_2_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(1, 2), 8);
-  pathsturn_sum_memory_read_words_1_2_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_1_2_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_1_2_memory_read_address, read_data => pathsturn_sum_memory_read_words(1, 2),
-      write_address => pathsturn_sum_memory_read_words_1_2_memory_write_address, write_data => pathsturn_sum_memory_read_words_1_2_memory_write_data);
-
-  pathsturn_sum_memory_read_words_1_1_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_1_1_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_1_1_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(1), 12);
-  pathsturn_sum_memory_read_words_1_1_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(1, 1), 8);
-  pathsturn_sum_memory_read_words_1_1_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_1_1_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_1_1_memory_read_address, read_data => pathsturn_sum_memory_read_words(1, 1),
-      write_address => pathsturn_sum_memory_read_words_1_1_memory_write_address, write_data => pathsturn_sum_memory_read_words_1_1_memory_write_data);
-
-  pathsturn_sum_memory_read_words_1_0_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_1_0_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_1_0_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(1), 12);
-  pathsturn_sum_memory_read_words_1_0_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(1, 0), 8);
-  pathsturn_sum_memory_read_words_1_0_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_1_0_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_1_0_memory_read_address, read_data => pathsturn_sum_memory_read_words(1, 0),
-      write_address => pathsturn_sum_memory_read_words_1_0_memory_write_address, write_data => pathsturn_sum_memory_read_words_1_0_memory_write_data);
-
-  pathsturn_sum_memory_read_words_2_13_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_2_13_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_2, 11);
-  pathsturn_sum_memory_read_words_2_13_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_2, 11);
-  pathsturn_sum_memory_read_words_2_13_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(2, 13), 8);
-  pathsturn_sum_memory_read_words_2_13_memory : entity work.line_memory
-    generic map (depth => 2048, width => 8, address_bits => 11)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_2_13_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_2_13_memory_read_address, read_data => pathsturn_sum_memory_read_words(2, 13),
-      write_address => pathsturn_sum_memory_read_words_2_13_memory_write_address, write_data => pathsturn_sum_memory_read_words_2_13_memory_write_data);
-
-  pathsturn_sum_memory_read_words_2_12_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_2_12_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_2, 11);
-  pathsturn_sum_memory_read_words_2_12_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_2, 11);
-  pathsturn_sum_memory_read_words_2_12_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(2, 12), 8);
-  pathsturn_sum_memory_read_words_2_12_memory : entity work.line_memory
-    generic map (depth => 2048, width => 8, address_bits => 11)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_2_12_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_2_12_memory_read_address, read_data => pathsturn_sum_memory_read_words(2, 12),
-      write_address => pathsturn_sum_memory_read_words_2_12_memory_write_address, write_data => pathsturn_sum_memory_read_words_2_12_memory_write_data);
-
-  pathsturn_sum_memory_read_words_2_11_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_2_11_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_2, 11);
-  pathsturn_sum_memory_read_words_2_11_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_2, 11);
-  pathsturn_sum_memory_read_words_2_11_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(2, 11), 8);
-  pathsturn_sum_memory_read_words_2_11_memory : entity work.line_memory
-    generic map (depth => 2048, width => 8, address_bits => 11)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_2_11_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_2_11_memory_read_address, read_data => pathsturn_sum_memory_read_words(2, 11),
-      write_address => pathsturn_sum_memory_read_words_2_11_memory_write_address, write_data => pathsturn_sum_memory_read_words_2_11_memory_write_data);
-
-  pathsturn_sum_memory_read_words_2_10_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_2_10_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_2, 11);
-  pathsturn_sum_memory_read_words_2_10_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_2, 11);
-  pathsturn_sum_memory_read_words_2_10_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(2, 10), 8);
-  pathsturn_sum_memory_read_words_2_10_memory : entity work.line_memory
-    generic map (depth => 2048, width => 8, address_bits => 11)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_2_10_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_2_10_memory_read_address, read_data => pathsturn_sum_memory_read_words(2, 10),
-      write_address => pathsturn_sum_memory_read_words_2_10_memory_write_address, write_data => pathsturn_sum_memory_read_words_2_10_memory_write_data);
-
-  pathsturn_sum_memory_read_words_2_9_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_2_9_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_2, 11);
-  pathsturn_sum_memory_read_words_2_9_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_2, 11);
-  pathsturn_sum_memory_read_words_2_9_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(2, 9), 8);
-  pathsturn_sum_memory_read_words_2_9_memory : entity work.line_memory
-    generic map (depth => 2048, width => 8, address_bits => 11)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_2_9_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_2_9_memory_read_address, read_data => pathsturn_sum_memory_read_words(2, 9),
-      write_address => pathsturn_sum_memory_read_words_2_9_memory_write_address, write_data => pathsturn_sum_memory_read_words_2_9_memory_write_data);
-
-  pathsturn_sum_memory_read_words_2_8_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_2_8_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_2, 11);
-  pathsturn_sum_memory_read_words_2_8_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_2, 11);
-  pathsturn_sum_memory_read_words_2_8_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(2, 8), 8);
-  pathsturn_sum_memory_read_words_2_8_memory : entity work.line_memory
-    generic map (depth => 2048, width => 8, address_bits => 11)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_2_8_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_2_8_memory_read_address, read_data => pathsturn_sum_memory_read_words(2, 8),
-      write_address => pathsturn_sum_memory_read_words_2_8_memory_write_address, write_data => pathsturn_sum_memory_read_words_2_8_memory_write_data);
-
-  pathsturn_sum_memory_read_words_2_7_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_2_7_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_2, 11);
-  pathsturn_sum_memory_read_words_2_7_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_2, 11);
-  pathsturn_sum_memory_read_words_2_7_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(2, 7), 8);
-  pathsturn_sum_memory_read_words_2_7_memory : entity work.line_memory
-    generic map (depth => 2048, width => 8, address_bits => 11)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_2_7_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_2_7_memory_read_address, read_data => pathsturn_sum_memory_read_words(2, 7),
-      write_address => pathsturn_sum_memory_read_words_2_7_memory_write_address, write_data => pathsturn_sum_memory_read_words_2_7_memory_write_data);
-
-  pathsturn_sum_memory_read_words_2_6_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_2_6_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_2, 11);
-  pathsturn_sum_memory_read_words_2_6_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_2, 11);
-  pathsturn_sum_memory_read_words_2_6_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(2, 6), 8);
-  pathsturn_sum_memory_read_words_2_6_memory : entity work.line_memory
-    generic map (depth => 2048, width => 8, address_bits => 11)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_2_6_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_2_6_memory_read_address, read_data => pathsturn_sum_memory_read_words(2, 6),
-      write_address => pathsturn_sum_memory_read_words_2_6_memory_write_address, write_data => pathsturn_sum_memory_read_words_2_6_memory_write_data);
-
-  pathsturn_sum_memory_read_words_2_5_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_2_5_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_2, 11);
-  pathsturn_sum_memory_read_words_2_5_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_2, 11);
-  pathsturn_sum_memory_read_words_2_5_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(2, 5), 8);
-  pathsturn_sum_memory_read_words_2_5_memory : entity work.line_memory
-    generic map (depth => 2048, width => 8, address_bits => 11)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_2_5_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_2_5_memory_read_address, read_data => pathsturn_sum_memory_read_words(2, 5),
-      write_address => pathsturn_sum_memory_read_words_2_5_memory_write_address, write_data => pathsturn_sum_memory_read_words_2_5_memory_write_data);
-
-  pathsturn_sum_memory_read_words_2_4_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_2_4_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_2, 11);
-  pathsturn_sum_memory_read_words_2_4_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_2, 11);
-  pathsturn_sum_memory_read_words_2_4_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(2, 4), 8);
-  pathsturn_sum_memory_read_words_2_4_memory : entity work.line_memory
-    generic map (depth => 2048, width => 8, address_bits => 11)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_2_4_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_2_4_memory_read_address, read_data => pathsturn_sum_memory_read_words(2, 4),
-      write_address => pathsturn_sum_memory_read_words_2_4_memory_write_address, write_data => pathsturn_sum_memory_read_words_2_4_memory_write_data);
-
-  pathsturn_sum_memory_read_words_2_3_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_2_3_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_2, 11);
-  pathsturn_sum_memory_read_words_2_3_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_2, 11);
-  pathsturn_sum_memory_read_words_2_3_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(2, 3), 8);
-  pathsturn_sum_memory_read_words_2_3_memory : entity work.line_memory
-    generic map (depth => 2048, width => 8, address_bits => 11)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_2_3_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_2_3_memory_read_address, read_data => pathsturn_sum_memory_read_words(2, 3),
-      write_address => pathsturn_sum_memory_read_words_2_3_memory_write_address, write_data => pathsturn_sum_memory_read_words_2_3_memory_write_data);
-
-  pathsturn_sum_memory_read_words_2_2_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_2_2_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_2, 11);
-  pathsturn_sum_memory_read_words_2_2_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_2, 11);
-  pathsturn_sum_memory_read_words_2_2_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(2, 2), 8);
-  pathsturn_sum_memory_read_words_2_2_memory : entity work.line_memory
-    generic map (depth => 2048, width => 8, address_bits => 11)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_2_2_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_2_2_memory_read_address, read_data => pathsturn_sum_memory_read_words(2, 2),
-      write_address => pathsturn_sum_memory_read_words_2_2_memory_write_address, write_data => pathsturn_sum_memory_read_words_2_2_memory_write_data);
-
-  pathsturn_sum_memory_read_words_2_1_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_2_1_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_2, 11);
-  pathsturn_sum_memory_read_words_2_1_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_2, 11);
-  pathsturn_sum_memory_read_words_2_1_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(2, 1), 8);
-  pathsturn_sum_memory_read_words_2_1_memory : entity work.line_memory
-    generic map (depth => 2048, width => 8, address_bits => 11)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_2_1_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_2_1_memory_read_address, read_data => pathsturn_sum_memory_read_words(2, 1),
-      write_address => pathsturn_sum_memory_read_words_2_1_memory_write_address, write_data => pathsturn_sum_memory_read_words_2_1_memory_write_data);
-
-  pathsturn_sum_memory_read_words_2_0_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_2_0_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_2, 11);
-  pathsturn_sum_memory_read_words_2_0_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_2, 11);
-  pathsturn_sum_memory_read_words_2_0_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(2, 0), 8);
-  pathsturn_sum_memory_read_words_2_0_memory : entity work.line_memory
-    generic map (depth => 2048, width => 8, address_bits => 11)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_2_0_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_2_0_memory_read_address, read_data => pathsturn_sum_memory_read_words(2, 0),
-      write_address => pathsturn_sum_memory_read_words_2_0_memory_write_address, write_data => pathsturn_sum_memory_read_words_2_0_memory_write_data);
-
-  pathsturn_cost_memory_read_words_0_5_memory_read_enable <= true;
-  pathsturn_cost_memory_read_words_0_5_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_0, 12);
-  pathsturn_cost_memory_read_words_0_5_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address(0), 12);
-  pathsturn_cost_memory_read_words_0_5_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words(0, 5), 8);
-  pathsturn_cost_memory_read_words_0_5_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_cost_memory_read_words_0_5_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_0_5_memory_read_address, read_data => pathsturn_cost_memory_read_words(0, 5),
-      write_address => pathsturn_cost_memory_read_words_0_5_memory_write_address, write_data => pathsturn_cost_memory_read_words_0_5_memory_write_data);
-
-  pathsturn_cost_memory_read_words_0_4_memory_read_enable <= true;
-  pathsturn_cost_memory_read_words_0_4_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_0, 12);
-  pathsturn_cost_memory_read_words_0_4_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address(0), 12);
-  pathsturn_cost_memory_read_words_0_4_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words(0, 4), 8);
-  pathsturn_cost_memory_read_words_0_4_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_cost_memory_read_words_0_4_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_0_4_memory_read_address, read_data => pathsturn_cost_memory_read_words(0, 4),
-      write_address => pathsturn_cost_memory_read_words_0_4_memory_write_address, write_data => pathsturn_cost_memory_read_words_0_4_memory_write_data);
-
-  pathsturn_cost_memory_read_words_0_3_memory_read_enable <= true;
-  pathsturn_cost_memory_read_words_0_3_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_0, 12);
-  pathsturn_cost_memory_read_words_0_3_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address(0), 12);
-  pathsturn_cost_memory_read_words_0_3_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words(0, 3), 8);
-  pathsturn_cost_memory_read_words_0_3_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_cost_memory_read_words_0_3_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_0_3_memory_read_address, read_data => pathsturn_cost_memory_read_words(0, 3),
-      write_address => pathsturn_cost_memory_read_words_0_3_memory_write_address, write_data => pathsturn_cost_memory_read_words_0_3_memory_write_data);
-
-  pathsturn_cost_memory_read_words_0_2_memory_read_enable <= true;
-  pathsturn_cost_memory_read_words_0_2_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_0, 12);
-  pathsturn_cost_memory_read_words_0_2_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address(0), 12);
-  pathsturn_cost_memory_read_words_0_2_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words(0, 2), 8);
-  pathsturn_cost_memory_read_words_0_2_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_cost_memory_read_words_0_2_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_0_2_memory_read_address, read_data => pathsturn_cost_memory_read_words(0, 2),
-      write_address => pathsturn_cost_memory_read_words_0_2_memory_write_address, write_data => pathsturn_cost_memory_read_words_0_2_memory_write_data);
-
-  pathsturn_cost_memory_read_words_0_1_memory_read_enable <= true;
-  pathsturn_cost_memory_read_words_0_1_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_0, 12);
-  pathsturn_cost_memory_read_words_0_1_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address(0), 12);
-  pathsturn_cost_memory_read_words_0_1_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words(0, 1), 8);
-  pathsturn_cost_memory_read_words_0_1_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_cost_memory_read_words_0_1_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_0_1_memory_read_address, read_data => pathsturn_cost_memory_read_words(0, 1),
-      write_address => pathsturn_cost_memory_read_words_0_1_memory_write_address, write_data => pathsturn_cost_memory_read_words_0_1_memory_write_data);
-
-  pathsturn_cost_memory_read_words_0_0_memory_read_enable <= true;
-  pathsturn_cost_memory_read_words_0_0_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_0, 12);
-  pathsturn_cost_memory_read_words_0_0_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address(0), 12);
-  pathsturn_cost_memory_read_words_0_0_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words(0, 0), 8);
-  pathsturn_cost_memory_read_words_0_0_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_cost_memory_read_words_0_0_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_0_0_memory_read_address, read_data => pathsturn_cost_memory_read_words(0, 0),
-      write_address => pathsturn_cost_memory_read_words_0_0_memory_write_address, write_data => pathsturn_cost_memory_read_words_0_0_memory_write_data);
-
-  pathsturn_cost_memory_read_words_1_5_memory_read_enable <= true;
-  pathsturn_cost_memory_read_words_1_5_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_0, 12);
-  pathsturn_cost_memory_read_words_1_5_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address(1), 12);
-  pathsturn_cost_memory_read_words_1_5_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words(1, 5), 8);
-  pathsturn_cost_memory_read_words_1_5_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_cost_memory_read_words_1_5_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_1_5_memory_read_address, read_data => pathsturn_cost_memory_read_words(1, 5),
-      write_address => pathsturn_cost_memory_read_words_1_5_memory_write_address, write_data => pathsturn_cost_memory_read_words_1_5_memory_write_data);
-
-  pathsturn_cost_memory_read_words_1_4_memory_read_enable <= true;
-  pathsturn_cost_memory_read_words_1_4_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_0, 12);
-  pathsturn_cost_memory_read_words_1_4_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address(1), 12);
-  pathsturn_cost_memory_read_words_1_4_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words(1, 4), 8);
-  pathsturn_cost_memory_read_words_1_4_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_cost_memory_read_words_1_4_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_1_4_memory_read_address, read_data => pathsturn_cost_memory_read_words(1, 4),
-      write_address => pathsturn_cost_memory_read_words_1_4_memory_write_address, write_data => pathsturn_cost_memory_read_words_1_4_memory_write_data);
-
-  pathsturn_cost_memory_read_words_1_3_memory_read_enable <= true;
-  pathsturn_cost_memory_read_words_1_3_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_0, 12);
-  pathsturn_cost_memory_read_words_1_3_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address(1), 12);
-  pathsturn_cost_memory_read_words_1_3_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words(1, 3), 8);
-  pathsturn_cost_memory_read_words_1_3_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_cost_memory_read_words_1_3_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_1_3_memory_read_address, read_data => pathsturn_cost_memory_read_words(1, 3),
-      write_address => pathsturn_cost_memory_read_words_1_3_memory_write_address, write_data => pathsturn_cost_memory_read_words_1_3_memory_write_data);
-
-  pathsturn_cost_memory_read_words_1_2_memory_read_enable <= true;
-  pathsturn_cost_memory_read_words_1_2_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_0, 12);
-  pathsturn_cost_memory_read_words_1_2_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address(1), 12);
-  pathsturn_cost_memory_read_words_1_2_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words(1, 2), 8);
-  pathsturn_cost_memory_read_words_1_2_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_cost_memory_read_words_1_2_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_1_2_memory_read_address, read_data => pathsturn_cost_memory_read_words(1, 2),
-      write_address => pathsturn_cost_memory_read_words_1_2_memory_write_address, write_data => pathsturn_cost_memory_read_words_1_2_memory_write_data);
-
-  pathsturn_cost_memory_read_words_1_1_memory_read_enable <= true;
-  pathsturn_cost_memory_read_words_1_1_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_0, 12);
-  pathsturn_cost_memory_read_words_1_1_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address(1), 12);
-  pathsturn_cost_memory_read_words_1_1_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words(1, 1), 8);
-  pathsturn_cost_memory_read_words_1_1_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_cost_memory_read_words_1_1_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_1_1_memory_read_address, read_data => pathsturn_cost_memory_read_words(1, 1),
-      write_address => pathsturn_cost_memory_read_words_1_1_memory_write_address, write_data => pathsturn_cost_memory_read_words_1_1_memory_write_data);
-
-  pathsturn_cost_memory_read_words_1_0_memory_read_enable <= true;
-  pathsturn_cost_memory_read_words_1_0_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_0, 12);
-  pathsturn_cost_memory_read_words_1_0_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address(1), 12);
-  pathsturn_cost_memory_read_words_1_0_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words(1, 0), 8);
-  pathsturn_cost_memory_read_words_1_0_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_cost_memory_read_words_1_0_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_1_0_memory_read_address, read_data => pathsturn_cost_memory_read_words(1, 0),
-      write_address => pathsturn_cost_memory_read_words_1_0_memory_write_address, write_data => pathsturn_cost_memory_read_words_1_0_memory_write_data);
-
-  pathsturn_cost_memory_read_words_2_5_memory_read_enable <= true;
-  pathsturn_cost_memory_read_words_2_5_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_2, 11);
-  pathsturn_cost_memory_read_words_2_5_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address_2, 11);
-  pathsturn_cost_memory_read_words_2_5_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words(2, 5), 8);
-  pathsturn_cost_memory_read_words_2_5_memory : entity work.line_memory
-    generic map (depth => 2048, width => 8, address_bits => 11)
-    port map (
-      clock => clock, read_enable => pathsturn_cost_memory_read_words_2_5_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_2_5_memory_read_address, read_data => pathsturn_cost_memory_read_words(2, 5),
-      write_address => pathsturn_cost_memory_read_words_2_5_memory_write_address, write_data => pathsturn_cost_memory_read_words_2_5_memory_write_data);
-
-  pathsturn_cost_memory_read_words_2_4_memory_read_enable <= true;
-  pathsturn_cost_memory_read_words_2_4_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_2, 11);
-  pathsturn_cost_memory_read_words_2_4_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address_2, 11);
-  pathsturn_cost_memory_read_words_2_4_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words(2, 4), 8);
-  pathsturn_cost_memory_read_words_2_4_memory : entity work.line_memory
-    generic map (depth => 2048, width => 8, address_bits => 11)
-    port map (
-      clock => clock, read_enable => pathsturn_cost_memory_read_words_2_4_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_2_4_memory_read_address, read_data => pathsturn_cost_memory_read_words(2, 4),
-      write_address => pathsturn_cost_memory_read_words_2_4_memory_write_address, write_data => pathsturn_cost_memory_read_words_2_4_memory_write_data);
-
-  pathsturn_cost_memory_read_words_2_3_memory_read_enable <= true;
-  pathsturn_cost_memory_read_words_2_3_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_2, 11);
-  pathsturn_cost_memory_read_words_2_3_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address_2, 11);
-  pathsturn_cost_memory_read_words_2_3_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words(2, 3), 8);
-  pathsturn_cost_memory_read_words_2_3_memory : entity work.line_memory
-    generic map (depth => 2048, width => 8, address_bits => 11)
-    port map (
-      clock => clock, read_enable => pathsturn_cost_memory_read_words_2_3_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_2_3_memory_read_address, read_data => pathsturn_cost_memory_read_words(2, 3),
-      write_address => pathsturn_cost_memory_read_words_2_3_memory_write_address, write_data => pathsturn_cost_memory_read_words_2_3_memory_write_data);
-
-  pathsturn_cost_memory_read_words_2_2_memory_read_enable <= true;
-  pathsturn_cost_memory_read_words_2_2_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_2, 11);
-  pathsturn_cost_memory_read_words_2_2_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address_2, 11);
-  pathsturn_cost_memory_read_words_2_2_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words(2, 2), 8);
-  pathsturn_cost_memory_read_words_2_2_memory : entity work.line_memory
-    generic map (depth => 2048, width => 8, address_bits => 11)
-    port map (
-      clock => clock, read_enable => pathsturn_cost_memory_read_words_2_2_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_2_2_memory_read_address, read_data => pathsturn_cost_memory_read_words(2, 2),
-      write_address => pathsturn_cost_memory_read_words_2_2_memory_write_address, write_data => pathsturn_cost_memory_read_words_2_2_memory_write_data);
-
-  pathsturn_cost_memory_read_words_2_1_memory_read_enable <= true;
-  pathsturn_cost_memory_read_words_2_1_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_2, 11);
-  pathsturn_cost_memory_read_words_2_1_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address_2, 11);
-  pathsturn_cost_memory_read_words_2_1_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words(2, 1), 8);
-  pathsturn_cost_memory_read_words_2_1_memory : entity work.line_memory
-    generic map (depth => 2048, width => 8, address_bits => 11)
-    port map (
-      clock => clock, read_enable => pathsturn_cost_memory_read_words_2_1_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_2_1_memory_read_address, read_data => pathsturn_cost_memory_read_words(2, 1),
-      write_address => pathsturn_cost_memory_read_words_2_1_memory_write_address, write_data => pathsturn_cost_memory_read_words_2_1_memory_write_data);
-
-  pathsturn_cost_memory_read_words_2_0_memory_read_enable <= true;
-  pathsturn_cost_memory_read_words_2_0_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_2, 11);
-  pathsturn_cost_memory_read_words_2_0_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address_2, 11);
-  pathsturn_cost_memory_read_words_2_0_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words(2, 0), 8);
-  pathsturn_cost_memory_read_words_2_0_memory : entity work.line_memory
-    generic map (depth => 2048, width => 8, address_bits => 11)
-    port map (
-      clock => clock, read_enable => pathsturn_cost_memory_read_words_2_0_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_2_0_memory_read_address, read_data => pathsturn_cost_memory_read_words(2, 0),
-      write_address => pathsturn_cost_memory_read_words_2_0_memory_write_address, write_data => pathsturn_cost_memory_read_words_2_0_memory_write_data);
-
-  pathsabove_delay_held_3_memory_read_enable <= true;
-  pathsabove_delay_held_3_memory_read_address <= to_unsigned(paths_cost_delay_ring_read_address, 4);
-  pathsabove_delay_held_3_memory_write_address <= to_unsigned(paths_cost_delay_ring_write_address, 4);
-  pathsabove_delay_held_3_memory_write_data <= to_unsigned(pathsabove_total(15), 6);
-  pathsabove_delay_held_3_memory : entity work.line_memory
-    generic map (depth => 13, width => 6, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsabove_delay_held_3_memory_read_enable,
-      read_address => pathsabove_delay_held_3_memory_read_address, read_data => pathsabove_delay_held_3,
-      write_address => pathsabove_delay_held_3_memory_write_address, write_data => pathsabove_delay_held_3_memory_write_data);
-
-  pathsabove_delay_held_2_memory_read_enable <= true;
-  pathsabove_delay_held_2_memory_read_address <= to_unsigned(paths_cost_delay_ring_read_address, 4);
-  pathsabove_delay_held_2_memory_write_address <= to_unsigned(paths_cost_delay_ring_write_address, 4);
-  pathsabove_delay_held_2_memory_write_data <= to_unsigned(pathsabove_total(14), 6) & to_unsigned(pathsabove_total(13), 6) & to_unsigned(pathsabove_total(12), 6) & to_unsigned(pathsabove_total(11), 6) & to_unsigned(pathsabove_total(10), 6);
-  pathsabove_delay_held_2_memory : entity work.line_memory
-    generic map (depth => 13, width => 30, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsabove_delay_held_2_memory_read_enable,
-      read_address => pathsabove_delay_held_2_memory_read_address, read_data => pathsabove_delay_held(2),
-      write_address => pathsabove_delay_held_2_memory_write_address, write_data => pathsabove_delay_held_2_memory_write_data);
-
-  pathsabove_delay_held_1_memory_read_enable <= true;
-  pathsabove_delay_held_1_memory_read_address <= to_unsigned(paths_cost_delay_ring_read_address, 4);
-  pathsabove_delay_held_1_memory_write_address <= to_unsigned(paths_cost_delay_ring_write_address, 4);
-  pathsabove_delay_held_1_memory_write_data <= to_unsigned(pathsabove_total(9), 6) & to_unsigned(pathsabove_total(8), 6) & to_unsigned(pathsabove_total(7), 6) & to_unsigned(pathsabove_total(6), 6) & to_unsigned(pathsabove_total(5), 6);
-  pathsabove_delay_held_1_memory : entity work.line_memory
-    generic map (depth => 13, width => 30, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsabove_delay_held_1_memory_read_enable,
-      read_address => pathsabove_delay_held_1_memory_read_address, read_data => pathsabove_delay_held(1),
-      write_address => pathsabove_delay_held_1_memory_write_address, write_data => pathsabove_delay_held_1_memory_write_data);
-
-  pathsabove_delay_held_0_memory_read_enable <= true;
-  pathsabove_delay_held_0_memory_read_address <= to_unsigned(paths_cost_delay_ring_read_address, 4);
-  pathsabove_delay_held_0_memory_write_address <= to_unsigned(paths_cost_delay_ring_write_address, 4);
-  pathsabove_delay_held_0_memory_write_data <= to_unsigned(pathsabove_total(4), 6) & to_unsigned(pathsabove_total(3), 6) & to_unsigned(pathsabove_total(2), 6) & to_unsigned(pathsabove_total(1), 6) & to_unsigned(pathsabove_total(0), 6);
-  pathsabove_delay_held_0_memory : entity work.line_memory
-    generic map (depth => 13, width => 30, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsabove_delay_held_0_memory_read_enable,
-      read_address => pathsabove_delay_held_0_memory_read_address, read_data => pathsabove_delay_held(0),
-      write_address => pathsabove_delay_held_0_memory_write_address, write_data => pathsabove_delay_held_0_memory_write_data);
-
-  pathsabove_memory_read_words_0_9_memory_read_enable <= true;
-  pathsabove_memory_read_words_0_9_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_0_9_memory_write_address <= to_unsigned(pathsabove_memory_write_address(0), 12);
-  pathsabove_memory_read_words_0_9_memory_write_data <= to_unsigned(pathsabove_memory_write_words(0, 9), 8);
-  pathsabove_memory_read_words_0_9_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_0_9_memory_read_enable,
-      read_address => pathsabove_memory_read_words_0_9_memory_read_address, read_data => pathsabove_memory_read_words(0, 9),
-      write_address => pathsabove_memory_read_words_0_9_memory_write_address, write_data => pathsabove_memory_read_words_0_9_memory_write_data);
-
-  pathsabove_memory_read_words_0_8_memory_read_enable <= true;
-  pathsabove_memory_read_words_0_8_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_0_8_memory_write_address <= to_unsigned(pathsabove_memory_write_address(0), 12);
-  pathsabove_memory_read_words_0_8_memory_write_data <= to_unsigned(pathsabove_memory_write_words(0, 8), 8);
-  pathsabove_memory_read_words_0_8_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_0_8_memory_read_enable,
-      read_address => pathsabove_memory_read_words_0_8_memory_read_address, read_data => pathsabove_memory_read_words(0, 8),
-      write_address => pathsabove_memory_read_words_0_8_memory_write_address, write_data => pathsabove_memory_read_words_0_8_memory_write_data);
-
-  pathsabove_memory_read_words_0_7_memory_read_enable <= true;
-  pathsabove_memory_read_words_0_7_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_0_7_memory_write_address <= to_unsigned(pathsabove_memory_write_address(0), 12);
-  pathsabove_memory_read_words_0_7_memory_write_data <= to_unsigned(pathsabove_memory_write_words(0, 7), 8);
-  pathsabove_memory_read_words_0_7_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_0_7_memory_read_enable,
-      read_address => pathsabove_memory_read_words_0_7_memory_read_address, read_data => pathsabove_memory_read_words(0, 7),
-      write_address => pathsabove_memory_read_words_0_7_memory_write_address, write_data => pathsabove_memory_read_words_0_7_memory_write_data);
-
-  pathsabove_memory_read_words_0_6_memory_read_enable <= true;
-  pathsabove_memory_read_words_0_6_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_0_6_memory_write_address <= to_unsigned(pathsabove_memory_write_address(0), 12);
-  pathsabove_memory_read_words_0_6_memory_write_data <= to_unsigned(pathsabove_memory_write_words(0, 6), 8);
-  pathsabove_memory_read_words_0_6_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_0_6_memory_read_enable,
-      read_address => pathsabove_memory_read_words_0_6_memory_read_address, read_data => pathsabove_memory_read_words(0, 6),
-      write_address => pathsabove_memory_read_words_0_6_memory_write_address, write_data => pathsabove_memory_read_words_0_6_memory_write_data);
-
-  pathsabove_memory_read_words_0_5_memory_read_enable <= true;
-  pathsabove_memory_read_words_0_5_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_0_5_memory_write_address <= to_unsigned(pathsabove_memory_write_address(0), 12);
-  pathsabove_memory_read_words_0_5_memory_write_data <= to_unsigned(pathsabove_memory_write_words(0, 5), 8);
-  pathsabove_memory_read_words_0_5_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_0_5_memory_read_enable,
-      read_address => pathsabove_memory_read_words_0_5_memory_read_address, read_data => pathsabove_memory_read_words(0, 5),
-      write_address => pathsabove_memory_read_words_0_5_memory_write_address, write_data => pathsabove_memory_read_words_0_5_memory_write_data);
-
-  pathsabove_memory_read_words_0_4_memory_read_enable <= true;
-  pathsabove_memory_read_words_0_4_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_0_4_memory_write_address <= to_unsigned(pathsabove_memory_write_address(0), 12);
-  pathsabove_memory_read_words_0_4_memory_write_data <= to_unsigned(pathsabove_memory_write_words(0, 4), 8);
-  pathsabove_memory_read_words_0_4_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_0_4_memory_read_enable,
-      read_address => pathsabove_memory_read_words_0_4_memory_read_address, read_data => pathsabove_memory_read_words(0, 4),
-      write_address => pathsabove_memory_read_words_0_4_memory_write_address, write_data => pathsabove_memory_read_words_0_4_memory_write_data);
-
-  pathsabove_memory_read_words_0_3_memory_read_enable <= true;
-  pathsabove_memory_read_words_0_3_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_0_3_memory_write_address <= to_unsigned(pathsabove_memory_write_address(0), 12);
-  pathsabove_memory_read_words_0_3_memory_write_data <= to_unsigned(pathsabove_memory_write_words(0, 3), 8);
-  pathsabove_memory_read_words_0_3_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_0_3_memory_read_enable,
-      read_address => pathsabove_memory_read_words_0_3_memory_read_address, read_data => pathsabove_memory_read_words(0, 3),
-      write_address => pathsabove_memory_read_words_0_3_memory_write_address, write_data => pathsabove_memory_read_words_0_3_memory_write_data);
-
-  pathsabove_memory_read_words_0_2_memory_read_enable <= true;
-  pathsabove_memory_read_words_0_2_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_0_2_memory_write_address <= to_unsigned(pathsabove_memory_write_address(0), 12);
-  pathsabove_memory_read_words_0_2_memory_write_data <= to_unsigned(pathsabove_memory_write_words(0, 2), 8);
-  pathsabove_memory_read_words_0_2_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_0_2_memory_read_enable,
-      read_address => pathsabove_memory_read_words_0_2_memory_read_address, read_data => pathsabove_memory_read_words(0, 2),
-      write_address => pathsabove_memory_read_words_0_2_memory_write_address, write_data => pathsabove_memory_read_words_0_2_memory_write_data);
-
-  pathsabove_memory_read_words_0_1_memory_read_enable <= true;
-  pathsabove_memory_read_words_0_1_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_0_1_memory_write_address <= to_unsigned(pathsabove_memory_write_address(0), 12);
-  pathsabove_memory_read_words_0_1_memory_write_data <= to_unsigned(pathsabove_memory_write_words(0, 1), 8);
-  pathsabove_memory_read_words_0_1_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_0_1_memory_read_enable,
-      read_address => pathsabove_memory_read_words_0_1_memory_read_address, read_data => pathsabove_memory_read_words(0, 1),
-      write_address => pathsabove_memory_read_words_0_1_memory_write_address, write_data => pathsabove_memory_read_words_0_1_memory_write_data);
-
-  pathsabove_memory_read_words_0_0_memory_read_enable <= true;
-  pathsabove_memory_read_words_0_0_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_0_0_memory_write_address <= to_unsigned(pathsabove_memory_write_address(0), 12);
-  pathsabove_memory_read_words_0_0_memory_write_data <= to_unsigned(pathsabove_memory_write_words(0, 0), 8);
-  pathsabove_memory_read_words_0_0_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_0_0_memory_read_enable,
-      read_address => pathsabove_memory_read_words_0_0_memory_read_address, read_data => pathsabove_memory_read_words(0, 0),
-      write_address => pathsabove_memory_read_words_0_0_memory_write_address, write_data => pathsabove_memory_read_words_0_0_memory_write_data);
-
-  pathsabove_memory_read_words_1_9_memory_read_enable <= true;
-  pathsabove_memory_read_words_1_9_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_1_9_memory_write_address <= to_unsigned(pathsabove_memory_write_address(1), 12);
-  pathsabove_memory_read_words_1_9_memory_write_data <= to_unsigned(pathsabove_memory_write_words(1, 9), 8);
-  pathsabove_memory_read_words_1_9_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_1_9_memory_read_enable,
-      read_address => pathsabove_memory_read_words_1_9_memory_read_address, read_data => pathsabove_memory_read_words(1, 9),
-      write_address => pathsabove_memory_read_words_1_9_memory_write_address, write_data => pathsabove_memory_read_words_1_9_memory_write_data);
-
-  pathsabove_memory_read_words_1_8_memory_read_enable <= true;
-  pathsabove_memory_read_words_1_8_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_1_8_memory_write_address <= to_unsigned(pathsabove_memory_write_address(1), 12);
-  pathsabove_memory_read_words_1_8_memory_write_data <= to_unsigned(pathsabove_memory_write_words(1, 8), 8);
-  pathsabove_memory_read_words_1_8_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_1_8_memory_read_enable,
-      read_address => pathsabove_memory_read_words_1_8_memory_read_address, read_data => pathsabove_memory_read_words(1, 8),
-      write_address => pathsabove_memory_read_words_1_8_memory_write_address, write_data => pathsabove_memory_read_words_1_8_memory_write_data);
-
-  pathsabove_memory_read_words_1_7_memory_read_enable <= true;
-  pathsabove_memory_read_words_1_7_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_1_7_memory_write_address <= to_unsigned(pathsabove_memory_write_address(1), 12);
-  pathsabove_memory_read_words_1_7_memory_write_data <= to_unsigned(pathsabove_memory_write_words(1, 7), 8);
-  pathsabove_memory_read_words_1_7_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_1_7_memory_read_enable,
-      read_address => pathsabove_memory_read_words_1_7_memory_read_address, read_data => pathsabove_memory_read_words(1, 7),
-      write_address => pathsabove_memory_read_words_1_7_memory_write_address, write_data => pathsabove_memory_read_words_1_7_memory_write_data);
-
-  pathsabove_memory_read_words_1_6_memory_read_enable <= true;
-  pathsabove_memory_read_words_1_6_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_1_6_memory_write_address <= to_unsigned(pathsabove_memory_write_address(1), 12);
-  pathsabove_memory_read_words_1_6_memory_write_data <= to_unsigned(pathsabove_memory_write_words(1, 6), 8);
-  pathsabove_memory_read_words_1_6_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_1_6_memory_read_enable,
-      read_address => pathsabove_memory_read_words_1_6_memory_read_address, read_data => pathsabove_memory_read_words(1, 6),
-      write_address => pathsabove_memory_read_words_1_6_memory_write_address, write_data => pathsabove_memory_read_words_1_6_memory_write_data);
-
-  pathsabove_memory_read_words_1_5_memory_read_enable <= true;
-  pathsabove_memory_read_words_1_5_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_1_5_memory_write_address <= to_unsigned(pathsabove_memory_write_address(1), 12);
-  pathsabove_memory_read_words_1_5_memory_write_data <= to_unsigned(pathsabove_memory_write_words(1, 5), 8);
-  pathsabove_memory_read_words_1_5_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_1_5_memory_read_enable,
-      read_address => pathsabove_memory_read_words_1_5_memory_read_address, read_data => pathsabove_memory_read_words(1, 5),
-      write_address => pathsabove_memory_read_words_1_5_memory_write_address, write_data => pathsabove_memory_read_words_1_5_memory_write_data);
-
-  pathsabove_memory_read_words_1_4_memory_read_enable <= true;
-  pathsabove_memory_read_words_1_4_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_1_4_memory_write_address <= to_unsigned(pathsabove_memory_write_address(1), 12);
-  pathsabove_memory_read_words_1_4_memory_write_data <= to_unsigned(pathsabove_memory_write_words(1, 4), 8);
-  pathsabove_memory_read_words_1_4_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_1_4_memory_read_enable,
-      read_address => pathsabove_memory_read_words_1_4_memory_read_address, read_data => pathsabove_memory_read_words(1, 4),
-      write_address => pathsabove_memory_read_words_1_4_memory_write_address, write_data => pathsabove_memory_read_words_1_4_memory_write_data);
-
-  pathsabove_memory_read_words_1_3_memory_read_enable <= true;
-  pathsabove_memory_read_words_1_3_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_1_3_memory_write_address <= to_unsigned(pathsabove_memory_write_address(1), 12);
-  pathsabove_memory_read_words_1_3_memory_write_data <= to_unsigned(pathsabove_memory_write_words(1, 3), 8);
-  pathsabove_memory_read_words_1_3_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_1_3_memory_read_enable,
-      read_address => pathsabove_memory_read_words_1_3_memory_read_address, read_data => pathsabove_memory_read_words(1, 3),
-      write_address => pathsabove_memory_read_words_1_3_memory_write_address, write_data => pathsabove_memory_read_words_1_3_memory_write_data);
-
-  pathsabove_memory_read_words_1_2_memory_read_enable <= true;
-  pathsabove_memory_read_words_1_2_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_1_2_memory_write_address <= to_unsigned(pathsabove_memory_write_address(1), 12);
-  pathsabove_memory_read_words_1_2_memory_write_data <= to_unsigned(pathsabove_memory_write_words(1, 2), 8);
-  pathsabove_memory_read_words_1_2_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_1_2_memory_read_enable,
-      read_address => pathsabove_memory_read_words_1_2_memory_read_address, read_data => pathsabove_memory_read_words(1, 2),
-      write_address => pathsabove_memory_read_words_1_2_memory_write_address, write_data => pathsabove_memory_read_words_1_2_memory_write_data);
-
-  pathsabove_memory_read_words_1_1_memory_read_enable <= true;
-  pathsabove_memory_read_words_1_1_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_1_1_memory_write_address <= to_unsigned(pathsabove_memory_write_address(1), 12);
-  pathsabove_memory_read_words_1_1_memory_write_data <= to_unsigned(pathsabove_memory_write_words(1, 1), 8);
-  pathsabove_memory_read_words_1_1_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_1_1_memory_read_enable,
-      read_address => pathsabove_memory_read_words_1_1_memory_read_address, read_data => pathsabove_memory_read_words(1, 1),
-      write_address => pathsabove_memory_read_words_1_1_memory_write_address, write_data => pathsabove_memory_read_words_1_1_memory_write_data);
-
-  pathsabove_memory_read_words_1_0_memory_read_enable <= true;
-  pathsabove_memory_read_words_1_0_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_1_0_memory_write_address <= to_unsigned(pathsabove_memory_write_address(1), 12);
-  pathsabove_memory_read_words_1_0_memory_write_data <= to_unsigned(pathsabove_memory_write_words(1, 0), 8);
-  pathsabove_memory_read_words_1_0_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_1_0_memory_read_enable,
-      read_address => pathsabove_memory_read_words_1_0_memory_read_address, read_data => pathsabove_memory_read_words(1, 0),
-      write_address => pathsabove_memory_read_words_1_0_memory_write_address, write_data => pathsabove_memory_read_words_1_0_memory_write_data);
-
-  pathsabove_memory_read_words_2_9_memory_read_enable <= true;
-  pathsabove_memory_read_words_2_9_memory_read_address <= to_unsigned(pathsabove_memory_read_address_2, 11);
-  pathsabove_memory_read_words_2_9_memory_write_address <= to_unsigned(pathsabove_memory_write_address_2, 11);
-  pathsabove_memory_read_words_2_9_memory_write_data <= to_unsigned(pathsabove_memory_write_words(2, 9), 8);
-  pathsabove_memory_read_words_2_9_memory : entity work.line_memory
-    generic map (depth => 2048, width => 8, address_bits => 11)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_2_9_memory_read_enable,
-      read_address => pathsabove_memory_read_words_2_9_memory_read_address, read_data => pathsabove_memory_read_words(2, 9),
-      write_address => pathsabove_memory_read_words_2_9_memory_write_address, write_data => pathsabove_memory_read_words_2_9_memory_write_data);
-
-  pathsabove_memory_read_words_2_8_memory_read_enable <= true;
-  pathsabove_memory_read_words_2_8_memory_read_address <= to_unsigned(pathsabove_memory_read_address_2, 11);
-  pathsabove_memory_read_words_2_8_memory_write_address <= to_unsigned(pathsabove_memory_write_address_2, 11);
-  pathsabove_memory_read_words_2_8_memory_write_data <= to_unsigned(pathsabove_memory_write_words(2, 8), 8);
-  pathsabove_memory_read_words_2_8_memory : entity work.line_memory
-    generic map (depth => 2048, width => 8, address_bits => 11)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_2_8_memory_read_enable,
-      read_address => pathsabove_memory_read_words_2_8_memory_read_address, read_data => pathsabove_memory_read_words(2, 8),
-      write_address => pathsabove_memory_read_words_2_8_memory_write_address, write_data => pathsabove_memory_read_words_2_8_memory_write_data);
-
-  pathsabove_memory_read_words_2_7_memory_read_enable <= true;
-  pathsabove_memory_read_words_2_7_memory_read_address <= to_unsigned(pathsabove_memory_read_address_2, 11);
-  pathsabove_memory_read_words_2_7_memory_write_address <= to_unsigned(pathsabove_memory_write_address_2, 11);
-  pathsabove_memory_read_words_2_7_memory_write_data <= to_unsigned(pathsabove_memory_write_words(2, 7), 8);
-  pathsabove_memory_read_words_2_7_memory : entity work.line_memory
-    generic map (depth => 2048, width => 8, address_bits => 11)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_2_7_memory_read_enable,
-      read_address => pathsabove_memory_read_words_2_7_memory_read_address, read_data => pathsabove_memory_read_words(2, 7),
-      write_address => pathsabove_memory_read_words_2_7_memory_write_address, write_data => pathsabove_memory_read_words_2_7_memory_write_data);
-
-  pathsabove_memory_read_words_2_6_memory_read_enable <= true;
-  pathsabove_memory_read_words_2_6_memory_read_address <= to_unsigned(pathsabove_memory_read_address_2, 11);
-  pathsabove_memory_read_words_2_6_memory_write_address <= to_unsigned(pathsabove_memory_write_address_2, 11);
-  pathsabove_memory_read_words_2_6_memory_write_data <= to_unsigned(pathsabove_memory_write_words(2, 6), 8);
-  pathsabove_memory_read_words_2_6_memory : entity work.line_memory
-    generic map (depth => 2048, width => 8, address_bits => 11)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_2_6_memory_read_enable,
-      read_address => pathsabove_memory_read_words_2_6_memory_read_address, read_data => pathsabove_memory_read_words(2, 6),
-      write_address => pathsabove_memory_read_words_2_6_memory_write_address, write_data => pathsabove_memory_read_words_2_6_memory_write_data);
-
-  pathsabove_memory_read_words_2_5_memory_read_enable <= true;
-  pathsabove_memory_read_words_2_5_memory_read_address <= to_unsigned(pathsabove_memory_read_address_2, 11);
-  pathsabove_memory_read_words_2_5_memory_write_address <= to_unsigned(pathsabove_memory_write_address_2, 11);
-  pathsabove_memory_read_words_2_5_memory_write_data <= to_unsigned(pathsabove_memory_write_words(2, 5), 8);
-  pathsabove_memory_read_words_2_5_memory : entity work.line_memory
-    generic map (depth => 2048, width => 8, address_bits => 11)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_2_5_memory_read_enable,
-      read_address => pathsabove_memory_read_words_2_5_memory_read_address, read_data => pathsabove_memory_read_words(2, 5),
-      write_address => pathsabove_memory_read_words_2_5_memory_write_address, write_data => pathsabove_memory_read_words_2_5_memory_write_data);
-
-  pathsabove_memory_read_words_2_4_memory_read_enable <= true;
-  pathsabove_memory_read_words_2_4_memory_read_address <= to_unsigned(pathsabove_memory_read_address_2, 11);
-  pathsabove_memory_read_words_2_4_memory_write_address <= to_unsigned(pathsabove_memory_write_address_2, 11);
-  pathsabove_memory_read_words_2_4_memory_write_data <= to_unsigned(pathsabove_memory_write_words(2, 4), 8);
-  pathsabove_memory_read_words_2_4_memory : entity work.line_memory
-    generic map (depth => 2048, width => 8, address_bits => 11)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_2_4_memory_read_enable,
-      read_address => pathsabove_memory_read_words_2_4_memory_read_address, read_data => pathsabove_memory_read_words(2, 4),
-      write_address => pathsabove_memory_read_words_2_4_memory_write_address, write_data => pathsabove_memory_read_words_2_4_memory_write_data);
-
-  pathsabove_memory_read_words_2_3_memory_read_enable <= true;
-  pathsabove_memory_read_words_2_3_memory_read_address <= to_unsigned(pathsabove_memory_read_address_2, 11);
-  pathsabove_memory_read_words_2_3_memory_write_address <= to_unsigned(pathsabove_memory_write_address_2, 11);
-  pathsabove_memory_read_words_2_3_memory_write_data <= to_unsigned(pathsabove_memory_write_words(2, 3), 8);
-  pathsabove_memory_read_words_2_3_memory : entity work.line_memory
-    generic map (depth => 2048, width => 8, address_bits => 11)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_2_3_memory_read_enable,
-      read_address => pathsabove_memory_read_words_2_3_memory_read_address, read_data => pathsabove_memory_read_words(2, 3),
-      write_address => pathsabove_memory_read_words_2_3_memory_write_address, write_data => pathsabove_memory_read_words_2_3_memory_write_data);
-
-  pathsabove_memory_read_words_2_2_memory_read_enable <= true;
-  pathsabove_memory_read_words_2_2_memory_read_address <= to_unsigned(pathsabove_memory_read_address_2, 11);
-  pathsabove_memory_read_words_2_2_memory_write_address <= to_unsigned(pathsabove_memory_write_address_2, 11);
-  pathsabove_memory_read_words_2_2_memory_write_data <= to_unsigned(pathsabove_memory_write_words(2, 2), 8);
-  pathsabove_memory_read_words_2_2_memory : entity work.line_memory
-    generic map (depth => 2048, width => 8, address_bits => 11)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_2_2_memory_read_enable,
-      read_address => pathsabove_memory_read_words_2_2_memory_read_address, read_data => pathsabove_memory_read_words(2, 2),
-      write_address => pathsabove_memory_read_words_2_2_memory_write_address, write_data => pathsabove_memory_read_words_2_2_memory_write_data);
-
-  pathsabove_memory_read_words_2_1_memory_read_enable <= true;
-  pathsabove_memory_read_words_2_1_memory_read_address <= to_unsigned(pathsabove_memory_read_address_2, 11);
-  pathsabove_memory_read_words_2_1_memory_write_address <= to_unsigned(pathsabove_memory_write_address_2, 11);
-  pathsabove_memory_read_words_2_1_memory_write_data <= to_unsigned(pathsabove_memory_write_words(2, 1), 8);
-  pathsabove_memory_read_words_2_1_memory : entity work.line_memory
-    generic map (depth => 2048, width => 8, address_bits => 11)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_2_1_memory_read_enable,
-      read_address => pathsabove_memory_read_words_2_1_memory_read_address, read_data => pathsabove_memory_read_words(2, 1),
-      write_address => pathsabove_memory_read_words_2_1_memory_write_address, write_data => pathsabove_memory_read_words_2_1_memory_write_data);
-
-  pathsabove_memory_read_words_2_0_memory_read_enable <= true;
-  pathsabove_memory_read_words_2_0_memory_read_address <= to_unsigned(pathsabove_memory_read_address_2, 11);
-  pathsabove_memory_read_words_2_0_memory_write_address <= to_unsigned(pathsabove_memory_write_address_2, 11);
-  pathsabove_memory_read_words_2_0_memory_write_data <= to_unsigned(pathsabove_memory_write_words(2, 0), 8);
-  pathsabove_memory_read_words_2_0_memory : entity work.line_memory
-    generic map (depth => 2048, width => 8, address_bits => 11)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_2_0_memory_read_enable,
-      read_address => pathsabove_memory_read_words_2_0_memory_read_address, read_data => pathsabove_memory_read_words(2, 0),
-      write_address => pathsabove_memory_read_words_2_0_memory_write_address, write_data => pathsabove_memory_read_words_2_0_memory_write_data);
-
-  pathsleft_read_words_7_memory_read_enable <= true;
-  pathsleft_read_words_7_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 3);
-  pathsleft_read_words_7_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsleft_read_words_7_memory_write_data <= to_unsigned(pathsleft_arrived(15), 7) & to_unsigned(pathsleft_arrived(14), 7) & to_unsigned(pathsleft_arrived(13), 7) & to_unsigned(pathsleft_arrived(12), 7);
-  pathsleft_read_words_7_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => pathsleft_read_words_7_memory_read_enable,
-      read_address => pathsleft_read_words_7_memory_read_address, read_data => pathsleft_read_words(7),
-      write_address => pathsleft_read_words_7_memory_write_address, write_data => pathsleft_read_words_7_memory_write_data);
-
-  pathsleft_read_words_6_memory_read_enable <= true;
-  pathsleft_read_words_6_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 3);
-  pathsleft_read_words_6_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsleft_read_words_6_memory_write_data <= to_unsigned(pathsleft_arrived(11), 7) & to_unsigned(pathsleft_arrived(10), 7) & to_unsigned(pathsleft_arrived(9), 7) & to_unsigned(pathsleft_arrived(8), 7);
-  pathsleft_read_words_6_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => pathsleft_read_words_6_memory_read_enable,
-      read_address => pathsleft_read_words_6_memory_read_address, read_data => pathsleft_read_words(6),
-      write_address => pathsleft_read_words_6_memory_write_address, write_data => pathsleft_read_words_6_memory_write_data);
-
-  pathsleft_read_words_5_memory_read_enable <= true;
-  pathsleft_read_words_5_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 3);
-  pathsleft_read_words_5_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsleft_read_words_5_memory_write_data <= to_unsigned(pathsleft_arrived(7), 7) & to_unsigned(pathsleft_arrived(6), 7) & to_unsigned(pathsleft_arrived(5), 7) & to_unsigned(pathsleft_arrived(4), 7);
-  pathsleft_read_words_5_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => pathsleft_read_words_5_memory_read_enable,
-      read_address => pathsleft_read_words_5_memory_read_address, read_data => pathsleft_read_words(5),
-      write_address => pathsleft_read_words_5_memory_write_address, write_data => pathsleft_read_words_5_memory_write_data);
-
-  pathsleft_read_words_4_memory_read_enable <= true;
-  pathsleft_read_words_4_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 3);
-  pathsleft_read_words_4_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsleft_read_words_4_memory_write_data <= to_unsigned(pathsleft_arrived(3), 7) & to_unsigned(pathsleft_arrived(2), 7) & to_unsigned(pathsleft_arrived(1), 7) & to_unsigned(pathsleft_arrived(0), 7);
-  pathsleft_read_words_4_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => pathsleft_read_words_4_memory_read_enable,
-      read_address => pathsleft_read_words_4_memory_read_address, read_data => pathsleft_read_words(4),
-      write_address => pathsleft_read_words_4_memory_write_address, write_data => pathsleft_read_words_4_memory_write_data);
-
-  pathsleft_read_words_3_memory_read_enable <= true;
-  pathsleft_read_words_3_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 3);
-  pathsleft_read_words_3_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsleft_read_words_3_memory_write_data <= to_unsigned(pathsleft_cost(15), 7) & to_unsigned(pathsleft_cost(14), 7) & to_unsigned(pathsleft_cost(13), 7) & to_unsigned(pathsleft_cost(12), 7);
-  pathsleft_read_words_3_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => pathsleft_read_words_3_memory_read_enable,
-      read_address => pathsleft_read_words_3_memory_read_address, read_data => pathsleft_read_words(3),
-      write_address => pathsleft_read_words_3_memory_write_address, write_data => pathsleft_read_words_3_memory_write_data);
-
-  pathsleft_read_words_2_memory_read_enable <= true;
-  pathsleft_read_words_2_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 3);
-  pathsleft_read_words_2_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsleft_read_words_2_memory_write_data <= to_unsigned(pathsleft_cost(11), 7) & to_unsigned(pathsleft_cost(10), 7) & to_unsigned(pathsleft_cost(9), 7) & to_unsigned(pathsleft_cost(8), 7);
-  pathsleft_read_words_2_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => pathsleft_read_words_2_memory_read_enable,
-      read_address => pathsleft_read_words_2_memory_read_address, read_data => pathsleft_read_words(2),
-      write_address => pathsleft_read_words_2_memory_write_address, write_data => pathsleft_read_words_2_memory_write_data);
-
-  pathsleft_read_words_1_memory_read_enable <= true;
-  pathsleft_read_words_1_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 3);
-  pathsleft_read_words_1_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsleft_read_words_1_memory_write_data <= to_unsigned(pathsleft_cost(7), 7) & to_unsigned(pathsleft_cost(6), 7) & to_unsigned(pathsleft_cost(5), 7) & to_unsigned(pathsleft_cost(4), 7);
-  pathsleft_read_words_1_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => pathsleft_read_words_1_memory_read_enable,
-      read_address => pathsleft_read_words_1_memory_read_address, read_data => pathsleft_read_words(1),
-      write_address => pathsleft_read_words_1_memory_write_address, write_data => pathsleft_read_words_1_memory_write_data);
-
-  pathsleft_read_words_0_memory_read_enable <= true;
-  pathsleft_read_words_0_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 3);
-  pathsleft_read_words_0_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsleft_read_words_0_memory_write_data <= to_unsigned(pathsleft_cost(3), 7) & to_unsigned(pathsleft_cost(2), 7) & to_unsigned(pathsleft_cost(1), 7) & to_unsigned(pathsleft_cost(0), 7);
-  pathsleft_read_words_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => pathsleft_read_words_0_memory_read_enable,
-      read_address => pathsleft_read_words_0_memory_read_address, read_data => pathsleft_read_words(0),
-      write_address => pathsleft_read_words_0_memory_write_address, write_data => pathsleft_read_words_0_memory_write_data);
-
-  pathsleft_read_neighbour_0_memory_read_enable <= true;
-  pathsleft_read_neighbour_0_memory_read_address <= to_unsigned(pathsleft_ahead_count_phase, 3);
-  pathsleft_read_neighbour_0_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsleft_read_neighbour_0_memory_write_data <= to_unsigned(pathsleft_cost(0), 7);
-  pathsleft_read_neighbour_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 7, address_bits => 3)
-    port map (
-      clock => clock, read_enable => pathsleft_read_neighbour_0_memory_read_enable,
-      read_address => pathsleft_read_neighbour_0_memory_read_address, read_data => pathsleft_read_neighbour_0,
-      write_address => pathsleft_read_neighbour_0_memory_write_address, write_data => pathsleft_read_neighbour_0_memory_write_data);
-
-  pathsleft_lowest_0_memory_read_enable <= true;
-  pathsleft_lowest_0_memory_read_address <= to_unsigned(pathsleft_low_address, 4);
-  pathsleft_lowest_0_memory_write_address <= to_unsigned(pathsleft_low_write_address, 4);
-  pathsleft_lowest_0_memory_write_data <= to_unsigned(pathsleft_low_0, 7);
-  pathsleft_lowest_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 7, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsleft_lowest_0_memory_read_enable,
-      read_address => pathsleft_lowest_0_memory_read_address, read_data => pathsleft_lowest_0,
-      write_address => pathsleft_lowest_0_memory_write_address, write_data => pathsleft_lowest_0_memory_write_data);
-
-  paths_cost_delay_held_1_memory_read_enable <= true;
-  paths_cost_delay_held_1_memory_read_address <= to_unsigned(paths_cost_delay_ring_read_address, 4);
-  paths_cost_delay_held_1_memory_write_address <= to_unsigned(paths_cost_delay_ring_write_address, 4);
-  paths_cost_delay_held_1_memory_write_data <= ((((((((((to_unsigned(costs_cost(14), 6) & to_unsigned(0, 12)) or (to_unsigned((costs_cost(15) mod 8), 3) & to_unsigned(0, 15)))) or (to_unsigned(costs_cost(13), 9) & to_unsigned(0, 9)))) or (to_unsigned(costs_cost(12), 12) & to_unsigned(0, 6)))) or (to_unsigned(costs_cost(10), 18)))) or (to_unsigned(costs_cost(11), 15) & to_unsigned(0, 3)));
-  paths_cost_delay_held_1_memory : entity work.line_memory
-    generic map (depth => 13, width => 18, address_bits => 4)
-    port map (
-      clock => clock, read_enable => paths_cost_delay_held_1_memory_read_enable,
-      read_address => paths_cost_delay_held_1_memory_read_address, read_data => paths_cost_delay_held_1,
-      write_address => paths_cost_delay_held_1_memory_write_address, write_data => paths_cost_delay_held_1_memory_write_data);
-
-  paths_cost_delay_held_0_memory_read_enable <= true;
-  paths_cost_delay_held_0_memory_read_address <= to_unsigned(paths_cost_delay_ring_read_address, 4);
-  paths_cost_delay_held_0_memory_write_address <= to_unsigned(paths_cost_delay_ring_write_address, 4);
-  paths_cost_delay_held_0_memory_write_data <= ((((((((((((((((((to_unsigned(costs_cost(8), 6) & to_unsigned(0, 24)) or (to_unsigned((costs_cost(9) mod 8), 3) & to_unsigned(0, 27)))) or (to_unsigned(costs_cost(7), 9) & to_unsigned(0, 21)))) or (to_unsigned(costs_cost(6), 12) & to_unsigned(0, 18)))) or (to_unsigned(costs_cost(5), 15) & to_unsigned(0, 15)))) or (to_unsigned(costs_cost(4), 18) & to_unsigned(0, 12)))) or (to_unsigned(costs_cost(3), 21) & to_unsigned(0, 9)))) or (to_unsigned(costs_cost(2), 24) & to_unsigned(0, 6)))) or (to_unsigned(costs_cost(0), 30)))) or (to_unsigned(costs_cost(1), 27) & to_unsigned(0, 3)));
-  paths_cost_delay_held_0_memory : entity work.line_memory
-    generic map (depth => 13, width => 30, address_bits => 4)
-    port map (
-      clock => clock, read_enable => paths_cost_delay_held_0_memory_read_enable,
-      read_address => paths_cost_delay_held_0_memory_read_address, read_data => paths_cost_delay_held_0,
-      write_address => paths_cost_delay_held_0_memory_write_address, write_data => paths_cost_delay_held_0_memory_write_data);
-
-  relief_turned_0_memory_read_enable <= true;
-  relief_turned_0_memory_read_address <= to_unsigned(line_order_address, 11);
-  relief_turned_0_memory_write_address <= to_unsigned(relief_write_address, 11);
-  relief_turned_0_memory_write_data <= to_unsigned(relief_write_turned_0, 6);
-  relief_turned_0_memory : entity work.line_memory
-    generic map (depth => 1241, width => 6, address_bits => 11)
-    port map (
-      clock => clock, read_enable => relief_turned_0_memory_read_enable,
-      read_address => relief_turned_0_memory_read_address, read_data => relief_turned_0,
-      write_address => relief_turned_0_memory_write_address, write_data => relief_turned_0_memory_write_data);
-
-  relief_rows_read_words_0_memory_read_enable <= true;
-  relief_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 11);
-  relief_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 11);
-  relief_rows_read_words_0_memory_write_data <= to_unsigned(relief_rows_write_words_0, 6);
-  relief_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 1242, width => 6, address_bits => 11)
-    port map (
-      clock => clock, read_enable => relief_rows_read_words_0_memory_read_enable,
-      read_address => relief_rows_read_words_0_memory_read_address, read_data => relief_rows_read_words_0,
-      write_address => relief_rows_read_words_0_memory_write_address, write_data => relief_rows_read_words_0_memory_write_data);
-
-  costswindow_read_words_7_memory_read_enable <= true;
-  costswindow_read_words_7_memory_read_address <= to_unsigned(costswindow_read_count_phase, 3);
-  costswindow_read_words_7_memory_write_address <= to_unsigned(costswindow_write_count_phase, 3);
-  costswindow_read_words_7_memory_write_data <= to_unsigned(costswindow_partials(31), 7) & to_unsigned(costswindow_partials(30), 7) & to_unsigned(costswindow_partials(29), 7) & to_unsigned(costswindow_partials(28), 7);
-  costswindow_read_words_7_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costswindow_read_words_7_memory_read_enable,
-      read_address => costswindow_read_words_7_memory_read_address, read_data => costswindow_read_wordss(7),
-      write_address => costswindow_read_words_7_memory_write_address, write_data => costswindow_read_words_7_memory_write_data);
-
-  costswindow_read_words_6_memory_read_enable <= true;
-  costswindow_read_words_6_memory_read_address <= to_unsigned(costswindow_read_count_phase, 3);
-  costswindow_read_words_6_memory_write_address <= to_unsigned(costswindow_write_count_phase, 3);
-  costswindow_read_words_6_memory_write_data <= to_unsigned(costswindow_partials(27), 7) & to_unsigned(costswindow_partials(26), 7) & to_unsigned(costswindow_partials(25), 7) & to_unsigned(costswindow_partials(24), 7);
-  costswindow_read_words_6_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costswindow_read_words_6_memory_read_enable,
-      read_address => costswindow_read_words_6_memory_read_address, read_data => costswindow_read_wordss(6),
-      write_address => costswindow_read_words_6_memory_write_address, write_data => costswindow_read_words_6_memory_write_data);
-
-  costswindow_read_words_5_memory_read_enable <= true;
-  costswindow_read_words_5_memory_read_address <= to_unsigned(costswindow_read_count_phase, 3);
-  costswindow_read_words_5_memory_write_address <= to_unsigned(costswindow_write_count_phase, 3);
-  costswindow_read_words_5_memory_write_data <= to_unsigned(costswindow_partials(23), 7) & to_unsigned(costswindow_partials(22), 7) & to_unsigned(costswindow_partials(21), 7) & to_unsigned(costswindow_partials(20), 7);
-  costswindow_read_words_5_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costswindow_read_words_5_memory_read_enable,
-      read_address => costswindow_read_words_5_memory_read_address, read_data => costswindow_read_wordss(5),
-      write_address => costswindow_read_words_5_memory_write_address, write_data => costswindow_read_words_5_memory_write_data);
-
-  costswindow_read_words_4_memory_read_enable <= true;
-  costswindow_read_words_4_memory_read_address <= to_unsigned(costswindow_read_count_phase, 3);
-  costswindow_read_words_4_memory_write_address <= to_unsigned(costswindow_write_count_phase, 3);
-  costswindow_read_words_4_memory_write_data <= to_unsigned(costswindow_partials(19), 7) & to_unsigned(costswindow_partials(18), 7) & to_unsigned(costswindow_partials(17), 7) & to_unsigned(costswindow_partials(16), 7);
-  costswindow_read_words_4_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costswindow_read_words_4_memory_read_enable,
-      read_address => costswindow_read_words_4_memory_read_address, read_data => costswindow_read_wordss(4),
-      write_address => costswindow_read_words_4_memory_write_address, write_data => costswindow_read_words_4_memory_write_data);
-
-  costswindow_read_words_3_memory_read_enable <= true;
-  costswindow_read_words_3_memory_read_address <= to_unsigned(costswindow_read_count_phase, 3);
-  costswindow_read_words_3_memory_write_address <= to_unsigned(costswindow_write_count_phase, 3);
-  costswindow_read_words_3_memory_write_data <= to_unsigned(costswindow_partial(15), 6) & to_unsigned(costswindow_partial(14), 7) & to_unsigned(costswindow_partial(13), 7) & to_unsigned(costswindow_partial(12), 7);
-  costswindow_read_words_3_memory : entity work.line_memory
-    generic map (depth => 8, width => 27, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costswindow_read_words_3_memory_read_enable,
-      read_address => costswindow_read_words_3_memory_read_address, read_data => costswindow_read_words(3),
-      write_address => costswindow_read_words_3_memory_write_address, write_data => costswindow_read_words_3_memory_write_data);
-
-  costswindow_read_words_2_memory_read_enable <= true;
-  costswindow_read_words_2_memory_read_address <= to_unsigned(costswindow_read_count_phase, 3);
-  costswindow_read_words_2_memory_write_address <= to_unsigned(costswindow_write_count_phase, 3);
-  costswindow_read_words_2_memory_write_data <= to_unsigned(costswindow_partial(11), 6) & to_unsigned(costswindow_partial(10), 7) & to_unsigned(costswindow_partial(9), 7) & to_unsigned(costswindow_partial(8), 7);
-  costswindow_read_words_2_memory : entity work.line_memory
-    generic map (depth => 8, width => 27, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costswindow_read_words_2_memory_read_enable,
-      read_address => costswindow_read_words_2_memory_read_address, read_data => costswindow_read_words(2),
-      write_address => costswindow_read_words_2_memory_write_address, write_data => costswindow_read_words_2_memory_write_data);
-
-  costswindow_read_words_1_memory_read_enable <= true;
-  costswindow_read_words_1_memory_read_address <= to_unsigned(costswindow_read_count_phase, 3);
-  costswindow_read_words_1_memory_write_address <= to_unsigned(costswindow_write_count_phase, 3);
-  costswindow_read_words_1_memory_write_data <= to_unsigned(costswindow_partial(7), 6) & to_unsigned(costswindow_partial(6), 7) & to_unsigned(costswindow_partial(5), 7) & to_unsigned(costswindow_partial(4), 7);
-  costswindow_read_words_1_memory : entity work.line_memory
-    generic map (depth => 8, width => 27, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costswindow_read_words_1_memory_read_enable,
-      read_address => costswindow_read_words_1_memory_read_address, read_data => costswindow_read_words(1),
-      write_address => costswindow_read_words_1_memory_write_address, write_data => costswindow_read_words_1_memory_write_data);
-
-  costswindow_read_words_0_memory_read_enable <= true;
-  costswindow_read_words_0_memory_read_address <= to_unsigned(costswindow_read_count_phase, 3);
-  costswindow_read_words_0_memory_write_address <= to_unsigned(costswindow_write_count_phase, 3);
-  costswindow_read_words_0_memory_write_data <= to_unsigned(costswindow_partial(3), 6) & to_unsigned(costswindow_partial(2), 7) & to_unsigned(costswindow_partial(1), 7) & to_unsigned(costswindow_partial(0), 7);
-  costswindow_read_words_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 27, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costswindow_read_words_0_memory_read_enable,
-      read_address => costswindow_read_words_0_memory_read_address, read_data => costswindow_read_words(0),
-      write_address => costswindow_read_words_0_memory_write_address, write_data => costswindow_read_words_0_memory_write_data);
-
-  costsshift_read_words_23_memory_read_enable <= true;
-  costsshift_read_words_23_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
-  costsshift_read_words_23_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_23_memory_write_data <= to_unsigned(costsshift_search(2, 15), 14) & to_unsigned(costsshift_search(2, 14), 14);
-  costsshift_read_words_23_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_23_memory_read_enable,
-      read_address => costsshift_read_words_23_memory_read_address, read_data => costsshift_read_words(23),
-      write_address => costsshift_read_words_23_memory_write_address, write_data => costsshift_read_words_23_memory_write_data);
-
-  costsshift_read_words_22_memory_read_enable <= true;
-  costsshift_read_words_22_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
-  costsshift_read_words_22_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_22_memory_write_data <= to_unsigned(costsshift_search(2, 13), 14) & to_unsigned(costsshift_search(2, 12), 14);
-  costsshift_read_words_22_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_22_memory_read_enable,
-      read_address => costsshift_read_words_22_memory_read_address, read_data => costsshift_read_words(22),
-      write_address => costsshift_read_words_22_memory_write_address, write_data => costsshift_read_words_22_memory_write_data);
-
-  costsshift_read_words_21_memory_read_enable <= true;
-  costsshift_read_words_21_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
-  costsshift_read_words_21_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_21_memory_write_data <= to_unsigned(costsshift_search(2, 11), 14) & to_unsigned(costsshift_search(2, 10), 14);
-  costsshift_read_words_21_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_21_memory_read_enable,
-      read_address => costsshift_read_words_21_memory_read_address, read_data => costsshift_read_words(21),
-      write_address => costsshift_read_words_21_memory_write_address, write_data => costsshift_read_words_21_memory_write_data);
-
-  costsshift_read_words_20_memory_read_enable <= true;
-  costsshift_read_words_20_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
-  costsshift_read_words_20_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_20_memory_write_data <= to_unsigned(costsshift_search(2, 9), 14) & to_unsigned(costsshift_search(2, 8), 14);
-  costsshift_read_words_20_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_20_memory_read_enable,
-      read_address => costsshift_read_words_20_memory_read_address, read_data => costsshift_read_words(20),
-      write_address => costsshift_read_words_20_memory_write_address, write_data => costsshift_read_words_20_memory_write_data);
-
-  costsshift_read_words_19_memory_read_enable <= true;
-  costsshift_read_words_19_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
-  costsshift_read_words_19_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_19_memory_write_data <= to_unsigned(costsshift_search(2, 7), 14) & to_unsigned(costsshift_search(2, 6), 14);
-  costsshift_read_words_19_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_19_memory_read_enable,
-      read_address => costsshift_read_words_19_memory_read_address, read_data => costsshift_read_words(19),
-      write_address => costsshift_read_words_19_memory_write_address, write_data => costsshift_read_words_19_memory_write_data);
-
-  costsshift_read_words_18_memory_read_enable <= true;
-  costsshift_read_words_18_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
-  costsshift_read_words_18_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_18_memory_write_data <= to_unsigned(costsshift_search(2, 5), 14) & to_unsigned(costsshift_search(2, 4), 14);
-  costsshift_read_words_18_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_18_memory_read_enable,
-      read_address => costsshift_read_words_18_memory_read_address, read_data => costsshift_read_words(18),
-      write_address => costsshift_read_words_18_memory_write_address, write_data => costsshift_read_words_18_memory_write_data);
-
-  costsshift_read_words_17_memory_read_enable <= true;
-  costsshift_read_words_17_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
-  costsshift_read_words_17_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_17_memory_write_data <= to_unsigned(costsshift_search(2, 3), 14) & to_unsigned(costsshift_search(2, 2), 14);
-  costsshift_read_words_17_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_17_memory_read_enable,
-      read_address => costsshift_read_words_17_memory_read_address, read_data => costsshift_read_words(17),
-      write_address => costsshift_read_words_17_memory_write_address, write_data => costsshift_read_words_17_memory_write_data);
-
-  costsshift_read_words_16_memory_read_enable <= true;
-  costsshift_read_words_16_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
-  costsshift_read_words_16_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_16_memory_write_data <= to_unsigned(costsshift_search(2, 1), 14) & to_unsigned(costsshift_search(2, 0), 14);
-  costsshift_read_words_16_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_16_memory_read_enable,
-      read_address => costsshift_read_words_16_memory_read_address, read_data => costsshift_read_words(16),
-      write_address => costsshift_read_words_16_memory_write_address, write_data => costsshift_read_words_16_memory_write_data);
-
-  costsshift_read_words_15_memory_read_enable <= true;
-  costsshift_read_words_15_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
-  costsshift_read_words_15_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_15_memory_write_data <= to_unsigned(costsshift_search(1, 15), 14) & to_unsigned(costsshift_search(1, 14), 14);
-  costsshift_read_words_15_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_15_memory_read_enable,
-      read_address => costsshift_read_words_15_memory_read_address, read_data => costsshift_read_words(15),
-      write_address => costsshift_read_words_15_memory_write_address, write_data => costsshift_read_words_15_memory_write_data);
-
-  costsshift_read_words_14_memory_read_enable <= true;
-  costsshift_read_words_14_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
-  costsshift_read_words_14_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_14_memory_write_data <= to_unsigned(costsshift_search(1, 13), 14) & to_unsigned(costsshift_search(1, 12), 14);
-  costsshift_read_words_14_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_14_memory_read_enable,
-      read_address => costsshift_read_words_14_memory_read_address, read_data => costsshift_read_words(14),
-      write_address => costsshift_read_words_14_memory_write_address, write_data => costsshift_read_words_14_memory_write_data);
-
-  costsshift_read_words_13_memory_read_enable <= true;
-  costsshift_read_words_13_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
-  costsshift_read_words_13_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_13_memory_write_data <= to_unsigned(costsshift_search(1, 11), 14) & to_unsigned(costsshift_search(1, 10), 14);
-  costsshift_read_words_13_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_13_memory_read_enable,
-      read_address => costsshift_read_words_13_memory_read_address, read_data => costsshift_read_words(13),
-      write_address => costsshift_read_words_13_memory_write_address, write_data => costsshift_read_words_13_memory_write_data);
-
-  costsshift_read_words_12_memory_read_enable <= true;
-  costsshift_read_words_12_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
-  costsshift_read_words_12_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_12_memory_write_data <= to_unsigned(costsshift_search(1, 9), 14) & to_unsigned(costsshift_search(1, 8), 14);
-  costsshift_read_words_12_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_12_memory_read_enable,
-      read_address => costsshift_read_words_12_memory_read_address, read_data => costsshift_read_words(12),
-      write_address => costsshift_read_words_12_memory_write_address, write_data => costsshift_read_words_12_memory_write_data);
-
-  costsshift_read_words_11_memory_read_enable <= true;
-  costsshift_read_words_11_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
-  costsshift_read_words_11_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_11_memory_write_data <= to_unsigned(costsshift_search(1, 7), 14) & to_unsigned(costsshift_search(1, 6), 14);
-  costsshift_read_words_11_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_11_memory_read_enable,
-      read_address => costsshift_read_words_11_memory_read_address, read_data => costsshift_read_words(11),
-      write_address => costsshift_read_words_11_memory_write_address, write_data => costsshift_read_words_11_memory_write_data);
-
-  costsshift_read_words_10_memory_read_enable <= true;
-  costsshift_read_words_10_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
-  costsshift_read_words_10_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_10_memory_write_data <= to_unsigned(costsshift_search(1, 5), 14) & to_unsigned(costsshift_search(1, 4), 14);
-  costsshift_read_words_10_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_10_memory_read_enable,
-      read_address => costsshift_read_words_10_memory_read_address, read_data => costsshift_read_words(10),
-      write_address => costsshift_read_words_10_memory_write_address, write_data => costsshift_read_words_10_memory_write_data);
-
-  costsshift_read_words_9_memory_read_enable <= true;
-  costsshift_read_words_9_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
-  costsshift_read_words_9_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_9_memory_write_data <= to_unsigned(costsshift_search(1, 3), 14) & to_unsigned(costsshift_search(1, 2), 14);
-  costsshift_read_words_9_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_9_memory_read_enable,
-      read_address => costsshift_read_words_9_memory_read_address, read_data => costsshift_read_words(9),
-      write_address => costsshift_read_words_9_memory_write_address, write_data => costsshift_read_words_9_memory_write_data);
-
-  costsshift_read_words_8_memory_read_enable <= true;
-  costsshift_read_words_8_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
-  costsshift_read_words_8_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_8_memory_write_data <= to_unsigned(costsshift_search(1, 1), 14) & to_unsigned(costsshift_search(1, 0), 14);
-  costsshift_read_words_8_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_8_memory_read_enable,
-      read_address => costsshift_read_words_8_memory_read_address, read_data => costsshift_read_words(8),
-      write_address => costsshift_read_words_8_memory_write_address, write_data => costsshift_read_words_8_memory_write_data);
-
-  costsshift_read_words_7_memory_read_enable <= true;
-  costsshift_read_words_7_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
-  costsshift_read_words_7_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_7_memory_write_data <= to_unsigned(costsshift_search(0, 15), 14) & to_unsigned(costsshift_search(0, 14), 14);
-  costsshift_read_words_7_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_7_memory_read_enable,
-      read_address => costsshift_read_words_7_memory_read_address, read_data => costsshift_read_words(7),
-      write_address => costsshift_read_words_7_memory_write_address, write_data => costsshift_read_words_7_memory_write_data);
-
-  costsshift_read_words_6_memory_read_enable <= true;
-  costsshift_read_words_6_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
-  costsshift_read_words_6_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_6_memory_write_data <= to_unsigned(costsshift_search(0, 13), 14) & to_unsigned(costsshift_search(0, 12), 14);
-  costsshift_read_words_6_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_6_memory_read_enable,
-      read_address => costsshift_read_words_6_memory_read_address, read_data => costsshift_read_words(6),
-      write_address => costsshift_read_words_6_memory_write_address, write_data => costsshift_read_words_6_memory_write_data);
-
-  costsshift_read_words_5_memory_read_enable <= true;
-  costsshift_read_words_5_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
-  costsshift_read_words_5_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_5_memory_write_data <= to_unsigned(costsshift_search(0, 11), 14) & to_unsigned(costsshift_search(0, 10), 14);
-  costsshift_read_words_5_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_5_memory_read_enable,
-      read_address => costsshift_read_words_5_memory_read_address, read_data => costsshift_read_words(5),
-      write_address => costsshift_read_words_5_memory_write_address, write_data => costsshift_read_words_5_memory_write_data);
-
-  costsshift_read_words_4_memory_read_enable <= true;
-  costsshift_read_words_4_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
-  costsshift_read_words_4_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_4_memory_write_data <= to_unsigned(costsshift_search(0, 9), 14) & to_unsigned(costsshift_search(0, 8), 14);
-  costsshift_read_words_4_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_4_memory_read_enable,
-      read_address => costsshift_read_words_4_memory_read_address, read_data => costsshift_read_words(4),
-      write_address => costsshift_read_words_4_memory_write_address, write_data => costsshift_read_words_4_memory_write_data);
-
-  costsshift_read_words_3_memory_read_enable <= true;
-  costsshift_read_words_3_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
-  costsshift_read_words_3_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_3_memory_write_data <= to_unsigned(costsshift_search(0, 7), 14) & to_unsigned(costsshift_search(0, 6), 14);
-  costsshift_read_words_3_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_3_memory_read_enable,
-      read_address => costsshift_read_words_3_memory_read_address, read_data => costsshift_read_words(3),
-      write_address => costsshift_read_words_3_memory_write_address, write_data => costsshift_read_words_3_memory_write_data);
-
-  costsshift_read_words_2_memory_read_enable <= true;
-  costsshift_read_words_2_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
-  costsshift_read_words_2_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_2_memory_write_data <= to_unsigned(costsshift_search(0, 5), 14) & to_unsigned(costsshift_search(0, 4), 14);
-  costsshift_read_words_2_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_2_memory_read_enable,
-      read_address => costsshift_read_words_2_memory_read_address, read_data => costsshift_read_words(2),
-      write_address => costsshift_read_words_2_memory_write_address, write_data => costsshift_read_words_2_memory_write_data);
-
-  costsshift_read_words_1_memory_read_enable <= true;
-  costsshift_read_words_1_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
-  costsshift_read_words_1_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_1_memory_write_data <= to_unsigned(costsshift_search(0, 3), 14) & to_unsigned(costsshift_search(0, 2), 14);
-  costsshift_read_words_1_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_1_memory_read_enable,
-      read_address => costsshift_read_words_1_memory_read_address, read_data => costsshift_read_words(1),
-      write_address => costsshift_read_words_1_memory_write_address, write_data => costsshift_read_words_1_memory_write_data);
-
-  costsshift_read_words_0_memory_read_enable <= true;
-  costsshift_read_words_0_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
-  costsshift_read_words_0_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_0_memory_write_data <= to_unsigned(costsshift_search(0, 1), 14) & to_unsigned(costsshift_search(0, 0), 14);
-  costsshift_read_words_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_0_memory_read_enable,
-      read_address => costsshift_read_words_0_memory_read_address, read_data => costsshift_read_words(0),
-      write_address => costsshift_read_words_0_memory_write_address, write_data => costsshift_read_words_0_memory_write_data);
-
-  rows_search_rows_read_words_0_memory_read_enable <= true;
-  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 11);
-  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 11);
-  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 28);
-  rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 1242, width => 28, address_bits => 11)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
-      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
-      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
-
-  rows_reference_rows_read_words_0_memory_read_enable <= true;
-  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 11);
-  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 11);
-  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 28);
-  rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 1242, width => 28, address_bits => 11)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
-      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
+  transform_left_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(10 downto 0);
+  begin
+    read_address <= to_unsigned(transform_counter_column, 11);
+    write_address <= to_unsigned(transform_write_column, 11);
+    cell : entity work.line_memory
+      generic map (depth => 1242, width => 32, address_bits => 11)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        transform_left_rows_read_words_0, write_address => write_address, write_data =>
+        transform_left_rows_write_words_0);
+  end block;
+
+  transform_right_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(10 downto 0);
+  begin
+    read_address <= to_unsigned(transform_counter_column, 11);
+    write_address <= to_unsigned(transform_write_column, 11);
+    cell : entity work.line_memory
+      generic map (depth => 1242, width => 32, address_bits => 11)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        transform_right_rows_read_words_0, write_address => write_address, write_data =>
+        transform_right_rows_write_words_0);
+  end block;
+
+  map_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(10 downto 0);
+    signal write_data : unsigned(17 downto 0);
+  begin
+    read_address <= to_unsigned(map_counter_column, 11);
+    write_address <= to_unsigned(map_write_column, 11);
+    write_data <= to_unsigned(map_rows_write_words_0, 18);
+    cell : entity work.line_memory
+      generic map (depth => 1240, width => 18, address_bits => 11)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => map_rows_read_words_0,
+        write_address => write_address, write_data => write_data);
+  end block;
+
+  turn_read_words_0_memory : block
+    signal read_address, write_address : unsigned(10 downto 0);
+    signal write_data : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(turn_order_address, 11);
+    write_address <= to_unsigned(turn_write_place, 11);
+    write_data <= to_unsigned(turn_write_words_0, 9);
+    cell : entity work.line_memory
+      generic map (depth => 1241, width => 9, address_bits => 11)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => turn_read_words_0,
+        write_address => write_address, write_data => write_data);
+  end block;
+
+  pathsright_read_words_memory : for i in 7 downto 4 generate
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(27 downto 0);
+  begin
+    read_address <= to_unsigned(pathsleft_read_count_phase, 3);
+    write_address <= to_unsigned(pathsleft_write_count_phase, 3);
+    write_data <= to_unsigned(pathsright_arrived(4 * i - 13), 7) & to_unsigned(pathsright_arrived(4 * i - 14), 7) &
+      to_unsigned(pathsright_arrived(4 * i - 15), 7) & to_unsigned(pathsright_arrived(4 * i - 16), 7);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 28, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsright_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  pathsright_read_words_3_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(27 downto 0);
+  begin
+    read_address <= to_unsigned(pathsleft_read_count_phase, 3);
+    write_address <= to_unsigned(pathsleft_write_count_phase, 3);
+    write_data <= to_unsigned(pathsright_cost(4 * i + 3), 7) & to_unsigned(pathsright_cost(4 * i + 2), 7) &
+      to_unsigned(pathsright_cost(4 * i + 1), 7) & to_unsigned(pathsright_cost(4 * i), 7);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 28, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsright_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  pathsright_read_neighbour_0_memory : block
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(6 downto 0);
+  begin
+    read_address <= to_unsigned(pathsleft_ahead_count_phase, 3);
+    write_address <= to_unsigned(pathsleft_write_count_phase, 3);
+    write_data <= to_unsigned(pathsright_cost(0), 7);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 7, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsright_read_neighbour_0, write_address => write_address, write_data => write_data);
+  end block;
+
+  pathsright_lowest_0_memory : block
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(6 downto 0);
+  begin
+    read_address <= to_unsigned(pathsleft_low_address, 4);
+    write_address <= to_unsigned(pathsleft_low_write_address, 4);
+    write_data <= to_unsigned(pathsright_low_0, 7);
+    cell : entity work.line_memory
+      generic map (depth => 16, width => 7, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => pathsright_lowest_0,
+        write_address => write_address, write_data => write_data);
+  end block;
+
+  pathsturn_read_smallest_0_memory : block
+    signal read_address, write_address : unsigned(10 downto 0);
+    signal write_data : unsigned(4 downto 0);
+  begin
+    read_address <= to_unsigned(pathsturn_smallest_address, 11);
+    write_address <= to_unsigned(pathsturn_write_smallest_address, 11);
+    write_data <= to_unsigned(pathsturn_write_smallest_0, 5);
+    cell : entity work.line_memory
+      generic map (depth => 1241, width => 5, address_bits => 11)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsturn_read_smallest_0, write_address => write_address, write_data => write_data);
+  end block;
+
+  pathsturn_sum_memory_read_words_memory : for i in 13 downto 0 generate
+    signal read_address, write_address : unsigned(11 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
+    write_address <= to_unsigned(pathsturn_sum_memory_write_address(0), 12);
+    write_data <= to_unsigned(pathsturn_sum_memory_write_words(0, i), 8);
+    cell : entity work.line_memory
+      generic map (depth => 4096, width => 8, address_bits => 12)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsturn_sum_memory_read_words(0, i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  pathsturn_sum_memory_read_words_1_13_memory : for i in 13 downto 0 generate
+    signal read_address, write_address : unsigned(11 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
+    write_address <= to_unsigned(pathsturn_sum_memory_write_address(1), 12);
+    write_data <= to_unsigned(pathsturn_sum_memory_write_words(1, i), 8);
+    cell : entity work.line_memory
+      generic map (depth => 4096, width => 8, address_bits => 12)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsturn_sum_memory_read_words(1, i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  pathsturn_sum_memory_read_words_2_13_memory : for i in 13 downto 0 generate
+    signal read_address, write_address : unsigned(10 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(pathsturn_sum_memory_read_address_2, 11);
+    write_address <= to_unsigned(pathsturn_sum_memory_write_address_2, 11);
+    write_data <= to_unsigned(pathsturn_sum_memory_write_words(2, i), 8);
+    cell : entity work.line_memory
+      generic map (depth => 2048, width => 8, address_bits => 11)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsturn_sum_memory_read_words(2, i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  pathsturn_cost_memory_read_words_memory : for i in 5 downto 0 generate
+    signal read_address, write_address : unsigned(11 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(pathsturn_cost_memory_read_address_0, 12);
+    write_address <= to_unsigned(pathsturn_cost_memory_write_address(0), 12);
+    write_data <= to_unsigned(pathsturn_cost_memory_write_words(0, i), 8);
+    cell : entity work.line_memory
+      generic map (depth => 4096, width => 8, address_bits => 12)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsturn_cost_memory_read_words(0, i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  pathsturn_cost_memory_read_words_1_5_memory : for i in 5 downto 0 generate
+    signal read_address, write_address : unsigned(11 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(pathsturn_cost_memory_read_address_0, 12);
+    write_address <= to_unsigned(pathsturn_cost_memory_write_address(1), 12);
+    write_data <= to_unsigned(pathsturn_cost_memory_write_words(1, i), 8);
+    cell : entity work.line_memory
+      generic map (depth => 4096, width => 8, address_bits => 12)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsturn_cost_memory_read_words(1, i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  pathsturn_cost_memory_read_words_2_5_memory : for i in 5 downto 0 generate
+    signal read_address, write_address : unsigned(10 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(pathsturn_cost_memory_read_address_2, 11);
+    write_address <= to_unsigned(pathsturn_cost_memory_write_address_2, 11);
+    write_data <= to_unsigned(pathsturn_cost_memory_write_words(2, i), 8);
+    cell : entity work.line_memory
+      generic map (depth => 2048, width => 8, address_bits => 11)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsturn_cost_memory_read_words(2, i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  pathsabove_delay_held_3_memory : block
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(5 downto 0);
+  begin
+    read_address <= to_unsigned(paths_cost_delay_ring_read_address, 4);
+    write_address <= to_unsigned(paths_cost_delay_ring_write_address, 4);
+    write_data <= to_unsigned(pathsabove_total(15), 6);
+    cell : entity work.line_memory
+      generic map (depth => 13, width => 6, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsabove_delay_held_3, write_address => write_address, write_data => write_data);
+  end block;
+
+  pathsabove_delay_held_memory : for i in 2 downto 0 generate
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(29 downto 0);
+  begin
+    read_address <= to_unsigned(paths_cost_delay_ring_read_address, 4);
+    write_address <= to_unsigned(paths_cost_delay_ring_write_address, 4);
+    write_data <= to_unsigned(pathsabove_total(5 * i + 4), 6) & to_unsigned(pathsabove_total(5 * i + 3), 6) &
+      to_unsigned(pathsabove_total(5 * i + 2), 6) & to_unsigned(pathsabove_total(5 * i + 1), 6) &
+      to_unsigned(pathsabove_total(5 * i), 6);
+    cell : entity work.line_memory
+      generic map (depth => 13, width => 30, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsabove_delay_held(i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  pathsabove_memory_read_words_memory : for i in 9 downto 0 generate
+    signal read_address, write_address : unsigned(11 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
+    write_address <= to_unsigned(pathsabove_memory_write_address(0), 12);
+    write_data <= to_unsigned(pathsabove_memory_write_words(0, i), 8);
+    cell : entity work.line_memory
+      generic map (depth => 4096, width => 8, address_bits => 12)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsabove_memory_read_words(0, i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  pathsabove_memory_read_words_1_9_memory : for i in 9 downto 0 generate
+    signal read_address, write_address : unsigned(11 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
+    write_address <= to_unsigned(pathsabove_memory_write_address(1), 12);
+    write_data <= to_unsigned(pathsabove_memory_write_words(1, i), 8);
+    cell : entity work.line_memory
+      generic map (depth => 4096, width => 8, address_bits => 12)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsabove_memory_read_words(1, i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  pathsabove_memory_read_words_2_9_memory : for i in 9 downto 0 generate
+    signal read_address, write_address : unsigned(10 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(pathsabove_memory_read_address_2, 11);
+    write_address <= to_unsigned(pathsabove_memory_write_address_2, 11);
+    write_data <= to_unsigned(pathsabove_memory_write_words(2, i), 8);
+    cell : entity work.line_memory
+      generic map (depth => 2048, width => 8, address_bits => 11)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsabove_memory_read_words(2, i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  pathsleft_read_words_memory : for i in 7 downto 4 generate
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(27 downto 0);
+  begin
+    read_address <= to_unsigned(pathsleft_read_count_phase, 3);
+    write_address <= to_unsigned(pathsleft_write_count_phase, 3);
+    write_data <= to_unsigned(pathsleft_arrived(4 * i - 13), 7) & to_unsigned(pathsleft_arrived(4 * i - 14), 7) &
+      to_unsigned(pathsleft_arrived(4 * i - 15), 7) & to_unsigned(pathsleft_arrived(4 * i - 16), 7);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 28, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsleft_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  pathsleft_read_words_3_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(27 downto 0);
+  begin
+    read_address <= to_unsigned(pathsleft_read_count_phase, 3);
+    write_address <= to_unsigned(pathsleft_write_count_phase, 3);
+    write_data <= to_unsigned(pathsleft_cost(4 * i + 3), 7) & to_unsigned(pathsleft_cost(4 * i + 2), 7) &
+      to_unsigned(pathsleft_cost(4 * i + 1), 7) & to_unsigned(pathsleft_cost(4 * i), 7);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 28, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsleft_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  pathsleft_read_neighbour_0_memory : block
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(6 downto 0);
+  begin
+    read_address <= to_unsigned(pathsleft_ahead_count_phase, 3);
+    write_address <= to_unsigned(pathsleft_write_count_phase, 3);
+    write_data <= to_unsigned(pathsleft_cost(0), 7);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 7, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsleft_read_neighbour_0, write_address => write_address, write_data => write_data);
+  end block;
+
+  pathsleft_lowest_0_memory : block
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(6 downto 0);
+  begin
+    read_address <= to_unsigned(pathsleft_low_address, 4);
+    write_address <= to_unsigned(pathsleft_low_write_address, 4);
+    write_data <= to_unsigned(pathsleft_low_0, 7);
+    cell : entity work.line_memory
+      generic map (depth => 16, width => 7, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => pathsleft_lowest_0,
+        write_address => write_address, write_data => write_data);
+  end block;
+
+  paths_cost_delay_held_1_memory : block
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(17 downto 0);
+  begin
+    read_address <= to_unsigned(paths_cost_delay_ring_read_address, 4);
+    write_address <= to_unsigned(paths_cost_delay_ring_write_address, 4);
+    write_data <= ((((((((((to_unsigned(costs_cost(14), 6) & to_unsigned(0, 12)) or (to_unsigned((costs_cost(15) mod
+      8), 3) & to_unsigned(0, 15)))) or (to_unsigned(costs_cost(13), 9) & to_unsigned(0, 9)))) or
+      (to_unsigned(costs_cost(12), 12) & to_unsigned(0, 6)))) or (to_unsigned(costs_cost(10), 18)))) or
+      (to_unsigned(costs_cost(11), 15) & to_unsigned(0, 3)));
+    cell : entity work.line_memory
+      generic map (depth => 13, width => 18, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        paths_cost_delay_held_1, write_address => write_address, write_data => write_data);
+  end block;
+
+  paths_cost_delay_held_0_memory : block
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(29 downto 0);
+  begin
+    read_address <= to_unsigned(paths_cost_delay_ring_read_address, 4);
+    write_address <= to_unsigned(paths_cost_delay_ring_write_address, 4);
+    write_data <= ((((((((((((((((((to_unsigned(costs_cost(8), 6) & to_unsigned(0, 24)) or (to_unsigned((costs_cost(9)
+      mod 8), 3) & to_unsigned(0, 27)))) or (to_unsigned(costs_cost(7), 9) & to_unsigned(0, 21)))) or
+      (to_unsigned(costs_cost(6), 12) & to_unsigned(0, 18)))) or (to_unsigned(costs_cost(5), 15) & to_unsigned(0,
+      15)))) or (to_unsigned(costs_cost(4), 18) & to_unsigned(0, 12)))) or (to_unsigned(costs_cost(3), 21) &
+      to_unsigned(0, 9)))) or (to_unsigned(costs_cost(2), 24) & to_unsigned(0, 6)))) or (to_unsigned(costs_cost(0),
+      30)))) or (to_unsigned(costs_cost(1), 27) & to_unsigned(0, 3)));
+    cell : entity work.line_memory
+      generic map (depth => 13, width => 30, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        paths_cost_delay_held_0, write_address => write_address, write_data => write_data);
+  end block;
+
+  relief_turned_0_memory : block
+    signal read_address, write_address : unsigned(10 downto 0);
+    signal write_data : unsigned(5 downto 0);
+  begin
+    read_address <= to_unsigned(line_order_address, 11);
+    write_address <= to_unsigned(relief_write_address, 11);
+    write_data <= to_unsigned(relief_write_turned_0, 6);
+    cell : entity work.line_memory
+      generic map (depth => 1241, width => 6, address_bits => 11)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => relief_turned_0,
+        write_address => write_address, write_data => write_data);
+  end block;
+
+  relief_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(10 downto 0);
+    signal write_data : unsigned(5 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 11);
+    write_address <= to_unsigned(rows_write_column, 11);
+    write_data <= to_unsigned(relief_rows_write_words_0, 6);
+    cell : entity work.line_memory
+      generic map (depth => 1242, width => 6, address_bits => 11)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        relief_rows_read_words_0, write_address => write_address, write_data => write_data);
+  end block;
+
+  costswindow_read_wordss_memory : for i in 7 downto 4 generate
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(27 downto 0);
+  begin
+    read_address <= to_unsigned(costswindow_read_count_phase, 3);
+    write_address <= to_unsigned(costswindow_write_count_phase, 3);
+    write_data <= to_unsigned(costswindow_partials(4 * i + 3), 7) & to_unsigned(costswindow_partials(4 * i + 2), 7) &
+      to_unsigned(costswindow_partials(4 * i + 1), 7) & to_unsigned(costswindow_partials(4 * i), 7);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 28, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        costswindow_read_wordss(i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  costswindow_read_words_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(26 downto 0);
+  begin
+    read_address <= to_unsigned(costswindow_read_count_phase, 3);
+    write_address <= to_unsigned(costswindow_write_count_phase, 3);
+    write_data <= to_unsigned(costswindow_partial(4 * i + 3), 6) & to_unsigned(costswindow_partial(4 * i + 2), 7) &
+      to_unsigned(costswindow_partial(4 * i + 1), 7) & to_unsigned(costswindow_partial(4 * i), 7);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 27, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        costswindow_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  costsshift_read_words_memory : for i in 23 downto 16 generate
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(27 downto 0);
+  begin
+    read_address <= to_unsigned(costsshift_count_phase, 3);
+    write_address <= to_unsigned(costsshift_write_phase, 3);
+    write_data <= to_unsigned(costsshift_search(2, 2 * i - 31), 14) & to_unsigned(costsshift_search(2, 2 * i - 32), 14);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 28, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        costsshift_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  costsshift_read_words_15_memory : for i in 15 downto 8 generate
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(27 downto 0);
+  begin
+    read_address <= to_unsigned(costsshift_count_phase, 3);
+    write_address <= to_unsigned(costsshift_write_phase, 3);
+    write_data <= to_unsigned(costsshift_search(1, 2 * i - 15), 14) & to_unsigned(costsshift_search(1, 2 * i - 16), 14);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 28, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        costsshift_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  costsshift_read_words_7_memory : for i in 7 downto 0 generate
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(27 downto 0);
+  begin
+    read_address <= to_unsigned(costsshift_count_phase, 3);
+    write_address <= to_unsigned(costsshift_write_phase, 3);
+    write_data <= to_unsigned(costsshift_search(0, 2 * i + 1), 14) & to_unsigned(costsshift_search(0, 2 * i), 14);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 28, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        costsshift_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  rows_search_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(10 downto 0);
+    signal write_data : unsigned(27 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 11);
+    write_address <= to_unsigned(rows_write_column, 11);
+    write_data <= to_unsigned(rows_search_rows_write_words_0, 28);
+    cell : entity work.line_memory
+      generic map (depth => 1242, width => 28, address_bits => 11)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_search_rows_read_words_0, write_address => write_address, write_data => write_data);
+  end block;
+
+  rows_reference_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(10 downto 0);
+    signal write_data : unsigned(27 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 11);
+    write_address <= to_unsigned(rows_write_column, 11);
+    write_data <= to_unsigned(rows_reference_rows_write_words_0, 28);
+    cell : entity work.line_memory
+      generic map (depth => 1242, width => 28, address_bits => 11)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_reference_rows_read_words_0, write_address => write_address, write_data => write_data);
+  end block;
 
   process (clock)
     variable transform_counter_next_frame_is_equal, transform_counter_frame_joins_choice : boolean;
-    variable transform_read_column_inside_0_is_less, transform_left_filter_low_is_larger_0_0_0_value : boolean;
-    variable transform_left_filter_low_is_larger_0_0_0_choice : boolean;
-    variable transform_left_filter_low_is_larger_0_0_0_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_0_0_choice_#
-    variable transform_left_filter_low_is_larger_0_0_0_values : boolean_1d(2 to 4);  -- transform_left_filter_low_is_larger_0_0_0_value_#
-    variable transform_left_filter_low_is_larger_0_0_2_any, transform_left_filter_low_is_larger_0_0_2_choice : boolean;
+    variable transform_read_column_inside_0_is_less : boolean;
+    variable transform_left_filter_low_is_larger_0_0_0_values : boolean_1d(1 to 4);  -- transform_left_filter_low_is_larger_0_0_0_value_#
+    variable transform_left_filter_low_is_larger_0_0_0_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_0_0_choice_#
+    variable transform_left_filter_low_is_larger_0_0_2_any : boolean;
+    variable transform_left_filter_low_is_larger_0_0_2_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_0_2_choice_#
     variable transform_left_filter_low_is_larger_0_0_2_is_equal : boolean;
-    variable transform_left_filter_low_is_larger_0_0_2_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_0_2_choice_#
     variable transform_left_filter_low_is_larger_0_0_2_value : boolean;
-    variable transform_left_filter_low_is_larger_0_0_4_choice : boolean;
-    variable transform_left_filter_low_is_larger_0_0_4_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_0_4_choice_#
+    variable transform_left_filter_low_is_larger_0_0_4_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_0_4_choice_#
     variable transform_left_filter_low_is_larger_0_0_4_value : boolean;
-    variable transform_left_filter_low_is_larger_0_2_0_choice : boolean;
-    variable transform_left_filter_low_is_larger_0_2_0_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_2_0_choice_#
+    variable transform_left_filter_low_is_larger_0_2_0_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_2_0_choice_#
     variable transform_left_filter_low_is_larger_0_2_0_value : boolean;
-    variable transform_left_filter_low_is_larger_0_2_2_choice : boolean;
-    variable transform_left_filter_low_is_larger_0_2_2_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_2_2_choice_#
+    variable transform_left_filter_low_is_larger_0_2_2_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_2_2_choice_#
     variable transform_left_filter_low_is_larger_0_2_2_value : boolean;
-    variable transform_left_filter_low_is_larger_0_2_4_choice : boolean;
-    variable transform_left_filter_low_is_larger_0_2_4_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_2_4_choice_#
+    variable transform_left_filter_low_is_larger_0_2_4_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_2_4_choice_#
     variable transform_left_filter_low_is_larger_0_2_4_value : boolean;
-    variable transform_left_filter_low_is_larger_0_4_0_choice : boolean;
-    variable transform_left_filter_low_is_larger_0_4_0_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_4_0_choice_#
+    variable transform_left_filter_low_is_larger_0_4_0_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_4_0_choice_#
     variable transform_left_filter_low_is_larger_0_4_0_value : boolean;
-    variable transform_left_filter_low_is_larger_0_4_4_choice : boolean;
-    variable transform_left_filter_low_is_larger_0_4_4_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_4_4_choice_#
+    variable transform_left_filter_low_is_larger_0_4_4_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_4_4_choice_#
     variable transform_left_filter_low_is_larger_0_4_4_value : boolean;
-    variable transform_left_filter_low_is_larger_0_6_0_choice : boolean;
-    variable transform_left_filter_low_is_larger_0_6_0_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_6_0_choice_#
+    variable transform_left_filter_low_is_larger_0_6_0_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_6_0_choice_#
     variable transform_left_filter_low_is_larger_0_6_0_value : boolean;
-    variable transform_left_filter_low_is_larger_0_6_2_choice : boolean;
-    variable transform_left_filter_low_is_larger_0_6_2_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_6_2_choice_#
+    variable transform_left_filter_low_is_larger_0_6_2_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_6_2_choice_#
     variable transform_left_filter_low_is_larger_0_6_2_value : boolean;
-    variable transform_left_filter_low_is_larger_0_6_4_choice : boolean;
-    variable transform_left_filter_low_is_larger_0_6_4_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_6_4_choice_#
+    variable transform_left_filter_low_is_larger_0_6_4_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_6_4_choice_#
     variable transform_left_filter_low_is_larger_0_6_4_value : boolean;
-    variable transform_left_filter_low_is_larger_0_8_0_choice : boolean;
-    variable transform_left_filter_low_is_larger_0_8_0_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_8_0_choice_#
+    variable transform_left_filter_low_is_larger_0_8_0_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_8_0_choice_#
     variable transform_left_filter_low_is_larger_0_8_0_value : boolean;
-    variable transform_left_filter_low_is_larger_0_8_2_choice : boolean;
-    variable transform_left_filter_low_is_larger_0_8_2_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_8_2_choice_#
+    variable transform_left_filter_low_is_larger_0_8_2_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_8_2_choice_#
     variable transform_left_filter_low_is_larger_0_8_2_value : boolean;
-    variable transform_left_filter_low_is_larger_0_8_4_choice : boolean;
-    variable transform_left_filter_low_is_larger_0_8_4_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_8_4_choice_#
-    variable transform_left_filter_low_is_larger_0_8_4_value, transform_left_filter_feature_0_value : boolean;
-    variable transform_left_filter_feature_0_choice : boolean;
-    variable transform_left_filter_feature_0_values : boolean_1d(2 to 3);  -- transform_left_filter_feature_0_value_#
-    variable transform_left_filter_feature_0_choices : boolean_1d(2 to 65);  -- transform_left_filter_feature_0_choice_#
-    variable transform_left_filter_feature_0_all : boolean;
-    variable transform_left_filter_feature_0_alls : boolean_1d(2 to 4);  -- transform_left_filter_feature_0_all_#
-    variable transform_right_filter_low_is_larger_0_0_0_value : boolean;
-    variable transform_right_filter_low_is_larger_0_0_0_choice : boolean;
-    variable transform_right_filter_low_is_larger_0_0_0_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_0_0_choice_#
-    variable transform_right_filter_low_is_larger_0_0_0_values : boolean_1d(2 to 4);  -- transform_right_filter_low_is_larger_0_0_0_value_#
+    variable transform_left_filter_low_is_larger_0_8_4_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_8_4_choice_#
+    variable transform_left_filter_low_is_larger_0_8_4_value : boolean;
+    variable transform_left_filter_feature_0_values : boolean_1d(1 to 3);  -- transform_left_filter_feature_0_value_#
+    variable transform_left_filter_feature_0_choices : boolean_1d(1 to 65);  -- transform_left_filter_feature_0_choice_#
+    variable transform_left_filter_feature_0_alls : boolean_1d(1 to 4);  -- transform_left_filter_feature_0_all_#
+    variable transform_right_filter_low_is_larger_0_0_0_values : boolean_1d(1 to 4);  -- transform_right_filter_low_is_larger_0_0_0_value_#
+    variable transform_right_filter_low_is_larger_0_0_0_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_0_0_choice_#
     variable transform_right_filter_low_is_larger_0_0_2_any : boolean;
-    variable transform_right_filter_low_is_larger_0_0_2_choice : boolean;
+    variable transform_right_filter_low_is_larger_0_0_2_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_0_2_choice_#
     variable transform_right_filter_low_is_larger_0_0_2_is_equal : boolean;
-    variable transform_right_filter_low_is_larger_0_0_2_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_0_2_choice_#
     variable transform_right_filter_low_is_larger_0_0_2_value : boolean;
-    variable transform_right_filter_low_is_larger_0_0_4_choice : boolean;
-    variable transform_right_filter_low_is_larger_0_0_4_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_0_4_choice_#
+    variable transform_right_filter_low_is_larger_0_0_4_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_0_4_choice_#
     variable transform_right_filter_low_is_larger_0_0_4_value : boolean;
-    variable transform_right_filter_low_is_larger_0_2_0_choice : boolean;
-    variable transform_right_filter_low_is_larger_0_2_0_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_2_0_choice_#
+    variable transform_right_filter_low_is_larger_0_2_0_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_2_0_choice_#
     variable transform_right_filter_low_is_larger_0_2_0_value : boolean;
-    variable transform_right_filter_low_is_larger_0_2_2_choice : boolean;
-    variable transform_right_filter_low_is_larger_0_2_2_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_2_2_choice_#
+    variable transform_right_filter_low_is_larger_0_2_2_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_2_2_choice_#
     variable transform_right_filter_low_is_larger_0_2_2_value : boolean;
-    variable transform_right_filter_low_is_larger_0_2_4_choice : boolean;
-    variable transform_right_filter_low_is_larger_0_2_4_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_2_4_choice_#
+    variable transform_right_filter_low_is_larger_0_2_4_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_2_4_choice_#
     variable transform_right_filter_low_is_larger_0_2_4_value : boolean;
-    variable transform_right_filter_low_is_larger_0_4_0_choice : boolean;
-    variable transform_right_filter_low_is_larger_0_4_0_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_4_0_choice_#
+    variable transform_right_filter_low_is_larger_0_4_0_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_4_0_choice_#
     variable transform_right_filter_low_is_larger_0_4_0_value : boolean;
-    variable transform_right_filter_low_is_larger_0_4_4_choice : boolean;
-    variable transform_right_filter_low_is_larger_0_4_4_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_4_4_choice_#
+    variable transform_right_filter_low_is_larger_0_4_4_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_4_4_choice_#
     variable transform_right_filter_low_is_larger_0_4_4_value : boolean;
-    variable transform_right_filter_low_is_larger_0_6_0_choice : boolean;
-    variable transform_right_filter_low_is_larger_0_6_0_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_6_0_choice_#
+    variable transform_right_filter_low_is_larger_0_6_0_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_6_0_choice_#
     variable transform_right_filter_low_is_larger_0_6_0_value : boolean;
-    variable transform_right_filter_low_is_larger_0_6_2_choice : boolean;
-    variable transform_right_filter_low_is_larger_0_6_2_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_6_2_choice_#
+    variable transform_right_filter_low_is_larger_0_6_2_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_6_2_choice_#
     variable transform_right_filter_low_is_larger_0_6_2_value : boolean;
-    variable transform_right_filter_low_is_larger_0_6_4_choice : boolean;
-    variable transform_right_filter_low_is_larger_0_6_4_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_6_4_choice_#
+    variable transform_right_filter_low_is_larger_0_6_4_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_6_4_choice_#
     variable transform_right_filter_low_is_larger_0_6_4_value : boolean;
-    variable transform_right_filter_low_is_larger_0_8_0_choice : boolean;
-    variable transform_right_filter_low_is_larger_0_8_0_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_8_0_choice_#
+    variable transform_right_filter_low_is_larger_0_8_0_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_8_0_choice_#
     variable transform_right_filter_low_is_larger_0_8_0_value : boolean;
-    variable transform_right_filter_low_is_larger_0_8_2_choice : boolean;
-    variable transform_right_filter_low_is_larger_0_8_2_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_8_2_choice_#
+    variable transform_right_filter_low_is_larger_0_8_2_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_8_2_choice_#
     variable transform_right_filter_low_is_larger_0_8_2_value : boolean;
-    variable transform_right_filter_low_is_larger_0_8_4_choice : boolean;
-    variable transform_right_filter_low_is_larger_0_8_4_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_8_4_choice_#
-    variable transform_right_filter_low_is_larger_0_8_4_value, transform_right_filter_feature_0_value : boolean;
-    variable transform_right_filter_feature_0_choice : boolean;
-    variable transform_right_filter_feature_0_values : boolean_1d(2 to 3);  -- transform_right_filter_feature_0_value_#
-    variable transform_right_filter_feature_0_choices : boolean_1d(2 to 70);  -- transform_right_filter_feature_0_choice_#
-    variable transform_right_filter_feature_0_all : boolean;
-    variable transform_right_filter_feature_0_alls : boolean_1d(2 to 5);  -- transform_right_filter_feature_0_all_#
+    variable transform_right_filter_low_is_larger_0_8_4_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_8_4_choice_#
+    variable transform_right_filter_low_is_larger_0_8_4_value : boolean;
+    variable transform_right_filter_feature_0_values : boolean_1d(1 to 3);  -- transform_right_filter_feature_0_value_#
+    variable transform_right_filter_feature_0_choices : boolean_1d(1 to 70);  -- transform_right_filter_feature_0_choice_#
+    variable transform_right_filter_feature_0_alls : boolean_1d(1 to 5);  -- transform_right_filter_feature_0_all_#
     variable raster_place_next_frame_is_equal, raster_place_back_to_back_choice : boolean;
     variable delay_row_inside_1_is_not_less, delay_row_inside_1_is_less, delay_tag_map_column_is_not_less : boolean;
     variable delay_tag_map_column_is_less, delay_tag_first_column_is_equal, line_order_address_any : boolean;
     variable line_order_falls_all, line_order_turned_output_column_choice, costsshift_search_0_0_is_equal : boolean;
-    variable costscolumn_pixels_first_0_count_value : boolean_2d(0 to 2, 0 to 4);  -- costscolumn_pixels_first_#_0_count_#_value
-    variable costscolumn_pixels_first_0_count_value_2 : boolean_2d(0 to 2, 0 to 3);  -- costscolumn_pixels_first_#_0_count_#_value_2
-    variable costscolumn_pixels_first_0_count_1_value_3 : boolean_1d(0 to 2);  -- costscolumn_pixels_first_#_0_count_1_value_3
-    variable costscolumn_pixels_first_0_count_3_value_3 : boolean_1d(0 to 2);  -- costscolumn_pixels_first_#_0_count_3_value_3
+    variable costscolumn_pixels_first_0_count_value : boolean_3d(0 to 2, 0 to 4, 1 to 3);  -- costscolumn_pixels_first_#_0_count_#_value_#
     variable costswindow_partial_0_any, pathsleft_read_count_phase_is_equal : boolean;
-    variable pathsleft_stay_value : boolean_1d(0 to 3);  -- pathsleft_stay_#_value
+    variable pathsleft_stay_0_values : boolean_1d(1 to 10);  -- pathsleft_stay_0_value_#
+    variable pathsleft_stay_value : boolean_2d(1 to 3, 1 to 2);  -- pathsleft_stay_#_value_#
     variable pathsleft_stay_0_is_equal : boolean;
-    variable pathsleft_stay_choice : boolean_1d(0 to 15);  -- pathsleft_stay_#_choice
-    variable pathsleft_stay_choices : boolean_2d(0 to 15, 2 to 15);  -- pathsleft_stay_#_choice_#
-    variable pathsleft_stay_value_2 : boolean_1d(0 to 3);  -- pathsleft_stay_#_value_2
-    variable pathsleft_stay_0_values : boolean_1d(3 to 4);  -- pathsleft_stay_0_value_#
-    variable pathsleft_stay_0_values_from_5 : boolean_1d(5 to 10);  -- pathsleft_stay_0_value_#
-    variable pathsleft_stay_values : boolean_1d(5 to 7);  -- pathsleft_stay_#_value
-    variable pathsleft_stay_value_2s : boolean_1d(5 to 7);  -- pathsleft_stay_#_value_2
-    variable pathsleft_stay_values_from_9 : boolean_1d(9 to 11);  -- pathsleft_stay_#_value
-    variable pathsleft_stay_value_2s_from_9 : boolean_1d(9 to 11);  -- pathsleft_stay_#_value_2
-    variable pathsleft_stay_values_from_13 : boolean_1d(13 to 15);  -- pathsleft_stay_#_value
-    variable pathsleft_stay_value_2s_from_13 : boolean_1d(13 to 15);  -- pathsleft_stay_#_value_2
-    variable pathsleft_cost_0_any, pathsabove_memory_ready_words_0_is_equal : boolean;
-    variable pathsabove_memory_ready_words_0_is_equal_2, pathsabove_ready_top_choice : boolean;
-    variable pathsabove_ready_top_choice_2, pathsabove_count_phase_is_equal : boolean;
-    variable pathsabove_memory_write_words_0_is_less : boolean_1d(0 to 3);  -- pathsabove_memory_write_words_0_#_is_less
-    variable pathsabove_memory_write_words_0_1_choice_3 : boolean;
-    variable pathsabove_memory_write_words_0_is_lesss : boolean_1d(5 to 8);  -- pathsabove_memory_write_words_0_#_is_less
-    variable pathsabove_memory_write_words_0_6_choice_3 : boolean;
+    variable pathsleft_stay_choice : boolean_2d(0 to 15, 1 to 15);  -- pathsleft_stay_#_choice_#
+    variable pathsleft_stay_values : boolean_2d(5 to 7, 1 to 2);  -- pathsleft_stay_#_value_#
+    variable pathsleft_stay_values_from_9 : boolean_2d(9 to 11, 1 to 2);  -- pathsleft_stay_#_value_#
+    variable pathsleft_stay_values_from_13 : boolean_2d(13 to 15, 1 to 2);  -- pathsleft_stay_#_value_#
+    variable pathsleft_cost_0_any : boolean;
+    variable pathsabove_memory_ready_words_0_is_equals : boolean_1d(1 to 2);  -- pathsabove_memory_ready_words_0_is_equal_#
+    variable pathsabove_ready_top_choices : boolean_1d(1 to 2);  -- pathsabove_ready_top_choice_#
+    variable pathsabove_count_phase_is_equal : boolean;
+    variable pathsabove_memory_write_words_0_is_less : boolean_1d(0 to 8);  -- pathsabove_memory_write_words_0_#_is_less
+    variable pathsabove_memory_write_words_0_choice_3 : boolean_1d(1 to 6);  -- pathsabove_memory_write_words_0_#_choice_3
     variable pathsabove_memory_write_words_0_all : boolean_1d(0 to 2);  -- pathsabove_memory_write_words_#_0_all
-    variable pathsturn_sum_memory_ready_words_0_is_equal, pathsturn_sum_memory_ready_words_0_is_equal_2 : boolean;
-    variable pathsturn_cost_memory_ready_words_0_is_equal, pathsturn_cost_memory_ready_words_0_is_equal_2 : boolean;
+    variable pathsturn_sum_memory_ready_words_0_is_equals : boolean_1d(1 to 2);  -- pathsturn_sum_memory_ready_words_0_is_equal_#
+    variable pathsturn_cost_memory_ready_words_0_is_equals : boolean_1d(1 to 2);  -- pathsturn_cost_memory_ready_words_0_is_equal_#
     variable pathsturn_sum_memory_write_words_0_all : boolean_1d(0 to 2);  -- pathsturn_sum_memory_write_words_#_0_all
     variable pathsturn_cost_memory_write_words_0_all : boolean_1d(0 to 2);  -- pathsturn_cost_memory_write_words_#_0_all
-    variable pathsright_stay_value : boolean_1d(0 to 3);  -- pathsright_stay_#_value
+    variable pathsright_stay_0_values : boolean_1d(1 to 10);  -- pathsright_stay_0_value_#
+    variable pathsright_stay_value : boolean_2d(1 to 3, 1 to 2);  -- pathsright_stay_#_value_#
     variable pathsright_stay_0_is_equal : boolean;
-    variable pathsright_stay_choice : boolean_1d(0 to 15);  -- pathsright_stay_#_choice
-    variable pathsright_stay_choices : boolean_2d(0 to 15, 2 to 15);  -- pathsright_stay_#_choice_#
-    variable pathsright_stay_value_2 : boolean_1d(0 to 3);  -- pathsright_stay_#_value_2
-    variable pathsright_stay_0_values : boolean_1d(3 to 4);  -- pathsright_stay_0_value_#
-    variable pathsright_stay_0_values_from_5 : boolean_1d(5 to 10);  -- pathsright_stay_0_value_#
-    variable pathsright_stay_values : boolean_1d(5 to 7);  -- pathsright_stay_#_value
-    variable pathsright_stay_value_2s : boolean_1d(5 to 7);  -- pathsright_stay_#_value_2
-    variable pathsright_stay_values_from_9 : boolean_1d(9 to 11);  -- pathsright_stay_#_value
-    variable pathsright_stay_value_2s_from_9 : boolean_1d(9 to 11);  -- pathsright_stay_#_value_2
-    variable pathsright_stay_values_from_13 : boolean_1d(13 to 15);  -- pathsright_stay_#_value
-    variable pathsright_stay_value_2s_from_13 : boolean_1d(13 to 15);  -- pathsright_stay_#_value_2
-    variable winnerswinner1_best_index_0_choice : boolean_1d(0 to 7);  -- winnerswinner1_best_index_0_#_choice
-    variable winnerswinner1_best_index_0_value : boolean_1d(0 to 7);  -- winnerswinner1_best_index_0_#_value
-    variable winnerswinner1_best_index_0_values : boolean_2d(0 to 7, 2 to 12);  -- winnerswinner1_best_index_0_#_value_#
-    variable winnerswinner1_best_index_0_0_choices : boolean_1d(2 to 7);  -- winnerswinner1_best_index_0_0_choice_#
-    variable winnerswinner1_best_index_0_choices : boolean_2d(1 to 7, 2 to 8);  -- winnerswinner1_best_index_0_#_choice_#
-    variable winnerswinner2_best_index_0_choice : boolean_1d(0 to 3);  -- winnerswinner2_best_index_0_#_choice
-    variable winnerswinner2_best_index_0_choices : boolean_2d(0 to 3, 2 to 8);  -- winnerswinner2_best_index_0_#_choice_#
-    variable winnerswinner2_best_index_0_value : boolean_1d(0 to 3);  -- winnerswinner2_best_index_0_#_value
-    variable winnerswinner2_best_index_0_values : boolean_2d(0 to 3, 2 to 5);  -- winnerswinner2_best_index_0_#_value_#
-    variable winnerswinner3_best_index_0_choice : boolean_1d(0 to 1);  -- winnerswinner3_best_index_0_#_choice
-    variable winnerswinner3_best_index_0_choices : boolean_2d(0 to 1, 2 to 8);  -- winnerswinner3_best_index_0_#_choice_#
-    variable winnerswinner3_best_index_0_value : boolean_1d(0 to 1);  -- winnerswinner3_best_index_0_#_value
-    variable winnerswinner3_best_index_0_values : boolean_2d(0 to 1, 2 to 5);  -- winnerswinner3_best_index_0_#_value_#
-    variable winnerswinner4_best_index_0_0_choice : boolean;
-    variable winnerswinner4_best_index_0_0_choices : boolean_1d(2 to 8);  -- winnerswinner4_best_index_0_0_choice_#
-    variable winnerswinner4_best_index_0_0_value : boolean;
-    variable winnerswinner4_best_index_0_0_values : boolean_1d(2 to 5);  -- winnerswinner4_best_index_0_0_value_#
-    variable turn_order_address_any, turn_order_address_any_2, turn_order_falls_all, turn_order_complete_all : boolean;
-    variable turn_ready_tag_row_start_differs, turn_ready_tag_row_start_is_equal : boolean;
-    variable turn_ready_tag_row_start_choice : boolean;
-    variable turn_ready_tag_row_start_choices : boolean_1d(2 to 3);  -- turn_ready_tag_row_start_choice_#
-    variable turn_ready_tag_row_start_is_equal_2, turn_ready_tag_row_start_all : boolean;
-    variable turn_ready_tag_row_start_all_2, map_counter_group_is_equal, map_line_ended_choice : boolean;
-    variable map_at_arrives_value, map_of_column_0_b_below_a_value, map_of_column_0_b_below_a_choice : boolean;
-    variable map_of_column_0_b_below_a_values : boolean_1d(2 to 12);  -- map_of_column_0_b_below_a_value_#
-    variable map_of_column_0_b_below_a_choices : boolean_1d(2 to 9);  -- map_of_column_0_b_below_a_choice_#
-    variable map_of_column_0_c_below_a_value, map_of_column_0_c_below_a_choice : boolean;
-    variable map_of_column_0_c_below_a_values : boolean_1d(2 to 7);  -- map_of_column_0_c_below_a_value_#
-    variable map_of_column_0_c_below_a_choices : boolean_1d(2 to 20);  -- map_of_column_0_c_below_a_choice_#
-    variable map_of_column_0_c_below_b_choice : boolean;
-    variable map_of_column_0_c_below_b_choices : boolean_1d(2 to 6);  -- map_of_column_0_c_below_b_choice_#
-    variable map_window_complete_is_equal, map_window_complete_choice, map_of_low_0_b_below_a_value : boolean;
-    variable map_of_low_0_b_below_a_choice, map_of_low_0_b_below_a_is_equal : boolean;
-    variable map_of_low_0_b_below_a_choices : boolean_1d(2 to 7);  -- map_of_low_0_b_below_a_choice_#
-    variable map_of_low_0_b_below_a_values : boolean_1d(2 to 11);  -- map_of_low_0_b_below_a_value_#
-    variable map_of_low_0_c_below_a_value, map_of_low_0_c_below_a_choice : boolean;
-    variable map_of_low_0_c_below_a_choices : boolean_1d(2 to 7);  -- map_of_low_0_c_below_a_choice_#
-    variable map_of_low_0_c_below_b_choice : boolean;
-    variable map_of_low_0_c_below_b_choices : boolean_1d(2 to 7);  -- map_of_low_0_c_below_b_choice_#
-    variable map_of_middle_0_b_below_a_value, map_of_middle_0_b_below_a_choice : boolean;
-    variable map_of_middle_0_b_below_a_is_equal : boolean;
-    variable map_of_middle_0_b_below_a_choices : boolean_1d(2 to 7);  -- map_of_middle_0_b_below_a_choice_#
-    variable map_of_middle_0_b_below_a_values : boolean_1d(2 to 11);  -- map_of_middle_0_b_below_a_value_#
-    variable map_of_middle_0_c_below_a_value, map_of_middle_0_c_below_a_choice : boolean;
-    variable map_of_middle_0_c_below_a_choices : boolean_1d(2 to 7);  -- map_of_middle_0_c_below_a_choice_#
-    variable map_of_middle_0_c_below_b_choice : boolean;
-    variable map_of_middle_0_c_below_b_choices : boolean_1d(2 to 7);  -- map_of_middle_0_c_below_b_choice_#
-    variable map_of_high_0_b_below_a_value, map_of_high_0_b_below_a_choice, map_of_high_0_b_below_a_is_equal : boolean;
-    variable map_of_high_0_b_below_a_choices : boolean_1d(2 to 7);  -- map_of_high_0_b_below_a_choice_#
-    variable map_of_high_0_b_below_a_values : boolean_1d(2 to 11);  -- map_of_high_0_b_below_a_value_#
-    variable map_of_high_0_c_below_a_value, map_of_high_0_c_below_a_choice : boolean;
-    variable map_of_high_0_c_below_a_choices : boolean_1d(2 to 7);  -- map_of_high_0_c_below_a_choice_#
-    variable map_of_high_0_c_below_b_choice : boolean;
-    variable map_of_high_0_c_below_b_choices : boolean_1d(2 to 7);  -- map_of_high_0_c_below_b_choice_#
-    variable map_of_all_0_b_below_a_value, map_of_all_0_b_below_a_choice, map_of_all_0_b_below_a_is_equal : boolean;
-    variable map_of_all_0_b_below_a_choices : boolean_1d(2 to 7);  -- map_of_all_0_b_below_a_choice_#
-    variable map_of_all_0_b_below_a_values : boolean_1d(2 to 11);  -- map_of_all_0_b_below_a_value_#
-    variable map_of_all_0_c_below_a_value, map_of_all_0_c_below_a_choice : boolean;
-    variable map_of_all_0_c_below_a_choices : boolean_1d(2 to 7);  -- map_of_all_0_c_below_a_choice_#
-    variable map_of_all_0_c_below_b_choice : boolean;
-    variable map_of_all_0_c_below_b_choices : boolean_1d(2 to 7);  -- map_of_all_0_c_below_b_choice_#
+    variable pathsright_stay_choice : boolean_2d(0 to 15, 1 to 15);  -- pathsright_stay_#_choice_#
+    variable pathsright_stay_values : boolean_2d(5 to 7, 1 to 2);  -- pathsright_stay_#_value_#
+    variable pathsright_stay_values_from_9 : boolean_2d(9 to 11, 1 to 2);  -- pathsright_stay_#_value_#
+    variable pathsright_stay_values_from_13 : boolean_2d(13 to 15, 1 to 2);  -- pathsright_stay_#_value_#
+    variable winnerswinner1_best_index_0_choice : boolean_2d(0 to 7, 1 to 8);  -- winnerswinner1_best_index_0_#_choice_#
+    variable winnerswinner1_best_index_0_value : boolean_2d(0 to 7, 1 to 12);  -- winnerswinner1_best_index_0_#_value_#
+    variable winnerswinner2_best_index_0_choice : boolean_2d(0 to 3, 1 to 8);  -- winnerswinner2_best_index_0_#_choice_#
+    variable winnerswinner2_best_index_0_value : boolean_2d(0 to 3, 1 to 5);  -- winnerswinner2_best_index_0_#_value_#
+    variable winnerswinner3_best_index_0_choice : boolean_2d(0 to 1, 1 to 8);  -- winnerswinner3_best_index_0_#_choice_#
+    variable winnerswinner3_best_index_0_value : boolean_2d(0 to 1, 1 to 5);  -- winnerswinner3_best_index_0_#_value_#
+    variable winnerswinner4_best_index_0_0_choices : boolean_1d(1 to 8);  -- winnerswinner4_best_index_0_0_choice_#
+    variable winnerswinner4_best_index_0_0_values : boolean_1d(1 to 5);  -- winnerswinner4_best_index_0_0_value_#
+    variable turn_order_address_anys : boolean_1d(1 to 2);  -- turn_order_address_any_#
+    variable turn_order_falls_all, turn_order_complete_all, turn_ready_tag_row_start_differs : boolean;
+    variable turn_ready_tag_row_start_is_equals : boolean_1d(1 to 2);  -- turn_ready_tag_row_start_is_equal_#
+    variable turn_ready_tag_row_start_choices : boolean_1d(1 to 3);  -- turn_ready_tag_row_start_choice_#
+    variable turn_ready_tag_row_start_alls : boolean_1d(1 to 2);  -- turn_ready_tag_row_start_all_#
+    variable map_counter_group_is_equal, map_line_ended_choice, map_at_arrives_value : boolean;
+    variable map_of_column_0_b_below_a_values : boolean_1d(1 to 12);  -- map_of_column_0_b_below_a_value_#
+    variable map_of_column_0_b_below_a_choices : boolean_1d(1 to 9);  -- map_of_column_0_b_below_a_choice_#
+    variable map_of_column_0_c_below_a_values : boolean_1d(1 to 7);  -- map_of_column_0_c_below_a_value_#
+    variable map_of_column_0_c_below_a_choices : boolean_1d(1 to 20);  -- map_of_column_0_c_below_a_choice_#
+    variable map_of_column_0_c_below_b_choices : boolean_1d(1 to 6);  -- map_of_column_0_c_below_b_choice_#
+    variable map_window_complete_is_equal, map_window_complete_choice : boolean;
+    variable map_of_low_0_b_below_a_values : boolean_1d(1 to 11);  -- map_of_low_0_b_below_a_value_#
+    variable map_of_low_0_b_below_a_choices : boolean_1d(1 to 7);  -- map_of_low_0_b_below_a_choice_#
+    variable map_of_low_0_b_below_a_is_equal, map_of_low_0_c_below_a_value : boolean;
+    variable map_of_low_0_c_below_a_choices : boolean_1d(1 to 7);  -- map_of_low_0_c_below_a_choice_#
+    variable map_of_low_0_c_below_b_choices : boolean_1d(1 to 7);  -- map_of_low_0_c_below_b_choice_#
+    variable map_of_middle_0_b_below_a_values : boolean_1d(1 to 11);  -- map_of_middle_0_b_below_a_value_#
+    variable map_of_middle_0_b_below_a_choices : boolean_1d(1 to 7);  -- map_of_middle_0_b_below_a_choice_#
+    variable map_of_middle_0_b_below_a_is_equal, map_of_middle_0_c_below_a_value : boolean;
+    variable map_of_middle_0_c_below_a_choices : boolean_1d(1 to 7);  -- map_of_middle_0_c_below_a_choice_#
+    variable map_of_middle_0_c_below_b_choices : boolean_1d(1 to 7);  -- map_of_middle_0_c_below_b_choice_#
+    variable map_of_high_0_b_below_a_values : boolean_1d(1 to 11);  -- map_of_high_0_b_below_a_value_#
+    variable map_of_high_0_b_below_a_choices : boolean_1d(1 to 7);  -- map_of_high_0_b_below_a_choice_#
+    variable map_of_high_0_b_below_a_is_equal, map_of_high_0_c_below_a_value : boolean;
+    variable map_of_high_0_c_below_a_choices : boolean_1d(1 to 7);  -- map_of_high_0_c_below_a_choice_#
+    variable map_of_high_0_c_below_b_choices : boolean_1d(1 to 7);  -- map_of_high_0_c_below_b_choice_#
+    variable map_of_all_0_b_below_a_values : boolean_1d(1 to 11);  -- map_of_all_0_b_below_a_value_#
+    variable map_of_all_0_b_below_a_choices : boolean_1d(1 to 7);  -- map_of_all_0_b_below_a_choice_#
+    variable map_of_all_0_b_below_a_is_equal, map_of_all_0_c_below_a_value : boolean;
+    variable map_of_all_0_c_below_a_choices : boolean_1d(1 to 7);  -- map_of_all_0_c_below_a_choice_#
+    variable map_of_all_0_c_below_b_choices : boolean_1d(1 to 7);  -- map_of_all_0_c_below_b_choice_#
     variable map_low_0_all : boolean_1d(0 to 1);  -- map_low_#_0_all
-    variable relief_newest_choice : boolean;
-    variable relief_newest_choices : boolean_1d(2 to 16);  -- relief_newest_choice_#
-    variable relief_newest_value : boolean;
-    variable relief_newest_values : boolean_1d(2 to 5);  -- relief_newest_value_#
+    variable relief_newest_choices : boolean_1d(1 to 16);  -- relief_newest_choice_#
+    variable relief_newest_values : boolean_1d(1 to 5);  -- relief_newest_value_#
     variable transform_counter_group_after_choice, raster_place_group_after_choice : natural range 0 to 511;
     variable winners_best_cost_0_0_choice : natural range 0 to 511;
     variable map_counter_group_choices : natural_511_1d(2 to 3);  -- map_counter_group_choice_#
@@ -3042,1415 +1116,689 @@ begin
     variable costsshift_count_phase_choice, costswindow_read_count_phase_choice : natural range 0 to 7;
     variable costswindow_write_count_phase_choice, pathsleft_read_count_phase_choice : natural range 0 to 7;
     variable pathsleft_ahead_count_phase_choice : natural range 0 to 7;
-    variable pathsleft_stay_change_value : natural_7_1d(1 to 8);  -- pathsleft_stay_change_#_value
-    variable pathsleft_stay_change_values : natural_7_1d(11 to 14);  -- pathsleft_stay_change_#_value
+    variable pathsleft_stay_change_value : natural_7_1d(1 to 14);  -- pathsleft_stay_change_#_value
     variable pathsleft_write_count_phase_choice, pathsabove_read_address_count_phase_choice : natural range 0 to 7;
     variable pathsabove_count_phase_choice, pathsabove_write_address_count_phase_choice : natural range 0 to 7;
     variable pathsabove_memory_write_words_0_0_choice, pathsabove_memory_write_words_0_5_choice : natural range 0 to 7;
     variable pathsturn_read_address_count_phase_choice : natural range 0 to 7;
-    variable pathsturn_write_address_count_phase_choice, pathsright_stay_change_1_value : natural range 0 to 7;
-    variable pathsright_stay_change_2_sum : natural range 0 to 7;
-    variable pathsright_stay_change_value : natural_7_1d(3 to 4);  -- pathsright_stay_change_#_value
-    variable pathsright_stay_change_5_sum, pathsright_stay_change_6_value : natural range 0 to 7;
-    variable pathsright_stay_change_9_value, pathsright_stay_change_10_sum : natural range 0 to 7;
-    variable pathsright_stay_change_values : natural_7_1d(11 to 12);  -- pathsright_stay_change_#_value
-    variable pathsright_stay_change_13_sum, pathsright_stay_change_14_value : natural range 0 to 7;
+    variable pathsturn_write_address_count_phase_choice : natural range 0 to 7;
+    variable pathsright_stay_change_value : natural_7_1d(1 to 14);  -- pathsright_stay_change_#_value
+    variable pathsright_stay_change_sum : natural_7_1d(2 to 13);  -- pathsright_stay_change_#_sum
     variable costsmask_column_sum, winnersmask_column_sum : natural range 1 to 2048;
     variable costsmask_column_choice, pathsabove_memory_read_address_2_choice : natural range 0 to 2047;
     variable winnersmask_column_choice : natural range 0 to 2047;
     variable costsmask_partner_choice, winnersmask_partner_choice : natural range 0 to 2048;
     variable paths_smallest_cost_choice : natural range 0 to 21;
     variable pathsleft_stay_choice_16 : natural_127_1d(0 to 15);  -- pathsleft_stay_#_choice_16
-    variable pathsleft_stay_values_from_1 : natural_127_2d(1 to 2, 3 to 4);  -- pathsleft_stay_#_value_#
-    variable pathsleft_stay_values_from_5 : natural_127_2d(5 to 6, 3 to 4);  -- pathsleft_stay_#_value_#
-    variable pathsleft_stay_values_2 : natural_127_2d(9 to 10, 3 to 4);  -- pathsleft_stay_#_value_#
-    variable pathsleft_stay_values_3 : natural_127_2d(13 to 14, 3 to 4);  -- pathsleft_stay_#_value_#
-    variable pathsleft_step_choice : natural_127_1d(0 to 15);  -- pathsleft_step_#_choice
-    variable pathsleft_step_0_choice_2, pathsleft_step_15_choice_2, pathsleft_low_0_choice : natural range 0 to 127;
+    variable pathsleft_stay_values_from_1 : natural_127_2d(1 to 14, 3 to 4);  -- pathsleft_stay_#_value_#
+    variable pathsleft_step_choice : natural_127_2d(0 to 15, 1 to 2);  -- pathsleft_step_#_choice_#
+    variable pathsleft_low_0_choice : natural range 0 to 127;
     variable pathsright_stay_choice_16 : natural_127_1d(0 to 15);  -- pathsright_stay_#_choice_16
-    variable pathsright_stay_values_from_1 : natural_127_2d(1 to 2, 3 to 4);  -- pathsright_stay_#_value_#
-    variable pathsright_stay_values_from_5 : natural_127_2d(5 to 6, 3 to 4);  -- pathsright_stay_#_value_#
-    variable pathsright_stay_values_2 : natural_127_2d(9 to 10, 3 to 4);  -- pathsright_stay_#_value_#
-    variable pathsright_stay_values_3 : natural_127_2d(13 to 14, 3 to 4);  -- pathsright_stay_#_value_#
-    variable pathsright_step_choice : natural_127_1d(0 to 15);  -- pathsright_step_#_choice
-    variable pathsright_step_0_choice_2, pathsright_step_15_choice_2, pathsright_low_0_choice : natural range 0 to 127;
-    variable pathsleft_q_choice, pathsleft_q_choice_2, pathsleft_room_left_choice : natural range 0 to 63;
-    variable pathsabove_smallest_total_choice, pathsabove_beside_0_choice : natural range 0 to 63;
-    variable pathsabove_beside_15_choice, pathsright_q_choice, pathsright_q_choice_2 : natural range 0 to 63;
+    variable pathsright_stay_values_from_1 : natural_127_2d(1 to 14, 3 to 4);  -- pathsright_stay_#_value_#
+    variable pathsright_step_choice : natural_127_2d(0 to 15, 1 to 2);  -- pathsright_step_#_choice_#
+    variable pathsright_low_0_choice : natural range 0 to 127;
+    variable pathsleft_q_choices : natural_63_1d(1 to 2);  -- pathsleft_q_choice_#
+    variable pathsleft_room_left_choice, pathsabove_smallest_total_choice : natural range 0 to 63;
+    variable pathsabove_beside_0_choice, pathsabove_beside_15_choice : natural range 0 to 63;
+    variable pathsright_q_choices : natural_63_1d(1 to 2);  -- pathsright_q_choice_#
     variable pathsright_room_left_choice, relief_newest_choice_17 : natural range 0 to 63;
     variable pathsabove_memory_read_address_0_sum : natural range 1 to 16384;
     variable pathsabove_memory_read_address_0_choice : natural range 0 to 4095;
     variable pathsabove_memory_read_address_0_sum_2 : natural range 0 to 16384;
     variable pathsturn_cost_memory_read_address_0_sum : natural range 0 to 16384;
-    variable pathsabove_memory_bank_choice, pathsabove_memory_bank_choice_2 : natural range 0 to 16383;
+    variable pathsabove_memory_bank_choices : natural_16383_1d(1 to 2);  -- pathsabove_memory_bank_choice_#
     variable pathsabove_write_address_address_choice, pathsturn_cost_memory_bank_choice : natural range 0 to 16383;
     variable pathsabove_memory_ready_words_choice : natural_255_1d(0 to 9);  -- pathsabove_memory_ready_words_#_choice
     variable pathsabove_memory_write_words_0_sum : natural_255_1d(0 to 9);  -- pathsabove_memory_write_words_0_#_sum
     variable pathsturn_sum_memory_ready_words_choice : natural_255_1d(0 to 13);  -- pathsturn_sum_memory_ready_words_#_choice
     variable pathsturn_cost_memory_ready_words_choice : natural_255_1d(0 to 5);  -- pathsturn_cost_memory_ready_words_#_choice
-    variable pathsturn_sum_memory_write_words_0_sum_2 : natural_255_1d(0 to 5);  -- pathsturn_sum_memory_write_words_0_#_sum_2
-    variable pathsturn_sum_memory_write_words_0_6_sum : natural range 0 to 255;
-    variable pathsturn_sum_memory_write_words_0_sum_2s : natural_255_1d(7 to 12);  -- pathsturn_sum_memory_write_words_0_#_sum_2
-    variable pathsturn_sum_memory_write_words_0_13_sum : natural range 0 to 255;
+    variable pathsturn_sum_memory_write_words_0_sum : natural_255_2d(0 to 13, 1 to 2);  -- pathsturn_sum_memory_write_words_0_#_sum_#
     variable pathsturn_cost_memory_write_words_0_sum : natural_255_1d(0 to 5);  -- pathsturn_cost_memory_write_words_0_#_sum
-    variable winnerswinner1_best_cost_0_any : natural_255_1d(0 to 7);  -- winnerswinner1_best_cost_0_#_any
-    variable winnerswinner1_best_cost_0_any_2 : natural_255_1d(0 to 7);  -- winnerswinner1_best_cost_0_#_any_2
-    variable winners_best_cost_0_0_choice_2, map_sorted_low_0_choice : natural range 0 to 255;
-    variable map_sorted_low_0_choice_2, map_sorted_middle_0_choice : natural range 0 to 255;
-    variable map_sorted_middle_0_choice_2, map_sorted_high_0_choice : natural range 0 to 255;
-    variable map_sorted_high_0_choice_2, map_largest_low_0_choice, map_largest_low_0_choice_2 : natural range 0 to 255;
-    variable map_median_middle_0_choice : natural range 0 to 255;
-    variable map_median_middle_0_choices : natural_255_1d(2 to 4);  -- map_median_middle_0_choice_#
-    variable map_smallest_high_0_choice, map_smallest_high_0_choice_2 : natural range 0 to 255;
-    variable map_out_disparity_0_choice : natural range 0 to 255;
-    variable map_out_disparity_0_choices : natural_255_1d(2 to 4);  -- map_out_disparity_0_choice_#
+    variable winnerswinner1_best_cost_0_any : natural_255_2d(0 to 7, 1 to 2);  -- winnerswinner1_best_cost_0_#_any_#
+    variable winners_best_cost_0_0_choice_2 : natural range 0 to 255;
+    variable map_sorted_low_0_choices : natural_255_1d(1 to 2);  -- map_sorted_low_0_choice_#
+    variable map_sorted_middle_0_choices : natural_255_1d(1 to 2);  -- map_sorted_middle_0_choice_#
+    variable map_sorted_high_0_choices : natural_255_1d(1 to 2);  -- map_sorted_high_0_choice_#
+    variable map_largest_low_0_choices : natural_255_1d(1 to 2);  -- map_largest_low_0_choice_#
+    variable map_median_middle_0_choices : natural_255_1d(1 to 4);  -- map_median_middle_0_choice_#
+    variable map_smallest_high_0_choices : natural_255_1d(1 to 2);  -- map_smallest_high_0_choice_#
+    variable map_out_disparity_0_choices : natural_255_1d(1 to 4);  -- map_out_disparity_0_choice_#
     variable map_low_0_0_choice, map_middle_0_0_choice, map_high_0_0_choice : natural range 0 to 255;
     variable relief_newest_values_from_6 : natural_255_1d(6 to 7);  -- relief_newest_value_#
     variable pathsabove_total_choice : natural_31_1d(0 to 15);  -- pathsabove_total_#_choice
-    variable pathsabove_memory_write_words_0_choice_2 : natural_31_1d(0 to 1);  -- pathsabove_memory_write_words_0_#_choice_2
-    variable pathsabove_memory_write_words_0_choice : natural_31_1d(1 to 4);  -- pathsabove_memory_write_words_0_#_choice
-    variable pathsabove_memory_write_words_0_choice_2s : natural_31_1d(3 to 6);  -- pathsabove_memory_write_words_0_#_choice_2
-    variable pathsabove_memory_write_words_0_choices : natural_31_1d(6 to 9);  -- pathsabove_memory_write_words_0_#_choice
-    variable pathsabove_memory_write_words_0_choice_2s_from_8 : natural_31_1d(8 to 9);  -- pathsabove_memory_write_words_0_#_choice_2
-    variable pathsabove_memory_write_words_0_2_choice_2 : natural range 0 to 15;
-    variable pathsabove_memory_write_words_0_7_choice_2 : natural range 0 to 15;
-    variable pathsabove_memory_write_words_0_3_choice_3 : natural range 0 to 3;
-    variable pathsabove_memory_write_words_0_8_choice_3 : natural range 0 to 3;
-    variable pathsturn_sum_memory_write_words_0_sum : natural_190_1d(0 to 5);  -- pathsturn_sum_memory_write_words_0_#_sum
-    variable pathsturn_sum_memory_write_words_0_sums : natural_190_1d(7 to 12);  -- pathsturn_sum_memory_write_words_0_#_sum
-    variable winnerswinner1_best_cost_0_sum : natural_255_to_256_1d(0 to 7);  -- winnerswinner1_best_cost_0_#_sum
-    variable winnerswinner1_best_cost_0_sum_2 : natural_255_to_256_1d(0 to 7);  -- winnerswinner1_best_cost_0_#_sum_2
+    variable pathsabove_memory_write_words_0_choice : natural_31_2d(0 to 9, 1 to 2);  -- pathsabove_memory_write_words_0_#_choice_#
+    variable pathsabove_memory_write_words_0_choice_2 : natural_15_1d(2 to 7);  -- pathsabove_memory_write_words_0_#_choice_2
+    variable pathsabove_memory_write_words_0_choice_3s : natural_3_1d(3 to 8);  -- pathsabove_memory_write_words_0_#_choice_3
+    variable pathsturn_sum_memory_write_words_0_0_sum : natural range 0 to 190;
+    variable pathsturn_sum_memory_write_words_0_1_sum : natural range 0 to 190;
+    variable pathsturn_sum_memory_write_words_0_2_sum : natural range 0 to 190;
+    variable pathsturn_sum_memory_write_words_0_3_sum : natural range 0 to 190;
+    variable pathsturn_sum_memory_write_words_0_4_sum : natural range 0 to 190;
+    variable pathsturn_sum_memory_write_words_0_5_sum : natural range 0 to 190;
+    variable pathsturn_sum_memory_write_words_0_7_sum : natural range 0 to 190;
+    variable pathsturn_sum_memory_write_words_0_8_sum : natural range 0 to 190;
+    variable pathsturn_sum_memory_write_words_0_9_sum : natural range 0 to 190;
+    variable pathsturn_sum_memory_write_words_0_10_sum : natural range 0 to 190;
+    variable pathsturn_sum_memory_write_words_0_11_sum : natural range 0 to 190;
+    variable pathsturn_sum_memory_write_words_0_12_sum : natural range 0 to 190;
+    variable winnerswinner1_best_cost_0_sum : natural_255_to_256_2d(0 to 7, 1 to 2);  -- winnerswinner1_best_cost_0_#_sum_#
   begin
     if rising_edge(clock) then
+      -- no bit without a value, where an array has places for more
+      costscolumn_pixels_first_0_count_value := (others => (others => (others => false)));
+      pathsabove_memory_write_words_0_is_less := (others => false);
+      pathsabove_memory_write_words_0_choice_3 := (others => false);
+      winnerswinner1_best_index_0_choice := (others => (others => false));
+      pathsleft_stay_change_value := (others => 0);
+      pathsright_stay_change_value := (others => 0);
+      pathsright_stay_change_sum := (others => 0);
+      pathsleft_stay_values_from_1 := (others => (others => 0));
+      pathsleft_step_choice := (others => (others => 0));
+      pathsright_stay_values_from_1 := (others => (others => 0));
+      pathsright_step_choice := (others => (others => 0));
+      pathsturn_sum_memory_write_words_0_sum := (others => (others => 0));
+      pathsabove_memory_write_words_0_choice := (others => (others => 0));
+      pathsabove_memory_write_words_0_choice_2 := (others => 0);
+      pathsabove_memory_write_words_0_choice_3s := (others => 0);
       -- transform
       transform_counter_next_frame_is_equal := transform_counter_column = 1241;
-      if transform_counter_last_column then
-        transform_counter_frame_joins_choice := (not transform_counter_back_to_back) and winnerswinner1_best_below_0;
-      else
-        transform_counter_frame_joins_choice := winnerswinner1_best_below_0;
-      end if;
-      if transform_counter_back_to_back then
-        transform_counter_group_after_choice := 2;
-      else
-        transform_counter_group_after_choice := (transform_counter_group + 1) mod 512;
-      end if;
+      transform_counter_frame_joins_choice := choice(transform_counter_last_column, (not
+        transform_counter_back_to_back) and winnerswinner1_best_below_0, winnerswinner1_best_below_0);
+      transform_counter_group_after_choice := choice(transform_counter_back_to_back, 2, (transform_counter_group + 1)
+        mod 512);
       transform_read_column_inside_0_is_less := 3 < transform_counter_column;
-      transform_left_filter_low_is_larger_0_0_0_value := is_set(transform_left_filter_column_2(4), 1);
-      if is_set(transform_left_filter_column_2(4), 0) then
-        transform_left_filter_low_is_larger_0_0_0_choice := not is_set(transform_left_filter_column_0(0), 1);
-      else
-        transform_left_filter_low_is_larger_0_0_0_choice := (transform_left_filter_column_0(0) mod 4) = 0;
-      end if;
-      if transform_left_filter_low_is_larger_0_0_0_value then
-        transform_left_filter_low_is_larger_0_0_0_choices(2) := is_set(transform_left_filter_column_2(4), 0) or (not
-          is_set(transform_left_filter_column_0(0), 1)) or (not is_set(transform_left_filter_column_0(0), 0));
-      else
-        transform_left_filter_low_is_larger_0_0_0_choices(2) := transform_left_filter_low_is_larger_0_0_0_choice;
-      end if;
+      transform_left_filter_low_is_larger_0_0_0_values(1) := is_set(transform_left_filter_column_2(4), 1);
+      transform_left_filter_low_is_larger_0_0_0_choices(1) := choice(is_set(transform_left_filter_column_2(4), 0), not
+        is_set(transform_left_filter_column_0(0), 1), (transform_left_filter_column_0(0) mod 4) = 0);
+      transform_left_filter_low_is_larger_0_0_0_choices(2) :=
+        choice(transform_left_filter_low_is_larger_0_0_0_values(1), is_set(transform_left_filter_column_2(4), 0) or
+        (not is_set(transform_left_filter_column_0(0), 1)) or (not is_set(transform_left_filter_column_0(0), 0)),
+        transform_left_filter_low_is_larger_0_0_0_choices(1));
       transform_left_filter_low_is_larger_0_0_0_values(2) := is_set(transform_left_filter_column_2(4), 2);
       transform_left_filter_low_is_larger_0_0_0_values(3) := is_set(transform_left_filter_column_0(0), 2);
-      if transform_left_filter_low_is_larger_0_0_0_choices(2) then
-        transform_left_filter_low_is_larger_0_0_0_choices(3) := (not
-          transform_left_filter_low_is_larger_0_0_0_values(2)) and transform_left_filter_low_is_larger_0_0_0_values(3);
-      else
-        transform_left_filter_low_is_larger_0_0_0_choices(3) := (not
-          transform_left_filter_low_is_larger_0_0_0_values(2)) or transform_left_filter_low_is_larger_0_0_0_values(3);
-      end if;
+      transform_left_filter_low_is_larger_0_0_0_choices(3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_0_0_choices(2), not
+        transform_left_filter_low_is_larger_0_0_0_values(2), transform_left_filter_low_is_larger_0_0_0_values(3));
       transform_left_filter_low_is_larger_0_0_0_values(4) := is_set(transform_left_filter_column_0(0), 3);
-      transform_left_filter_low_is_larger_0_0_2_any := (not transform_left_filter_low_is_larger_0_0_0_value) or (not
-        is_set(transform_left_filter_column_2(4), 0));
-      if is_set(transform_left_filter_column_2(0), 0) then
-        transform_left_filter_low_is_larger_0_0_2_choice := transform_left_filter_low_is_larger_0_0_2_any;
-      else
-        transform_left_filter_low_is_larger_0_0_2_choice := not transform_left_filter_low_is_larger_0_0_0_value;
-      end if;
+      transform_left_filter_low_is_larger_0_0_2_any := (not transform_left_filter_low_is_larger_0_0_0_values(1)) or
+        (not is_set(transform_left_filter_column_2(4), 0));
+      transform_left_filter_low_is_larger_0_0_2_choices(1) := choice(is_set(transform_left_filter_column_2(0), 0),
+        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
       transform_left_filter_low_is_larger_0_0_2_is_equal := (transform_left_filter_column_2(4) mod 4) = 0;
-      if is_set(transform_left_filter_column_2(0), 1) then
-        transform_left_filter_low_is_larger_0_0_2_choices(2) := transform_left_filter_low_is_larger_0_0_2_choice;
-      else
-        transform_left_filter_low_is_larger_0_0_2_choices(2) := is_set(transform_left_filter_column_2(0), 0) and
-          transform_left_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_left_filter_low_is_larger_0_0_2_choices(2) then
-        transform_left_filter_low_is_larger_0_0_2_choices(3) := (not is_set(transform_left_filter_column_2(0), 2)) and
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_left_filter_low_is_larger_0_0_2_choices(3) := (not is_set(transform_left_filter_column_2(0), 2)) or
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_left_filter_low_is_larger_0_0_2_choices(2) := choice(is_set(transform_left_filter_column_2(0), 1),
+        transform_left_filter_low_is_larger_0_0_2_choices(1), is_set(transform_left_filter_column_2(0), 0) and
+        transform_left_filter_low_is_larger_0_0_2_is_equal);
+      transform_left_filter_low_is_larger_0_0_2_choices(3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_0_2_choices(2), not
+        is_set(transform_left_filter_column_2(0), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
       transform_left_filter_low_is_larger_0_0_2_value := is_set(transform_left_filter_column_2(0), 3);
-      if is_set(transform_left_filter_column_4(0), 0) then
-        transform_left_filter_low_is_larger_0_0_4_choice := transform_left_filter_low_is_larger_0_0_2_any;
-      else
-        transform_left_filter_low_is_larger_0_0_4_choice := not transform_left_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_left_filter_column_4(0), 1) then
-        transform_left_filter_low_is_larger_0_0_4_choices(2) := transform_left_filter_low_is_larger_0_0_4_choice;
-      else
-        transform_left_filter_low_is_larger_0_0_4_choices(2) := is_set(transform_left_filter_column_4(0), 0) and
-          transform_left_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_left_filter_low_is_larger_0_0_4_choices(2) then
-        transform_left_filter_low_is_larger_0_0_4_choices(3) := (not is_set(transform_left_filter_column_4(0), 2)) and
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_left_filter_low_is_larger_0_0_4_choices(3) := (not is_set(transform_left_filter_column_4(0), 2)) or
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_left_filter_low_is_larger_0_0_4_choices(1) := choice(is_set(transform_left_filter_column_4(0), 0),
+        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
+      transform_left_filter_low_is_larger_0_0_4_choices(2) := choice(is_set(transform_left_filter_column_4(0), 1),
+        transform_left_filter_low_is_larger_0_0_4_choices(1), is_set(transform_left_filter_column_4(0), 0) and
+        transform_left_filter_low_is_larger_0_0_2_is_equal);
+      transform_left_filter_low_is_larger_0_0_4_choices(3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_0_4_choices(2), not
+        is_set(transform_left_filter_column_4(0), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
       transform_left_filter_low_is_larger_0_0_4_value := is_set(transform_left_filter_column_4(0), 3);
-      if is_set(transform_left_filter_column_0(2), 0) then
-        transform_left_filter_low_is_larger_0_2_0_choice := transform_left_filter_low_is_larger_0_0_2_any;
-      else
-        transform_left_filter_low_is_larger_0_2_0_choice := not transform_left_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_left_filter_column_0(2), 1) then
-        transform_left_filter_low_is_larger_0_2_0_choices(2) := transform_left_filter_low_is_larger_0_2_0_choice;
-      else
-        transform_left_filter_low_is_larger_0_2_0_choices(2) := is_set(transform_left_filter_column_0(2), 0) and
-          transform_left_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_left_filter_low_is_larger_0_2_0_choices(2) then
-        transform_left_filter_low_is_larger_0_2_0_choices(3) := (not is_set(transform_left_filter_column_0(2), 2)) and
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_left_filter_low_is_larger_0_2_0_choices(3) := (not is_set(transform_left_filter_column_0(2), 2)) or
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_left_filter_low_is_larger_0_2_0_choices(1) := choice(is_set(transform_left_filter_column_0(2), 0),
+        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
+      transform_left_filter_low_is_larger_0_2_0_choices(2) := choice(is_set(transform_left_filter_column_0(2), 1),
+        transform_left_filter_low_is_larger_0_2_0_choices(1), is_set(transform_left_filter_column_0(2), 0) and
+        transform_left_filter_low_is_larger_0_0_2_is_equal);
+      transform_left_filter_low_is_larger_0_2_0_choices(3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_2_0_choices(2), not
+        is_set(transform_left_filter_column_0(2), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
       transform_left_filter_low_is_larger_0_2_0_value := is_set(transform_left_filter_column_0(2), 3);
-      if is_set(transform_left_filter_column_2(2), 0) then
-        transform_left_filter_low_is_larger_0_2_2_choice := transform_left_filter_low_is_larger_0_0_2_any;
-      else
-        transform_left_filter_low_is_larger_0_2_2_choice := not transform_left_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_left_filter_column_2(2), 1) then
-        transform_left_filter_low_is_larger_0_2_2_choices(2) := transform_left_filter_low_is_larger_0_2_2_choice;
-      else
-        transform_left_filter_low_is_larger_0_2_2_choices(2) := is_set(transform_left_filter_column_2(2), 0) and
-          transform_left_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_left_filter_low_is_larger_0_2_2_choices(2) then
-        transform_left_filter_low_is_larger_0_2_2_choices(3) := (not is_set(transform_left_filter_column_2(2), 2)) and
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_left_filter_low_is_larger_0_2_2_choices(3) := (not is_set(transform_left_filter_column_2(2), 2)) or
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_left_filter_low_is_larger_0_2_2_choices(1) := choice(is_set(transform_left_filter_column_2(2), 0),
+        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
+      transform_left_filter_low_is_larger_0_2_2_choices(2) := choice(is_set(transform_left_filter_column_2(2), 1),
+        transform_left_filter_low_is_larger_0_2_2_choices(1), is_set(transform_left_filter_column_2(2), 0) and
+        transform_left_filter_low_is_larger_0_0_2_is_equal);
+      transform_left_filter_low_is_larger_0_2_2_choices(3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_2_2_choices(2), not
+        is_set(transform_left_filter_column_2(2), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
       transform_left_filter_low_is_larger_0_2_2_value := is_set(transform_left_filter_column_2(2), 3);
-      if is_set(transform_left_filter_column_4(2), 0) then
-        transform_left_filter_low_is_larger_0_2_4_choice := transform_left_filter_low_is_larger_0_0_2_any;
-      else
-        transform_left_filter_low_is_larger_0_2_4_choice := not transform_left_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_left_filter_column_4(2), 1) then
-        transform_left_filter_low_is_larger_0_2_4_choices(2) := transform_left_filter_low_is_larger_0_2_4_choice;
-      else
-        transform_left_filter_low_is_larger_0_2_4_choices(2) := is_set(transform_left_filter_column_4(2), 0) and
-          transform_left_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_left_filter_low_is_larger_0_2_4_choices(2) then
-        transform_left_filter_low_is_larger_0_2_4_choices(3) := (not is_set(transform_left_filter_column_4(2), 2)) and
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_left_filter_low_is_larger_0_2_4_choices(3) := (not is_set(transform_left_filter_column_4(2), 2)) or
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_left_filter_low_is_larger_0_2_4_choices(1) := choice(is_set(transform_left_filter_column_4(2), 0),
+        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
+      transform_left_filter_low_is_larger_0_2_4_choices(2) := choice(is_set(transform_left_filter_column_4(2), 1),
+        transform_left_filter_low_is_larger_0_2_4_choices(1), is_set(transform_left_filter_column_4(2), 0) and
+        transform_left_filter_low_is_larger_0_0_2_is_equal);
+      transform_left_filter_low_is_larger_0_2_4_choices(3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_2_4_choices(2), not
+        is_set(transform_left_filter_column_4(2), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
       transform_left_filter_low_is_larger_0_2_4_value := is_set(transform_left_filter_column_4(2), 3);
-      if is_set(transform_left_filter_column_0(4), 0) then
-        transform_left_filter_low_is_larger_0_4_0_choice := transform_left_filter_low_is_larger_0_0_2_any;
-      else
-        transform_left_filter_low_is_larger_0_4_0_choice := not transform_left_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_left_filter_column_0(4), 1) then
-        transform_left_filter_low_is_larger_0_4_0_choices(2) := transform_left_filter_low_is_larger_0_4_0_choice;
-      else
-        transform_left_filter_low_is_larger_0_4_0_choices(2) := is_set(transform_left_filter_column_0(4), 0) and
-          transform_left_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_left_filter_low_is_larger_0_4_0_choices(2) then
-        transform_left_filter_low_is_larger_0_4_0_choices(3) := (not is_set(transform_left_filter_column_0(4), 2)) and
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_left_filter_low_is_larger_0_4_0_choices(3) := (not is_set(transform_left_filter_column_0(4), 2)) or
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_left_filter_low_is_larger_0_4_0_choices(1) := choice(is_set(transform_left_filter_column_0(4), 0),
+        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
+      transform_left_filter_low_is_larger_0_4_0_choices(2) := choice(is_set(transform_left_filter_column_0(4), 1),
+        transform_left_filter_low_is_larger_0_4_0_choices(1), is_set(transform_left_filter_column_0(4), 0) and
+        transform_left_filter_low_is_larger_0_0_2_is_equal);
+      transform_left_filter_low_is_larger_0_4_0_choices(3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_4_0_choices(2), not
+        is_set(transform_left_filter_column_0(4), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
       transform_left_filter_low_is_larger_0_4_0_value := is_set(transform_left_filter_column_0(4), 3);
-      if is_set(transform_left_filter_column_4(4), 0) then
-        transform_left_filter_low_is_larger_0_4_4_choice := transform_left_filter_low_is_larger_0_0_2_any;
-      else
-        transform_left_filter_low_is_larger_0_4_4_choice := not transform_left_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_left_filter_column_4(4), 1) then
-        transform_left_filter_low_is_larger_0_4_4_choices(2) := transform_left_filter_low_is_larger_0_4_4_choice;
-      else
-        transform_left_filter_low_is_larger_0_4_4_choices(2) := is_set(transform_left_filter_column_4(4), 0) and
-          transform_left_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_left_filter_low_is_larger_0_4_4_choices(2) then
-        transform_left_filter_low_is_larger_0_4_4_choices(3) := (not is_set(transform_left_filter_column_4(4), 2)) and
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_left_filter_low_is_larger_0_4_4_choices(3) := (not is_set(transform_left_filter_column_4(4), 2)) or
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_left_filter_low_is_larger_0_4_4_choices(1) := choice(is_set(transform_left_filter_column_4(4), 0),
+        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
+      transform_left_filter_low_is_larger_0_4_4_choices(2) := choice(is_set(transform_left_filter_column_4(4), 1),
+        transform_left_filter_low_is_larger_0_4_4_choices(1), is_set(transform_left_filter_column_4(4), 0) and
+        transform_left_filter_low_is_larger_0_0_2_is_equal);
+      transform_left_filter_low_is_larger_0_4_4_choices(3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_4_4_choices(2), not
+        is_set(transform_left_filter_column_4(4), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
       transform_left_filter_low_is_larger_0_4_4_value := is_set(transform_left_filter_column_4(4), 3);
-      if is_set(transform_left_filter_column_0(6), 0) then
-        transform_left_filter_low_is_larger_0_6_0_choice := transform_left_filter_low_is_larger_0_0_2_any;
-      else
-        transform_left_filter_low_is_larger_0_6_0_choice := not transform_left_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_left_filter_column_0(6), 1) then
-        transform_left_filter_low_is_larger_0_6_0_choices(2) := transform_left_filter_low_is_larger_0_6_0_choice;
-      else
-        transform_left_filter_low_is_larger_0_6_0_choices(2) := is_set(transform_left_filter_column_0(6), 0) and
-          transform_left_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_left_filter_low_is_larger_0_6_0_choices(2) then
-        transform_left_filter_low_is_larger_0_6_0_choices(3) := (not is_set(transform_left_filter_column_0(6), 2)) and
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_left_filter_low_is_larger_0_6_0_choices(3) := (not is_set(transform_left_filter_column_0(6), 2)) or
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_left_filter_low_is_larger_0_6_0_choices(1) := choice(is_set(transform_left_filter_column_0(6), 0),
+        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
+      transform_left_filter_low_is_larger_0_6_0_choices(2) := choice(is_set(transform_left_filter_column_0(6), 1),
+        transform_left_filter_low_is_larger_0_6_0_choices(1), is_set(transform_left_filter_column_0(6), 0) and
+        transform_left_filter_low_is_larger_0_0_2_is_equal);
+      transform_left_filter_low_is_larger_0_6_0_choices(3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_6_0_choices(2), not
+        is_set(transform_left_filter_column_0(6), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
       transform_left_filter_low_is_larger_0_6_0_value := is_set(transform_left_filter_column_0(6), 3);
-      if is_set(transform_left_filter_column_2(6), 0) then
-        transform_left_filter_low_is_larger_0_6_2_choice := transform_left_filter_low_is_larger_0_0_2_any;
-      else
-        transform_left_filter_low_is_larger_0_6_2_choice := not transform_left_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_left_filter_column_2(6), 1) then
-        transform_left_filter_low_is_larger_0_6_2_choices(2) := transform_left_filter_low_is_larger_0_6_2_choice;
-      else
-        transform_left_filter_low_is_larger_0_6_2_choices(2) := is_set(transform_left_filter_column_2(6), 0) and
-          transform_left_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_left_filter_low_is_larger_0_6_2_choices(2) then
-        transform_left_filter_low_is_larger_0_6_2_choices(3) := (not is_set(transform_left_filter_column_2(6), 2)) and
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_left_filter_low_is_larger_0_6_2_choices(3) := (not is_set(transform_left_filter_column_2(6), 2)) or
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_left_filter_low_is_larger_0_6_2_choices(1) := choice(is_set(transform_left_filter_column_2(6), 0),
+        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
+      transform_left_filter_low_is_larger_0_6_2_choices(2) := choice(is_set(transform_left_filter_column_2(6), 1),
+        transform_left_filter_low_is_larger_0_6_2_choices(1), is_set(transform_left_filter_column_2(6), 0) and
+        transform_left_filter_low_is_larger_0_0_2_is_equal);
+      transform_left_filter_low_is_larger_0_6_2_choices(3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_6_2_choices(2), not
+        is_set(transform_left_filter_column_2(6), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
       transform_left_filter_low_is_larger_0_6_2_value := is_set(transform_left_filter_column_2(6), 3);
-      if is_set(transform_left_filter_column_4(6), 0) then
-        transform_left_filter_low_is_larger_0_6_4_choice := transform_left_filter_low_is_larger_0_0_2_any;
-      else
-        transform_left_filter_low_is_larger_0_6_4_choice := not transform_left_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_left_filter_column_4(6), 1) then
-        transform_left_filter_low_is_larger_0_6_4_choices(2) := transform_left_filter_low_is_larger_0_6_4_choice;
-      else
-        transform_left_filter_low_is_larger_0_6_4_choices(2) := is_set(transform_left_filter_column_4(6), 0) and
-          transform_left_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_left_filter_low_is_larger_0_6_4_choices(2) then
-        transform_left_filter_low_is_larger_0_6_4_choices(3) := (not is_set(transform_left_filter_column_4(6), 2)) and
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_left_filter_low_is_larger_0_6_4_choices(3) := (not is_set(transform_left_filter_column_4(6), 2)) or
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_left_filter_low_is_larger_0_6_4_choices(1) := choice(is_set(transform_left_filter_column_4(6), 0),
+        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
+      transform_left_filter_low_is_larger_0_6_4_choices(2) := choice(is_set(transform_left_filter_column_4(6), 1),
+        transform_left_filter_low_is_larger_0_6_4_choices(1), is_set(transform_left_filter_column_4(6), 0) and
+        transform_left_filter_low_is_larger_0_0_2_is_equal);
+      transform_left_filter_low_is_larger_0_6_4_choices(3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_6_4_choices(2), not
+        is_set(transform_left_filter_column_4(6), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
       transform_left_filter_low_is_larger_0_6_4_value := is_set(transform_left_filter_column_4(6), 3);
-      if is_set(transform_left_filter_column_0(8), 0) then
-        transform_left_filter_low_is_larger_0_8_0_choice := transform_left_filter_low_is_larger_0_0_2_any;
-      else
-        transform_left_filter_low_is_larger_0_8_0_choice := not transform_left_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_left_filter_column_0(8), 1) then
-        transform_left_filter_low_is_larger_0_8_0_choices(2) := transform_left_filter_low_is_larger_0_8_0_choice;
-      else
-        transform_left_filter_low_is_larger_0_8_0_choices(2) := is_set(transform_left_filter_column_0(8), 0) and
-          transform_left_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_left_filter_low_is_larger_0_8_0_choices(2) then
-        transform_left_filter_low_is_larger_0_8_0_choices(3) := (not is_set(transform_left_filter_column_0(8), 2)) and
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_left_filter_low_is_larger_0_8_0_choices(3) := (not is_set(transform_left_filter_column_0(8), 2)) or
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_left_filter_low_is_larger_0_8_0_choices(1) := choice(is_set(transform_left_filter_column_0(8), 0),
+        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
+      transform_left_filter_low_is_larger_0_8_0_choices(2) := choice(is_set(transform_left_filter_column_0(8), 1),
+        transform_left_filter_low_is_larger_0_8_0_choices(1), is_set(transform_left_filter_column_0(8), 0) and
+        transform_left_filter_low_is_larger_0_0_2_is_equal);
+      transform_left_filter_low_is_larger_0_8_0_choices(3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_8_0_choices(2), not
+        is_set(transform_left_filter_column_0(8), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
       transform_left_filter_low_is_larger_0_8_0_value := is_set(transform_left_filter_column_0(8), 3);
-      if is_set(transform_left_filter_column_2(8), 0) then
-        transform_left_filter_low_is_larger_0_8_2_choice := transform_left_filter_low_is_larger_0_0_2_any;
-      else
-        transform_left_filter_low_is_larger_0_8_2_choice := not transform_left_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_left_filter_column_2(8), 1) then
-        transform_left_filter_low_is_larger_0_8_2_choices(2) := transform_left_filter_low_is_larger_0_8_2_choice;
-      else
-        transform_left_filter_low_is_larger_0_8_2_choices(2) := is_set(transform_left_filter_column_2(8), 0) and
-          transform_left_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_left_filter_low_is_larger_0_8_2_choices(2) then
-        transform_left_filter_low_is_larger_0_8_2_choices(3) := (not is_set(transform_left_filter_column_2(8), 2)) and
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_left_filter_low_is_larger_0_8_2_choices(3) := (not is_set(transform_left_filter_column_2(8), 2)) or
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_left_filter_low_is_larger_0_8_2_choices(1) := choice(is_set(transform_left_filter_column_2(8), 0),
+        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
+      transform_left_filter_low_is_larger_0_8_2_choices(2) := choice(is_set(transform_left_filter_column_2(8), 1),
+        transform_left_filter_low_is_larger_0_8_2_choices(1), is_set(transform_left_filter_column_2(8), 0) and
+        transform_left_filter_low_is_larger_0_0_2_is_equal);
+      transform_left_filter_low_is_larger_0_8_2_choices(3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_8_2_choices(2), not
+        is_set(transform_left_filter_column_2(8), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
       transform_left_filter_low_is_larger_0_8_2_value := is_set(transform_left_filter_column_2(8), 3);
-      if is_set(transform_left_filter_column_4(8), 0) then
-        transform_left_filter_low_is_larger_0_8_4_choice := transform_left_filter_low_is_larger_0_0_2_any;
-      else
-        transform_left_filter_low_is_larger_0_8_4_choice := not transform_left_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_left_filter_column_4(8), 1) then
-        transform_left_filter_low_is_larger_0_8_4_choices(2) := transform_left_filter_low_is_larger_0_8_4_choice;
-      else
-        transform_left_filter_low_is_larger_0_8_4_choices(2) := is_set(transform_left_filter_column_4(8), 0) and
-          transform_left_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_left_filter_low_is_larger_0_8_4_choices(2) then
-        transform_left_filter_low_is_larger_0_8_4_choices(3) := (not is_set(transform_left_filter_column_4(8), 2)) and
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_left_filter_low_is_larger_0_8_4_choices(3) := (not is_set(transform_left_filter_column_4(8), 2)) or
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_left_filter_low_is_larger_0_8_4_choices(1) := choice(is_set(transform_left_filter_column_4(8), 0),
+        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
+      transform_left_filter_low_is_larger_0_8_4_choices(2) := choice(is_set(transform_left_filter_column_4(8), 1),
+        transform_left_filter_low_is_larger_0_8_4_choices(1), is_set(transform_left_filter_column_4(8), 0) and
+        transform_left_filter_low_is_larger_0_0_2_is_equal);
+      transform_left_filter_low_is_larger_0_8_4_choices(3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_8_4_choices(2), not
+        is_set(transform_left_filter_column_4(8), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
       transform_left_filter_low_is_larger_0_8_4_value := is_set(transform_left_filter_column_4(8), 3);
-      transform_left_filter_feature_0_value := is_set(transform_left_filter_column_2(4), 4);
-      if is_set(transform_left_filter_column_0(0), 4) then
-        transform_left_filter_feature_0_choice := (not transform_left_filter_low_is_larger_0_0_0) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choice := (not transform_left_filter_low_is_larger_0_0_0) or
-          transform_left_filter_feature_0_value;
-      end if;
-      transform_left_filter_feature_0_values(2) := is_set(transform_left_filter_column_2(4), 5);
-      if transform_left_filter_feature_0_choice then
-        transform_left_filter_feature_0_choices(2) := (not is_set(transform_left_filter_column_0(0), 5)) or
-          transform_left_filter_feature_0_values(2);
-      else
-        transform_left_filter_feature_0_choices(2) := (not is_set(transform_left_filter_column_0(0), 5)) and
-          transform_left_filter_feature_0_values(2);
-      end if;
-      transform_left_filter_feature_0_values(3) := is_set(transform_left_filter_column_2(4), 6);
-      if transform_left_filter_feature_0_choices(2) then
-        transform_left_filter_feature_0_choices(3) := (not is_set(transform_left_filter_column_0(0), 6)) or
-          transform_left_filter_feature_0_values(3);
-      else
-        transform_left_filter_feature_0_choices(3) := (not is_set(transform_left_filter_column_0(0), 6)) and
-          transform_left_filter_feature_0_values(3);
-      end if;
-      transform_left_filter_feature_0_all := transform_filtering_0_column_inside_0 and (not
+      transform_left_filter_feature_0_values(1) := is_set(transform_left_filter_column_2(4), 4);
+      transform_left_filter_feature_0_choices(1) := inverted_carry(is_set(transform_left_filter_column_0(0), 4), not
+        transform_left_filter_low_is_larger_0_0_0, transform_left_filter_feature_0_values(1));
+      for i in 2 to 3 loop
+        transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column_2(4), i + 3);
+        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
+          is_set(transform_left_filter_column_0(0), i + 3), transform_left_filter_feature_0_values(i));
+      end loop;
+      transform_left_filter_feature_0_alls(1) := transform_filtering_0_column_inside_0 and (not
         is_set(transform_left_filter_column_2(4), 7));
-      if is_set(transform_left_filter_column_0(0), 7) then
-        transform_left_filter_feature_0_choices(4) := transform_filtering_0_column_inside_0;
-      else
-        transform_left_filter_feature_0_choices(4) := transform_left_filter_feature_0_all;
-      end if;
-      if transform_left_filter_feature_0_choices(3) then
-        transform_left_filter_feature_0_choices(5) := is_set(transform_left_filter_column_0(0), 7) and
-          transform_filtering_0_column_inside_0 and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices(5) := transform_left_filter_feature_0_choices(4);
-      end if;
-      if is_set(transform_left_filter_column_2(0), 4) then
-        transform_left_filter_feature_0_choices(6) := (not transform_left_filter_low_is_larger_0_0_2) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choices(6) := (not transform_left_filter_low_is_larger_0_0_2) or
-          transform_left_filter_feature_0_value;
-      end if;
-      for i in 6 to 7 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_2(0), i - 1)) or
-            transform_left_filter_feature_0_values(i - 4);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_2(0), i - 1)) and
-            transform_left_filter_feature_0_values(i - 4);
-        end if;
-      end loop;
-      if is_set(transform_left_filter_column_2(0), 7) then
-        transform_left_filter_feature_0_choices(9) := transform_filtering_0_column_inside_0;
-      else
-        transform_left_filter_feature_0_choices(9) := transform_left_filter_feature_0_all;
-      end if;
-      if transform_left_filter_feature_0_choices(8) then
-        transform_left_filter_feature_0_choices(10) := is_set(transform_left_filter_column_2(0), 7) and
-          transform_filtering_0_column_inside_0 and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices(10) := transform_left_filter_feature_0_choices(9);
-      end if;
-      if is_set(transform_left_filter_column_4(0), 4) then
-        transform_left_filter_feature_0_choices(11) := (not transform_left_filter_low_is_larger_0_0_4) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choices(11) := (not transform_left_filter_low_is_larger_0_0_4) or
-          transform_left_filter_feature_0_value;
-      end if;
-      for i in 11 to 12 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_4(0), i - 6)) or
-            transform_left_filter_feature_0_values(i - 9);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_4(0), i - 6)) and
-            transform_left_filter_feature_0_values(i - 9);
-        end if;
-      end loop;
-      if transform_left_filter_feature_0_choices(13) then
-        transform_left_filter_feature_0_choices(14) := transform_filtering_0_column_inside_0 and
-          is_set(transform_left_filter_column_4(0), 7) and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices(14) := transform_filtering_0_column_inside_0 and
-          (is_set(transform_left_filter_column_4(0), 7) or (not is_set(transform_left_filter_column_2(4), 7)));
-      end if;
-      if is_set(transform_left_filter_column_2(2), 4) then
-        transform_left_filter_feature_0_choices(15) := (not transform_left_filter_low_is_larger_0_2_2) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choices(15) := (not transform_left_filter_low_is_larger_0_2_2) or
-          transform_left_filter_feature_0_value;
-      end if;
-      for i in 15 to 16 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_2(2), i - 10)) or
-            transform_left_filter_feature_0_values(i - 13);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_2(2), i - 10)) and
-            transform_left_filter_feature_0_values(i - 13);
-        end if;
-      end loop;
+      transform_left_filter_feature_0_choices(4) := choice(is_set(transform_left_filter_column_0(0), 7),
+        transform_filtering_0_column_inside_0, transform_left_filter_feature_0_alls(1));
+      transform_left_filter_feature_0_choices(5) := choice(transform_left_filter_feature_0_choices(3),
+        is_set(transform_left_filter_column_0(0), 7) and transform_filtering_0_column_inside_0 and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(4));
+      transform_left_filter_feature_0_choices(6) := inverted_carry(is_set(transform_left_filter_column_2(0), 4), not
+        transform_left_filter_low_is_larger_0_0_2, transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(7) := carry(transform_left_filter_feature_0_choices(6), not
+        is_set(transform_left_filter_column_2(0), 5), transform_left_filter_feature_0_values(2));
+      transform_left_filter_feature_0_choices(8) := carry(transform_left_filter_feature_0_choices(7), not
+        is_set(transform_left_filter_column_2(0), 6), transform_left_filter_feature_0_values(3));
+      transform_left_filter_feature_0_choices(9) := choice(is_set(transform_left_filter_column_2(0), 7),
+        transform_filtering_0_column_inside_0, transform_left_filter_feature_0_alls(1));
+      transform_left_filter_feature_0_choices(10) := choice(transform_left_filter_feature_0_choices(8),
+        is_set(transform_left_filter_column_2(0), 7) and transform_filtering_0_column_inside_0 and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(9));
+      transform_left_filter_feature_0_choices(11) := inverted_carry(is_set(transform_left_filter_column_4(0), 4), not
+        transform_left_filter_low_is_larger_0_0_4, transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(12) := carry(transform_left_filter_feature_0_choices(11), not
+        is_set(transform_left_filter_column_4(0), 5), transform_left_filter_feature_0_values(2));
+      transform_left_filter_feature_0_choices(13) := carry(transform_left_filter_feature_0_choices(12), not
+        is_set(transform_left_filter_column_4(0), 6), transform_left_filter_feature_0_values(3));
+      transform_left_filter_feature_0_choices(14) := choice(transform_left_filter_feature_0_choices(13),
+        transform_filtering_0_column_inside_0 and is_set(transform_left_filter_column_4(0), 7) and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_0 and
+        (is_set(transform_left_filter_column_4(0), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
+      transform_left_filter_feature_0_choices(15) := inverted_carry(is_set(transform_left_filter_column_2(2), 4), not
+        transform_left_filter_low_is_larger_0_2_2, transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(16) := carry(transform_left_filter_feature_0_choices(15), not
+        is_set(transform_left_filter_column_2(2), 5), transform_left_filter_feature_0_values(2));
+      transform_left_filter_feature_0_choices(17) := carry(transform_left_filter_feature_0_choices(16), not
+        is_set(transform_left_filter_column_2(2), 6), transform_left_filter_feature_0_values(3));
       transform_left_filter_feature_0_alls(2) := transform_filtering_0_column_inside_2 and (not
         is_set(transform_left_filter_column_2(4), 7));
-      if is_set(transform_left_filter_column_2(2), 7) then
-        transform_left_filter_feature_0_choices(18) := transform_filtering_0_column_inside_2;
-      else
-        transform_left_filter_feature_0_choices(18) := transform_left_filter_feature_0_alls(2);
-      end if;
-      if transform_left_filter_feature_0_choices(17) then
-        transform_left_filter_feature_0_choices(19) := is_set(transform_left_filter_column_2(2), 7) and
-          transform_filtering_0_column_inside_2 and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices(19) := transform_left_filter_feature_0_choices(18);
-      end if;
-      if is_set(transform_left_filter_column_0(2), 4) then
-        transform_left_filter_feature_0_choices(20) := (not transform_left_filter_low_is_larger_0_2_0) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choices(20) := (not transform_left_filter_low_is_larger_0_2_0) or
-          transform_left_filter_feature_0_value;
-      end if;
-      for i in 20 to 21 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_0(2), i - 15)) or
-            transform_left_filter_feature_0_values(i - 18);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_0(2), i - 15)) and
-            transform_left_filter_feature_0_values(i - 18);
-        end if;
-      end loop;
-      if is_set(transform_left_filter_column_0(2), 7) then
-        transform_left_filter_feature_0_choices(23) := transform_filtering_0_column_inside_2;
-      else
-        transform_left_filter_feature_0_choices(23) := transform_left_filter_feature_0_alls(2);
-      end if;
-      if transform_left_filter_feature_0_choices(22) then
-        transform_left_filter_feature_0_choices(24) := is_set(transform_left_filter_column_0(2), 7) and
-          transform_filtering_0_column_inside_2 and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices(24) := transform_left_filter_feature_0_choices(23);
-      end if;
-      if is_set(transform_left_filter_column_4(2), 4) then
-        transform_left_filter_feature_0_choices(25) := (not transform_left_filter_low_is_larger_0_2_4) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choices(25) := (not transform_left_filter_low_is_larger_0_2_4) or
-          transform_left_filter_feature_0_value;
-      end if;
-      for i in 25 to 26 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_4(2), i - 20)) or
-            transform_left_filter_feature_0_values(i - 23);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_4(2), i - 20)) and
-            transform_left_filter_feature_0_values(i - 23);
-        end if;
-      end loop;
-      if transform_left_filter_feature_0_choices(27) then
-        transform_left_filter_feature_0_choices(28) := transform_filtering_0_column_inside_2 and
-          is_set(transform_left_filter_column_4(2), 7) and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices(28) := transform_filtering_0_column_inside_2 and
-          (is_set(transform_left_filter_column_4(2), 7) or (not is_set(transform_left_filter_column_2(4), 7)));
-      end if;
-      if is_set(transform_left_filter_column_0(4), 4) then
-        transform_left_filter_feature_0_choices(29) := (not transform_left_filter_low_is_larger_0_4_0) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choices(29) := (not transform_left_filter_low_is_larger_0_4_0) or
-          transform_left_filter_feature_0_value;
-      end if;
-      for i in 29 to 30 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_0(4), i - 24)) or
-            transform_left_filter_feature_0_values(i - 27);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_0(4), i - 24)) and
-            transform_left_filter_feature_0_values(i - 27);
-        end if;
-      end loop;
-      if is_set(transform_left_filter_column_0(4), 7) then
-        transform_left_filter_feature_0_choices(32) := transform_filtering_0_column_inside_4;
-      else
-        transform_left_filter_feature_0_choices(32) := transform_filtering_0_column_inside_4 and (not
-          is_set(transform_left_filter_column_2(4), 7));
-      end if;
-      if transform_left_filter_feature_0_choices(31) then
-        transform_left_filter_feature_0_choices(33) := is_set(transform_left_filter_column_0(4), 7) and
-          transform_filtering_0_column_inside_4 and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices(33) := transform_left_filter_feature_0_choices(32);
-      end if;
-      if is_set(transform_left_filter_column_4(4), 4) then
-        transform_left_filter_feature_0_choices(34) := (not transform_left_filter_low_is_larger_0_4_4) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choices(34) := (not transform_left_filter_low_is_larger_0_4_4) or
-          transform_left_filter_feature_0_value;
-      end if;
-      for i in 34 to 35 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_4(4), i - 29)) or
-            transform_left_filter_feature_0_values(i - 32);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_4(4), i - 29)) and
-            transform_left_filter_feature_0_values(i - 32);
-        end if;
-      end loop;
-      if transform_left_filter_feature_0_choices(36) then
-        transform_left_filter_feature_0_choices(37) := transform_filtering_0_column_inside_4 and
-          is_set(transform_left_filter_column_4(4), 7) and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices(37) := transform_filtering_0_column_inside_4 and
-          (is_set(transform_left_filter_column_4(4), 7) or (not is_set(transform_left_filter_column_2(4), 7)));
-      end if;
-      if is_set(transform_left_filter_column_2(6), 4) then
-        transform_left_filter_feature_0_choices(38) := (not transform_left_filter_low_is_larger_0_6_2) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choices(38) := (not transform_left_filter_low_is_larger_0_6_2) or
-          transform_left_filter_feature_0_value;
-      end if;
-      for i in 38 to 39 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_2(6), i - 33)) or
-            transform_left_filter_feature_0_values(i - 36);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_2(6), i - 33)) and
-            transform_left_filter_feature_0_values(i - 36);
-        end if;
-      end loop;
+      transform_left_filter_feature_0_choices(18) := choice(is_set(transform_left_filter_column_2(2), 7),
+        transform_filtering_0_column_inside_2, transform_left_filter_feature_0_alls(2));
+      transform_left_filter_feature_0_choices(19) := choice(transform_left_filter_feature_0_choices(17),
+        is_set(transform_left_filter_column_2(2), 7) and transform_filtering_0_column_inside_2 and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(18));
+      transform_left_filter_feature_0_choices(20) := inverted_carry(is_set(transform_left_filter_column_0(2), 4), not
+        transform_left_filter_low_is_larger_0_2_0, transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(21) := carry(transform_left_filter_feature_0_choices(20), not
+        is_set(transform_left_filter_column_0(2), 5), transform_left_filter_feature_0_values(2));
+      transform_left_filter_feature_0_choices(22) := carry(transform_left_filter_feature_0_choices(21), not
+        is_set(transform_left_filter_column_0(2), 6), transform_left_filter_feature_0_values(3));
+      transform_left_filter_feature_0_choices(23) := choice(is_set(transform_left_filter_column_0(2), 7),
+        transform_filtering_0_column_inside_2, transform_left_filter_feature_0_alls(2));
+      transform_left_filter_feature_0_choices(24) := choice(transform_left_filter_feature_0_choices(22),
+        is_set(transform_left_filter_column_0(2), 7) and transform_filtering_0_column_inside_2 and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(23));
+      transform_left_filter_feature_0_choices(25) := inverted_carry(is_set(transform_left_filter_column_4(2), 4), not
+        transform_left_filter_low_is_larger_0_2_4, transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(26) := carry(transform_left_filter_feature_0_choices(25), not
+        is_set(transform_left_filter_column_4(2), 5), transform_left_filter_feature_0_values(2));
+      transform_left_filter_feature_0_choices(27) := carry(transform_left_filter_feature_0_choices(26), not
+        is_set(transform_left_filter_column_4(2), 6), transform_left_filter_feature_0_values(3));
+      transform_left_filter_feature_0_choices(28) := choice(transform_left_filter_feature_0_choices(27),
+        transform_filtering_0_column_inside_2 and is_set(transform_left_filter_column_4(2), 7) and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_2 and
+        (is_set(transform_left_filter_column_4(2), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
+      transform_left_filter_feature_0_choices(29) := inverted_carry(is_set(transform_left_filter_column_0(4), 4), not
+        transform_left_filter_low_is_larger_0_4_0, transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(30) := carry(transform_left_filter_feature_0_choices(29), not
+        is_set(transform_left_filter_column_0(4), 5), transform_left_filter_feature_0_values(2));
+      transform_left_filter_feature_0_choices(31) := carry(transform_left_filter_feature_0_choices(30), not
+        is_set(transform_left_filter_column_0(4), 6), transform_left_filter_feature_0_values(3));
+      transform_left_filter_feature_0_choices(32) := choice(is_set(transform_left_filter_column_0(4), 7),
+        transform_filtering_0_column_inside_4, transform_filtering_0_column_inside_4 and (not
+        is_set(transform_left_filter_column_2(4), 7)));
+      transform_left_filter_feature_0_choices(33) := choice(transform_left_filter_feature_0_choices(31),
+        is_set(transform_left_filter_column_0(4), 7) and transform_filtering_0_column_inside_4 and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(32));
+      transform_left_filter_feature_0_choices(34) := inverted_carry(is_set(transform_left_filter_column_4(4), 4), not
+        transform_left_filter_low_is_larger_0_4_4, transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(35) := carry(transform_left_filter_feature_0_choices(34), not
+        is_set(transform_left_filter_column_4(4), 5), transform_left_filter_feature_0_values(2));
+      transform_left_filter_feature_0_choices(36) := carry(transform_left_filter_feature_0_choices(35), not
+        is_set(transform_left_filter_column_4(4), 6), transform_left_filter_feature_0_values(3));
+      transform_left_filter_feature_0_choices(37) := choice(transform_left_filter_feature_0_choices(36),
+        transform_filtering_0_column_inside_4 and is_set(transform_left_filter_column_4(4), 7) and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_4 and
+        (is_set(transform_left_filter_column_4(4), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
+      transform_left_filter_feature_0_choices(38) := inverted_carry(is_set(transform_left_filter_column_2(6), 4), not
+        transform_left_filter_low_is_larger_0_6_2, transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(39) := carry(transform_left_filter_feature_0_choices(38), not
+        is_set(transform_left_filter_column_2(6), 5), transform_left_filter_feature_0_values(2));
+      transform_left_filter_feature_0_choices(40) := carry(transform_left_filter_feature_0_choices(39), not
+        is_set(transform_left_filter_column_2(6), 6), transform_left_filter_feature_0_values(3));
       transform_left_filter_feature_0_alls(3) := transform_filtering_0_column_inside_6 and (not
         is_set(transform_left_filter_column_2(4), 7));
-      if is_set(transform_left_filter_column_2(6), 7) then
-        transform_left_filter_feature_0_choices(41) := transform_filtering_0_column_inside_6;
-      else
-        transform_left_filter_feature_0_choices(41) := transform_left_filter_feature_0_alls(3);
-      end if;
-      if transform_left_filter_feature_0_choices(40) then
-        transform_left_filter_feature_0_choices(42) := is_set(transform_left_filter_column_2(6), 7) and
-          transform_filtering_0_column_inside_6 and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices(42) := transform_left_filter_feature_0_choices(41);
-      end if;
-      if is_set(transform_left_filter_column_0(6), 4) then
-        transform_left_filter_feature_0_choices(43) := (not transform_left_filter_low_is_larger_0_6_0) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choices(43) := (not transform_left_filter_low_is_larger_0_6_0) or
-          transform_left_filter_feature_0_value;
-      end if;
-      for i in 43 to 44 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_0(6), i - 38)) or
-            transform_left_filter_feature_0_values(i - 41);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_0(6), i - 38)) and
-            transform_left_filter_feature_0_values(i - 41);
-        end if;
-      end loop;
-      if is_set(transform_left_filter_column_0(6), 7) then
-        transform_left_filter_feature_0_choices(46) := transform_filtering_0_column_inside_6;
-      else
-        transform_left_filter_feature_0_choices(46) := transform_left_filter_feature_0_alls(3);
-      end if;
-      if transform_left_filter_feature_0_choices(45) then
-        transform_left_filter_feature_0_choices(47) := is_set(transform_left_filter_column_0(6), 7) and
-          transform_filtering_0_column_inside_6 and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices(47) := transform_left_filter_feature_0_choices(46);
-      end if;
-      if is_set(transform_left_filter_column_4(6), 4) then
-        transform_left_filter_feature_0_choices(48) := (not transform_left_filter_low_is_larger_0_6_4) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choices(48) := (not transform_left_filter_low_is_larger_0_6_4) or
-          transform_left_filter_feature_0_value;
-      end if;
-      for i in 48 to 49 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_4(6), i - 43)) or
-            transform_left_filter_feature_0_values(i - 46);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_4(6), i - 43)) and
-            transform_left_filter_feature_0_values(i - 46);
-        end if;
-      end loop;
-      if transform_left_filter_feature_0_choices(50) then
-        transform_left_filter_feature_0_choices(51) := transform_filtering_0_column_inside_6 and
-          is_set(transform_left_filter_column_4(6), 7) and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices(51) := transform_filtering_0_column_inside_6 and
-          (is_set(transform_left_filter_column_4(6), 7) or (not is_set(transform_left_filter_column_2(4), 7)));
-      end if;
-      if is_set(transform_left_filter_column_2(8), 4) then
-        transform_left_filter_feature_0_choices(52) := (not transform_left_filter_low_is_larger_0_8_2) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choices(52) := (not transform_left_filter_low_is_larger_0_8_2) or
-          transform_left_filter_feature_0_value;
-      end if;
-      for i in 52 to 53 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_2(8), i - 47)) or
-            transform_left_filter_feature_0_values(i - 50);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_2(8), i - 47)) and
-            transform_left_filter_feature_0_values(i - 50);
-        end if;
-      end loop;
+      transform_left_filter_feature_0_choices(41) := choice(is_set(transform_left_filter_column_2(6), 7),
+        transform_filtering_0_column_inside_6, transform_left_filter_feature_0_alls(3));
+      transform_left_filter_feature_0_choices(42) := choice(transform_left_filter_feature_0_choices(40),
+        is_set(transform_left_filter_column_2(6), 7) and transform_filtering_0_column_inside_6 and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(41));
+      transform_left_filter_feature_0_choices(43) := inverted_carry(is_set(transform_left_filter_column_0(6), 4), not
+        transform_left_filter_low_is_larger_0_6_0, transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(44) := carry(transform_left_filter_feature_0_choices(43), not
+        is_set(transform_left_filter_column_0(6), 5), transform_left_filter_feature_0_values(2));
+      transform_left_filter_feature_0_choices(45) := carry(transform_left_filter_feature_0_choices(44), not
+        is_set(transform_left_filter_column_0(6), 6), transform_left_filter_feature_0_values(3));
+      transform_left_filter_feature_0_choices(46) := choice(is_set(transform_left_filter_column_0(6), 7),
+        transform_filtering_0_column_inside_6, transform_left_filter_feature_0_alls(3));
+      transform_left_filter_feature_0_choices(47) := choice(transform_left_filter_feature_0_choices(45),
+        is_set(transform_left_filter_column_0(6), 7) and transform_filtering_0_column_inside_6 and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(46));
+      transform_left_filter_feature_0_choices(48) := inverted_carry(is_set(transform_left_filter_column_4(6), 4), not
+        transform_left_filter_low_is_larger_0_6_4, transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(49) := carry(transform_left_filter_feature_0_choices(48), not
+        is_set(transform_left_filter_column_4(6), 5), transform_left_filter_feature_0_values(2));
+      transform_left_filter_feature_0_choices(50) := carry(transform_left_filter_feature_0_choices(49), not
+        is_set(transform_left_filter_column_4(6), 6), transform_left_filter_feature_0_values(3));
+      transform_left_filter_feature_0_choices(51) := choice(transform_left_filter_feature_0_choices(50),
+        transform_filtering_0_column_inside_6 and is_set(transform_left_filter_column_4(6), 7) and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_6 and
+        (is_set(transform_left_filter_column_4(6), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
+      transform_left_filter_feature_0_choices(52) := inverted_carry(is_set(transform_left_filter_column_2(8), 4), not
+        transform_left_filter_low_is_larger_0_8_2, transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(53) := carry(transform_left_filter_feature_0_choices(52), not
+        is_set(transform_left_filter_column_2(8), 5), transform_left_filter_feature_0_values(2));
+      transform_left_filter_feature_0_choices(54) := carry(transform_left_filter_feature_0_choices(53), not
+        is_set(transform_left_filter_column_2(8), 6), transform_left_filter_feature_0_values(3));
       transform_left_filter_feature_0_alls(4) := transform_filtering_0_column_inside_8 and (not
         is_set(transform_left_filter_column_2(4), 7));
-      if is_set(transform_left_filter_column_2(8), 7) then
-        transform_left_filter_feature_0_choices(55) := transform_filtering_0_column_inside_8;
-      else
-        transform_left_filter_feature_0_choices(55) := transform_left_filter_feature_0_alls(4);
-      end if;
-      if transform_left_filter_feature_0_choices(54) then
-        transform_left_filter_feature_0_choices(56) := is_set(transform_left_filter_column_2(8), 7) and
-          transform_filtering_0_column_inside_8 and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices(56) := transform_left_filter_feature_0_choices(55);
-      end if;
-      if is_set(transform_left_filter_column_0(8), 4) then
-        transform_left_filter_feature_0_choices(57) := (not transform_left_filter_low_is_larger_0_8_0) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choices(57) := (not transform_left_filter_low_is_larger_0_8_0) or
-          transform_left_filter_feature_0_value;
-      end if;
-      for i in 57 to 58 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_0(8), i - 52)) or
-            transform_left_filter_feature_0_values(i - 55);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_0(8), i - 52)) and
-            transform_left_filter_feature_0_values(i - 55);
-        end if;
-      end loop;
-      if is_set(transform_left_filter_column_0(8), 7) then
-        transform_left_filter_feature_0_choices(60) := transform_filtering_0_column_inside_8;
-      else
-        transform_left_filter_feature_0_choices(60) := transform_left_filter_feature_0_alls(4);
-      end if;
-      if transform_left_filter_feature_0_choices(59) then
-        transform_left_filter_feature_0_choices(61) := is_set(transform_left_filter_column_0(8), 7) and
-          transform_filtering_0_column_inside_8 and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices(61) := transform_left_filter_feature_0_choices(60);
-      end if;
-      if is_set(transform_left_filter_column_4(8), 4) then
-        transform_left_filter_feature_0_choices(62) := (not transform_left_filter_low_is_larger_0_8_4) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choices(62) := (not transform_left_filter_low_is_larger_0_8_4) or
-          transform_left_filter_feature_0_value;
-      end if;
-      for i in 62 to 63 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_4(8), i - 57)) or
-            transform_left_filter_feature_0_values(i - 60);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_4(8), i - 57)) and
-            transform_left_filter_feature_0_values(i - 60);
-        end if;
-      end loop;
-      if transform_left_filter_feature_0_choices(64) then
-        transform_left_filter_feature_0_choices(65) := transform_filtering_0_column_inside_8 and
-          is_set(transform_left_filter_column_4(8), 7) and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices(65) := transform_filtering_0_column_inside_8 and
-          (is_set(transform_left_filter_column_4(8), 7) or (not is_set(transform_left_filter_column_2(4), 7)));
-      end if;
-      transform_right_filter_low_is_larger_0_0_0_value := is_set(transform_right_filter_column_2(4), 1);
-      if is_set(transform_right_filter_column_2(4), 0) then
-        transform_right_filter_low_is_larger_0_0_0_choice := not is_set(transform_right_filter_column_0(0), 1);
-      else
-        transform_right_filter_low_is_larger_0_0_0_choice := (transform_right_filter_column_0(0) mod 4) = 0;
-      end if;
-      if transform_right_filter_low_is_larger_0_0_0_value then
-        transform_right_filter_low_is_larger_0_0_0_choices(2) := is_set(transform_right_filter_column_2(4), 0) or (not
-          is_set(transform_right_filter_column_0(0), 1)) or (not is_set(transform_right_filter_column_0(0), 0));
-      else
-        transform_right_filter_low_is_larger_0_0_0_choices(2) := transform_right_filter_low_is_larger_0_0_0_choice;
-      end if;
+      transform_left_filter_feature_0_choices(55) := choice(is_set(transform_left_filter_column_2(8), 7),
+        transform_filtering_0_column_inside_8, transform_left_filter_feature_0_alls(4));
+      transform_left_filter_feature_0_choices(56) := choice(transform_left_filter_feature_0_choices(54),
+        is_set(transform_left_filter_column_2(8), 7) and transform_filtering_0_column_inside_8 and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(55));
+      transform_left_filter_feature_0_choices(57) := inverted_carry(is_set(transform_left_filter_column_0(8), 4), not
+        transform_left_filter_low_is_larger_0_8_0, transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(58) := carry(transform_left_filter_feature_0_choices(57), not
+        is_set(transform_left_filter_column_0(8), 5), transform_left_filter_feature_0_values(2));
+      transform_left_filter_feature_0_choices(59) := carry(transform_left_filter_feature_0_choices(58), not
+        is_set(transform_left_filter_column_0(8), 6), transform_left_filter_feature_0_values(3));
+      transform_left_filter_feature_0_choices(60) := choice(is_set(transform_left_filter_column_0(8), 7),
+        transform_filtering_0_column_inside_8, transform_left_filter_feature_0_alls(4));
+      transform_left_filter_feature_0_choices(61) := choice(transform_left_filter_feature_0_choices(59),
+        is_set(transform_left_filter_column_0(8), 7) and transform_filtering_0_column_inside_8 and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(60));
+      transform_left_filter_feature_0_choices(62) := inverted_carry(is_set(transform_left_filter_column_4(8), 4), not
+        transform_left_filter_low_is_larger_0_8_4, transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(63) := carry(transform_left_filter_feature_0_choices(62), not
+        is_set(transform_left_filter_column_4(8), 5), transform_left_filter_feature_0_values(2));
+      transform_left_filter_feature_0_choices(64) := carry(transform_left_filter_feature_0_choices(63), not
+        is_set(transform_left_filter_column_4(8), 6), transform_left_filter_feature_0_values(3));
+      transform_left_filter_feature_0_choices(65) := choice(transform_left_filter_feature_0_choices(64),
+        transform_filtering_0_column_inside_8 and is_set(transform_left_filter_column_4(8), 7) and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_8 and
+        (is_set(transform_left_filter_column_4(8), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
+      transform_right_filter_low_is_larger_0_0_0_values(1) := is_set(transform_right_filter_column_2(4), 1);
+      transform_right_filter_low_is_larger_0_0_0_choices(1) := choice(is_set(transform_right_filter_column_2(4), 0),
+        not is_set(transform_right_filter_column_0(0), 1), (transform_right_filter_column_0(0) mod 4) = 0);
+      transform_right_filter_low_is_larger_0_0_0_choices(2) :=
+        choice(transform_right_filter_low_is_larger_0_0_0_values(1), is_set(transform_right_filter_column_2(4), 0) or
+        (not is_set(transform_right_filter_column_0(0), 1)) or (not is_set(transform_right_filter_column_0(0), 0)),
+        transform_right_filter_low_is_larger_0_0_0_choices(1));
       transform_right_filter_low_is_larger_0_0_0_values(2) := is_set(transform_right_filter_column_2(4), 2);
       transform_right_filter_low_is_larger_0_0_0_values(3) := is_set(transform_right_filter_column_0(0), 2);
-      if transform_right_filter_low_is_larger_0_0_0_choices(2) then
-        transform_right_filter_low_is_larger_0_0_0_choices(3) := (not
-          transform_right_filter_low_is_larger_0_0_0_values(2)) and
-          transform_right_filter_low_is_larger_0_0_0_values(3);
-      else
-        transform_right_filter_low_is_larger_0_0_0_choices(3) := (not
-          transform_right_filter_low_is_larger_0_0_0_values(2)) or transform_right_filter_low_is_larger_0_0_0_values(3);
-      end if;
+      transform_right_filter_low_is_larger_0_0_0_choices(3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_0_0_choices(2), not
+        transform_right_filter_low_is_larger_0_0_0_values(2), transform_right_filter_low_is_larger_0_0_0_values(3));
       transform_right_filter_low_is_larger_0_0_0_values(4) := is_set(transform_right_filter_column_0(0), 3);
-      transform_right_filter_low_is_larger_0_0_2_any := (not transform_right_filter_low_is_larger_0_0_0_value) or (not
-        is_set(transform_right_filter_column_2(4), 0));
-      if is_set(transform_right_filter_column_2(0), 0) then
-        transform_right_filter_low_is_larger_0_0_2_choice := transform_right_filter_low_is_larger_0_0_2_any;
-      else
-        transform_right_filter_low_is_larger_0_0_2_choice := not transform_right_filter_low_is_larger_0_0_0_value;
-      end if;
+      transform_right_filter_low_is_larger_0_0_2_any := (not transform_right_filter_low_is_larger_0_0_0_values(1)) or
+        (not is_set(transform_right_filter_column_2(4), 0));
+      transform_right_filter_low_is_larger_0_0_2_choices(1) := choice(is_set(transform_right_filter_column_2(0), 0),
+        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
       transform_right_filter_low_is_larger_0_0_2_is_equal := (transform_right_filter_column_2(4) mod 4) = 0;
-      if is_set(transform_right_filter_column_2(0), 1) then
-        transform_right_filter_low_is_larger_0_0_2_choices(2) := transform_right_filter_low_is_larger_0_0_2_choice;
-      else
-        transform_right_filter_low_is_larger_0_0_2_choices(2) := is_set(transform_right_filter_column_2(0), 0) and
-          transform_right_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_right_filter_low_is_larger_0_0_2_choices(2) then
-        transform_right_filter_low_is_larger_0_0_2_choices(3) := (not is_set(transform_right_filter_column_2(0), 2))
-          and transform_right_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_right_filter_low_is_larger_0_0_2_choices(3) := (not is_set(transform_right_filter_column_2(0), 2)) or
-          transform_right_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_right_filter_low_is_larger_0_0_2_choices(2) := choice(is_set(transform_right_filter_column_2(0), 1),
+        transform_right_filter_low_is_larger_0_0_2_choices(1), is_set(transform_right_filter_column_2(0), 0) and
+        transform_right_filter_low_is_larger_0_0_2_is_equal);
+      transform_right_filter_low_is_larger_0_0_2_choices(3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_0_2_choices(2), not
+        is_set(transform_right_filter_column_2(0), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
       transform_right_filter_low_is_larger_0_0_2_value := is_set(transform_right_filter_column_2(0), 3);
-      if is_set(transform_right_filter_column_4(0), 0) then
-        transform_right_filter_low_is_larger_0_0_4_choice := transform_right_filter_low_is_larger_0_0_2_any;
-      else
-        transform_right_filter_low_is_larger_0_0_4_choice := not transform_right_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_right_filter_column_4(0), 1) then
-        transform_right_filter_low_is_larger_0_0_4_choices(2) := transform_right_filter_low_is_larger_0_0_4_choice;
-      else
-        transform_right_filter_low_is_larger_0_0_4_choices(2) := is_set(transform_right_filter_column_4(0), 0) and
-          transform_right_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_right_filter_low_is_larger_0_0_4_choices(2) then
-        transform_right_filter_low_is_larger_0_0_4_choices(3) := (not is_set(transform_right_filter_column_4(0), 2))
-          and transform_right_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_right_filter_low_is_larger_0_0_4_choices(3) := (not is_set(transform_right_filter_column_4(0), 2)) or
-          transform_right_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_right_filter_low_is_larger_0_0_4_choices(1) := choice(is_set(transform_right_filter_column_4(0), 0),
+        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
+      transform_right_filter_low_is_larger_0_0_4_choices(2) := choice(is_set(transform_right_filter_column_4(0), 1),
+        transform_right_filter_low_is_larger_0_0_4_choices(1), is_set(transform_right_filter_column_4(0), 0) and
+        transform_right_filter_low_is_larger_0_0_2_is_equal);
+      transform_right_filter_low_is_larger_0_0_4_choices(3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_0_4_choices(2), not
+        is_set(transform_right_filter_column_4(0), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
       transform_right_filter_low_is_larger_0_0_4_value := is_set(transform_right_filter_column_4(0), 3);
-      if is_set(transform_right_filter_column_0(2), 0) then
-        transform_right_filter_low_is_larger_0_2_0_choice := transform_right_filter_low_is_larger_0_0_2_any;
-      else
-        transform_right_filter_low_is_larger_0_2_0_choice := not transform_right_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_right_filter_column_0(2), 1) then
-        transform_right_filter_low_is_larger_0_2_0_choices(2) := transform_right_filter_low_is_larger_0_2_0_choice;
-      else
-        transform_right_filter_low_is_larger_0_2_0_choices(2) := is_set(transform_right_filter_column_0(2), 0) and
-          transform_right_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_right_filter_low_is_larger_0_2_0_choices(2) then
-        transform_right_filter_low_is_larger_0_2_0_choices(3) := (not is_set(transform_right_filter_column_0(2), 2))
-          and transform_right_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_right_filter_low_is_larger_0_2_0_choices(3) := (not is_set(transform_right_filter_column_0(2), 2)) or
-          transform_right_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_right_filter_low_is_larger_0_2_0_choices(1) := choice(is_set(transform_right_filter_column_0(2), 0),
+        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
+      transform_right_filter_low_is_larger_0_2_0_choices(2) := choice(is_set(transform_right_filter_column_0(2), 1),
+        transform_right_filter_low_is_larger_0_2_0_choices(1), is_set(transform_right_filter_column_0(2), 0) and
+        transform_right_filter_low_is_larger_0_0_2_is_equal);
+      transform_right_filter_low_is_larger_0_2_0_choices(3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_2_0_choices(2), not
+        is_set(transform_right_filter_column_0(2), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
       transform_right_filter_low_is_larger_0_2_0_value := is_set(transform_right_filter_column_0(2), 3);
-      if is_set(transform_right_filter_column_2(2), 0) then
-        transform_right_filter_low_is_larger_0_2_2_choice := transform_right_filter_low_is_larger_0_0_2_any;
-      else
-        transform_right_filter_low_is_larger_0_2_2_choice := not transform_right_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_right_filter_column_2(2), 1) then
-        transform_right_filter_low_is_larger_0_2_2_choices(2) := transform_right_filter_low_is_larger_0_2_2_choice;
-      else
-        transform_right_filter_low_is_larger_0_2_2_choices(2) := is_set(transform_right_filter_column_2(2), 0) and
-          transform_right_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_right_filter_low_is_larger_0_2_2_choices(2) then
-        transform_right_filter_low_is_larger_0_2_2_choices(3) := (not is_set(transform_right_filter_column_2(2), 2))
-          and transform_right_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_right_filter_low_is_larger_0_2_2_choices(3) := (not is_set(transform_right_filter_column_2(2), 2)) or
-          transform_right_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_right_filter_low_is_larger_0_2_2_choices(1) := choice(is_set(transform_right_filter_column_2(2), 0),
+        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
+      transform_right_filter_low_is_larger_0_2_2_choices(2) := choice(is_set(transform_right_filter_column_2(2), 1),
+        transform_right_filter_low_is_larger_0_2_2_choices(1), is_set(transform_right_filter_column_2(2), 0) and
+        transform_right_filter_low_is_larger_0_0_2_is_equal);
+      transform_right_filter_low_is_larger_0_2_2_choices(3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_2_2_choices(2), not
+        is_set(transform_right_filter_column_2(2), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
       transform_right_filter_low_is_larger_0_2_2_value := is_set(transform_right_filter_column_2(2), 3);
-      if is_set(transform_right_filter_column_4(2), 0) then
-        transform_right_filter_low_is_larger_0_2_4_choice := transform_right_filter_low_is_larger_0_0_2_any;
-      else
-        transform_right_filter_low_is_larger_0_2_4_choice := not transform_right_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_right_filter_column_4(2), 1) then
-        transform_right_filter_low_is_larger_0_2_4_choices(2) := transform_right_filter_low_is_larger_0_2_4_choice;
-      else
-        transform_right_filter_low_is_larger_0_2_4_choices(2) := is_set(transform_right_filter_column_4(2), 0) and
-          transform_right_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_right_filter_low_is_larger_0_2_4_choices(2) then
-        transform_right_filter_low_is_larger_0_2_4_choices(3) := (not is_set(transform_right_filter_column_4(2), 2))
-          and transform_right_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_right_filter_low_is_larger_0_2_4_choices(3) := (not is_set(transform_right_filter_column_4(2), 2)) or
-          transform_right_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_right_filter_low_is_larger_0_2_4_choices(1) := choice(is_set(transform_right_filter_column_4(2), 0),
+        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
+      transform_right_filter_low_is_larger_0_2_4_choices(2) := choice(is_set(transform_right_filter_column_4(2), 1),
+        transform_right_filter_low_is_larger_0_2_4_choices(1), is_set(transform_right_filter_column_4(2), 0) and
+        transform_right_filter_low_is_larger_0_0_2_is_equal);
+      transform_right_filter_low_is_larger_0_2_4_choices(3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_2_4_choices(2), not
+        is_set(transform_right_filter_column_4(2), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
       transform_right_filter_low_is_larger_0_2_4_value := is_set(transform_right_filter_column_4(2), 3);
-      if is_set(transform_right_filter_column_0(4), 0) then
-        transform_right_filter_low_is_larger_0_4_0_choice := transform_right_filter_low_is_larger_0_0_2_any;
-      else
-        transform_right_filter_low_is_larger_0_4_0_choice := not transform_right_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_right_filter_column_0(4), 1) then
-        transform_right_filter_low_is_larger_0_4_0_choices(2) := transform_right_filter_low_is_larger_0_4_0_choice;
-      else
-        transform_right_filter_low_is_larger_0_4_0_choices(2) := is_set(transform_right_filter_column_0(4), 0) and
-          transform_right_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_right_filter_low_is_larger_0_4_0_choices(2) then
-        transform_right_filter_low_is_larger_0_4_0_choices(3) := (not is_set(transform_right_filter_column_0(4), 2))
-          and transform_right_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_right_filter_low_is_larger_0_4_0_choices(3) := (not is_set(transform_right_filter_column_0(4), 2)) or
-          transform_right_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_right_filter_low_is_larger_0_4_0_choices(1) := choice(is_set(transform_right_filter_column_0(4), 0),
+        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
+      transform_right_filter_low_is_larger_0_4_0_choices(2) := choice(is_set(transform_right_filter_column_0(4), 1),
+        transform_right_filter_low_is_larger_0_4_0_choices(1), is_set(transform_right_filter_column_0(4), 0) and
+        transform_right_filter_low_is_larger_0_0_2_is_equal);
+      transform_right_filter_low_is_larger_0_4_0_choices(3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_4_0_choices(2), not
+        is_set(transform_right_filter_column_0(4), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
       transform_right_filter_low_is_larger_0_4_0_value := is_set(transform_right_filter_column_0(4), 3);
-      if is_set(transform_right_filter_column_4(4), 0) then
-        transform_right_filter_low_is_larger_0_4_4_choice := transform_right_filter_low_is_larger_0_0_2_any;
-      else
-        transform_right_filter_low_is_larger_0_4_4_choice := not transform_right_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_right_filter_column_4(4), 1) then
-        transform_right_filter_low_is_larger_0_4_4_choices(2) := transform_right_filter_low_is_larger_0_4_4_choice;
-      else
-        transform_right_filter_low_is_larger_0_4_4_choices(2) := is_set(transform_right_filter_column_4(4), 0) and
-          transform_right_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_right_filter_low_is_larger_0_4_4_choices(2) then
-        transform_right_filter_low_is_larger_0_4_4_choices(3) := (not is_set(transform_right_filter_column_4(4), 2))
-          and transform_right_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_right_filter_low_is_larger_0_4_4_choices(3) := (not is_set(transform_right_filter_column_4(4), 2)) or
-          transform_right_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_right_filter_low_is_larger_0_4_4_choices(1) := choice(is_set(transform_right_filter_column_4(4), 0),
+        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
+      transform_right_filter_low_is_larger_0_4_4_choices(2) := choice(is_set(transform_right_filter_column_4(4), 1),
+        transform_right_filter_low_is_larger_0_4_4_choices(1), is_set(transform_right_filter_column_4(4), 0) and
+        transform_right_filter_low_is_larger_0_0_2_is_equal);
+      transform_right_filter_low_is_larger_0_4_4_choices(3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_4_4_choices(2), not
+        is_set(transform_right_filter_column_4(4), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
       transform_right_filter_low_is_larger_0_4_4_value := is_set(transform_right_filter_column_4(4), 3);
-      if is_set(transform_right_filter_column_0(6), 0) then
-        transform_right_filter_low_is_larger_0_6_0_choice := transform_right_filter_low_is_larger_0_0_2_any;
-      else
-        transform_right_filter_low_is_larger_0_6_0_choice := not transform_right_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_right_filter_column_0(6), 1) then
-        transform_right_filter_low_is_larger_0_6_0_choices(2) := transform_right_filter_low_is_larger_0_6_0_choice;
-      else
-        transform_right_filter_low_is_larger_0_6_0_choices(2) := is_set(transform_right_filter_column_0(6), 0) and
-          transform_right_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_right_filter_low_is_larger_0_6_0_choices(2) then
-        transform_right_filter_low_is_larger_0_6_0_choices(3) := (not is_set(transform_right_filter_column_0(6), 2))
-          and transform_right_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_right_filter_low_is_larger_0_6_0_choices(3) := (not is_set(transform_right_filter_column_0(6), 2)) or
-          transform_right_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_right_filter_low_is_larger_0_6_0_choices(1) := choice(is_set(transform_right_filter_column_0(6), 0),
+        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
+      transform_right_filter_low_is_larger_0_6_0_choices(2) := choice(is_set(transform_right_filter_column_0(6), 1),
+        transform_right_filter_low_is_larger_0_6_0_choices(1), is_set(transform_right_filter_column_0(6), 0) and
+        transform_right_filter_low_is_larger_0_0_2_is_equal);
+      transform_right_filter_low_is_larger_0_6_0_choices(3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_6_0_choices(2), not
+        is_set(transform_right_filter_column_0(6), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
       transform_right_filter_low_is_larger_0_6_0_value := is_set(transform_right_filter_column_0(6), 3);
-      if is_set(transform_right_filter_column_2(6), 0) then
-        transform_right_filter_low_is_larger_0_6_2_choice := transform_right_filter_low_is_larger_0_0_2_any;
-      else
-        transform_right_filter_low_is_larger_0_6_2_choice := not transform_right_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_right_filter_column_2(6), 1) then
-        transform_right_filter_low_is_larger_0_6_2_choices(2) := transform_right_filter_low_is_larger_0_6_2_choice;
-      else
-        transform_right_filter_low_is_larger_0_6_2_choices(2) := is_set(transform_right_filter_column_2(6), 0) and
-          transform_right_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_right_filter_low_is_larger_0_6_2_choices(2) then
-        transform_right_filter_low_is_larger_0_6_2_choices(3) := (not is_set(transform_right_filter_column_2(6), 2))
-          and transform_right_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_right_filter_low_is_larger_0_6_2_choices(3) := (not is_set(transform_right_filter_column_2(6), 2)) or
-          transform_right_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_right_filter_low_is_larger_0_6_2_choices(1) := choice(is_set(transform_right_filter_column_2(6), 0),
+        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
+      transform_right_filter_low_is_larger_0_6_2_choices(2) := choice(is_set(transform_right_filter_column_2(6), 1),
+        transform_right_filter_low_is_larger_0_6_2_choices(1), is_set(transform_right_filter_column_2(6), 0) and
+        transform_right_filter_low_is_larger_0_0_2_is_equal);
+      transform_right_filter_low_is_larger_0_6_2_choices(3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_6_2_choices(2), not
+        is_set(transform_right_filter_column_2(6), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
       transform_right_filter_low_is_larger_0_6_2_value := is_set(transform_right_filter_column_2(6), 3);
-      if is_set(transform_right_filter_column_4(6), 0) then
-        transform_right_filter_low_is_larger_0_6_4_choice := transform_right_filter_low_is_larger_0_0_2_any;
-      else
-        transform_right_filter_low_is_larger_0_6_4_choice := not transform_right_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_right_filter_column_4(6), 1) then
-        transform_right_filter_low_is_larger_0_6_4_choices(2) := transform_right_filter_low_is_larger_0_6_4_choice;
-      else
-        transform_right_filter_low_is_larger_0_6_4_choices(2) := is_set(transform_right_filter_column_4(6), 0) and
-          transform_right_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_right_filter_low_is_larger_0_6_4_choices(2) then
-        transform_right_filter_low_is_larger_0_6_4_choices(3) := (not is_set(transform_right_filter_column_4(6), 2))
-          and transform_right_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_right_filter_low_is_larger_0_6_4_choices(3) := (not is_set(transform_right_filter_column_4(6), 2)) or
-          transform_right_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_right_filter_low_is_larger_0_6_4_choices(1) := choice(is_set(transform_right_filter_column_4(6), 0),
+        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
+      transform_right_filter_low_is_larger_0_6_4_choices(2) := choice(is_set(transform_right_filter_column_4(6), 1),
+        transform_right_filter_low_is_larger_0_6_4_choices(1), is_set(transform_right_filter_column_4(6), 0) and
+        transform_right_filter_low_is_larger_0_0_2_is_equal);
+      transform_right_filter_low_is_larger_0_6_4_choices(3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_6_4_choices(2), not
+        is_set(transform_right_filter_column_4(6), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
       transform_right_filter_low_is_larger_0_6_4_value := is_set(transform_right_filter_column_4(6), 3);
-      if is_set(transform_right_filter_column_0(8), 0) then
-        transform_right_filter_low_is_larger_0_8_0_choice := transform_right_filter_low_is_larger_0_0_2_any;
-      else
-        transform_right_filter_low_is_larger_0_8_0_choice := not transform_right_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_right_filter_column_0(8), 1) then
-        transform_right_filter_low_is_larger_0_8_0_choices(2) := transform_right_filter_low_is_larger_0_8_0_choice;
-      else
-        transform_right_filter_low_is_larger_0_8_0_choices(2) := is_set(transform_right_filter_column_0(8), 0) and
-          transform_right_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_right_filter_low_is_larger_0_8_0_choices(2) then
-        transform_right_filter_low_is_larger_0_8_0_choices(3) := (not is_set(transform_right_filter_column_0(8), 2))
-          and transform_right_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_right_filter_low_is_larger_0_8_0_choices(3) := (not is_set(transform_right_filter_column_0(8), 2)) or
-          transform_right_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_right_filter_low_is_larger_0_8_0_choices(1) := choice(is_set(transform_right_filter_column_0(8), 0),
+        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
+      transform_right_filter_low_is_larger_0_8_0_choices(2) := choice(is_set(transform_right_filter_column_0(8), 1),
+        transform_right_filter_low_is_larger_0_8_0_choices(1), is_set(transform_right_filter_column_0(8), 0) and
+        transform_right_filter_low_is_larger_0_0_2_is_equal);
+      transform_right_filter_low_is_larger_0_8_0_choices(3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_8_0_choices(2), not
+        is_set(transform_right_filter_column_0(8), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
       transform_right_filter_low_is_larger_0_8_0_value := is_set(transform_right_filter_column_0(8), 3);
-      if is_set(transform_right_filter_column_2(8), 0) then
-        transform_right_filter_low_is_larger_0_8_2_choice := transform_right_filter_low_is_larger_0_0_2_any;
-      else
-        transform_right_filter_low_is_larger_0_8_2_choice := not transform_right_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_right_filter_column_2(8), 1) then
-        transform_right_filter_low_is_larger_0_8_2_choices(2) := transform_right_filter_low_is_larger_0_8_2_choice;
-      else
-        transform_right_filter_low_is_larger_0_8_2_choices(2) := is_set(transform_right_filter_column_2(8), 0) and
-          transform_right_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_right_filter_low_is_larger_0_8_2_choices(2) then
-        transform_right_filter_low_is_larger_0_8_2_choices(3) := (not is_set(transform_right_filter_column_2(8), 2))
-          and transform_right_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_right_filter_low_is_larger_0_8_2_choices(3) := (not is_set(transform_right_filter_column_2(8), 2)) or
-          transform_right_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_right_filter_low_is_larger_0_8_2_choices(1) := choice(is_set(transform_right_filter_column_2(8), 0),
+        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
+      transform_right_filter_low_is_larger_0_8_2_choices(2) := choice(is_set(transform_right_filter_column_2(8), 1),
+        transform_right_filter_low_is_larger_0_8_2_choices(1), is_set(transform_right_filter_column_2(8), 0) and
+        transform_right_filter_low_is_larger_0_0_2_is_equal);
+      transform_right_filter_low_is_larger_0_8_2_choices(3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_8_2_choices(2), not
+        is_set(transform_right_filter_column_2(8), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
       transform_right_filter_low_is_larger_0_8_2_value := is_set(transform_right_filter_column_2(8), 3);
-      if is_set(transform_right_filter_column_4(8), 0) then
-        transform_right_filter_low_is_larger_0_8_4_choice := transform_right_filter_low_is_larger_0_0_2_any;
-      else
-        transform_right_filter_low_is_larger_0_8_4_choice := not transform_right_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_right_filter_column_4(8), 1) then
-        transform_right_filter_low_is_larger_0_8_4_choices(2) := transform_right_filter_low_is_larger_0_8_4_choice;
-      else
-        transform_right_filter_low_is_larger_0_8_4_choices(2) := is_set(transform_right_filter_column_4(8), 0) and
-          transform_right_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_right_filter_low_is_larger_0_8_4_choices(2) then
-        transform_right_filter_low_is_larger_0_8_4_choices(3) := (not is_set(transform_right_filter_column_4(8), 2))
-          and transform_right_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_right_filter_low_is_larger_0_8_4_choices(3) := (not is_set(transform_right_filter_column_4(8), 2)) or
-          transform_right_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_right_filter_low_is_larger_0_8_4_choices(1) := choice(is_set(transform_right_filter_column_4(8), 0),
+        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
+      transform_right_filter_low_is_larger_0_8_4_choices(2) := choice(is_set(transform_right_filter_column_4(8), 1),
+        transform_right_filter_low_is_larger_0_8_4_choices(1), is_set(transform_right_filter_column_4(8), 0) and
+        transform_right_filter_low_is_larger_0_0_2_is_equal);
+      transform_right_filter_low_is_larger_0_8_4_choices(3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_8_4_choices(2), not
+        is_set(transform_right_filter_column_4(8), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
       transform_right_filter_low_is_larger_0_8_4_value := is_set(transform_right_filter_column_4(8), 3);
-      transform_right_filter_feature_0_value := is_set(transform_right_filter_column_2(4), 4);
-      if is_set(transform_right_filter_column_0(0), 4) then
-        transform_right_filter_feature_0_choice := (not transform_right_filter_low_is_larger_0_0_0) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choice := (not transform_right_filter_low_is_larger_0_0_0) or
-          transform_right_filter_feature_0_value;
-      end if;
-      transform_right_filter_feature_0_values(2) := is_set(transform_right_filter_column_2(4), 5);
-      if transform_right_filter_feature_0_choice then
-        transform_right_filter_feature_0_choices(2) := (not is_set(transform_right_filter_column_0(0), 5)) or
-          transform_right_filter_feature_0_values(2);
-      else
-        transform_right_filter_feature_0_choices(2) := (not is_set(transform_right_filter_column_0(0), 5)) and
-          transform_right_filter_feature_0_values(2);
-      end if;
-      transform_right_filter_feature_0_values(3) := is_set(transform_right_filter_column_2(4), 6);
-      if transform_right_filter_feature_0_choices(2) then
-        transform_right_filter_feature_0_choices(3) := (not is_set(transform_right_filter_column_0(0), 6)) or
-          transform_right_filter_feature_0_values(3);
-      else
-        transform_right_filter_feature_0_choices(3) := (not is_set(transform_right_filter_column_0(0), 6)) and
-          transform_right_filter_feature_0_values(3);
-      end if;
-      transform_right_filter_feature_0_all := (not is_set(transform_right_filter_column_2(4), 7)) and
+      transform_right_filter_feature_0_values(1) := is_set(transform_right_filter_column_2(4), 4);
+      transform_right_filter_feature_0_choices(1) := inverted_carry(is_set(transform_right_filter_column_0(0), 4), not
+        transform_right_filter_low_is_larger_0_0_0, transform_right_filter_feature_0_values(1));
+      for i in 2 to 3 loop
+        transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column_2(4), i + 3);
+        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
+          is_set(transform_right_filter_column_0(0), i + 3), transform_right_filter_feature_0_values(i));
+      end loop;
+      transform_right_filter_feature_0_alls(1) := (not is_set(transform_right_filter_column_2(4), 7)) and
         transform_filtering_0_column_inside_0;
-      if is_set(transform_right_filter_column_0(0), 7) then
-        transform_right_filter_feature_0_choices(4) := transform_filtering_0_column_inside_0;
-      else
-        transform_right_filter_feature_0_choices(4) := transform_right_filter_feature_0_all;
-      end if;
-      if transform_right_filter_feature_0_choices(3) then
-        transform_right_filter_feature_0_choices(5) := is_set(transform_right_filter_column_0(0), 7) and (not
-          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_0;
-      else
-        transform_right_filter_feature_0_choices(5) := transform_right_filter_feature_0_choices(4);
-      end if;
-      if is_set(transform_right_filter_column_2(0), 4) then
-        transform_right_filter_feature_0_choices(6) := (not transform_right_filter_low_is_larger_0_0_2) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choices(6) := (not transform_right_filter_low_is_larger_0_0_2) or
-          transform_right_filter_feature_0_value;
-      end if;
-      for i in 6 to 7 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_2(0), i - 1)) or
-            transform_right_filter_feature_0_values(i - 4);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_2(0), i - 1))
-            and transform_right_filter_feature_0_values(i - 4);
-        end if;
-      end loop;
-      if is_set(transform_right_filter_column_2(0), 7) then
-        transform_right_filter_feature_0_choices(9) := transform_filtering_0_column_inside_0;
-      else
-        transform_right_filter_feature_0_choices(9) := transform_right_filter_feature_0_all;
-      end if;
-      if transform_right_filter_feature_0_choices(8) then
-        transform_right_filter_feature_0_choices(10) := is_set(transform_right_filter_column_2(0), 7) and (not
-          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_0;
-      else
-        transform_right_filter_feature_0_choices(10) := transform_right_filter_feature_0_choices(9);
-      end if;
-      if is_set(transform_right_filter_column_4(0), 4) then
-        transform_right_filter_feature_0_choices(11) := (not transform_right_filter_low_is_larger_0_0_4) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choices(11) := (not transform_right_filter_low_is_larger_0_0_4) or
-          transform_right_filter_feature_0_value;
-      end if;
-      for i in 11 to 12 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_4(0), i - 6)) or
-            transform_right_filter_feature_0_values(i - 9);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_4(0), i - 6))
-            and transform_right_filter_feature_0_values(i - 9);
-        end if;
-      end loop;
-      if is_set(transform_right_filter_column_4(0), 7) then
-        transform_right_filter_feature_0_choices(14) := transform_filtering_0_column_inside_0;
-      else
-        transform_right_filter_feature_0_choices(14) := transform_right_filter_feature_0_all;
-      end if;
-      if transform_right_filter_feature_0_choices(13) then
-        transform_right_filter_feature_0_choices(15) := is_set(transform_right_filter_column_4(0), 7) and (not
-          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_0;
-      else
-        transform_right_filter_feature_0_choices(15) := transform_right_filter_feature_0_choices(14);
-      end if;
-      if is_set(transform_right_filter_column_2(2), 4) then
-        transform_right_filter_feature_0_choices(16) := (not transform_right_filter_low_is_larger_0_2_2) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choices(16) := (not transform_right_filter_low_is_larger_0_2_2) or
-          transform_right_filter_feature_0_value;
-      end if;
-      for i in 16 to 17 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_2(2), i - 11))
-            or transform_right_filter_feature_0_values(i - 14);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_2(2), i - 11))
-            and transform_right_filter_feature_0_values(i - 14);
-        end if;
-      end loop;
+      transform_right_filter_feature_0_choices(4) := choice(is_set(transform_right_filter_column_0(0), 7),
+        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_alls(1));
+      transform_right_filter_feature_0_choices(5) := choice(transform_right_filter_feature_0_choices(3),
+        is_set(transform_right_filter_column_0(0), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
+        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_choices(4));
+      transform_right_filter_feature_0_choices(6) := inverted_carry(is_set(transform_right_filter_column_2(0), 4), not
+        transform_right_filter_low_is_larger_0_0_2, transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(7) := carry(transform_right_filter_feature_0_choices(6), not
+        is_set(transform_right_filter_column_2(0), 5), transform_right_filter_feature_0_values(2));
+      transform_right_filter_feature_0_choices(8) := carry(transform_right_filter_feature_0_choices(7), not
+        is_set(transform_right_filter_column_2(0), 6), transform_right_filter_feature_0_values(3));
+      transform_right_filter_feature_0_choices(9) := choice(is_set(transform_right_filter_column_2(0), 7),
+        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_alls(1));
+      transform_right_filter_feature_0_choices(10) := choice(transform_right_filter_feature_0_choices(8),
+        is_set(transform_right_filter_column_2(0), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
+        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_choices(9));
+      transform_right_filter_feature_0_choices(11) := inverted_carry(is_set(transform_right_filter_column_4(0), 4), not
+        transform_right_filter_low_is_larger_0_0_4, transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(12) := carry(transform_right_filter_feature_0_choices(11), not
+        is_set(transform_right_filter_column_4(0), 5), transform_right_filter_feature_0_values(2));
+      transform_right_filter_feature_0_choices(13) := carry(transform_right_filter_feature_0_choices(12), not
+        is_set(transform_right_filter_column_4(0), 6), transform_right_filter_feature_0_values(3));
+      transform_right_filter_feature_0_choices(14) := choice(is_set(transform_right_filter_column_4(0), 7),
+        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_alls(1));
+      transform_right_filter_feature_0_choices(15) := choice(transform_right_filter_feature_0_choices(13),
+        is_set(transform_right_filter_column_4(0), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
+        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_choices(14));
+      transform_right_filter_feature_0_choices(16) := inverted_carry(is_set(transform_right_filter_column_2(2), 4), not
+        transform_right_filter_low_is_larger_0_2_2, transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(17) := carry(transform_right_filter_feature_0_choices(16), not
+        is_set(transform_right_filter_column_2(2), 5), transform_right_filter_feature_0_values(2));
+      transform_right_filter_feature_0_choices(18) := carry(transform_right_filter_feature_0_choices(17), not
+        is_set(transform_right_filter_column_2(2), 6), transform_right_filter_feature_0_values(3));
       transform_right_filter_feature_0_alls(2) := (not is_set(transform_right_filter_column_2(4), 7)) and
         transform_filtering_0_column_inside_2;
-      if is_set(transform_right_filter_column_2(2), 7) then
-        transform_right_filter_feature_0_choices(19) := transform_filtering_0_column_inside_2;
-      else
-        transform_right_filter_feature_0_choices(19) := transform_right_filter_feature_0_alls(2);
-      end if;
-      if transform_right_filter_feature_0_choices(18) then
-        transform_right_filter_feature_0_choices(20) := is_set(transform_right_filter_column_2(2), 7) and (not
-          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_2;
-      else
-        transform_right_filter_feature_0_choices(20) := transform_right_filter_feature_0_choices(19);
-      end if;
-      if is_set(transform_right_filter_column_0(2), 4) then
-        transform_right_filter_feature_0_choices(21) := (not transform_right_filter_low_is_larger_0_2_0) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choices(21) := (not transform_right_filter_low_is_larger_0_2_0) or
-          transform_right_filter_feature_0_value;
-      end if;
-      for i in 21 to 22 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_0(2), i - 16))
-            or transform_right_filter_feature_0_values(i - 19);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_0(2), i - 16))
-            and transform_right_filter_feature_0_values(i - 19);
-        end if;
-      end loop;
-      if is_set(transform_right_filter_column_0(2), 7) then
-        transform_right_filter_feature_0_choices(24) := transform_filtering_0_column_inside_2;
-      else
-        transform_right_filter_feature_0_choices(24) := transform_right_filter_feature_0_alls(2);
-      end if;
-      if transform_right_filter_feature_0_choices(23) then
-        transform_right_filter_feature_0_choices(25) := is_set(transform_right_filter_column_0(2), 7) and (not
-          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_2;
-      else
-        transform_right_filter_feature_0_choices(25) := transform_right_filter_feature_0_choices(24);
-      end if;
-      if is_set(transform_right_filter_column_4(2), 4) then
-        transform_right_filter_feature_0_choices(26) := (not transform_right_filter_low_is_larger_0_2_4) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choices(26) := (not transform_right_filter_low_is_larger_0_2_4) or
-          transform_right_filter_feature_0_value;
-      end if;
-      for i in 26 to 27 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_4(2), i - 21))
-            or transform_right_filter_feature_0_values(i - 24);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_4(2), i - 21))
-            and transform_right_filter_feature_0_values(i - 24);
-        end if;
-      end loop;
-      if is_set(transform_right_filter_column_4(2), 7) then
-        transform_right_filter_feature_0_choices(29) := transform_filtering_0_column_inside_2;
-      else
-        transform_right_filter_feature_0_choices(29) := transform_right_filter_feature_0_alls(2);
-      end if;
-      if transform_right_filter_feature_0_choices(28) then
-        transform_right_filter_feature_0_choices(30) := is_set(transform_right_filter_column_4(2), 7) and (not
-          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_2;
-      else
-        transform_right_filter_feature_0_choices(30) := transform_right_filter_feature_0_choices(29);
-      end if;
-      if is_set(transform_right_filter_column_0(4), 4) then
-        transform_right_filter_feature_0_choices(31) := (not transform_right_filter_low_is_larger_0_4_0) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choices(31) := (not transform_right_filter_low_is_larger_0_4_0) or
-          transform_right_filter_feature_0_value;
-      end if;
-      for i in 31 to 32 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_0(4), i - 26))
-            or transform_right_filter_feature_0_values(i - 29);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_0(4), i - 26))
-            and transform_right_filter_feature_0_values(i - 29);
-        end if;
-      end loop;
+      transform_right_filter_feature_0_choices(19) := choice(is_set(transform_right_filter_column_2(2), 7),
+        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_alls(2));
+      transform_right_filter_feature_0_choices(20) := choice(transform_right_filter_feature_0_choices(18),
+        is_set(transform_right_filter_column_2(2), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
+        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_choices(19));
+      transform_right_filter_feature_0_choices(21) := inverted_carry(is_set(transform_right_filter_column_0(2), 4), not
+        transform_right_filter_low_is_larger_0_2_0, transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(22) := carry(transform_right_filter_feature_0_choices(21), not
+        is_set(transform_right_filter_column_0(2), 5), transform_right_filter_feature_0_values(2));
+      transform_right_filter_feature_0_choices(23) := carry(transform_right_filter_feature_0_choices(22), not
+        is_set(transform_right_filter_column_0(2), 6), transform_right_filter_feature_0_values(3));
+      transform_right_filter_feature_0_choices(24) := choice(is_set(transform_right_filter_column_0(2), 7),
+        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_alls(2));
+      transform_right_filter_feature_0_choices(25) := choice(transform_right_filter_feature_0_choices(23),
+        is_set(transform_right_filter_column_0(2), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
+        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_choices(24));
+      transform_right_filter_feature_0_choices(26) := inverted_carry(is_set(transform_right_filter_column_4(2), 4), not
+        transform_right_filter_low_is_larger_0_2_4, transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(27) := carry(transform_right_filter_feature_0_choices(26), not
+        is_set(transform_right_filter_column_4(2), 5), transform_right_filter_feature_0_values(2));
+      transform_right_filter_feature_0_choices(28) := carry(transform_right_filter_feature_0_choices(27), not
+        is_set(transform_right_filter_column_4(2), 6), transform_right_filter_feature_0_values(3));
+      transform_right_filter_feature_0_choices(29) := choice(is_set(transform_right_filter_column_4(2), 7),
+        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_alls(2));
+      transform_right_filter_feature_0_choices(30) := choice(transform_right_filter_feature_0_choices(28),
+        is_set(transform_right_filter_column_4(2), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
+        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_choices(29));
+      transform_right_filter_feature_0_choices(31) := inverted_carry(is_set(transform_right_filter_column_0(4), 4), not
+        transform_right_filter_low_is_larger_0_4_0, transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(32) := carry(transform_right_filter_feature_0_choices(31), not
+        is_set(transform_right_filter_column_0(4), 5), transform_right_filter_feature_0_values(2));
+      transform_right_filter_feature_0_choices(33) := carry(transform_right_filter_feature_0_choices(32), not
+        is_set(transform_right_filter_column_0(4), 6), transform_right_filter_feature_0_values(3));
       transform_right_filter_feature_0_alls(3) := (not is_set(transform_right_filter_column_2(4), 7)) and
         transform_filtering_0_column_inside_4;
-      if is_set(transform_right_filter_column_0(4), 7) then
-        transform_right_filter_feature_0_choices(34) := transform_filtering_0_column_inside_4;
-      else
-        transform_right_filter_feature_0_choices(34) := transform_right_filter_feature_0_alls(3);
-      end if;
-      if transform_right_filter_feature_0_choices(33) then
-        transform_right_filter_feature_0_choices(35) := is_set(transform_right_filter_column_0(4), 7) and (not
-          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_4;
-      else
-        transform_right_filter_feature_0_choices(35) := transform_right_filter_feature_0_choices(34);
-      end if;
-      if is_set(transform_right_filter_column_4(4), 4) then
-        transform_right_filter_feature_0_choices(36) := (not transform_right_filter_low_is_larger_0_4_4) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choices(36) := (not transform_right_filter_low_is_larger_0_4_4) or
-          transform_right_filter_feature_0_value;
-      end if;
-      for i in 36 to 37 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_4(4), i - 31))
-            or transform_right_filter_feature_0_values(i - 34);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_4(4), i - 31))
-            and transform_right_filter_feature_0_values(i - 34);
-        end if;
-      end loop;
-      if is_set(transform_right_filter_column_4(4), 7) then
-        transform_right_filter_feature_0_choices(39) := transform_filtering_0_column_inside_4;
-      else
-        transform_right_filter_feature_0_choices(39) := transform_right_filter_feature_0_alls(3);
-      end if;
-      if transform_right_filter_feature_0_choices(38) then
-        transform_right_filter_feature_0_choices(40) := is_set(transform_right_filter_column_4(4), 7) and (not
-          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_4;
-      else
-        transform_right_filter_feature_0_choices(40) := transform_right_filter_feature_0_choices(39);
-      end if;
-      if is_set(transform_right_filter_column_2(6), 4) then
-        transform_right_filter_feature_0_choices(41) := (not transform_right_filter_low_is_larger_0_6_2) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choices(41) := (not transform_right_filter_low_is_larger_0_6_2) or
-          transform_right_filter_feature_0_value;
-      end if;
-      for i in 41 to 42 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_2(6), i - 36))
-            or transform_right_filter_feature_0_values(i - 39);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_2(6), i - 36))
-            and transform_right_filter_feature_0_values(i - 39);
-        end if;
-      end loop;
+      transform_right_filter_feature_0_choices(34) := choice(is_set(transform_right_filter_column_0(4), 7),
+        transform_filtering_0_column_inside_4, transform_right_filter_feature_0_alls(3));
+      transform_right_filter_feature_0_choices(35) := choice(transform_right_filter_feature_0_choices(33),
+        is_set(transform_right_filter_column_0(4), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
+        transform_filtering_0_column_inside_4, transform_right_filter_feature_0_choices(34));
+      transform_right_filter_feature_0_choices(36) := inverted_carry(is_set(transform_right_filter_column_4(4), 4), not
+        transform_right_filter_low_is_larger_0_4_4, transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(37) := carry(transform_right_filter_feature_0_choices(36), not
+        is_set(transform_right_filter_column_4(4), 5), transform_right_filter_feature_0_values(2));
+      transform_right_filter_feature_0_choices(38) := carry(transform_right_filter_feature_0_choices(37), not
+        is_set(transform_right_filter_column_4(4), 6), transform_right_filter_feature_0_values(3));
+      transform_right_filter_feature_0_choices(39) := choice(is_set(transform_right_filter_column_4(4), 7),
+        transform_filtering_0_column_inside_4, transform_right_filter_feature_0_alls(3));
+      transform_right_filter_feature_0_choices(40) := choice(transform_right_filter_feature_0_choices(38),
+        is_set(transform_right_filter_column_4(4), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
+        transform_filtering_0_column_inside_4, transform_right_filter_feature_0_choices(39));
+      transform_right_filter_feature_0_choices(41) := inverted_carry(is_set(transform_right_filter_column_2(6), 4), not
+        transform_right_filter_low_is_larger_0_6_2, transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(42) := carry(transform_right_filter_feature_0_choices(41), not
+        is_set(transform_right_filter_column_2(6), 5), transform_right_filter_feature_0_values(2));
+      transform_right_filter_feature_0_choices(43) := carry(transform_right_filter_feature_0_choices(42), not
+        is_set(transform_right_filter_column_2(6), 6), transform_right_filter_feature_0_values(3));
       transform_right_filter_feature_0_alls(4) := (not is_set(transform_right_filter_column_2(4), 7)) and
         transform_filtering_0_column_inside_6;
-      if is_set(transform_right_filter_column_2(6), 7) then
-        transform_right_filter_feature_0_choices(44) := transform_filtering_0_column_inside_6;
-      else
-        transform_right_filter_feature_0_choices(44) := transform_right_filter_feature_0_alls(4);
-      end if;
-      if transform_right_filter_feature_0_choices(43) then
-        transform_right_filter_feature_0_choices(45) := is_set(transform_right_filter_column_2(6), 7) and (not
-          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_6;
-      else
-        transform_right_filter_feature_0_choices(45) := transform_right_filter_feature_0_choices(44);
-      end if;
-      if is_set(transform_right_filter_column_0(6), 4) then
-        transform_right_filter_feature_0_choices(46) := (not transform_right_filter_low_is_larger_0_6_0) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choices(46) := (not transform_right_filter_low_is_larger_0_6_0) or
-          transform_right_filter_feature_0_value;
-      end if;
-      for i in 46 to 47 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_0(6), i - 41))
-            or transform_right_filter_feature_0_values(i - 44);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_0(6), i - 41))
-            and transform_right_filter_feature_0_values(i - 44);
-        end if;
-      end loop;
-      if is_set(transform_right_filter_column_0(6), 7) then
-        transform_right_filter_feature_0_choices(49) := transform_filtering_0_column_inside_6;
-      else
-        transform_right_filter_feature_0_choices(49) := transform_right_filter_feature_0_alls(4);
-      end if;
-      if transform_right_filter_feature_0_choices(48) then
-        transform_right_filter_feature_0_choices(50) := is_set(transform_right_filter_column_0(6), 7) and (not
-          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_6;
-      else
-        transform_right_filter_feature_0_choices(50) := transform_right_filter_feature_0_choices(49);
-      end if;
-      if is_set(transform_right_filter_column_4(6), 4) then
-        transform_right_filter_feature_0_choices(51) := (not transform_right_filter_low_is_larger_0_6_4) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choices(51) := (not transform_right_filter_low_is_larger_0_6_4) or
-          transform_right_filter_feature_0_value;
-      end if;
-      for i in 51 to 52 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_4(6), i - 46))
-            or transform_right_filter_feature_0_values(i - 49);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_4(6), i - 46))
-            and transform_right_filter_feature_0_values(i - 49);
-        end if;
-      end loop;
-      if is_set(transform_right_filter_column_4(6), 7) then
-        transform_right_filter_feature_0_choices(54) := transform_filtering_0_column_inside_6;
-      else
-        transform_right_filter_feature_0_choices(54) := transform_right_filter_feature_0_alls(4);
-      end if;
-      if transform_right_filter_feature_0_choices(53) then
-        transform_right_filter_feature_0_choices(55) := is_set(transform_right_filter_column_4(6), 7) and (not
-          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_6;
-      else
-        transform_right_filter_feature_0_choices(55) := transform_right_filter_feature_0_choices(54);
-      end if;
-      if is_set(transform_right_filter_column_2(8), 4) then
-        transform_right_filter_feature_0_choices(56) := (not transform_right_filter_low_is_larger_0_8_2) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choices(56) := (not transform_right_filter_low_is_larger_0_8_2) or
-          transform_right_filter_feature_0_value;
-      end if;
-      for i in 56 to 57 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_2(8), i - 51))
-            or transform_right_filter_feature_0_values(i - 54);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_2(8), i - 51))
-            and transform_right_filter_feature_0_values(i - 54);
-        end if;
-      end loop;
+      transform_right_filter_feature_0_choices(44) := choice(is_set(transform_right_filter_column_2(6), 7),
+        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_alls(4));
+      transform_right_filter_feature_0_choices(45) := choice(transform_right_filter_feature_0_choices(43),
+        is_set(transform_right_filter_column_2(6), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
+        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_choices(44));
+      transform_right_filter_feature_0_choices(46) := inverted_carry(is_set(transform_right_filter_column_0(6), 4), not
+        transform_right_filter_low_is_larger_0_6_0, transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(47) := carry(transform_right_filter_feature_0_choices(46), not
+        is_set(transform_right_filter_column_0(6), 5), transform_right_filter_feature_0_values(2));
+      transform_right_filter_feature_0_choices(48) := carry(transform_right_filter_feature_0_choices(47), not
+        is_set(transform_right_filter_column_0(6), 6), transform_right_filter_feature_0_values(3));
+      transform_right_filter_feature_0_choices(49) := choice(is_set(transform_right_filter_column_0(6), 7),
+        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_alls(4));
+      transform_right_filter_feature_0_choices(50) := choice(transform_right_filter_feature_0_choices(48),
+        is_set(transform_right_filter_column_0(6), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
+        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_choices(49));
+      transform_right_filter_feature_0_choices(51) := inverted_carry(is_set(transform_right_filter_column_4(6), 4), not
+        transform_right_filter_low_is_larger_0_6_4, transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(52) := carry(transform_right_filter_feature_0_choices(51), not
+        is_set(transform_right_filter_column_4(6), 5), transform_right_filter_feature_0_values(2));
+      transform_right_filter_feature_0_choices(53) := carry(transform_right_filter_feature_0_choices(52), not
+        is_set(transform_right_filter_column_4(6), 6), transform_right_filter_feature_0_values(3));
+      transform_right_filter_feature_0_choices(54) := choice(is_set(transform_right_filter_column_4(6), 7),
+        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_alls(4));
+      transform_right_filter_feature_0_choices(55) := choice(transform_right_filter_feature_0_choices(53),
+        is_set(transform_right_filter_column_4(6), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
+        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_choices(54));
+      transform_right_filter_feature_0_choices(56) := inverted_carry(is_set(transform_right_filter_column_2(8), 4), not
+        transform_right_filter_low_is_larger_0_8_2, transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(57) := carry(transform_right_filter_feature_0_choices(56), not
+        is_set(transform_right_filter_column_2(8), 5), transform_right_filter_feature_0_values(2));
+      transform_right_filter_feature_0_choices(58) := carry(transform_right_filter_feature_0_choices(57), not
+        is_set(transform_right_filter_column_2(8), 6), transform_right_filter_feature_0_values(3));
       transform_right_filter_feature_0_alls(5) := (not is_set(transform_right_filter_column_2(4), 7)) and
         transform_filtering_0_column_inside_8;
-      if is_set(transform_right_filter_column_2(8), 7) then
-        transform_right_filter_feature_0_choices(59) := transform_filtering_0_column_inside_8;
-      else
-        transform_right_filter_feature_0_choices(59) := transform_right_filter_feature_0_alls(5);
-      end if;
-      if transform_right_filter_feature_0_choices(58) then
-        transform_right_filter_feature_0_choices(60) := is_set(transform_right_filter_column_2(8), 7) and (not
-          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_8;
-      else
-        transform_right_filter_feature_0_choices(60) := transform_right_filter_feature_0_choices(59);
-      end if;
-      if is_set(transform_right_filter_column_0(8), 4) then
-        transform_right_filter_feature_0_choices(61) := (not transform_right_filter_low_is_larger_0_8_0) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choices(61) := (not transform_right_filter_low_is_larger_0_8_0) or
-          transform_right_filter_feature_0_value;
-      end if;
-      for i in 61 to 62 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_0(8), i - 56))
-            or transform_right_filter_feature_0_values(i - 59);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_0(8), i - 56))
-            and transform_right_filter_feature_0_values(i - 59);
-        end if;
-      end loop;
-      if is_set(transform_right_filter_column_0(8), 7) then
-        transform_right_filter_feature_0_choices(64) := transform_filtering_0_column_inside_8;
-      else
-        transform_right_filter_feature_0_choices(64) := transform_right_filter_feature_0_alls(5);
-      end if;
-      if transform_right_filter_feature_0_choices(63) then
-        transform_right_filter_feature_0_choices(65) := is_set(transform_right_filter_column_0(8), 7) and (not
-          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_8;
-      else
-        transform_right_filter_feature_0_choices(65) := transform_right_filter_feature_0_choices(64);
-      end if;
-      if is_set(transform_right_filter_column_4(8), 4) then
-        transform_right_filter_feature_0_choices(66) := (not transform_right_filter_low_is_larger_0_8_4) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choices(66) := (not transform_right_filter_low_is_larger_0_8_4) or
-          transform_right_filter_feature_0_value;
-      end if;
-      for i in 66 to 67 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_4(8), i - 61))
-            or transform_right_filter_feature_0_values(i - 64);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_4(8), i - 61))
-            and transform_right_filter_feature_0_values(i - 64);
-        end if;
-      end loop;
-      if is_set(transform_right_filter_column_4(8), 7) then
-        transform_right_filter_feature_0_choices(69) := transform_filtering_0_column_inside_8;
-      else
-        transform_right_filter_feature_0_choices(69) := transform_right_filter_feature_0_alls(5);
-      end if;
-      if transform_right_filter_feature_0_choices(68) then
-        transform_right_filter_feature_0_choices(70) := is_set(transform_right_filter_column_4(8), 7) and (not
-          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_8;
-      else
-        transform_right_filter_feature_0_choices(70) := transform_right_filter_feature_0_choices(69);
-      end if;
+      transform_right_filter_feature_0_choices(59) := choice(is_set(transform_right_filter_column_2(8), 7),
+        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_alls(5));
+      transform_right_filter_feature_0_choices(60) := choice(transform_right_filter_feature_0_choices(58),
+        is_set(transform_right_filter_column_2(8), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
+        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_choices(59));
+      transform_right_filter_feature_0_choices(61) := inverted_carry(is_set(transform_right_filter_column_0(8), 4), not
+        transform_right_filter_low_is_larger_0_8_0, transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(62) := carry(transform_right_filter_feature_0_choices(61), not
+        is_set(transform_right_filter_column_0(8), 5), transform_right_filter_feature_0_values(2));
+      transform_right_filter_feature_0_choices(63) := carry(transform_right_filter_feature_0_choices(62), not
+        is_set(transform_right_filter_column_0(8), 6), transform_right_filter_feature_0_values(3));
+      transform_right_filter_feature_0_choices(64) := choice(is_set(transform_right_filter_column_0(8), 7),
+        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_alls(5));
+      transform_right_filter_feature_0_choices(65) := choice(transform_right_filter_feature_0_choices(63),
+        is_set(transform_right_filter_column_0(8), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
+        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_choices(64));
+      transform_right_filter_feature_0_choices(66) := inverted_carry(is_set(transform_right_filter_column_4(8), 4), not
+        transform_right_filter_low_is_larger_0_8_4, transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(67) := carry(transform_right_filter_feature_0_choices(66), not
+        is_set(transform_right_filter_column_4(8), 5), transform_right_filter_feature_0_values(2));
+      transform_right_filter_feature_0_choices(68) := carry(transform_right_filter_feature_0_choices(67), not
+        is_set(transform_right_filter_column_4(8), 6), transform_right_filter_feature_0_values(3));
+      transform_right_filter_feature_0_choices(69) := choice(is_set(transform_right_filter_column_4(8), 7),
+        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_alls(5));
+      transform_right_filter_feature_0_choices(70) := choice(transform_right_filter_feature_0_choices(68),
+        is_set(transform_right_filter_column_4(8), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
+        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_choices(69));
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
@@ -4544,230 +1892,86 @@ begin
       transform_filtering_valid(1) <= transform_filtering_valid(0);
       transform_filtering_start_of_frame(2) <= transform_filtering_start_of_frame(1);
       transform_filtering_valid(2) <= transform_filtering_valid(1);
-      if transform_counter_counts then
-        transform_counter_frame_joins <= transform_counter_frame_joins_choice;
-      else
-        transform_counter_frame_joins <= winnerswinner1_best_below_0;
-      end if;
-      if transform_counter_last_column then
-        transform_counter_column_after <= 0;
-      else
-        transform_counter_column_after <= (transform_counter_column + 1) mod 2048;
-      end if;
-      if (not transform_counter_counts) or (not transform_counter_last_column) then
-        transform_counter_group_after <= transform_counter_group;
-      else
-        transform_counter_group_after <= transform_counter_group_after_choice;
-      end if;
-      if transform_left_filter_low_is_larger_0_0_0_choices(3) then
-        transform_left_filter_low_is_larger_0_0_0 <= (not is_set(transform_left_filter_column_2(4), 3)) or
-          transform_left_filter_low_is_larger_0_0_0_values(4);
-      else
-        transform_left_filter_low_is_larger_0_0_0 <= (not is_set(transform_left_filter_column_2(4), 3)) and
-          transform_left_filter_low_is_larger_0_0_0_values(4);
-      end if;
-      if transform_left_filter_low_is_larger_0_0_2_choices(3) then
-        transform_left_filter_low_is_larger_0_0_2 <= transform_left_filter_low_is_larger_0_0_2_value and (not
-          is_set(transform_left_filter_column_2(4), 3));
-      else
-        transform_left_filter_low_is_larger_0_0_2 <= transform_left_filter_low_is_larger_0_0_2_value or (not
-          is_set(transform_left_filter_column_2(4), 3));
-      end if;
-      if transform_left_filter_low_is_larger_0_0_4_choices(3) then
-        transform_left_filter_low_is_larger_0_0_4 <= transform_left_filter_low_is_larger_0_0_4_value and (not
-          is_set(transform_left_filter_column_2(4), 3));
-      else
-        transform_left_filter_low_is_larger_0_0_4 <= transform_left_filter_low_is_larger_0_0_4_value or (not
-          is_set(transform_left_filter_column_2(4), 3));
-      end if;
-      if transform_left_filter_low_is_larger_0_2_0_choices(3) then
-        transform_left_filter_low_is_larger_0_2_0 <= transform_left_filter_low_is_larger_0_2_0_value and (not
-          is_set(transform_left_filter_column_2(4), 3));
-      else
-        transform_left_filter_low_is_larger_0_2_0 <= transform_left_filter_low_is_larger_0_2_0_value or (not
-          is_set(transform_left_filter_column_2(4), 3));
-      end if;
-      if transform_left_filter_low_is_larger_0_2_2_choices(3) then
-        transform_left_filter_low_is_larger_0_2_2 <= transform_left_filter_low_is_larger_0_2_2_value and (not
-          is_set(transform_left_filter_column_2(4), 3));
-      else
-        transform_left_filter_low_is_larger_0_2_2 <= transform_left_filter_low_is_larger_0_2_2_value or (not
-          is_set(transform_left_filter_column_2(4), 3));
-      end if;
-      if transform_left_filter_low_is_larger_0_2_4_choices(3) then
-        transform_left_filter_low_is_larger_0_2_4 <= transform_left_filter_low_is_larger_0_2_4_value and (not
-          is_set(transform_left_filter_column_2(4), 3));
-      else
-        transform_left_filter_low_is_larger_0_2_4 <= transform_left_filter_low_is_larger_0_2_4_value or (not
-          is_set(transform_left_filter_column_2(4), 3));
-      end if;
-      if transform_left_filter_low_is_larger_0_4_0_choices(3) then
-        transform_left_filter_low_is_larger_0_4_0 <= transform_left_filter_low_is_larger_0_4_0_value and (not
-          is_set(transform_left_filter_column_2(4), 3));
-      else
-        transform_left_filter_low_is_larger_0_4_0 <= transform_left_filter_low_is_larger_0_4_0_value or (not
-          is_set(transform_left_filter_column_2(4), 3));
-      end if;
-      if transform_left_filter_low_is_larger_0_4_4_choices(3) then
-        transform_left_filter_low_is_larger_0_4_4 <= transform_left_filter_low_is_larger_0_4_4_value and (not
-          is_set(transform_left_filter_column_2(4), 3));
-      else
-        transform_left_filter_low_is_larger_0_4_4 <= transform_left_filter_low_is_larger_0_4_4_value or (not
-          is_set(transform_left_filter_column_2(4), 3));
-      end if;
-      if transform_left_filter_low_is_larger_0_6_0_choices(3) then
-        transform_left_filter_low_is_larger_0_6_0 <= transform_left_filter_low_is_larger_0_6_0_value and (not
-          is_set(transform_left_filter_column_2(4), 3));
-      else
-        transform_left_filter_low_is_larger_0_6_0 <= transform_left_filter_low_is_larger_0_6_0_value or (not
-          is_set(transform_left_filter_column_2(4), 3));
-      end if;
-      if transform_left_filter_low_is_larger_0_6_2_choices(3) then
-        transform_left_filter_low_is_larger_0_6_2 <= transform_left_filter_low_is_larger_0_6_2_value and (not
-          is_set(transform_left_filter_column_2(4), 3));
-      else
-        transform_left_filter_low_is_larger_0_6_2 <= transform_left_filter_low_is_larger_0_6_2_value or (not
-          is_set(transform_left_filter_column_2(4), 3));
-      end if;
-      if transform_left_filter_low_is_larger_0_6_4_choices(3) then
-        transform_left_filter_low_is_larger_0_6_4 <= transform_left_filter_low_is_larger_0_6_4_value and (not
-          is_set(transform_left_filter_column_2(4), 3));
-      else
-        transform_left_filter_low_is_larger_0_6_4 <= transform_left_filter_low_is_larger_0_6_4_value or (not
-          is_set(transform_left_filter_column_2(4), 3));
-      end if;
-      if transform_left_filter_low_is_larger_0_8_0_choices(3) then
-        transform_left_filter_low_is_larger_0_8_0 <= transform_left_filter_low_is_larger_0_8_0_value and (not
-          is_set(transform_left_filter_column_2(4), 3));
-      else
-        transform_left_filter_low_is_larger_0_8_0 <= transform_left_filter_low_is_larger_0_8_0_value or (not
-          is_set(transform_left_filter_column_2(4), 3));
-      end if;
-      if transform_left_filter_low_is_larger_0_8_2_choices(3) then
-        transform_left_filter_low_is_larger_0_8_2 <= transform_left_filter_low_is_larger_0_8_2_value and (not
-          is_set(transform_left_filter_column_2(4), 3));
-      else
-        transform_left_filter_low_is_larger_0_8_2 <= transform_left_filter_low_is_larger_0_8_2_value or (not
-          is_set(transform_left_filter_column_2(4), 3));
-      end if;
-      if transform_left_filter_low_is_larger_0_8_4_choices(3) then
-        transform_left_filter_low_is_larger_0_8_4 <= transform_left_filter_low_is_larger_0_8_4_value and (not
-          is_set(transform_left_filter_column_2(4), 3));
-      else
-        transform_left_filter_low_is_larger_0_8_4 <= transform_left_filter_low_is_larger_0_8_4_value or (not
-          is_set(transform_left_filter_column_2(4), 3));
-      end if;
-      if transform_right_filter_low_is_larger_0_0_0_choices(3) then
-        transform_right_filter_low_is_larger_0_0_0 <= (not is_set(transform_right_filter_column_2(4), 3)) or
-          transform_right_filter_low_is_larger_0_0_0_values(4);
-      else
-        transform_right_filter_low_is_larger_0_0_0 <= (not is_set(transform_right_filter_column_2(4), 3)) and
-          transform_right_filter_low_is_larger_0_0_0_values(4);
-      end if;
-      if transform_right_filter_low_is_larger_0_0_2_choices(3) then
-        transform_right_filter_low_is_larger_0_0_2 <= transform_right_filter_low_is_larger_0_0_2_value and (not
-          is_set(transform_right_filter_column_2(4), 3));
-      else
-        transform_right_filter_low_is_larger_0_0_2 <= transform_right_filter_low_is_larger_0_0_2_value or (not
-          is_set(transform_right_filter_column_2(4), 3));
-      end if;
-      if transform_right_filter_low_is_larger_0_0_4_choices(3) then
-        transform_right_filter_low_is_larger_0_0_4 <= transform_right_filter_low_is_larger_0_0_4_value and (not
-          is_set(transform_right_filter_column_2(4), 3));
-      else
-        transform_right_filter_low_is_larger_0_0_4 <= transform_right_filter_low_is_larger_0_0_4_value or (not
-          is_set(transform_right_filter_column_2(4), 3));
-      end if;
-      if transform_right_filter_low_is_larger_0_2_0_choices(3) then
-        transform_right_filter_low_is_larger_0_2_0 <= transform_right_filter_low_is_larger_0_2_0_value and (not
-          is_set(transform_right_filter_column_2(4), 3));
-      else
-        transform_right_filter_low_is_larger_0_2_0 <= transform_right_filter_low_is_larger_0_2_0_value or (not
-          is_set(transform_right_filter_column_2(4), 3));
-      end if;
-      if transform_right_filter_low_is_larger_0_2_2_choices(3) then
-        transform_right_filter_low_is_larger_0_2_2 <= transform_right_filter_low_is_larger_0_2_2_value and (not
-          is_set(transform_right_filter_column_2(4), 3));
-      else
-        transform_right_filter_low_is_larger_0_2_2 <= transform_right_filter_low_is_larger_0_2_2_value or (not
-          is_set(transform_right_filter_column_2(4), 3));
-      end if;
-      if transform_right_filter_low_is_larger_0_2_4_choices(3) then
-        transform_right_filter_low_is_larger_0_2_4 <= transform_right_filter_low_is_larger_0_2_4_value and (not
-          is_set(transform_right_filter_column_2(4), 3));
-      else
-        transform_right_filter_low_is_larger_0_2_4 <= transform_right_filter_low_is_larger_0_2_4_value or (not
-          is_set(transform_right_filter_column_2(4), 3));
-      end if;
-      if transform_right_filter_low_is_larger_0_4_0_choices(3) then
-        transform_right_filter_low_is_larger_0_4_0 <= transform_right_filter_low_is_larger_0_4_0_value and (not
-          is_set(transform_right_filter_column_2(4), 3));
-      else
-        transform_right_filter_low_is_larger_0_4_0 <= transform_right_filter_low_is_larger_0_4_0_value or (not
-          is_set(transform_right_filter_column_2(4), 3));
-      end if;
-      if transform_right_filter_low_is_larger_0_4_4_choices(3) then
-        transform_right_filter_low_is_larger_0_4_4 <= transform_right_filter_low_is_larger_0_4_4_value and (not
-          is_set(transform_right_filter_column_2(4), 3));
-      else
-        transform_right_filter_low_is_larger_0_4_4 <= transform_right_filter_low_is_larger_0_4_4_value or (not
-          is_set(transform_right_filter_column_2(4), 3));
-      end if;
-      if transform_right_filter_low_is_larger_0_6_0_choices(3) then
-        transform_right_filter_low_is_larger_0_6_0 <= transform_right_filter_low_is_larger_0_6_0_value and (not
-          is_set(transform_right_filter_column_2(4), 3));
-      else
-        transform_right_filter_low_is_larger_0_6_0 <= transform_right_filter_low_is_larger_0_6_0_value or (not
-          is_set(transform_right_filter_column_2(4), 3));
-      end if;
-      if transform_right_filter_low_is_larger_0_6_2_choices(3) then
-        transform_right_filter_low_is_larger_0_6_2 <= transform_right_filter_low_is_larger_0_6_2_value and (not
-          is_set(transform_right_filter_column_2(4), 3));
-      else
-        transform_right_filter_low_is_larger_0_6_2 <= transform_right_filter_low_is_larger_0_6_2_value or (not
-          is_set(transform_right_filter_column_2(4), 3));
-      end if;
-      if transform_right_filter_low_is_larger_0_6_4_choices(3) then
-        transform_right_filter_low_is_larger_0_6_4 <= transform_right_filter_low_is_larger_0_6_4_value and (not
-          is_set(transform_right_filter_column_2(4), 3));
-      else
-        transform_right_filter_low_is_larger_0_6_4 <= transform_right_filter_low_is_larger_0_6_4_value or (not
-          is_set(transform_right_filter_column_2(4), 3));
-      end if;
-      if transform_right_filter_low_is_larger_0_8_0_choices(3) then
-        transform_right_filter_low_is_larger_0_8_0 <= transform_right_filter_low_is_larger_0_8_0_value and (not
-          is_set(transform_right_filter_column_2(4), 3));
-      else
-        transform_right_filter_low_is_larger_0_8_0 <= transform_right_filter_low_is_larger_0_8_0_value or (not
-          is_set(transform_right_filter_column_2(4), 3));
-      end if;
-      if transform_right_filter_low_is_larger_0_8_2_choices(3) then
-        transform_right_filter_low_is_larger_0_8_2 <= transform_right_filter_low_is_larger_0_8_2_value and (not
-          is_set(transform_right_filter_column_2(4), 3));
-      else
-        transform_right_filter_low_is_larger_0_8_2 <= transform_right_filter_low_is_larger_0_8_2_value or (not
-          is_set(transform_right_filter_column_2(4), 3));
-      end if;
-      if transform_right_filter_low_is_larger_0_8_4_choices(3) then
-        transform_right_filter_low_is_larger_0_8_4 <= transform_right_filter_low_is_larger_0_8_4_value and (not
-          is_set(transform_right_filter_column_2(4), 3));
-      else
-        transform_right_filter_low_is_larger_0_8_4 <= transform_right_filter_low_is_larger_0_8_4_value or (not
-          is_set(transform_right_filter_column_2(4), 3));
-      end if;
-      if transform_counter_next_frame then
-        transform_counter_group_choice := 375;
-      else
-        transform_counter_group_choice := 0;
-      end if;
+      transform_counter_frame_joins <= choice(transform_counter_counts, transform_counter_frame_joins_choice,
+        winnerswinner1_best_below_0);
+      transform_counter_column_after <= choice(transform_counter_last_column, 0, (transform_counter_column + 1) mod
+        2048);
+      transform_counter_group_after <= choice((not transform_counter_counts) or (not transform_counter_last_column),
+        transform_counter_group, transform_counter_group_after_choice);
+      transform_left_filter_low_is_larger_0_0_0 <= carry(transform_left_filter_low_is_larger_0_0_0_choices(3), not
+        is_set(transform_left_filter_column_2(4), 3), transform_left_filter_low_is_larger_0_0_0_values(4));
+      transform_left_filter_low_is_larger_0_0_2 <= inverted_carry(transform_left_filter_low_is_larger_0_0_2_choices(3),
+        transform_left_filter_low_is_larger_0_0_2_value, not is_set(transform_left_filter_column_2(4), 3));
+      transform_left_filter_low_is_larger_0_0_4 <= inverted_carry(transform_left_filter_low_is_larger_0_0_4_choices(3),
+        transform_left_filter_low_is_larger_0_0_4_value, not is_set(transform_left_filter_column_2(4), 3));
+      transform_left_filter_low_is_larger_0_2_0 <= inverted_carry(transform_left_filter_low_is_larger_0_2_0_choices(3),
+        transform_left_filter_low_is_larger_0_2_0_value, not is_set(transform_left_filter_column_2(4), 3));
+      transform_left_filter_low_is_larger_0_2_2 <= inverted_carry(transform_left_filter_low_is_larger_0_2_2_choices(3),
+        transform_left_filter_low_is_larger_0_2_2_value, not is_set(transform_left_filter_column_2(4), 3));
+      transform_left_filter_low_is_larger_0_2_4 <= inverted_carry(transform_left_filter_low_is_larger_0_2_4_choices(3),
+        transform_left_filter_low_is_larger_0_2_4_value, not is_set(transform_left_filter_column_2(4), 3));
+      transform_left_filter_low_is_larger_0_4_0 <= inverted_carry(transform_left_filter_low_is_larger_0_4_0_choices(3),
+        transform_left_filter_low_is_larger_0_4_0_value, not is_set(transform_left_filter_column_2(4), 3));
+      transform_left_filter_low_is_larger_0_4_4 <= inverted_carry(transform_left_filter_low_is_larger_0_4_4_choices(3),
+        transform_left_filter_low_is_larger_0_4_4_value, not is_set(transform_left_filter_column_2(4), 3));
+      transform_left_filter_low_is_larger_0_6_0 <= inverted_carry(transform_left_filter_low_is_larger_0_6_0_choices(3),
+        transform_left_filter_low_is_larger_0_6_0_value, not is_set(transform_left_filter_column_2(4), 3));
+      transform_left_filter_low_is_larger_0_6_2 <= inverted_carry(transform_left_filter_low_is_larger_0_6_2_choices(3),
+        transform_left_filter_low_is_larger_0_6_2_value, not is_set(transform_left_filter_column_2(4), 3));
+      transform_left_filter_low_is_larger_0_6_4 <= inverted_carry(transform_left_filter_low_is_larger_0_6_4_choices(3),
+        transform_left_filter_low_is_larger_0_6_4_value, not is_set(transform_left_filter_column_2(4), 3));
+      transform_left_filter_low_is_larger_0_8_0 <= inverted_carry(transform_left_filter_low_is_larger_0_8_0_choices(3),
+        transform_left_filter_low_is_larger_0_8_0_value, not is_set(transform_left_filter_column_2(4), 3));
+      transform_left_filter_low_is_larger_0_8_2 <= inverted_carry(transform_left_filter_low_is_larger_0_8_2_choices(3),
+        transform_left_filter_low_is_larger_0_8_2_value, not is_set(transform_left_filter_column_2(4), 3));
+      transform_left_filter_low_is_larger_0_8_4 <= inverted_carry(transform_left_filter_low_is_larger_0_8_4_choices(3),
+        transform_left_filter_low_is_larger_0_8_4_value, not is_set(transform_left_filter_column_2(4), 3));
+      transform_right_filter_low_is_larger_0_0_0 <= carry(transform_right_filter_low_is_larger_0_0_0_choices(3), not
+        is_set(transform_right_filter_column_2(4), 3), transform_right_filter_low_is_larger_0_0_0_values(4));
+      transform_right_filter_low_is_larger_0_0_2 <=
+        inverted_carry(transform_right_filter_low_is_larger_0_0_2_choices(3),
+        transform_right_filter_low_is_larger_0_0_2_value, not is_set(transform_right_filter_column_2(4), 3));
+      transform_right_filter_low_is_larger_0_0_4 <=
+        inverted_carry(transform_right_filter_low_is_larger_0_0_4_choices(3),
+        transform_right_filter_low_is_larger_0_0_4_value, not is_set(transform_right_filter_column_2(4), 3));
+      transform_right_filter_low_is_larger_0_2_0 <=
+        inverted_carry(transform_right_filter_low_is_larger_0_2_0_choices(3),
+        transform_right_filter_low_is_larger_0_2_0_value, not is_set(transform_right_filter_column_2(4), 3));
+      transform_right_filter_low_is_larger_0_2_2 <=
+        inverted_carry(transform_right_filter_low_is_larger_0_2_2_choices(3),
+        transform_right_filter_low_is_larger_0_2_2_value, not is_set(transform_right_filter_column_2(4), 3));
+      transform_right_filter_low_is_larger_0_2_4 <=
+        inverted_carry(transform_right_filter_low_is_larger_0_2_4_choices(3),
+        transform_right_filter_low_is_larger_0_2_4_value, not is_set(transform_right_filter_column_2(4), 3));
+      transform_right_filter_low_is_larger_0_4_0 <=
+        inverted_carry(transform_right_filter_low_is_larger_0_4_0_choices(3),
+        transform_right_filter_low_is_larger_0_4_0_value, not is_set(transform_right_filter_column_2(4), 3));
+      transform_right_filter_low_is_larger_0_4_4 <=
+        inverted_carry(transform_right_filter_low_is_larger_0_4_4_choices(3),
+        transform_right_filter_low_is_larger_0_4_4_value, not is_set(transform_right_filter_column_2(4), 3));
+      transform_right_filter_low_is_larger_0_6_0 <=
+        inverted_carry(transform_right_filter_low_is_larger_0_6_0_choices(3),
+        transform_right_filter_low_is_larger_0_6_0_value, not is_set(transform_right_filter_column_2(4), 3));
+      transform_right_filter_low_is_larger_0_6_2 <=
+        inverted_carry(transform_right_filter_low_is_larger_0_6_2_choices(3),
+        transform_right_filter_low_is_larger_0_6_2_value, not is_set(transform_right_filter_column_2(4), 3));
+      transform_right_filter_low_is_larger_0_6_4 <=
+        inverted_carry(transform_right_filter_low_is_larger_0_6_4_choices(3),
+        transform_right_filter_low_is_larger_0_6_4_value, not is_set(transform_right_filter_column_2(4), 3));
+      transform_right_filter_low_is_larger_0_8_0 <=
+        inverted_carry(transform_right_filter_low_is_larger_0_8_0_choices(3),
+        transform_right_filter_low_is_larger_0_8_0_value, not is_set(transform_right_filter_column_2(4), 3));
+      transform_right_filter_low_is_larger_0_8_2 <=
+        inverted_carry(transform_right_filter_low_is_larger_0_8_2_choices(3),
+        transform_right_filter_low_is_larger_0_8_2_value, not is_set(transform_right_filter_column_2(4), 3));
+      transform_right_filter_low_is_larger_0_8_4 <=
+        inverted_carry(transform_right_filter_low_is_larger_0_8_4_choices(3),
+        transform_right_filter_low_is_larger_0_8_4_value, not is_set(transform_right_filter_column_2(4), 3));
+      transform_counter_group_choice := choice(transform_counter_next_frame, 375, 0);
       if in_valid then
-        if in_start_of_frame then
-          transform_counter_column <= 0;
-          transform_counter_group <= transform_counter_group_choice;
-        else
-          transform_counter_column <= transform_counter_column_after;
-          transform_counter_group <= transform_counter_group_after;
-        end if;
+        transform_counter_column <= choice(in_start_of_frame, 0, transform_counter_column_after);
+        transform_counter_group <= choice(in_start_of_frame, transform_counter_group_choice,
+          transform_counter_group_after);
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= to_unsigned(transform_left_rows_ready_newest_0, 8) &
@@ -4777,11 +1981,8 @@ begin
         transform_write_column <= transform_ready_column;
       end if;
       if transform_filtering_valid(2) then
-        if transform_filtering_start_of_frame(2) then
-          transform_read_row_inside_0 <= raster_place_next_frame;
-        else
-          transform_read_row_inside_0 <= raster_place_back_to_back;
-        end if;
+        transform_read_row_inside_0 <= choice(transform_filtering_start_of_frame(2), raster_place_next_frame,
+          raster_place_back_to_back);
       end if;
       if transform_columns_valid then
         for i in 1 to 8 loop
@@ -4794,40 +1995,18 @@ begin
           transform_right_filter_column_2(i) <= transform_right_filter_column_2(i - 1);
           transform_right_filter_column_4(i) <= transform_right_filter_column_4(i - 1);
         end loop;
-        if transform_columns_row_inside_0 then
-          transform_left_filter_column_0(0) <= transform_left_column_0;
-          transform_right_filter_column_0(0) <= transform_right_column_0;
-        else
-          transform_left_filter_column_0(0) <= 0;
-          transform_right_filter_column_0(0) <= 0;
-        end if;
-        if transform_columns_row_inside_2 then
-          transform_left_filter_column_2(0) <= transform_left_column_2;
-          transform_right_filter_column_2(0) <= transform_right_column_2;
-        else
-          transform_left_filter_column_2(0) <= 0;
-          transform_right_filter_column_2(0) <= 0;
-        end if;
-        if transform_columns_row_inside_4 then
-          transform_left_filter_column_4(0) <= transform_left_column_4;
-          transform_right_filter_column_4(0) <= transform_right_column_4;
-        else
-          transform_left_filter_column_4(0) <= 0;
-          transform_right_filter_column_4(0) <= 0;
-        end if;
+        transform_left_filter_column_0(0) <= choice(transform_columns_row_inside_0, transform_left_column_0, 0);
+        transform_right_filter_column_0(0) <= choice(transform_columns_row_inside_0, transform_right_column_0, 0);
+        transform_left_filter_column_2(0) <= choice(transform_columns_row_inside_2, transform_left_column_2, 0);
+        transform_right_filter_column_2(0) <= choice(transform_columns_row_inside_2, transform_right_column_2, 0);
+        transform_left_filter_column_4(0) <= choice(transform_columns_row_inside_4, transform_left_column_4, 0);
+        transform_right_filter_column_4(0) <= choice(transform_columns_row_inside_4, transform_right_column_4, 0);
       end if;
       -- raster
       raster_place_next_frame_is_equal := raster_place_column = 1241;
-      if raster_place_last_column then
-        raster_place_back_to_back_choice := (not raster_place_frame_joins) and transform_read_row_inside_0;
-      else
-        raster_place_back_to_back_choice := transform_read_row_inside_0;
-      end if;
-      if raster_place_frame_joins then
-        raster_place_group_after_choice := 1;
-      else
-        raster_place_group_after_choice := (raster_place_group + 1) mod 512;
-      end if;
+      raster_place_back_to_back_choice := choice(raster_place_last_column, (not raster_place_frame_joins) and
+        transform_read_row_inside_0, transform_read_row_inside_0);
+      raster_place_group_after_choice := choice(raster_place_frame_joins, 1, (raster_place_group + 1) mod 512);
       raster_features_search_0 <= transform_right_filter_feature_0;
       raster_features_reference_0 <= transform_left_filter_feature_0;
       raster_features_valid <= transform_filtering_valid(2);
@@ -4835,34 +2014,16 @@ begin
       raster_place_last_column <= raster_place_next_frame_is_equal;
       raster_place_counts <= raster_place_group < 375;
       raster_place_frame_joins <= (raster_place_group = 375) and transform_read_row_inside_0;
-      if delay_row_inside(2) then
-        raster_place_back_to_back <= raster_place_back_to_back_choice;
-      else
-        raster_place_back_to_back <= transform_read_row_inside_0;
-      end if;
-      if raster_place_last_column then
-        raster_place_column_after <= 0;
-      else
-        raster_place_column_after <= (raster_place_column + 1) mod 2048;
-      end if;
-      if (not delay_row_inside(2)) or (not raster_place_last_column) then
-        raster_place_group_after <= raster_place_group;
-      else
-        raster_place_group_after <= raster_place_group_after_choice;
-      end if;
-      if raster_place_next_frame then
-        raster_place_group_choice := 375;
-      else
-        raster_place_group_choice := 0;
-      end if;
+      raster_place_back_to_back <= choice(delay_row_inside(2), raster_place_back_to_back_choice,
+        transform_read_row_inside_0);
+      raster_place_column_after <= choice(raster_place_last_column, 0, (raster_place_column + 1) mod 2048);
+      raster_place_group_after <= choice((not delay_row_inside(2)) or (not raster_place_last_column),
+        raster_place_group, raster_place_group_after_choice);
+      raster_place_group_choice := choice(raster_place_next_frame, 375, 0);
       if transform_filtering_valid(2) then
-        if transform_filtering_start_of_frame(2) then
-          raster_place_column <= 0;
-          raster_place_group <= raster_place_group_choice;
-        else
-          raster_place_column <= raster_place_column_after;
-          raster_place_group <= raster_place_group_after;
-        end if;
+        raster_place_column <= choice(transform_filtering_start_of_frame(2), 0, raster_place_column_after);
+        raster_place_group <= choice(transform_filtering_start_of_frame(2), raster_place_group_choice,
+          raster_place_group_after);
       end if;
       -- delay
       delay_row_inside_1_is_not_less := raster_place_group >= 1;
@@ -4876,13 +2037,13 @@ begin
       delay_row_inside(0) <= (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2)) < 375;
       delay_row_inside(1) <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
       delay_row_inside(2) <= raster_place_group /= 376;
-      delay_tag_valid <= raster_features_valid;
-      delay_tag_map_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
-      delay_tag_output_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less and
+      delay_tag.valid <= raster_features_valid;
+      delay_tag.map_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
+      delay_tag.output_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less and
         delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
-      delay_tag_first_column <= delay_tag_first_column_is_equal;
-      delay_tag_start_of_frame <= delay_tag_first_column_is_equal and (raster_place_group = 1);
-      delay_tag_end_of_line <= raster_place_column = 1240;
+      delay_tag.first_column <= delay_tag_first_column_is_equal;
+      delay_tag.start_of_frame <= delay_tag_first_column_is_equal and (raster_place_group = 1);
+      delay_tag.end_of_line <= raster_place_column = 1240;
       -- rows
       rows_search_rows_read_newest_0 <= delay_delayed_0;
       rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
@@ -4891,53 +2052,20 @@ begin
       rows_reference_rows_ready_words_0 <= to_integer(rows_reference_rows_read_words_0);
       rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
       rows_read_column <= delay_column;
-      rows_read_inside(0) <= delay_row_inside(0);
-      rows_read_inside(1) <= delay_row_inside(1);
+      rows_read_inside(0 to 1) <= delay_row_inside(0 to 1);
       rows_read_inside(2) <= raster_place_counts;
-      rows_read_tag_valid <= delay_tag_valid;
-      rows_read_tag_map_column <= delay_tag_map_column;
-      rows_read_tag_output_column <= delay_tag_output_column;
-      rows_read_tag_first_column <= delay_tag_first_column;
-      rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
-      rows_read_tag_end_of_line <= delay_tag_end_of_line;
+      rows_read_tag <= delay_tag;
       rows_ready_column <= rows_read_column;
-      rows_ready_inside(0) <= rows_read_inside(0);
-      rows_ready_inside(1) <= rows_read_inside(1);
-      rows_ready_inside(2) <= rows_read_inside(2);
-      rows_ready_tag_valid <= rows_read_tag_valid;
-      rows_ready_tag_map_column <= rows_read_tag_map_column;
-      rows_ready_tag_output_column <= rows_read_tag_output_column;
-      rows_ready_tag_first_column <= rows_read_tag_first_column;
-      rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
-      rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_tag_valid <= rows_ready_tag_valid;
-      rows_tag_map_column <= rows_ready_tag_map_column;
-      rows_tag_output_column <= rows_ready_tag_output_column;
-      rows_tag_first_column <= rows_ready_tag_first_column;
-      rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
-      rows_tag_end_of_line <= rows_ready_tag_end_of_line;
-      if rows_ready_inside(0) then
-        rows_search(0) <= rows_search_rows_ready_words_0 mod 16384;
-        rows_reference(0) <= rows_reference_rows_ready_words_0 mod 16384;
-      else
-        rows_search(0) <= 0;
-        rows_reference(0) <= 0;
-      end if;
-      if rows_ready_inside(1) then
-        rows_search(1) <= rows_search_rows_ready_words_0 / 16384;
-        rows_reference(1) <= rows_reference_rows_ready_words_0 / 16384;
-      else
-        rows_search(1) <= 0;
-        rows_reference(1) <= 0;
-      end if;
-      if rows_ready_inside(2) then
-        rows_search(2) <= rows_search_rows_ready_newest_0;
-        rows_reference(2) <= rows_reference_rows_ready_newest_0;
-      else
-        rows_search(2) <= 0;
-        rows_reference(2) <= 0;
-      end if;
-      if rows_ready_tag_valid then
+      rows_ready_inside <= rows_read_inside;
+      rows_ready_tag <= rows_read_tag;
+      rows_tag <= rows_ready_tag;
+      rows_search(0) <= choice(rows_ready_inside(0), rows_search_rows_ready_words_0 mod 16384, 0);
+      rows_reference(0) <= choice(rows_ready_inside(0), rows_reference_rows_ready_words_0 mod 16384, 0);
+      rows_search(1) <= choice(rows_ready_inside(1), rows_search_rows_ready_words_0 / 16384, 0);
+      rows_reference(1) <= choice(rows_ready_inside(1), rows_reference_rows_ready_words_0 / 16384, 0);
+      rows_search(2) <= choice(rows_ready_inside(2), rows_search_rows_ready_newest_0, 0);
+      rows_reference(2) <= choice(rows_ready_inside(2), rows_reference_rows_ready_newest_0, 0);
+      if rows_ready_tag.valid then
         rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 16384) + (rows_search_rows_ready_newest_0 *
           16384);
         rows_reference_rows_write_words_0 <= (rows_reference_rows_ready_words_0 / 16384) +
@@ -4945,65 +2073,40 @@ begin
         rows_write_column <= rows_ready_column;
       end if;
       -- line
-      if rows_tag_valid then
-        line_centre_map_column_0 <= rows_tag_map_column;
-        line_centre_output_column_0 <= rows_tag_output_column;
-        line_centre_first_column_0 <= rows_tag_first_column;
-        line_centre_start_of_frame_0 <= rows_tag_start_of_frame;
-        line_centre_end_of_line_0 <= rows_tag_end_of_line;
+      if rows_tag.valid then
+        line_centre_map_column_0 <= rows_tag.map_column;
+        line_centre_output_column_0 <= rows_tag.output_column;
+        line_centre_first_column_0 <= rows_tag.first_column;
+        line_centre_start_of_frame_0 <= rows_tag.start_of_frame;
+        line_centre_end_of_line_0 <= rows_tag.end_of_line;
         line_order_inside <= line_centre_map_column_0;
         line_newest_first_column <= line_centre_first_column_0;
         line_newest_top <= line_centre_start_of_frame_0;
       end if;
-      line_order_address_any := (not line_centre_map_column_0) or line_order_inside or (not rows_tag_valid);
-      if line_order_falls then
-        line_order_address_choice := 2047;
-      else
-        line_order_address_choice := 1;
+      line_order_address_any := (not line_centre_map_column_0) or line_order_inside or (not rows_tag.valid);
+      line_order_address_choice := choice(line_order_falls, 2047, 1);
+      line_order_address_choice_2 := choice(line_order_falls, 0, 1239);
+      if not ((not line_centre_map_column_0) or (not rows_tag.valid)) then
+        line_order_address <= choice(line_order_address_any, (line_order_address_choice + line_order_address) mod 2048,
+          line_order_address_choice_2);
       end if;
-      if line_order_falls then
-        line_order_address_choice_2 := 0;
-      else
-        line_order_address_choice_2 := 1239;
-      end if;
-      if not ((not line_centre_map_column_0) or (not rows_tag_valid)) then
-        if line_order_address_any then
-          line_order_address <= (line_order_address_choice + line_order_address) mod 2048;
-        else
-          line_order_address <= line_order_address_choice_2;
-        end if;
-      end if;
-      line_order_falls_all := line_centre_map_column_0 and (not line_order_inside) and rows_tag_valid;
-      if line_order_falls_all then
-        line_order_turned_output_column_choice := line_order_output and line_order_complete;
-      else
-        line_order_turned_output_column_choice := line_order_held_output;
-      end if;
-      line_order_turned_valid <= rows_tag_valid;
+      line_order_falls_all := line_centre_map_column_0 and (not line_order_inside) and rows_tag.valid;
+      line_order_turned_output_column_choice := choice(line_order_falls_all, line_order_output and line_order_complete,
+        line_order_held_output);
+      line_order_turned_valid <= rows_tag.valid;
       line_order_turned_map_column <= line_centre_map_column_0;
       line_order_turned_output_column <= line_order_turned_output_column_choice and line_centre_map_column_0;
       line_order_turned_first_column <= line_order_falls_all;
-      line_order_turned_start_of_frame <= line_centre_map_column_0 and (not line_order_inside) and rows_tag_valid and
+      line_order_turned_start_of_frame <= line_centre_map_column_0 and (not line_order_inside) and rows_tag.valid and
         line_order_first and line_order_output and line_order_complete;
       line_order_turned_end_of_line <= line_centre_end_of_line_0;
       line_comes(1) <= line_order_turned_valid;
-      for i in 2 to 35 loop
-        line_comes(i) <= line_comes(i - 1);
-      end loop;
+      line_comes(2 to 35) <= line_comes(1 to 34);
       line_starts_phases(1) <= line_order_inside and line_order_turned_valid;
-      for i in 2 to 35 loop
-        line_starts_phases(i) <= line_starts_phases(i - 1);
-      end loop;
-      if line_order_falls then
-        line_order_falls <= line_order_address_any;
-      else
-        line_order_falls <= line_order_falls_all;
-      end if;
-      if line_order_complete then
-        line_order_complete <= line_centre_end_of_line_0 or (not line_centre_map_column_0) or (not rows_tag_valid);
-      else
-        line_order_complete <= line_centre_end_of_line_0 and line_centre_map_column_0 and rows_tag_valid;
-      end if;
+      line_starts_phases(2 to 35) <= line_starts_phases(1 to 34);
+      line_order_falls <= choice(line_order_falls, line_order_address_any, line_order_falls_all);
+      line_order_complete <= choice(line_order_complete, line_centre_end_of_line_0 or (not line_centre_map_column_0) or
+        (not rows_tag.valid), line_centre_end_of_line_0 and line_centre_map_column_0 and rows_tag.valid);
       if line_order_falls_all then
         line_order_output <= line_centre_output_column_0;
         line_order_first <= line_centre_start_of_frame_0;
@@ -5044,38 +2147,22 @@ begin
         line_places_shown_end_of_line(4) <= line_places_shown_end_of_line(3);
       end if;
       -- costsshift
-      if rows_tag_valid then
-        costsshift_newest(0) <= rows_search(0);
-        costsshift_newest(1) <= rows_search(1);
-        costsshift_newest(2) <= rows_search(2);
-        costsshift_new_reference(0) <= rows_reference(0);
-        costsshift_new_reference(1) <= rows_reference(1);
-        costsshift_new_reference(2) <= rows_reference(2);
+      if rows_tag.valid then
+        costsshift_newest <= rows_search;
+        costsshift_new_reference <= rows_reference;
       end if;
-      if costsshift_count_phase = 7 then
-        costsshift_count_phase_choice := 7;
-      else
-        costsshift_count_phase_choice := (costsshift_count_phase + 1) mod 8;
-      end if;
-      costsshift_new_tag_valid <= rows_tag_valid or (not is_set(costsshift_count_phase, 2)) or (not
+      costsshift_count_phase_choice := choice(costsshift_count_phase = 7, 7, (costsshift_count_phase + 1) mod 8);
+      costsshift_new_tag_valid <= rows_tag.valid or (not is_set(costsshift_count_phase, 2)) or (not
         is_set(costsshift_count_phase, 1)) or (not is_set(costsshift_count_phase, 0));
       costsshift_handed_on(0) <= to_integer(costsshift_read_words(7)(27 downto 14));
       costsshift_handed_on(1) <= to_integer(costsshift_read_words(15)(27 downto 14));
       costsshift_handed_on(2) <= to_integer(costsshift_read_words(23)(27 downto 14));
-      costsshift_read_reference(0) <= costsshift_new_reference(0);
-      costsshift_read_reference(1) <= costsshift_new_reference(1);
-      costsshift_read_reference(2) <= costsshift_new_reference(2);
+      costsshift_read_reference <= costsshift_new_reference;
       costsshift_read_tag_valid <= costsshift_new_tag_valid;
       costsshift_read_count_phase <= costsshift_count_phase;
-      costsshift_reference(0) <= costsshift_read_reference(0);
-      costsshift_reference(1) <= costsshift_read_reference(1);
-      costsshift_reference(2) <= costsshift_read_reference(2);
+      costsshift_reference <= costsshift_read_reference;
       costsshift_write_phase <= costsshift_read_count_phase;
-      if rows_tag_valid then
-        costsshift_count_phase <= 0;
-      else
-        costsshift_count_phase <= costsshift_count_phase_choice;
-      end if;
+      costsshift_count_phase <= choice(rows_tag.valid, 0, costsshift_count_phase_choice);
       costsshift_search_0_0_is_equal := costsshift_read_count_phase = 0;
       if costsshift_read_tag_valid then
         for i in 0 to 2 loop
@@ -5085,70 +2172,65 @@ begin
           end loop;
           costsshift_search(i, 15) <= to_integer(costsshift_read_words(8 * i + 7)(13 downto 0));
         end loop;
-        if costsshift_search_0_0_is_equal then
-          costsshift_search(0, 0) <= costsshift_newest(0);
-          costsshift_search(1, 0) <= costsshift_newest(1);
-          costsshift_search(2, 0) <= costsshift_newest(2);
-        else
-          costsshift_search(0, 0) <= costsshift_handed_on(0);
-          costsshift_search(1, 0) <= costsshift_handed_on(1);
-          costsshift_search(2, 0) <= costsshift_handed_on(2);
-        end if;
+        for i in 0 to 2 loop
+          costsshift_search(i, 0) <= choice(costsshift_search_0_0_is_equal, costsshift_newest(i),
+            costsshift_handed_on(i));
+        end loop;
       end if;
       -- costscolumn
       for i in 0 to 2 loop
-        costscolumn_pixels_first_0_count_value(i, 0) := is_set(costsshift_reference(i), 2);
-        costscolumn_pixels_first_0_count_value_2(i, 0) := is_set(costsshift_reference(i), 1);
-        costscolumn_pixels_first_0_count_value(i, 1) := is_set(costsshift_reference(i), 3);
-        costscolumn_pixels_first_0_count_value_2(i, 1) := is_set(costsshift_reference(i), 5);
-        costscolumn_pixels_first_0_count_1_value_3(i) := is_set(costsshift_reference(i), 4);
-        costscolumn_pixels_first_0_count_value(i, 2) := is_set(costsshift_reference(i), 8);
-        costscolumn_pixels_first_0_count_value_2(i, 2) := is_set(costsshift_reference(i), 6);
-        costscolumn_pixels_first_0_count_value(i, 3) := is_set(costsshift_reference(i), 9);
-        costscolumn_pixels_first_0_count_value_2(i, 3) := is_set(costsshift_reference(i), 11);
-        costscolumn_pixels_first_0_count_3_value_3(i) := is_set(costsshift_reference(i), 10);
-        costscolumn_pixels_first_0_count_value(i, 4) := is_set(costsshift_reference(i), 12);
+        costscolumn_pixels_first_0_count_value(i, 0, 1) := is_set(costsshift_reference(i), 2);
+        costscolumn_pixels_first_0_count_value(i, 0, 2) := is_set(costsshift_reference(i), 1);
+        costscolumn_pixels_first_0_count_value(i, 1, 1) := is_set(costsshift_reference(i), 3);
+        costscolumn_pixels_first_0_count_value(i, 1, 2) := is_set(costsshift_reference(i), 5);
+        costscolumn_pixels_first_0_count_value(i, 1, 3) := is_set(costsshift_reference(i), 4);
+        costscolumn_pixels_first_0_count_value(i, 2, 1) := is_set(costsshift_reference(i), 8);
+        costscolumn_pixels_first_0_count_value(i, 2, 2) := is_set(costsshift_reference(i), 6);
+        costscolumn_pixels_first_0_count_value(i, 3, 1) := is_set(costsshift_reference(i), 9);
+        costscolumn_pixels_first_0_count_value(i, 3, 2) := is_set(costsshift_reference(i), 11);
+        costscolumn_pixels_first_0_count_value(i, 3, 3) := is_set(costsshift_reference(i), 10);
+        costscolumn_pixels_first_0_count_value(i, 4, 1) := is_set(costsshift_reference(i), 12);
       end loop;
       for i in 0 to 2 loop
         costscolumn_pixels_first_count(i, 0, 0) <= as_number((is_set(costsshift_search(i, 0), 0) /=
-          is_set(costsshift_reference(i), 0))) + as_number((costscolumn_pixels_first_0_count_value(i, 0) /=
-          is_set(costsshift_search(i, 0), 2))) + as_number((costscolumn_pixels_first_0_count_value_2(i, 0) /=
+          is_set(costsshift_reference(i), 0))) + as_number((costscolumn_pixels_first_0_count_value(i, 0, 1) /=
+          is_set(costsshift_search(i, 0), 2))) + as_number((costscolumn_pixels_first_0_count_value(i, 0, 2) /=
           is_set(costsshift_search(i, 0), 1)));
-        costscolumn_pixels_first_count(i, 0, 1) <= as_number((costscolumn_pixels_first_0_count_value(i, 1) /=
-          is_set(costsshift_search(i, 0), 3))) + as_number((costscolumn_pixels_first_0_count_value_2(i, 1) /=
-          is_set(costsshift_search(i, 0), 5))) + as_number((costscolumn_pixels_first_0_count_1_value_3(i) /=
+        costscolumn_pixels_first_count(i, 0, 1) <= as_number((costscolumn_pixels_first_0_count_value(i, 1, 1) /=
+          is_set(costsshift_search(i, 0), 3))) + as_number((costscolumn_pixels_first_0_count_value(i, 1, 2) /=
+          is_set(costsshift_search(i, 0), 5))) + as_number((costscolumn_pixels_first_0_count_value(i, 1, 3) /=
           is_set(costsshift_search(i, 0), 4)));
         costscolumn_pixels_first_count(i, 0, 2) <= (to_integer(((to_unsigned((costsshift_search(i, 0) mod 256), 8)) xor
           (to_unsigned((costsshift_reference(i) mod 256), 8)))) / 128) +
-          as_number((costscolumn_pixels_first_0_count_value(i, 2) /= is_set(costsshift_search(i, 0), 8))) +
-          as_number((costscolumn_pixels_first_0_count_value_2(i, 2) /= is_set(costsshift_search(i, 0), 6)));
-        costscolumn_pixels_first_count(i, 0, 3) <= as_number((costscolumn_pixels_first_0_count_value(i, 3) /=
-          is_set(costsshift_search(i, 0), 9))) + as_number((costscolumn_pixels_first_0_count_value_2(i, 3) /=
-          is_set(costsshift_search(i, 0), 11))) + as_number((costscolumn_pixels_first_0_count_3_value_3(i) /=
+          as_number((costscolumn_pixels_first_0_count_value(i, 2, 1) /= is_set(costsshift_search(i, 0), 8))) +
+          as_number((costscolumn_pixels_first_0_count_value(i, 2, 2) /= is_set(costsshift_search(i, 0), 6)));
+        costscolumn_pixels_first_count(i, 0, 3) <= as_number((costscolumn_pixels_first_0_count_value(i, 3, 1) /=
+          is_set(costsshift_search(i, 0), 9))) + as_number((costscolumn_pixels_first_0_count_value(i, 3, 2) /=
+          is_set(costsshift_search(i, 0), 11))) + as_number((costscolumn_pixels_first_0_count_value(i, 3, 3) /=
           is_set(costsshift_search(i, 0), 10)));
         costscolumn_pixels_first_count_4(i, 0) <= as_number((is_set(costsshift_reference(i), 13) /=
-          is_set(costsshift_search(i, 0), 13))) + as_number((costscolumn_pixels_first_0_count_value(i, 4) /=
+          is_set(costsshift_search(i, 0), 13))) + as_number((costscolumn_pixels_first_0_count_value(i, 4, 1) /=
           is_set(costsshift_search(i, 0), 12)));
         for j in 1 to 15 loop
           costscolumn_pixels_first_count(i, j, 0) <= as_number((is_set(costsshift_search(i, j), 0) /=
             is_set(costsshift_reference(i), 0))) + as_number((is_set(costsshift_search(i, j), 2) /=
-            costscolumn_pixels_first_0_count_value(i, 0))) + as_number((is_set(costsshift_search(i, j), 1) /=
-            costscolumn_pixels_first_0_count_value_2(i, 0)));
+            costscolumn_pixels_first_0_count_value(i, 0, 1))) + as_number((is_set(costsshift_search(i, j), 1) /=
+            costscolumn_pixels_first_0_count_value(i, 0, 2)));
           costscolumn_pixels_first_count(i, j, 1) <= as_number((is_set(costsshift_search(i, j), 3) /=
-            costscolumn_pixels_first_0_count_value(i, 1))) + as_number((is_set(costsshift_search(i, j), 5) /=
-            costscolumn_pixels_first_0_count_value_2(i, 1))) + as_number((is_set(costsshift_search(i, j), 4) /=
-            costscolumn_pixels_first_0_count_1_value_3(i)));
+            costscolumn_pixels_first_0_count_value(i, 1, 1))) + as_number((is_set(costsshift_search(i, j), 5) /=
+            costscolumn_pixels_first_0_count_value(i, 1, 2))) + as_number((is_set(costsshift_search(i, j), 4) /=
+            costscolumn_pixels_first_0_count_value(i, 1, 3)));
           costscolumn_pixels_first_count(i, j, 2) <= (to_integer(((to_unsigned((costsshift_search(i, j) mod 256), 8))
             xor (to_unsigned((costsshift_reference(i) mod 256), 8)))) / 128) + as_number((is_set(costsshift_search(i,
-            j), 8) /= costscolumn_pixels_first_0_count_value(i, 2))) + as_number((is_set(costsshift_search(i, j), 6) /=
-            costscolumn_pixels_first_0_count_value_2(i, 2)));
+            j), 8) /= costscolumn_pixels_first_0_count_value(i, 2, 1))) + as_number((is_set(costsshift_search(i, j), 6)
+            /= costscolumn_pixels_first_0_count_value(i, 2, 2)));
           costscolumn_pixels_first_count(i, j, 3) <= as_number((is_set(costsshift_search(i, j), 9) /=
-            costscolumn_pixels_first_0_count_value(i, 3))) + as_number((is_set(costsshift_search(i, j), 11) /=
-            costscolumn_pixels_first_0_count_value_2(i, 3))) + as_number((is_set(costsshift_search(i, j), 10) /=
-            costscolumn_pixels_first_0_count_3_value_3(i)));
+            costscolumn_pixels_first_0_count_value(i, 3, 1))) + as_number((is_set(costsshift_search(i, j), 11) /=
+            costscolumn_pixels_first_0_count_value(i, 3, 2))) + as_number((is_set(costsshift_search(i, j), 10) /=
+            costscolumn_pixels_first_0_count_value(i, 3, 3)));
           costscolumn_pixels_first_count_4(i, j) <= as_number((is_set(costsshift_search(i, j), 13) /=
             is_set(costsshift_reference(i), 13))) + as_number((is_set(costsshift_search(i, j), 12) /=
-            costscolumn_pixels_first_0_count_value(i, 4)));
+            costscolumn_pixels_first_0_count_value(i, 4, 1)));
         end loop;
       end loop;
       for i in 0 to 2 loop
@@ -5168,68 +2250,36 @@ begin
         costscolumn_column_0(i) <= costscolumn_pair_0(i) + costscolumn_single_0(i);
       end loop;
       -- costswindow
-      if costswindow_read_count_phase = 7 then
-        costswindow_read_count_phase_choice := 7;
-      else
-        costswindow_read_count_phase_choice := (costswindow_read_count_phase + 1) mod 8;
-      end if;
-      if costswindow_write_count_phase = 7 then
-        costswindow_write_count_phase_choice := 7;
-      else
-        costswindow_write_count_phase_choice := (costswindow_write_count_phase + 1) mod 8;
-      end if;
-      for i in 0 to 1 loop
+      costswindow_read_count_phase_choice := choice(costswindow_read_count_phase = 7, 7, (costswindow_read_count_phase
+        + 1) mod 8);
+      costswindow_write_count_phase_choice := choice(costswindow_write_count_phase = 7, 7,
+        (costswindow_write_count_phase + 1) mod 8);
+      for i in 4 to 7 loop
         for j in 0 to 3 loop
-          costswindow_sum_0(8 * i + j) <= costscolumn_column_0(8 * i + j) + to_integer(costswindow_read_wordss(2 * i +
-            4)(7 * j + 6 downto 7 * j));
-        end loop;
-        for j in 4 to 7 loop
-          costswindow_sum_0(8 * i + j) <= costscolumn_column_0(8 * i + j) + to_integer(costswindow_read_wordss(2 * i +
-            5)(7 * j - 22 downto 7 * j - 28));
+          costswindow_sum_0(4 * i + j - 16) <= costscolumn_column_0(4 * i + j - 16) +
+            to_integer(costswindow_read_wordss(i)(7 * j + 6 downto 7 * j));
         end loop;
       end loop;
-      if line_comes(4) then
-        costswindow_read_count_phase <= 0;
-      else
-        costswindow_read_count_phase <= costswindow_read_count_phase_choice;
-      end if;
-      if line_comes(6) then
-        costswindow_write_count_phase <= 0;
-      else
-        costswindow_write_count_phase <= costswindow_write_count_phase_choice;
-      end if;
+      costswindow_read_count_phase <= choice(line_comes(4), 0, costswindow_read_count_phase_choice);
+      costswindow_write_count_phase <= choice(line_comes(6), 0, costswindow_write_count_phase_choice);
       costswindow_partial_0_any := (not is_set(costswindow_write_count_phase, 2)) or (not
         is_set(costswindow_write_count_phase, 1)) or (not is_set(costswindow_write_count_phase, 0)) or line_comes(6);
       if costswindow_partial_0_any then
-        for i in 0 to 15 loop
-          costswindow_partial(i) <= costscolumn_column_0(i);
-        end loop;
-        for i in 0 to 1 loop
+        costswindow_partial <= costscolumn_column_0;
+        for i in 0 to 3 loop
           for j in 16 to 19 loop
-            costswindow_partials(8 * i + j) <= costscolumn_column_0(8 * i + j - 16) +
-              to_integer(costswindow_read_words(2 * i)(7 * j - 107 downto 7 * j - 112));
-          end loop;
-          for j in 20 to 23 loop
-            costswindow_partials(8 * i + j) <= costscolumn_column_0(8 * i + j - 16) +
-              to_integer(costswindow_read_words(2 * i + 1)(7 * j - 135 downto 7 * j - 140));
+            costswindow_partials(4 * i + j) <= costscolumn_column_0(4 * i + j - 16) +
+              to_integer(costswindow_read_words(i)(7 * j - 107 downto 7 * j - 112));
           end loop;
         end loop;
       end if;
       -- costsmask
       costsmask_column_sum := costsmask_column + 1;
-      if line_places_shown_first_column(0) then
-        costsmask_column_choice := 0;
-      else
-        costsmask_column_choice := costsmask_column_sum mod 2048;
-      end if;
+      costsmask_column_choice := choice(line_places_shown_first_column(0), 0, costsmask_column_sum mod 2048);
       if line_comes(5) then
         costsmask_column <= costsmask_column_choice;
       end if;
-      if line_places_shown_first_column(0) then
-        costsmask_partner_choice := 0;
-      else
-        costsmask_partner_choice := costsmask_column_sum;
-      end if;
+      costsmask_partner_choice := choice(line_places_shown_first_column(0), 0, costsmask_column_sum);
       costsmask_inside(0) <= (((((costsmask_partner / 2048) + 31) mod 32) * 2048) + (costsmask_partner mod 2048)) <
         1240;
       costsmask_inside(1) <= (costsmask_partner >= 2049) and (costsmask_partner < 3289);
@@ -5247,26 +2297,15 @@ begin
       costsmask_inside(13) <= (costsmask_partner >= 2061) and (costsmask_partner < 3301);
       costsmask_inside(14) <= (((((costsmask_partner / 2) + 31737) mod 32768) * 2) + (costsmask_partner mod 2)) < 1240;
       costsmask_inside(15) <= (costsmask_partner >= 2063) and (costsmask_partner < 3303);
-      if line_comes(5) then
-        costsmask_partner <= (((costsmask_partner_choice / 2048) + 1) * 2048) + costsmask_column_choice;
-      else
-        costsmask_partner <= ((((costsmask_partner / 16) + 511) mod 512) * 16) + (costsmask_partner mod 16);
-      end if;
+      costsmask_partner <= choice(line_comes(5), (((costsmask_partner_choice / 2048) + 1) * 2048) +
+        costsmask_column_choice, ((((costsmask_partner / 16) + 511) mod 512) * 16) + (costsmask_partner mod 16));
       -- costs
       for i in 0 to 15 loop
-        if (not (((not is_set(costswindow_sum_0(i), 5)) or (not is_set(costswindow_sum_0(i), 4))) and
-          ((costswindow_sum_0(i) / 64) = 0))) or (not costsmask_inside(i)) then
-          costs_cost(i) <= 5;
-        else
-          costs_cost(i) <= costswindow_sum_0(i) / 8;
-        end if;
+        costs_cost(i) <= choice((not (((not is_set(costswindow_sum_0(i), 5)) or (not is_set(costswindow_sum_0(i), 4)))
+          and ((costswindow_sum_0(i) / 64) = 0))) or (not costsmask_inside(i)), 5, costswindow_sum_0(i) / 8);
       end loop;
       -- paths
-      if line_comes(12) then
-        paths_smallest_cost_choice := 7;
-      else
-        paths_smallest_cost_choice := paths_smallest_cost;
-      end if;
+      paths_smallest_cost_choice := choice(line_comes(12), 7, paths_smallest_cost);
       paths_cost_delay_ring_write_address <= paths_cost_delay_ring_read_address;
       for i in 0 to 1 loop
         paths_sum(8 * i) <= (pathsturn_sum_memory_ready_words(7 * i) mod 128) + pathsright_cost(8 * i);
@@ -5285,1225 +2324,402 @@ begin
         paths_sum(8 * i + 7) <= (pathsturn_sum_memory_ready_words(7 * i + 6) / 2) + pathsright_cost(8 * i + 7);
       end loop;
       for i in 0 to 7 loop
-        if (costs_cost(2 * i + 1) - costs_cost(2 * i)) < 0 then
-          paths_tree_smallest(i) <= costs_cost(2 * i + 1);
-        else
-          paths_tree_smallest(i) <= costs_cost(2 * i);
-        end if;
+        paths_tree_smallest(i) <= choice((costs_cost(2 * i + 1) - costs_cost(2 * i)) < 0, costs_cost(2 * i + 1),
+          costs_cost(2 * i));
       end loop;
       for i in 0 to 3 loop
-        if (paths_tree_smallest(2 * i + 1) - paths_tree_smallest(2 * i)) < 0 then
-          paths_tree_next_smallest(i) <= paths_tree_smallest(2 * i + 1);
-        else
-          paths_tree_next_smallest(i) <= paths_tree_smallest(2 * i);
-        end if;
+        paths_tree_next_smallest(i) <= choice((paths_tree_smallest(2 * i + 1) - paths_tree_smallest(2 * i)) < 0,
+          paths_tree_smallest(2 * i + 1), paths_tree_smallest(2 * i));
       end loop;
-      for i in 0 to 1 loop
-        if (paths_tree_next_smallest(2 * i + 1) - paths_tree_next_smallest(2 * i)) < 0 then
-          paths_tree_next_next_smallest(i) <= paths_tree_next_smallest(2 * i + 1);
-        else
-          paths_tree_next_next_smallest(i) <= paths_tree_next_smallest(2 * i);
-        end if;
-      end loop;
-      if (paths_tree_next_next_smallest(1) - paths_tree_next_next_smallest(0)) < 0 then
-        paths_tree_next_next_next_smallest_0 <= paths_tree_next_next_smallest(1);
-      else
-        paths_tree_next_next_next_smallest_0 <= paths_tree_next_next_smallest(0);
-      end if;
-      if (paths_tree_next_next_next_smallest_0 - paths_smallest_cost_choice) < 0 then
-        paths_smallest_cost <= paths_tree_next_next_next_smallest_0;
-      else
-        paths_smallest_cost <= paths_smallest_cost_choice;
-      end if;
-      if paths_cost_delay_ring_read_address = 12 then
-        paths_cost_delay_ring_read_address <= 0;
-      else
-        paths_cost_delay_ring_read_address <= (paths_cost_delay_ring_read_address + 1) mod 16;
-      end if;
+      paths_tree_next_next_smallest(0) <= choice((paths_tree_next_smallest(1) - paths_tree_next_smallest(0)) < 0,
+        paths_tree_next_smallest(1), paths_tree_next_smallest(0));
+      paths_tree_next_next_smallest(1) <= choice((paths_tree_next_smallest(3) - paths_tree_next_smallest(2)) < 0,
+        paths_tree_next_smallest(3), paths_tree_next_smallest(2));
+      paths_tree_next_next_next_smallest_0 <= choice((paths_tree_next_next_smallest(1) -
+        paths_tree_next_next_smallest(0)) < 0, paths_tree_next_next_smallest(1), paths_tree_next_next_smallest(0));
+      paths_smallest_cost <= choice((paths_tree_next_next_next_smallest_0 - paths_smallest_cost_choice) < 0,
+        paths_tree_next_next_next_smallest_0, paths_smallest_cost_choice);
+      paths_cost_delay_ring_read_address <= choice(paths_cost_delay_ring_read_address = 12, 0,
+        (paths_cost_delay_ring_read_address + 1) mod 16);
       -- pathsleft
       if line_starts_phases(11) then
         pathsleft_fresh_past_newest(0) <= relief_left(1);
         pathsleft_fresh_past_newest(1) <= pathsleft_fresh_past_newest(0);
       end if;
       if line_starts_phases(12) then
-        pathsleft_fresh_past_pairs(1) <= pathsleft_fresh_past_pairs(0);
-        pathsleft_fresh_past_pairs(2) <= pathsleft_fresh_past_pairs(1);
-        if (pathsleft_fresh_past_newest(1) - pathsleft_fresh_past_newest(0)) < 0 then
-          pathsleft_fresh_past_pairs(0) <= pathsleft_fresh_past_newest(1);
-        else
-          pathsleft_fresh_past_pairs(0) <= pathsleft_fresh_past_newest(0);
-        end if;
+        pathsleft_fresh_past_pairs(1 to 2) <= pathsleft_fresh_past_pairs(0 to 1);
+        pathsleft_fresh_past_pairs(0) <= choice((pathsleft_fresh_past_newest(1) - pathsleft_fresh_past_newest(0)) < 0,
+          pathsleft_fresh_past_newest(1), pathsleft_fresh_past_newest(0));
       end if;
       if line_starts_phases(13) then
-        for i in 1 to 7 loop
-          pathsleft_fresh_past_fours(i) <= pathsleft_fresh_past_fours(i - 1);
-        end loop;
-        if (pathsleft_fresh_past_pairs(2) - pathsleft_fresh_past_pairs(0)) < 0 then
-          pathsleft_fresh_past_fours(0) <= pathsleft_fresh_past_pairs(2);
-        else
-          pathsleft_fresh_past_fours(0) <= pathsleft_fresh_past_pairs(0);
-        end if;
+        pathsleft_fresh_past_fours(1 to 7) <= pathsleft_fresh_past_fours(0 to 6);
+        pathsleft_fresh_past_fours(0) <= choice((pathsleft_fresh_past_pairs(2) - pathsleft_fresh_past_pairs(0)) < 0,
+          pathsleft_fresh_past_pairs(2), pathsleft_fresh_past_pairs(0));
       end if;
       pathsleft_read_count_phase_is_equal := pathsleft_read_count_phase = 7;
-      if pathsleft_read_count_phase_is_equal then
-        pathsleft_read_count_phase_choice := 7;
-      else
-        pathsleft_read_count_phase_choice := (pathsleft_read_count_phase + 1) mod 8;
-      end if;
-      if pathsleft_ahead_count_phase = 7 then
-        pathsleft_ahead_count_phase_choice := 7;
-      else
-        pathsleft_ahead_count_phase_choice := (pathsleft_ahead_count_phase + 1) mod 8;
-      end if;
-      pathsleft_stay_value(0) := is_set(pathsleft_fresh_here, 1);
+      pathsleft_read_count_phase_choice := choice(pathsleft_read_count_phase_is_equal, 7, (pathsleft_read_count_phase +
+        1) mod 8);
+      pathsleft_ahead_count_phase_choice := choice(pathsleft_ahead_count_phase = 7, 7, (pathsleft_ahead_count_phase +
+        1) mod 8);
+      pathsleft_stay_0_values(1) := is_set(pathsleft_fresh_here, 1);
       pathsleft_stay_0_is_equal := (pathsleft_fresh_here mod 4) = 0;
-      if pathsleft_read_words(4)(0) = '1' then
-        pathsleft_stay_choice(0) := not pathsleft_stay_value(0);
-      else
-        pathsleft_stay_choice(0) := pathsleft_stay_0_is_equal;
-      end if;
-      if pathsleft_read_words(4)(1) = '1' then
-        pathsleft_stay_choices(0, 2) := (pathsleft_read_words(4)(0) = '1') or (not pathsleft_stay_value(0)) or (not
-          is_set(pathsleft_fresh_here, 0));
-      else
-        pathsleft_stay_choices(0, 2) := pathsleft_stay_choice(0);
-      end if;
-      pathsleft_stay_value_2(0) := is_set(pathsleft_fresh_here, 2);
-      if pathsleft_stay_choices(0, 2) then
-        pathsleft_stay_choices(0, 3) := (not (pathsleft_read_words(4)(2) = '1')) and pathsleft_stay_value_2(0);
-      else
-        pathsleft_stay_choices(0, 3) := (not (pathsleft_read_words(4)(2) = '1')) or pathsleft_stay_value_2(0);
-      end if;
-      for i in 3 to 4 loop
+      pathsleft_stay_choice(0, 1) := choice(pathsleft_read_words(4)(0) = '1', not pathsleft_stay_0_values(1),
+        pathsleft_stay_0_is_equal);
+      pathsleft_stay_choice(0, 2) := choice(pathsleft_read_words(4)(1) = '1', (pathsleft_read_words(4)(0) = '1') or
+        (not pathsleft_stay_0_values(1)) or (not is_set(pathsleft_fresh_here, 0)), pathsleft_stay_choice(0, 1));
+      pathsleft_stay_0_values(2) := is_set(pathsleft_fresh_here, 2);
+      pathsleft_stay_choice(0, 3) := inverted_carry(pathsleft_stay_choice(0, 2), not (pathsleft_read_words(4)(2) =
+        '1'), pathsleft_stay_0_values(2));
+      for i in 3 to 5 loop
         pathsleft_stay_0_values(i) := is_set(pathsleft_fresh_here, i);
-        if pathsleft_stay_choices(0, i) then
-          pathsleft_stay_choices(0, i + 1) := (not (pathsleft_read_words(4)(i) = '1')) or pathsleft_stay_0_values(i);
-        else
-          pathsleft_stay_choices(0, i + 1) := (not (pathsleft_read_words(4)(i) = '1')) and pathsleft_stay_0_values(i);
-        end if;
+        pathsleft_stay_choice(0, i + 1) := carry(pathsleft_stay_choice(0, i), not (pathsleft_read_words(4)(i) = '1'),
+          pathsleft_stay_0_values(i));
       end loop;
-      pathsleft_stay_0_values_from_5(5) := is_set(pathsleft_fresh_here, 5);
-      if pathsleft_stay_choices(0, 5) then
-        pathsleft_stay_choices(0, 6) := (not (pathsleft_read_words(4)(5) = '1')) or pathsleft_stay_0_values_from_5(5);
-      else
-        pathsleft_stay_choices(0, 6) := (not (pathsleft_read_words(4)(5) = '1')) and pathsleft_stay_0_values_from_5(5);
-      end if;
-      if pathsleft_stay_choices(0, 6) then
-        pathsleft_stay_choices(0, 7) := (not (pathsleft_read_words(4)(6) = '1')) or is_set(pathsleft_fresh_here, 6);
-      else
-        pathsleft_stay_choices(0, 7) := (not (pathsleft_read_words(4)(6) = '1')) and is_set(pathsleft_fresh_here, 6);
-      end if;
-      if is_set(pathsleft_fresh_here, 0) then
-        pathsleft_stay_choices(0, 8) := (not (pathsleft_read_words(0)(1) = '1')) or (not (pathsleft_read_words(0)(0) =
-          '1'));
-      else
-        pathsleft_stay_choices(0, 8) := not (pathsleft_read_words(0)(1) = '1');
-      end if;
-      if pathsleft_stay_value(0) then
-        pathsleft_stay_choices(0, 9) := pathsleft_stay_choices(0, 8);
-      else
-        pathsleft_stay_choices(0, 9) := is_set(pathsleft_fresh_here, 0) and (to_integer(pathsleft_read_words(0)(1
-          downto 0)) = 0);
-      end if;
-      pathsleft_stay_0_values_from_5(6) := pathsleft_read_words(0)(2) = '1';
-      if pathsleft_stay_choices(0, 9) then
-        pathsleft_stay_choices(0, 10) := (not pathsleft_stay_value_2(0)) and pathsleft_stay_0_values_from_5(6);
-      else
-        pathsleft_stay_choices(0, 10) := (not pathsleft_stay_value_2(0)) or pathsleft_stay_0_values_from_5(6);
-      end if;
-      for i in 7 to 8 loop
-        pathsleft_stay_0_values_from_5(i) := pathsleft_read_words(0)(i - 4) = '1';
-        if pathsleft_stay_choices(0, i + 3) then
-          pathsleft_stay_choices(0, i + 4) := (not pathsleft_stay_0_values(i - 4)) or pathsleft_stay_0_values_from_5(i);
-        else
-          pathsleft_stay_choices(0, i + 4) := (not pathsleft_stay_0_values(i - 4)) and
-            pathsleft_stay_0_values_from_5(i);
-        end if;
+      pathsleft_stay_choice(0, 7) := carry(pathsleft_stay_choice(0, 6), not (pathsleft_read_words(4)(6) = '1'),
+        is_set(pathsleft_fresh_here, 6));
+      pathsleft_stay_choice(0, 8) := choice(is_set(pathsleft_fresh_here, 0), (not (pathsleft_read_words(0)(1) = '1'))
+        or (not (pathsleft_read_words(0)(0) = '1')), not (pathsleft_read_words(0)(1) = '1'));
+      pathsleft_stay_choice(0, 9) := choice(pathsleft_stay_0_values(1), pathsleft_stay_choice(0, 8),
+        is_set(pathsleft_fresh_here, 0) and (to_integer(pathsleft_read_words(0)(1 downto 0)) = 0));
+      pathsleft_stay_0_values(6) := pathsleft_read_words(0)(2) = '1';
+      pathsleft_stay_choice(0, 10) := inverted_carry(pathsleft_stay_choice(0, 9), not pathsleft_stay_0_values(2),
+        pathsleft_stay_0_values(6));
+      for i in 7 to 9 loop
+        pathsleft_stay_0_values(i) := pathsleft_read_words(0)(i - 4) = '1';
+        pathsleft_stay_choice(0, i + 4) := carry(pathsleft_stay_choice(0, i + 3), not pathsleft_stay_0_values(i - 4),
+          pathsleft_stay_0_values(i));
       end loop;
-      pathsleft_stay_0_values_from_5(9) := pathsleft_read_words(0)(5) = '1';
-      if pathsleft_stay_choices(0, 12) then
-        pathsleft_stay_choices(0, 13) := (not pathsleft_stay_0_values_from_5(5)) or pathsleft_stay_0_values_from_5(9);
-      else
-        pathsleft_stay_choices(0, 13) := (not pathsleft_stay_0_values_from_5(5)) and pathsleft_stay_0_values_from_5(9);
-      end if;
-      pathsleft_stay_0_values_from_5(10) := pathsleft_read_words(0)(6) = '1';
-      if pathsleft_stay_choices(0, 13) then
-        pathsleft_stay_choices(0, 14) := (not is_set(pathsleft_fresh_here, 6)) or pathsleft_stay_0_values_from_5(10);
-      else
-        pathsleft_stay_choices(0, 14) := (not is_set(pathsleft_fresh_here, 6)) and pathsleft_stay_0_values_from_5(10);
-      end if;
-      if pathsleft_stay_choices(0, 7) then
-        pathsleft_stay_choices(0, 15) := not pathsleft_first;
-      else
-        pathsleft_stay_choices(0, 15) := (not pathsleft_stay_choices(0, 14)) and (not pathsleft_first);
-      end if;
-      if (to_integer(pathsleft_read_words(4)(6 downto 0)) - to_integer(pathsleft_read_words(0)(6 downto 0))) < 0 then
-        pathsleft_stay_choice_16(0) := to_integer(pathsleft_read_words(4)(6 downto 0));
-      else
-        pathsleft_stay_choice_16(0) := to_integer(pathsleft_read_words(0)(6 downto 0));
-      end if;
+      pathsleft_stay_0_values(10) := pathsleft_read_words(0)(6) = '1';
+      pathsleft_stay_choice(0, 14) := carry(pathsleft_stay_choice(0, 13), not is_set(pathsleft_fresh_here, 6),
+        pathsleft_stay_0_values(10));
+      pathsleft_stay_choice(0, 15) := choice(pathsleft_stay_choice(0, 7), not pathsleft_first, (not
+        pathsleft_stay_choice(0, 14)) and (not pathsleft_first));
+      pathsleft_stay_choice_16(0) := choice((to_integer(pathsleft_read_words(4)(6 downto 0)) -
+        to_integer(pathsleft_read_words(0)(6 downto 0))) < 0, to_integer(pathsleft_read_words(4)(6 downto 0)),
+        to_integer(pathsleft_read_words(0)(6 downto 0)));
       for i in 1 to 2 loop
-        pathsleft_stay_value(i) := pathsleft_read_words(4)(7 * i) = '1';
-        if pathsleft_stay_value(i) then
-          pathsleft_stay_choice(i) := not pathsleft_stay_value(0);
-        else
-          pathsleft_stay_choice(i) := pathsleft_stay_0_is_equal;
-        end if;
-        if pathsleft_read_words(4)(7 * i + 1) = '1' then
-          pathsleft_stay_choices(i, 2) := pathsleft_stay_value(i) or (not pathsleft_stay_value(0)) or (not
-            is_set(pathsleft_fresh_here, 0));
-        else
-          pathsleft_stay_choices(i, 2) := pathsleft_stay_choice(i);
-        end if;
-        if pathsleft_stay_choices(i, 2) then
-          pathsleft_stay_choices(i, 3) := (not (pathsleft_read_words(4)(7 * i + 2) = '1')) and
-            pathsleft_stay_value_2(0);
-        else
-          pathsleft_stay_choices(i, 3) := (not (pathsleft_read_words(4)(7 * i + 2) = '1')) or pathsleft_stay_value_2(0);
-        end if;
-        for j in 3 to 4 loop
-          if pathsleft_stay_choices(i, j) then
-            pathsleft_stay_choices(i, j + 1) := (not (pathsleft_read_words(4)(7 * i + j) = '1')) or
-              pathsleft_stay_0_values(j);
-          else
-            pathsleft_stay_choices(i, j + 1) := (not (pathsleft_read_words(4)(7 * i + j) = '1')) and
-              pathsleft_stay_0_values(j);
-          end if;
+        pathsleft_stay_value(i, 1) := pathsleft_read_words(4)(7 * i) = '1';
+        pathsleft_stay_choice(i, 1) := choice(pathsleft_stay_value(i, 1), not pathsleft_stay_0_values(1),
+          pathsleft_stay_0_is_equal);
+        pathsleft_stay_choice(i, 2) := choice(pathsleft_read_words(4)(7 * i + 1) = '1', pathsleft_stay_value(i, 1) or
+          (not pathsleft_stay_0_values(1)) or (not is_set(pathsleft_fresh_here, 0)), pathsleft_stay_choice(i, 1));
+        pathsleft_stay_choice(i, 3) := inverted_carry(pathsleft_stay_choice(i, 2), not (pathsleft_read_words(4)(7 * i +
+          2) = '1'), pathsleft_stay_0_values(2));
+        for j in 4 to 6 loop
+          pathsleft_stay_choice(i, j) := carry(pathsleft_stay_choice(i, j - 1), not (pathsleft_read_words(4)(7 * i + j
+            - 1) = '1'), pathsleft_stay_0_values(j - 1));
         end loop;
-        if pathsleft_stay_choices(i, 5) then
-          pathsleft_stay_choices(i, 6) := (not (pathsleft_read_words(4)(7 * i + 5) = '1')) or
-            pathsleft_stay_0_values_from_5(5);
-        else
-          pathsleft_stay_choices(i, 6) := (not (pathsleft_read_words(4)(7 * i + 5) = '1')) and
-            pathsleft_stay_0_values_from_5(5);
-        end if;
-        if pathsleft_stay_choices(i, 6) then
-          pathsleft_stay_choices(i, 7) := (not (pathsleft_read_words(4)(7 * i + 6) = '1')) or
-            is_set(pathsleft_fresh_here, 6);
-        else
-          pathsleft_stay_choices(i, 7) := (not (pathsleft_read_words(4)(7 * i + 6) = '1')) and
-            is_set(pathsleft_fresh_here, 6);
-        end if;
-        pathsleft_stay_value_2(i) := pathsleft_read_words(0)(7 * i) = '1';
-        if pathsleft_stay_value_2(i) then
-          pathsleft_stay_choices(i, 8) := not pathsleft_stay_value(0);
-        else
-          pathsleft_stay_choices(i, 8) := pathsleft_stay_0_is_equal;
-        end if;
-        if pathsleft_read_words(0)(7 * i + 1) = '1' then
-          pathsleft_stay_choices(i, 9) := pathsleft_stay_value_2(i) or (not pathsleft_stay_value(0)) or (not
-            is_set(pathsleft_fresh_here, 0));
-        else
-          pathsleft_stay_choices(i, 9) := pathsleft_stay_choices(i, 8);
-        end if;
-        if pathsleft_stay_choices(i, 9) then
-          pathsleft_stay_choices(i, 10) := (not (pathsleft_read_words(0)(7 * i + 2) = '1')) and
-            pathsleft_stay_value_2(0);
-        else
-          pathsleft_stay_choices(i, 10) := (not (pathsleft_read_words(0)(7 * i + 2) = '1')) or
-            pathsleft_stay_value_2(0);
-        end if;
-        for j in 10 to 11 loop
-          if pathsleft_stay_choices(i, j) then
-            pathsleft_stay_choices(i, j + 1) := (not (pathsleft_read_words(0)(7 * i + j - 7) = '1')) or
-              pathsleft_stay_0_values(j - 7);
-          else
-            pathsleft_stay_choices(i, j + 1) := (not (pathsleft_read_words(0)(7 * i + j - 7) = '1')) and
-              pathsleft_stay_0_values(j - 7);
-          end if;
+        pathsleft_stay_choice(i, 7) := carry(pathsleft_stay_choice(i, 6), not (pathsleft_read_words(4)(7 * i + 6) =
+          '1'), is_set(pathsleft_fresh_here, 6));
+        pathsleft_stay_value(i, 2) := pathsleft_read_words(0)(7 * i) = '1';
+        pathsleft_stay_choice(i, 8) := choice(pathsleft_stay_value(i, 2), not pathsleft_stay_0_values(1),
+          pathsleft_stay_0_is_equal);
+        pathsleft_stay_choice(i, 9) := choice(pathsleft_read_words(0)(7 * i + 1) = '1', pathsleft_stay_value(i, 2) or
+          (not pathsleft_stay_0_values(1)) or (not is_set(pathsleft_fresh_here, 0)), pathsleft_stay_choice(i, 8));
+        pathsleft_stay_choice(i, 10) := inverted_carry(pathsleft_stay_choice(i, 9), not (pathsleft_read_words(0)(7 * i
+          + 2) = '1'), pathsleft_stay_0_values(2));
+        for j in 11 to 13 loop
+          pathsleft_stay_choice(i, j) := carry(pathsleft_stay_choice(i, j - 1), not (pathsleft_read_words(0)(7 * i + j
+            - 8) = '1'), pathsleft_stay_0_values(j - 8));
         end loop;
-        if pathsleft_stay_choices(i, 12) then
-          pathsleft_stay_choices(i, 13) := (not (pathsleft_read_words(0)(7 * i + 5) = '1')) or
-            pathsleft_stay_0_values_from_5(5);
-        else
-          pathsleft_stay_choices(i, 13) := (not (pathsleft_read_words(0)(7 * i + 5) = '1')) and
-            pathsleft_stay_0_values_from_5(5);
-        end if;
-        if pathsleft_stay_choices(i, 13) then
-          pathsleft_stay_choices(i, 14) := (not (pathsleft_read_words(0)(7 * i + 6) = '1')) or
-            is_set(pathsleft_fresh_here, 6);
-        else
-          pathsleft_stay_choices(i, 14) := (not (pathsleft_read_words(0)(7 * i + 6) = '1')) and
-            is_set(pathsleft_fresh_here, 6);
-        end if;
-        if pathsleft_stay_choices(i, 7) then
-          pathsleft_stay_choices(i, 15) := not pathsleft_first;
-        else
-          pathsleft_stay_choices(i, 15) := pathsleft_stay_choices(i, 14) and (not pathsleft_first);
-        end if;
+        pathsleft_stay_choice(i, 14) := carry(pathsleft_stay_choice(i, 13), not (pathsleft_read_words(0)(7 * i + 6) =
+          '1'), is_set(pathsleft_fresh_here, 6));
+        pathsleft_stay_choice(i, 15) := choice(pathsleft_stay_choice(i, 7), not pathsleft_first,
+          pathsleft_stay_choice(i, 14) and (not pathsleft_first));
         pathsleft_stay_values_from_1(i, 3) := to_integer(pathsleft_read_words(4)(7 * i + 6 downto 7 * i));
         pathsleft_stay_values_from_1(i, 4) := to_integer(pathsleft_read_words(0)(7 * i + 6 downto 7 * i));
-        if (pathsleft_stay_values_from_1(i, 3) - pathsleft_stay_values_from_1(i, 4)) < 0 then
-          pathsleft_stay_choice_16(i) := pathsleft_stay_values_from_1(i, 3);
-        else
-          pathsleft_stay_choice_16(i) := pathsleft_stay_values_from_1(i, 4);
-        end if;
-      end loop;
-      pathsleft_stay_value(3) := pathsleft_read_words(4)(21) = '1';
-      if pathsleft_stay_value(3) then
-        pathsleft_stay_choice(3) := not pathsleft_stay_value(0);
-      else
-        pathsleft_stay_choice(3) := pathsleft_stay_0_is_equal;
-      end if;
-      if pathsleft_read_words(4)(22) = '1' then
-        pathsleft_stay_choices(3, 2) := pathsleft_stay_value(3) or (not pathsleft_stay_value(0)) or (not
-          is_set(pathsleft_fresh_here, 0));
-      else
-        pathsleft_stay_choices(3, 2) := pathsleft_stay_choice(3);
-      end if;
-      if pathsleft_stay_choices(3, 2) then
-        pathsleft_stay_choices(3, 3) := (not (pathsleft_read_words(4)(23) = '1')) and pathsleft_stay_value_2(0);
-      else
-        pathsleft_stay_choices(3, 3) := (not (pathsleft_read_words(4)(23) = '1')) or pathsleft_stay_value_2(0);
-      end if;
-      for i in 3 to 4 loop
-        if pathsleft_stay_choices(3, i) then
-          pathsleft_stay_choices(3, i + 1) := (not (pathsleft_read_words(4)(i + 21) = '1')) or
-            pathsleft_stay_0_values(i);
-        else
-          pathsleft_stay_choices(3, i + 1) := (not (pathsleft_read_words(4)(i + 21) = '1')) and
-            pathsleft_stay_0_values(i);
-        end if;
-      end loop;
-      if pathsleft_stay_choices(3, 5) then
-        pathsleft_stay_choices(3, 6) := (not (pathsleft_read_words(4)(26) = '1')) or pathsleft_stay_0_values_from_5(5);
-      else
-        pathsleft_stay_choices(3, 6) := (not (pathsleft_read_words(4)(26) = '1')) and pathsleft_stay_0_values_from_5(5);
-      end if;
-      if pathsleft_stay_choices(3, 6) then
-        pathsleft_stay_choices(3, 7) := (not (pathsleft_read_words(4)(27) = '1')) or is_set(pathsleft_fresh_here, 6);
-      else
-        pathsleft_stay_choices(3, 7) := (not (pathsleft_read_words(4)(27) = '1')) and is_set(pathsleft_fresh_here, 6);
-      end if;
-      pathsleft_stay_value_2(3) := pathsleft_read_words(0)(21) = '1';
-      if pathsleft_stay_value_2(3) then
-        pathsleft_stay_choices(3, 8) := not pathsleft_stay_value(0);
-      else
-        pathsleft_stay_choices(3, 8) := pathsleft_stay_0_is_equal;
-      end if;
-      if pathsleft_read_words(0)(22) = '1' then
-        pathsleft_stay_choices(3, 9) := pathsleft_stay_value_2(3) or (not pathsleft_stay_value(0)) or (not
-          is_set(pathsleft_fresh_here, 0));
-      else
-        pathsleft_stay_choices(3, 9) := pathsleft_stay_choices(3, 8);
-      end if;
-      if pathsleft_stay_choices(3, 9) then
-        pathsleft_stay_choices(3, 10) := (not (pathsleft_read_words(0)(23) = '1')) and pathsleft_stay_value_2(0);
-      else
-        pathsleft_stay_choices(3, 10) := (not (pathsleft_read_words(0)(23) = '1')) or pathsleft_stay_value_2(0);
-      end if;
-      for i in 10 to 11 loop
-        if pathsleft_stay_choices(3, i) then
-          pathsleft_stay_choices(3, i + 1) := (not (pathsleft_read_words(0)(i + 14) = '1')) or
-            pathsleft_stay_0_values(i - 7);
-        else
-          pathsleft_stay_choices(3, i + 1) := (not (pathsleft_read_words(0)(i + 14) = '1')) and
-            pathsleft_stay_0_values(i - 7);
-        end if;
-      end loop;
-      if pathsleft_stay_choices(3, 12) then
-        pathsleft_stay_choices(3, 13) := (not (pathsleft_read_words(0)(26) = '1')) or pathsleft_stay_0_values_from_5(5);
-      else
-        pathsleft_stay_choices(3, 13) := (not (pathsleft_read_words(0)(26) = '1')) and
-          pathsleft_stay_0_values_from_5(5);
-      end if;
-      if pathsleft_stay_choices(3, 13) then
-        pathsleft_stay_choices(3, 14) := (not (pathsleft_read_words(0)(27) = '1')) or is_set(pathsleft_fresh_here, 6);
-      else
-        pathsleft_stay_choices(3, 14) := (not (pathsleft_read_words(0)(27) = '1')) and is_set(pathsleft_fresh_here, 6);
-      end if;
-      if pathsleft_stay_choices(3, 7) then
-        pathsleft_stay_choices(3, 15) := not pathsleft_first;
-      else
-        pathsleft_stay_choices(3, 15) := pathsleft_stay_choices(3, 14) and (not pathsleft_first);
-      end if;
-      if (to_integer(pathsleft_read_words(4)(27 downto 21)) - to_integer(pathsleft_read_words(0)(27 downto 21))) < 0
-        then
-        pathsleft_stay_choice_16(3) := to_integer(pathsleft_read_words(4)(27 downto 21));
-      else
-        pathsleft_stay_choice_16(3) := to_integer(pathsleft_read_words(0)(27 downto 21));
-      end if;
-      if pathsleft_read_words(5)(0) = '1' then
-        pathsleft_stay_choice(4) := not pathsleft_stay_value(0);
-      else
-        pathsleft_stay_choice(4) := pathsleft_stay_0_is_equal;
-      end if;
-      if pathsleft_read_words(5)(1) = '1' then
-        pathsleft_stay_choices(4, 2) := (pathsleft_read_words(5)(0) = '1') or (not pathsleft_stay_value(0)) or (not
-          is_set(pathsleft_fresh_here, 0));
-      else
-        pathsleft_stay_choices(4, 2) := pathsleft_stay_choice(4);
-      end if;
-      if pathsleft_stay_choices(4, 2) then
-        pathsleft_stay_choices(4, 3) := (not (pathsleft_read_words(5)(2) = '1')) and pathsleft_stay_value_2(0);
-      else
-        pathsleft_stay_choices(4, 3) := (not (pathsleft_read_words(5)(2) = '1')) or pathsleft_stay_value_2(0);
-      end if;
-      for i in 3 to 4 loop
-        if pathsleft_stay_choices(4, i) then
-          pathsleft_stay_choices(4, i + 1) := (not (pathsleft_read_words(5)(i) = '1')) or pathsleft_stay_0_values(i);
-        else
-          pathsleft_stay_choices(4, i + 1) := (not (pathsleft_read_words(5)(i) = '1')) and pathsleft_stay_0_values(i);
-        end if;
-      end loop;
-      if pathsleft_stay_choices(4, 5) then
-        pathsleft_stay_choices(4, 6) := (not (pathsleft_read_words(5)(5) = '1')) or pathsleft_stay_0_values_from_5(5);
-      else
-        pathsleft_stay_choices(4, 6) := (not (pathsleft_read_words(5)(5) = '1')) and pathsleft_stay_0_values_from_5(5);
-      end if;
-      if pathsleft_stay_choices(4, 6) then
-        pathsleft_stay_choices(4, 7) := (not (pathsleft_read_words(5)(6) = '1')) or is_set(pathsleft_fresh_here, 6);
-      else
-        pathsleft_stay_choices(4, 7) := (not (pathsleft_read_words(5)(6) = '1')) and is_set(pathsleft_fresh_here, 6);
-      end if;
-      if pathsleft_read_words(1)(0) = '1' then
-        pathsleft_stay_choices(4, 8) := not pathsleft_stay_value(0);
-      else
-        pathsleft_stay_choices(4, 8) := pathsleft_stay_0_is_equal;
-      end if;
-      if pathsleft_read_words(1)(1) = '1' then
-        pathsleft_stay_choices(4, 9) := (pathsleft_read_words(1)(0) = '1') or (not pathsleft_stay_value(0)) or (not
-          is_set(pathsleft_fresh_here, 0));
-      else
-        pathsleft_stay_choices(4, 9) := pathsleft_stay_choices(4, 8);
-      end if;
-      if pathsleft_stay_choices(4, 9) then
-        pathsleft_stay_choices(4, 10) := (not (pathsleft_read_words(1)(2) = '1')) and pathsleft_stay_value_2(0);
-      else
-        pathsleft_stay_choices(4, 10) := (not (pathsleft_read_words(1)(2) = '1')) or pathsleft_stay_value_2(0);
-      end if;
-      for i in 10 to 11 loop
-        if pathsleft_stay_choices(4, i) then
-          pathsleft_stay_choices(4, i + 1) := (not (pathsleft_read_words(1)(i - 7) = '1')) or pathsleft_stay_0_values(i
-            - 7);
-        else
-          pathsleft_stay_choices(4, i + 1) := (not (pathsleft_read_words(1)(i - 7) = '1')) and
-            pathsleft_stay_0_values(i - 7);
-        end if;
-      end loop;
-      if pathsleft_stay_choices(4, 12) then
-        pathsleft_stay_choices(4, 13) := (not (pathsleft_read_words(1)(5) = '1')) or pathsleft_stay_0_values_from_5(5);
-      else
-        pathsleft_stay_choices(4, 13) := (not (pathsleft_read_words(1)(5) = '1')) and pathsleft_stay_0_values_from_5(5);
-      end if;
-      if pathsleft_stay_choices(4, 13) then
-        pathsleft_stay_choices(4, 14) := (not (pathsleft_read_words(1)(6) = '1')) or is_set(pathsleft_fresh_here, 6);
-      else
-        pathsleft_stay_choices(4, 14) := (not (pathsleft_read_words(1)(6) = '1')) and is_set(pathsleft_fresh_here, 6);
-      end if;
-      if pathsleft_stay_choices(4, 7) then
-        pathsleft_stay_choices(4, 15) := not pathsleft_first;
-      else
-        pathsleft_stay_choices(4, 15) := pathsleft_stay_choices(4, 14) and (not pathsleft_first);
-      end if;
-      if (to_integer(pathsleft_read_words(5)(6 downto 0)) - to_integer(pathsleft_read_words(1)(6 downto 0))) < 0 then
-        pathsleft_stay_choice_16(4) := to_integer(pathsleft_read_words(5)(6 downto 0));
-      else
-        pathsleft_stay_choice_16(4) := to_integer(pathsleft_read_words(1)(6 downto 0));
-      end if;
-      for i in 5 to 6 loop
-        pathsleft_stay_values(i) := pathsleft_read_words(5)(7 * i - 28) = '1';
-        if pathsleft_stay_values(i) then
-          pathsleft_stay_choice(i) := not pathsleft_stay_value(0);
-        else
-          pathsleft_stay_choice(i) := pathsleft_stay_0_is_equal;
-        end if;
-        if pathsleft_read_words(5)(7 * i - 27) = '1' then
-          pathsleft_stay_choices(i, 2) := pathsleft_stay_values(i) or (not pathsleft_stay_value(0)) or (not
-            is_set(pathsleft_fresh_here, 0));
-        else
-          pathsleft_stay_choices(i, 2) := pathsleft_stay_choice(i);
-        end if;
-        if pathsleft_stay_choices(i, 2) then
-          pathsleft_stay_choices(i, 3) := (not (pathsleft_read_words(5)(7 * i - 26) = '1')) and
-            pathsleft_stay_value_2(0);
-        else
-          pathsleft_stay_choices(i, 3) := (not (pathsleft_read_words(5)(7 * i - 26) = '1')) or
-            pathsleft_stay_value_2(0);
-        end if;
-        for j in 3 to 4 loop
-          if pathsleft_stay_choices(i, j) then
-            pathsleft_stay_choices(i, j + 1) := (not (pathsleft_read_words(5)(7 * i + j - 28) = '1')) or
-              pathsleft_stay_0_values(j);
-          else
-            pathsleft_stay_choices(i, j + 1) := (not (pathsleft_read_words(5)(7 * i + j - 28) = '1')) and
-              pathsleft_stay_0_values(j);
-          end if;
-        end loop;
-        if pathsleft_stay_choices(i, 5) then
-          pathsleft_stay_choices(i, 6) := (not (pathsleft_read_words(5)(7 * i - 23) = '1')) or
-            pathsleft_stay_0_values_from_5(5);
-        else
-          pathsleft_stay_choices(i, 6) := (not (pathsleft_read_words(5)(7 * i - 23) = '1')) and
-            pathsleft_stay_0_values_from_5(5);
-        end if;
-        if pathsleft_stay_choices(i, 6) then
-          pathsleft_stay_choices(i, 7) := (not (pathsleft_read_words(5)(7 * i - 22) = '1')) or
-            is_set(pathsleft_fresh_here, 6);
-        else
-          pathsleft_stay_choices(i, 7) := (not (pathsleft_read_words(5)(7 * i - 22) = '1')) and
-            is_set(pathsleft_fresh_here, 6);
-        end if;
-        pathsleft_stay_value_2s(i) := pathsleft_read_words(1)(7 * i - 28) = '1';
-        if pathsleft_stay_value_2s(i) then
-          pathsleft_stay_choices(i, 8) := not pathsleft_stay_value(0);
-        else
-          pathsleft_stay_choices(i, 8) := pathsleft_stay_0_is_equal;
-        end if;
-        if pathsleft_read_words(1)(7 * i - 27) = '1' then
-          pathsleft_stay_choices(i, 9) := pathsleft_stay_value_2s(i) or (not pathsleft_stay_value(0)) or (not
-            is_set(pathsleft_fresh_here, 0));
-        else
-          pathsleft_stay_choices(i, 9) := pathsleft_stay_choices(i, 8);
-        end if;
-        if pathsleft_stay_choices(i, 9) then
-          pathsleft_stay_choices(i, 10) := (not (pathsleft_read_words(1)(7 * i - 26) = '1')) and
-            pathsleft_stay_value_2(0);
-        else
-          pathsleft_stay_choices(i, 10) := (not (pathsleft_read_words(1)(7 * i - 26) = '1')) or
-            pathsleft_stay_value_2(0);
-        end if;
-        for j in 10 to 11 loop
-          if pathsleft_stay_choices(i, j) then
-            pathsleft_stay_choices(i, j + 1) := (not (pathsleft_read_words(1)(7 * i + j - 35) = '1')) or
-              pathsleft_stay_0_values(j - 7);
-          else
-            pathsleft_stay_choices(i, j + 1) := (not (pathsleft_read_words(1)(7 * i + j - 35) = '1')) and
-              pathsleft_stay_0_values(j - 7);
-          end if;
-        end loop;
-        if pathsleft_stay_choices(i, 12) then
-          pathsleft_stay_choices(i, 13) := (not (pathsleft_read_words(1)(7 * i - 23) = '1')) or
-            pathsleft_stay_0_values_from_5(5);
-        else
-          pathsleft_stay_choices(i, 13) := (not (pathsleft_read_words(1)(7 * i - 23) = '1')) and
-            pathsleft_stay_0_values_from_5(5);
-        end if;
-        if pathsleft_stay_choices(i, 13) then
-          pathsleft_stay_choices(i, 14) := (not (pathsleft_read_words(1)(7 * i - 22) = '1')) or
-            is_set(pathsleft_fresh_here, 6);
-        else
-          pathsleft_stay_choices(i, 14) := (not (pathsleft_read_words(1)(7 * i - 22) = '1')) and
-            is_set(pathsleft_fresh_here, 6);
-        end if;
-        if pathsleft_stay_choices(i, 7) then
-          pathsleft_stay_choices(i, 15) := not pathsleft_first;
-        else
-          pathsleft_stay_choices(i, 15) := pathsleft_stay_choices(i, 14) and (not pathsleft_first);
-        end if;
-        pathsleft_stay_values_from_5(i, 3) := to_integer(pathsleft_read_words(5)(7 * i - 22 downto 7 * i - 28));
-        pathsleft_stay_values_from_5(i, 4) := to_integer(pathsleft_read_words(1)(7 * i - 22 downto 7 * i - 28));
-        if (pathsleft_stay_values_from_5(i, 3) - pathsleft_stay_values_from_5(i, 4)) < 0 then
-          pathsleft_stay_choice_16(i) := pathsleft_stay_values_from_5(i, 3);
-        else
-          pathsleft_stay_choice_16(i) := pathsleft_stay_values_from_5(i, 4);
-        end if;
-      end loop;
-      pathsleft_stay_values(7) := pathsleft_read_words(5)(21) = '1';
-      if pathsleft_stay_values(7) then
-        pathsleft_stay_choice(7) := not pathsleft_stay_value(0);
-      else
-        pathsleft_stay_choice(7) := pathsleft_stay_0_is_equal;
-      end if;
-      if pathsleft_read_words(5)(22) = '1' then
-        pathsleft_stay_choices(7, 2) := pathsleft_stay_values(7) or (not pathsleft_stay_value(0)) or (not
-          is_set(pathsleft_fresh_here, 0));
-      else
-        pathsleft_stay_choices(7, 2) := pathsleft_stay_choice(7);
-      end if;
-      if pathsleft_stay_choices(7, 2) then
-        pathsleft_stay_choices(7, 3) := (not (pathsleft_read_words(5)(23) = '1')) and pathsleft_stay_value_2(0);
-      else
-        pathsleft_stay_choices(7, 3) := (not (pathsleft_read_words(5)(23) = '1')) or pathsleft_stay_value_2(0);
-      end if;
-      for i in 3 to 4 loop
-        if pathsleft_stay_choices(7, i) then
-          pathsleft_stay_choices(7, i + 1) := (not (pathsleft_read_words(5)(i + 21) = '1')) or
-            pathsleft_stay_0_values(i);
-        else
-          pathsleft_stay_choices(7, i + 1) := (not (pathsleft_read_words(5)(i + 21) = '1')) and
-            pathsleft_stay_0_values(i);
-        end if;
-      end loop;
-      if pathsleft_stay_choices(7, 5) then
-        pathsleft_stay_choices(7, 6) := (not (pathsleft_read_words(5)(26) = '1')) or pathsleft_stay_0_values_from_5(5);
-      else
-        pathsleft_stay_choices(7, 6) := (not (pathsleft_read_words(5)(26) = '1')) and pathsleft_stay_0_values_from_5(5);
-      end if;
-      if pathsleft_stay_choices(7, 6) then
-        pathsleft_stay_choices(7, 7) := (not (pathsleft_read_words(5)(27) = '1')) or is_set(pathsleft_fresh_here, 6);
-      else
-        pathsleft_stay_choices(7, 7) := (not (pathsleft_read_words(5)(27) = '1')) and is_set(pathsleft_fresh_here, 6);
-      end if;
-      pathsleft_stay_value_2s(7) := pathsleft_read_words(1)(21) = '1';
-      if pathsleft_stay_value_2s(7) then
-        pathsleft_stay_choices(7, 8) := not pathsleft_stay_value(0);
-      else
-        pathsleft_stay_choices(7, 8) := pathsleft_stay_0_is_equal;
-      end if;
-      if pathsleft_read_words(1)(22) = '1' then
-        pathsleft_stay_choices(7, 9) := pathsleft_stay_value_2s(7) or (not pathsleft_stay_value(0)) or (not
-          is_set(pathsleft_fresh_here, 0));
-      else
-        pathsleft_stay_choices(7, 9) := pathsleft_stay_choices(7, 8);
-      end if;
-      if pathsleft_stay_choices(7, 9) then
-        pathsleft_stay_choices(7, 10) := (not (pathsleft_read_words(1)(23) = '1')) and pathsleft_stay_value_2(0);
-      else
-        pathsleft_stay_choices(7, 10) := (not (pathsleft_read_words(1)(23) = '1')) or pathsleft_stay_value_2(0);
-      end if;
-      for i in 10 to 11 loop
-        if pathsleft_stay_choices(7, i) then
-          pathsleft_stay_choices(7, i + 1) := (not (pathsleft_read_words(1)(i + 14) = '1')) or
-            pathsleft_stay_0_values(i - 7);
-        else
-          pathsleft_stay_choices(7, i + 1) := (not (pathsleft_read_words(1)(i + 14) = '1')) and
-            pathsleft_stay_0_values(i - 7);
-        end if;
-      end loop;
-      if pathsleft_stay_choices(7, 12) then
-        pathsleft_stay_choices(7, 13) := (not (pathsleft_read_words(1)(26) = '1')) or pathsleft_stay_0_values_from_5(5);
-      else
-        pathsleft_stay_choices(7, 13) := (not (pathsleft_read_words(1)(26) = '1')) and
-          pathsleft_stay_0_values_from_5(5);
-      end if;
-      if pathsleft_stay_choices(7, 13) then
-        pathsleft_stay_choices(7, 14) := (not (pathsleft_read_words(1)(27) = '1')) or is_set(pathsleft_fresh_here, 6);
-      else
-        pathsleft_stay_choices(7, 14) := (not (pathsleft_read_words(1)(27) = '1')) and is_set(pathsleft_fresh_here, 6);
-      end if;
-      if pathsleft_stay_choices(7, 7) then
-        pathsleft_stay_choices(7, 15) := not pathsleft_first;
-      else
-        pathsleft_stay_choices(7, 15) := pathsleft_stay_choices(7, 14) and (not pathsleft_first);
-      end if;
-      if (to_integer(pathsleft_read_words(5)(27 downto 21)) - to_integer(pathsleft_read_words(1)(27 downto 21))) < 0
-        then
-        pathsleft_stay_choice_16(7) := to_integer(pathsleft_read_words(5)(27 downto 21));
-      else
-        pathsleft_stay_choice_16(7) := to_integer(pathsleft_read_words(1)(27 downto 21));
-      end if;
-      if pathsleft_read_words(6)(0) = '1' then
-        pathsleft_stay_choice(8) := not pathsleft_stay_value(0);
-      else
-        pathsleft_stay_choice(8) := pathsleft_stay_0_is_equal;
-      end if;
-      if pathsleft_read_words(6)(1) = '1' then
-        pathsleft_stay_choices(8, 2) := (pathsleft_read_words(6)(0) = '1') or (not pathsleft_stay_value(0)) or (not
-          is_set(pathsleft_fresh_here, 0));
-      else
-        pathsleft_stay_choices(8, 2) := pathsleft_stay_choice(8);
-      end if;
-      if pathsleft_stay_choices(8, 2) then
-        pathsleft_stay_choices(8, 3) := (not (pathsleft_read_words(6)(2) = '1')) and pathsleft_stay_value_2(0);
-      else
-        pathsleft_stay_choices(8, 3) := (not (pathsleft_read_words(6)(2) = '1')) or pathsleft_stay_value_2(0);
-      end if;
-      for i in 3 to 4 loop
-        if pathsleft_stay_choices(8, i) then
-          pathsleft_stay_choices(8, i + 1) := (not (pathsleft_read_words(6)(i) = '1')) or pathsleft_stay_0_values(i);
-        else
-          pathsleft_stay_choices(8, i + 1) := (not (pathsleft_read_words(6)(i) = '1')) and pathsleft_stay_0_values(i);
-        end if;
-      end loop;
-      if pathsleft_stay_choices(8, 5) then
-        pathsleft_stay_choices(8, 6) := (not (pathsleft_read_words(6)(5) = '1')) or pathsleft_stay_0_values_from_5(5);
-      else
-        pathsleft_stay_choices(8, 6) := (not (pathsleft_read_words(6)(5) = '1')) and pathsleft_stay_0_values_from_5(5);
-      end if;
-      if pathsleft_stay_choices(8, 6) then
-        pathsleft_stay_choices(8, 7) := (not (pathsleft_read_words(6)(6) = '1')) or is_set(pathsleft_fresh_here, 6);
-      else
-        pathsleft_stay_choices(8, 7) := (not (pathsleft_read_words(6)(6) = '1')) and is_set(pathsleft_fresh_here, 6);
-      end if;
-      if pathsleft_read_words(2)(0) = '1' then
-        pathsleft_stay_choices(8, 8) := not pathsleft_stay_value(0);
-      else
-        pathsleft_stay_choices(8, 8) := pathsleft_stay_0_is_equal;
-      end if;
-      if pathsleft_read_words(2)(1) = '1' then
-        pathsleft_stay_choices(8, 9) := (pathsleft_read_words(2)(0) = '1') or (not pathsleft_stay_value(0)) or (not
-          is_set(pathsleft_fresh_here, 0));
-      else
-        pathsleft_stay_choices(8, 9) := pathsleft_stay_choices(8, 8);
-      end if;
-      if pathsleft_stay_choices(8, 9) then
-        pathsleft_stay_choices(8, 10) := (not (pathsleft_read_words(2)(2) = '1')) and pathsleft_stay_value_2(0);
-      else
-        pathsleft_stay_choices(8, 10) := (not (pathsleft_read_words(2)(2) = '1')) or pathsleft_stay_value_2(0);
-      end if;
-      for i in 10 to 11 loop
-        if pathsleft_stay_choices(8, i) then
-          pathsleft_stay_choices(8, i + 1) := (not (pathsleft_read_words(2)(i - 7) = '1')) or pathsleft_stay_0_values(i
-            - 7);
-        else
-          pathsleft_stay_choices(8, i + 1) := (not (pathsleft_read_words(2)(i - 7) = '1')) and
-            pathsleft_stay_0_values(i - 7);
-        end if;
-      end loop;
-      if pathsleft_stay_choices(8, 12) then
-        pathsleft_stay_choices(8, 13) := (not (pathsleft_read_words(2)(5) = '1')) or pathsleft_stay_0_values_from_5(5);
-      else
-        pathsleft_stay_choices(8, 13) := (not (pathsleft_read_words(2)(5) = '1')) and pathsleft_stay_0_values_from_5(5);
-      end if;
-      if pathsleft_stay_choices(8, 13) then
-        pathsleft_stay_choices(8, 14) := (not (pathsleft_read_words(2)(6) = '1')) or is_set(pathsleft_fresh_here, 6);
-      else
-        pathsleft_stay_choices(8, 14) := (not (pathsleft_read_words(2)(6) = '1')) and is_set(pathsleft_fresh_here, 6);
-      end if;
-      if pathsleft_stay_choices(8, 7) then
-        pathsleft_stay_choices(8, 15) := not pathsleft_first;
-      else
-        pathsleft_stay_choices(8, 15) := pathsleft_stay_choices(8, 14) and (not pathsleft_first);
-      end if;
-      if (to_integer(pathsleft_read_words(6)(6 downto 0)) - to_integer(pathsleft_read_words(2)(6 downto 0))) < 0 then
-        pathsleft_stay_choice_16(8) := to_integer(pathsleft_read_words(6)(6 downto 0));
-      else
-        pathsleft_stay_choice_16(8) := to_integer(pathsleft_read_words(2)(6 downto 0));
-      end if;
-      for i in 9 to 10 loop
-        pathsleft_stay_values_from_9(i) := pathsleft_read_words(6)(7 * i - 56) = '1';
-        if pathsleft_stay_values_from_9(i) then
-          pathsleft_stay_choice(i) := not pathsleft_stay_value(0);
-        else
-          pathsleft_stay_choice(i) := pathsleft_stay_0_is_equal;
-        end if;
-        if pathsleft_read_words(6)(7 * i - 55) = '1' then
-          pathsleft_stay_choices(i, 2) := pathsleft_stay_values_from_9(i) or (not pathsleft_stay_value(0)) or (not
-            is_set(pathsleft_fresh_here, 0));
-        else
-          pathsleft_stay_choices(i, 2) := pathsleft_stay_choice(i);
-        end if;
-        if pathsleft_stay_choices(i, 2) then
-          pathsleft_stay_choices(i, 3) := (not (pathsleft_read_words(6)(7 * i - 54) = '1')) and
-            pathsleft_stay_value_2(0);
-        else
-          pathsleft_stay_choices(i, 3) := (not (pathsleft_read_words(6)(7 * i - 54) = '1')) or
-            pathsleft_stay_value_2(0);
-        end if;
-        for j in 3 to 4 loop
-          if pathsleft_stay_choices(i, j) then
-            pathsleft_stay_choices(i, j + 1) := (not (pathsleft_read_words(6)(7 * i + j - 56) = '1')) or
-              pathsleft_stay_0_values(j);
-          else
-            pathsleft_stay_choices(i, j + 1) := (not (pathsleft_read_words(6)(7 * i + j - 56) = '1')) and
-              pathsleft_stay_0_values(j);
-          end if;
-        end loop;
-        if pathsleft_stay_choices(i, 5) then
-          pathsleft_stay_choices(i, 6) := (not (pathsleft_read_words(6)(7 * i - 51) = '1')) or
-            pathsleft_stay_0_values_from_5(5);
-        else
-          pathsleft_stay_choices(i, 6) := (not (pathsleft_read_words(6)(7 * i - 51) = '1')) and
-            pathsleft_stay_0_values_from_5(5);
-        end if;
-        if pathsleft_stay_choices(i, 6) then
-          pathsleft_stay_choices(i, 7) := (not (pathsleft_read_words(6)(7 * i - 50) = '1')) or
-            is_set(pathsleft_fresh_here, 6);
-        else
-          pathsleft_stay_choices(i, 7) := (not (pathsleft_read_words(6)(7 * i - 50) = '1')) and
-            is_set(pathsleft_fresh_here, 6);
-        end if;
-        pathsleft_stay_value_2s_from_9(i) := pathsleft_read_words(2)(7 * i - 56) = '1';
-        if pathsleft_stay_value_2s_from_9(i) then
-          pathsleft_stay_choices(i, 8) := not pathsleft_stay_value(0);
-        else
-          pathsleft_stay_choices(i, 8) := pathsleft_stay_0_is_equal;
-        end if;
-        if pathsleft_read_words(2)(7 * i - 55) = '1' then
-          pathsleft_stay_choices(i, 9) := pathsleft_stay_value_2s_from_9(i) or (not pathsleft_stay_value(0)) or (not
-            is_set(pathsleft_fresh_here, 0));
-        else
-          pathsleft_stay_choices(i, 9) := pathsleft_stay_choices(i, 8);
-        end if;
-        if pathsleft_stay_choices(i, 9) then
-          pathsleft_stay_choices(i, 10) := (not (pathsleft_read_words(2)(7 * i - 54) = '1')) and
-            pathsleft_stay_value_2(0);
-        else
-          pathsleft_stay_choices(i, 10) := (not (pathsleft_read_words(2)(7 * i - 54) = '1')) or
-            pathsleft_stay_value_2(0);
-        end if;
-        for j in 10 to 11 loop
-          if pathsleft_stay_choices(i, j) then
-            pathsleft_stay_choices(i, j + 1) := (not (pathsleft_read_words(2)(7 * i + j - 63) = '1')) or
-              pathsleft_stay_0_values(j - 7);
-          else
-            pathsleft_stay_choices(i, j + 1) := (not (pathsleft_read_words(2)(7 * i + j - 63) = '1')) and
-              pathsleft_stay_0_values(j - 7);
-          end if;
-        end loop;
-        if pathsleft_stay_choices(i, 12) then
-          pathsleft_stay_choices(i, 13) := (not (pathsleft_read_words(2)(7 * i - 51) = '1')) or
-            pathsleft_stay_0_values_from_5(5);
-        else
-          pathsleft_stay_choices(i, 13) := (not (pathsleft_read_words(2)(7 * i - 51) = '1')) and
-            pathsleft_stay_0_values_from_5(5);
-        end if;
-        if pathsleft_stay_choices(i, 13) then
-          pathsleft_stay_choices(i, 14) := (not (pathsleft_read_words(2)(7 * i - 50) = '1')) or
-            is_set(pathsleft_fresh_here, 6);
-        else
-          pathsleft_stay_choices(i, 14) := (not (pathsleft_read_words(2)(7 * i - 50) = '1')) and
-            is_set(pathsleft_fresh_here, 6);
-        end if;
-        if pathsleft_stay_choices(i, 7) then
-          pathsleft_stay_choices(i, 15) := not pathsleft_first;
-        else
-          pathsleft_stay_choices(i, 15) := pathsleft_stay_choices(i, 14) and (not pathsleft_first);
-        end if;
-        pathsleft_stay_values_2(i, 3) := to_integer(pathsleft_read_words(6)(7 * i - 50 downto 7 * i - 56));
-        pathsleft_stay_values_2(i, 4) := to_integer(pathsleft_read_words(2)(7 * i - 50 downto 7 * i - 56));
-        if (pathsleft_stay_values_2(i, 3) - pathsleft_stay_values_2(i, 4)) < 0 then
-          pathsleft_stay_choice_16(i) := pathsleft_stay_values_2(i, 3);
-        else
-          pathsleft_stay_choice_16(i) := pathsleft_stay_values_2(i, 4);
-        end if;
-      end loop;
-      pathsleft_stay_values_from_9(11) := pathsleft_read_words(6)(21) = '1';
-      if pathsleft_stay_values_from_9(11) then
-        pathsleft_stay_choice(11) := not pathsleft_stay_value(0);
-      else
-        pathsleft_stay_choice(11) := pathsleft_stay_0_is_equal;
-      end if;
-      if pathsleft_read_words(6)(22) = '1' then
-        pathsleft_stay_choices(11, 2) := pathsleft_stay_values_from_9(11) or (not pathsleft_stay_value(0)) or (not
-          is_set(pathsleft_fresh_here, 0));
-      else
-        pathsleft_stay_choices(11, 2) := pathsleft_stay_choice(11);
-      end if;
-      if pathsleft_stay_choices(11, 2) then
-        pathsleft_stay_choices(11, 3) := (not (pathsleft_read_words(6)(23) = '1')) and pathsleft_stay_value_2(0);
-      else
-        pathsleft_stay_choices(11, 3) := (not (pathsleft_read_words(6)(23) = '1')) or pathsleft_stay_value_2(0);
-      end if;
-      for i in 3 to 4 loop
-        if pathsleft_stay_choices(11, i) then
-          pathsleft_stay_choices(11, i + 1) := (not (pathsleft_read_words(6)(i + 21) = '1')) or
-            pathsleft_stay_0_values(i);
-        else
-          pathsleft_stay_choices(11, i + 1) := (not (pathsleft_read_words(6)(i + 21) = '1')) and
-            pathsleft_stay_0_values(i);
-        end if;
-      end loop;
-      if pathsleft_stay_choices(11, 5) then
-        pathsleft_stay_choices(11, 6) := (not (pathsleft_read_words(6)(26) = '1')) or pathsleft_stay_0_values_from_5(5);
-      else
-        pathsleft_stay_choices(11, 6) := (not (pathsleft_read_words(6)(26) = '1')) and
-          pathsleft_stay_0_values_from_5(5);
-      end if;
-      if pathsleft_stay_choices(11, 6) then
-        pathsleft_stay_choices(11, 7) := (not (pathsleft_read_words(6)(27) = '1')) or is_set(pathsleft_fresh_here, 6);
-      else
-        pathsleft_stay_choices(11, 7) := (not (pathsleft_read_words(6)(27) = '1')) and is_set(pathsleft_fresh_here, 6);
-      end if;
-      pathsleft_stay_value_2s_from_9(11) := pathsleft_read_words(2)(21) = '1';
-      if pathsleft_stay_value_2s_from_9(11) then
-        pathsleft_stay_choices(11, 8) := not pathsleft_stay_value(0);
-      else
-        pathsleft_stay_choices(11, 8) := pathsleft_stay_0_is_equal;
-      end if;
-      if pathsleft_read_words(2)(22) = '1' then
-        pathsleft_stay_choices(11, 9) := pathsleft_stay_value_2s_from_9(11) or (not pathsleft_stay_value(0)) or (not
-          is_set(pathsleft_fresh_here, 0));
-      else
-        pathsleft_stay_choices(11, 9) := pathsleft_stay_choices(11, 8);
-      end if;
-      if pathsleft_stay_choices(11, 9) then
-        pathsleft_stay_choices(11, 10) := (not (pathsleft_read_words(2)(23) = '1')) and pathsleft_stay_value_2(0);
-      else
-        pathsleft_stay_choices(11, 10) := (not (pathsleft_read_words(2)(23) = '1')) or pathsleft_stay_value_2(0);
-      end if;
-      for i in 10 to 11 loop
-        if pathsleft_stay_choices(11, i) then
-          pathsleft_stay_choices(11, i + 1) := (not (pathsleft_read_words(2)(i + 14) = '1')) or
-            pathsleft_stay_0_values(i - 7);
-        else
-          pathsleft_stay_choices(11, i + 1) := (not (pathsleft_read_words(2)(i + 14) = '1')) and
-            pathsleft_stay_0_values(i - 7);
-        end if;
-      end loop;
-      if pathsleft_stay_choices(11, 12) then
-        pathsleft_stay_choices(11, 13) := (not (pathsleft_read_words(2)(26) = '1')) or
-          pathsleft_stay_0_values_from_5(5);
-      else
-        pathsleft_stay_choices(11, 13) := (not (pathsleft_read_words(2)(26) = '1')) and
-          pathsleft_stay_0_values_from_5(5);
-      end if;
-      if pathsleft_stay_choices(11, 13) then
-        pathsleft_stay_choices(11, 14) := (not (pathsleft_read_words(2)(27) = '1')) or is_set(pathsleft_fresh_here, 6);
-      else
-        pathsleft_stay_choices(11, 14) := (not (pathsleft_read_words(2)(27) = '1')) and is_set(pathsleft_fresh_here, 6);
-      end if;
-      if pathsleft_stay_choices(11, 7) then
-        pathsleft_stay_choices(11, 15) := not pathsleft_first;
-      else
-        pathsleft_stay_choices(11, 15) := pathsleft_stay_choices(11, 14) and (not pathsleft_first);
-      end if;
-      if (to_integer(pathsleft_read_words(6)(27 downto 21)) - to_integer(pathsleft_read_words(2)(27 downto 21))) < 0
-        then
-        pathsleft_stay_choice_16(11) := to_integer(pathsleft_read_words(6)(27 downto 21));
-      else
-        pathsleft_stay_choice_16(11) := to_integer(pathsleft_read_words(2)(27 downto 21));
-      end if;
-      if pathsleft_read_words(7)(0) = '1' then
-        pathsleft_stay_choice(12) := not pathsleft_stay_value(0);
-      else
-        pathsleft_stay_choice(12) := pathsleft_stay_0_is_equal;
-      end if;
-      if pathsleft_read_words(7)(1) = '1' then
-        pathsleft_stay_choices(12, 2) := (pathsleft_read_words(7)(0) = '1') or (not pathsleft_stay_value(0)) or (not
-          is_set(pathsleft_fresh_here, 0));
-      else
-        pathsleft_stay_choices(12, 2) := pathsleft_stay_choice(12);
-      end if;
-      if pathsleft_stay_choices(12, 2) then
-        pathsleft_stay_choices(12, 3) := (not (pathsleft_read_words(7)(2) = '1')) and pathsleft_stay_value_2(0);
-      else
-        pathsleft_stay_choices(12, 3) := (not (pathsleft_read_words(7)(2) = '1')) or pathsleft_stay_value_2(0);
-      end if;
-      for i in 3 to 4 loop
-        if pathsleft_stay_choices(12, i) then
-          pathsleft_stay_choices(12, i + 1) := (not (pathsleft_read_words(7)(i) = '1')) or pathsleft_stay_0_values(i);
-        else
-          pathsleft_stay_choices(12, i + 1) := (not (pathsleft_read_words(7)(i) = '1')) and pathsleft_stay_0_values(i);
-        end if;
-      end loop;
-      if pathsleft_stay_choices(12, 5) then
-        pathsleft_stay_choices(12, 6) := (not (pathsleft_read_words(7)(5) = '1')) or pathsleft_stay_0_values_from_5(5);
-      else
-        pathsleft_stay_choices(12, 6) := (not (pathsleft_read_words(7)(5) = '1')) and pathsleft_stay_0_values_from_5(5);
-      end if;
-      if pathsleft_stay_choices(12, 6) then
-        pathsleft_stay_choices(12, 7) := (not (pathsleft_read_words(7)(6) = '1')) or is_set(pathsleft_fresh_here, 6);
-      else
-        pathsleft_stay_choices(12, 7) := (not (pathsleft_read_words(7)(6) = '1')) and is_set(pathsleft_fresh_here, 6);
-      end if;
-      if pathsleft_read_words(3)(0) = '1' then
-        pathsleft_stay_choices(12, 8) := not pathsleft_stay_value(0);
-      else
-        pathsleft_stay_choices(12, 8) := pathsleft_stay_0_is_equal;
-      end if;
-      if pathsleft_read_words(3)(1) = '1' then
-        pathsleft_stay_choices(12, 9) := (pathsleft_read_words(3)(0) = '1') or (not pathsleft_stay_value(0)) or (not
-          is_set(pathsleft_fresh_here, 0));
-      else
-        pathsleft_stay_choices(12, 9) := pathsleft_stay_choices(12, 8);
-      end if;
-      if pathsleft_stay_choices(12, 9) then
-        pathsleft_stay_choices(12, 10) := (not (pathsleft_read_words(3)(2) = '1')) and pathsleft_stay_value_2(0);
-      else
-        pathsleft_stay_choices(12, 10) := (not (pathsleft_read_words(3)(2) = '1')) or pathsleft_stay_value_2(0);
-      end if;
-      for i in 10 to 11 loop
-        if pathsleft_stay_choices(12, i) then
-          pathsleft_stay_choices(12, i + 1) := (not (pathsleft_read_words(3)(i - 7) = '1')) or
-            pathsleft_stay_0_values(i - 7);
-        else
-          pathsleft_stay_choices(12, i + 1) := (not (pathsleft_read_words(3)(i - 7) = '1')) and
-            pathsleft_stay_0_values(i - 7);
-        end if;
-      end loop;
-      if pathsleft_stay_choices(12, 12) then
-        pathsleft_stay_choices(12, 13) := (not (pathsleft_read_words(3)(5) = '1')) or pathsleft_stay_0_values_from_5(5);
-      else
-        pathsleft_stay_choices(12, 13) := (not (pathsleft_read_words(3)(5) = '1')) and
-          pathsleft_stay_0_values_from_5(5);
-      end if;
-      if pathsleft_stay_choices(12, 13) then
-        pathsleft_stay_choices(12, 14) := (not (pathsleft_read_words(3)(6) = '1')) or is_set(pathsleft_fresh_here, 6);
-      else
-        pathsleft_stay_choices(12, 14) := (not (pathsleft_read_words(3)(6) = '1')) and is_set(pathsleft_fresh_here, 6);
-      end if;
-      if pathsleft_stay_choices(12, 7) then
-        pathsleft_stay_choices(12, 15) := not pathsleft_first;
-      else
-        pathsleft_stay_choices(12, 15) := pathsleft_stay_choices(12, 14) and (not pathsleft_first);
-      end if;
-      if (to_integer(pathsleft_read_words(7)(6 downto 0)) - to_integer(pathsleft_read_words(3)(6 downto 0))) < 0 then
-        pathsleft_stay_choice_16(12) := to_integer(pathsleft_read_words(7)(6 downto 0));
-      else
-        pathsleft_stay_choice_16(12) := to_integer(pathsleft_read_words(3)(6 downto 0));
-      end if;
-      for i in 13 to 14 loop
-        pathsleft_stay_values_from_13(i) := pathsleft_read_words(7)(7 * i - 84) = '1';
-        if pathsleft_stay_values_from_13(i) then
-          pathsleft_stay_choice(i) := not pathsleft_stay_value(0);
-        else
-          pathsleft_stay_choice(i) := pathsleft_stay_0_is_equal;
-        end if;
-        if pathsleft_read_words(7)(7 * i - 83) = '1' then
-          pathsleft_stay_choices(i, 2) := pathsleft_stay_values_from_13(i) or (not pathsleft_stay_value(0)) or (not
-            is_set(pathsleft_fresh_here, 0));
-        else
-          pathsleft_stay_choices(i, 2) := pathsleft_stay_choice(i);
-        end if;
-        if pathsleft_stay_choices(i, 2) then
-          pathsleft_stay_choices(i, 3) := (not (pathsleft_read_words(7)(7 * i - 82) = '1')) and
-            pathsleft_stay_value_2(0);
-        else
-          pathsleft_stay_choices(i, 3) := (not (pathsleft_read_words(7)(7 * i - 82) = '1')) or
-            pathsleft_stay_value_2(0);
-        end if;
-        for j in 3 to 4 loop
-          if pathsleft_stay_choices(i, j) then
-            pathsleft_stay_choices(i, j + 1) := (not (pathsleft_read_words(7)(7 * i + j - 84) = '1')) or
-              pathsleft_stay_0_values(j);
-          else
-            pathsleft_stay_choices(i, j + 1) := (not (pathsleft_read_words(7)(7 * i + j - 84) = '1')) and
-              pathsleft_stay_0_values(j);
-          end if;
-        end loop;
-        if pathsleft_stay_choices(i, 5) then
-          pathsleft_stay_choices(i, 6) := (not (pathsleft_read_words(7)(7 * i - 79) = '1')) or
-            pathsleft_stay_0_values_from_5(5);
-        else
-          pathsleft_stay_choices(i, 6) := (not (pathsleft_read_words(7)(7 * i - 79) = '1')) and
-            pathsleft_stay_0_values_from_5(5);
-        end if;
-        if pathsleft_stay_choices(i, 6) then
-          pathsleft_stay_choices(i, 7) := (not (pathsleft_read_words(7)(7 * i - 78) = '1')) or
-            is_set(pathsleft_fresh_here, 6);
-        else
-          pathsleft_stay_choices(i, 7) := (not (pathsleft_read_words(7)(7 * i - 78) = '1')) and
-            is_set(pathsleft_fresh_here, 6);
-        end if;
-        pathsleft_stay_value_2s_from_13(i) := pathsleft_read_words(3)(7 * i - 84) = '1';
-        if pathsleft_stay_value_2s_from_13(i) then
-          pathsleft_stay_choices(i, 8) := not pathsleft_stay_value(0);
-        else
-          pathsleft_stay_choices(i, 8) := pathsleft_stay_0_is_equal;
-        end if;
-        if pathsleft_read_words(3)(7 * i - 83) = '1' then
-          pathsleft_stay_choices(i, 9) := pathsleft_stay_value_2s_from_13(i) or (not pathsleft_stay_value(0)) or (not
-            is_set(pathsleft_fresh_here, 0));
-        else
-          pathsleft_stay_choices(i, 9) := pathsleft_stay_choices(i, 8);
-        end if;
-        if pathsleft_stay_choices(i, 9) then
-          pathsleft_stay_choices(i, 10) := (not (pathsleft_read_words(3)(7 * i - 82) = '1')) and
-            pathsleft_stay_value_2(0);
-        else
-          pathsleft_stay_choices(i, 10) := (not (pathsleft_read_words(3)(7 * i - 82) = '1')) or
-            pathsleft_stay_value_2(0);
-        end if;
-        for j in 10 to 11 loop
-          if pathsleft_stay_choices(i, j) then
-            pathsleft_stay_choices(i, j + 1) := (not (pathsleft_read_words(3)(7 * i + j - 91) = '1')) or
-              pathsleft_stay_0_values(j - 7);
-          else
-            pathsleft_stay_choices(i, j + 1) := (not (pathsleft_read_words(3)(7 * i + j - 91) = '1')) and
-              pathsleft_stay_0_values(j - 7);
-          end if;
-        end loop;
-        if pathsleft_stay_choices(i, 12) then
-          pathsleft_stay_choices(i, 13) := (not (pathsleft_read_words(3)(7 * i - 79) = '1')) or
-            pathsleft_stay_0_values_from_5(5);
-        else
-          pathsleft_stay_choices(i, 13) := (not (pathsleft_read_words(3)(7 * i - 79) = '1')) and
-            pathsleft_stay_0_values_from_5(5);
-        end if;
-        if pathsleft_stay_choices(i, 13) then
-          pathsleft_stay_choices(i, 14) := (not (pathsleft_read_words(3)(7 * i - 78) = '1')) or
-            is_set(pathsleft_fresh_here, 6);
-        else
-          pathsleft_stay_choices(i, 14) := (not (pathsleft_read_words(3)(7 * i - 78) = '1')) and
-            is_set(pathsleft_fresh_here, 6);
-        end if;
-        if pathsleft_stay_choices(i, 7) then
-          pathsleft_stay_choices(i, 15) := not pathsleft_first;
-        else
-          pathsleft_stay_choices(i, 15) := pathsleft_stay_choices(i, 14) and (not pathsleft_first);
-        end if;
-        pathsleft_stay_values_3(i, 3) := to_integer(pathsleft_read_words(7)(7 * i - 78 downto 7 * i - 84));
-        pathsleft_stay_values_3(i, 4) := to_integer(pathsleft_read_words(3)(7 * i - 78 downto 7 * i - 84));
-        if (pathsleft_stay_values_3(i, 3) - pathsleft_stay_values_3(i, 4)) < 0 then
-          pathsleft_stay_choice_16(i) := pathsleft_stay_values_3(i, 3);
-        else
-          pathsleft_stay_choice_16(i) := pathsleft_stay_values_3(i, 4);
-        end if;
-      end loop;
-      pathsleft_stay_values_from_13(15) := pathsleft_read_words(7)(21) = '1';
-      if pathsleft_stay_values_from_13(15) then
-        pathsleft_stay_choice(15) := not pathsleft_stay_value(0);
-      else
-        pathsleft_stay_choice(15) := pathsleft_stay_0_is_equal;
-      end if;
-      if pathsleft_read_words(7)(22) = '1' then
-        pathsleft_stay_choices(15, 2) := pathsleft_stay_values_from_13(15) or (not pathsleft_stay_value(0)) or (not
-          is_set(pathsleft_fresh_here, 0));
-      else
-        pathsleft_stay_choices(15, 2) := pathsleft_stay_choice(15);
-      end if;
-      if pathsleft_stay_choices(15, 2) then
-        pathsleft_stay_choices(15, 3) := (not (pathsleft_read_words(7)(23) = '1')) and pathsleft_stay_value_2(0);
-      else
-        pathsleft_stay_choices(15, 3) := (not (pathsleft_read_words(7)(23) = '1')) or pathsleft_stay_value_2(0);
-      end if;
-      for i in 3 to 4 loop
-        if pathsleft_stay_choices(15, i) then
-          pathsleft_stay_choices(15, i + 1) := (not (pathsleft_read_words(7)(i + 21) = '1')) or
-            pathsleft_stay_0_values(i);
-        else
-          pathsleft_stay_choices(15, i + 1) := (not (pathsleft_read_words(7)(i + 21) = '1')) and
-            pathsleft_stay_0_values(i);
-        end if;
-      end loop;
-      if pathsleft_stay_choices(15, 5) then
-        pathsleft_stay_choices(15, 6) := (not (pathsleft_read_words(7)(26) = '1')) or pathsleft_stay_0_values_from_5(5);
-      else
-        pathsleft_stay_choices(15, 6) := (not (pathsleft_read_words(7)(26) = '1')) and
-          pathsleft_stay_0_values_from_5(5);
-      end if;
-      if pathsleft_stay_choices(15, 6) then
-        pathsleft_stay_choices(15, 7) := (not (pathsleft_read_words(7)(27) = '1')) or is_set(pathsleft_fresh_here, 6);
-      else
-        pathsleft_stay_choices(15, 7) := (not (pathsleft_read_words(7)(27) = '1')) and is_set(pathsleft_fresh_here, 6);
-      end if;
-      pathsleft_stay_value_2s_from_13(15) := pathsleft_read_words(3)(21) = '1';
-      if pathsleft_stay_value_2s_from_13(15) then
-        pathsleft_stay_choices(15, 8) := not pathsleft_stay_value(0);
-      else
-        pathsleft_stay_choices(15, 8) := pathsleft_stay_0_is_equal;
-      end if;
-      if pathsleft_read_words(3)(22) = '1' then
-        pathsleft_stay_choices(15, 9) := pathsleft_stay_value_2s_from_13(15) or (not pathsleft_stay_value(0)) or (not
-          is_set(pathsleft_fresh_here, 0));
-      else
-        pathsleft_stay_choices(15, 9) := pathsleft_stay_choices(15, 8);
-      end if;
-      if pathsleft_stay_choices(15, 9) then
-        pathsleft_stay_choices(15, 10) := (not (pathsleft_read_words(3)(23) = '1')) and pathsleft_stay_value_2(0);
-      else
-        pathsleft_stay_choices(15, 10) := (not (pathsleft_read_words(3)(23) = '1')) or pathsleft_stay_value_2(0);
-      end if;
-      for i in 10 to 11 loop
-        if pathsleft_stay_choices(15, i) then
-          pathsleft_stay_choices(15, i + 1) := (not (pathsleft_read_words(3)(i + 14) = '1')) or
-            pathsleft_stay_0_values(i - 7);
-        else
-          pathsleft_stay_choices(15, i + 1) := (not (pathsleft_read_words(3)(i + 14) = '1')) and
-            pathsleft_stay_0_values(i - 7);
-        end if;
-      end loop;
-      if pathsleft_stay_choices(15, 12) then
-        pathsleft_stay_choices(15, 13) := (not (pathsleft_read_words(3)(26) = '1')) or
-          pathsleft_stay_0_values_from_5(5);
-      else
-        pathsleft_stay_choices(15, 13) := (not (pathsleft_read_words(3)(26) = '1')) and
-          pathsleft_stay_0_values_from_5(5);
-      end if;
-      if pathsleft_stay_choices(15, 13) then
-        pathsleft_stay_choices(15, 14) := (not (pathsleft_read_words(3)(27) = '1')) or is_set(pathsleft_fresh_here, 6);
-      else
-        pathsleft_stay_choices(15, 14) := (not (pathsleft_read_words(3)(27) = '1')) and is_set(pathsleft_fresh_here, 6);
-      end if;
-      if pathsleft_stay_choices(15, 7) then
-        pathsleft_stay_choices(15, 15) := not pathsleft_first;
-      else
-        pathsleft_stay_choices(15, 15) := pathsleft_stay_choices(15, 14) and (not pathsleft_first);
-      end if;
-      if (to_integer(pathsleft_read_words(7)(27 downto 21)) - to_integer(pathsleft_read_words(3)(27 downto 21))) < 0
-        then
-        pathsleft_stay_choice_16(15) := to_integer(pathsleft_read_words(7)(27 downto 21));
-      else
-        pathsleft_stay_choice_16(15) := to_integer(pathsleft_read_words(3)(27 downto 21));
-      end if;
-      if pathsleft_is_first then
-        pathsleft_step_choice(0) := pathsleft_stay_values_from_1(1, 4);
-      else
-        pathsleft_step_choice(0) := pathsleft_lower_neighbour;
-      end if;
-      if (pathsleft_stay_values_from_1(1, 4) - pathsleft_step_choice(0)) < 0 then
-        pathsleft_step_0_choice_2 := pathsleft_stay_values_from_1(1, 4);
-      else
-        pathsleft_step_0_choice_2 := pathsleft_step_choice(0);
-      end if;
-      if (pathsleft_stay_values_from_1(2, 4) - to_integer(pathsleft_read_words(0)(6 downto 0))) < 0 then
-        pathsleft_step_choice(1) := pathsleft_stay_values_from_1(2, 4);
-      else
-        pathsleft_step_choice(1) := to_integer(pathsleft_read_words(0)(6 downto 0));
-      end if;
-      for i in 0 to 1 loop
-        if (to_integer(pathsleft_read_words(i)(27 - 21 * i downto 21 - 21 * i)) - pathsleft_stay_values_from_1(i + 1,
-          4)) < 0 then
-          pathsleft_step_choice(i + 2) := to_integer(pathsleft_read_words(i)(27 - 21 * i downto 21 - 21 * i));
-        else
-          pathsleft_step_choice(i + 2) := pathsleft_stay_values_from_1(i + 1, 4);
-        end if;
-      end loop;
-      for i in 5 to 6 loop
-        if (pathsleft_stay_values_from_5(i, 4) - to_integer(pathsleft_read_words(i - 5)(132 - 21 * i downto 126 - 21 *
-          i))) < 0 then
-          pathsleft_step_choice(i - 1) := pathsleft_stay_values_from_5(i, 4);
-        else
-          pathsleft_step_choice(i - 1) := to_integer(pathsleft_read_words(i - 5)(132 - 21 * i downto 126 - 21 * i));
-        end if;
+        pathsleft_stay_choice_16(i) := choice((pathsleft_stay_values_from_1(i, 3) - pathsleft_stay_values_from_1(i, 4))
+          < 0, pathsleft_stay_values_from_1(i, 3), pathsleft_stay_values_from_1(i, 4));
       end loop;
       for i in 1 to 2 loop
-        if (to_integer(pathsleft_read_words(i)(48 - 21 * i downto 42 - 21 * i)) - pathsleft_stay_values_from_5(i + 4,
-          4)) < 0 then
-          pathsleft_step_choice(i + 5) := to_integer(pathsleft_read_words(i)(48 - 21 * i downto 42 - 21 * i));
-        else
-          pathsleft_step_choice(i + 5) := pathsleft_stay_values_from_5(i + 4, 4);
-        end if;
+        pathsleft_stay_value(3, i) := pathsleft_read_words(8 - 4 * i)(21) = '1';
+        pathsleft_stay_choice(3, 7 * i - 6) := choice(pathsleft_stay_value(3, i), not pathsleft_stay_0_values(1),
+          pathsleft_stay_0_is_equal);
+        pathsleft_stay_choice(3, 7 * i - 5) := choice(pathsleft_read_words(8 - 4 * i)(22) = '1',
+          pathsleft_stay_value(3, i) or (not pathsleft_stay_0_values(1)) or (not is_set(pathsleft_fresh_here, 0)),
+          pathsleft_stay_choice(3, 7 * i - 6));
+        pathsleft_stay_choice(3, 7 * i - 4) := inverted_carry(pathsleft_stay_choice(3, 7 * i - 5), not
+          (pathsleft_read_words(8 - 4 * i)(23) = '1'), pathsleft_stay_0_values(2));
+        for j in 24 to 26 loop
+          pathsleft_stay_choice(3, 7 * i + j - 27) := carry(pathsleft_stay_choice(3, 7 * i + j - 28), not
+            (pathsleft_read_words(8 - 4 * i)(j) = '1'), pathsleft_stay_0_values(j - 21));
+        end loop;
+        pathsleft_stay_choice(3, 7 * i) := carry(pathsleft_stay_choice(3, 7 * i - 1), not (pathsleft_read_words(8 - 4 *
+          i)(27) = '1'), is_set(pathsleft_fresh_here, 6));
       end loop;
+      pathsleft_stay_choice(3, 15) := choice(pathsleft_stay_choice(3, 7), not pathsleft_first, pathsleft_stay_choice(3,
+        14) and (not pathsleft_first));
+      pathsleft_stay_choice_16(3) := choice((to_integer(pathsleft_read_words(4)(27 downto 21)) -
+        to_integer(pathsleft_read_words(0)(27 downto 21))) < 0, to_integer(pathsleft_read_words(4)(27 downto 21)),
+        to_integer(pathsleft_read_words(0)(27 downto 21)));
+      for i in 0 to 1 loop
+        pathsleft_stay_choice(4, 7 * i + 1) := choice(pathsleft_read_words(5 - 4 * i)(0) = '1', not
+          pathsleft_stay_0_values(1), pathsleft_stay_0_is_equal);
+        pathsleft_stay_choice(4, 7 * i + 2) := choice(pathsleft_read_words(5 - 4 * i)(1) = '1', (pathsleft_read_words(5
+          - 4 * i)(0) = '1') or (not pathsleft_stay_0_values(1)) or (not is_set(pathsleft_fresh_here, 0)),
+          pathsleft_stay_choice(4, 7 * i + 1));
+        pathsleft_stay_choice(4, 7 * i + 3) := inverted_carry(pathsleft_stay_choice(4, 7 * i + 2), not
+          (pathsleft_read_words(5 - 4 * i)(2) = '1'), pathsleft_stay_0_values(2));
+        for j in 3 to 5 loop
+          pathsleft_stay_choice(4, 7 * i + j + 1) := carry(pathsleft_stay_choice(4, 7 * i + j), not
+            (pathsleft_read_words(5 - 4 * i)(j) = '1'), pathsleft_stay_0_values(j));
+        end loop;
+        pathsleft_stay_choice(4, 7 * i + 7) := carry(pathsleft_stay_choice(4, 7 * i + 6), not (pathsleft_read_words(5 -
+          4 * i)(6) = '1'), is_set(pathsleft_fresh_here, 6));
+      end loop;
+      pathsleft_stay_choice(4, 15) := choice(pathsleft_stay_choice(4, 7), not pathsleft_first, pathsleft_stay_choice(4,
+        14) and (not pathsleft_first));
+      pathsleft_stay_choice_16(4) := choice((to_integer(pathsleft_read_words(5)(6 downto 0)) -
+        to_integer(pathsleft_read_words(1)(6 downto 0))) < 0, to_integer(pathsleft_read_words(5)(6 downto 0)),
+        to_integer(pathsleft_read_words(1)(6 downto 0)));
+      for i in 5 to 6 loop
+        pathsleft_stay_values(i, 1) := pathsleft_read_words(5)(7 * i - 28) = '1';
+        pathsleft_stay_choice(i, 1) := choice(pathsleft_stay_values(i, 1), not pathsleft_stay_0_values(1),
+          pathsleft_stay_0_is_equal);
+        pathsleft_stay_choice(i, 2) := choice(pathsleft_read_words(5)(7 * i - 27) = '1', pathsleft_stay_values(i, 1) or
+          (not pathsleft_stay_0_values(1)) or (not is_set(pathsleft_fresh_here, 0)), pathsleft_stay_choice(i, 1));
+        pathsleft_stay_choice(i, 3) := inverted_carry(pathsleft_stay_choice(i, 2), not (pathsleft_read_words(5)(7 * i -
+          26) = '1'), pathsleft_stay_0_values(2));
+        for j in 4 to 6 loop
+          pathsleft_stay_choice(i, j) := carry(pathsleft_stay_choice(i, j - 1), not (pathsleft_read_words(5)(7 * i + j
+            - 29) = '1'), pathsleft_stay_0_values(j - 1));
+        end loop;
+        pathsleft_stay_choice(i, 7) := carry(pathsleft_stay_choice(i, 6), not (pathsleft_read_words(5)(7 * i - 22) =
+          '1'), is_set(pathsleft_fresh_here, 6));
+        pathsleft_stay_values(i, 2) := pathsleft_read_words(1)(7 * i - 28) = '1';
+        pathsleft_stay_choice(i, 8) := choice(pathsleft_stay_values(i, 2), not pathsleft_stay_0_values(1),
+          pathsleft_stay_0_is_equal);
+        pathsleft_stay_choice(i, 9) := choice(pathsleft_read_words(1)(7 * i - 27) = '1', pathsleft_stay_values(i, 2) or
+          (not pathsleft_stay_0_values(1)) or (not is_set(pathsleft_fresh_here, 0)), pathsleft_stay_choice(i, 8));
+        pathsleft_stay_choice(i, 10) := inverted_carry(pathsleft_stay_choice(i, 9), not (pathsleft_read_words(1)(7 * i
+          - 26) = '1'), pathsleft_stay_0_values(2));
+        for j in 11 to 13 loop
+          pathsleft_stay_choice(i, j) := carry(pathsleft_stay_choice(i, j - 1), not (pathsleft_read_words(1)(7 * i + j
+            - 36) = '1'), pathsleft_stay_0_values(j - 8));
+        end loop;
+        pathsleft_stay_choice(i, 14) := carry(pathsleft_stay_choice(i, 13), not (pathsleft_read_words(1)(7 * i - 22) =
+          '1'), is_set(pathsleft_fresh_here, 6));
+        pathsleft_stay_choice(i, 15) := choice(pathsleft_stay_choice(i, 7), not pathsleft_first,
+          pathsleft_stay_choice(i, 14) and (not pathsleft_first));
+        pathsleft_stay_values_from_1(i, 3) := to_integer(pathsleft_read_words(5)(7 * i - 22 downto 7 * i - 28));
+        pathsleft_stay_values_from_1(i, 4) := to_integer(pathsleft_read_words(1)(7 * i - 22 downto 7 * i - 28));
+        pathsleft_stay_choice_16(i) := choice((pathsleft_stay_values_from_1(i, 3) - pathsleft_stay_values_from_1(i, 4))
+          < 0, pathsleft_stay_values_from_1(i, 3), pathsleft_stay_values_from_1(i, 4));
+      end loop;
+      for i in 1 to 2 loop
+        pathsleft_stay_values(7, i) := pathsleft_read_words(9 - 4 * i)(21) = '1';
+        pathsleft_stay_choice(7, 7 * i - 6) := choice(pathsleft_stay_values(7, i), not pathsleft_stay_0_values(1),
+          pathsleft_stay_0_is_equal);
+        pathsleft_stay_choice(7, 7 * i - 5) := choice(pathsleft_read_words(9 - 4 * i)(22) = '1',
+          pathsleft_stay_values(7, i) or (not pathsleft_stay_0_values(1)) or (not is_set(pathsleft_fresh_here, 0)),
+          pathsleft_stay_choice(7, 7 * i - 6));
+        pathsleft_stay_choice(7, 7 * i - 4) := inverted_carry(pathsleft_stay_choice(7, 7 * i - 5), not
+          (pathsleft_read_words(9 - 4 * i)(23) = '1'), pathsleft_stay_0_values(2));
+        for j in 24 to 26 loop
+          pathsleft_stay_choice(7, 7 * i + j - 27) := carry(pathsleft_stay_choice(7, 7 * i + j - 28), not
+            (pathsleft_read_words(9 - 4 * i)(j) = '1'), pathsleft_stay_0_values(j - 21));
+        end loop;
+        pathsleft_stay_choice(7, 7 * i) := carry(pathsleft_stay_choice(7, 7 * i - 1), not (pathsleft_read_words(9 - 4 *
+          i)(27) = '1'), is_set(pathsleft_fresh_here, 6));
+      end loop;
+      pathsleft_stay_choice(7, 15) := choice(pathsleft_stay_choice(7, 7), not pathsleft_first, pathsleft_stay_choice(7,
+        14) and (not pathsleft_first));
+      pathsleft_stay_choice_16(7) := choice((to_integer(pathsleft_read_words(5)(27 downto 21)) -
+        to_integer(pathsleft_read_words(1)(27 downto 21))) < 0, to_integer(pathsleft_read_words(5)(27 downto 21)),
+        to_integer(pathsleft_read_words(1)(27 downto 21)));
+      for i in 0 to 1 loop
+        pathsleft_stay_choice(8, 7 * i + 1) := choice(pathsleft_read_words(6 - 4 * i)(0) = '1', not
+          pathsleft_stay_0_values(1), pathsleft_stay_0_is_equal);
+        pathsleft_stay_choice(8, 7 * i + 2) := choice(pathsleft_read_words(6 - 4 * i)(1) = '1', (pathsleft_read_words(6
+          - 4 * i)(0) = '1') or (not pathsleft_stay_0_values(1)) or (not is_set(pathsleft_fresh_here, 0)),
+          pathsleft_stay_choice(8, 7 * i + 1));
+        pathsleft_stay_choice(8, 7 * i + 3) := inverted_carry(pathsleft_stay_choice(8, 7 * i + 2), not
+          (pathsleft_read_words(6 - 4 * i)(2) = '1'), pathsleft_stay_0_values(2));
+        for j in 3 to 5 loop
+          pathsleft_stay_choice(8, 7 * i + j + 1) := carry(pathsleft_stay_choice(8, 7 * i + j), not
+            (pathsleft_read_words(6 - 4 * i)(j) = '1'), pathsleft_stay_0_values(j));
+        end loop;
+        pathsleft_stay_choice(8, 7 * i + 7) := carry(pathsleft_stay_choice(8, 7 * i + 6), not (pathsleft_read_words(6 -
+          4 * i)(6) = '1'), is_set(pathsleft_fresh_here, 6));
+      end loop;
+      pathsleft_stay_choice(8, 15) := choice(pathsleft_stay_choice(8, 7), not pathsleft_first, pathsleft_stay_choice(8,
+        14) and (not pathsleft_first));
+      pathsleft_stay_choice_16(8) := choice((to_integer(pathsleft_read_words(6)(6 downto 0)) -
+        to_integer(pathsleft_read_words(2)(6 downto 0))) < 0, to_integer(pathsleft_read_words(6)(6 downto 0)),
+        to_integer(pathsleft_read_words(2)(6 downto 0)));
       for i in 9 to 10 loop
-        if (pathsleft_stay_values_2(i, 4) - to_integer(pathsleft_read_words(i - 8)(216 - 21 * i downto 210 - 21 * i)))
-          < 0 then
-          pathsleft_step_choice(i - 1) := pathsleft_stay_values_2(i, 4);
-        else
-          pathsleft_step_choice(i - 1) := to_integer(pathsleft_read_words(i - 8)(216 - 21 * i downto 210 - 21 * i));
-        end if;
+        pathsleft_stay_values_from_9(i, 1) := pathsleft_read_words(6)(7 * i - 56) = '1';
+        pathsleft_stay_choice(i, 1) := choice(pathsleft_stay_values_from_9(i, 1), not pathsleft_stay_0_values(1),
+          pathsleft_stay_0_is_equal);
+        pathsleft_stay_choice(i, 2) := choice(pathsleft_read_words(6)(7 * i - 55) = '1',
+          pathsleft_stay_values_from_9(i, 1) or (not pathsleft_stay_0_values(1)) or (not is_set(pathsleft_fresh_here,
+          0)), pathsleft_stay_choice(i, 1));
+        pathsleft_stay_choice(i, 3) := inverted_carry(pathsleft_stay_choice(i, 2), not (pathsleft_read_words(6)(7 * i -
+          54) = '1'), pathsleft_stay_0_values(2));
+        for j in 4 to 6 loop
+          pathsleft_stay_choice(i, j) := carry(pathsleft_stay_choice(i, j - 1), not (pathsleft_read_words(6)(7 * i + j
+            - 57) = '1'), pathsleft_stay_0_values(j - 1));
+        end loop;
+        pathsleft_stay_choice(i, 7) := carry(pathsleft_stay_choice(i, 6), not (pathsleft_read_words(6)(7 * i - 50) =
+          '1'), is_set(pathsleft_fresh_here, 6));
+        pathsleft_stay_values_from_9(i, 2) := pathsleft_read_words(2)(7 * i - 56) = '1';
+        pathsleft_stay_choice(i, 8) := choice(pathsleft_stay_values_from_9(i, 2), not pathsleft_stay_0_values(1),
+          pathsleft_stay_0_is_equal);
+        pathsleft_stay_choice(i, 9) := choice(pathsleft_read_words(2)(7 * i - 55) = '1',
+          pathsleft_stay_values_from_9(i, 2) or (not pathsleft_stay_0_values(1)) or (not is_set(pathsleft_fresh_here,
+          0)), pathsleft_stay_choice(i, 8));
+        pathsleft_stay_choice(i, 10) := inverted_carry(pathsleft_stay_choice(i, 9), not (pathsleft_read_words(2)(7 * i
+          - 54) = '1'), pathsleft_stay_0_values(2));
+        for j in 11 to 13 loop
+          pathsleft_stay_choice(i, j) := carry(pathsleft_stay_choice(i, j - 1), not (pathsleft_read_words(2)(7 * i + j
+            - 64) = '1'), pathsleft_stay_0_values(j - 8));
+        end loop;
+        pathsleft_stay_choice(i, 14) := carry(pathsleft_stay_choice(i, 13), not (pathsleft_read_words(2)(7 * i - 50) =
+          '1'), is_set(pathsleft_fresh_here, 6));
+        pathsleft_stay_choice(i, 15) := choice(pathsleft_stay_choice(i, 7), not pathsleft_first,
+          pathsleft_stay_choice(i, 14) and (not pathsleft_first));
+        pathsleft_stay_values_from_1(i, 3) := to_integer(pathsleft_read_words(6)(7 * i - 50 downto 7 * i - 56));
+        pathsleft_stay_values_from_1(i, 4) := to_integer(pathsleft_read_words(2)(7 * i - 50 downto 7 * i - 56));
+        pathsleft_stay_choice_16(i) := choice((pathsleft_stay_values_from_1(i, 3) - pathsleft_stay_values_from_1(i, 4))
+          < 0, pathsleft_stay_values_from_1(i, 3), pathsleft_stay_values_from_1(i, 4));
       end loop;
-      for i in 2 to 3 loop
-        if (to_integer(pathsleft_read_words(i)(69 - 21 * i downto 63 - 21 * i)) - pathsleft_stay_values_2(i + 7, 4)) <
-          0 then
-          pathsleft_step_choice(i + 8) := to_integer(pathsleft_read_words(i)(69 - 21 * i downto 63 - 21 * i));
-        else
-          pathsleft_step_choice(i + 8) := pathsleft_stay_values_2(i + 7, 4);
-        end if;
+      for i in 1 to 2 loop
+        pathsleft_stay_values_from_9(11, i) := pathsleft_read_words(10 - 4 * i)(21) = '1';
+        pathsleft_stay_choice(11, 7 * i - 6) := choice(pathsleft_stay_values_from_9(11, i), not
+          pathsleft_stay_0_values(1), pathsleft_stay_0_is_equal);
+        pathsleft_stay_choice(11, 7 * i - 5) := choice(pathsleft_read_words(10 - 4 * i)(22) = '1',
+          pathsleft_stay_values_from_9(11, i) or (not pathsleft_stay_0_values(1)) or (not is_set(pathsleft_fresh_here,
+          0)), pathsleft_stay_choice(11, 7 * i - 6));
+        pathsleft_stay_choice(11, 7 * i - 4) := inverted_carry(pathsleft_stay_choice(11, 7 * i - 5), not
+          (pathsleft_read_words(10 - 4 * i)(23) = '1'), pathsleft_stay_0_values(2));
+        for j in 24 to 26 loop
+          pathsleft_stay_choice(11, 7 * i + j - 27) := carry(pathsleft_stay_choice(11, 7 * i + j - 28), not
+            (pathsleft_read_words(10 - 4 * i)(j) = '1'), pathsleft_stay_0_values(j - 21));
+        end loop;
+        pathsleft_stay_choice(11, 7 * i) := carry(pathsleft_stay_choice(11, 7 * i - 1), not (pathsleft_read_words(10 -
+          4 * i)(27) = '1'), is_set(pathsleft_fresh_here, 6));
       end loop;
+      pathsleft_stay_choice(11, 15) := choice(pathsleft_stay_choice(11, 7), not pathsleft_first,
+        pathsleft_stay_choice(11, 14) and (not pathsleft_first));
+      pathsleft_stay_choice_16(11) := choice((to_integer(pathsleft_read_words(6)(27 downto 21)) -
+        to_integer(pathsleft_read_words(2)(27 downto 21))) < 0, to_integer(pathsleft_read_words(6)(27 downto 21)),
+        to_integer(pathsleft_read_words(2)(27 downto 21)));
+      for i in 0 to 1 loop
+        pathsleft_stay_choice(12, 7 * i + 1) := choice(pathsleft_read_words(7 - 4 * i)(0) = '1', not
+          pathsleft_stay_0_values(1), pathsleft_stay_0_is_equal);
+        pathsleft_stay_choice(12, 7 * i + 2) := choice(pathsleft_read_words(7 - 4 * i)(1) = '1',
+          (pathsleft_read_words(7 - 4 * i)(0) = '1') or (not pathsleft_stay_0_values(1)) or (not
+          is_set(pathsleft_fresh_here, 0)), pathsleft_stay_choice(12, 7 * i + 1));
+        pathsleft_stay_choice(12, 7 * i + 3) := inverted_carry(pathsleft_stay_choice(12, 7 * i + 2), not
+          (pathsleft_read_words(7 - 4 * i)(2) = '1'), pathsleft_stay_0_values(2));
+        for j in 3 to 5 loop
+          pathsleft_stay_choice(12, 7 * i + j + 1) := carry(pathsleft_stay_choice(12, 7 * i + j), not
+            (pathsleft_read_words(7 - 4 * i)(j) = '1'), pathsleft_stay_0_values(j));
+        end loop;
+        pathsleft_stay_choice(12, 7 * i + 7) := carry(pathsleft_stay_choice(12, 7 * i + 6), not (pathsleft_read_words(7
+          - 4 * i)(6) = '1'), is_set(pathsleft_fresh_here, 6));
+      end loop;
+      pathsleft_stay_choice(12, 15) := choice(pathsleft_stay_choice(12, 7), not pathsleft_first,
+        pathsleft_stay_choice(12, 14) and (not pathsleft_first));
+      pathsleft_stay_choice_16(12) := choice((to_integer(pathsleft_read_words(7)(6 downto 0)) -
+        to_integer(pathsleft_read_words(3)(6 downto 0))) < 0, to_integer(pathsleft_read_words(7)(6 downto 0)),
+        to_integer(pathsleft_read_words(3)(6 downto 0)));
       for i in 13 to 14 loop
-        if (pathsleft_stay_values_3(i, 4) - to_integer(pathsleft_read_words(i - 11)(300 - 21 * i downto 294 - 21 * i)))
-          < 0 then
-          pathsleft_step_choice(i - 1) := pathsleft_stay_values_3(i, 4);
-        else
-          pathsleft_step_choice(i - 1) := to_integer(pathsleft_read_words(i - 11)(300 - 21 * i downto 294 - 21 * i));
-        end if;
+        pathsleft_stay_values_from_13(i, 1) := pathsleft_read_words(7)(7 * i - 84) = '1';
+        pathsleft_stay_choice(i, 1) := choice(pathsleft_stay_values_from_13(i, 1), not pathsleft_stay_0_values(1),
+          pathsleft_stay_0_is_equal);
+        pathsleft_stay_choice(i, 2) := choice(pathsleft_read_words(7)(7 * i - 83) = '1',
+          pathsleft_stay_values_from_13(i, 1) or (not pathsleft_stay_0_values(1)) or (not is_set(pathsleft_fresh_here,
+          0)), pathsleft_stay_choice(i, 1));
+        pathsleft_stay_choice(i, 3) := inverted_carry(pathsleft_stay_choice(i, 2), not (pathsleft_read_words(7)(7 * i -
+          82) = '1'), pathsleft_stay_0_values(2));
+        for j in 4 to 6 loop
+          pathsleft_stay_choice(i, j) := carry(pathsleft_stay_choice(i, j - 1), not (pathsleft_read_words(7)(7 * i + j
+            - 85) = '1'), pathsleft_stay_0_values(j - 1));
+        end loop;
+        pathsleft_stay_choice(i, 7) := carry(pathsleft_stay_choice(i, 6), not (pathsleft_read_words(7)(7 * i - 78) =
+          '1'), is_set(pathsleft_fresh_here, 6));
+        pathsleft_stay_values_from_13(i, 2) := pathsleft_read_words(3)(7 * i - 84) = '1';
+        pathsleft_stay_choice(i, 8) := choice(pathsleft_stay_values_from_13(i, 2), not pathsleft_stay_0_values(1),
+          pathsleft_stay_0_is_equal);
+        pathsleft_stay_choice(i, 9) := choice(pathsleft_read_words(3)(7 * i - 83) = '1',
+          pathsleft_stay_values_from_13(i, 2) or (not pathsleft_stay_0_values(1)) or (not is_set(pathsleft_fresh_here,
+          0)), pathsleft_stay_choice(i, 8));
+        pathsleft_stay_choice(i, 10) := inverted_carry(pathsleft_stay_choice(i, 9), not (pathsleft_read_words(3)(7 * i
+          - 82) = '1'), pathsleft_stay_0_values(2));
+        for j in 11 to 13 loop
+          pathsleft_stay_choice(i, j) := carry(pathsleft_stay_choice(i, j - 1), not (pathsleft_read_words(3)(7 * i + j
+            - 92) = '1'), pathsleft_stay_0_values(j - 8));
+        end loop;
+        pathsleft_stay_choice(i, 14) := carry(pathsleft_stay_choice(i, 13), not (pathsleft_read_words(3)(7 * i - 78) =
+          '1'), is_set(pathsleft_fresh_here, 6));
+        pathsleft_stay_choice(i, 15) := choice(pathsleft_stay_choice(i, 7), not pathsleft_first,
+          pathsleft_stay_choice(i, 14) and (not pathsleft_first));
+        pathsleft_stay_values_from_1(i, 3) := to_integer(pathsleft_read_words(7)(7 * i - 78 downto 7 * i - 84));
+        pathsleft_stay_values_from_1(i, 4) := to_integer(pathsleft_read_words(3)(7 * i - 78 downto 7 * i - 84));
+        pathsleft_stay_choice_16(i) := choice((pathsleft_stay_values_from_1(i, 3) - pathsleft_stay_values_from_1(i, 4))
+          < 0, pathsleft_stay_values_from_1(i, 3), pathsleft_stay_values_from_1(i, 4));
       end loop;
-      if (to_integer(pathsleft_read_words(3)(27 downto 21)) - pathsleft_stay_values_3(13, 4)) < 0 then
-        pathsleft_step_choice(14) := to_integer(pathsleft_read_words(3)(27 downto 21));
-      else
-        pathsleft_step_choice(14) := pathsleft_stay_values_3(13, 4);
-      end if;
-      if pathsleft_is_last then
-        pathsleft_step_choice(15) := pathsleft_stay_values_3(14, 4);
-      else
-        pathsleft_step_choice(15) := to_integer(pathsleft_read_neighbour_0);
-      end if;
-      if (pathsleft_step_choice(15) - pathsleft_stay_values_3(14, 4)) < 0 then
-        pathsleft_step_15_choice_2 := pathsleft_step_choice(15);
-      else
-        pathsleft_step_15_choice_2 := pathsleft_stay_values_3(14, 4);
-      end if;
+      for i in 1 to 2 loop
+        pathsleft_stay_values_from_13(15, i) := pathsleft_read_words(11 - 4 * i)(21) = '1';
+        pathsleft_stay_choice(15, 7 * i - 6) := choice(pathsleft_stay_values_from_13(15, i), not
+          pathsleft_stay_0_values(1), pathsleft_stay_0_is_equal);
+        pathsleft_stay_choice(15, 7 * i - 5) := choice(pathsleft_read_words(11 - 4 * i)(22) = '1',
+          pathsleft_stay_values_from_13(15, i) or (not pathsleft_stay_0_values(1)) or (not is_set(pathsleft_fresh_here,
+          0)), pathsleft_stay_choice(15, 7 * i - 6));
+        pathsleft_stay_choice(15, 7 * i - 4) := inverted_carry(pathsleft_stay_choice(15, 7 * i - 5), not
+          (pathsleft_read_words(11 - 4 * i)(23) = '1'), pathsleft_stay_0_values(2));
+        for j in 24 to 26 loop
+          pathsleft_stay_choice(15, 7 * i + j - 27) := carry(pathsleft_stay_choice(15, 7 * i + j - 28), not
+            (pathsleft_read_words(11 - 4 * i)(j) = '1'), pathsleft_stay_0_values(j - 21));
+        end loop;
+        pathsleft_stay_choice(15, 7 * i) := carry(pathsleft_stay_choice(15, 7 * i - 1), not (pathsleft_read_words(11 -
+          4 * i)(27) = '1'), is_set(pathsleft_fresh_here, 6));
+      end loop;
+      pathsleft_stay_choice(15, 15) := choice(pathsleft_stay_choice(15, 7), not pathsleft_first,
+        pathsleft_stay_choice(15, 14) and (not pathsleft_first));
+      pathsleft_stay_choice_16(15) := choice((to_integer(pathsleft_read_words(7)(27 downto 21)) -
+        to_integer(pathsleft_read_words(3)(27 downto 21))) < 0, to_integer(pathsleft_read_words(7)(27 downto 21)),
+        to_integer(pathsleft_read_words(3)(27 downto 21)));
+      pathsleft_step_choice(0, 1) := choice(pathsleft_is_first, pathsleft_stay_values_from_1(1, 4),
+        pathsleft_lower_neighbour);
+      pathsleft_step_choice(0, 2) := choice((pathsleft_stay_values_from_1(1, 4) - pathsleft_step_choice(0, 1)) < 0,
+        pathsleft_stay_values_from_1(1, 4), pathsleft_step_choice(0, 1));
+      for i in 0 to 2 loop
+        pathsleft_step_choice(4 * i + 1, 1) := choice((pathsleft_stay_values_from_1(4 * i + 2, 4) -
+          to_integer(pathsleft_read_words(i)(6 downto 0))) < 0, pathsleft_stay_values_from_1(4 * i + 2, 4),
+          to_integer(pathsleft_read_words(i)(6 downto 0)));
+        pathsleft_step_choice(4 * i + 2, 1) := choice((to_integer(pathsleft_read_words(i)(27 downto 21)) -
+          pathsleft_stay_values_from_1(4 * i + 1, 4)) < 0, to_integer(pathsleft_read_words(i)(27 downto 21)),
+          pathsleft_stay_values_from_1(4 * i + 1, 4));
+        pathsleft_step_choice(4 * i + 3, 1) := choice((to_integer(pathsleft_read_words(i + 1)(6 downto 0)) -
+          pathsleft_stay_values_from_1(4 * i + 2, 4)) < 0, to_integer(pathsleft_read_words(i + 1)(6 downto 0)),
+          pathsleft_stay_values_from_1(4 * i + 2, 4));
+        pathsleft_step_choice(4 * i + 4, 1) := choice((pathsleft_stay_values_from_1(4 * i + 5, 4) -
+          to_integer(pathsleft_read_words(i)(27 downto 21))) < 0, pathsleft_stay_values_from_1(4 * i + 5, 4),
+          to_integer(pathsleft_read_words(i)(27 downto 21)));
+      end loop;
+      pathsleft_step_choice(13, 1) := choice((pathsleft_stay_values_from_1(14, 4) -
+        to_integer(pathsleft_read_words(3)(6 downto 0))) < 0, pathsleft_stay_values_from_1(14, 4),
+        to_integer(pathsleft_read_words(3)(6 downto 0)));
+      pathsleft_step_choice(14, 1) := choice((to_integer(pathsleft_read_words(3)(27 downto 21)) -
+        pathsleft_stay_values_from_1(13, 4)) < 0, to_integer(pathsleft_read_words(3)(27 downto 21)),
+        pathsleft_stay_values_from_1(13, 4));
+      pathsleft_step_choice(15, 1) := choice(pathsleft_is_last, pathsleft_stay_values_from_1(14, 4),
+        to_integer(pathsleft_read_neighbour_0));
+      pathsleft_step_choice(15, 2) := choice((pathsleft_step_choice(15, 1) - pathsleft_stay_values_from_1(14, 4)) < 0,
+        pathsleft_step_choice(15, 1), pathsleft_stay_values_from_1(14, 4));
       pathsleft_stay_change_value(1) := to_integer(paths_cost_delay_held_0(5 downto 0)) / 8;
       for i in 2 to 8 loop
         pathsleft_stay_change_value(i) := to_integer(paths_cost_delay_held_0(3 * i + 2 downto 3 * i));
       end loop;
-      pathsleft_stay_change_values(11) := to_integer(paths_cost_delay_held_1(5 downto 0)) / 8;
-      pathsleft_stay_change_values(12) := to_integer(paths_cost_delay_held_1(8 downto 6));
-      pathsleft_stay_change_values(13) := to_integer(paths_cost_delay_held_1(11 downto 9));
-      pathsleft_stay_change_values(14) := to_integer(paths_cost_delay_held_1(14 downto 12));
-      if pathsleft_write_count_phase = 7 then
-        pathsleft_write_count_phase_choice := 7;
-      else
-        pathsleft_write_count_phase_choice := (pathsleft_write_count_phase + 1) mod 8;
-      end if;
-      if line_comes(27) then
-        pathsleft_low_0_choice := 127;
-      else
-        pathsleft_low_0_choice := pathsleft_low_0;
-      end if;
+      pathsleft_stay_change_value(11) := to_integer(paths_cost_delay_held_1(5 downto 0)) / 8;
+      pathsleft_stay_change_value(12) := to_integer(paths_cost_delay_held_1(8 downto 6));
+      pathsleft_stay_change_value(13) := to_integer(paths_cost_delay_held_1(11 downto 9));
+      pathsleft_stay_change_value(14) := to_integer(paths_cost_delay_held_1(14 downto 12));
+      pathsleft_write_count_phase_choice := choice(pathsleft_write_count_phase = 7, 7, (pathsleft_write_count_phase +
+        1) mod 8);
+      pathsleft_low_0_choice := choice(line_comes(27), 127, pathsleft_low_0);
       pathsleft_fresh_past_oldest <= pathsleft_fresh_past_fours(7);
       pathsleft_lost <= is_set(pathsleft_fresh_known, 6);
       pathsleft_short_of <= (((pathsleft_fresh_known mod 64) + pathsleft_room) / 64) = 1;
@@ -6518,10 +2734,10 @@ begin
       end loop;
       pathsleft_stay_change(9) <= (to_integer(paths_cost_delay_held_0(29 downto 27)) - pathsleft_g) mod 128;
       pathsleft_stay_change(10) <= (to_integer(paths_cost_delay_held_1(2 downto 0)) - pathsleft_g) mod 128;
-      pathsleft_stay_change(11) <= (pathsleft_stay_change_values(11) - pathsleft_g) mod 128;
-      pathsleft_stay_change(12) <= (pathsleft_stay_change_values(12) - pathsleft_g) mod 128;
-      pathsleft_stay_change(13) <= (pathsleft_stay_change_values(13) - pathsleft_g) mod 128;
-      pathsleft_stay_change(14) <= (pathsleft_stay_change_values(14) - pathsleft_g) mod 128;
+      pathsleft_stay_change(11) <= (pathsleft_stay_change_value(11) - pathsleft_g) mod 128;
+      pathsleft_stay_change(12) <= (pathsleft_stay_change_value(12) - pathsleft_g) mod 128;
+      pathsleft_stay_change(13) <= (pathsleft_stay_change_value(13) - pathsleft_g) mod 128;
+      pathsleft_stay_change(14) <= (pathsleft_stay_change_value(14) - pathsleft_g) mod 128;
       pathsleft_stay_change(15) <= (to_integer(paths_cost_delay_held_1(17 downto 15)) - pathsleft_g) mod 128;
       pathsleft_step_change(0) <= (to_integer(paths_cost_delay_held_0(2 downto 0)) - pathsleft_g_less) mod 128;
       for i in 1 to 8 loop
@@ -6529,90 +2745,45 @@ begin
       end loop;
       pathsleft_step_change(9) <= (to_integer(paths_cost_delay_held_0(29 downto 27)) - pathsleft_g_less) mod 128;
       pathsleft_step_change(10) <= (to_integer(paths_cost_delay_held_1(2 downto 0)) - pathsleft_g_less) mod 128;
-      pathsleft_step_change(11) <= (pathsleft_stay_change_values(11) - pathsleft_g_less) mod 128;
-      pathsleft_step_change(12) <= (pathsleft_stay_change_values(12) - pathsleft_g_less) mod 128;
-      pathsleft_step_change(13) <= (pathsleft_stay_change_values(13) - pathsleft_g_less) mod 128;
-      pathsleft_step_change(14) <= (pathsleft_stay_change_values(14) - pathsleft_g_less) mod 128;
+      pathsleft_step_change(11) <= (pathsleft_stay_change_value(11) - pathsleft_g_less) mod 128;
+      pathsleft_step_change(12) <= (pathsleft_stay_change_value(12) - pathsleft_g_less) mod 128;
+      pathsleft_step_change(13) <= (pathsleft_stay_change_value(13) - pathsleft_g_less) mod 128;
+      pathsleft_step_change(14) <= (pathsleft_stay_change_value(14) - pathsleft_g_less) mod 128;
       pathsleft_step_change(15) <= (to_integer(paths_cost_delay_held_1(17 downto 15)) - pathsleft_g_less) mod 128;
-      if (pathsleft_fresh_past_fours(4) - pathsleft_fresh_past_fours(0)) < 0 then
-        pathsleft_fresh_past_eight <= pathsleft_fresh_past_fours(4);
-      else
-        pathsleft_fresh_past_eight <= pathsleft_fresh_past_fours(0);
-      end if;
-      if (pathsleft_fresh_past_oldest - pathsleft_fresh_past_eight) < 0 then
-        pathsleft_fresh_past_cheapest <= pathsleft_fresh_past_oldest;
-      else
-        pathsleft_fresh_past_cheapest <= pathsleft_fresh_past_eight;
-      end if;
-      if (pathsleft_fresh_past_cheapest - to_integer(pathsleft_lowest_0)) < 0 then
-        pathsleft_fresh_known <= pathsleft_fresh_past_cheapest;
-      else
-        pathsleft_fresh_known <= to_integer(pathsleft_lowest_0);
-      end if;
-      if line_starts_phases(19) then
-        pathsleft_read_count_phase <= 0;
-      else
-        pathsleft_read_count_phase <= pathsleft_read_count_phase_choice;
-      end if;
-      if line_starts_phases(18) then
-        pathsleft_ahead_count_phase <= 0;
-      else
-        pathsleft_ahead_count_phase <= pathsleft_ahead_count_phase_choice;
-      end if;
+      pathsleft_fresh_past_eight <= choice((pathsleft_fresh_past_fours(4) - pathsleft_fresh_past_fours(0)) < 0,
+        pathsleft_fresh_past_fours(4), pathsleft_fresh_past_fours(0));
+      pathsleft_fresh_past_cheapest <= choice((pathsleft_fresh_past_oldest - pathsleft_fresh_past_eight) < 0,
+        pathsleft_fresh_past_oldest, pathsleft_fresh_past_eight);
+      pathsleft_fresh_known <= choice((pathsleft_fresh_past_cheapest - to_integer(pathsleft_lowest_0)) < 0,
+        pathsleft_fresh_past_cheapest, to_integer(pathsleft_lowest_0));
+      pathsleft_read_count_phase <= choice(line_starts_phases(19), 0, pathsleft_read_count_phase_choice);
+      pathsleft_ahead_count_phase <= choice(line_starts_phases(18), 0, pathsleft_ahead_count_phase_choice);
       for i in 0 to 15 loop
-        if pathsleft_stay_choices(i, 15) then
-          pathsleft_stay(i) <= pathsleft_stay_choice_16(i);
-        else
-          pathsleft_stay(i) <= pathsleft_fresh_here;
-        end if;
+        pathsleft_stay(i) <= choice(pathsleft_stay_choice(i, 15), pathsleft_stay_choice_16(i), pathsleft_fresh_here);
       end loop;
-      if pathsleft_first then
-        for i in 0 to 15 loop
-          pathsleft_step(i) <= 64;
-        end loop;
-      else
-        pathsleft_step(0) <= pathsleft_step_0_choice_2;
-        for i in 1 to 14 loop
-          pathsleft_step(i) <= pathsleft_step_choice(i);
-        end loop;
-        pathsleft_step(15) <= pathsleft_step_15_choice_2;
-      end if;
-      if line_starts_phases(22) then
-        pathsleft_write_count_phase <= 0;
-      else
-        pathsleft_write_count_phase <= pathsleft_write_count_phase_choice;
-      end if;
+      pathsleft_step(0) <= choice(pathsleft_first, 64, pathsleft_step_choice(0, 2));
+      for i in 1 to 14 loop
+        pathsleft_step(i) <= choice(pathsleft_first, 64, pathsleft_step_choice(i, 1));
+      end loop;
+      pathsleft_step(15) <= choice(pathsleft_first, 64, pathsleft_step_choice(15, 2));
+      pathsleft_write_count_phase <= choice(line_starts_phases(22), 0, pathsleft_write_count_phase_choice);
       for i in 0 to 7 loop
-        if (pathsleft_cost(2 * i + 1) - pathsleft_cost(2 * i)) < 0 then
-          pathsleft_tree_smallest(i) <= pathsleft_cost(2 * i + 1);
-        else
-          pathsleft_tree_smallest(i) <= pathsleft_cost(2 * i);
-        end if;
+        pathsleft_tree_smallest(i) <= choice((pathsleft_cost(2 * i + 1) - pathsleft_cost(2 * i)) < 0, pathsleft_cost(2
+          * i + 1), pathsleft_cost(2 * i));
       end loop;
       for i in 0 to 3 loop
-        if (pathsleft_tree_smallest(2 * i + 1) - pathsleft_tree_smallest(2 * i)) < 0 then
-          pathsleft_tree_next_smallest(i) <= pathsleft_tree_smallest(2 * i + 1);
-        else
-          pathsleft_tree_next_smallest(i) <= pathsleft_tree_smallest(2 * i);
-        end if;
+        pathsleft_tree_next_smallest(i) <= choice((pathsleft_tree_smallest(2 * i + 1) - pathsleft_tree_smallest(2 * i))
+          < 0, pathsleft_tree_smallest(2 * i + 1), pathsleft_tree_smallest(2 * i));
       end loop;
-      for i in 0 to 1 loop
-        if (pathsleft_tree_next_smallest(2 * i + 1) - pathsleft_tree_next_smallest(2 * i)) < 0 then
-          pathsleft_tree_next_next_smallest(i) <= pathsleft_tree_next_smallest(2 * i + 1);
-        else
-          pathsleft_tree_next_next_smallest(i) <= pathsleft_tree_next_smallest(2 * i);
-        end if;
-      end loop;
-      if (pathsleft_tree_next_next_smallest(1) - pathsleft_tree_next_next_smallest(0)) < 0 then
-        pathsleft_tree_next_next_next_smallest_0 <= pathsleft_tree_next_next_smallest(1);
-      else
-        pathsleft_tree_next_next_next_smallest_0 <= pathsleft_tree_next_next_smallest(0);
-      end if;
-      if (pathsleft_tree_next_next_next_smallest_0 - pathsleft_low_0_choice) < 0 then
-        pathsleft_low_0 <= pathsleft_tree_next_next_next_smallest_0;
-      else
-        pathsleft_low_0 <= pathsleft_low_0_choice;
-      end if;
+      pathsleft_tree_next_next_smallest(0) <= choice((pathsleft_tree_next_smallest(1) -
+        pathsleft_tree_next_smallest(0)) < 0, pathsleft_tree_next_smallest(1), pathsleft_tree_next_smallest(0));
+      pathsleft_tree_next_next_smallest(1) <= choice((pathsleft_tree_next_smallest(3) -
+        pathsleft_tree_next_smallest(2)) < 0, pathsleft_tree_next_smallest(3), pathsleft_tree_next_smallest(2));
+      pathsleft_tree_next_next_next_smallest_0 <= choice((pathsleft_tree_next_next_smallest(1) -
+        pathsleft_tree_next_next_smallest(0)) < 0, pathsleft_tree_next_next_smallest(1),
+        pathsleft_tree_next_next_smallest(0));
+      pathsleft_low_0 <= choice((pathsleft_tree_next_next_next_smallest_0 - pathsleft_low_0_choice) < 0,
+        pathsleft_tree_next_next_next_smallest_0, pathsleft_low_0_choice);
       if line_starts_phases(20) then
         pathsleft_fresh_here <= relief_left(2);
         pathsleft_first <= line_places_shown_first_column(2);
@@ -6622,48 +2793,22 @@ begin
       if line_starts_phases(14) then
         pathsleft_low_address <= (pathsleft_low_address + 1) mod 16;
       end if;
-      if pathsleft_short_of then
-        pathsleft_q_choice := pathsleft_missing;
-      else
-        pathsleft_q_choice := 0;
-      end if;
-      if pathsleft_lost then
-        pathsleft_q_choice_2 := pathsleft_room;
-      else
-        pathsleft_q_choice_2 := pathsleft_q_choice;
-      end if;
-      if pathsleft_short_of then
-        pathsleft_room_left_choice := pathsleft_below;
-      else
-        pathsleft_room_left_choice := pathsleft_room;
-      end if;
+      pathsleft_q_choices(1) := choice(pathsleft_short_of, pathsleft_missing, 0);
+      pathsleft_q_choices(2) := choice(pathsleft_lost, pathsleft_room, pathsleft_q_choices(1));
+      pathsleft_room_left_choice := choice(pathsleft_short_of, pathsleft_below, pathsleft_room);
       if line_starts_phases(18) then
-        if line_places_shown_first_column(2) then
-          pathsleft_q <= 60;
-        else
-          pathsleft_q <= pathsleft_q_choice_2;
-        end if;
-        if pathsleft_lost then
-          pathsleft_room_left <= 0;
-        else
-          pathsleft_room_left <= pathsleft_room_left_choice;
-        end if;
+        pathsleft_q <= choice(line_places_shown_first_column(2), 60, pathsleft_q_choices(2));
+        pathsleft_room_left <= choice(pathsleft_lost, 0, pathsleft_room_left_choice);
       end if;
       if line_starts_phases(19) then
         pathsleft_q_now <= pathsleft_q;
         pathsleft_q_less <= (pathsleft_q + 121) mod 128;
-        if line_places_shown_first_column(2) then
-          pathsleft_room <= 0;
-          for i in 1 to 9 loop
-            pathsleft_start_cost(i) <= 0;
-          end loop;
-        else
-          pathsleft_room <= (pathsleft_room_left + pathsleft_start_cost(9)) mod 64;
-          pathsleft_start_cost(1) <= pathsleft_q_now;
-          for i in 2 to 9 loop
-            pathsleft_start_cost(i) <= pathsleft_start_cost(i - 1);
-          end loop;
-        end if;
+        pathsleft_room <= choice(line_places_shown_first_column(2), 0, (pathsleft_room_left + pathsleft_start_cost(9))
+          mod 64);
+        pathsleft_start_cost(1) <= choice(line_places_shown_first_column(2), 0, pathsleft_q_now);
+        for i in 2 to 9 loop
+          pathsleft_start_cost(i) <= choice(line_places_shown_first_column(2), 0, pathsleft_start_cost(i - 1));
+        end loop;
       end if;
       pathsleft_cost_0_any := (not is_set(pathsleft_write_count_phase, 2)) or (not is_set(pathsleft_write_count_phase,
         1)) or (not is_set(pathsleft_write_count_phase, 0)) or line_starts_phases(22);
@@ -6680,131 +2825,56 @@ begin
       end if;
       -- pathsabove
       pathsabove_memory_read_address_0_sum := pathsabove_read_address_address + 1;
-      if line_places_shown_first_column(0) then
-        pathsabove_memory_read_address_0_choice := 0;
-      else
-        pathsabove_memory_read_address_0_choice := pathsabove_memory_read_address_0_sum mod 4096;
-      end if;
+      pathsabove_memory_read_address_0_choice := choice(line_places_shown_first_column(0), 0,
+        pathsabove_memory_read_address_0_sum mod 4096);
       pathsabove_memory_read_address_0_sum_2 := pathsabove_read_address_address + as_number(((not
         is_set(pathsabove_read_address_count_phase, 2)) or (not is_set(pathsabove_read_address_count_phase, 1)) or (not
         is_set(pathsabove_read_address_count_phase, 0))));
-      if line_places_shown_first_column(0) then
-        pathsabove_memory_read_address_2_choice := 0;
-      else
-        pathsabove_memory_read_address_2_choice := pathsabove_memory_read_address_0_sum mod 2048;
-      end if;
-      if line_places_shown_first_column(0) then
-        pathsabove_memory_bank_choice := 0;
-      else
-        pathsabove_memory_bank_choice := pathsabove_memory_read_address_0_sum mod 16384;
-      end if;
-      if line_starts_phases(4) then
-        pathsabove_memory_bank_choice_2 := pathsabove_memory_bank_choice;
-      else
-        pathsabove_memory_bank_choice_2 := pathsabove_memory_read_address_0_sum_2 mod 16384;
-      end if;
-      pathsabove_memory_ready_words_0_is_equal := pathsabove_memory_held_bank = 2;
-      pathsabove_memory_ready_words_0_is_equal_2 := pathsabove_memory_held_bank = 1;
+      pathsabove_memory_read_address_2_choice := choice(line_places_shown_first_column(0), 0,
+        pathsabove_memory_read_address_0_sum mod 2048);
+      pathsabove_memory_bank_choices(1) := choice(line_places_shown_first_column(0), 0,
+        pathsabove_memory_read_address_0_sum mod 16384);
+      pathsabove_memory_bank_choices(2) := choice(line_starts_phases(4), pathsabove_memory_bank_choices(1),
+        pathsabove_memory_read_address_0_sum_2 mod 16384);
+      pathsabove_memory_ready_words_0_is_equals(1) := pathsabove_memory_held_bank = 2;
+      pathsabove_memory_ready_words_0_is_equals(2) := pathsabove_memory_held_bank = 1;
       for i in 0 to 9 loop
-        if pathsabove_memory_ready_words_0_is_equal_2 then
-          pathsabove_memory_ready_words_choice(i) := pathsabove_memory_held_words(1, i);
-        else
-          pathsabove_memory_ready_words_choice(i) := pathsabove_memory_held_words(0, i);
-        end if;
+        pathsabove_memory_ready_words_choice(i) := choice(pathsabove_memory_ready_words_0_is_equals(2),
+          pathsabove_memory_held_words(1, i), pathsabove_memory_held_words(0, i));
       end loop;
-      if pathsabove_read_address_count_phase = 7 then
-        pathsabove_read_address_count_phase_choice := 7;
-      else
-        pathsabove_read_address_count_phase_choice := (pathsabove_read_address_count_phase + 1) mod 8;
-      end if;
-      if line_starts_phases(7) then
-        pathsabove_ready_top_choice := line_places_shown_first_column(0) or pathsabove_ready_top;
-      else
-        pathsabove_ready_top_choice := pathsabove_ready_top;
-      end if;
-      if line_starts_phases(7) then
-        pathsabove_ready_top_choice_2 := (not line_places_shown_first_column(0)) and pathsabove_ready_top;
-      else
-        pathsabove_ready_top_choice_2 := pathsabove_ready_top;
-      end if;
+      pathsabove_read_address_count_phase_choice := choice(pathsabove_read_address_count_phase = 7, 7,
+        (pathsabove_read_address_count_phase + 1) mod 8);
+      pathsabove_ready_top_choices(1) := choice(line_starts_phases(7), line_places_shown_first_column(0) or
+        pathsabove_ready_top, pathsabove_ready_top);
+      pathsabove_ready_top_choices(2) := choice(line_starts_phases(7), (not line_places_shown_first_column(0)) and
+        pathsabove_ready_top, pathsabove_ready_top);
       for i in 0 to 1 loop
-        if pathsabove_ready_top then
-          pathsabove_total_choice(8 * i) := 31;
-        else
-          pathsabove_total_choice(8 * i) := pathsabove_memory_ready_words(5 * i) mod 32;
-        end if;
-        if pathsabove_ready_top then
-          pathsabove_total_choice(8 * i + 1) := 31;
-        else
-          pathsabove_total_choice(8 * i + 1) := ((pathsabove_memory_ready_words(5 * i + 1) mod 4) * 8) +
-            (pathsabove_memory_ready_words(5 * i) / 32);
-        end if;
-        if pathsabove_ready_top then
-          pathsabove_total_choice(8 * i + 2) := 31;
-        else
-          pathsabove_total_choice(8 * i + 2) := (pathsabove_memory_ready_words(5 * i + 1) / 4) mod 32;
-        end if;
-        if pathsabove_ready_top then
-          pathsabove_total_choice(8 * i + 3) := 31;
-        else
-          pathsabove_total_choice(8 * i + 3) := ((pathsabove_memory_ready_words(5 * i + 2) mod 16) * 2) +
-            (pathsabove_memory_ready_words(5 * i + 1) / 128);
-        end if;
-        if pathsabove_ready_top then
-          pathsabove_total_choice(8 * i + 4) := 31;
-        else
-          pathsabove_total_choice(8 * i + 4) := ((pathsabove_memory_ready_words(5 * i + 3) mod 2) * 16) +
-            (pathsabove_memory_ready_words(5 * i + 2) / 16);
-        end if;
-        if pathsabove_ready_top then
-          pathsabove_total_choice(8 * i + 5) := 31;
-        else
-          pathsabove_total_choice(8 * i + 5) := (pathsabove_memory_ready_words(5 * i + 3) / 2) mod 32;
-        end if;
-        if pathsabove_ready_top then
-          pathsabove_total_choice(8 * i + 6) := 31;
-        else
-          pathsabove_total_choice(8 * i + 6) := ((pathsabove_memory_ready_words(5 * i + 4) mod 8) * 4) +
-            (pathsabove_memory_ready_words(5 * i + 3) / 64);
-        end if;
-        if pathsabove_ready_top then
-          pathsabove_total_choice(8 * i + 7) := 31;
-        else
-          pathsabove_total_choice(8 * i + 7) := pathsabove_memory_ready_words(5 * i + 4) / 8;
-        end if;
+        pathsabove_total_choice(8 * i) := choice(pathsabove_ready_top, 31, pathsabove_memory_ready_words(5 * i) mod 32);
+        pathsabove_total_choice(8 * i + 1) := choice(pathsabove_ready_top, 31, ((pathsabove_memory_ready_words(5 * i +
+          1) mod 4) * 8) + (pathsabove_memory_ready_words(5 * i) / 32));
+        pathsabove_total_choice(8 * i + 2) := choice(pathsabove_ready_top, 31, (pathsabove_memory_ready_words(5 * i +
+          1) / 4) mod 32);
+        pathsabove_total_choice(8 * i + 3) := choice(pathsabove_ready_top, 31, ((pathsabove_memory_ready_words(5 * i +
+          2) mod 16) * 2) + (pathsabove_memory_ready_words(5 * i + 1) / 128));
+        pathsabove_total_choice(8 * i + 4) := choice(pathsabove_ready_top, 31, ((pathsabove_memory_ready_words(5 * i +
+          3) mod 2) * 16) + (pathsabove_memory_ready_words(5 * i + 2) / 16));
+        pathsabove_total_choice(8 * i + 5) := choice(pathsabove_ready_top, 31, (pathsabove_memory_ready_words(5 * i +
+          3) / 2) mod 32);
+        pathsabove_total_choice(8 * i + 6) := choice(pathsabove_ready_top, 31, ((pathsabove_memory_ready_words(5 * i +
+          4) mod 8) * 4) + (pathsabove_memory_ready_words(5 * i + 3) / 64));
+        pathsabove_total_choice(8 * i + 7) := choice(pathsabove_ready_top, 31, pathsabove_memory_ready_words(5 * i + 4)
+          / 8);
       end loop;
-      if line_comes(13) then
-        pathsabove_smallest_total_choice := 63;
-      else
-        pathsabove_smallest_total_choice := pathsabove_smallest_total;
-      end if;
+      pathsabove_smallest_total_choice := choice(line_comes(13), 63, pathsabove_smallest_total);
       pathsabove_count_phase_is_equal := pathsabove_count_phase = 7;
-      if pathsabove_count_phase_is_equal then
-        pathsabove_count_phase_choice := 7;
-      else
-        pathsabove_count_phase_choice := (pathsabove_count_phase + 1) mod 8;
-      end if;
-      if pathsabove_count_phase = 0 then
-        pathsabove_beside_0_choice := pathsabove_held(1);
-      else
-        pathsabove_beside_0_choice := pathsabove_lower_neighbour;
-      end if;
-      if pathsabove_count_phase_is_equal then
-        pathsabove_beside_15_choice := pathsabove_held(14);
-      else
-        pathsabove_beside_15_choice := pathsabove_cost(0);
-      end if;
-      if line_places_first_column(3) then
-        pathsabove_write_address_address_choice := 0;
-      else
-        pathsabove_write_address_address_choice := (pathsabove_write_address_address + 1) mod 16384;
-      end if;
-      if pathsabove_write_address_count_phase = 7 then
-        pathsabove_write_address_count_phase_choice := 7;
-      else
-        pathsabove_write_address_count_phase_choice := (pathsabove_write_address_count_phase + 1) mod 8;
-      end if;
-      pathsabove_memory_bank <= pathsabove_memory_bank_choice_2 / 4096;
+      pathsabove_count_phase_choice := choice(pathsabove_count_phase_is_equal, 7, (pathsabove_count_phase + 1) mod 8);
+      pathsabove_beside_0_choice := choice(pathsabove_count_phase = 0, pathsabove_held(1), pathsabove_lower_neighbour);
+      pathsabove_beside_15_choice := choice(pathsabove_count_phase_is_equal, pathsabove_held(14), pathsabove_cost(0));
+      pathsabove_write_address_address_choice := choice(line_places_first_column(3), 0,
+        (pathsabove_write_address_address + 1) mod 16384);
+      pathsabove_write_address_count_phase_choice := choice(pathsabove_write_address_count_phase = 7, 7,
+        (pathsabove_write_address_count_phase + 1) mod 8);
+      pathsabove_memory_bank <= pathsabove_memory_bank_choices(2) / 4096;
       pathsabove_memory_read_bank <= pathsabove_memory_bank;
       for i in 0 to 2 loop
         for j in 0 to 9 loop
@@ -6812,7 +2882,7 @@ begin
         end loop;
       end loop;
       pathsabove_memory_held_bank <= pathsabove_memory_read_bank;
-      pathsabove_read_address_address <= pathsabove_memory_bank_choice_2;
+      pathsabove_read_address_address <= pathsabove_memory_bank_choices(2);
       for i in 0 to 15 loop
         pathsabove_total(i) <= costs_cost(i) + pathsabove_total_choice(i);
       end loop;
@@ -6824,266 +2894,142 @@ begin
         pathsabove_cost(5 * i + 4) <= (to_integer(pathsabove_delay_held(i)(29 downto 24)) - pathsabove_smallest) mod 64;
       end loop;
       pathsabove_cost(15) <= (to_integer(pathsabove_delay_held_3) - pathsabove_smallest) mod 64;
-      for i in 0 to 15 loop
-        pathsabove_held(i) <= pathsabove_cost(i);
-      end loop;
+      pathsabove_held <= pathsabove_cost;
       pathsabove_lower_neighbour <= pathsabove_held(15);
-      for i in 0 to 14 loop
-        pathsabove_own(i) <= pathsabove_held(i);
-      end loop;
+      pathsabove_own <= pathsabove_held(0 to 14);
       for i in 0 to 15 loop
         pathsabove_step(i) <= pathsabove_beside(i) + 5;
       end loop;
       pathsabove_write_address_is_here <= line_starts_phases(25) or (not is_set(pathsabove_write_address_count_phase,
         2)) or (not is_set(pathsabove_write_address_count_phase, 1)) or (not
         is_set(pathsabove_write_address_count_phase, 0));
-      if line_starts_phases(4) then
-        pathsabove_memory_read_address_0 <= pathsabove_memory_read_address_0_choice;
-        pathsabove_memory_read_address_2 <= pathsabove_memory_read_address_2_choice;
-        pathsabove_read_address_count_phase <= 0;
-      else
-        pathsabove_memory_read_address_0 <= pathsabove_memory_read_address_0_sum_2 mod 4096;
-        pathsabove_memory_read_address_2 <= pathsabove_memory_read_address_0_sum_2 mod 2048;
-        pathsabove_read_address_count_phase <= pathsabove_read_address_count_phase_choice;
-      end if;
-      if pathsabove_memory_ready_words_0_is_equal then
-        for i in 0 to 9 loop
-          pathsabove_memory_ready_words(i) <= pathsabove_memory_held_words(2, i);
-        end loop;
-      else
-        for i in 0 to 9 loop
-          pathsabove_memory_ready_words(i) <= pathsabove_memory_ready_words_choice(i);
-        end loop;
-      end if;
-      if line_places_0_top then
-        pathsabove_ready_top <= pathsabove_ready_top_choice;
-      else
-        pathsabove_ready_top <= pathsabove_ready_top_choice_2;
-      end if;
+      pathsabove_memory_read_address_0 <= choice(line_starts_phases(4), pathsabove_memory_read_address_0_choice,
+        pathsabove_memory_read_address_0_sum_2 mod 4096);
+      pathsabove_memory_read_address_2 <= choice(line_starts_phases(4), pathsabove_memory_read_address_2_choice,
+        pathsabove_memory_read_address_0_sum_2 mod 2048);
+      pathsabove_read_address_count_phase <= choice(line_starts_phases(4), 0,
+        pathsabove_read_address_count_phase_choice);
+      for i in 0 to 9 loop
+        pathsabove_memory_ready_words(i) <= choice(pathsabove_memory_ready_words_0_is_equals(1),
+          pathsabove_memory_held_words(2, i), pathsabove_memory_ready_words_choice(i));
+      end loop;
+      pathsabove_ready_top <= choice(line_places_0_top, pathsabove_ready_top_choices(1),
+        pathsabove_ready_top_choices(2));
       for i in 0 to 7 loop
-        if (pathsabove_total(2 * i + 1) - pathsabove_total(2 * i)) < 0 then
-          pathsabove_tree_smallest(i) <= pathsabove_total(2 * i + 1);
-        else
-          pathsabove_tree_smallest(i) <= pathsabove_total(2 * i);
-        end if;
+        pathsabove_tree_smallest(i) <= choice((pathsabove_total(2 * i + 1) - pathsabove_total(2 * i)) < 0,
+          pathsabove_total(2 * i + 1), pathsabove_total(2 * i));
       end loop;
       for i in 0 to 3 loop
-        if (pathsabove_tree_smallest(2 * i + 1) - pathsabove_tree_smallest(2 * i)) < 0 then
-          pathsabove_tree_next_smallest(i) <= pathsabove_tree_smallest(2 * i + 1);
-        else
-          pathsabove_tree_next_smallest(i) <= pathsabove_tree_smallest(2 * i);
-        end if;
+        pathsabove_tree_next_smallest(i) <= choice((pathsabove_tree_smallest(2 * i + 1) - pathsabove_tree_smallest(2 *
+          i)) < 0, pathsabove_tree_smallest(2 * i + 1), pathsabove_tree_smallest(2 * i));
       end loop;
-      for i in 0 to 1 loop
-        if (pathsabove_tree_next_smallest(2 * i + 1) - pathsabove_tree_next_smallest(2 * i)) < 0 then
-          pathsabove_tree_next_next_smallest(i) <= pathsabove_tree_next_smallest(2 * i + 1);
-        else
-          pathsabove_tree_next_next_smallest(i) <= pathsabove_tree_next_smallest(2 * i);
-        end if;
+      pathsabove_tree_next_next_smallest(0) <= choice((pathsabove_tree_next_smallest(1) -
+        pathsabove_tree_next_smallest(0)) < 0, pathsabove_tree_next_smallest(1), pathsabove_tree_next_smallest(0));
+      pathsabove_tree_next_next_smallest(1) <= choice((pathsabove_tree_next_smallest(3) -
+        pathsabove_tree_next_smallest(2)) < 0, pathsabove_tree_next_smallest(3), pathsabove_tree_next_smallest(2));
+      pathsabove_tree_next_next_next_smallest_0 <= choice((pathsabove_tree_next_next_smallest(1) -
+        pathsabove_tree_next_next_smallest(0)) < 0, pathsabove_tree_next_next_smallest(1),
+        pathsabove_tree_next_next_smallest(0));
+      pathsabove_smallest_total <= choice((pathsabove_tree_next_next_next_smallest_0 -
+        pathsabove_smallest_total_choice) < 0, pathsabove_tree_next_next_next_smallest_0,
+        pathsabove_smallest_total_choice);
+      pathsabove_count_phase <= choice(line_starts_phases(23), 0, pathsabove_count_phase_choice);
+      pathsabove_beside(0) <= choice((pathsabove_held(1) - pathsabove_beside_0_choice) < 0, pathsabove_held(1),
+        pathsabove_beside_0_choice);
+      for i in 1 to 14 loop
+        pathsabove_beside(i) <= choice((pathsabove_held(i + 1) - pathsabove_held(i - 1)) < 0, pathsabove_held(i + 1),
+          pathsabove_held(i - 1));
       end loop;
-      if (pathsabove_tree_next_next_smallest(1) - pathsabove_tree_next_next_smallest(0)) < 0 then
-        pathsabove_tree_next_next_next_smallest_0 <= pathsabove_tree_next_next_smallest(1);
-      else
-        pathsabove_tree_next_next_next_smallest_0 <= pathsabove_tree_next_next_smallest(0);
-      end if;
-      if (pathsabove_tree_next_next_next_smallest_0 - pathsabove_smallest_total_choice) < 0 then
-        pathsabove_smallest_total <= pathsabove_tree_next_next_next_smallest_0;
-      else
-        pathsabove_smallest_total <= pathsabove_smallest_total_choice;
-      end if;
-      if line_starts_phases(23) then
-        pathsabove_count_phase <= 0;
-      else
-        pathsabove_count_phase <= pathsabove_count_phase_choice;
-      end if;
-      if (pathsabove_held(1) - pathsabove_beside_0_choice) < 0 then
-        pathsabove_beside(0) <= pathsabove_held(1);
-      else
-        pathsabove_beside(0) <= pathsabove_beside_0_choice;
-      end if;
-      for i in 2 to 15 loop
-        if (pathsabove_held(i) - pathsabove_held(i - 2)) < 0 then
-          pathsabove_beside(i - 1) <= pathsabove_held(i);
-        else
-          pathsabove_beside(i - 1) <= pathsabove_held(i - 2);
-        end if;
-      end loop;
-      if (pathsabove_beside_15_choice - pathsabove_held(14)) < 0 then
-        pathsabove_beside(15) <= pathsabove_beside_15_choice;
-      else
-        pathsabove_beside(15) <= pathsabove_held(14);
-      end if;
+      pathsabove_beside(15) <= choice((pathsabove_beside_15_choice - pathsabove_held(14)) < 0,
+        pathsabove_beside_15_choice, pathsabove_held(14));
       for i in 0 to 14 loop
-        if pathsabove_own(i) < 31 then
-          pathsabove_stay(i) <= pathsabove_own(i) mod 32;
-        else
-          pathsabove_stay(i) <= 31;
-        end if;
+        pathsabove_stay(i) <= choice(pathsabove_own(i) < 31, pathsabove_own(i) mod 32, 31);
       end loop;
-      if pathsabove_lower_neighbour < 31 then
-        pathsabove_stay(15) <= pathsabove_lower_neighbour mod 32;
-      else
-        pathsabove_stay(15) <= 31;
-      end if;
-      if line_starts_phases(25) then
-        pathsabove_write_address_address <= pathsabove_write_address_address_choice;
-        pathsabove_write_address_count_phase <= 0;
-      else
-        pathsabove_write_address_address <= (pathsabove_write_address_address + as_number(((not
-          is_set(pathsabove_write_address_count_phase, 2)) or (not is_set(pathsabove_write_address_count_phase, 1)) or
-          (not is_set(pathsabove_write_address_count_phase, 0))))) mod 16384;
-        pathsabove_write_address_count_phase <= pathsabove_write_address_count_phase_choice;
-      end if;
+      pathsabove_stay(15) <= choice(pathsabove_lower_neighbour < 31, pathsabove_lower_neighbour mod 32, 31);
+      pathsabove_write_address_address <= choice(line_starts_phases(25), pathsabove_write_address_address_choice,
+        (pathsabove_write_address_address + as_number(((not is_set(pathsabove_write_address_count_phase, 2)) or (not
+        is_set(pathsabove_write_address_count_phase, 1)) or (not is_set(pathsabove_write_address_count_phase, 0)))))
+        mod 16384);
+      pathsabove_write_address_count_phase <= choice(line_starts_phases(25), 0,
+        pathsabove_write_address_count_phase_choice);
       pathsabove_memory_write_words_0_is_less(0) := (pathsabove_step(1) - pathsabove_stay(1)) < 0;
-      if pathsabove_memory_write_words_0_is_less(0) then
-        pathsabove_memory_write_words_0_0_choice := pathsabove_step(1) mod 8;
-      else
-        pathsabove_memory_write_words_0_0_choice := pathsabove_stay(1) mod 8;
-      end if;
-      if (pathsabove_step(0) - pathsabove_stay(0)) < 0 then
-        pathsabove_memory_write_words_0_choice_2(0) := pathsabove_step(0) mod 32;
-      else
-        pathsabove_memory_write_words_0_choice_2(0) := pathsabove_stay(0);
-      end if;
+      pathsabove_memory_write_words_0_0_choice := choice(pathsabove_memory_write_words_0_is_less(0), pathsabove_step(1)
+        mod 8, pathsabove_stay(1) mod 8);
+      pathsabove_memory_write_words_0_choice(0, 2) := choice((pathsabove_step(0) - pathsabove_stay(0)) < 0,
+        pathsabove_step(0) mod 32, pathsabove_stay(0));
       pathsabove_memory_write_words_0_sum(0) := (pathsabove_memory_write_words_0_0_choice * 32) +
-        pathsabove_memory_write_words_0_choice_2(0);
-      if pathsabove_memory_write_words_0_is_less(0) then
-        pathsabove_memory_write_words_0_choice(1) := pathsabove_step(1) mod 32;
-      else
-        pathsabove_memory_write_words_0_choice(1) := pathsabove_stay(1);
-      end if;
-      if (pathsabove_step(2) - pathsabove_stay(2)) < 0 then
-        pathsabove_memory_write_words_0_choice_2(1) := pathsabove_step(2) mod 32;
-      else
-        pathsabove_memory_write_words_0_choice_2(1) := pathsabove_stay(2);
-      end if;
+        pathsabove_memory_write_words_0_choice(0, 2);
+      pathsabove_memory_write_words_0_choice(1, 1) := choice(pathsabove_memory_write_words_0_is_less(0),
+        pathsabove_step(1) mod 32, pathsabove_stay(1));
+      pathsabove_memory_write_words_0_choice(1, 2) := choice((pathsabove_step(2) - pathsabove_stay(2)) < 0,
+        pathsabove_step(2) mod 32, pathsabove_stay(2));
       pathsabove_memory_write_words_0_is_less(1) := (pathsabove_step(3) - pathsabove_stay(3)) < 0;
-      if pathsabove_memory_write_words_0_is_less(1) then
-        pathsabove_memory_write_words_0_1_choice_3 := is_set(pathsabove_step(3), 0);
-      else
-        pathsabove_memory_write_words_0_1_choice_3 := is_set(pathsabove_stay(3), 0);
-      end if;
-      pathsabove_memory_write_words_0_sum(1) := (pathsabove_memory_write_words_0_choice(1) / 8) +
-        (pathsabove_memory_write_words_0_choice_2(1) * 4) + (as_number(pathsabove_memory_write_words_0_1_choice_3) *
+      pathsabove_memory_write_words_0_choice_3(1) := choice(pathsabove_memory_write_words_0_is_less(1),
+        is_set(pathsabove_step(3), 0), is_set(pathsabove_stay(3), 0));
+      pathsabove_memory_write_words_0_sum(1) := (pathsabove_memory_write_words_0_choice(1, 1) / 8) +
+        (pathsabove_memory_write_words_0_choice(1, 2) * 4) + (as_number(pathsabove_memory_write_words_0_choice_3(1)) *
         128);
-      if pathsabove_memory_write_words_0_is_less(1) then
-        pathsabove_memory_write_words_0_choice(2) := pathsabove_step(3) mod 32;
-      else
-        pathsabove_memory_write_words_0_choice(2) := pathsabove_stay(3);
-      end if;
+      pathsabove_memory_write_words_0_choice(2, 1) := choice(pathsabove_memory_write_words_0_is_less(1),
+        pathsabove_step(3) mod 32, pathsabove_stay(3));
       pathsabove_memory_write_words_0_is_less(2) := (pathsabove_step(4) - pathsabove_stay(4)) < 0;
-      if pathsabove_memory_write_words_0_is_less(2) then
-        pathsabove_memory_write_words_0_2_choice_2 := pathsabove_step(4) mod 16;
-      else
-        pathsabove_memory_write_words_0_2_choice_2 := pathsabove_stay(4) mod 16;
-      end if;
-      pathsabove_memory_write_words_0_sum(2) := (pathsabove_memory_write_words_0_choice(2) / 2) +
-        (pathsabove_memory_write_words_0_2_choice_2 * 16);
-      if pathsabove_memory_write_words_0_is_less(2) then
-        pathsabove_memory_write_words_0_choice(3) := pathsabove_step(4) mod 32;
-      else
-        pathsabove_memory_write_words_0_choice(3) := pathsabove_stay(4);
-      end if;
-      if (pathsabove_step(5) - pathsabove_stay(5)) < 0 then
-        pathsabove_memory_write_words_0_choice_2s(3) := pathsabove_step(5) mod 32;
-      else
-        pathsabove_memory_write_words_0_choice_2s(3) := pathsabove_stay(5);
-      end if;
+      pathsabove_memory_write_words_0_choice_2(2) := choice(pathsabove_memory_write_words_0_is_less(2),
+        pathsabove_step(4) mod 16, pathsabove_stay(4) mod 16);
+      pathsabove_memory_write_words_0_sum(2) := (pathsabove_memory_write_words_0_choice(2, 1) / 2) +
+        (pathsabove_memory_write_words_0_choice_2(2) * 16);
+      pathsabove_memory_write_words_0_choice(3, 1) := choice(pathsabove_memory_write_words_0_is_less(2),
+        pathsabove_step(4) mod 32, pathsabove_stay(4));
+      pathsabove_memory_write_words_0_choice(3, 2) := choice((pathsabove_step(5) - pathsabove_stay(5)) < 0,
+        pathsabove_step(5) mod 32, pathsabove_stay(5));
       pathsabove_memory_write_words_0_is_less(3) := (pathsabove_step(6) - pathsabove_stay(6)) < 0;
-      if pathsabove_memory_write_words_0_is_less(3) then
-        pathsabove_memory_write_words_0_3_choice_3 := pathsabove_step(6) mod 4;
-      else
-        pathsabove_memory_write_words_0_3_choice_3 := pathsabove_stay(6) mod 4;
-      end if;
-      pathsabove_memory_write_words_0_sum(3) := (pathsabove_memory_write_words_0_choice(3) / 16) +
-        (pathsabove_memory_write_words_0_choice_2s(3) * 2) + (pathsabove_memory_write_words_0_3_choice_3 * 64);
-      if pathsabove_memory_write_words_0_is_less(3) then
-        pathsabove_memory_write_words_0_choice(4) := pathsabove_step(6) mod 32;
-      else
-        pathsabove_memory_write_words_0_choice(4) := pathsabove_stay(6);
-      end if;
-      if (pathsabove_step(7) - pathsabove_stay(7)) < 0 then
-        pathsabove_memory_write_words_0_choice_2s(4) := pathsabove_step(7) mod 32;
-      else
-        pathsabove_memory_write_words_0_choice_2s(4) := pathsabove_stay(7);
-      end if;
-      pathsabove_memory_write_words_0_sum(4) := (pathsabove_memory_write_words_0_choice(4) / 4) +
-        (pathsabove_memory_write_words_0_choice_2s(4) * 8);
-      pathsabove_memory_write_words_0_is_lesss(5) := (pathsabove_step(9) - pathsabove_stay(9)) < 0;
-      if pathsabove_memory_write_words_0_is_lesss(5) then
-        pathsabove_memory_write_words_0_5_choice := pathsabove_step(9) mod 8;
-      else
-        pathsabove_memory_write_words_0_5_choice := pathsabove_stay(9) mod 8;
-      end if;
-      if (pathsabove_step(8) - pathsabove_stay(8)) < 0 then
-        pathsabove_memory_write_words_0_choice_2s(5) := pathsabove_step(8) mod 32;
-      else
-        pathsabove_memory_write_words_0_choice_2s(5) := pathsabove_stay(8);
-      end if;
+      pathsabove_memory_write_words_0_choice_3s(3) := choice(pathsabove_memory_write_words_0_is_less(3),
+        pathsabove_step(6) mod 4, pathsabove_stay(6) mod 4);
+      pathsabove_memory_write_words_0_sum(3) := (pathsabove_memory_write_words_0_choice(3, 1) / 16) +
+        (pathsabove_memory_write_words_0_choice(3, 2) * 2) + (pathsabove_memory_write_words_0_choice_3s(3) * 64);
+      pathsabove_memory_write_words_0_choice(4, 1) := choice(pathsabove_memory_write_words_0_is_less(3),
+        pathsabove_step(6) mod 32, pathsabove_stay(6));
+      pathsabove_memory_write_words_0_choice(4, 2) := choice((pathsabove_step(7) - pathsabove_stay(7)) < 0,
+        pathsabove_step(7) mod 32, pathsabove_stay(7));
+      pathsabove_memory_write_words_0_sum(4) := (pathsabove_memory_write_words_0_choice(4, 1) / 4) +
+        (pathsabove_memory_write_words_0_choice(4, 2) * 8);
+      pathsabove_memory_write_words_0_is_less(5) := (pathsabove_step(9) - pathsabove_stay(9)) < 0;
+      pathsabove_memory_write_words_0_5_choice := choice(pathsabove_memory_write_words_0_is_less(5), pathsabove_step(9)
+        mod 8, pathsabove_stay(9) mod 8);
+      pathsabove_memory_write_words_0_choice(5, 2) := choice((pathsabove_step(8) - pathsabove_stay(8)) < 0,
+        pathsabove_step(8) mod 32, pathsabove_stay(8));
       pathsabove_memory_write_words_0_sum(5) := (pathsabove_memory_write_words_0_5_choice * 32) +
-        pathsabove_memory_write_words_0_choice_2s(5);
-      if pathsabove_memory_write_words_0_is_lesss(5) then
-        pathsabove_memory_write_words_0_choices(6) := pathsabove_step(9) mod 32;
-      else
-        pathsabove_memory_write_words_0_choices(6) := pathsabove_stay(9);
-      end if;
-      if (pathsabove_step(10) - pathsabove_stay(10)) < 0 then
-        pathsabove_memory_write_words_0_choice_2s(6) := pathsabove_step(10) mod 32;
-      else
-        pathsabove_memory_write_words_0_choice_2s(6) := pathsabove_stay(10);
-      end if;
-      pathsabove_memory_write_words_0_is_lesss(6) := (pathsabove_step(11) - pathsabove_stay(11)) < 0;
-      if pathsabove_memory_write_words_0_is_lesss(6) then
-        pathsabove_memory_write_words_0_6_choice_3 := is_set(pathsabove_step(11), 0);
-      else
-        pathsabove_memory_write_words_0_6_choice_3 := is_set(pathsabove_stay(11), 0);
-      end if;
-      pathsabove_memory_write_words_0_sum(6) := (pathsabove_memory_write_words_0_choices(6) / 8) +
-        (pathsabove_memory_write_words_0_choice_2s(6) * 4) + (as_number(pathsabove_memory_write_words_0_6_choice_3) *
+        pathsabove_memory_write_words_0_choice(5, 2);
+      pathsabove_memory_write_words_0_choice(6, 1) := choice(pathsabove_memory_write_words_0_is_less(5),
+        pathsabove_step(9) mod 32, pathsabove_stay(9));
+      pathsabove_memory_write_words_0_choice(6, 2) := choice((pathsabove_step(10) - pathsabove_stay(10)) < 0,
+        pathsabove_step(10) mod 32, pathsabove_stay(10));
+      pathsabove_memory_write_words_0_is_less(6) := (pathsabove_step(11) - pathsabove_stay(11)) < 0;
+      pathsabove_memory_write_words_0_choice_3(6) := choice(pathsabove_memory_write_words_0_is_less(6),
+        is_set(pathsabove_step(11), 0), is_set(pathsabove_stay(11), 0));
+      pathsabove_memory_write_words_0_sum(6) := (pathsabove_memory_write_words_0_choice(6, 1) / 8) +
+        (pathsabove_memory_write_words_0_choice(6, 2) * 4) + (as_number(pathsabove_memory_write_words_0_choice_3(6)) *
         128);
-      if pathsabove_memory_write_words_0_is_lesss(6) then
-        pathsabove_memory_write_words_0_choices(7) := pathsabove_step(11) mod 32;
-      else
-        pathsabove_memory_write_words_0_choices(7) := pathsabove_stay(11);
-      end if;
-      pathsabove_memory_write_words_0_is_lesss(7) := (pathsabove_step(12) - pathsabove_stay(12)) < 0;
-      if pathsabove_memory_write_words_0_is_lesss(7) then
-        pathsabove_memory_write_words_0_7_choice_2 := pathsabove_step(12) mod 16;
-      else
-        pathsabove_memory_write_words_0_7_choice_2 := pathsabove_stay(12) mod 16;
-      end if;
-      pathsabove_memory_write_words_0_sum(7) := (pathsabove_memory_write_words_0_choices(7) / 2) +
-        (pathsabove_memory_write_words_0_7_choice_2 * 16);
-      if pathsabove_memory_write_words_0_is_lesss(7) then
-        pathsabove_memory_write_words_0_choices(8) := pathsabove_step(12) mod 32;
-      else
-        pathsabove_memory_write_words_0_choices(8) := pathsabove_stay(12);
-      end if;
-      if (pathsabove_step(13) - pathsabove_stay(13)) < 0 then
-        pathsabove_memory_write_words_0_choice_2s_from_8(8) := pathsabove_step(13) mod 32;
-      else
-        pathsabove_memory_write_words_0_choice_2s_from_8(8) := pathsabove_stay(13);
-      end if;
-      pathsabove_memory_write_words_0_is_lesss(8) := (pathsabove_step(14) - pathsabove_stay(14)) < 0;
-      if pathsabove_memory_write_words_0_is_lesss(8) then
-        pathsabove_memory_write_words_0_8_choice_3 := pathsabove_step(14) mod 4;
-      else
-        pathsabove_memory_write_words_0_8_choice_3 := pathsabove_stay(14) mod 4;
-      end if;
-      pathsabove_memory_write_words_0_sum(8) := (pathsabove_memory_write_words_0_choices(8) / 16) +
-        (pathsabove_memory_write_words_0_choice_2s_from_8(8) * 2) + (pathsabove_memory_write_words_0_8_choice_3 * 64);
-      if pathsabove_memory_write_words_0_is_lesss(8) then
-        pathsabove_memory_write_words_0_choices(9) := pathsabove_step(14) mod 32;
-      else
-        pathsabove_memory_write_words_0_choices(9) := pathsabove_stay(14);
-      end if;
-      if (pathsabove_step(15) - pathsabove_stay(15)) < 0 then
-        pathsabove_memory_write_words_0_choice_2s_from_8(9) := pathsabove_step(15) mod 32;
-      else
-        pathsabove_memory_write_words_0_choice_2s_from_8(9) := pathsabove_stay(15);
-      end if;
-      pathsabove_memory_write_words_0_sum(9) := (pathsabove_memory_write_words_0_choices(9) / 4) +
-        (pathsabove_memory_write_words_0_choice_2s_from_8(9) * 8);
+      pathsabove_memory_write_words_0_choice(7, 1) := choice(pathsabove_memory_write_words_0_is_less(6),
+        pathsabove_step(11) mod 32, pathsabove_stay(11));
+      pathsabove_memory_write_words_0_is_less(7) := (pathsabove_step(12) - pathsabove_stay(12)) < 0;
+      pathsabove_memory_write_words_0_choice_2(7) := choice(pathsabove_memory_write_words_0_is_less(7),
+        pathsabove_step(12) mod 16, pathsabove_stay(12) mod 16);
+      pathsabove_memory_write_words_0_sum(7) := (pathsabove_memory_write_words_0_choice(7, 1) / 2) +
+        (pathsabove_memory_write_words_0_choice_2(7) * 16);
+      pathsabove_memory_write_words_0_choice(8, 1) := choice(pathsabove_memory_write_words_0_is_less(7),
+        pathsabove_step(12) mod 32, pathsabove_stay(12));
+      pathsabove_memory_write_words_0_choice(8, 2) := choice((pathsabove_step(13) - pathsabove_stay(13)) < 0,
+        pathsabove_step(13) mod 32, pathsabove_stay(13));
+      pathsabove_memory_write_words_0_is_less(8) := (pathsabove_step(14) - pathsabove_stay(14)) < 0;
+      pathsabove_memory_write_words_0_choice_3s(8) := choice(pathsabove_memory_write_words_0_is_less(8),
+        pathsabove_step(14) mod 4, pathsabove_stay(14) mod 4);
+      pathsabove_memory_write_words_0_sum(8) := (pathsabove_memory_write_words_0_choice(8, 1) / 16) +
+        (pathsabove_memory_write_words_0_choice(8, 2) * 2) + (pathsabove_memory_write_words_0_choice_3s(8) * 64);
+      pathsabove_memory_write_words_0_choice(9, 1) := choice(pathsabove_memory_write_words_0_is_less(8),
+        pathsabove_step(14) mod 32, pathsabove_stay(14));
+      pathsabove_memory_write_words_0_choice(9, 2) := choice((pathsabove_step(15) - pathsabove_stay(15)) < 0,
+        pathsabove_step(15) mod 32, pathsabove_stay(15));
+      pathsabove_memory_write_words_0_sum(9) := (pathsabove_memory_write_words_0_choice(9, 1) / 4) +
+        (pathsabove_memory_write_words_0_choice(9, 2) * 8);
       pathsabove_memory_write_words_0_all(0) := pathsabove_write_address_is_here and (pathsabove_write_address_address
         < 4096);
       for i in 0 to 1 loop
@@ -7106,42 +3052,27 @@ begin
         pathsabove_smallest <= pathsabove_smallest_total;
       end if;
       -- pathsturn
-      pathsturn_sum_memory_ready_words_0_is_equal := pathsturn_sum_memory_held_bank = 2;
-      pathsturn_sum_memory_ready_words_0_is_equal_2 := pathsturn_sum_memory_held_bank = 1;
+      pathsturn_sum_memory_ready_words_0_is_equals(1) := pathsturn_sum_memory_held_bank = 2;
+      pathsturn_sum_memory_ready_words_0_is_equals(2) := pathsturn_sum_memory_held_bank = 1;
       for i in 0 to 13 loop
-        if pathsturn_sum_memory_ready_words_0_is_equal_2 then
-          pathsturn_sum_memory_ready_words_choice(i) := pathsturn_sum_memory_held_words(1, i);
-        else
-          pathsturn_sum_memory_ready_words_choice(i) := pathsturn_sum_memory_held_words(0, i);
-        end if;
+        pathsturn_sum_memory_ready_words_choice(i) := choice(pathsturn_sum_memory_ready_words_0_is_equals(2),
+          pathsturn_sum_memory_held_words(1, i), pathsturn_sum_memory_held_words(0, i));
       end loop;
       pathsturn_cost_memory_read_address_0_sum := pathsturn_read_address_address + as_number(((not
         is_set(pathsturn_read_address_count_phase, 2)) or (not is_set(pathsturn_read_address_count_phase, 1)) or (not
         is_set(pathsturn_read_address_count_phase, 0))));
-      if line_starts_phases(17) then
-        pathsturn_cost_memory_bank_choice := line_places_address(2) * 8;
-      else
-        pathsturn_cost_memory_bank_choice := pathsturn_cost_memory_read_address_0_sum mod 16384;
-      end if;
-      pathsturn_cost_memory_ready_words_0_is_equal := pathsturn_sum_memory_bank = 2;
-      pathsturn_cost_memory_ready_words_0_is_equal_2 := pathsturn_sum_memory_bank = 1;
+      pathsturn_cost_memory_bank_choice := choice(line_starts_phases(17), line_places_address(2) * 8,
+        pathsturn_cost_memory_read_address_0_sum mod 16384);
+      pathsturn_cost_memory_ready_words_0_is_equals(1) := pathsturn_sum_memory_bank = 2;
+      pathsturn_cost_memory_ready_words_0_is_equals(2) := pathsturn_sum_memory_bank = 1;
       for i in 0 to 5 loop
-        if pathsturn_cost_memory_ready_words_0_is_equal_2 then
-          pathsturn_cost_memory_ready_words_choice(i) := pathsturn_cost_memory_held_words(1, i);
-        else
-          pathsturn_cost_memory_ready_words_choice(i) := pathsturn_cost_memory_held_words(0, i);
-        end if;
+        pathsturn_cost_memory_ready_words_choice(i) := choice(pathsturn_cost_memory_ready_words_0_is_equals(2),
+          pathsturn_cost_memory_held_words(1, i), pathsturn_cost_memory_held_words(0, i));
       end loop;
-      if pathsturn_read_address_count_phase = 7 then
-        pathsturn_read_address_count_phase_choice := 7;
-      else
-        pathsturn_read_address_count_phase_choice := (pathsturn_read_address_count_phase + 1) mod 8;
-      end if;
-      if pathsturn_write_address_count_phase = 7 then
-        pathsturn_write_address_count_phase_choice := 7;
-      else
-        pathsturn_write_address_count_phase_choice := (pathsturn_write_address_count_phase + 1) mod 8;
-      end if;
+      pathsturn_read_address_count_phase_choice := choice(pathsturn_read_address_count_phase = 7, 7,
+        (pathsturn_read_address_count_phase + 1) mod 8);
+      pathsturn_write_address_count_phase_choice := choice(pathsturn_write_address_count_phase = 7, 7,
+        (pathsturn_write_address_count_phase + 1) mod 8);
       pathsturn_sum_memory_read_address_0 <= pathsturn_sum_read_address mod 4096;
       pathsturn_sum_memory_read_address_2 <= pathsturn_sum_read_address mod 2048;
       pathsturn_sum_memory_bank <= pathsturn_cost_memory_read_bank;
@@ -7170,109 +3101,88 @@ begin
       pathsturn_sum_write_address(1) <= pathsturn_sum_write_address(0);
       pathsturn_writes_sums(0) <= pathsturn_write_address_is_here;
       pathsturn_writes_sums(1) <= pathsturn_writes_sums(0);
-      if pathsturn_sum_memory_ready_words_0_is_equal then
-        for i in 0 to 13 loop
-          pathsturn_sum_memory_ready_words(i) <= pathsturn_sum_memory_held_words(2, i);
-        end loop;
-      else
-        for i in 0 to 13 loop
-          pathsturn_sum_memory_ready_words(i) <= pathsturn_sum_memory_ready_words_choice(i);
-        end loop;
-      end if;
-      if line_starts_phases(17) then
-        pathsturn_cost_memory_read_address_0 <= (line_places_address(2) mod 512) * 8;
-        pathsturn_cost_memory_read_address_2 <= (line_places_address(2) mod 256) * 8;
-        pathsturn_read_address_count_phase <= 0;
-      else
-        pathsturn_cost_memory_read_address_0 <= pathsturn_cost_memory_read_address_0_sum mod 4096;
-        pathsturn_cost_memory_read_address_2 <= pathsturn_cost_memory_read_address_0_sum mod 2048;
-        pathsturn_read_address_count_phase <= pathsturn_read_address_count_phase_choice;
-      end if;
-      if pathsturn_cost_memory_ready_words_0_is_equal then
-        for i in 0 to 5 loop
-          pathsturn_cost_memory_ready_words(i) <= pathsturn_cost_memory_held_words(2, i);
-        end loop;
-      else
-        for i in 0 to 5 loop
-          pathsturn_cost_memory_ready_words(i) <= pathsturn_cost_memory_ready_words_choice(i);
-        end loop;
-      end if;
-      if line_starts_phases(20) then
-        pathsturn_write_smallest_address <= line_places_address(2);
-        pathsturn_write_address_address <= line_places_address(2) * 8;
-        pathsturn_write_address_count_phase <= 0;
-      else
-        pathsturn_write_smallest_address <= 1240;
-        pathsturn_write_address_address <= (pathsturn_write_address_address + as_number(((not
-          is_set(pathsturn_write_address_count_phase, 2)) or (not is_set(pathsturn_write_address_count_phase, 1)) or
-          (not is_set(pathsturn_write_address_count_phase, 0))))) mod 16384;
-        pathsturn_write_address_count_phase <= pathsturn_write_address_count_phase_choice;
-      end if;
-      pathsturn_sum_memory_write_words_0_sum(0) := pathsleft_cost(1) + pathsabove_cost(1);
-      pathsturn_sum_memory_write_words_0_sum_2(0) := ((pathsleft_cost(0) + pathsabove_cost(0)) mod 128) +
-        ((pathsturn_sum_memory_write_words_0_sum(0) mod 2) * 128);
-      pathsturn_sum_memory_write_words_0_sum(1) := pathsleft_cost(2) + pathsabove_cost(2);
-      pathsturn_sum_memory_write_words_0_sum_2(1) := ((pathsturn_sum_memory_write_words_0_sum(0) mod 128) / 2) +
-        ((pathsturn_sum_memory_write_words_0_sum(1) mod 4) * 64);
-      pathsturn_sum_memory_write_words_0_sum(2) := pathsleft_cost(3) + pathsabove_cost(3);
-      pathsturn_sum_memory_write_words_0_sum_2(2) := ((pathsturn_sum_memory_write_words_0_sum(1) mod 128) / 4) +
-        ((pathsturn_sum_memory_write_words_0_sum(2) mod 8) * 32);
-      pathsturn_sum_memory_write_words_0_sum(3) := pathsleft_cost(4) + pathsabove_cost(4);
-      pathsturn_sum_memory_write_words_0_sum_2(3) := ((pathsturn_sum_memory_write_words_0_sum(2) mod 128) / 8) +
-        ((pathsturn_sum_memory_write_words_0_sum(3) mod 16) * 16);
-      pathsturn_sum_memory_write_words_0_sum(4) := pathsleft_cost(5) + pathsabove_cost(5);
-      pathsturn_sum_memory_write_words_0_sum_2(4) := ((pathsturn_sum_memory_write_words_0_sum(3) mod 128) / 16) +
-        ((pathsturn_sum_memory_write_words_0_sum(4) mod 32) * 8);
-      pathsturn_sum_memory_write_words_0_sum(5) := pathsleft_cost(6) + pathsabove_cost(6);
-      pathsturn_sum_memory_write_words_0_sum_2(5) := ((pathsturn_sum_memory_write_words_0_sum(4) mod 128) / 32) +
-        ((pathsturn_sum_memory_write_words_0_sum(5) mod 64) * 4);
-      pathsturn_sum_memory_write_words_0_6_sum := ((pathsturn_sum_memory_write_words_0_sum(5) mod 128) / 64) +
+      for i in 0 to 13 loop
+        pathsturn_sum_memory_ready_words(i) <= choice(pathsturn_sum_memory_ready_words_0_is_equals(1),
+          pathsturn_sum_memory_held_words(2, i), pathsturn_sum_memory_ready_words_choice(i));
+      end loop;
+      pathsturn_cost_memory_read_address_0 <= choice(line_starts_phases(17), (line_places_address(2) mod 512) * 8,
+        pathsturn_cost_memory_read_address_0_sum mod 4096);
+      pathsturn_cost_memory_read_address_2 <= choice(line_starts_phases(17), (line_places_address(2) mod 256) * 8,
+        pathsturn_cost_memory_read_address_0_sum mod 2048);
+      pathsturn_read_address_count_phase <= choice(line_starts_phases(17), 0,
+        pathsturn_read_address_count_phase_choice);
+      for i in 0 to 5 loop
+        pathsturn_cost_memory_ready_words(i) <= choice(pathsturn_cost_memory_ready_words_0_is_equals(1),
+          pathsturn_cost_memory_held_words(2, i), pathsturn_cost_memory_ready_words_choice(i));
+      end loop;
+      pathsturn_write_smallest_address <= choice(line_starts_phases(20), line_places_address(2), 1240);
+      pathsturn_write_address_address <= choice(line_starts_phases(20), line_places_address(2) * 8,
+        (pathsturn_write_address_address + as_number(((not is_set(pathsturn_write_address_count_phase, 2)) or (not
+        is_set(pathsturn_write_address_count_phase, 1)) or (not is_set(pathsturn_write_address_count_phase, 0))))) mod
+        16384);
+      pathsturn_write_address_count_phase <= choice(line_starts_phases(20), 0,
+        pathsturn_write_address_count_phase_choice);
+      pathsturn_sum_memory_write_words_0_0_sum := pathsleft_cost(1) + pathsabove_cost(1);
+      pathsturn_sum_memory_write_words_0_sum(0, 2) := ((pathsleft_cost(0) + pathsabove_cost(0)) mod 128) +
+        ((pathsturn_sum_memory_write_words_0_0_sum mod 2) * 128);
+      pathsturn_sum_memory_write_words_0_1_sum := pathsleft_cost(2) + pathsabove_cost(2);
+      pathsturn_sum_memory_write_words_0_sum(1, 2) := ((pathsturn_sum_memory_write_words_0_0_sum mod 128) / 2) +
+        ((pathsturn_sum_memory_write_words_0_1_sum mod 4) * 64);
+      pathsturn_sum_memory_write_words_0_2_sum := pathsleft_cost(3) + pathsabove_cost(3);
+      pathsturn_sum_memory_write_words_0_sum(2, 2) := ((pathsturn_sum_memory_write_words_0_1_sum mod 128) / 4) +
+        ((pathsturn_sum_memory_write_words_0_2_sum mod 8) * 32);
+      pathsturn_sum_memory_write_words_0_3_sum := pathsleft_cost(4) + pathsabove_cost(4);
+      pathsturn_sum_memory_write_words_0_sum(3, 2) := ((pathsturn_sum_memory_write_words_0_2_sum mod 128) / 8) +
+        ((pathsturn_sum_memory_write_words_0_3_sum mod 16) * 16);
+      pathsturn_sum_memory_write_words_0_4_sum := pathsleft_cost(5) + pathsabove_cost(5);
+      pathsturn_sum_memory_write_words_0_sum(4, 2) := ((pathsturn_sum_memory_write_words_0_3_sum mod 128) / 16) +
+        ((pathsturn_sum_memory_write_words_0_4_sum mod 32) * 8);
+      pathsturn_sum_memory_write_words_0_5_sum := pathsleft_cost(6) + pathsabove_cost(6);
+      pathsturn_sum_memory_write_words_0_sum(5, 2) := ((pathsturn_sum_memory_write_words_0_4_sum mod 128) / 32) +
+        ((pathsturn_sum_memory_write_words_0_5_sum mod 64) * 4);
+      pathsturn_sum_memory_write_words_0_sum(6, 1) := ((pathsturn_sum_memory_write_words_0_5_sum mod 128) / 64) +
         (((pathsleft_cost(7) + pathsabove_cost(7)) mod 128) * 2);
-      pathsturn_sum_memory_write_words_0_sums(7) := pathsleft_cost(9) + pathsabove_cost(9);
-      pathsturn_sum_memory_write_words_0_sum_2s(7) := ((pathsleft_cost(8) + pathsabove_cost(8)) mod 128) +
-        ((pathsturn_sum_memory_write_words_0_sums(7) mod 2) * 128);
-      pathsturn_sum_memory_write_words_0_sums(8) := pathsleft_cost(10) + pathsabove_cost(10);
-      pathsturn_sum_memory_write_words_0_sum_2s(8) := ((pathsturn_sum_memory_write_words_0_sums(7) mod 128) / 2) +
-        ((pathsturn_sum_memory_write_words_0_sums(8) mod 4) * 64);
-      pathsturn_sum_memory_write_words_0_sums(9) := pathsleft_cost(11) + pathsabove_cost(11);
-      pathsturn_sum_memory_write_words_0_sum_2s(9) := ((pathsturn_sum_memory_write_words_0_sums(8) mod 128) / 4) +
-        ((pathsturn_sum_memory_write_words_0_sums(9) mod 8) * 32);
-      pathsturn_sum_memory_write_words_0_sums(10) := pathsleft_cost(12) + pathsabove_cost(12);
-      pathsturn_sum_memory_write_words_0_sum_2s(10) := ((pathsturn_sum_memory_write_words_0_sums(9) mod 128) / 8) +
-        ((pathsturn_sum_memory_write_words_0_sums(10) mod 16) * 16);
-      pathsturn_sum_memory_write_words_0_sums(11) := pathsleft_cost(13) + pathsabove_cost(13);
-      pathsturn_sum_memory_write_words_0_sum_2s(11) := ((pathsturn_sum_memory_write_words_0_sums(10) mod 128) / 16) +
-        ((pathsturn_sum_memory_write_words_0_sums(11) mod 32) * 8);
-      pathsturn_sum_memory_write_words_0_sums(12) := pathsleft_cost(14) + pathsabove_cost(14);
-      pathsturn_sum_memory_write_words_0_sum_2s(12) := ((pathsturn_sum_memory_write_words_0_sums(11) mod 128) / 32) +
-        ((pathsturn_sum_memory_write_words_0_sums(12) mod 64) * 4);
-      pathsturn_sum_memory_write_words_0_13_sum := ((pathsturn_sum_memory_write_words_0_sums(12) mod 128) / 64) +
+      pathsturn_sum_memory_write_words_0_7_sum := pathsleft_cost(9) + pathsabove_cost(9);
+      pathsturn_sum_memory_write_words_0_sum(7, 2) := ((pathsleft_cost(8) + pathsabove_cost(8)) mod 128) +
+        ((pathsturn_sum_memory_write_words_0_7_sum mod 2) * 128);
+      pathsturn_sum_memory_write_words_0_8_sum := pathsleft_cost(10) + pathsabove_cost(10);
+      pathsturn_sum_memory_write_words_0_sum(8, 2) := ((pathsturn_sum_memory_write_words_0_7_sum mod 128) / 2) +
+        ((pathsturn_sum_memory_write_words_0_8_sum mod 4) * 64);
+      pathsturn_sum_memory_write_words_0_9_sum := pathsleft_cost(11) + pathsabove_cost(11);
+      pathsturn_sum_memory_write_words_0_sum(9, 2) := ((pathsturn_sum_memory_write_words_0_8_sum mod 128) / 4) +
+        ((pathsturn_sum_memory_write_words_0_9_sum mod 8) * 32);
+      pathsturn_sum_memory_write_words_0_10_sum := pathsleft_cost(12) + pathsabove_cost(12);
+      pathsturn_sum_memory_write_words_0_sum(10, 2) := ((pathsturn_sum_memory_write_words_0_9_sum mod 128) / 8) +
+        ((pathsturn_sum_memory_write_words_0_10_sum mod 16) * 16);
+      pathsturn_sum_memory_write_words_0_11_sum := pathsleft_cost(13) + pathsabove_cost(13);
+      pathsturn_sum_memory_write_words_0_sum(11, 2) := ((pathsturn_sum_memory_write_words_0_10_sum mod 128) / 16) +
+        ((pathsturn_sum_memory_write_words_0_11_sum mod 32) * 8);
+      pathsturn_sum_memory_write_words_0_12_sum := pathsleft_cost(14) + pathsabove_cost(14);
+      pathsturn_sum_memory_write_words_0_sum(12, 2) := ((pathsturn_sum_memory_write_words_0_11_sum mod 128) / 32) +
+        ((pathsturn_sum_memory_write_words_0_12_sum mod 64) * 4);
+      pathsturn_sum_memory_write_words_0_sum(13, 1) := ((pathsturn_sum_memory_write_words_0_12_sum mod 128) / 64) +
         (((pathsleft_cost(15) + pathsabove_cost(15)) mod 128) * 2);
       pathsturn_sum_memory_write_words_0_all(0) := (pathsturn_sum_write_address(1) < 4096) and pathsturn_writes_sums(1);
       for i in 0 to 1 loop
         if pathsturn_sum_memory_write_words_0_all(i) then
-          for j in 0 to 5 loop
-            pathsturn_sum_memory_write_words(i, j) <= pathsturn_sum_memory_write_words_0_sum_2(j);
+          for j in 0 to 1 loop
+            for k in 0 to 5 loop
+              pathsturn_sum_memory_write_words(i, 7 * j + k) <= pathsturn_sum_memory_write_words_0_sum(7 * j + k, 2);
+            end loop;
+            pathsturn_sum_memory_write_words(i, 7 * j + 6) <= pathsturn_sum_memory_write_words_0_sum(7 * j + 6, 1);
           end loop;
-          pathsturn_sum_memory_write_words(i, 6) <= pathsturn_sum_memory_write_words_0_6_sum;
-          for j in 7 to 12 loop
-            pathsturn_sum_memory_write_words(i, j) <= pathsturn_sum_memory_write_words_0_sum_2s(j);
-          end loop;
-          pathsturn_sum_memory_write_words(i, 13) <= pathsturn_sum_memory_write_words_0_13_sum;
           pathsturn_sum_memory_write_address(i) <= pathsturn_sum_write_address(1) mod 4096;
         end if;
         pathsturn_sum_memory_write_words_0_all(i + 1) := pathsturn_writes_sums(1) and ((pathsturn_sum_write_address(1)
           / 4096) = (i + 1));
       end loop;
       if pathsturn_sum_memory_write_words_0_all(2) then
-        for i in 0 to 5 loop
-          pathsturn_sum_memory_write_words(2, i) <= pathsturn_sum_memory_write_words_0_sum_2(i);
+        for i in 0 to 1 loop
+          for j in 0 to 5 loop
+            pathsturn_sum_memory_write_words(2, 7 * i + j) <= pathsturn_sum_memory_write_words_0_sum(7 * i + j, 2);
+          end loop;
+          pathsturn_sum_memory_write_words(2, 7 * i + 6) <= pathsturn_sum_memory_write_words_0_sum(7 * i + 6, 1);
         end loop;
-        pathsturn_sum_memory_write_words(2, 6) <= pathsturn_sum_memory_write_words_0_6_sum;
-        for i in 7 to 12 loop
-          pathsturn_sum_memory_write_words(2, i) <= pathsturn_sum_memory_write_words_0_sum_2s(i);
-        end loop;
-        pathsturn_sum_memory_write_words(2, 13) <= pathsturn_sum_memory_write_words_0_13_sum;
         pathsturn_sum_memory_write_address_2 <= pathsturn_sum_write_address(1) mod 2048;
       end if;
       pathsturn_cost_memory_write_words_0_sum(0) := (to_integer(paths_cost_delay_held_0(7 downto 6)) * 64) +
@@ -7286,7 +3196,7 @@ begin
       pathsturn_cost_memory_write_words_0_sum(4) := (to_integer(paths_cost_delay_held_1(5 downto 0)) / 4) +
         ((to_integer(paths_cost_delay_held_1(8 downto 2)) / 16) * 16) + (to_integer(paths_cost_delay_held_1(9 downto
         9)) * 128);
-      pathsturn_cost_memory_write_words_0_sum(5) := (pathsleft_stay_change_values(13) / 2) +
+      pathsturn_cost_memory_write_words_0_sum(5) := (pathsleft_stay_change_value(13) / 2) +
         (to_integer(paths_cost_delay_held_1(17 downto 12)) * 4);
       pathsturn_cost_memory_write_words_0_all(0) := pathsturn_write_address_is_here and
         (pathsturn_write_address_address < 4096);
@@ -7315,1375 +3225,455 @@ begin
         pathsright_fresh_past_newest(1) <= pathsright_fresh_past_newest(0);
       end if;
       if line_starts_phases(12) then
-        pathsright_fresh_past_pairs(1) <= pathsright_fresh_past_pairs(0);
-        pathsright_fresh_past_pairs(2) <= pathsright_fresh_past_pairs(1);
-        if (pathsright_fresh_past_newest(1) - pathsright_fresh_past_newest(0)) < 0 then
-          pathsright_fresh_past_pairs(0) <= pathsright_fresh_past_newest(1);
-        else
-          pathsright_fresh_past_pairs(0) <= pathsright_fresh_past_newest(0);
-        end if;
+        pathsright_fresh_past_pairs(1 to 2) <= pathsright_fresh_past_pairs(0 to 1);
+        pathsright_fresh_past_pairs(0) <= choice((pathsright_fresh_past_newest(1) - pathsright_fresh_past_newest(0)) <
+          0, pathsright_fresh_past_newest(1), pathsright_fresh_past_newest(0));
       end if;
       if line_starts_phases(13) then
-        for i in 1 to 7 loop
-          pathsright_fresh_past_fours(i) <= pathsright_fresh_past_fours(i - 1);
-        end loop;
-        if (pathsright_fresh_past_pairs(2) - pathsright_fresh_past_pairs(0)) < 0 then
-          pathsright_fresh_past_fours(0) <= pathsright_fresh_past_pairs(2);
-        else
-          pathsright_fresh_past_fours(0) <= pathsright_fresh_past_pairs(0);
-        end if;
+        pathsright_fresh_past_fours(1 to 7) <= pathsright_fresh_past_fours(0 to 6);
+        pathsright_fresh_past_fours(0) <= choice((pathsright_fresh_past_pairs(2) - pathsright_fresh_past_pairs(0)) < 0,
+          pathsright_fresh_past_pairs(2), pathsright_fresh_past_pairs(0));
       end if;
-      pathsright_stay_value(0) := is_set(pathsright_fresh_here, 1);
+      pathsright_stay_0_values(1) := is_set(pathsright_fresh_here, 1);
       pathsright_stay_0_is_equal := (pathsright_fresh_here mod 4) = 0;
-      if pathsright_read_words(4)(0) = '1' then
-        pathsright_stay_choice(0) := not pathsright_stay_value(0);
-      else
-        pathsright_stay_choice(0) := pathsright_stay_0_is_equal;
-      end if;
-      if pathsright_read_words(4)(1) = '1' then
-        pathsright_stay_choices(0, 2) := (pathsright_read_words(4)(0) = '1') or (not pathsright_stay_value(0)) or (not
-          is_set(pathsright_fresh_here, 0));
-      else
-        pathsright_stay_choices(0, 2) := pathsright_stay_choice(0);
-      end if;
-      pathsright_stay_value_2(0) := is_set(pathsright_fresh_here, 2);
-      if pathsright_stay_choices(0, 2) then
-        pathsright_stay_choices(0, 3) := (not (pathsright_read_words(4)(2) = '1')) and pathsright_stay_value_2(0);
-      else
-        pathsright_stay_choices(0, 3) := (not (pathsright_read_words(4)(2) = '1')) or pathsright_stay_value_2(0);
-      end if;
-      for i in 3 to 4 loop
+      pathsright_stay_choice(0, 1) := choice(pathsright_read_words(4)(0) = '1', not pathsright_stay_0_values(1),
+        pathsright_stay_0_is_equal);
+      pathsright_stay_choice(0, 2) := choice(pathsright_read_words(4)(1) = '1', (pathsright_read_words(4)(0) = '1') or
+        (not pathsright_stay_0_values(1)) or (not is_set(pathsright_fresh_here, 0)), pathsright_stay_choice(0, 1));
+      pathsright_stay_0_values(2) := is_set(pathsright_fresh_here, 2);
+      pathsright_stay_choice(0, 3) := inverted_carry(pathsright_stay_choice(0, 2), not (pathsright_read_words(4)(2) =
+        '1'), pathsright_stay_0_values(2));
+      for i in 3 to 5 loop
         pathsright_stay_0_values(i) := is_set(pathsright_fresh_here, i);
-        if pathsright_stay_choices(0, i) then
-          pathsright_stay_choices(0, i + 1) := (not (pathsright_read_words(4)(i) = '1')) or pathsright_stay_0_values(i);
-        else
-          pathsright_stay_choices(0, i + 1) := (not (pathsright_read_words(4)(i) = '1')) and
-            pathsright_stay_0_values(i);
-        end if;
+        pathsright_stay_choice(0, i + 1) := carry(pathsright_stay_choice(0, i), not (pathsright_read_words(4)(i) =
+          '1'), pathsright_stay_0_values(i));
       end loop;
-      pathsright_stay_0_values_from_5(5) := is_set(pathsright_fresh_here, 5);
-      if pathsright_stay_choices(0, 5) then
-        pathsright_stay_choices(0, 6) := (not (pathsright_read_words(4)(5) = '1')) or
-          pathsright_stay_0_values_from_5(5);
-      else
-        pathsright_stay_choices(0, 6) := (not (pathsright_read_words(4)(5) = '1')) and
-          pathsright_stay_0_values_from_5(5);
-      end if;
-      if pathsright_stay_choices(0, 6) then
-        pathsright_stay_choices(0, 7) := (not (pathsright_read_words(4)(6) = '1')) or is_set(pathsright_fresh_here, 6);
-      else
-        pathsright_stay_choices(0, 7) := (not (pathsright_read_words(4)(6) = '1')) and is_set(pathsright_fresh_here, 6);
-      end if;
-      if is_set(pathsright_fresh_here, 0) then
-        pathsright_stay_choices(0, 8) := (not (pathsright_read_words(0)(1) = '1')) or (not (pathsright_read_words(0)(0)
-          = '1'));
-      else
-        pathsright_stay_choices(0, 8) := not (pathsright_read_words(0)(1) = '1');
-      end if;
-      if pathsright_stay_value(0) then
-        pathsright_stay_choices(0, 9) := pathsright_stay_choices(0, 8);
-      else
-        pathsright_stay_choices(0, 9) := is_set(pathsright_fresh_here, 0) and (to_integer(pathsright_read_words(0)(1
-          downto 0)) = 0);
-      end if;
-      pathsright_stay_0_values_from_5(6) := pathsright_read_words(0)(2) = '1';
-      if pathsright_stay_choices(0, 9) then
-        pathsright_stay_choices(0, 10) := (not pathsright_stay_value_2(0)) and pathsright_stay_0_values_from_5(6);
-      else
-        pathsright_stay_choices(0, 10) := (not pathsright_stay_value_2(0)) or pathsright_stay_0_values_from_5(6);
-      end if;
-      for i in 7 to 8 loop
-        pathsright_stay_0_values_from_5(i) := pathsright_read_words(0)(i - 4) = '1';
-        if pathsright_stay_choices(0, i + 3) then
-          pathsright_stay_choices(0, i + 4) := (not pathsright_stay_0_values(i - 4)) or
-            pathsright_stay_0_values_from_5(i);
-        else
-          pathsright_stay_choices(0, i + 4) := (not pathsright_stay_0_values(i - 4)) and
-            pathsright_stay_0_values_from_5(i);
-        end if;
+      pathsright_stay_choice(0, 7) := carry(pathsright_stay_choice(0, 6), not (pathsright_read_words(4)(6) = '1'),
+        is_set(pathsright_fresh_here, 6));
+      pathsright_stay_choice(0, 8) := choice(is_set(pathsright_fresh_here, 0), (not (pathsright_read_words(0)(1) =
+        '1')) or (not (pathsright_read_words(0)(0) = '1')), not (pathsright_read_words(0)(1) = '1'));
+      pathsright_stay_choice(0, 9) := choice(pathsright_stay_0_values(1), pathsright_stay_choice(0, 8),
+        is_set(pathsright_fresh_here, 0) and (to_integer(pathsright_read_words(0)(1 downto 0)) = 0));
+      pathsright_stay_0_values(6) := pathsright_read_words(0)(2) = '1';
+      pathsright_stay_choice(0, 10) := inverted_carry(pathsright_stay_choice(0, 9), not pathsright_stay_0_values(2),
+        pathsright_stay_0_values(6));
+      for i in 7 to 9 loop
+        pathsright_stay_0_values(i) := pathsright_read_words(0)(i - 4) = '1';
+        pathsright_stay_choice(0, i + 4) := carry(pathsright_stay_choice(0, i + 3), not pathsright_stay_0_values(i -
+          4), pathsright_stay_0_values(i));
       end loop;
-      pathsright_stay_0_values_from_5(9) := pathsright_read_words(0)(5) = '1';
-      if pathsright_stay_choices(0, 12) then
-        pathsright_stay_choices(0, 13) := (not pathsright_stay_0_values_from_5(5)) or
-          pathsright_stay_0_values_from_5(9);
-      else
-        pathsright_stay_choices(0, 13) := (not pathsright_stay_0_values_from_5(5)) and
-          pathsright_stay_0_values_from_5(9);
-      end if;
-      pathsright_stay_0_values_from_5(10) := pathsright_read_words(0)(6) = '1';
-      if pathsright_stay_choices(0, 13) then
-        pathsright_stay_choices(0, 14) := (not is_set(pathsright_fresh_here, 6)) or pathsright_stay_0_values_from_5(10);
-      else
-        pathsright_stay_choices(0, 14) := (not is_set(pathsright_fresh_here, 6)) and
-          pathsright_stay_0_values_from_5(10);
-      end if;
-      if pathsright_stay_choices(0, 7) then
-        pathsright_stay_choices(0, 15) := not pathsleft_first;
-      else
-        pathsright_stay_choices(0, 15) := (not pathsright_stay_choices(0, 14)) and (not pathsleft_first);
-      end if;
-      if (to_integer(pathsright_read_words(4)(6 downto 0)) - to_integer(pathsright_read_words(0)(6 downto 0))) < 0 then
-        pathsright_stay_choice_16(0) := to_integer(pathsright_read_words(4)(6 downto 0));
-      else
-        pathsright_stay_choice_16(0) := to_integer(pathsright_read_words(0)(6 downto 0));
-      end if;
+      pathsright_stay_0_values(10) := pathsright_read_words(0)(6) = '1';
+      pathsright_stay_choice(0, 14) := carry(pathsright_stay_choice(0, 13), not is_set(pathsright_fresh_here, 6),
+        pathsright_stay_0_values(10));
+      pathsright_stay_choice(0, 15) := choice(pathsright_stay_choice(0, 7), not pathsleft_first, (not
+        pathsright_stay_choice(0, 14)) and (not pathsleft_first));
+      pathsright_stay_choice_16(0) := choice((to_integer(pathsright_read_words(4)(6 downto 0)) -
+        to_integer(pathsright_read_words(0)(6 downto 0))) < 0, to_integer(pathsright_read_words(4)(6 downto 0)),
+        to_integer(pathsright_read_words(0)(6 downto 0)));
       for i in 1 to 2 loop
-        pathsright_stay_value(i) := pathsright_read_words(4)(7 * i) = '1';
-        if pathsright_stay_value(i) then
-          pathsright_stay_choice(i) := not pathsright_stay_value(0);
-        else
-          pathsright_stay_choice(i) := pathsright_stay_0_is_equal;
-        end if;
-        if pathsright_read_words(4)(7 * i + 1) = '1' then
-          pathsright_stay_choices(i, 2) := pathsright_stay_value(i) or (not pathsright_stay_value(0)) or (not
-            is_set(pathsright_fresh_here, 0));
-        else
-          pathsright_stay_choices(i, 2) := pathsright_stay_choice(i);
-        end if;
-        if pathsright_stay_choices(i, 2) then
-          pathsright_stay_choices(i, 3) := (not (pathsright_read_words(4)(7 * i + 2) = '1')) and
-            pathsright_stay_value_2(0);
-        else
-          pathsright_stay_choices(i, 3) := (not (pathsright_read_words(4)(7 * i + 2) = '1')) or
-            pathsright_stay_value_2(0);
-        end if;
-        for j in 3 to 4 loop
-          if pathsright_stay_choices(i, j) then
-            pathsright_stay_choices(i, j + 1) := (not (pathsright_read_words(4)(7 * i + j) = '1')) or
-              pathsright_stay_0_values(j);
-          else
-            pathsright_stay_choices(i, j + 1) := (not (pathsright_read_words(4)(7 * i + j) = '1')) and
-              pathsright_stay_0_values(j);
-          end if;
+        pathsright_stay_value(i, 1) := pathsright_read_words(4)(7 * i) = '1';
+        pathsright_stay_choice(i, 1) := choice(pathsright_stay_value(i, 1), not pathsright_stay_0_values(1),
+          pathsright_stay_0_is_equal);
+        pathsright_stay_choice(i, 2) := choice(pathsright_read_words(4)(7 * i + 1) = '1', pathsright_stay_value(i, 1)
+          or (not pathsright_stay_0_values(1)) or (not is_set(pathsright_fresh_here, 0)), pathsright_stay_choice(i, 1));
+        pathsright_stay_choice(i, 3) := inverted_carry(pathsright_stay_choice(i, 2), not (pathsright_read_words(4)(7 *
+          i + 2) = '1'), pathsright_stay_0_values(2));
+        for j in 4 to 6 loop
+          pathsright_stay_choice(i, j) := carry(pathsright_stay_choice(i, j - 1), not (pathsright_read_words(4)(7 * i +
+            j - 1) = '1'), pathsright_stay_0_values(j - 1));
         end loop;
-        if pathsright_stay_choices(i, 5) then
-          pathsright_stay_choices(i, 6) := (not (pathsright_read_words(4)(7 * i + 5) = '1')) or
-            pathsright_stay_0_values_from_5(5);
-        else
-          pathsright_stay_choices(i, 6) := (not (pathsright_read_words(4)(7 * i + 5) = '1')) and
-            pathsright_stay_0_values_from_5(5);
-        end if;
-        if pathsright_stay_choices(i, 6) then
-          pathsright_stay_choices(i, 7) := (not (pathsright_read_words(4)(7 * i + 6) = '1')) or
-            is_set(pathsright_fresh_here, 6);
-        else
-          pathsright_stay_choices(i, 7) := (not (pathsright_read_words(4)(7 * i + 6) = '1')) and
-            is_set(pathsright_fresh_here, 6);
-        end if;
-        pathsright_stay_value_2(i) := pathsright_read_words(0)(7 * i) = '1';
-        if pathsright_stay_value_2(i) then
-          pathsright_stay_choices(i, 8) := not pathsright_stay_value(0);
-        else
-          pathsright_stay_choices(i, 8) := pathsright_stay_0_is_equal;
-        end if;
-        if pathsright_read_words(0)(7 * i + 1) = '1' then
-          pathsright_stay_choices(i, 9) := pathsright_stay_value_2(i) or (not pathsright_stay_value(0)) or (not
-            is_set(pathsright_fresh_here, 0));
-        else
-          pathsright_stay_choices(i, 9) := pathsright_stay_choices(i, 8);
-        end if;
-        if pathsright_stay_choices(i, 9) then
-          pathsright_stay_choices(i, 10) := (not (pathsright_read_words(0)(7 * i + 2) = '1')) and
-            pathsright_stay_value_2(0);
-        else
-          pathsright_stay_choices(i, 10) := (not (pathsright_read_words(0)(7 * i + 2) = '1')) or
-            pathsright_stay_value_2(0);
-        end if;
-        for j in 10 to 11 loop
-          if pathsright_stay_choices(i, j) then
-            pathsright_stay_choices(i, j + 1) := (not (pathsright_read_words(0)(7 * i + j - 7) = '1')) or
-              pathsright_stay_0_values(j - 7);
-          else
-            pathsright_stay_choices(i, j + 1) := (not (pathsright_read_words(0)(7 * i + j - 7) = '1')) and
-              pathsright_stay_0_values(j - 7);
-          end if;
+        pathsright_stay_choice(i, 7) := carry(pathsright_stay_choice(i, 6), not (pathsright_read_words(4)(7 * i + 6) =
+          '1'), is_set(pathsright_fresh_here, 6));
+        pathsright_stay_value(i, 2) := pathsright_read_words(0)(7 * i) = '1';
+        pathsright_stay_choice(i, 8) := choice(pathsright_stay_value(i, 2), not pathsright_stay_0_values(1),
+          pathsright_stay_0_is_equal);
+        pathsright_stay_choice(i, 9) := choice(pathsright_read_words(0)(7 * i + 1) = '1', pathsright_stay_value(i, 2)
+          or (not pathsright_stay_0_values(1)) or (not is_set(pathsright_fresh_here, 0)), pathsright_stay_choice(i, 8));
+        pathsright_stay_choice(i, 10) := inverted_carry(pathsright_stay_choice(i, 9), not (pathsright_read_words(0)(7 *
+          i + 2) = '1'), pathsright_stay_0_values(2));
+        for j in 11 to 13 loop
+          pathsright_stay_choice(i, j) := carry(pathsright_stay_choice(i, j - 1), not (pathsright_read_words(0)(7 * i +
+            j - 8) = '1'), pathsright_stay_0_values(j - 8));
         end loop;
-        if pathsright_stay_choices(i, 12) then
-          pathsright_stay_choices(i, 13) := (not (pathsright_read_words(0)(7 * i + 5) = '1')) or
-            pathsright_stay_0_values_from_5(5);
-        else
-          pathsright_stay_choices(i, 13) := (not (pathsright_read_words(0)(7 * i + 5) = '1')) and
-            pathsright_stay_0_values_from_5(5);
-        end if;
-        if pathsright_stay_choices(i, 13) then
-          pathsright_stay_choices(i, 14) := (not (pathsright_read_words(0)(7 * i + 6) = '1')) or
-            is_set(pathsright_fresh_here, 6);
-        else
-          pathsright_stay_choices(i, 14) := (not (pathsright_read_words(0)(7 * i + 6) = '1')) and
-            is_set(pathsright_fresh_here, 6);
-        end if;
-        if pathsright_stay_choices(i, 7) then
-          pathsright_stay_choices(i, 15) := not pathsleft_first;
-        else
-          pathsright_stay_choices(i, 15) := pathsright_stay_choices(i, 14) and (not pathsleft_first);
-        end if;
+        pathsright_stay_choice(i, 14) := carry(pathsright_stay_choice(i, 13), not (pathsright_read_words(0)(7 * i + 6)
+          = '1'), is_set(pathsright_fresh_here, 6));
+        pathsright_stay_choice(i, 15) := choice(pathsright_stay_choice(i, 7), not pathsleft_first,
+          pathsright_stay_choice(i, 14) and (not pathsleft_first));
         pathsright_stay_values_from_1(i, 3) := to_integer(pathsright_read_words(4)(7 * i + 6 downto 7 * i));
         pathsright_stay_values_from_1(i, 4) := to_integer(pathsright_read_words(0)(7 * i + 6 downto 7 * i));
-        if (pathsright_stay_values_from_1(i, 3) - pathsright_stay_values_from_1(i, 4)) < 0 then
-          pathsright_stay_choice_16(i) := pathsright_stay_values_from_1(i, 3);
-        else
-          pathsright_stay_choice_16(i) := pathsright_stay_values_from_1(i, 4);
-        end if;
-      end loop;
-      pathsright_stay_value(3) := pathsright_read_words(4)(21) = '1';
-      if pathsright_stay_value(3) then
-        pathsright_stay_choice(3) := not pathsright_stay_value(0);
-      else
-        pathsright_stay_choice(3) := pathsright_stay_0_is_equal;
-      end if;
-      if pathsright_read_words(4)(22) = '1' then
-        pathsright_stay_choices(3, 2) := pathsright_stay_value(3) or (not pathsright_stay_value(0)) or (not
-          is_set(pathsright_fresh_here, 0));
-      else
-        pathsright_stay_choices(3, 2) := pathsright_stay_choice(3);
-      end if;
-      if pathsright_stay_choices(3, 2) then
-        pathsright_stay_choices(3, 3) := (not (pathsright_read_words(4)(23) = '1')) and pathsright_stay_value_2(0);
-      else
-        pathsright_stay_choices(3, 3) := (not (pathsright_read_words(4)(23) = '1')) or pathsright_stay_value_2(0);
-      end if;
-      for i in 3 to 4 loop
-        if pathsright_stay_choices(3, i) then
-          pathsright_stay_choices(3, i + 1) := (not (pathsright_read_words(4)(i + 21) = '1')) or
-            pathsright_stay_0_values(i);
-        else
-          pathsright_stay_choices(3, i + 1) := (not (pathsright_read_words(4)(i + 21) = '1')) and
-            pathsright_stay_0_values(i);
-        end if;
-      end loop;
-      if pathsright_stay_choices(3, 5) then
-        pathsright_stay_choices(3, 6) := (not (pathsright_read_words(4)(26) = '1')) or
-          pathsright_stay_0_values_from_5(5);
-      else
-        pathsright_stay_choices(3, 6) := (not (pathsright_read_words(4)(26) = '1')) and
-          pathsright_stay_0_values_from_5(5);
-      end if;
-      if pathsright_stay_choices(3, 6) then
-        pathsright_stay_choices(3, 7) := (not (pathsright_read_words(4)(27) = '1')) or is_set(pathsright_fresh_here, 6);
-      else
-        pathsright_stay_choices(3, 7) := (not (pathsright_read_words(4)(27) = '1')) and is_set(pathsright_fresh_here,
-          6);
-      end if;
-      pathsright_stay_value_2(3) := pathsright_read_words(0)(21) = '1';
-      if pathsright_stay_value_2(3) then
-        pathsright_stay_choices(3, 8) := not pathsright_stay_value(0);
-      else
-        pathsright_stay_choices(3, 8) := pathsright_stay_0_is_equal;
-      end if;
-      if pathsright_read_words(0)(22) = '1' then
-        pathsright_stay_choices(3, 9) := pathsright_stay_value_2(3) or (not pathsright_stay_value(0)) or (not
-          is_set(pathsright_fresh_here, 0));
-      else
-        pathsright_stay_choices(3, 9) := pathsright_stay_choices(3, 8);
-      end if;
-      if pathsright_stay_choices(3, 9) then
-        pathsright_stay_choices(3, 10) := (not (pathsright_read_words(0)(23) = '1')) and pathsright_stay_value_2(0);
-      else
-        pathsright_stay_choices(3, 10) := (not (pathsright_read_words(0)(23) = '1')) or pathsright_stay_value_2(0);
-      end if;
-      for i in 10 to 11 loop
-        if pathsright_stay_choices(3, i) then
-          pathsright_stay_choices(3, i + 1) := (not (pathsright_read_words(0)(i + 14) = '1')) or
-            pathsright_stay_0_values(i - 7);
-        else
-          pathsright_stay_choices(3, i + 1) := (not (pathsright_read_words(0)(i + 14) = '1')) and
-            pathsright_stay_0_values(i - 7);
-        end if;
-      end loop;
-      if pathsright_stay_choices(3, 12) then
-        pathsright_stay_choices(3, 13) := (not (pathsright_read_words(0)(26) = '1')) or
-          pathsright_stay_0_values_from_5(5);
-      else
-        pathsright_stay_choices(3, 13) := (not (pathsright_read_words(0)(26) = '1')) and
-          pathsright_stay_0_values_from_5(5);
-      end if;
-      if pathsright_stay_choices(3, 13) then
-        pathsright_stay_choices(3, 14) := (not (pathsright_read_words(0)(27) = '1')) or is_set(pathsright_fresh_here,
-          6);
-      else
-        pathsright_stay_choices(3, 14) := (not (pathsright_read_words(0)(27) = '1')) and is_set(pathsright_fresh_here,
-          6);
-      end if;
-      if pathsright_stay_choices(3, 7) then
-        pathsright_stay_choices(3, 15) := not pathsleft_first;
-      else
-        pathsright_stay_choices(3, 15) := pathsright_stay_choices(3, 14) and (not pathsleft_first);
-      end if;
-      if (to_integer(pathsright_read_words(4)(27 downto 21)) - to_integer(pathsright_read_words(0)(27 downto 21))) < 0
-        then
-        pathsright_stay_choice_16(3) := to_integer(pathsright_read_words(4)(27 downto 21));
-      else
-        pathsright_stay_choice_16(3) := to_integer(pathsright_read_words(0)(27 downto 21));
-      end if;
-      if pathsright_read_words(5)(0) = '1' then
-        pathsright_stay_choice(4) := not pathsright_stay_value(0);
-      else
-        pathsright_stay_choice(4) := pathsright_stay_0_is_equal;
-      end if;
-      if pathsright_read_words(5)(1) = '1' then
-        pathsright_stay_choices(4, 2) := (pathsright_read_words(5)(0) = '1') or (not pathsright_stay_value(0)) or (not
-          is_set(pathsright_fresh_here, 0));
-      else
-        pathsright_stay_choices(4, 2) := pathsright_stay_choice(4);
-      end if;
-      if pathsright_stay_choices(4, 2) then
-        pathsright_stay_choices(4, 3) := (not (pathsright_read_words(5)(2) = '1')) and pathsright_stay_value_2(0);
-      else
-        pathsright_stay_choices(4, 3) := (not (pathsright_read_words(5)(2) = '1')) or pathsright_stay_value_2(0);
-      end if;
-      for i in 3 to 4 loop
-        if pathsright_stay_choices(4, i) then
-          pathsright_stay_choices(4, i + 1) := (not (pathsright_read_words(5)(i) = '1')) or pathsright_stay_0_values(i);
-        else
-          pathsright_stay_choices(4, i + 1) := (not (pathsright_read_words(5)(i) = '1')) and
-            pathsright_stay_0_values(i);
-        end if;
-      end loop;
-      if pathsright_stay_choices(4, 5) then
-        pathsright_stay_choices(4, 6) := (not (pathsright_read_words(5)(5) = '1')) or
-          pathsright_stay_0_values_from_5(5);
-      else
-        pathsright_stay_choices(4, 6) := (not (pathsright_read_words(5)(5) = '1')) and
-          pathsright_stay_0_values_from_5(5);
-      end if;
-      if pathsright_stay_choices(4, 6) then
-        pathsright_stay_choices(4, 7) := (not (pathsright_read_words(5)(6) = '1')) or is_set(pathsright_fresh_here, 6);
-      else
-        pathsright_stay_choices(4, 7) := (not (pathsright_read_words(5)(6) = '1')) and is_set(pathsright_fresh_here, 6);
-      end if;
-      if pathsright_read_words(1)(0) = '1' then
-        pathsright_stay_choices(4, 8) := not pathsright_stay_value(0);
-      else
-        pathsright_stay_choices(4, 8) := pathsright_stay_0_is_equal;
-      end if;
-      if pathsright_read_words(1)(1) = '1' then
-        pathsright_stay_choices(4, 9) := (pathsright_read_words(1)(0) = '1') or (not pathsright_stay_value(0)) or (not
-          is_set(pathsright_fresh_here, 0));
-      else
-        pathsright_stay_choices(4, 9) := pathsright_stay_choices(4, 8);
-      end if;
-      if pathsright_stay_choices(4, 9) then
-        pathsright_stay_choices(4, 10) := (not (pathsright_read_words(1)(2) = '1')) and pathsright_stay_value_2(0);
-      else
-        pathsright_stay_choices(4, 10) := (not (pathsright_read_words(1)(2) = '1')) or pathsright_stay_value_2(0);
-      end if;
-      for i in 10 to 11 loop
-        if pathsright_stay_choices(4, i) then
-          pathsright_stay_choices(4, i + 1) := (not (pathsright_read_words(1)(i - 7) = '1')) or
-            pathsright_stay_0_values(i - 7);
-        else
-          pathsright_stay_choices(4, i + 1) := (not (pathsright_read_words(1)(i - 7) = '1')) and
-            pathsright_stay_0_values(i - 7);
-        end if;
-      end loop;
-      if pathsright_stay_choices(4, 12) then
-        pathsright_stay_choices(4, 13) := (not (pathsright_read_words(1)(5) = '1')) or
-          pathsright_stay_0_values_from_5(5);
-      else
-        pathsright_stay_choices(4, 13) := (not (pathsright_read_words(1)(5) = '1')) and
-          pathsright_stay_0_values_from_5(5);
-      end if;
-      if pathsright_stay_choices(4, 13) then
-        pathsright_stay_choices(4, 14) := (not (pathsright_read_words(1)(6) = '1')) or is_set(pathsright_fresh_here, 6);
-      else
-        pathsright_stay_choices(4, 14) := (not (pathsright_read_words(1)(6) = '1')) and is_set(pathsright_fresh_here,
-          6);
-      end if;
-      if pathsright_stay_choices(4, 7) then
-        pathsright_stay_choices(4, 15) := not pathsleft_first;
-      else
-        pathsright_stay_choices(4, 15) := pathsright_stay_choices(4, 14) and (not pathsleft_first);
-      end if;
-      if (to_integer(pathsright_read_words(5)(6 downto 0)) - to_integer(pathsright_read_words(1)(6 downto 0))) < 0 then
-        pathsright_stay_choice_16(4) := to_integer(pathsright_read_words(5)(6 downto 0));
-      else
-        pathsright_stay_choice_16(4) := to_integer(pathsright_read_words(1)(6 downto 0));
-      end if;
-      for i in 5 to 6 loop
-        pathsright_stay_values(i) := pathsright_read_words(5)(7 * i - 28) = '1';
-        if pathsright_stay_values(i) then
-          pathsright_stay_choice(i) := not pathsright_stay_value(0);
-        else
-          pathsright_stay_choice(i) := pathsright_stay_0_is_equal;
-        end if;
-        if pathsright_read_words(5)(7 * i - 27) = '1' then
-          pathsright_stay_choices(i, 2) := pathsright_stay_values(i) or (not pathsright_stay_value(0)) or (not
-            is_set(pathsright_fresh_here, 0));
-        else
-          pathsright_stay_choices(i, 2) := pathsright_stay_choice(i);
-        end if;
-        if pathsright_stay_choices(i, 2) then
-          pathsright_stay_choices(i, 3) := (not (pathsright_read_words(5)(7 * i - 26) = '1')) and
-            pathsright_stay_value_2(0);
-        else
-          pathsright_stay_choices(i, 3) := (not (pathsright_read_words(5)(7 * i - 26) = '1')) or
-            pathsright_stay_value_2(0);
-        end if;
-        for j in 3 to 4 loop
-          if pathsright_stay_choices(i, j) then
-            pathsright_stay_choices(i, j + 1) := (not (pathsright_read_words(5)(7 * i + j - 28) = '1')) or
-              pathsright_stay_0_values(j);
-          else
-            pathsright_stay_choices(i, j + 1) := (not (pathsright_read_words(5)(7 * i + j - 28) = '1')) and
-              pathsright_stay_0_values(j);
-          end if;
-        end loop;
-        if pathsright_stay_choices(i, 5) then
-          pathsright_stay_choices(i, 6) := (not (pathsright_read_words(5)(7 * i - 23) = '1')) or
-            pathsright_stay_0_values_from_5(5);
-        else
-          pathsright_stay_choices(i, 6) := (not (pathsright_read_words(5)(7 * i - 23) = '1')) and
-            pathsright_stay_0_values_from_5(5);
-        end if;
-        if pathsright_stay_choices(i, 6) then
-          pathsright_stay_choices(i, 7) := (not (pathsright_read_words(5)(7 * i - 22) = '1')) or
-            is_set(pathsright_fresh_here, 6);
-        else
-          pathsright_stay_choices(i, 7) := (not (pathsright_read_words(5)(7 * i - 22) = '1')) and
-            is_set(pathsright_fresh_here, 6);
-        end if;
-        pathsright_stay_value_2s(i) := pathsright_read_words(1)(7 * i - 28) = '1';
-        if pathsright_stay_value_2s(i) then
-          pathsright_stay_choices(i, 8) := not pathsright_stay_value(0);
-        else
-          pathsright_stay_choices(i, 8) := pathsright_stay_0_is_equal;
-        end if;
-        if pathsright_read_words(1)(7 * i - 27) = '1' then
-          pathsright_stay_choices(i, 9) := pathsright_stay_value_2s(i) or (not pathsright_stay_value(0)) or (not
-            is_set(pathsright_fresh_here, 0));
-        else
-          pathsright_stay_choices(i, 9) := pathsright_stay_choices(i, 8);
-        end if;
-        if pathsright_stay_choices(i, 9) then
-          pathsright_stay_choices(i, 10) := (not (pathsright_read_words(1)(7 * i - 26) = '1')) and
-            pathsright_stay_value_2(0);
-        else
-          pathsright_stay_choices(i, 10) := (not (pathsright_read_words(1)(7 * i - 26) = '1')) or
-            pathsright_stay_value_2(0);
-        end if;
-        for j in 10 to 11 loop
-          if pathsright_stay_choices(i, j) then
-            pathsright_stay_choices(i, j + 1) := (not (pathsright_read_words(1)(7 * i + j - 35) = '1')) or
-              pathsright_stay_0_values(j - 7);
-          else
-            pathsright_stay_choices(i, j + 1) := (not (pathsright_read_words(1)(7 * i + j - 35) = '1')) and
-              pathsright_stay_0_values(j - 7);
-          end if;
-        end loop;
-        if pathsright_stay_choices(i, 12) then
-          pathsright_stay_choices(i, 13) := (not (pathsright_read_words(1)(7 * i - 23) = '1')) or
-            pathsright_stay_0_values_from_5(5);
-        else
-          pathsright_stay_choices(i, 13) := (not (pathsright_read_words(1)(7 * i - 23) = '1')) and
-            pathsright_stay_0_values_from_5(5);
-        end if;
-        if pathsright_stay_choices(i, 13) then
-          pathsright_stay_choices(i, 14) := (not (pathsright_read_words(1)(7 * i - 22) = '1')) or
-            is_set(pathsright_fresh_here, 6);
-        else
-          pathsright_stay_choices(i, 14) := (not (pathsright_read_words(1)(7 * i - 22) = '1')) and
-            is_set(pathsright_fresh_here, 6);
-        end if;
-        if pathsright_stay_choices(i, 7) then
-          pathsright_stay_choices(i, 15) := not pathsleft_first;
-        else
-          pathsright_stay_choices(i, 15) := pathsright_stay_choices(i, 14) and (not pathsleft_first);
-        end if;
-        pathsright_stay_values_from_5(i, 3) := to_integer(pathsright_read_words(5)(7 * i - 22 downto 7 * i - 28));
-        pathsright_stay_values_from_5(i, 4) := to_integer(pathsright_read_words(1)(7 * i - 22 downto 7 * i - 28));
-        if (pathsright_stay_values_from_5(i, 3) - pathsright_stay_values_from_5(i, 4)) < 0 then
-          pathsright_stay_choice_16(i) := pathsright_stay_values_from_5(i, 3);
-        else
-          pathsright_stay_choice_16(i) := pathsright_stay_values_from_5(i, 4);
-        end if;
-      end loop;
-      pathsright_stay_values(7) := pathsright_read_words(5)(21) = '1';
-      if pathsright_stay_values(7) then
-        pathsright_stay_choice(7) := not pathsright_stay_value(0);
-      else
-        pathsright_stay_choice(7) := pathsright_stay_0_is_equal;
-      end if;
-      if pathsright_read_words(5)(22) = '1' then
-        pathsright_stay_choices(7, 2) := pathsright_stay_values(7) or (not pathsright_stay_value(0)) or (not
-          is_set(pathsright_fresh_here, 0));
-      else
-        pathsright_stay_choices(7, 2) := pathsright_stay_choice(7);
-      end if;
-      if pathsright_stay_choices(7, 2) then
-        pathsright_stay_choices(7, 3) := (not (pathsright_read_words(5)(23) = '1')) and pathsright_stay_value_2(0);
-      else
-        pathsright_stay_choices(7, 3) := (not (pathsright_read_words(5)(23) = '1')) or pathsright_stay_value_2(0);
-      end if;
-      for i in 3 to 4 loop
-        if pathsright_stay_choices(7, i) then
-          pathsright_stay_choices(7, i + 1) := (not (pathsright_read_words(5)(i + 21) = '1')) or
-            pathsright_stay_0_values(i);
-        else
-          pathsright_stay_choices(7, i + 1) := (not (pathsright_read_words(5)(i + 21) = '1')) and
-            pathsright_stay_0_values(i);
-        end if;
-      end loop;
-      if pathsright_stay_choices(7, 5) then
-        pathsright_stay_choices(7, 6) := (not (pathsright_read_words(5)(26) = '1')) or
-          pathsright_stay_0_values_from_5(5);
-      else
-        pathsright_stay_choices(7, 6) := (not (pathsright_read_words(5)(26) = '1')) and
-          pathsright_stay_0_values_from_5(5);
-      end if;
-      if pathsright_stay_choices(7, 6) then
-        pathsright_stay_choices(7, 7) := (not (pathsright_read_words(5)(27) = '1')) or is_set(pathsright_fresh_here, 6);
-      else
-        pathsright_stay_choices(7, 7) := (not (pathsright_read_words(5)(27) = '1')) and is_set(pathsright_fresh_here,
-          6);
-      end if;
-      pathsright_stay_value_2s(7) := pathsright_read_words(1)(21) = '1';
-      if pathsright_stay_value_2s(7) then
-        pathsright_stay_choices(7, 8) := not pathsright_stay_value(0);
-      else
-        pathsright_stay_choices(7, 8) := pathsright_stay_0_is_equal;
-      end if;
-      if pathsright_read_words(1)(22) = '1' then
-        pathsright_stay_choices(7, 9) := pathsright_stay_value_2s(7) or (not pathsright_stay_value(0)) or (not
-          is_set(pathsright_fresh_here, 0));
-      else
-        pathsright_stay_choices(7, 9) := pathsright_stay_choices(7, 8);
-      end if;
-      if pathsright_stay_choices(7, 9) then
-        pathsright_stay_choices(7, 10) := (not (pathsright_read_words(1)(23) = '1')) and pathsright_stay_value_2(0);
-      else
-        pathsright_stay_choices(7, 10) := (not (pathsright_read_words(1)(23) = '1')) or pathsright_stay_value_2(0);
-      end if;
-      for i in 10 to 11 loop
-        if pathsright_stay_choices(7, i) then
-          pathsright_stay_choices(7, i + 1) := (not (pathsright_read_words(1)(i + 14) = '1')) or
-            pathsright_stay_0_values(i - 7);
-        else
-          pathsright_stay_choices(7, i + 1) := (not (pathsright_read_words(1)(i + 14) = '1')) and
-            pathsright_stay_0_values(i - 7);
-        end if;
-      end loop;
-      if pathsright_stay_choices(7, 12) then
-        pathsright_stay_choices(7, 13) := (not (pathsright_read_words(1)(26) = '1')) or
-          pathsright_stay_0_values_from_5(5);
-      else
-        pathsright_stay_choices(7, 13) := (not (pathsright_read_words(1)(26) = '1')) and
-          pathsright_stay_0_values_from_5(5);
-      end if;
-      if pathsright_stay_choices(7, 13) then
-        pathsright_stay_choices(7, 14) := (not (pathsright_read_words(1)(27) = '1')) or is_set(pathsright_fresh_here,
-          6);
-      else
-        pathsright_stay_choices(7, 14) := (not (pathsright_read_words(1)(27) = '1')) and is_set(pathsright_fresh_here,
-          6);
-      end if;
-      if pathsright_stay_choices(7, 7) then
-        pathsright_stay_choices(7, 15) := not pathsleft_first;
-      else
-        pathsright_stay_choices(7, 15) := pathsright_stay_choices(7, 14) and (not pathsleft_first);
-      end if;
-      if (to_integer(pathsright_read_words(5)(27 downto 21)) - to_integer(pathsright_read_words(1)(27 downto 21))) < 0
-        then
-        pathsright_stay_choice_16(7) := to_integer(pathsright_read_words(5)(27 downto 21));
-      else
-        pathsright_stay_choice_16(7) := to_integer(pathsright_read_words(1)(27 downto 21));
-      end if;
-      if pathsright_read_words(6)(0) = '1' then
-        pathsright_stay_choice(8) := not pathsright_stay_value(0);
-      else
-        pathsright_stay_choice(8) := pathsright_stay_0_is_equal;
-      end if;
-      if pathsright_read_words(6)(1) = '1' then
-        pathsright_stay_choices(8, 2) := (pathsright_read_words(6)(0) = '1') or (not pathsright_stay_value(0)) or (not
-          is_set(pathsright_fresh_here, 0));
-      else
-        pathsright_stay_choices(8, 2) := pathsright_stay_choice(8);
-      end if;
-      if pathsright_stay_choices(8, 2) then
-        pathsright_stay_choices(8, 3) := (not (pathsright_read_words(6)(2) = '1')) and pathsright_stay_value_2(0);
-      else
-        pathsright_stay_choices(8, 3) := (not (pathsright_read_words(6)(2) = '1')) or pathsright_stay_value_2(0);
-      end if;
-      for i in 3 to 4 loop
-        if pathsright_stay_choices(8, i) then
-          pathsright_stay_choices(8, i + 1) := (not (pathsright_read_words(6)(i) = '1')) or pathsright_stay_0_values(i);
-        else
-          pathsright_stay_choices(8, i + 1) := (not (pathsright_read_words(6)(i) = '1')) and
-            pathsright_stay_0_values(i);
-        end if;
-      end loop;
-      if pathsright_stay_choices(8, 5) then
-        pathsright_stay_choices(8, 6) := (not (pathsright_read_words(6)(5) = '1')) or
-          pathsright_stay_0_values_from_5(5);
-      else
-        pathsright_stay_choices(8, 6) := (not (pathsright_read_words(6)(5) = '1')) and
-          pathsright_stay_0_values_from_5(5);
-      end if;
-      if pathsright_stay_choices(8, 6) then
-        pathsright_stay_choices(8, 7) := (not (pathsright_read_words(6)(6) = '1')) or is_set(pathsright_fresh_here, 6);
-      else
-        pathsright_stay_choices(8, 7) := (not (pathsright_read_words(6)(6) = '1')) and is_set(pathsright_fresh_here, 6);
-      end if;
-      if pathsright_read_words(2)(0) = '1' then
-        pathsright_stay_choices(8, 8) := not pathsright_stay_value(0);
-      else
-        pathsright_stay_choices(8, 8) := pathsright_stay_0_is_equal;
-      end if;
-      if pathsright_read_words(2)(1) = '1' then
-        pathsright_stay_choices(8, 9) := (pathsright_read_words(2)(0) = '1') or (not pathsright_stay_value(0)) or (not
-          is_set(pathsright_fresh_here, 0));
-      else
-        pathsright_stay_choices(8, 9) := pathsright_stay_choices(8, 8);
-      end if;
-      if pathsright_stay_choices(8, 9) then
-        pathsright_stay_choices(8, 10) := (not (pathsright_read_words(2)(2) = '1')) and pathsright_stay_value_2(0);
-      else
-        pathsright_stay_choices(8, 10) := (not (pathsright_read_words(2)(2) = '1')) or pathsright_stay_value_2(0);
-      end if;
-      for i in 10 to 11 loop
-        if pathsright_stay_choices(8, i) then
-          pathsright_stay_choices(8, i + 1) := (not (pathsright_read_words(2)(i - 7) = '1')) or
-            pathsright_stay_0_values(i - 7);
-        else
-          pathsright_stay_choices(8, i + 1) := (not (pathsright_read_words(2)(i - 7) = '1')) and
-            pathsright_stay_0_values(i - 7);
-        end if;
-      end loop;
-      if pathsright_stay_choices(8, 12) then
-        pathsright_stay_choices(8, 13) := (not (pathsright_read_words(2)(5) = '1')) or
-          pathsright_stay_0_values_from_5(5);
-      else
-        pathsright_stay_choices(8, 13) := (not (pathsright_read_words(2)(5) = '1')) and
-          pathsright_stay_0_values_from_5(5);
-      end if;
-      if pathsright_stay_choices(8, 13) then
-        pathsright_stay_choices(8, 14) := (not (pathsright_read_words(2)(6) = '1')) or is_set(pathsright_fresh_here, 6);
-      else
-        pathsright_stay_choices(8, 14) := (not (pathsright_read_words(2)(6) = '1')) and is_set(pathsright_fresh_here,
-          6);
-      end if;
-      if pathsright_stay_choices(8, 7) then
-        pathsright_stay_choices(8, 15) := not pathsleft_first;
-      else
-        pathsright_stay_choices(8, 15) := pathsright_stay_choices(8, 14) and (not pathsleft_first);
-      end if;
-      if (to_integer(pathsright_read_words(6)(6 downto 0)) - to_integer(pathsright_read_words(2)(6 downto 0))) < 0 then
-        pathsright_stay_choice_16(8) := to_integer(pathsright_read_words(6)(6 downto 0));
-      else
-        pathsright_stay_choice_16(8) := to_integer(pathsright_read_words(2)(6 downto 0));
-      end if;
-      for i in 9 to 10 loop
-        pathsright_stay_values_from_9(i) := pathsright_read_words(6)(7 * i - 56) = '1';
-        if pathsright_stay_values_from_9(i) then
-          pathsright_stay_choice(i) := not pathsright_stay_value(0);
-        else
-          pathsright_stay_choice(i) := pathsright_stay_0_is_equal;
-        end if;
-        if pathsright_read_words(6)(7 * i - 55) = '1' then
-          pathsright_stay_choices(i, 2) := pathsright_stay_values_from_9(i) or (not pathsright_stay_value(0)) or (not
-            is_set(pathsright_fresh_here, 0));
-        else
-          pathsright_stay_choices(i, 2) := pathsright_stay_choice(i);
-        end if;
-        if pathsright_stay_choices(i, 2) then
-          pathsright_stay_choices(i, 3) := (not (pathsright_read_words(6)(7 * i - 54) = '1')) and
-            pathsright_stay_value_2(0);
-        else
-          pathsright_stay_choices(i, 3) := (not (pathsright_read_words(6)(7 * i - 54) = '1')) or
-            pathsright_stay_value_2(0);
-        end if;
-        for j in 3 to 4 loop
-          if pathsright_stay_choices(i, j) then
-            pathsright_stay_choices(i, j + 1) := (not (pathsright_read_words(6)(7 * i + j - 56) = '1')) or
-              pathsright_stay_0_values(j);
-          else
-            pathsright_stay_choices(i, j + 1) := (not (pathsright_read_words(6)(7 * i + j - 56) = '1')) and
-              pathsright_stay_0_values(j);
-          end if;
-        end loop;
-        if pathsright_stay_choices(i, 5) then
-          pathsright_stay_choices(i, 6) := (not (pathsright_read_words(6)(7 * i - 51) = '1')) or
-            pathsright_stay_0_values_from_5(5);
-        else
-          pathsright_stay_choices(i, 6) := (not (pathsright_read_words(6)(7 * i - 51) = '1')) and
-            pathsright_stay_0_values_from_5(5);
-        end if;
-        if pathsright_stay_choices(i, 6) then
-          pathsright_stay_choices(i, 7) := (not (pathsright_read_words(6)(7 * i - 50) = '1')) or
-            is_set(pathsright_fresh_here, 6);
-        else
-          pathsright_stay_choices(i, 7) := (not (pathsright_read_words(6)(7 * i - 50) = '1')) and
-            is_set(pathsright_fresh_here, 6);
-        end if;
-        pathsright_stay_value_2s_from_9(i) := pathsright_read_words(2)(7 * i - 56) = '1';
-        if pathsright_stay_value_2s_from_9(i) then
-          pathsright_stay_choices(i, 8) := not pathsright_stay_value(0);
-        else
-          pathsright_stay_choices(i, 8) := pathsright_stay_0_is_equal;
-        end if;
-        if pathsright_read_words(2)(7 * i - 55) = '1' then
-          pathsright_stay_choices(i, 9) := pathsright_stay_value_2s_from_9(i) or (not pathsright_stay_value(0)) or (not
-            is_set(pathsright_fresh_here, 0));
-        else
-          pathsright_stay_choices(i, 9) := pathsright_stay_choices(i, 8);
-        end if;
-        if pathsright_stay_choices(i, 9) then
-          pathsright_stay_choices(i, 10) := (not (pathsright_read_words(2)(7 * i - 54) = '1')) and
-            pathsright_stay_value_2(0);
-        else
-          pathsright_stay_choices(i, 10) := (not (pathsright_read_words(2)(7 * i - 54) = '1')) or
-            pathsright_stay_value_2(0);
-        end if;
-        for j in 10 to 11 loop
-          if pathsright_stay_choices(i, j) then
-            pathsright_stay_choices(i, j + 1) := (not (pathsright_read_words(2)(7 * i + j - 63) = '1')) or
-              pathsright_stay_0_values(j - 7);
-          else
-            pathsright_stay_choices(i, j + 1) := (not (pathsright_read_words(2)(7 * i + j - 63) = '1')) and
-              pathsright_stay_0_values(j - 7);
-          end if;
-        end loop;
-        if pathsright_stay_choices(i, 12) then
-          pathsright_stay_choices(i, 13) := (not (pathsright_read_words(2)(7 * i - 51) = '1')) or
-            pathsright_stay_0_values_from_5(5);
-        else
-          pathsright_stay_choices(i, 13) := (not (pathsright_read_words(2)(7 * i - 51) = '1')) and
-            pathsright_stay_0_values_from_5(5);
-        end if;
-        if pathsright_stay_choices(i, 13) then
-          pathsright_stay_choices(i, 14) := (not (pathsright_read_words(2)(7 * i - 50) = '1')) or
-            is_set(pathsright_fresh_here, 6);
-        else
-          pathsright_stay_choices(i, 14) := (not (pathsright_read_words(2)(7 * i - 50) = '1')) and
-            is_set(pathsright_fresh_here, 6);
-        end if;
-        if pathsright_stay_choices(i, 7) then
-          pathsright_stay_choices(i, 15) := not pathsleft_first;
-        else
-          pathsright_stay_choices(i, 15) := pathsright_stay_choices(i, 14) and (not pathsleft_first);
-        end if;
-        pathsright_stay_values_2(i, 3) := to_integer(pathsright_read_words(6)(7 * i - 50 downto 7 * i - 56));
-        pathsright_stay_values_2(i, 4) := to_integer(pathsright_read_words(2)(7 * i - 50 downto 7 * i - 56));
-        if (pathsright_stay_values_2(i, 3) - pathsright_stay_values_2(i, 4)) < 0 then
-          pathsright_stay_choice_16(i) := pathsright_stay_values_2(i, 3);
-        else
-          pathsright_stay_choice_16(i) := pathsright_stay_values_2(i, 4);
-        end if;
-      end loop;
-      pathsright_stay_values_from_9(11) := pathsright_read_words(6)(21) = '1';
-      if pathsright_stay_values_from_9(11) then
-        pathsright_stay_choice(11) := not pathsright_stay_value(0);
-      else
-        pathsright_stay_choice(11) := pathsright_stay_0_is_equal;
-      end if;
-      if pathsright_read_words(6)(22) = '1' then
-        pathsright_stay_choices(11, 2) := pathsright_stay_values_from_9(11) or (not pathsright_stay_value(0)) or (not
-          is_set(pathsright_fresh_here, 0));
-      else
-        pathsright_stay_choices(11, 2) := pathsright_stay_choice(11);
-      end if;
-      if pathsright_stay_choices(11, 2) then
-        pathsright_stay_choices(11, 3) := (not (pathsright_read_words(6)(23) = '1')) and pathsright_stay_value_2(0);
-      else
-        pathsright_stay_choices(11, 3) := (not (pathsright_read_words(6)(23) = '1')) or pathsright_stay_value_2(0);
-      end if;
-      for i in 3 to 4 loop
-        if pathsright_stay_choices(11, i) then
-          pathsright_stay_choices(11, i + 1) := (not (pathsright_read_words(6)(i + 21) = '1')) or
-            pathsright_stay_0_values(i);
-        else
-          pathsright_stay_choices(11, i + 1) := (not (pathsright_read_words(6)(i + 21) = '1')) and
-            pathsright_stay_0_values(i);
-        end if;
-      end loop;
-      if pathsright_stay_choices(11, 5) then
-        pathsright_stay_choices(11, 6) := (not (pathsright_read_words(6)(26) = '1')) or
-          pathsright_stay_0_values_from_5(5);
-      else
-        pathsright_stay_choices(11, 6) := (not (pathsright_read_words(6)(26) = '1')) and
-          pathsright_stay_0_values_from_5(5);
-      end if;
-      if pathsright_stay_choices(11, 6) then
-        pathsright_stay_choices(11, 7) := (not (pathsright_read_words(6)(27) = '1')) or is_set(pathsright_fresh_here,
-          6);
-      else
-        pathsright_stay_choices(11, 7) := (not (pathsright_read_words(6)(27) = '1')) and is_set(pathsright_fresh_here,
-          6);
-      end if;
-      pathsright_stay_value_2s_from_9(11) := pathsright_read_words(2)(21) = '1';
-      if pathsright_stay_value_2s_from_9(11) then
-        pathsright_stay_choices(11, 8) := not pathsright_stay_value(0);
-      else
-        pathsright_stay_choices(11, 8) := pathsright_stay_0_is_equal;
-      end if;
-      if pathsright_read_words(2)(22) = '1' then
-        pathsright_stay_choices(11, 9) := pathsright_stay_value_2s_from_9(11) or (not pathsright_stay_value(0)) or (not
-          is_set(pathsright_fresh_here, 0));
-      else
-        pathsright_stay_choices(11, 9) := pathsright_stay_choices(11, 8);
-      end if;
-      if pathsright_stay_choices(11, 9) then
-        pathsright_stay_choices(11, 10) := (not (pathsright_read_words(2)(23) = '1')) and pathsright_stay_value_2(0);
-      else
-        pathsright_stay_choices(11, 10) := (not (pathsright_read_words(2)(23) = '1')) or pathsright_stay_value_2(0);
-      end if;
-      for i in 10 to 11 loop
-        if pathsright_stay_choices(11, i) then
-          pathsright_stay_choices(11, i + 1) := (not (pathsright_read_words(2)(i + 14) = '1')) or
-            pathsright_stay_0_values(i - 7);
-        else
-          pathsright_stay_choices(11, i + 1) := (not (pathsright_read_words(2)(i + 14) = '1')) and
-            pathsright_stay_0_values(i - 7);
-        end if;
-      end loop;
-      if pathsright_stay_choices(11, 12) then
-        pathsright_stay_choices(11, 13) := (not (pathsright_read_words(2)(26) = '1')) or
-          pathsright_stay_0_values_from_5(5);
-      else
-        pathsright_stay_choices(11, 13) := (not (pathsright_read_words(2)(26) = '1')) and
-          pathsright_stay_0_values_from_5(5);
-      end if;
-      if pathsright_stay_choices(11, 13) then
-        pathsright_stay_choices(11, 14) := (not (pathsright_read_words(2)(27) = '1')) or is_set(pathsright_fresh_here,
-          6);
-      else
-        pathsright_stay_choices(11, 14) := (not (pathsright_read_words(2)(27) = '1')) and is_set(pathsright_fresh_here,
-          6);
-      end if;
-      if pathsright_stay_choices(11, 7) then
-        pathsright_stay_choices(11, 15) := not pathsleft_first;
-      else
-        pathsright_stay_choices(11, 15) := pathsright_stay_choices(11, 14) and (not pathsleft_first);
-      end if;
-      if (to_integer(pathsright_read_words(6)(27 downto 21)) - to_integer(pathsright_read_words(2)(27 downto 21))) < 0
-        then
-        pathsright_stay_choice_16(11) := to_integer(pathsright_read_words(6)(27 downto 21));
-      else
-        pathsright_stay_choice_16(11) := to_integer(pathsright_read_words(2)(27 downto 21));
-      end if;
-      if pathsright_read_words(7)(0) = '1' then
-        pathsright_stay_choice(12) := not pathsright_stay_value(0);
-      else
-        pathsright_stay_choice(12) := pathsright_stay_0_is_equal;
-      end if;
-      if pathsright_read_words(7)(1) = '1' then
-        pathsright_stay_choices(12, 2) := (pathsright_read_words(7)(0) = '1') or (not pathsright_stay_value(0)) or (not
-          is_set(pathsright_fresh_here, 0));
-      else
-        pathsright_stay_choices(12, 2) := pathsright_stay_choice(12);
-      end if;
-      if pathsright_stay_choices(12, 2) then
-        pathsright_stay_choices(12, 3) := (not (pathsright_read_words(7)(2) = '1')) and pathsright_stay_value_2(0);
-      else
-        pathsright_stay_choices(12, 3) := (not (pathsright_read_words(7)(2) = '1')) or pathsright_stay_value_2(0);
-      end if;
-      for i in 3 to 4 loop
-        if pathsright_stay_choices(12, i) then
-          pathsright_stay_choices(12, i + 1) := (not (pathsright_read_words(7)(i) = '1')) or
-            pathsright_stay_0_values(i);
-        else
-          pathsright_stay_choices(12, i + 1) := (not (pathsright_read_words(7)(i) = '1')) and
-            pathsright_stay_0_values(i);
-        end if;
-      end loop;
-      if pathsright_stay_choices(12, 5) then
-        pathsright_stay_choices(12, 6) := (not (pathsright_read_words(7)(5) = '1')) or
-          pathsright_stay_0_values_from_5(5);
-      else
-        pathsright_stay_choices(12, 6) := (not (pathsright_read_words(7)(5) = '1')) and
-          pathsright_stay_0_values_from_5(5);
-      end if;
-      if pathsright_stay_choices(12, 6) then
-        pathsright_stay_choices(12, 7) := (not (pathsright_read_words(7)(6) = '1')) or is_set(pathsright_fresh_here, 6);
-      else
-        pathsright_stay_choices(12, 7) := (not (pathsright_read_words(7)(6) = '1')) and is_set(pathsright_fresh_here,
-          6);
-      end if;
-      if pathsright_read_words(3)(0) = '1' then
-        pathsright_stay_choices(12, 8) := not pathsright_stay_value(0);
-      else
-        pathsright_stay_choices(12, 8) := pathsright_stay_0_is_equal;
-      end if;
-      if pathsright_read_words(3)(1) = '1' then
-        pathsright_stay_choices(12, 9) := (pathsright_read_words(3)(0) = '1') or (not pathsright_stay_value(0)) or (not
-          is_set(pathsright_fresh_here, 0));
-      else
-        pathsright_stay_choices(12, 9) := pathsright_stay_choices(12, 8);
-      end if;
-      if pathsright_stay_choices(12, 9) then
-        pathsright_stay_choices(12, 10) := (not (pathsright_read_words(3)(2) = '1')) and pathsright_stay_value_2(0);
-      else
-        pathsright_stay_choices(12, 10) := (not (pathsright_read_words(3)(2) = '1')) or pathsright_stay_value_2(0);
-      end if;
-      for i in 10 to 11 loop
-        if pathsright_stay_choices(12, i) then
-          pathsright_stay_choices(12, i + 1) := (not (pathsright_read_words(3)(i - 7) = '1')) or
-            pathsright_stay_0_values(i - 7);
-        else
-          pathsright_stay_choices(12, i + 1) := (not (pathsright_read_words(3)(i - 7) = '1')) and
-            pathsright_stay_0_values(i - 7);
-        end if;
-      end loop;
-      if pathsright_stay_choices(12, 12) then
-        pathsright_stay_choices(12, 13) := (not (pathsright_read_words(3)(5) = '1')) or
-          pathsright_stay_0_values_from_5(5);
-      else
-        pathsright_stay_choices(12, 13) := (not (pathsright_read_words(3)(5) = '1')) and
-          pathsright_stay_0_values_from_5(5);
-      end if;
-      if pathsright_stay_choices(12, 13) then
-        pathsright_stay_choices(12, 14) := (not (pathsright_read_words(3)(6) = '1')) or is_set(pathsright_fresh_here,
-          6);
-      else
-        pathsright_stay_choices(12, 14) := (not (pathsright_read_words(3)(6) = '1')) and is_set(pathsright_fresh_here,
-          6);
-      end if;
-      if pathsright_stay_choices(12, 7) then
-        pathsright_stay_choices(12, 15) := not pathsleft_first;
-      else
-        pathsright_stay_choices(12, 15) := pathsright_stay_choices(12, 14) and (not pathsleft_first);
-      end if;
-      if (to_integer(pathsright_read_words(7)(6 downto 0)) - to_integer(pathsright_read_words(3)(6 downto 0))) < 0 then
-        pathsright_stay_choice_16(12) := to_integer(pathsright_read_words(7)(6 downto 0));
-      else
-        pathsright_stay_choice_16(12) := to_integer(pathsright_read_words(3)(6 downto 0));
-      end if;
-      for i in 13 to 14 loop
-        pathsright_stay_values_from_13(i) := pathsright_read_words(7)(7 * i - 84) = '1';
-        if pathsright_stay_values_from_13(i) then
-          pathsright_stay_choice(i) := not pathsright_stay_value(0);
-        else
-          pathsright_stay_choice(i) := pathsright_stay_0_is_equal;
-        end if;
-        if pathsright_read_words(7)(7 * i - 83) = '1' then
-          pathsright_stay_choices(i, 2) := pathsright_stay_values_from_13(i) or (not pathsright_stay_value(0)) or (not
-            is_set(pathsright_fresh_here, 0));
-        else
-          pathsright_stay_choices(i, 2) := pathsright_stay_choice(i);
-        end if;
-        if pathsright_stay_choices(i, 2) then
-          pathsright_stay_choices(i, 3) := (not (pathsright_read_words(7)(7 * i - 82) = '1')) and
-            pathsright_stay_value_2(0);
-        else
-          pathsright_stay_choices(i, 3) := (not (pathsright_read_words(7)(7 * i - 82) = '1')) or
-            pathsright_stay_value_2(0);
-        end if;
-        for j in 3 to 4 loop
-          if pathsright_stay_choices(i, j) then
-            pathsright_stay_choices(i, j + 1) := (not (pathsright_read_words(7)(7 * i + j - 84) = '1')) or
-              pathsright_stay_0_values(j);
-          else
-            pathsright_stay_choices(i, j + 1) := (not (pathsright_read_words(7)(7 * i + j - 84) = '1')) and
-              pathsright_stay_0_values(j);
-          end if;
-        end loop;
-        if pathsright_stay_choices(i, 5) then
-          pathsright_stay_choices(i, 6) := (not (pathsright_read_words(7)(7 * i - 79) = '1')) or
-            pathsright_stay_0_values_from_5(5);
-        else
-          pathsright_stay_choices(i, 6) := (not (pathsright_read_words(7)(7 * i - 79) = '1')) and
-            pathsright_stay_0_values_from_5(5);
-        end if;
-        if pathsright_stay_choices(i, 6) then
-          pathsright_stay_choices(i, 7) := (not (pathsright_read_words(7)(7 * i - 78) = '1')) or
-            is_set(pathsright_fresh_here, 6);
-        else
-          pathsright_stay_choices(i, 7) := (not (pathsright_read_words(7)(7 * i - 78) = '1')) and
-            is_set(pathsright_fresh_here, 6);
-        end if;
-        pathsright_stay_value_2s_from_13(i) := pathsright_read_words(3)(7 * i - 84) = '1';
-        if pathsright_stay_value_2s_from_13(i) then
-          pathsright_stay_choices(i, 8) := not pathsright_stay_value(0);
-        else
-          pathsright_stay_choices(i, 8) := pathsright_stay_0_is_equal;
-        end if;
-        if pathsright_read_words(3)(7 * i - 83) = '1' then
-          pathsright_stay_choices(i, 9) := pathsright_stay_value_2s_from_13(i) or (not pathsright_stay_value(0)) or
-            (not is_set(pathsright_fresh_here, 0));
-        else
-          pathsright_stay_choices(i, 9) := pathsright_stay_choices(i, 8);
-        end if;
-        if pathsright_stay_choices(i, 9) then
-          pathsright_stay_choices(i, 10) := (not (pathsright_read_words(3)(7 * i - 82) = '1')) and
-            pathsright_stay_value_2(0);
-        else
-          pathsright_stay_choices(i, 10) := (not (pathsright_read_words(3)(7 * i - 82) = '1')) or
-            pathsright_stay_value_2(0);
-        end if;
-        for j in 10 to 11 loop
-          if pathsright_stay_choices(i, j) then
-            pathsright_stay_choices(i, j + 1) := (not (pathsright_read_words(3)(7 * i + j - 91) = '1')) or
-              pathsright_stay_0_values(j - 7);
-          else
-            pathsright_stay_choices(i, j + 1) := (not (pathsright_read_words(3)(7 * i + j - 91) = '1')) and
-              pathsright_stay_0_values(j - 7);
-          end if;
-        end loop;
-        if pathsright_stay_choices(i, 12) then
-          pathsright_stay_choices(i, 13) := (not (pathsright_read_words(3)(7 * i - 79) = '1')) or
-            pathsright_stay_0_values_from_5(5);
-        else
-          pathsright_stay_choices(i, 13) := (not (pathsright_read_words(3)(7 * i - 79) = '1')) and
-            pathsright_stay_0_values_from_5(5);
-        end if;
-        if pathsright_stay_choices(i, 13) then
-          pathsright_stay_choices(i, 14) := (not (pathsright_read_words(3)(7 * i - 78) = '1')) or
-            is_set(pathsright_fresh_here, 6);
-        else
-          pathsright_stay_choices(i, 14) := (not (pathsright_read_words(3)(7 * i - 78) = '1')) and
-            is_set(pathsright_fresh_here, 6);
-        end if;
-        if pathsright_stay_choices(i, 7) then
-          pathsright_stay_choices(i, 15) := not pathsleft_first;
-        else
-          pathsright_stay_choices(i, 15) := pathsright_stay_choices(i, 14) and (not pathsleft_first);
-        end if;
-        pathsright_stay_values_3(i, 3) := to_integer(pathsright_read_words(7)(7 * i - 78 downto 7 * i - 84));
-        pathsright_stay_values_3(i, 4) := to_integer(pathsright_read_words(3)(7 * i - 78 downto 7 * i - 84));
-        if (pathsright_stay_values_3(i, 3) - pathsright_stay_values_3(i, 4)) < 0 then
-          pathsright_stay_choice_16(i) := pathsright_stay_values_3(i, 3);
-        else
-          pathsright_stay_choice_16(i) := pathsright_stay_values_3(i, 4);
-        end if;
-      end loop;
-      pathsright_stay_values_from_13(15) := pathsright_read_words(7)(21) = '1';
-      if pathsright_stay_values_from_13(15) then
-        pathsright_stay_choice(15) := not pathsright_stay_value(0);
-      else
-        pathsright_stay_choice(15) := pathsright_stay_0_is_equal;
-      end if;
-      if pathsright_read_words(7)(22) = '1' then
-        pathsright_stay_choices(15, 2) := pathsright_stay_values_from_13(15) or (not pathsright_stay_value(0)) or (not
-          is_set(pathsright_fresh_here, 0));
-      else
-        pathsright_stay_choices(15, 2) := pathsright_stay_choice(15);
-      end if;
-      if pathsright_stay_choices(15, 2) then
-        pathsright_stay_choices(15, 3) := (not (pathsright_read_words(7)(23) = '1')) and pathsright_stay_value_2(0);
-      else
-        pathsright_stay_choices(15, 3) := (not (pathsright_read_words(7)(23) = '1')) or pathsright_stay_value_2(0);
-      end if;
-      for i in 3 to 4 loop
-        if pathsright_stay_choices(15, i) then
-          pathsright_stay_choices(15, i + 1) := (not (pathsright_read_words(7)(i + 21) = '1')) or
-            pathsright_stay_0_values(i);
-        else
-          pathsright_stay_choices(15, i + 1) := (not (pathsright_read_words(7)(i + 21) = '1')) and
-            pathsright_stay_0_values(i);
-        end if;
-      end loop;
-      if pathsright_stay_choices(15, 5) then
-        pathsright_stay_choices(15, 6) := (not (pathsright_read_words(7)(26) = '1')) or
-          pathsright_stay_0_values_from_5(5);
-      else
-        pathsright_stay_choices(15, 6) := (not (pathsright_read_words(7)(26) = '1')) and
-          pathsright_stay_0_values_from_5(5);
-      end if;
-      if pathsright_stay_choices(15, 6) then
-        pathsright_stay_choices(15, 7) := (not (pathsright_read_words(7)(27) = '1')) or is_set(pathsright_fresh_here,
-          6);
-      else
-        pathsright_stay_choices(15, 7) := (not (pathsright_read_words(7)(27) = '1')) and is_set(pathsright_fresh_here,
-          6);
-      end if;
-      pathsright_stay_value_2s_from_13(15) := pathsright_read_words(3)(21) = '1';
-      if pathsright_stay_value_2s_from_13(15) then
-        pathsright_stay_choices(15, 8) := not pathsright_stay_value(0);
-      else
-        pathsright_stay_choices(15, 8) := pathsright_stay_0_is_equal;
-      end if;
-      if pathsright_read_words(3)(22) = '1' then
-        pathsright_stay_choices(15, 9) := pathsright_stay_value_2s_from_13(15) or (not pathsright_stay_value(0)) or
-          (not is_set(pathsright_fresh_here, 0));
-      else
-        pathsright_stay_choices(15, 9) := pathsright_stay_choices(15, 8);
-      end if;
-      if pathsright_stay_choices(15, 9) then
-        pathsright_stay_choices(15, 10) := (not (pathsright_read_words(3)(23) = '1')) and pathsright_stay_value_2(0);
-      else
-        pathsright_stay_choices(15, 10) := (not (pathsright_read_words(3)(23) = '1')) or pathsright_stay_value_2(0);
-      end if;
-      for i in 10 to 11 loop
-        if pathsright_stay_choices(15, i) then
-          pathsright_stay_choices(15, i + 1) := (not (pathsright_read_words(3)(i + 14) = '1')) or
-            pathsright_stay_0_values(i - 7);
-        else
-          pathsright_stay_choices(15, i + 1) := (not (pathsright_read_words(3)(i + 14) = '1')) and
-            pathsright_stay_0_values(i - 7);
-        end if;
-      end loop;
-      if pathsright_stay_choices(15, 12) then
-        pathsright_stay_choices(15, 13) := (not (pathsright_read_words(3)(26) = '1')) or
-          pathsright_stay_0_values_from_5(5);
-      else
-        pathsright_stay_choices(15, 13) := (not (pathsright_read_words(3)(26) = '1')) and
-          pathsright_stay_0_values_from_5(5);
-      end if;
-      if pathsright_stay_choices(15, 13) then
-        pathsright_stay_choices(15, 14) := (not (pathsright_read_words(3)(27) = '1')) or is_set(pathsright_fresh_here,
-          6);
-      else
-        pathsright_stay_choices(15, 14) := (not (pathsright_read_words(3)(27) = '1')) and is_set(pathsright_fresh_here,
-          6);
-      end if;
-      if pathsright_stay_choices(15, 7) then
-        pathsright_stay_choices(15, 15) := not pathsleft_first;
-      else
-        pathsright_stay_choices(15, 15) := pathsright_stay_choices(15, 14) and (not pathsleft_first);
-      end if;
-      if (to_integer(pathsright_read_words(7)(27 downto 21)) - to_integer(pathsright_read_words(3)(27 downto 21))) < 0
-        then
-        pathsright_stay_choice_16(15) := to_integer(pathsright_read_words(7)(27 downto 21));
-      else
-        pathsright_stay_choice_16(15) := to_integer(pathsright_read_words(3)(27 downto 21));
-      end if;
-      if pathsleft_is_first then
-        pathsright_step_choice(0) := pathsright_stay_values_from_1(1, 4);
-      else
-        pathsright_step_choice(0) := pathsright_lower_neighbour;
-      end if;
-      if (pathsright_stay_values_from_1(1, 4) - pathsright_step_choice(0)) < 0 then
-        pathsright_step_0_choice_2 := pathsright_stay_values_from_1(1, 4);
-      else
-        pathsright_step_0_choice_2 := pathsright_step_choice(0);
-      end if;
-      if (pathsright_stay_values_from_1(2, 4) - to_integer(pathsright_read_words(0)(6 downto 0))) < 0 then
-        pathsright_step_choice(1) := pathsright_stay_values_from_1(2, 4);
-      else
-        pathsright_step_choice(1) := to_integer(pathsright_read_words(0)(6 downto 0));
-      end if;
-      for i in 0 to 1 loop
-        if (to_integer(pathsright_read_words(i)(27 - 21 * i downto 21 - 21 * i)) - pathsright_stay_values_from_1(i + 1,
-          4)) < 0 then
-          pathsright_step_choice(i + 2) := to_integer(pathsright_read_words(i)(27 - 21 * i downto 21 - 21 * i));
-        else
-          pathsright_step_choice(i + 2) := pathsright_stay_values_from_1(i + 1, 4);
-        end if;
-      end loop;
-      for i in 5 to 6 loop
-        if (pathsright_stay_values_from_5(i, 4) - to_integer(pathsright_read_words(i - 5)(132 - 21 * i downto 126 - 21
-          * i))) < 0 then
-          pathsright_step_choice(i - 1) := pathsright_stay_values_from_5(i, 4);
-        else
-          pathsright_step_choice(i - 1) := to_integer(pathsright_read_words(i - 5)(132 - 21 * i downto 126 - 21 * i));
-        end if;
+        pathsright_stay_choice_16(i) := choice((pathsright_stay_values_from_1(i, 3) - pathsright_stay_values_from_1(i,
+          4)) < 0, pathsright_stay_values_from_1(i, 3), pathsright_stay_values_from_1(i, 4));
       end loop;
       for i in 1 to 2 loop
-        if (to_integer(pathsright_read_words(i)(48 - 21 * i downto 42 - 21 * i)) - pathsright_stay_values_from_5(i + 4,
-          4)) < 0 then
-          pathsright_step_choice(i + 5) := to_integer(pathsright_read_words(i)(48 - 21 * i downto 42 - 21 * i));
-        else
-          pathsright_step_choice(i + 5) := pathsright_stay_values_from_5(i + 4, 4);
-        end if;
+        pathsright_stay_value(3, i) := pathsright_read_words(8 - 4 * i)(21) = '1';
+        pathsright_stay_choice(3, 7 * i - 6) := choice(pathsright_stay_value(3, i), not pathsright_stay_0_values(1),
+          pathsright_stay_0_is_equal);
+        pathsright_stay_choice(3, 7 * i - 5) := choice(pathsright_read_words(8 - 4 * i)(22) = '1',
+          pathsright_stay_value(3, i) or (not pathsright_stay_0_values(1)) or (not is_set(pathsright_fresh_here, 0)),
+          pathsright_stay_choice(3, 7 * i - 6));
+        pathsright_stay_choice(3, 7 * i - 4) := inverted_carry(pathsright_stay_choice(3, 7 * i - 5), not
+          (pathsright_read_words(8 - 4 * i)(23) = '1'), pathsright_stay_0_values(2));
+        for j in 24 to 26 loop
+          pathsright_stay_choice(3, 7 * i + j - 27) := carry(pathsright_stay_choice(3, 7 * i + j - 28), not
+            (pathsright_read_words(8 - 4 * i)(j) = '1'), pathsright_stay_0_values(j - 21));
+        end loop;
+        pathsright_stay_choice(3, 7 * i) := carry(pathsright_stay_choice(3, 7 * i - 1), not (pathsright_read_words(8 -
+          4 * i)(27) = '1'), is_set(pathsright_fresh_here, 6));
       end loop;
+      pathsright_stay_choice(3, 15) := choice(pathsright_stay_choice(3, 7), not pathsleft_first,
+        pathsright_stay_choice(3, 14) and (not pathsleft_first));
+      pathsright_stay_choice_16(3) := choice((to_integer(pathsright_read_words(4)(27 downto 21)) -
+        to_integer(pathsright_read_words(0)(27 downto 21))) < 0, to_integer(pathsright_read_words(4)(27 downto 21)),
+        to_integer(pathsright_read_words(0)(27 downto 21)));
+      for i in 0 to 1 loop
+        pathsright_stay_choice(4, 7 * i + 1) := choice(pathsright_read_words(5 - 4 * i)(0) = '1', not
+          pathsright_stay_0_values(1), pathsright_stay_0_is_equal);
+        pathsright_stay_choice(4, 7 * i + 2) := choice(pathsright_read_words(5 - 4 * i)(1) = '1',
+          (pathsright_read_words(5 - 4 * i)(0) = '1') or (not pathsright_stay_0_values(1)) or (not
+          is_set(pathsright_fresh_here, 0)), pathsright_stay_choice(4, 7 * i + 1));
+        pathsright_stay_choice(4, 7 * i + 3) := inverted_carry(pathsright_stay_choice(4, 7 * i + 2), not
+          (pathsright_read_words(5 - 4 * i)(2) = '1'), pathsright_stay_0_values(2));
+        for j in 3 to 5 loop
+          pathsright_stay_choice(4, 7 * i + j + 1) := carry(pathsright_stay_choice(4, 7 * i + j), not
+            (pathsright_read_words(5 - 4 * i)(j) = '1'), pathsright_stay_0_values(j));
+        end loop;
+        pathsright_stay_choice(4, 7 * i + 7) := carry(pathsright_stay_choice(4, 7 * i + 6), not
+          (pathsright_read_words(5 - 4 * i)(6) = '1'), is_set(pathsright_fresh_here, 6));
+      end loop;
+      pathsright_stay_choice(4, 15) := choice(pathsright_stay_choice(4, 7), not pathsleft_first,
+        pathsright_stay_choice(4, 14) and (not pathsleft_first));
+      pathsright_stay_choice_16(4) := choice((to_integer(pathsright_read_words(5)(6 downto 0)) -
+        to_integer(pathsright_read_words(1)(6 downto 0))) < 0, to_integer(pathsright_read_words(5)(6 downto 0)),
+        to_integer(pathsright_read_words(1)(6 downto 0)));
+      for i in 5 to 6 loop
+        pathsright_stay_values(i, 1) := pathsright_read_words(5)(7 * i - 28) = '1';
+        pathsright_stay_choice(i, 1) := choice(pathsright_stay_values(i, 1), not pathsright_stay_0_values(1),
+          pathsright_stay_0_is_equal);
+        pathsright_stay_choice(i, 2) := choice(pathsright_read_words(5)(7 * i - 27) = '1', pathsright_stay_values(i, 1)
+          or (not pathsright_stay_0_values(1)) or (not is_set(pathsright_fresh_here, 0)), pathsright_stay_choice(i, 1));
+        pathsright_stay_choice(i, 3) := inverted_carry(pathsright_stay_choice(i, 2), not (pathsright_read_words(5)(7 *
+          i - 26) = '1'), pathsright_stay_0_values(2));
+        for j in 4 to 6 loop
+          pathsright_stay_choice(i, j) := carry(pathsright_stay_choice(i, j - 1), not (pathsright_read_words(5)(7 * i +
+            j - 29) = '1'), pathsright_stay_0_values(j - 1));
+        end loop;
+        pathsright_stay_choice(i, 7) := carry(pathsright_stay_choice(i, 6), not (pathsright_read_words(5)(7 * i - 22) =
+          '1'), is_set(pathsright_fresh_here, 6));
+        pathsright_stay_values(i, 2) := pathsright_read_words(1)(7 * i - 28) = '1';
+        pathsright_stay_choice(i, 8) := choice(pathsright_stay_values(i, 2), not pathsright_stay_0_values(1),
+          pathsright_stay_0_is_equal);
+        pathsright_stay_choice(i, 9) := choice(pathsright_read_words(1)(7 * i - 27) = '1', pathsright_stay_values(i, 2)
+          or (not pathsright_stay_0_values(1)) or (not is_set(pathsright_fresh_here, 0)), pathsright_stay_choice(i, 8));
+        pathsright_stay_choice(i, 10) := inverted_carry(pathsright_stay_choice(i, 9), not (pathsright_read_words(1)(7 *
+          i - 26) = '1'), pathsright_stay_0_values(2));
+        for j in 11 to 13 loop
+          pathsright_stay_choice(i, j) := carry(pathsright_stay_choice(i, j - 1), not (pathsright_read_words(1)(7 * i +
+            j - 36) = '1'), pathsright_stay_0_values(j - 8));
+        end loop;
+        pathsright_stay_choice(i, 14) := carry(pathsright_stay_choice(i, 13), not (pathsright_read_words(1)(7 * i - 22)
+          = '1'), is_set(pathsright_fresh_here, 6));
+        pathsright_stay_choice(i, 15) := choice(pathsright_stay_choice(i, 7), not pathsleft_first,
+          pathsright_stay_choice(i, 14) and (not pathsleft_first));
+        pathsright_stay_values_from_1(i, 3) := to_integer(pathsright_read_words(5)(7 * i - 22 downto 7 * i - 28));
+        pathsright_stay_values_from_1(i, 4) := to_integer(pathsright_read_words(1)(7 * i - 22 downto 7 * i - 28));
+        pathsright_stay_choice_16(i) := choice((pathsright_stay_values_from_1(i, 3) - pathsright_stay_values_from_1(i,
+          4)) < 0, pathsright_stay_values_from_1(i, 3), pathsright_stay_values_from_1(i, 4));
+      end loop;
+      for i in 1 to 2 loop
+        pathsright_stay_values(7, i) := pathsright_read_words(9 - 4 * i)(21) = '1';
+        pathsright_stay_choice(7, 7 * i - 6) := choice(pathsright_stay_values(7, i), not pathsright_stay_0_values(1),
+          pathsright_stay_0_is_equal);
+        pathsright_stay_choice(7, 7 * i - 5) := choice(pathsright_read_words(9 - 4 * i)(22) = '1',
+          pathsright_stay_values(7, i) or (not pathsright_stay_0_values(1)) or (not is_set(pathsright_fresh_here, 0)),
+          pathsright_stay_choice(7, 7 * i - 6));
+        pathsright_stay_choice(7, 7 * i - 4) := inverted_carry(pathsright_stay_choice(7, 7 * i - 5), not
+          (pathsright_read_words(9 - 4 * i)(23) = '1'), pathsright_stay_0_values(2));
+        for j in 24 to 26 loop
+          pathsright_stay_choice(7, 7 * i + j - 27) := carry(pathsright_stay_choice(7, 7 * i + j - 28), not
+            (pathsright_read_words(9 - 4 * i)(j) = '1'), pathsright_stay_0_values(j - 21));
+        end loop;
+        pathsright_stay_choice(7, 7 * i) := carry(pathsright_stay_choice(7, 7 * i - 1), not (pathsright_read_words(9 -
+          4 * i)(27) = '1'), is_set(pathsright_fresh_here, 6));
+      end loop;
+      pathsright_stay_choice(7, 15) := choice(pathsright_stay_choice(7, 7), not pathsleft_first,
+        pathsright_stay_choice(7, 14) and (not pathsleft_first));
+      pathsright_stay_choice_16(7) := choice((to_integer(pathsright_read_words(5)(27 downto 21)) -
+        to_integer(pathsright_read_words(1)(27 downto 21))) < 0, to_integer(pathsright_read_words(5)(27 downto 21)),
+        to_integer(pathsright_read_words(1)(27 downto 21)));
+      for i in 0 to 1 loop
+        pathsright_stay_choice(8, 7 * i + 1) := choice(pathsright_read_words(6 - 4 * i)(0) = '1', not
+          pathsright_stay_0_values(1), pathsright_stay_0_is_equal);
+        pathsright_stay_choice(8, 7 * i + 2) := choice(pathsright_read_words(6 - 4 * i)(1) = '1',
+          (pathsright_read_words(6 - 4 * i)(0) = '1') or (not pathsright_stay_0_values(1)) or (not
+          is_set(pathsright_fresh_here, 0)), pathsright_stay_choice(8, 7 * i + 1));
+        pathsright_stay_choice(8, 7 * i + 3) := inverted_carry(pathsright_stay_choice(8, 7 * i + 2), not
+          (pathsright_read_words(6 - 4 * i)(2) = '1'), pathsright_stay_0_values(2));
+        for j in 3 to 5 loop
+          pathsright_stay_choice(8, 7 * i + j + 1) := carry(pathsright_stay_choice(8, 7 * i + j), not
+            (pathsright_read_words(6 - 4 * i)(j) = '1'), pathsright_stay_0_values(j));
+        end loop;
+        pathsright_stay_choice(8, 7 * i + 7) := carry(pathsright_stay_choice(8, 7 * i + 6), not
+          (pathsright_read_words(6 - 4 * i)(6) = '1'), is_set(pathsright_fresh_here, 6));
+      end loop;
+      pathsright_stay_choice(8, 15) := choice(pathsright_stay_choice(8, 7), not pathsleft_first,
+        pathsright_stay_choice(8, 14) and (not pathsleft_first));
+      pathsright_stay_choice_16(8) := choice((to_integer(pathsright_read_words(6)(6 downto 0)) -
+        to_integer(pathsright_read_words(2)(6 downto 0))) < 0, to_integer(pathsright_read_words(6)(6 downto 0)),
+        to_integer(pathsright_read_words(2)(6 downto 0)));
       for i in 9 to 10 loop
-        if (pathsright_stay_values_2(i, 4) - to_integer(pathsright_read_words(i - 8)(216 - 21 * i downto 210 - 21 *
-          i))) < 0 then
-          pathsright_step_choice(i - 1) := pathsright_stay_values_2(i, 4);
-        else
-          pathsright_step_choice(i - 1) := to_integer(pathsright_read_words(i - 8)(216 - 21 * i downto 210 - 21 * i));
-        end if;
+        pathsright_stay_values_from_9(i, 1) := pathsright_read_words(6)(7 * i - 56) = '1';
+        pathsright_stay_choice(i, 1) := choice(pathsright_stay_values_from_9(i, 1), not pathsright_stay_0_values(1),
+          pathsright_stay_0_is_equal);
+        pathsright_stay_choice(i, 2) := choice(pathsright_read_words(6)(7 * i - 55) = '1',
+          pathsright_stay_values_from_9(i, 1) or (not pathsright_stay_0_values(1)) or (not
+          is_set(pathsright_fresh_here, 0)), pathsright_stay_choice(i, 1));
+        pathsright_stay_choice(i, 3) := inverted_carry(pathsright_stay_choice(i, 2), not (pathsright_read_words(6)(7 *
+          i - 54) = '1'), pathsright_stay_0_values(2));
+        for j in 4 to 6 loop
+          pathsright_stay_choice(i, j) := carry(pathsright_stay_choice(i, j - 1), not (pathsright_read_words(6)(7 * i +
+            j - 57) = '1'), pathsright_stay_0_values(j - 1));
+        end loop;
+        pathsright_stay_choice(i, 7) := carry(pathsright_stay_choice(i, 6), not (pathsright_read_words(6)(7 * i - 50) =
+          '1'), is_set(pathsright_fresh_here, 6));
+        pathsright_stay_values_from_9(i, 2) := pathsright_read_words(2)(7 * i - 56) = '1';
+        pathsright_stay_choice(i, 8) := choice(pathsright_stay_values_from_9(i, 2), not pathsright_stay_0_values(1),
+          pathsright_stay_0_is_equal);
+        pathsright_stay_choice(i, 9) := choice(pathsright_read_words(2)(7 * i - 55) = '1',
+          pathsright_stay_values_from_9(i, 2) or (not pathsright_stay_0_values(1)) or (not
+          is_set(pathsright_fresh_here, 0)), pathsright_stay_choice(i, 8));
+        pathsright_stay_choice(i, 10) := inverted_carry(pathsright_stay_choice(i, 9), not (pathsright_read_words(2)(7 *
+          i - 54) = '1'), pathsright_stay_0_values(2));
+        for j in 11 to 13 loop
+          pathsright_stay_choice(i, j) := carry(pathsright_stay_choice(i, j - 1), not (pathsright_read_words(2)(7 * i +
+            j - 64) = '1'), pathsright_stay_0_values(j - 8));
+        end loop;
+        pathsright_stay_choice(i, 14) := carry(pathsright_stay_choice(i, 13), not (pathsright_read_words(2)(7 * i - 50)
+          = '1'), is_set(pathsright_fresh_here, 6));
+        pathsright_stay_choice(i, 15) := choice(pathsright_stay_choice(i, 7), not pathsleft_first,
+          pathsright_stay_choice(i, 14) and (not pathsleft_first));
+        pathsright_stay_values_from_1(i, 3) := to_integer(pathsright_read_words(6)(7 * i - 50 downto 7 * i - 56));
+        pathsright_stay_values_from_1(i, 4) := to_integer(pathsright_read_words(2)(7 * i - 50 downto 7 * i - 56));
+        pathsright_stay_choice_16(i) := choice((pathsright_stay_values_from_1(i, 3) - pathsright_stay_values_from_1(i,
+          4)) < 0, pathsright_stay_values_from_1(i, 3), pathsright_stay_values_from_1(i, 4));
       end loop;
-      for i in 2 to 3 loop
-        if (to_integer(pathsright_read_words(i)(69 - 21 * i downto 63 - 21 * i)) - pathsright_stay_values_2(i + 7, 4))
-          < 0 then
-          pathsright_step_choice(i + 8) := to_integer(pathsright_read_words(i)(69 - 21 * i downto 63 - 21 * i));
-        else
-          pathsright_step_choice(i + 8) := pathsright_stay_values_2(i + 7, 4);
-        end if;
+      for i in 1 to 2 loop
+        pathsright_stay_values_from_9(11, i) := pathsright_read_words(10 - 4 * i)(21) = '1';
+        pathsright_stay_choice(11, 7 * i - 6) := choice(pathsright_stay_values_from_9(11, i), not
+          pathsright_stay_0_values(1), pathsright_stay_0_is_equal);
+        pathsright_stay_choice(11, 7 * i - 5) := choice(pathsright_read_words(10 - 4 * i)(22) = '1',
+          pathsright_stay_values_from_9(11, i) or (not pathsright_stay_0_values(1)) or (not
+          is_set(pathsright_fresh_here, 0)), pathsright_stay_choice(11, 7 * i - 6));
+        pathsright_stay_choice(11, 7 * i - 4) := inverted_carry(pathsright_stay_choice(11, 7 * i - 5), not
+          (pathsright_read_words(10 - 4 * i)(23) = '1'), pathsright_stay_0_values(2));
+        for j in 24 to 26 loop
+          pathsright_stay_choice(11, 7 * i + j - 27) := carry(pathsright_stay_choice(11, 7 * i + j - 28), not
+            (pathsright_read_words(10 - 4 * i)(j) = '1'), pathsright_stay_0_values(j - 21));
+        end loop;
+        pathsright_stay_choice(11, 7 * i) := carry(pathsright_stay_choice(11, 7 * i - 1), not (pathsright_read_words(10
+          - 4 * i)(27) = '1'), is_set(pathsright_fresh_here, 6));
       end loop;
+      pathsright_stay_choice(11, 15) := choice(pathsright_stay_choice(11, 7), not pathsleft_first,
+        pathsright_stay_choice(11, 14) and (not pathsleft_first));
+      pathsright_stay_choice_16(11) := choice((to_integer(pathsright_read_words(6)(27 downto 21)) -
+        to_integer(pathsright_read_words(2)(27 downto 21))) < 0, to_integer(pathsright_read_words(6)(27 downto 21)),
+        to_integer(pathsright_read_words(2)(27 downto 21)));
+      for i in 0 to 1 loop
+        pathsright_stay_choice(12, 7 * i + 1) := choice(pathsright_read_words(7 - 4 * i)(0) = '1', not
+          pathsright_stay_0_values(1), pathsright_stay_0_is_equal);
+        pathsright_stay_choice(12, 7 * i + 2) := choice(pathsright_read_words(7 - 4 * i)(1) = '1',
+          (pathsright_read_words(7 - 4 * i)(0) = '1') or (not pathsright_stay_0_values(1)) or (not
+          is_set(pathsright_fresh_here, 0)), pathsright_stay_choice(12, 7 * i + 1));
+        pathsright_stay_choice(12, 7 * i + 3) := inverted_carry(pathsright_stay_choice(12, 7 * i + 2), not
+          (pathsright_read_words(7 - 4 * i)(2) = '1'), pathsright_stay_0_values(2));
+        for j in 3 to 5 loop
+          pathsright_stay_choice(12, 7 * i + j + 1) := carry(pathsright_stay_choice(12, 7 * i + j), not
+            (pathsright_read_words(7 - 4 * i)(j) = '1'), pathsright_stay_0_values(j));
+        end loop;
+        pathsright_stay_choice(12, 7 * i + 7) := carry(pathsright_stay_choice(12, 7 * i + 6), not
+          (pathsright_read_words(7 - 4 * i)(6) = '1'), is_set(pathsright_fresh_here, 6));
+      end loop;
+      pathsright_stay_choice(12, 15) := choice(pathsright_stay_choice(12, 7), not pathsleft_first,
+        pathsright_stay_choice(12, 14) and (not pathsleft_first));
+      pathsright_stay_choice_16(12) := choice((to_integer(pathsright_read_words(7)(6 downto 0)) -
+        to_integer(pathsright_read_words(3)(6 downto 0))) < 0, to_integer(pathsright_read_words(7)(6 downto 0)),
+        to_integer(pathsright_read_words(3)(6 downto 0)));
       for i in 13 to 14 loop
-        if (pathsright_stay_values_3(i, 4) - to_integer(pathsright_read_words(i - 11)(300 - 21 * i downto 294 - 21 *
-          i))) < 0 then
-          pathsright_step_choice(i - 1) := pathsright_stay_values_3(i, 4);
-        else
-          pathsright_step_choice(i - 1) := to_integer(pathsright_read_words(i - 11)(300 - 21 * i downto 294 - 21 * i));
-        end if;
+        pathsright_stay_values_from_13(i, 1) := pathsright_read_words(7)(7 * i - 84) = '1';
+        pathsright_stay_choice(i, 1) := choice(pathsright_stay_values_from_13(i, 1), not pathsright_stay_0_values(1),
+          pathsright_stay_0_is_equal);
+        pathsright_stay_choice(i, 2) := choice(pathsright_read_words(7)(7 * i - 83) = '1',
+          pathsright_stay_values_from_13(i, 1) or (not pathsright_stay_0_values(1)) or (not
+          is_set(pathsright_fresh_here, 0)), pathsright_stay_choice(i, 1));
+        pathsright_stay_choice(i, 3) := inverted_carry(pathsright_stay_choice(i, 2), not (pathsright_read_words(7)(7 *
+          i - 82) = '1'), pathsright_stay_0_values(2));
+        for j in 4 to 6 loop
+          pathsright_stay_choice(i, j) := carry(pathsright_stay_choice(i, j - 1), not (pathsright_read_words(7)(7 * i +
+            j - 85) = '1'), pathsright_stay_0_values(j - 1));
+        end loop;
+        pathsright_stay_choice(i, 7) := carry(pathsright_stay_choice(i, 6), not (pathsright_read_words(7)(7 * i - 78) =
+          '1'), is_set(pathsright_fresh_here, 6));
+        pathsright_stay_values_from_13(i, 2) := pathsright_read_words(3)(7 * i - 84) = '1';
+        pathsright_stay_choice(i, 8) := choice(pathsright_stay_values_from_13(i, 2), not pathsright_stay_0_values(1),
+          pathsright_stay_0_is_equal);
+        pathsright_stay_choice(i, 9) := choice(pathsright_read_words(3)(7 * i - 83) = '1',
+          pathsright_stay_values_from_13(i, 2) or (not pathsright_stay_0_values(1)) or (not
+          is_set(pathsright_fresh_here, 0)), pathsright_stay_choice(i, 8));
+        pathsright_stay_choice(i, 10) := inverted_carry(pathsright_stay_choice(i, 9), not (pathsright_read_words(3)(7 *
+          i - 82) = '1'), pathsright_stay_0_values(2));
+        for j in 11 to 13 loop
+          pathsright_stay_choice(i, j) := carry(pathsright_stay_choice(i, j - 1), not (pathsright_read_words(3)(7 * i +
+            j - 92) = '1'), pathsright_stay_0_values(j - 8));
+        end loop;
+        pathsright_stay_choice(i, 14) := carry(pathsright_stay_choice(i, 13), not (pathsright_read_words(3)(7 * i - 78)
+          = '1'), is_set(pathsright_fresh_here, 6));
+        pathsright_stay_choice(i, 15) := choice(pathsright_stay_choice(i, 7), not pathsleft_first,
+          pathsright_stay_choice(i, 14) and (not pathsleft_first));
+        pathsright_stay_values_from_1(i, 3) := to_integer(pathsright_read_words(7)(7 * i - 78 downto 7 * i - 84));
+        pathsright_stay_values_from_1(i, 4) := to_integer(pathsright_read_words(3)(7 * i - 78 downto 7 * i - 84));
+        pathsright_stay_choice_16(i) := choice((pathsright_stay_values_from_1(i, 3) - pathsright_stay_values_from_1(i,
+          4)) < 0, pathsright_stay_values_from_1(i, 3), pathsright_stay_values_from_1(i, 4));
       end loop;
-      if (to_integer(pathsright_read_words(3)(27 downto 21)) - pathsright_stay_values_3(13, 4)) < 0 then
-        pathsright_step_choice(14) := to_integer(pathsright_read_words(3)(27 downto 21));
-      else
-        pathsright_step_choice(14) := pathsright_stay_values_3(13, 4);
-      end if;
-      if pathsleft_is_last then
-        pathsright_step_choice(15) := pathsright_stay_values_3(14, 4);
-      else
-        pathsright_step_choice(15) := to_integer(pathsright_read_neighbour_0);
-      end if;
-      if (pathsright_step_choice(15) - pathsright_stay_values_3(14, 4)) < 0 then
-        pathsright_step_15_choice_2 := pathsright_step_choice(15);
-      else
-        pathsright_step_15_choice_2 := pathsright_stay_values_3(14, 4);
-      end if;
-      pathsright_stay_change_1_value := (pathsturn_cost_memory_ready_words(0) / 8) mod 8;
-      pathsright_stay_change_2_sum := ((pathsturn_cost_memory_ready_words(1) mod 2) * 4) +
-        (pathsturn_cost_memory_ready_words(0) / 64);
-      pathsright_stay_change_value(3) := (pathsturn_cost_memory_ready_words(1) / 2) mod 8;
-      pathsright_stay_change_value(4) := (pathsturn_cost_memory_ready_words(1) / 16) mod 8;
-      pathsright_stay_change_5_sum := ((pathsturn_cost_memory_ready_words(2) mod 4) * 2) +
-        (pathsturn_cost_memory_ready_words(1) / 128);
-      pathsright_stay_change_6_value := (pathsturn_cost_memory_ready_words(2) / 4) mod 8;
-      pathsright_stay_change_9_value := (pathsturn_cost_memory_ready_words(3) / 8) mod 8;
-      pathsright_stay_change_10_sum := ((pathsturn_cost_memory_ready_words(4) mod 2) * 4) +
-        (pathsturn_cost_memory_ready_words(3) / 64);
-      pathsright_stay_change_values(11) := (pathsturn_cost_memory_ready_words(4) / 2) mod 8;
-      pathsright_stay_change_values(12) := (pathsturn_cost_memory_ready_words(4) / 16) mod 8;
-      pathsright_stay_change_13_sum := ((pathsturn_cost_memory_ready_words(5) mod 4) * 2) +
-        (pathsturn_cost_memory_ready_words(4) / 128);
-      pathsright_stay_change_14_value := (pathsturn_cost_memory_ready_words(5) / 4) mod 8;
-      if line_comes(27) then
-        pathsright_low_0_choice := 127;
-      else
-        pathsright_low_0_choice := pathsright_low_0;
-      end if;
+      for i in 1 to 2 loop
+        pathsright_stay_values_from_13(15, i) := pathsright_read_words(11 - 4 * i)(21) = '1';
+        pathsright_stay_choice(15, 7 * i - 6) := choice(pathsright_stay_values_from_13(15, i), not
+          pathsright_stay_0_values(1), pathsright_stay_0_is_equal);
+        pathsright_stay_choice(15, 7 * i - 5) := choice(pathsright_read_words(11 - 4 * i)(22) = '1',
+          pathsright_stay_values_from_13(15, i) or (not pathsright_stay_0_values(1)) or (not
+          is_set(pathsright_fresh_here, 0)), pathsright_stay_choice(15, 7 * i - 6));
+        pathsright_stay_choice(15, 7 * i - 4) := inverted_carry(pathsright_stay_choice(15, 7 * i - 5), not
+          (pathsright_read_words(11 - 4 * i)(23) = '1'), pathsright_stay_0_values(2));
+        for j in 24 to 26 loop
+          pathsright_stay_choice(15, 7 * i + j - 27) := carry(pathsright_stay_choice(15, 7 * i + j - 28), not
+            (pathsright_read_words(11 - 4 * i)(j) = '1'), pathsright_stay_0_values(j - 21));
+        end loop;
+        pathsright_stay_choice(15, 7 * i) := carry(pathsright_stay_choice(15, 7 * i - 1), not (pathsright_read_words(11
+          - 4 * i)(27) = '1'), is_set(pathsright_fresh_here, 6));
+      end loop;
+      pathsright_stay_choice(15, 15) := choice(pathsright_stay_choice(15, 7), not pathsleft_first,
+        pathsright_stay_choice(15, 14) and (not pathsleft_first));
+      pathsright_stay_choice_16(15) := choice((to_integer(pathsright_read_words(7)(27 downto 21)) -
+        to_integer(pathsright_read_words(3)(27 downto 21))) < 0, to_integer(pathsright_read_words(7)(27 downto 21)),
+        to_integer(pathsright_read_words(3)(27 downto 21)));
+      pathsright_step_choice(0, 1) := choice(pathsleft_is_first, pathsright_stay_values_from_1(1, 4),
+        pathsright_lower_neighbour);
+      pathsright_step_choice(0, 2) := choice((pathsright_stay_values_from_1(1, 4) - pathsright_step_choice(0, 1)) < 0,
+        pathsright_stay_values_from_1(1, 4), pathsright_step_choice(0, 1));
+      for i in 0 to 2 loop
+        pathsright_step_choice(4 * i + 1, 1) := choice((pathsright_stay_values_from_1(4 * i + 2, 4) -
+          to_integer(pathsright_read_words(i)(6 downto 0))) < 0, pathsright_stay_values_from_1(4 * i + 2, 4),
+          to_integer(pathsright_read_words(i)(6 downto 0)));
+        pathsright_step_choice(4 * i + 2, 1) := choice((to_integer(pathsright_read_words(i)(27 downto 21)) -
+          pathsright_stay_values_from_1(4 * i + 1, 4)) < 0, to_integer(pathsright_read_words(i)(27 downto 21)),
+          pathsright_stay_values_from_1(4 * i + 1, 4));
+        pathsright_step_choice(4 * i + 3, 1) := choice((to_integer(pathsright_read_words(i + 1)(6 downto 0)) -
+          pathsright_stay_values_from_1(4 * i + 2, 4)) < 0, to_integer(pathsright_read_words(i + 1)(6 downto 0)),
+          pathsright_stay_values_from_1(4 * i + 2, 4));
+        pathsright_step_choice(4 * i + 4, 1) := choice((pathsright_stay_values_from_1(4 * i + 5, 4) -
+          to_integer(pathsright_read_words(i)(27 downto 21))) < 0, pathsright_stay_values_from_1(4 * i + 5, 4),
+          to_integer(pathsright_read_words(i)(27 downto 21)));
+      end loop;
+      pathsright_step_choice(13, 1) := choice((pathsright_stay_values_from_1(14, 4) -
+        to_integer(pathsright_read_words(3)(6 downto 0))) < 0, pathsright_stay_values_from_1(14, 4),
+        to_integer(pathsright_read_words(3)(6 downto 0)));
+      pathsright_step_choice(14, 1) := choice((to_integer(pathsright_read_words(3)(27 downto 21)) -
+        pathsright_stay_values_from_1(13, 4)) < 0, to_integer(pathsright_read_words(3)(27 downto 21)),
+        pathsright_stay_values_from_1(13, 4));
+      pathsright_step_choice(15, 1) := choice(pathsleft_is_last, pathsright_stay_values_from_1(14, 4),
+        to_integer(pathsright_read_neighbour_0));
+      pathsright_step_choice(15, 2) := choice((pathsright_step_choice(15, 1) - pathsright_stay_values_from_1(14, 4)) <
+        0, pathsright_step_choice(15, 1), pathsright_stay_values_from_1(14, 4));
+      for i in 0 to 1 loop
+        pathsright_stay_change_value(8 * i + 1) := (pathsturn_cost_memory_ready_words(3 * i) / 8) mod 8;
+        pathsright_stay_change_sum(8 * i + 2) := ((pathsturn_cost_memory_ready_words(3 * i + 1) mod 2) * 4) +
+          (pathsturn_cost_memory_ready_words(3 * i) / 64);
+        pathsright_stay_change_value(8 * i + 3) := (pathsturn_cost_memory_ready_words(3 * i + 1) / 2) mod 8;
+        pathsright_stay_change_value(8 * i + 4) := (pathsturn_cost_memory_ready_words(3 * i + 1) / 16) mod 8;
+        pathsright_stay_change_sum(8 * i + 5) := ((pathsturn_cost_memory_ready_words(3 * i + 2) mod 4) * 2) +
+          (pathsturn_cost_memory_ready_words(3 * i + 1) / 128);
+        pathsright_stay_change_value(8 * i + 6) := (pathsturn_cost_memory_ready_words(3 * i + 2) / 4) mod 8;
+      end loop;
+      pathsright_low_0_choice := choice(line_comes(27), 127, pathsright_low_0);
       pathsright_fresh_past_oldest <= pathsright_fresh_past_fours(7);
       pathsright_lost <= is_set(pathsright_fresh_known, 6);
       pathsright_short_of <= (((pathsright_fresh_known mod 64) + pathsright_room) / 64) = 1;
       pathsright_missing <= (pathsright_fresh_known + pathsright_room) mod 64;
       pathsright_below <= (0 - pathsright_fresh_known) mod 64;
       pathsright_lower_neighbour <= to_integer(pathsright_read_words(3)(27 downto 21));
-      pathsright_stay_change(0) <= ((pathsturn_cost_memory_ready_words(0) mod 8) - pathsright_g) mod 128;
-      pathsright_stay_change(1) <= (pathsright_stay_change_1_value - pathsright_g) mod 128;
-      pathsright_stay_change(2) <= (pathsright_stay_change_2_sum - pathsright_g) mod 128;
-      pathsright_stay_change(3) <= (pathsright_stay_change_value(3) - pathsright_g) mod 128;
-      pathsright_stay_change(4) <= (pathsright_stay_change_value(4) - pathsright_g) mod 128;
-      pathsright_stay_change(5) <= (pathsright_stay_change_5_sum - pathsright_g) mod 128;
-      pathsright_stay_change(6) <= (pathsright_stay_change_6_value - pathsright_g) mod 128;
-      pathsright_stay_change(7) <= ((pathsturn_cost_memory_ready_words(2) / 32) - pathsright_g) mod 128;
-      pathsright_stay_change(8) <= ((pathsturn_cost_memory_ready_words(3) mod 8) - pathsright_g) mod 128;
-      pathsright_stay_change(9) <= (pathsright_stay_change_9_value - pathsright_g) mod 128;
-      pathsright_stay_change(10) <= (pathsright_stay_change_10_sum - pathsright_g) mod 128;
-      pathsright_stay_change(11) <= (pathsright_stay_change_values(11) - pathsright_g) mod 128;
-      pathsright_stay_change(12) <= (pathsright_stay_change_values(12) - pathsright_g) mod 128;
-      pathsright_stay_change(13) <= (pathsright_stay_change_13_sum - pathsright_g) mod 128;
-      pathsright_stay_change(14) <= (pathsright_stay_change_14_value - pathsright_g) mod 128;
-      pathsright_stay_change(15) <= ((pathsturn_cost_memory_ready_words(5) / 32) - pathsright_g) mod 128;
-      pathsright_step_change(0) <= ((pathsturn_cost_memory_ready_words(0) mod 8) - pathsright_g_less) mod 128;
-      pathsright_step_change(1) <= (pathsright_stay_change_1_value - pathsright_g_less) mod 128;
-      pathsright_step_change(2) <= (pathsright_stay_change_2_sum - pathsright_g_less) mod 128;
-      pathsright_step_change(3) <= (pathsright_stay_change_value(3) - pathsright_g_less) mod 128;
-      pathsright_step_change(4) <= (pathsright_stay_change_value(4) - pathsright_g_less) mod 128;
-      pathsright_step_change(5) <= (pathsright_stay_change_5_sum - pathsright_g_less) mod 128;
-      pathsright_step_change(6) <= (pathsright_stay_change_6_value - pathsright_g_less) mod 128;
-      pathsright_step_change(7) <= ((pathsturn_cost_memory_ready_words(2) / 32) - pathsright_g_less) mod 128;
-      pathsright_step_change(8) <= ((pathsturn_cost_memory_ready_words(3) mod 8) - pathsright_g_less) mod 128;
-      pathsright_step_change(9) <= (pathsright_stay_change_9_value - pathsright_g_less) mod 128;
-      pathsright_step_change(10) <= (pathsright_stay_change_10_sum - pathsright_g_less) mod 128;
-      pathsright_step_change(11) <= (pathsright_stay_change_values(11) - pathsright_g_less) mod 128;
-      pathsright_step_change(12) <= (pathsright_stay_change_values(12) - pathsright_g_less) mod 128;
-      pathsright_step_change(13) <= (pathsright_stay_change_13_sum - pathsright_g_less) mod 128;
-      pathsright_step_change(14) <= (pathsright_stay_change_14_value - pathsright_g_less) mod 128;
-      pathsright_step_change(15) <= ((pathsturn_cost_memory_ready_words(5) / 32) - pathsright_g_less) mod 128;
-      if (pathsright_fresh_past_fours(4) - pathsright_fresh_past_fours(0)) < 0 then
-        pathsright_fresh_past_eight <= pathsright_fresh_past_fours(4);
-      else
-        pathsright_fresh_past_eight <= pathsright_fresh_past_fours(0);
-      end if;
-      if (pathsright_fresh_past_oldest - pathsright_fresh_past_eight) < 0 then
-        pathsright_fresh_past_cheapest <= pathsright_fresh_past_oldest;
-      else
-        pathsright_fresh_past_cheapest <= pathsright_fresh_past_eight;
-      end if;
-      if (pathsright_fresh_past_cheapest - to_integer(pathsright_lowest_0)) < 0 then
-        pathsright_fresh_known <= pathsright_fresh_past_cheapest;
-      else
-        pathsright_fresh_known <= to_integer(pathsright_lowest_0);
-      end if;
-      for i in 0 to 15 loop
-        if pathsright_stay_choices(i, 15) then
-          pathsright_stay(i) <= pathsright_stay_choice_16(i);
-        else
-          pathsright_stay(i) <= pathsright_fresh_here;
-        end if;
-      end loop;
-      if pathsleft_first then
-        for i in 0 to 15 loop
-          pathsright_step(i) <= 64;
-        end loop;
-      else
-        pathsright_step(0) <= pathsright_step_0_choice_2;
-        for i in 1 to 14 loop
-          pathsright_step(i) <= pathsright_step_choice(i);
-        end loop;
-        pathsright_step(15) <= pathsright_step_15_choice_2;
-      end if;
-      for i in 0 to 7 loop
-        if (pathsright_cost(2 * i + 1) - pathsright_cost(2 * i)) < 0 then
-          pathsright_tree_smallest(i) <= pathsright_cost(2 * i + 1);
-        else
-          pathsright_tree_smallest(i) <= pathsright_cost(2 * i);
-        end if;
-      end loop;
-      for i in 0 to 3 loop
-        if (pathsright_tree_smallest(2 * i + 1) - pathsright_tree_smallest(2 * i)) < 0 then
-          pathsright_tree_next_smallest(i) <= pathsright_tree_smallest(2 * i + 1);
-        else
-          pathsright_tree_next_smallest(i) <= pathsright_tree_smallest(2 * i);
-        end if;
+      for i in 0 to 1 loop
+        pathsright_stay_change(8 * i) <= ((pathsturn_cost_memory_ready_words(3 * i) mod 8) - pathsright_g) mod 128;
+        pathsright_stay_change(8 * i + 1) <= (pathsright_stay_change_value(8 * i + 1) - pathsright_g) mod 128;
+        pathsright_stay_change(8 * i + 2) <= (pathsright_stay_change_sum(8 * i + 2) - pathsright_g) mod 128;
+        pathsright_stay_change(8 * i + 3) <= (pathsright_stay_change_value(8 * i + 3) - pathsright_g) mod 128;
+        pathsright_stay_change(8 * i + 4) <= (pathsright_stay_change_value(8 * i + 4) - pathsright_g) mod 128;
+        pathsright_stay_change(8 * i + 5) <= (pathsright_stay_change_sum(8 * i + 5) - pathsright_g) mod 128;
+        pathsright_stay_change(8 * i + 6) <= (pathsright_stay_change_value(8 * i + 6) - pathsright_g) mod 128;
+        pathsright_stay_change(8 * i + 7) <= ((pathsturn_cost_memory_ready_words(3 * i + 2) / 32) - pathsright_g) mod
+          128;
       end loop;
       for i in 0 to 1 loop
-        if (pathsright_tree_next_smallest(2 * i + 1) - pathsright_tree_next_smallest(2 * i)) < 0 then
-          pathsright_tree_next_next_smallest(i) <= pathsright_tree_next_smallest(2 * i + 1);
-        else
-          pathsright_tree_next_next_smallest(i) <= pathsright_tree_next_smallest(2 * i);
-        end if;
+        pathsright_step_change(8 * i) <= ((pathsturn_cost_memory_ready_words(3 * i) mod 8) - pathsright_g_less) mod 128;
+        pathsright_step_change(8 * i + 1) <= (pathsright_stay_change_value(8 * i + 1) - pathsright_g_less) mod 128;
+        pathsright_step_change(8 * i + 2) <= (pathsright_stay_change_sum(8 * i + 2) - pathsright_g_less) mod 128;
+        pathsright_step_change(8 * i + 3) <= (pathsright_stay_change_value(8 * i + 3) - pathsright_g_less) mod 128;
+        pathsright_step_change(8 * i + 4) <= (pathsright_stay_change_value(8 * i + 4) - pathsright_g_less) mod 128;
+        pathsright_step_change(8 * i + 5) <= (pathsright_stay_change_sum(8 * i + 5) - pathsright_g_less) mod 128;
+        pathsright_step_change(8 * i + 6) <= (pathsright_stay_change_value(8 * i + 6) - pathsright_g_less) mod 128;
+        pathsright_step_change(8 * i + 7) <= ((pathsturn_cost_memory_ready_words(3 * i + 2) / 32) - pathsright_g_less)
+          mod 128;
       end loop;
-      if (pathsright_tree_next_next_smallest(1) - pathsright_tree_next_next_smallest(0)) < 0 then
-        pathsright_tree_next_next_next_smallest_0 <= pathsright_tree_next_next_smallest(1);
-      else
-        pathsright_tree_next_next_next_smallest_0 <= pathsright_tree_next_next_smallest(0);
-      end if;
-      if (pathsright_tree_next_next_next_smallest_0 - pathsright_low_0_choice) < 0 then
-        pathsright_low_0 <= pathsright_tree_next_next_next_smallest_0;
-      else
-        pathsright_low_0 <= pathsright_low_0_choice;
-      end if;
+      pathsright_fresh_past_eight <= choice((pathsright_fresh_past_fours(4) - pathsright_fresh_past_fours(0)) < 0,
+        pathsright_fresh_past_fours(4), pathsright_fresh_past_fours(0));
+      pathsright_fresh_past_cheapest <= choice((pathsright_fresh_past_oldest - pathsright_fresh_past_eight) < 0,
+        pathsright_fresh_past_oldest, pathsright_fresh_past_eight);
+      pathsright_fresh_known <= choice((pathsright_fresh_past_cheapest - to_integer(pathsright_lowest_0)) < 0,
+        pathsright_fresh_past_cheapest, to_integer(pathsright_lowest_0));
+      for i in 0 to 15 loop
+        pathsright_stay(i) <= choice(pathsright_stay_choice(i, 15), pathsright_stay_choice_16(i),
+          pathsright_fresh_here);
+      end loop;
+      pathsright_step(0) <= choice(pathsleft_first, 64, pathsright_step_choice(0, 2));
+      for i in 1 to 14 loop
+        pathsright_step(i) <= choice(pathsleft_first, 64, pathsright_step_choice(i, 1));
+      end loop;
+      pathsright_step(15) <= choice(pathsleft_first, 64, pathsright_step_choice(15, 2));
+      for i in 0 to 7 loop
+        pathsright_tree_smallest(i) <= choice((pathsright_cost(2 * i + 1) - pathsright_cost(2 * i)) < 0,
+          pathsright_cost(2 * i + 1), pathsright_cost(2 * i));
+      end loop;
+      for i in 0 to 3 loop
+        pathsright_tree_next_smallest(i) <= choice((pathsright_tree_smallest(2 * i + 1) - pathsright_tree_smallest(2 *
+          i)) < 0, pathsright_tree_smallest(2 * i + 1), pathsright_tree_smallest(2 * i));
+      end loop;
+      pathsright_tree_next_next_smallest(0) <= choice((pathsright_tree_next_smallest(1) -
+        pathsright_tree_next_smallest(0)) < 0, pathsright_tree_next_smallest(1), pathsright_tree_next_smallest(0));
+      pathsright_tree_next_next_smallest(1) <= choice((pathsright_tree_next_smallest(3) -
+        pathsright_tree_next_smallest(2)) < 0, pathsright_tree_next_smallest(3), pathsright_tree_next_smallest(2));
+      pathsright_tree_next_next_next_smallest_0 <= choice((pathsright_tree_next_next_smallest(1) -
+        pathsright_tree_next_next_smallest(0)) < 0, pathsright_tree_next_next_smallest(1),
+        pathsright_tree_next_next_smallest(0));
+      pathsright_low_0 <= choice((pathsright_tree_next_next_next_smallest_0 - pathsright_low_0_choice) < 0,
+        pathsright_tree_next_next_next_smallest_0, pathsright_low_0_choice);
       if line_starts_phases(20) then
         pathsright_fresh_here <= relief_right(2);
         pathsright_g <= pathsturn_ready_smallest_0 + pathsright_q_now;
         pathsright_g_less <= (pathsturn_ready_smallest_0 + pathsright_q_less) mod 128;
       end if;
-      if pathsright_short_of then
-        pathsright_q_choice := pathsright_missing;
-      else
-        pathsright_q_choice := 0;
-      end if;
-      if pathsright_lost then
-        pathsright_q_choice_2 := pathsright_room;
-      else
-        pathsright_q_choice_2 := pathsright_q_choice;
-      end if;
-      if pathsright_short_of then
-        pathsright_room_left_choice := pathsright_below;
-      else
-        pathsright_room_left_choice := pathsright_room;
-      end if;
+      pathsright_q_choices(1) := choice(pathsright_short_of, pathsright_missing, 0);
+      pathsright_q_choices(2) := choice(pathsright_lost, pathsright_room, pathsright_q_choices(1));
+      pathsright_room_left_choice := choice(pathsright_short_of, pathsright_below, pathsright_room);
       if line_starts_phases(18) then
-        if line_places_shown_first_column(2) then
-          pathsright_q <= 60;
-        else
-          pathsright_q <= pathsright_q_choice_2;
-        end if;
-        if pathsright_lost then
-          pathsright_room_left <= 0;
-        else
-          pathsright_room_left <= pathsright_room_left_choice;
-        end if;
+        pathsright_q <= choice(line_places_shown_first_column(2), 60, pathsright_q_choices(2));
+        pathsright_room_left <= choice(pathsright_lost, 0, pathsright_room_left_choice);
       end if;
       if line_starts_phases(19) then
         pathsright_q_now <= pathsright_q;
         pathsright_q_less <= (pathsright_q + 121) mod 128;
-        if line_places_shown_first_column(2) then
-          pathsright_room <= 0;
-          for i in 1 to 9 loop
-            pathsright_start_cost(i) <= 0;
-          end loop;
-        else
-          pathsright_room <= (pathsright_room_left + pathsright_start_cost(9)) mod 64;
-          pathsright_start_cost(1) <= pathsright_q_now;
-          for i in 2 to 9 loop
-            pathsright_start_cost(i) <= pathsright_start_cost(i - 1);
-          end loop;
-        end if;
+        pathsright_room <= choice(line_places_shown_first_column(2), 0, (pathsright_room_left +
+          pathsright_start_cost(9)) mod 64);
+        pathsright_start_cost(1) <= choice(line_places_shown_first_column(2), 0, pathsright_q_now);
+        for i in 2 to 9 loop
+          pathsright_start_cost(i) <= choice(line_places_shown_first_column(2), 0, pathsright_start_cost(i - 1));
+        end loop;
       end if;
       if pathsleft_cost_0_any then
         for i in 0 to 15 loop
@@ -8695,19 +3685,11 @@ begin
       end if;
       -- winnersmask
       winnersmask_column_sum := winnersmask_column + 1;
-      if line_places_first_column(2) then
-        winnersmask_column_choice := 0;
-      else
-        winnersmask_column_choice := winnersmask_column_sum mod 2048;
-      end if;
+      winnersmask_column_choice := choice(line_places_first_column(2), 0, winnersmask_column_sum mod 2048);
       if line_comes(22) then
         winnersmask_column <= winnersmask_column_choice;
       end if;
-      if line_places_first_column(2) then
-        winnersmask_partner_choice := 0;
-      else
-        winnersmask_partner_choice := winnersmask_column_sum;
-      end if;
+      winnersmask_partner_choice := choice(line_places_first_column(2), 0, winnersmask_column_sum);
       winnersmask_inside(0) <= (((((winnersmask_partner / 2048) + 31) mod 32) * 2048) + (winnersmask_partner mod 2048))
         < 1240;
       winnersmask_inside(1) <= (winnersmask_partner >= 2047) and (winnersmask_partner < 3287);
@@ -8732,1104 +3714,531 @@ begin
       winnersmask_inside(14) <= (((((winnersmask_partner / 2) + 31751) mod 32768) * 2) + (winnersmask_partner mod 2)) <
         1240;
       winnersmask_inside(15) <= (winnersmask_partner >= 2033) and (winnersmask_partner < 3273);
-      if line_comes(22) then
-        winnersmask_partner <= (((winnersmask_partner_choice / 2048) + 1) * 2048) + winnersmask_column_choice;
-      else
-        winnersmask_partner <= ((((winnersmask_partner / 16) + 1) mod 512) * 16) + (winnersmask_partner mod 16);
-      end if;
+      winnersmask_partner <= choice(line_comes(22), (((winnersmask_partner_choice / 2048) + 1) * 2048) +
+        winnersmask_column_choice, ((((winnersmask_partner / 16) + 1) mod 512) * 16) + (winnersmask_partner mod 16));
       -- winnerswinner1
       for i in 0 to 7 loop
-        winnerswinner1_best_cost_0_sum(i) := as_number(winnersmask_inside(2 * i + 1)) + 255;
-        winnerswinner1_best_cost_0_any(i) := to_integer(((to_unsigned(paths_sum(2 * i + 1), 8)) or
-          (to_unsigned((winnerswinner1_best_cost_0_sum(i) mod 256), 8))));
-        winnerswinner1_best_cost_0_sum_2(i) := as_number(winnersmask_inside(2 * i)) + 255;
-        winnerswinner1_best_cost_0_any_2(i) := to_integer(((to_unsigned(paths_sum(2 * i), 8)) or
-          (to_unsigned((winnerswinner1_best_cost_0_sum_2(i) mod 256), 8))));
+        winnerswinner1_best_cost_0_sum(i, 1) := as_number(winnersmask_inside(2 * i + 1)) + 255;
+        winnerswinner1_best_cost_0_any(i, 1) := to_integer(((to_unsigned(paths_sum(2 * i + 1), 8)) or
+          (to_unsigned((winnerswinner1_best_cost_0_sum(i, 1) mod 256), 8))));
+        winnerswinner1_best_cost_0_sum(i, 2) := as_number(winnersmask_inside(2 * i)) + 255;
+        winnerswinner1_best_cost_0_any(i, 2) := to_integer(((to_unsigned(paths_sum(2 * i), 8)) or
+          (to_unsigned((winnerswinner1_best_cost_0_sum(i, 2) mod 256), 8))));
       end loop;
-      if is_set(winnerswinner1_best_cost_0_sum_2(0), 0) then
-        winnerswinner1_best_index_0_choice(0) := (not is_set(winnerswinner1_best_cost_0_sum(0), 0)) and (not
-          is_set(paths_sum(1), 0));
-      else
-        winnerswinner1_best_index_0_choice(0) := is_set(paths_sum(0), 0) and (not
-          is_set(winnerswinner1_best_cost_0_sum(0), 0)) and (not is_set(paths_sum(1), 0));
-      end if;
-      winnerswinner1_best_index_0_value(0) := (((winnerswinner1_best_cost_0_sum_2(0) mod 256) / 2) mod 2) = 1;
-      winnerswinner1_best_index_0_values(0, 2) := is_set(paths_sum(0), 1);
-      if (not ((((winnerswinner1_best_cost_0_sum(0) mod 256) / 2) mod 2) = 1)) and (not is_set(paths_sum(1), 1)) then
-        winnerswinner1_best_index_0_0_choices(2) := winnerswinner1_best_index_0_choice(0) or
-          winnerswinner1_best_index_0_value(0) or winnerswinner1_best_index_0_values(0, 2);
-      else
-        winnerswinner1_best_index_0_0_choices(2) := winnerswinner1_best_index_0_choice(0) and
-          (winnerswinner1_best_index_0_value(0) or winnerswinner1_best_index_0_values(0, 2));
-      end if;
-      winnerswinner1_best_index_0_values(0, 3) := (((winnerswinner1_best_cost_0_sum(0) mod 256) / 4) mod 2) = 1;
-      winnerswinner1_best_index_0_values(0, 4) := is_set(paths_sum(1), 2);
-      if winnerswinner1_best_index_0_0_choices(2) then
-        winnerswinner1_best_index_0_0_choices(3) := (not ((((winnerswinner1_best_cost_0_sum_2(0) mod 256) / 4) mod 2) =
-          1)) and (not is_set(paths_sum(0), 2)) and (winnerswinner1_best_index_0_values(0, 3) or
-          winnerswinner1_best_index_0_values(0, 4));
-      else
-        winnerswinner1_best_index_0_0_choices(3) := ((not ((((winnerswinner1_best_cost_0_sum_2(0) mod 256) / 4) mod 2)
-          = 1)) and (not is_set(paths_sum(0), 2))) or winnerswinner1_best_index_0_values(0, 3) or
-          winnerswinner1_best_index_0_values(0, 4);
-      end if;
-      winnerswinner1_best_index_0_values(0, 5) := (((winnerswinner1_best_cost_0_sum(0) mod 256) / 8) mod 2) = 1;
-      winnerswinner1_best_index_0_values(0, 6) := is_set(paths_sum(1), 3);
-      if winnerswinner1_best_index_0_0_choices(3) then
-        winnerswinner1_best_index_0_0_choices(4) := ((not ((((winnerswinner1_best_cost_0_sum_2(0) mod 256) / 8) mod 2)
-          = 1)) and (not is_set(paths_sum(0), 3))) or winnerswinner1_best_index_0_values(0, 5) or
-          winnerswinner1_best_index_0_values(0, 6);
-      else
-        winnerswinner1_best_index_0_0_choices(4) := (not ((((winnerswinner1_best_cost_0_sum_2(0) mod 256) / 8) mod 2) =
-          1)) and (not is_set(paths_sum(0), 3)) and (winnerswinner1_best_index_0_values(0, 5) or
-          winnerswinner1_best_index_0_values(0, 6));
-      end if;
-      winnerswinner1_best_index_0_values(0, 7) := (((winnerswinner1_best_cost_0_sum(0) mod 256) / 16) mod 2) = 1;
-      winnerswinner1_best_index_0_values(0, 8) := is_set(paths_sum(1), 4);
-      if winnerswinner1_best_index_0_0_choices(4) then
-        winnerswinner1_best_index_0_0_choices(5) := ((not ((((winnerswinner1_best_cost_0_sum_2(0) mod 256) / 16) mod 2)
-          = 1)) and (not is_set(paths_sum(0), 4))) or winnerswinner1_best_index_0_values(0, 7) or
-          winnerswinner1_best_index_0_values(0, 8);
-      else
-        winnerswinner1_best_index_0_0_choices(5) := (not ((((winnerswinner1_best_cost_0_sum_2(0) mod 256) / 16) mod 2)
-          = 1)) and (not is_set(paths_sum(0), 4)) and (winnerswinner1_best_index_0_values(0, 7) or
-          winnerswinner1_best_index_0_values(0, 8));
-      end if;
-      winnerswinner1_best_index_0_values(0, 9) := (((winnerswinner1_best_cost_0_sum(0) mod 256) / 32) mod 2) = 1;
-      winnerswinner1_best_index_0_values(0, 10) := is_set(paths_sum(1), 5);
-      if winnerswinner1_best_index_0_0_choices(5) then
-        winnerswinner1_best_index_0_0_choices(6) := ((not ((((winnerswinner1_best_cost_0_sum_2(0) mod 256) / 32) mod 2)
-          = 1)) and (not is_set(paths_sum(0), 5))) or winnerswinner1_best_index_0_values(0, 9) or
-          winnerswinner1_best_index_0_values(0, 10);
-      else
-        winnerswinner1_best_index_0_0_choices(6) := (not ((((winnerswinner1_best_cost_0_sum_2(0) mod 256) / 32) mod 2)
-          = 1)) and (not is_set(paths_sum(0), 5)) and (winnerswinner1_best_index_0_values(0, 9) or
-          winnerswinner1_best_index_0_values(0, 10));
-      end if;
-      winnerswinner1_best_index_0_values(0, 11) := (((winnerswinner1_best_cost_0_sum(0) mod 256) / 64) mod 2) = 1;
-      winnerswinner1_best_index_0_values(0, 12) := is_set(paths_sum(1), 6);
-      if winnerswinner1_best_index_0_0_choices(6) then
-        winnerswinner1_best_index_0_0_choices(7) := ((not ((((winnerswinner1_best_cost_0_sum_2(0) mod 256) / 64) mod 2)
-          = 1)) and (not is_set(paths_sum(0), 6))) or winnerswinner1_best_index_0_values(0, 11) or
-          winnerswinner1_best_index_0_values(0, 12);
-      else
-        winnerswinner1_best_index_0_0_choices(7) := (not ((((winnerswinner1_best_cost_0_sum_2(0) mod 256) / 64) mod 2)
-          = 1)) and (not is_set(paths_sum(0), 6)) and (winnerswinner1_best_index_0_values(0, 11) or
-          winnerswinner1_best_index_0_values(0, 12));
-      end if;
+      winnerswinner1_best_index_0_choice(0, 1) := choice(is_set(winnerswinner1_best_cost_0_sum(0, 2), 0), (not
+        is_set(winnerswinner1_best_cost_0_sum(0, 1), 0)) and (not is_set(paths_sum(1), 0)), is_set(paths_sum(0), 0) and
+        (not is_set(winnerswinner1_best_cost_0_sum(0, 1), 0)) and (not is_set(paths_sum(1), 0)));
+      winnerswinner1_best_index_0_value(0, 1) := (((winnerswinner1_best_cost_0_sum(0, 2) mod 256) / 2) mod 2) = 1;
+      winnerswinner1_best_index_0_value(0, 2) := is_set(paths_sum(0), 1);
+      winnerswinner1_best_index_0_choice(0, 2) := choice((not ((((winnerswinner1_best_cost_0_sum(0, 1) mod 256) / 2)
+        mod 2) = 1)) and (not is_set(paths_sum(1), 1)), winnerswinner1_best_index_0_choice(0, 1) or
+        winnerswinner1_best_index_0_value(0, 1) or winnerswinner1_best_index_0_value(0, 2),
+        winnerswinner1_best_index_0_choice(0, 1) and (winnerswinner1_best_index_0_value(0, 1) or
+        winnerswinner1_best_index_0_value(0, 2)));
+      winnerswinner1_best_index_0_value(0, 3) := (((winnerswinner1_best_cost_0_sum(0, 1) mod 256) / 4) mod 2) = 1;
+      winnerswinner1_best_index_0_value(0, 4) := is_set(paths_sum(1), 2);
+      winnerswinner1_best_index_0_choice(0, 3) := choice(winnerswinner1_best_index_0_choice(0, 2), (not
+        ((((winnerswinner1_best_cost_0_sum(0, 2) mod 256) / 4) mod 2) = 1)) and (not is_set(paths_sum(0), 2)) and
+        (winnerswinner1_best_index_0_value(0, 3) or winnerswinner1_best_index_0_value(0, 4)), ((not
+        ((((winnerswinner1_best_cost_0_sum(0, 2) mod 256) / 4) mod 2) = 1)) and (not is_set(paths_sum(0), 2))) or
+        winnerswinner1_best_index_0_value(0, 3) or winnerswinner1_best_index_0_value(0, 4));
+      winnerswinner1_best_index_0_value(0, 5) := (((winnerswinner1_best_cost_0_sum(0, 1) mod 256) / 8) mod 2) = 1;
+      winnerswinner1_best_index_0_value(0, 6) := is_set(paths_sum(1), 3);
+      winnerswinner1_best_index_0_choice(0, 4) := choice(winnerswinner1_best_index_0_choice(0, 3), ((not
+        ((((winnerswinner1_best_cost_0_sum(0, 2) mod 256) / 8) mod 2) = 1)) and (not is_set(paths_sum(0), 3))) or
+        winnerswinner1_best_index_0_value(0, 5) or winnerswinner1_best_index_0_value(0, 6), (not
+        ((((winnerswinner1_best_cost_0_sum(0, 2) mod 256) / 8) mod 2) = 1)) and (not is_set(paths_sum(0), 3)) and
+        (winnerswinner1_best_index_0_value(0, 5) or winnerswinner1_best_index_0_value(0, 6)));
+      winnerswinner1_best_index_0_value(0, 7) := (((winnerswinner1_best_cost_0_sum(0, 1) mod 256) / 16) mod 2) = 1;
+      winnerswinner1_best_index_0_value(0, 8) := is_set(paths_sum(1), 4);
+      winnerswinner1_best_index_0_choice(0, 5) := choice(winnerswinner1_best_index_0_choice(0, 4), ((not
+        ((((winnerswinner1_best_cost_0_sum(0, 2) mod 256) / 16) mod 2) = 1)) and (not is_set(paths_sum(0), 4))) or
+        winnerswinner1_best_index_0_value(0, 7) or winnerswinner1_best_index_0_value(0, 8), (not
+        ((((winnerswinner1_best_cost_0_sum(0, 2) mod 256) / 16) mod 2) = 1)) and (not is_set(paths_sum(0), 4)) and
+        (winnerswinner1_best_index_0_value(0, 7) or winnerswinner1_best_index_0_value(0, 8)));
+      winnerswinner1_best_index_0_value(0, 9) := (((winnerswinner1_best_cost_0_sum(0, 1) mod 256) / 32) mod 2) = 1;
+      winnerswinner1_best_index_0_value(0, 10) := is_set(paths_sum(1), 5);
+      winnerswinner1_best_index_0_choice(0, 6) := choice(winnerswinner1_best_index_0_choice(0, 5), ((not
+        ((((winnerswinner1_best_cost_0_sum(0, 2) mod 256) / 32) mod 2) = 1)) and (not is_set(paths_sum(0), 5))) or
+        winnerswinner1_best_index_0_value(0, 9) or winnerswinner1_best_index_0_value(0, 10), (not
+        ((((winnerswinner1_best_cost_0_sum(0, 2) mod 256) / 32) mod 2) = 1)) and (not is_set(paths_sum(0), 5)) and
+        (winnerswinner1_best_index_0_value(0, 9) or winnerswinner1_best_index_0_value(0, 10)));
+      winnerswinner1_best_index_0_value(0, 11) := (((winnerswinner1_best_cost_0_sum(0, 1) mod 256) / 64) mod 2) = 1;
+      winnerswinner1_best_index_0_value(0, 12) := is_set(paths_sum(1), 6);
+      winnerswinner1_best_index_0_choice(0, 7) := choice(winnerswinner1_best_index_0_choice(0, 6), ((not
+        ((((winnerswinner1_best_cost_0_sum(0, 2) mod 256) / 64) mod 2) = 1)) and (not is_set(paths_sum(0), 6))) or
+        winnerswinner1_best_index_0_value(0, 11) or winnerswinner1_best_index_0_value(0, 12), (not
+        ((((winnerswinner1_best_cost_0_sum(0, 2) mod 256) / 64) mod 2) = 1)) and (not is_set(paths_sum(0), 6)) and
+        (winnerswinner1_best_index_0_value(0, 11) or winnerswinner1_best_index_0_value(0, 12)));
       for i in 1 to 7 loop
-        if is_set(winnerswinner1_best_cost_0_sum_2(i), 0) then
-          winnerswinner1_best_index_0_choice(i) := (not is_set(winnerswinner1_best_cost_0_sum(i), 0)) and (not
-            is_set(paths_sum(2 * i + 1), 0));
-        else
-          winnerswinner1_best_index_0_choice(i) := is_set(paths_sum(2 * i), 0) and (not
-            is_set(winnerswinner1_best_cost_0_sum(i), 0)) and (not is_set(paths_sum(2 * i + 1), 0));
-        end if;
-        winnerswinner1_best_index_0_value(i) := (((winnerswinner1_best_cost_0_sum_2(i) mod 256) / 2) mod 2) = 1;
-        winnerswinner1_best_index_0_values(i, 2) := is_set(paths_sum(2 * i), 1);
-        if (not ((((winnerswinner1_best_cost_0_sum(i) mod 256) / 2) mod 2) = 1)) and (not is_set(paths_sum(2 * i + 1),
-          1)) then
-          winnerswinner1_best_index_0_choices(i, 2) := winnerswinner1_best_index_0_choice(i) or
-            winnerswinner1_best_index_0_value(i) or winnerswinner1_best_index_0_values(i, 2);
-        else
-          winnerswinner1_best_index_0_choices(i, 2) := winnerswinner1_best_index_0_choice(i) and
-            (winnerswinner1_best_index_0_value(i) or winnerswinner1_best_index_0_values(i, 2));
-        end if;
-        winnerswinner1_best_index_0_values(i, 3) := (((winnerswinner1_best_cost_0_sum(i) mod 256) / 4) mod 2) = 1;
-        winnerswinner1_best_index_0_values(i, 4) := is_set(paths_sum(2 * i + 1), 2);
-        if winnerswinner1_best_index_0_choices(i, 2) then
-          winnerswinner1_best_index_0_choices(i, 3) := (not ((((winnerswinner1_best_cost_0_sum_2(i) mod 256) / 4) mod
-            2) = 1)) and (not is_set(paths_sum(2 * i), 2)) and (winnerswinner1_best_index_0_values(i, 3) or
-            winnerswinner1_best_index_0_values(i, 4));
-        else
-          winnerswinner1_best_index_0_choices(i, 3) := ((not ((((winnerswinner1_best_cost_0_sum_2(i) mod 256) / 4) mod
-            2) = 1)) and (not is_set(paths_sum(2 * i), 2))) or winnerswinner1_best_index_0_values(i, 3) or
-            winnerswinner1_best_index_0_values(i, 4);
-        end if;
-        winnerswinner1_best_index_0_values(i, 5) := (((winnerswinner1_best_cost_0_sum(i) mod 256) / 8) mod 2) = 1;
-        winnerswinner1_best_index_0_values(i, 6) := is_set(paths_sum(2 * i + 1), 3);
-        if winnerswinner1_best_index_0_choices(i, 3) then
-          winnerswinner1_best_index_0_choices(i, 4) := ((not ((((winnerswinner1_best_cost_0_sum_2(i) mod 256) / 8) mod
-            2) = 1)) and (not is_set(paths_sum(2 * i), 3))) or winnerswinner1_best_index_0_values(i, 5) or
-            winnerswinner1_best_index_0_values(i, 6);
-        else
-          winnerswinner1_best_index_0_choices(i, 4) := (not ((((winnerswinner1_best_cost_0_sum_2(i) mod 256) / 8) mod
-            2) = 1)) and (not is_set(paths_sum(2 * i), 3)) and (winnerswinner1_best_index_0_values(i, 5) or
-            winnerswinner1_best_index_0_values(i, 6));
-        end if;
-        winnerswinner1_best_index_0_values(i, 7) := (((winnerswinner1_best_cost_0_sum(i) mod 256) / 16) mod 2) = 1;
-        winnerswinner1_best_index_0_values(i, 8) := is_set(paths_sum(2 * i + 1), 4);
-        if winnerswinner1_best_index_0_choices(i, 4) then
-          winnerswinner1_best_index_0_choices(i, 5) := ((not ((((winnerswinner1_best_cost_0_sum_2(i) mod 256) / 16) mod
-            2) = 1)) and (not is_set(paths_sum(2 * i), 4))) or winnerswinner1_best_index_0_values(i, 7) or
-            winnerswinner1_best_index_0_values(i, 8);
-        else
-          winnerswinner1_best_index_0_choices(i, 5) := (not ((((winnerswinner1_best_cost_0_sum_2(i) mod 256) / 16) mod
-            2) = 1)) and (not is_set(paths_sum(2 * i), 4)) and (winnerswinner1_best_index_0_values(i, 7) or
-            winnerswinner1_best_index_0_values(i, 8));
-        end if;
-        winnerswinner1_best_index_0_values(i, 9) := (((winnerswinner1_best_cost_0_sum(i) mod 256) / 32) mod 2) = 1;
-        winnerswinner1_best_index_0_values(i, 10) := is_set(paths_sum(2 * i + 1), 5);
-        if winnerswinner1_best_index_0_choices(i, 5) then
-          winnerswinner1_best_index_0_choices(i, 6) := ((not ((((winnerswinner1_best_cost_0_sum_2(i) mod 256) / 32) mod
-            2) = 1)) and (not is_set(paths_sum(2 * i), 5))) or winnerswinner1_best_index_0_values(i, 9) or
-            winnerswinner1_best_index_0_values(i, 10);
-        else
-          winnerswinner1_best_index_0_choices(i, 6) := (not ((((winnerswinner1_best_cost_0_sum_2(i) mod 256) / 32) mod
-            2) = 1)) and (not is_set(paths_sum(2 * i), 5)) and (winnerswinner1_best_index_0_values(i, 9) or
-            winnerswinner1_best_index_0_values(i, 10));
-        end if;
-        winnerswinner1_best_index_0_values(i, 11) := (((winnerswinner1_best_cost_0_sum(i) mod 256) / 64) mod 2) = 1;
-        winnerswinner1_best_index_0_values(i, 12) := is_set(paths_sum(2 * i + 1), 6);
-        if winnerswinner1_best_index_0_choices(i, 6) then
-          winnerswinner1_best_index_0_choices(i, 7) := ((not ((((winnerswinner1_best_cost_0_sum_2(i) mod 256) / 64) mod
-            2) = 1)) and (not is_set(paths_sum(2 * i), 6))) or winnerswinner1_best_index_0_values(i, 11) or
-            winnerswinner1_best_index_0_values(i, 12);
-        else
-          winnerswinner1_best_index_0_choices(i, 7) := (not ((((winnerswinner1_best_cost_0_sum_2(i) mod 256) / 64) mod
-            2) = 1)) and (not is_set(paths_sum(2 * i), 6)) and (winnerswinner1_best_index_0_values(i, 11) or
-            winnerswinner1_best_index_0_values(i, 12));
-        end if;
-        if winnerswinner1_best_index_0_choices(i, 7) then
-          winnerswinner1_best_index_0_choices(i, 8) := (not ((not (((winnerswinner1_best_cost_0_sum_2(i) mod 256) /
-            128) = 1)) and (not is_set(paths_sum(2 * i), 7)))) and (not (((winnerswinner1_best_cost_0_sum(i) mod 256) /
-            128) = 1)) and (not is_set(paths_sum(2 * i + 1), 7));
-        else
-          winnerswinner1_best_index_0_choices(i, 8) := (not ((not (((winnerswinner1_best_cost_0_sum_2(i) mod 256) /
-            128) = 1)) and (not is_set(paths_sum(2 * i), 7)))) or ((not (((winnerswinner1_best_cost_0_sum(i) mod 256) /
-            128) = 1)) and (not is_set(paths_sum(2 * i + 1), 7)));
-        end if;
+        winnerswinner1_best_index_0_choice(i, 1) := choice(is_set(winnerswinner1_best_cost_0_sum(i, 2), 0), (not
+          is_set(winnerswinner1_best_cost_0_sum(i, 1), 0)) and (not is_set(paths_sum(2 * i + 1), 0)),
+          is_set(paths_sum(2 * i), 0) and (not is_set(winnerswinner1_best_cost_0_sum(i, 1), 0)) and (not
+          is_set(paths_sum(2 * i + 1), 0)));
+        winnerswinner1_best_index_0_value(i, 1) := (((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 2) mod 2) = 1;
+        winnerswinner1_best_index_0_value(i, 2) := is_set(paths_sum(2 * i), 1);
+        winnerswinner1_best_index_0_choice(i, 2) := choice((not ((((winnerswinner1_best_cost_0_sum(i, 1) mod 256) / 2)
+          mod 2) = 1)) and (not is_set(paths_sum(2 * i + 1), 1)), winnerswinner1_best_index_0_choice(i, 1) or
+          winnerswinner1_best_index_0_value(i, 1) or winnerswinner1_best_index_0_value(i, 2),
+          winnerswinner1_best_index_0_choice(i, 1) and (winnerswinner1_best_index_0_value(i, 1) or
+          winnerswinner1_best_index_0_value(i, 2)));
+        winnerswinner1_best_index_0_value(i, 3) := (((winnerswinner1_best_cost_0_sum(i, 1) mod 256) / 4) mod 2) = 1;
+        winnerswinner1_best_index_0_value(i, 4) := is_set(paths_sum(2 * i + 1), 2);
+        winnerswinner1_best_index_0_choice(i, 3) := choice(winnerswinner1_best_index_0_choice(i, 2), (not
+          ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 4) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 2)) and
+          (winnerswinner1_best_index_0_value(i, 3) or winnerswinner1_best_index_0_value(i, 4)), ((not
+          ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 4) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 2))) or
+          winnerswinner1_best_index_0_value(i, 3) or winnerswinner1_best_index_0_value(i, 4));
+        winnerswinner1_best_index_0_value(i, 5) := (((winnerswinner1_best_cost_0_sum(i, 1) mod 256) / 8) mod 2) = 1;
+        winnerswinner1_best_index_0_value(i, 6) := is_set(paths_sum(2 * i + 1), 3);
+        winnerswinner1_best_index_0_choice(i, 4) := choice(winnerswinner1_best_index_0_choice(i, 3), ((not
+          ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 8) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 3))) or
+          winnerswinner1_best_index_0_value(i, 5) or winnerswinner1_best_index_0_value(i, 6), (not
+          ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 8) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 3)) and
+          (winnerswinner1_best_index_0_value(i, 5) or winnerswinner1_best_index_0_value(i, 6)));
+        winnerswinner1_best_index_0_value(i, 7) := (((winnerswinner1_best_cost_0_sum(i, 1) mod 256) / 16) mod 2) = 1;
+        winnerswinner1_best_index_0_value(i, 8) := is_set(paths_sum(2 * i + 1), 4);
+        winnerswinner1_best_index_0_choice(i, 5) := choice(winnerswinner1_best_index_0_choice(i, 4), ((not
+          ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 16) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 4)))
+          or winnerswinner1_best_index_0_value(i, 7) or winnerswinner1_best_index_0_value(i, 8), (not
+          ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 16) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 4))
+          and (winnerswinner1_best_index_0_value(i, 7) or winnerswinner1_best_index_0_value(i, 8)));
+        winnerswinner1_best_index_0_value(i, 9) := (((winnerswinner1_best_cost_0_sum(i, 1) mod 256) / 32) mod 2) = 1;
+        winnerswinner1_best_index_0_value(i, 10) := is_set(paths_sum(2 * i + 1), 5);
+        winnerswinner1_best_index_0_choice(i, 6) := choice(winnerswinner1_best_index_0_choice(i, 5), ((not
+          ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 32) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 5)))
+          or winnerswinner1_best_index_0_value(i, 9) or winnerswinner1_best_index_0_value(i, 10), (not
+          ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 32) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 5))
+          and (winnerswinner1_best_index_0_value(i, 9) or winnerswinner1_best_index_0_value(i, 10)));
+        winnerswinner1_best_index_0_value(i, 11) := (((winnerswinner1_best_cost_0_sum(i, 1) mod 256) / 64) mod 2) = 1;
+        winnerswinner1_best_index_0_value(i, 12) := is_set(paths_sum(2 * i + 1), 6);
+        winnerswinner1_best_index_0_choice(i, 7) := choice(winnerswinner1_best_index_0_choice(i, 6), ((not
+          ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 64) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 6)))
+          or winnerswinner1_best_index_0_value(i, 11) or winnerswinner1_best_index_0_value(i, 12), (not
+          ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 64) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 6))
+          and (winnerswinner1_best_index_0_value(i, 11) or winnerswinner1_best_index_0_value(i, 12)));
+        winnerswinner1_best_index_0_choice(i, 8) := choice(winnerswinner1_best_index_0_choice(i, 7), (not ((not
+          (((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 128) = 1)) and (not is_set(paths_sum(2 * i), 7)))) and
+          (not (((winnerswinner1_best_cost_0_sum(i, 1) mod 256) / 128) = 1)) and (not is_set(paths_sum(2 * i + 1), 7)),
+          (not ((not (((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 128) = 1)) and (not is_set(paths_sum(2 * i),
+          7)))) or ((not (((winnerswinner1_best_cost_0_sum(i, 1) mod 256) / 128) = 1)) and (not is_set(paths_sum(2 * i
+          + 1), 7))));
       end loop;
       for i in 0 to 7 loop
-        if (winnerswinner1_best_cost_0_any(i) - winnerswinner1_best_cost_0_any_2(i)) < 0 then
-          winnerswinner1_best_cost_0(i) <= winnerswinner1_best_cost_0_any(i);
-        else
-          winnerswinner1_best_cost_0(i) <= winnerswinner1_best_cost_0_any_2(i);
-        end if;
+        winnerswinner1_best_cost_0(i) <= choice((winnerswinner1_best_cost_0_any(i, 1) -
+          winnerswinner1_best_cost_0_any(i, 2)) < 0, winnerswinner1_best_cost_0_any(i, 1),
+          winnerswinner1_best_cost_0_any(i, 2));
       end loop;
-      if winnerswinner1_best_index_0_0_choices(7) then
-        winnerswinner1_best_index_0_0 <= (not ((not (((winnerswinner1_best_cost_0_sum_2(0) mod 256) / 128) = 1)) and
-          (not is_set(paths_sum(0), 7)))) and (not (((winnerswinner1_best_cost_0_sum(0) mod 256) / 128) = 1)) and (not
-          is_set(paths_sum(1), 7));
-      else
-        winnerswinner1_best_index_0_0 <= (not ((not (((winnerswinner1_best_cost_0_sum_2(0) mod 256) / 128) = 1)) and
-          (not is_set(paths_sum(0), 7)))) or ((not (((winnerswinner1_best_cost_0_sum(0) mod 256) / 128) = 1)) and (not
-          is_set(paths_sum(1), 7)));
-      end if;
-      if winnerswinner1_best_index_0_choices(1, 8) then
-        winnerswinner1_best_index_0_1 <= 3;
-      else
-        winnerswinner1_best_index_0_1 <= 2;
-      end if;
-      if winnerswinner1_best_index_0_choices(2, 8) then
-        winnerswinner1_best_index_0_2 <= 5;
-      else
-        winnerswinner1_best_index_0_2 <= 4;
-      end if;
-      if winnerswinner1_best_index_0_choices(3, 8) then
-        winnerswinner1_best_index_0_3 <= 7;
-      else
-        winnerswinner1_best_index_0_3 <= 6;
-      end if;
-      if winnerswinner1_best_index_0_choices(4, 8) then
-        winnerswinner1_best_index_0_4 <= 9;
-      else
-        winnerswinner1_best_index_0_4 <= 8;
-      end if;
-      if winnerswinner1_best_index_0_choices(5, 8) then
-        winnerswinner1_best_index_0_5 <= 11;
-      else
-        winnerswinner1_best_index_0_5 <= 10;
-      end if;
-      if winnerswinner1_best_index_0_choices(6, 8) then
-        winnerswinner1_best_index_0_6 <= 13;
-      else
-        winnerswinner1_best_index_0_6 <= 12;
-      end if;
-      if winnerswinner1_best_index_0_choices(7, 8) then
-        winnerswinner1_best_index_0_7 <= 15;
-      else
-        winnerswinner1_best_index_0_7 <= 14;
-      end if;
+      winnerswinner1_best_index_0_0 <= choice(winnerswinner1_best_index_0_choice(0, 7), (not ((not
+        (((winnerswinner1_best_cost_0_sum(0, 2) mod 256) / 128) = 1)) and (not is_set(paths_sum(0), 7)))) and (not
+        (((winnerswinner1_best_cost_0_sum(0, 1) mod 256) / 128) = 1)) and (not is_set(paths_sum(1), 7)), (not ((not
+        (((winnerswinner1_best_cost_0_sum(0, 2) mod 256) / 128) = 1)) and (not is_set(paths_sum(0), 7)))) or ((not
+        (((winnerswinner1_best_cost_0_sum(0, 1) mod 256) / 128) = 1)) and (not is_set(paths_sum(1), 7))));
+      for i in 1 to 7 loop
+        winnerswinner1_best_index_0(i) <= choice(winnerswinner1_best_index_0_choice(i, 8), 2 * i + 1, 2 * i);
+      end loop;
       if in_valid then
-        if in_start_of_frame then
-          winnerswinner1_best_below_0 <= transform_counter_next_frame;
-        else
-          winnerswinner1_best_below_0 <= transform_counter_frame_joins;
-        end if;
+        winnerswinner1_best_below_0 <= choice(in_start_of_frame, transform_counter_next_frame,
+          transform_counter_frame_joins);
       end if;
       -- winnerswinner2
       for i in 0 to 3 loop
-        if is_set(winnerswinner1_best_cost_0(2 * i), 0) then
-          winnerswinner2_best_index_0_choice(i) := (not is_set(winnerswinner1_best_cost_0(2 * i + 1), 1)) or (not
-            is_set(winnerswinner1_best_cost_0(2 * i + 1), 0));
-        else
-          winnerswinner2_best_index_0_choice(i) := not is_set(winnerswinner1_best_cost_0(2 * i + 1), 1);
-        end if;
-        if is_set(winnerswinner1_best_cost_0(2 * i), 1) then
-          winnerswinner2_best_index_0_choices(i, 2) := winnerswinner2_best_index_0_choice(i);
-        else
-          winnerswinner2_best_index_0_choices(i, 2) := is_set(winnerswinner1_best_cost_0(2 * i), 0) and
-            ((winnerswinner1_best_cost_0(2 * i + 1) mod 4) = 0);
-        end if;
-        winnerswinner2_best_index_0_value(i) := is_set(winnerswinner1_best_cost_0(2 * i + 1), 2);
-        if winnerswinner2_best_index_0_choices(i, 2) then
-          winnerswinner2_best_index_0_choices(i, 3) := (not is_set(winnerswinner1_best_cost_0(2 * i), 2)) and
-            winnerswinner2_best_index_0_value(i);
-        else
-          winnerswinner2_best_index_0_choices(i, 3) := (not is_set(winnerswinner1_best_cost_0(2 * i), 2)) or
-            winnerswinner2_best_index_0_value(i);
-        end if;
+        winnerswinner2_best_index_0_choice(i, 1) := choice(is_set(winnerswinner1_best_cost_0(2 * i), 0), (not
+          is_set(winnerswinner1_best_cost_0(2 * i + 1), 1)) or (not is_set(winnerswinner1_best_cost_0(2 * i + 1), 0)),
+          not is_set(winnerswinner1_best_cost_0(2 * i + 1), 1));
+        winnerswinner2_best_index_0_choice(i, 2) := choice(is_set(winnerswinner1_best_cost_0(2 * i), 1),
+          winnerswinner2_best_index_0_choice(i, 1), is_set(winnerswinner1_best_cost_0(2 * i), 0) and
+          ((winnerswinner1_best_cost_0(2 * i + 1) mod 4) = 0));
+        winnerswinner2_best_index_0_value(i, 1) := is_set(winnerswinner1_best_cost_0(2 * i + 1), 2);
+        winnerswinner2_best_index_0_choice(i, 3) := inverted_carry(winnerswinner2_best_index_0_choice(i, 2), not
+          is_set(winnerswinner1_best_cost_0(2 * i), 2), winnerswinner2_best_index_0_value(i, 1));
         for j in 2 to 5 loop
-          winnerswinner2_best_index_0_values(i, j) := is_set(winnerswinner1_best_cost_0(2 * i + 1), j + 1);
-          if winnerswinner2_best_index_0_choices(i, j + 1) then
-            winnerswinner2_best_index_0_choices(i, j + 2) := (not is_set(winnerswinner1_best_cost_0(2 * i), j + 1)) or
-              winnerswinner2_best_index_0_values(i, j);
-          else
-            winnerswinner2_best_index_0_choices(i, j + 2) := (not is_set(winnerswinner1_best_cost_0(2 * i), j + 1)) and
-              winnerswinner2_best_index_0_values(i, j);
-          end if;
+          winnerswinner2_best_index_0_value(i, j) := is_set(winnerswinner1_best_cost_0(2 * i + 1), j + 1);
+          winnerswinner2_best_index_0_choice(i, j + 2) := carry(winnerswinner2_best_index_0_choice(i, j + 1), not
+            is_set(winnerswinner1_best_cost_0(2 * i), j + 1), winnerswinner2_best_index_0_value(i, j));
         end loop;
-        if winnerswinner2_best_index_0_choices(i, 7) then
-          winnerswinner2_best_index_0_choices(i, 8) := is_set(winnerswinner1_best_cost_0(2 * i), 7) and (not
-            is_set(winnerswinner1_best_cost_0(2 * i + 1), 7));
-        else
-          winnerswinner2_best_index_0_choices(i, 8) := is_set(winnerswinner1_best_cost_0(2 * i), 7) or (not
-            is_set(winnerswinner1_best_cost_0(2 * i + 1), 7));
-        end if;
+        winnerswinner2_best_index_0_choice(i, 8) := inverted_carry(winnerswinner2_best_index_0_choice(i, 7),
+          is_set(winnerswinner1_best_cost_0(2 * i), 7), not is_set(winnerswinner1_best_cost_0(2 * i + 1), 7));
       end loop;
       for i in 0 to 3 loop
-        if (winnerswinner1_best_cost_0(2 * i + 1) - winnerswinner1_best_cost_0(2 * i)) < 0 then
-          winnerswinner2_best_cost_0(i) <= winnerswinner1_best_cost_0(2 * i + 1);
-        else
-          winnerswinner2_best_cost_0(i) <= winnerswinner1_best_cost_0(2 * i);
-        end if;
+        winnerswinner2_best_cost_0(i) <= choice((winnerswinner1_best_cost_0(2 * i + 1) - winnerswinner1_best_cost_0(2 *
+          i)) < 0, winnerswinner1_best_cost_0(2 * i + 1), winnerswinner1_best_cost_0(2 * i));
       end loop;
-      if winnerswinner2_best_index_0_choices(0, 8) then
-        winnerswinner2_best_index_0_0 <= winnerswinner1_best_index_0_1;
-      else
-        winnerswinner2_best_index_0_0 <= as_number(winnerswinner1_best_index_0_0);
-      end if;
-      if winnerswinner2_best_index_0_choices(1, 8) then
-        winnerswinner2_best_index_0_1 <= winnerswinner1_best_index_0_3;
-      else
-        winnerswinner2_best_index_0_1 <= winnerswinner1_best_index_0_2;
-      end if;
-      if winnerswinner2_best_index_0_choices(2, 8) then
-        winnerswinner2_best_index_0_2 <= winnerswinner1_best_index_0_5;
-      else
-        winnerswinner2_best_index_0_2 <= winnerswinner1_best_index_0_4;
-      end if;
-      if winnerswinner2_best_index_0_choices(3, 8) then
-        winnerswinner2_best_index_0_3 <= winnerswinner1_best_index_0_7;
-      else
-        winnerswinner2_best_index_0_3 <= winnerswinner1_best_index_0_6;
-      end if;
+      winnerswinner2_best_index_0(0) <= choice(winnerswinner2_best_index_0_choice(0, 8),
+        winnerswinner1_best_index_0(1), as_number(winnerswinner1_best_index_0_0));
+      for i in 1 to 3 loop
+        winnerswinner2_best_index_0(i) <= choice(winnerswinner2_best_index_0_choice(i, 8),
+          winnerswinner1_best_index_0(2 * i + 1), winnerswinner1_best_index_0(2 * i));
+      end loop;
       -- winnerswinner3
       for i in 0 to 1 loop
-        if is_set(winnerswinner2_best_cost_0(2 * i), 0) then
-          winnerswinner3_best_index_0_choice(i) := (not is_set(winnerswinner2_best_cost_0(2 * i + 1), 1)) or (not
-            is_set(winnerswinner2_best_cost_0(2 * i + 1), 0));
-        else
-          winnerswinner3_best_index_0_choice(i) := not is_set(winnerswinner2_best_cost_0(2 * i + 1), 1);
-        end if;
-        if is_set(winnerswinner2_best_cost_0(2 * i), 1) then
-          winnerswinner3_best_index_0_choices(i, 2) := winnerswinner3_best_index_0_choice(i);
-        else
-          winnerswinner3_best_index_0_choices(i, 2) := is_set(winnerswinner2_best_cost_0(2 * i), 0) and
-            ((winnerswinner2_best_cost_0(2 * i + 1) mod 4) = 0);
-        end if;
-        winnerswinner3_best_index_0_value(i) := is_set(winnerswinner2_best_cost_0(2 * i + 1), 2);
-        if winnerswinner3_best_index_0_choices(i, 2) then
-          winnerswinner3_best_index_0_choices(i, 3) := (not is_set(winnerswinner2_best_cost_0(2 * i), 2)) and
-            winnerswinner3_best_index_0_value(i);
-        else
-          winnerswinner3_best_index_0_choices(i, 3) := (not is_set(winnerswinner2_best_cost_0(2 * i), 2)) or
-            winnerswinner3_best_index_0_value(i);
-        end if;
+        winnerswinner3_best_index_0_choice(i, 1) := choice(is_set(winnerswinner2_best_cost_0(2 * i), 0), (not
+          is_set(winnerswinner2_best_cost_0(2 * i + 1), 1)) or (not is_set(winnerswinner2_best_cost_0(2 * i + 1), 0)),
+          not is_set(winnerswinner2_best_cost_0(2 * i + 1), 1));
+        winnerswinner3_best_index_0_choice(i, 2) := choice(is_set(winnerswinner2_best_cost_0(2 * i), 1),
+          winnerswinner3_best_index_0_choice(i, 1), is_set(winnerswinner2_best_cost_0(2 * i), 0) and
+          ((winnerswinner2_best_cost_0(2 * i + 1) mod 4) = 0));
+        winnerswinner3_best_index_0_value(i, 1) := is_set(winnerswinner2_best_cost_0(2 * i + 1), 2);
+        winnerswinner3_best_index_0_choice(i, 3) := inverted_carry(winnerswinner3_best_index_0_choice(i, 2), not
+          is_set(winnerswinner2_best_cost_0(2 * i), 2), winnerswinner3_best_index_0_value(i, 1));
         for j in 2 to 5 loop
-          winnerswinner3_best_index_0_values(i, j) := is_set(winnerswinner2_best_cost_0(2 * i + 1), j + 1);
-          if winnerswinner3_best_index_0_choices(i, j + 1) then
-            winnerswinner3_best_index_0_choices(i, j + 2) := (not is_set(winnerswinner2_best_cost_0(2 * i), j + 1)) or
-              winnerswinner3_best_index_0_values(i, j);
-          else
-            winnerswinner3_best_index_0_choices(i, j + 2) := (not is_set(winnerswinner2_best_cost_0(2 * i), j + 1)) and
-              winnerswinner3_best_index_0_values(i, j);
-          end if;
+          winnerswinner3_best_index_0_value(i, j) := is_set(winnerswinner2_best_cost_0(2 * i + 1), j + 1);
+          winnerswinner3_best_index_0_choice(i, j + 2) := carry(winnerswinner3_best_index_0_choice(i, j + 1), not
+            is_set(winnerswinner2_best_cost_0(2 * i), j + 1), winnerswinner3_best_index_0_value(i, j));
         end loop;
-        if winnerswinner3_best_index_0_choices(i, 7) then
-          winnerswinner3_best_index_0_choices(i, 8) := is_set(winnerswinner2_best_cost_0(2 * i), 7) and (not
-            is_set(winnerswinner2_best_cost_0(2 * i + 1), 7));
-        else
-          winnerswinner3_best_index_0_choices(i, 8) := is_set(winnerswinner2_best_cost_0(2 * i), 7) or (not
-            is_set(winnerswinner2_best_cost_0(2 * i + 1), 7));
-        end if;
+        winnerswinner3_best_index_0_choice(i, 8) := inverted_carry(winnerswinner3_best_index_0_choice(i, 7),
+          is_set(winnerswinner2_best_cost_0(2 * i), 7), not is_set(winnerswinner2_best_cost_0(2 * i + 1), 7));
       end loop;
-      for i in 0 to 1 loop
-        if (winnerswinner2_best_cost_0(2 * i + 1) - winnerswinner2_best_cost_0(2 * i)) < 0 then
-          winnerswinner3_best_cost_0(i) <= winnerswinner2_best_cost_0(2 * i + 1);
-        else
-          winnerswinner3_best_cost_0(i) <= winnerswinner2_best_cost_0(2 * i);
-        end if;
-      end loop;
-      if winnerswinner3_best_index_0_choices(0, 8) then
-        winnerswinner3_best_index_0_0 <= winnerswinner2_best_index_0_1;
-      else
-        winnerswinner3_best_index_0_0 <= winnerswinner2_best_index_0_0;
-      end if;
-      if winnerswinner3_best_index_0_choices(1, 8) then
-        winnerswinner3_best_index_0_1 <= winnerswinner2_best_index_0_3;
-      else
-        winnerswinner3_best_index_0_1 <= winnerswinner2_best_index_0_2;
-      end if;
+      winnerswinner3_best_cost_0(0) <= choice((winnerswinner2_best_cost_0(1) - winnerswinner2_best_cost_0(0)) < 0,
+        winnerswinner2_best_cost_0(1), winnerswinner2_best_cost_0(0));
+      winnerswinner3_best_cost_0(1) <= choice((winnerswinner2_best_cost_0(3) - winnerswinner2_best_cost_0(2)) < 0,
+        winnerswinner2_best_cost_0(3), winnerswinner2_best_cost_0(2));
+      winnerswinner3_best_index_0(0) <= choice(winnerswinner3_best_index_0_choice(0, 8),
+        winnerswinner2_best_index_0(1), winnerswinner2_best_index_0(0));
+      winnerswinner3_best_index_0(1) <= choice(winnerswinner3_best_index_0_choice(1, 8),
+        winnerswinner2_best_index_0(3), winnerswinner2_best_index_0(2));
       -- winnerswinner4
-      if is_set(winnerswinner3_best_cost_0(0), 0) then
-        winnerswinner4_best_index_0_0_choice := (not is_set(winnerswinner3_best_cost_0(1), 1)) or (not
-          is_set(winnerswinner3_best_cost_0(1), 0));
-      else
-        winnerswinner4_best_index_0_0_choice := not is_set(winnerswinner3_best_cost_0(1), 1);
-      end if;
-      if is_set(winnerswinner3_best_cost_0(0), 1) then
-        winnerswinner4_best_index_0_0_choices(2) := winnerswinner4_best_index_0_0_choice;
-      else
-        winnerswinner4_best_index_0_0_choices(2) := is_set(winnerswinner3_best_cost_0(0), 0) and
-          ((winnerswinner3_best_cost_0(1) mod 4) = 0);
-      end if;
-      winnerswinner4_best_index_0_0_value := is_set(winnerswinner3_best_cost_0(1), 2);
-      if winnerswinner4_best_index_0_0_choices(2) then
-        winnerswinner4_best_index_0_0_choices(3) := (not is_set(winnerswinner3_best_cost_0(0), 2)) and
-          winnerswinner4_best_index_0_0_value;
-      else
-        winnerswinner4_best_index_0_0_choices(3) := (not is_set(winnerswinner3_best_cost_0(0), 2)) or
-          winnerswinner4_best_index_0_0_value;
-      end if;
+      winnerswinner4_best_index_0_0_choices(1) := choice(is_set(winnerswinner3_best_cost_0(0), 0), (not
+        is_set(winnerswinner3_best_cost_0(1), 1)) or (not is_set(winnerswinner3_best_cost_0(1), 0)), not
+        is_set(winnerswinner3_best_cost_0(1), 1));
+      winnerswinner4_best_index_0_0_choices(2) := choice(is_set(winnerswinner3_best_cost_0(0), 1),
+        winnerswinner4_best_index_0_0_choices(1), is_set(winnerswinner3_best_cost_0(0), 0) and
+        ((winnerswinner3_best_cost_0(1) mod 4) = 0));
+      winnerswinner4_best_index_0_0_values(1) := is_set(winnerswinner3_best_cost_0(1), 2);
+      winnerswinner4_best_index_0_0_choices(3) := inverted_carry(winnerswinner4_best_index_0_0_choices(2), not
+        is_set(winnerswinner3_best_cost_0(0), 2), winnerswinner4_best_index_0_0_values(1));
       for i in 2 to 5 loop
         winnerswinner4_best_index_0_0_values(i) := is_set(winnerswinner3_best_cost_0(1), i + 1);
-        if winnerswinner4_best_index_0_0_choices(i + 1) then
-          winnerswinner4_best_index_0_0_choices(i + 2) := (not is_set(winnerswinner3_best_cost_0(0), i + 1)) or
-            winnerswinner4_best_index_0_0_values(i);
-        else
-          winnerswinner4_best_index_0_0_choices(i + 2) := (not is_set(winnerswinner3_best_cost_0(0), i + 1)) and
-            winnerswinner4_best_index_0_0_values(i);
-        end if;
+        winnerswinner4_best_index_0_0_choices(i + 2) := carry(winnerswinner4_best_index_0_0_choices(i + 1), not
+          is_set(winnerswinner3_best_cost_0(0), i + 1), winnerswinner4_best_index_0_0_values(i));
       end loop;
-      if winnerswinner4_best_index_0_0_choices(7) then
-        winnerswinner4_best_index_0_0_choices(8) := is_set(winnerswinner3_best_cost_0(0), 7) and (not
-          is_set(winnerswinner3_best_cost_0(1), 7));
-      else
-        winnerswinner4_best_index_0_0_choices(8) := is_set(winnerswinner3_best_cost_0(0), 7) or (not
-          is_set(winnerswinner3_best_cost_0(1), 7));
-      end if;
-      if (winnerswinner3_best_cost_0(1) - winnerswinner3_best_cost_0(0)) < 0 then
-        winnerswinner4_best_cost_0_0 <= winnerswinner3_best_cost_0(1);
-      else
-        winnerswinner4_best_cost_0_0 <= winnerswinner3_best_cost_0(0);
-      end if;
-      if winnerswinner4_best_index_0_0_choices(8) then
-        winnerswinner4_best_index_0_0 <= winnerswinner3_best_index_0_1;
-      else
-        winnerswinner4_best_index_0_0 <= winnerswinner3_best_index_0_0;
-      end if;
+      winnerswinner4_best_index_0_0_choices(8) := inverted_carry(winnerswinner4_best_index_0_0_choices(7),
+        is_set(winnerswinner3_best_cost_0(0), 7), not is_set(winnerswinner3_best_cost_0(1), 7));
+      winnerswinner4_best_cost_0_0 <= choice((winnerswinner3_best_cost_0(1) - winnerswinner3_best_cost_0(0)) < 0,
+        winnerswinner3_best_cost_0(1), winnerswinner3_best_cost_0(0));
+      winnerswinner4_best_index_0_0 <= choice(winnerswinner4_best_index_0_0_choices(8), winnerswinner3_best_index_0(1),
+        winnerswinner3_best_index_0(0));
       -- winners
-      if line_comes(28) then
-        winners_best_cost_0_0_choice := 511;
-      else
-        winners_best_cost_0_0_choice := winners_best_cost_0_0;
-      end if;
-      if line_comes(28) then
-        winners_best_cost_0_0_choice_2 := 255;
-      else
-        winners_best_cost_0_0_choice_2 := winners_best_cost_0_0;
-      end if;
-      winners_best_tag_valid <= line_comes(35);
-      winners_best_tag_map_column <= line_places_map_column(4);
-      winners_best_tag_output_column <= line_places_shown_output_column(4);
-      winners_best_tag_start_of_frame <= line_places_shown_start_of_frame(4);
-      winners_best_tag_end_of_line <= line_places_shown_end_of_line(4);
-      if (winners_best_cost_0_0_choice - winnerswinner4_best_cost_0_0) < 0 then
-        winners_best_cost_0_0 <= winners_best_cost_0_0_choice_2;
-      else
-        winners_best_cost_0_0 <= winnerswinner4_best_cost_0_0;
-      end if;
-      if (winnerswinner4_best_cost_0_0 - winners_best_cost_0_0_choice) < 0 then
-        winners_best_index_0_0 <= winnerswinner4_best_index_0_0 + 112;
-      else
-        winners_best_index_0_0 <= ((((winners_best_index_0_0 / 16) + 15) mod 16) * 16) + (winners_best_index_0_0 mod
-          16);
-      end if;
+      winners_best_cost_0_0_choice := choice(line_comes(28), 511, winners_best_cost_0_0);
+      winners_best_cost_0_0_choice_2 := choice(line_comes(28), 255, winners_best_cost_0_0);
+      winners_best_tag.valid <= line_comes(35);
+      winners_best_tag.map_column <= line_places_map_column(4);
+      winners_best_tag.output_column <= line_places_shown_output_column(4);
+      winners_best_tag.start_of_frame <= line_places_shown_start_of_frame(4);
+      winners_best_tag.end_of_line <= line_places_shown_end_of_line(4);
+      winners_best_cost_0_0 <= choice((winners_best_cost_0_0_choice - winnerswinner4_best_cost_0_0) < 0,
+        winners_best_cost_0_0_choice_2, winnerswinner4_best_cost_0_0);
+      winners_best_index_0_0 <= choice((winnerswinner4_best_cost_0_0 - winners_best_cost_0_0_choice) < 0,
+        winnerswinner4_best_index_0_0 + 112, ((((winners_best_index_0_0 / 16) + 15) mod 16) * 16) +
+        (winners_best_index_0_0 mod 16));
       -- turn
-      turn_order_address_any := turn_ready_tag_map_column or (not winners_best_tag_map_column) or (not
-        winners_best_tag_valid);
-      if turn_order_falls then
-        turn_order_address_choice := 2047;
-      else
-        turn_order_address_choice := 1;
+      turn_order_address_anys(1) := turn_ready_tag.map_column or (not winners_best_tag.map_column) or (not
+        winners_best_tag.valid);
+      turn_order_address_choice := choice(turn_order_falls, 2047, 1);
+      turn_order_address_choice_2 := choice(turn_order_falls, 0, 1239);
+      turn_order_address_anys(2) := (not winners_best_tag.map_column) or (not winners_best_tag.valid);
+      if not turn_order_address_anys(2) then
+        turn_order_address <= choice(turn_order_address_anys(1), (turn_order_address_choice + turn_order_address) mod
+          2048, turn_order_address_choice_2);
       end if;
-      if turn_order_falls then
-        turn_order_address_choice_2 := 0;
-      else
-        turn_order_address_choice_2 := 1239;
-      end if;
-      turn_order_address_any_2 := (not winners_best_tag_map_column) or (not winners_best_tag_valid);
-      if not turn_order_address_any_2 then
-        if turn_order_address_any then
-          turn_order_address <= (turn_order_address_choice + turn_order_address) mod 2048;
-        else
-          turn_order_address <= turn_order_address_choice_2;
-        end if;
-      end if;
-      turn_order_falls_all := (not turn_ready_tag_map_column) and winners_best_tag_map_column and
-        winners_best_tag_valid;
-      turn_order_complete_all := winners_best_tag_map_column and winners_best_tag_valid;
+      turn_order_falls_all := (not turn_ready_tag.map_column) and winners_best_tag.map_column and
+        winners_best_tag.valid;
+      turn_order_complete_all := winners_best_tag.map_column and winners_best_tag.valid;
       turn_ready_tag_row_start_differs := map_counter_group /= 376;
-      turn_ready_tag_row_start_is_equal := map_counter_column = 1239;
-      if turn_ready_tag_row_start_is_equal then
-        turn_ready_tag_row_start_choice := turn_ready_tag_row_start and (map_counter_group /= 375);
-      else
-        turn_ready_tag_row_start_choice := turn_ready_tag_row_start;
-      end if;
-      if turn_ready_tag_row_start_differs then
-        turn_ready_tag_row_start_choices(2) := turn_ready_tag_row_start_choice;
-      else
-        turn_ready_tag_row_start_choices(2) := turn_ready_tag_row_start;
-      end if;
-      turn_ready_tag_row_start_is_equal_2 := map_counter_group = 374;
-      turn_ready_tag_row_start_all := turn_ready_tag_row_start_is_equal_2 and turn_ready_tag_row_start_is_equal;
-      if turn_ready_tag_row_start_choices(2) then
-        turn_ready_tag_row_start_choices(3) := (not turn_ready_tag_start_of_frame) or turn_ready_tag_row_start_all;
-      else
-        turn_ready_tag_row_start_choices(3) := turn_ready_tag_start_of_frame and turn_ready_tag_row_start_is_equal_2
-          and turn_ready_tag_row_start_is_equal;
-      end if;
-      turn_ready_tag_row_start_all_2 := turn_ready_tag_valid and turn_order_inside;
-      turn_order_inside <= turn_read_tag_map_column;
-      turn_order_turned_valid <= winners_best_tag_valid;
-      turn_order_turned_map_column <= winners_best_tag_map_column;
-      turn_order_turned_start_of_frame <= (not turn_ready_tag_map_column) and winners_best_tag_map_column and
-        winners_best_tag_valid and turn_order_first and turn_order_complete and turn_order_output;
-      turn_order_turned_end_of_line <= winners_best_tag_end_of_line;
+      turn_ready_tag_row_start_is_equals(1) := map_counter_column = 1239;
+      turn_ready_tag_row_start_choices(1) := choice(turn_ready_tag_row_start_is_equals(1), turn_ready_tag.row_start and
+        (map_counter_group /= 375), turn_ready_tag.row_start);
+      turn_ready_tag_row_start_choices(2) := choice(turn_ready_tag_row_start_differs,
+        turn_ready_tag_row_start_choices(1), turn_ready_tag.row_start);
+      turn_ready_tag_row_start_is_equals(2) := map_counter_group = 374;
+      turn_ready_tag_row_start_alls(1) := turn_ready_tag_row_start_is_equals(2) and
+        turn_ready_tag_row_start_is_equals(1);
+      turn_ready_tag_row_start_choices(3) := choice(turn_ready_tag_row_start_choices(2), (not
+        turn_ready_tag.start_of_frame) or turn_ready_tag_row_start_alls(1), turn_ready_tag.start_of_frame and
+        turn_ready_tag_row_start_is_equals(2) and turn_ready_tag_row_start_is_equals(1));
+      turn_ready_tag_row_start_alls(2) := turn_ready_tag.valid and turn_order_inside;
+      turn_order_inside <= turn_read_tag.map_column;
+      turn_order_turned_valid <= winners_best_tag.valid;
+      turn_order_turned_map_column <= winners_best_tag.map_column;
+      turn_order_turned_start_of_frame <= (not turn_ready_tag.map_column) and winners_best_tag.map_column and
+        winners_best_tag.valid and turn_order_first and turn_order_complete and turn_order_output;
+      turn_order_turned_end_of_line <= winners_best_tag.end_of_line;
       turn_newest <= winners_best_index_0_0 + 256;
       turn_comes <= turn_order_complete_all;
-      turn_read_tag_valid <= turn_order_turned_valid;
-      turn_read_tag_map_column <= turn_order_turned_map_column;
-      turn_read_tag_start_of_frame <= turn_order_turned_start_of_frame;
-      turn_read_tag_end_of_line <= turn_order_turned_end_of_line;
+      turn_read_tag.valid <= turn_order_turned_valid;
+      turn_read_tag.map_column <= turn_order_turned_map_column;
+      turn_read_tag.start_of_frame <= turn_order_turned_start_of_frame;
+      turn_read_tag.end_of_line <= turn_order_turned_end_of_line;
       turn_ready <= to_integer(turn_read_words_0);
-      turn_ready_tag_valid <= turn_read_tag_valid;
-      turn_ready_tag_start_of_frame <= turn_read_tag_start_of_frame;
-      turn_ready_tag_end_of_line <= turn_read_tag_end_of_line;
-      if turn_order_falls then
-        turn_order_falls <= turn_order_address_any;
-      else
-        turn_order_falls <= turn_order_falls_all;
-      end if;
-      if winners_best_tag_end_of_line then
-        turn_order_complete <= turn_order_complete or turn_order_complete_all;
-      else
-        turn_order_complete <= turn_order_complete and turn_order_address_any_2;
-      end if;
-      if turn_comes then
-        turn_write_place <= turn_order_address;
-      else
-        turn_write_place <= 1240;
-      end if;
-      if turn_ready_tag_row_start_choices(3) then
-        turn_ready_tag_row_start <= turn_ready_tag_row_start or turn_ready_tag_row_start_all_2;
-      else
-        turn_ready_tag_row_start <= turn_ready_tag_row_start and ((not turn_ready_tag_valid) or (not
-          turn_order_inside));
-      end if;
+      turn_ready_tag.valid <= turn_read_tag.valid;
+      turn_ready_tag.start_of_frame <= turn_read_tag.start_of_frame;
+      turn_ready_tag.end_of_line <= turn_read_tag.end_of_line;
+      turn_order_falls <= choice(turn_order_falls, turn_order_address_anys(1), turn_order_falls_all);
+      turn_order_complete <= choice(winners_best_tag.end_of_line, turn_order_complete or turn_order_complete_all,
+        turn_order_complete and turn_order_address_anys(2));
+      turn_write_place <= choice(turn_comes, turn_order_address, 1240);
+      turn_ready_tag.row_start <= choice(turn_ready_tag_row_start_choices(3), turn_ready_tag.row_start or
+        turn_ready_tag_row_start_alls(2), turn_ready_tag.row_start and ((not turn_ready_tag.valid) or (not
+        turn_order_inside)));
       if turn_order_falls_all then
-        turn_order_output <= winners_best_tag_output_column;
-        turn_order_first <= winners_best_tag_start_of_frame;
+        turn_order_output <= winners_best_tag.output_column;
+        turn_order_first <= winners_best_tag.start_of_frame;
       end if;
       if turn_comes then
         turn_write_words_0 <= turn_newest;
       end if;
-      if winners_best_tag_valid then
-        turn_ready_tag_map_column <= winners_best_tag_map_column;
+      if winners_best_tag.valid then
+        turn_ready_tag.map_column <= winners_best_tag.map_column;
       end if;
       -- map
-      if turn_ready_tag_row_start_all_2 then
-        if turn_ready_tag_start_of_frame or turn_ready_tag_row_start_is_equal then
-          map_counter_column <= 0;
-        else
-          map_counter_column <= (map_counter_column + 1) mod 2048;
-        end if;
+      if turn_ready_tag_row_start_alls(2) then
+        map_counter_column <= choice(turn_ready_tag.start_of_frame or turn_ready_tag_row_start_is_equals(1), 0,
+          (map_counter_column + 1) mod 2048);
       end if;
-      if turn_ready_tag_row_start_all then
-        map_counter_group_choice := 375;
-      else
-        map_counter_group_choice := 0;
-      end if;
+      map_counter_group_choice := choice(turn_ready_tag_row_start_alls(1), 375, 0);
       map_counter_group_is_equal := map_counter_group = 375;
-      if turn_ready_tag_row_start and map_counter_group_is_equal then
-        map_counter_group_choices(2) := 1;
-      else
-        map_counter_group_choices(2) := (map_counter_group + 1) mod 512;
-      end if;
-      if turn_ready_tag_row_start_differs and turn_ready_tag_row_start_is_equal and turn_ready_tag_valid and
-        turn_order_inside then
-        map_counter_group_choices(3) := map_counter_group_choices(2);
-      else
-        map_counter_group_choices(3) := map_counter_group;
-      end if;
-      if turn_ready_tag_valid then
-        map_line_ended_choice := turn_order_inside;
-      else
-        map_line_ended_choice := map_line_ended;
-      end if;
+      map_counter_group_choices(2) := choice(turn_ready_tag.row_start and map_counter_group_is_equal, 1,
+        (map_counter_group + 1) mod 512);
+      map_counter_group_choices(3) := choice(turn_ready_tag_row_start_differs and turn_ready_tag_row_start_is_equals(1)
+        and turn_ready_tag.valid and turn_order_inside, map_counter_group_choices(2), map_counter_group);
+      map_line_ended_choice := choice(turn_ready_tag.valid, turn_order_inside, map_line_ended);
       map_at_arrives_value := other(1)(16) = '1';
-      map_of_column_0_b_below_a_value := is_set(map_column(1), 2);
-      if map_at_top then
-        map_of_column_0_b_below_a_choice := map_of_column_0_b_below_a_value;
-      else
-        map_of_column_0_b_below_a_choice := is_set(other_2, 2);
-      end if;
+      map_of_column_0_b_below_a_values(1) := is_set(map_column(1), 2);
+      map_of_column_0_b_below_a_choices(1) := choice(map_at_top, map_of_column_0_b_below_a_values(1), is_set(other_2,
+        2));
       map_of_column_0_b_below_a_values(2) := is_set(map_column(1), 1);
-      if map_at_top then
-        map_of_column_0_b_below_a_choices(2) := map_of_column_0_b_below_a_values(2);
-      else
-        map_of_column_0_b_below_a_choices(2) := is_set(other_2, 1);
-      end if;
-      if map_of_column_0_b_below_a_choices(2) then
-        map_of_column_0_b_below_a_choices(3) := (not map_of_column_0_b_below_a_value) or (not
-          map_of_column_0_b_below_a_values(2));
-      else
-        map_of_column_0_b_below_a_choices(3) := not map_of_column_0_b_below_a_value;
-      end if;
-      if map_of_column_0_b_below_a_choice then
-        map_of_column_0_b_below_a_choices(4) := map_of_column_0_b_below_a_choices(3);
-      else
-        map_of_column_0_b_below_a_choices(4) := map_of_column_0_b_below_a_choices(2) and (((map_column(1) / 2) mod 4) =
-          0);
-      end if;
+      map_of_column_0_b_below_a_choices(2) := choice(map_at_top, map_of_column_0_b_below_a_values(2), is_set(other_2,
+        1));
+      map_of_column_0_b_below_a_choices(3) := choice(map_of_column_0_b_below_a_choices(2), (not
+        map_of_column_0_b_below_a_values(1)) or (not map_of_column_0_b_below_a_values(2)), not
+        map_of_column_0_b_below_a_values(1));
+      map_of_column_0_b_below_a_choices(4) := choice(map_of_column_0_b_below_a_choices(1),
+        map_of_column_0_b_below_a_choices(3), map_of_column_0_b_below_a_choices(2) and (((map_column(1) / 2) mod 4) =
+        0));
       map_of_column_0_b_below_a_values(3) := is_set(map_column(1), 3);
       map_of_column_0_b_below_a_values(4) := is_set(other_2, 3);
-      if map_of_column_0_b_below_a_choices(4) then
-        map_of_column_0_b_below_a_choices(5) := map_of_column_0_b_below_a_values(3) and (not
-          map_of_column_0_b_below_a_values(4)) and (not map_at_top);
-      else
-        map_of_column_0_b_below_a_choices(5) := map_of_column_0_b_below_a_values(3) or (not
-          map_of_column_0_b_below_a_values(4)) or map_at_top;
-      end if;
+      map_of_column_0_b_below_a_choices(5) := choice(map_of_column_0_b_below_a_choices(4),
+        map_of_column_0_b_below_a_values(3) and (not map_of_column_0_b_below_a_values(4)) and (not map_at_top),
+        map_of_column_0_b_below_a_values(3) or (not map_of_column_0_b_below_a_values(4)) or map_at_top);
       for i in 4 to 7 loop
         map_of_column_0_b_below_a_values(2 * i - 3) := is_set(map_column(1), i);
         map_of_column_0_b_below_a_values(2 * i - 2) := is_set(other_2, i);
-        if map_of_column_0_b_below_a_choices(i + 1) then
-          map_of_column_0_b_below_a_choices(i + 2) := map_of_column_0_b_below_a_values(2 * i - 3) or (not
-            map_of_column_0_b_below_a_values(2 * i - 2)) or map_at_top;
-        else
-          map_of_column_0_b_below_a_choices(i + 2) := map_of_column_0_b_below_a_values(2 * i - 3) and (not
-            map_of_column_0_b_below_a_values(2 * i - 2)) and (not map_at_top);
-        end if;
+        map_of_column_0_b_below_a_choices(i + 2) := choice(map_of_column_0_b_below_a_choices(i + 1),
+          map_of_column_0_b_below_a_values(2 * i - 3) or (not map_of_column_0_b_below_a_values(2 * i - 2)) or
+          map_at_top, map_of_column_0_b_below_a_values(2 * i - 3) and (not map_of_column_0_b_below_a_values(2 * i - 2))
+          and (not map_at_top));
       end loop;
-      map_of_column_0_c_below_a_value := is_set(map_column(2), 2);
-      if map_counter_next_frame then
-        map_of_column_0_c_below_a_choice := map_of_column_0_b_below_a_value;
-      else
-        map_of_column_0_c_below_a_choice := map_of_column_0_c_below_a_value;
-      end if;
+      map_of_column_0_c_below_a_values(1) := is_set(map_column(2), 2);
+      map_of_column_0_c_below_a_choices(1) := choice(map_counter_next_frame, map_of_column_0_b_below_a_values(1),
+        map_of_column_0_c_below_a_values(1));
       map_of_column_0_c_below_a_values(2) := is_set(map_column(2), 1);
-      if map_of_column_0_c_below_a_values(2) then
-        map_of_column_0_c_below_a_choices(2) := (not map_of_column_0_b_below_a_values(2)) and map_counter_next_frame;
-      else
-        map_of_column_0_c_below_a_choices(2) := (not map_of_column_0_b_below_a_values(2)) or (not
-          map_counter_next_frame);
-      end if;
-      if map_of_column_0_c_below_a_choice then
-        map_of_column_0_c_below_a_choices(3) := map_of_column_0_b_below_a_choices(2) and
-          map_of_column_0_c_below_a_choices(2) and map_of_column_0_b_below_a_choice;
-      else
-        map_of_column_0_c_below_a_choices(3) := (map_of_column_0_b_below_a_choices(2) and
-          map_of_column_0_c_below_a_choices(2)) or map_of_column_0_b_below_a_choice;
-      end if;
+      map_of_column_0_c_below_a_choices(2) := choice(map_of_column_0_c_below_a_values(2), (not
+        map_of_column_0_b_below_a_values(2)) and map_counter_next_frame, (not map_of_column_0_b_below_a_values(2)) or
+        (not map_counter_next_frame));
+      map_of_column_0_c_below_a_choices(3) := choice(map_of_column_0_c_below_a_choices(1),
+        map_of_column_0_b_below_a_choices(2) and map_of_column_0_c_below_a_choices(2) and
+        map_of_column_0_b_below_a_choices(1), (map_of_column_0_b_below_a_choices(2) and
+        map_of_column_0_c_below_a_choices(2)) or map_of_column_0_b_below_a_choices(1));
       for i in 3 to 7 loop
         map_of_column_0_c_below_a_values(i) := is_set(map_column(2), i);
-        if map_counter_next_frame then
-          map_of_column_0_c_below_a_choices(3 * i - 5) := map_of_column_0_b_below_a_values(2 * i - 3);
-        else
-          map_of_column_0_c_below_a_choices(3 * i - 5) := map_of_column_0_c_below_a_values(i);
-        end if;
-        if map_at_top then
-          map_of_column_0_c_below_a_choices(3 * i - 4) := map_of_column_0_b_below_a_values(2 * i - 3);
-        else
-          map_of_column_0_c_below_a_choices(3 * i - 4) := map_of_column_0_b_below_a_values(2 * i - 2);
-        end if;
-        if map_of_column_0_c_below_a_choices(3 * i - 6) then
-          map_of_column_0_c_below_a_choices(3 * i - 3) := (not map_of_column_0_c_below_a_choices(3 * i - 5)) or
-            map_of_column_0_c_below_a_choices(3 * i - 4);
-        else
-          map_of_column_0_c_below_a_choices(3 * i - 3) := (not map_of_column_0_c_below_a_choices(3 * i - 5)) and
-            map_of_column_0_c_below_a_choices(3 * i - 4);
-        end if;
+        map_of_column_0_c_below_a_choices(3 * i - 5) := choice(map_counter_next_frame,
+          map_of_column_0_b_below_a_values(2 * i - 3), map_of_column_0_c_below_a_values(i));
+        map_of_column_0_c_below_a_choices(3 * i - 4) := choice(map_at_top, map_of_column_0_b_below_a_values(2 * i - 3),
+          map_of_column_0_b_below_a_values(2 * i - 2));
+        map_of_column_0_c_below_a_choices(3 * i - 3) := carry(map_of_column_0_c_below_a_choices(3 * i - 6), not
+          map_of_column_0_c_below_a_choices(3 * i - 5), map_of_column_0_c_below_a_choices(3 * i - 4));
       end loop;
-      if map_counter_next_frame then
-        map_of_column_0_c_below_a_choices(19) := is_set(map_column(1), 8);
-      else
-        map_of_column_0_c_below_a_choices(19) := is_set(map_column(2), 8);
-      end if;
-      if map_at_top then
-        map_of_column_0_c_below_a_choices(20) := is_set(map_column(1), 8);
-      else
-        map_of_column_0_c_below_a_choices(20) := is_set(other_2, 8);
-      end if;
-      if (not map_of_column_0_c_below_a_values(2)) and map_of_column_0_b_below_a_values(2) and (not
-        map_counter_next_frame) then
-        map_of_column_0_c_below_b_choice := map_of_column_0_c_below_a_value and (not map_of_column_0_b_below_a_value)
-          and (not map_counter_next_frame);
-      else
-        map_of_column_0_c_below_b_choice := map_of_column_0_c_below_a_value or (not map_of_column_0_b_below_a_value) or
-          map_counter_next_frame;
-      end if;
-      if map_of_column_0_c_below_b_choice then
-        map_of_column_0_c_below_b_choices(2) := map_of_column_0_c_below_a_values(3) or (not
-          map_of_column_0_b_below_a_values(3)) or map_counter_next_frame;
-      else
-        map_of_column_0_c_below_b_choices(2) := map_of_column_0_c_below_a_values(3) and (not
-          map_of_column_0_b_below_a_values(3)) and (not map_counter_next_frame);
-      end if;
-      for i in 2 to 5 loop
-        if map_of_column_0_c_below_b_choices(i) then
-          map_of_column_0_c_below_b_choices(i + 1) := map_of_column_0_c_below_a_values(i + 2) or (not
-            map_of_column_0_b_below_a_values(2 * i + 1)) or map_counter_next_frame;
-        else
-          map_of_column_0_c_below_b_choices(i + 1) := map_of_column_0_c_below_a_values(i + 2) and (not
-            map_of_column_0_b_below_a_values(2 * i + 1)) and (not map_counter_next_frame);
-        end if;
+      map_of_column_0_c_below_a_choices(19) := choice(map_counter_next_frame, is_set(map_column(1), 8),
+        is_set(map_column(2), 8));
+      map_of_column_0_c_below_a_choices(20) := choice(map_at_top, is_set(map_column(1), 8), is_set(other_2, 8));
+      map_of_column_0_c_below_b_choices(1) := choice((not map_of_column_0_c_below_a_values(2)) and
+        map_of_column_0_b_below_a_values(2) and (not map_counter_next_frame), map_of_column_0_c_below_a_values(1) and
+        (not map_of_column_0_b_below_a_values(1)) and (not map_counter_next_frame), map_of_column_0_c_below_a_values(1)
+        or (not map_of_column_0_b_below_a_values(1)) or map_counter_next_frame);
+      for i in 2 to 6 loop
+        map_of_column_0_c_below_b_choices(i) := choice(map_of_column_0_c_below_b_choices(i - 1),
+          map_of_column_0_c_below_a_values(i + 1) or (not map_of_column_0_b_below_a_values(2 * i - 1)) or
+          map_counter_next_frame, map_of_column_0_c_below_a_values(i + 1) and (not map_of_column_0_b_below_a_values(2 *
+          i - 1)) and (not map_counter_next_frame));
       end loop;
-      if map_of_column_0_c_below_b then
-        map_sorted_low_0_choice := map_of_column_0_c;
-      else
-        map_sorted_low_0_choice := map_of_column_0_b;
-      end if;
-      if map_of_column_0_c_below_a then
-        map_sorted_low_0_choice_2 := map_of_column_0_c;
-      else
-        map_sorted_low_0_choice_2 := map_of_column_0_a;
-      end if;
-      if map_of_column_0_c_below_b then
-        map_sorted_middle_0_choice := map_of_column_0_b;
-      else
-        map_sorted_middle_0_choice := map_sorted_low_0_choice_2;
-      end if;
-      if map_of_column_0_c_below_a then
-        map_sorted_middle_0_choice_2 := map_of_column_0_a;
-      else
-        map_sorted_middle_0_choice_2 := map_sorted_low_0_choice;
-      end if;
-      if map_of_column_0_c_below_a then
-        map_sorted_high_0_choice := map_of_column_0_a;
-      else
-        map_sorted_high_0_choice := map_of_column_0_c;
-      end if;
-      if map_of_column_0_c_below_b then
-        map_sorted_high_0_choice_2 := map_of_column_0_b;
-      else
-        map_sorted_high_0_choice_2 := map_of_column_0_c;
-      end if;
+      map_sorted_low_0_choices(1) := choice(map_of_column_0_c_below_b, map_of_column_0_c, map_of_column_0_b);
+      map_sorted_low_0_choices(2) := choice(map_of_column_0_c_below_a, map_of_column_0_c, map_of_column_0_a);
+      map_sorted_middle_0_choices(1) := choice(map_of_column_0_c_below_b, map_of_column_0_b,
+        map_sorted_low_0_choices(2));
+      map_sorted_middle_0_choices(2) := choice(map_of_column_0_c_below_a, map_of_column_0_a,
+        map_sorted_low_0_choices(1));
+      map_sorted_high_0_choices(1) := choice(map_of_column_0_c_below_a, map_of_column_0_a, map_of_column_0_c);
+      map_sorted_high_0_choices(2) := choice(map_of_column_0_c_below_b, map_of_column_0_b, map_of_column_0_c);
       map_window_complete_is_equal := map_sorted_column = 0;
-      if map_window_complete_is_equal then
-        map_window_complete_choice := map_sorted_behind;
-      else
-        map_window_complete_choice := map_sorted_arrives or map_sorted_behind;
-      end if;
-      map_of_low_0_b_below_a_value := is_set(map_low_0(0), 1);
-      if is_set(map_low_0(0), 0) then
-        map_of_low_0_b_below_a_choice := (not is_set(map_low_0(1), 1)) or (not is_set(map_low_0(1), 0));
-      else
-        map_of_low_0_b_below_a_choice := not is_set(map_low_0(1), 1);
-      end if;
+      map_window_complete_choice := choice(map_window_complete_is_equal, map_sorted_behind, map_sorted_arrives or
+        map_sorted_behind);
+      map_of_low_0_b_below_a_values(1) := is_set(map_low_0(0), 1);
+      map_of_low_0_b_below_a_choices(1) := choice(is_set(map_low_0(0), 0), (not is_set(map_low_0(1), 1)) or (not
+        is_set(map_low_0(1), 0)), not is_set(map_low_0(1), 1));
       map_of_low_0_b_below_a_is_equal := (map_low_0(1) mod 4) = 0;
-      if map_of_low_0_b_below_a_value then
-        map_of_low_0_b_below_a_choices(2) := map_of_low_0_b_below_a_choice;
-      else
-        map_of_low_0_b_below_a_choices(2) := is_set(map_low_0(0), 0) and map_of_low_0_b_below_a_is_equal;
-      end if;
+      map_of_low_0_b_below_a_choices(2) := choice(map_of_low_0_b_below_a_values(1), map_of_low_0_b_below_a_choices(1),
+        is_set(map_low_0(0), 0) and map_of_low_0_b_below_a_is_equal);
       map_of_low_0_b_below_a_values(2) := is_set(map_low_0(0), 2);
       map_of_low_0_b_below_a_values(3) := is_set(map_low_0(1), 2);
-      if map_of_low_0_b_below_a_choices(2) then
-        map_of_low_0_b_below_a_choices(3) := (not map_of_low_0_b_below_a_values(2)) and
-          map_of_low_0_b_below_a_values(3);
-      else
-        map_of_low_0_b_below_a_choices(3) := (not map_of_low_0_b_below_a_values(2)) or map_of_low_0_b_below_a_values(3);
-      end if;
+      map_of_low_0_b_below_a_choices(3) := inverted_carry(map_of_low_0_b_below_a_choices(2), not
+        map_of_low_0_b_below_a_values(2), map_of_low_0_b_below_a_values(3));
       for i in 3 to 6 loop
         map_of_low_0_b_below_a_values(2 * i - 2) := is_set(map_low_0(0), i);
         map_of_low_0_b_below_a_values(2 * i - 1) := is_set(map_low_0(1), i);
-        if map_of_low_0_b_below_a_choices(i) then
-          map_of_low_0_b_below_a_choices(i + 1) := (not map_of_low_0_b_below_a_values(2 * i - 2)) or
-            map_of_low_0_b_below_a_values(2 * i - 1);
-        else
-          map_of_low_0_b_below_a_choices(i + 1) := (not map_of_low_0_b_below_a_values(2 * i - 2)) and
-            map_of_low_0_b_below_a_values(2 * i - 1);
-        end if;
+        map_of_low_0_b_below_a_choices(i + 1) := carry(map_of_low_0_b_below_a_choices(i), not
+          map_of_low_0_b_below_a_values(2 * i - 2), map_of_low_0_b_below_a_values(2 * i - 1));
       end loop;
       map_of_low_0_c_below_a_value := is_set(map_low_0(2), 1);
-      if is_set(map_low_0(2), 0) then
-        map_of_low_0_c_below_a_choice := not map_of_low_0_b_below_a_value;
-      else
-        map_of_low_0_c_below_a_choice := (map_low_0(0) mod 4) = 0;
-      end if;
-      if map_of_low_0_c_below_a_value then
-        map_of_low_0_c_below_a_choices(2) := is_set(map_low_0(2), 0) or (not map_of_low_0_b_below_a_value) or (not
-          is_set(map_low_0(0), 0));
-      else
-        map_of_low_0_c_below_a_choices(2) := map_of_low_0_c_below_a_choice;
-      end if;
-      if map_of_low_0_c_below_a_choices(2) then
-        map_of_low_0_c_below_a_choices(3) := (not is_set(map_low_0(2), 2)) and map_of_low_0_b_below_a_values(2);
-      else
-        map_of_low_0_c_below_a_choices(3) := (not is_set(map_low_0(2), 2)) or map_of_low_0_b_below_a_values(2);
-      end if;
-      for i in 3 to 6 loop
-        if map_of_low_0_c_below_a_choices(i) then
-          map_of_low_0_c_below_a_choices(i + 1) := (not is_set(map_low_0(2), i)) or map_of_low_0_b_below_a_values(2 * i
-            - 2);
-        else
-          map_of_low_0_c_below_a_choices(i + 1) := (not is_set(map_low_0(2), i)) and map_of_low_0_b_below_a_values(2 *
-            i - 2);
-        end if;
+      map_of_low_0_c_below_a_choices(1) := choice(is_set(map_low_0(2), 0), not map_of_low_0_b_below_a_values(1),
+        (map_low_0(0) mod 4) = 0);
+      map_of_low_0_c_below_a_choices(2) := choice(map_of_low_0_c_below_a_value, is_set(map_low_0(2), 0) or (not
+        map_of_low_0_b_below_a_values(1)) or (not is_set(map_low_0(0), 0)), map_of_low_0_c_below_a_choices(1));
+      map_of_low_0_c_below_a_choices(3) := inverted_carry(map_of_low_0_c_below_a_choices(2), not is_set(map_low_0(2),
+        2), map_of_low_0_b_below_a_values(2));
+      for i in 4 to 7 loop
+        map_of_low_0_c_below_a_choices(i) := carry(map_of_low_0_c_below_a_choices(i - 1), not is_set(map_low_0(2), i -
+          1), map_of_low_0_b_below_a_values(2 * i - 4));
       end loop;
-      if is_set(map_low_0(2), 0) then
-        map_of_low_0_c_below_b_choice := not is_set(map_low_0(1), 1);
-      else
-        map_of_low_0_c_below_b_choice := map_of_low_0_b_below_a_is_equal;
-      end if;
-      if map_of_low_0_c_below_a_value then
-        map_of_low_0_c_below_b_choices(2) := is_set(map_low_0(2), 0) or (not is_set(map_low_0(1), 1)) or (not
-          is_set(map_low_0(1), 0));
-      else
-        map_of_low_0_c_below_b_choices(2) := map_of_low_0_c_below_b_choice;
-      end if;
-      if map_of_low_0_c_below_b_choices(2) then
-        map_of_low_0_c_below_b_choices(3) := (not is_set(map_low_0(2), 2)) and map_of_low_0_b_below_a_values(3);
-      else
-        map_of_low_0_c_below_b_choices(3) := (not is_set(map_low_0(2), 2)) or map_of_low_0_b_below_a_values(3);
-      end if;
-      for i in 3 to 6 loop
-        if map_of_low_0_c_below_b_choices(i) then
-          map_of_low_0_c_below_b_choices(i + 1) := (not is_set(map_low_0(2), i)) or map_of_low_0_b_below_a_values(2 * i
-            - 1);
-        else
-          map_of_low_0_c_below_b_choices(i + 1) := (not is_set(map_low_0(2), i)) and map_of_low_0_b_below_a_values(2 *
-            i - 1);
-        end if;
+      map_of_low_0_c_below_b_choices(1) := choice(is_set(map_low_0(2), 0), not is_set(map_low_0(1), 1),
+        map_of_low_0_b_below_a_is_equal);
+      map_of_low_0_c_below_b_choices(2) := choice(map_of_low_0_c_below_a_value, is_set(map_low_0(2), 0) or (not
+        is_set(map_low_0(1), 1)) or (not is_set(map_low_0(1), 0)), map_of_low_0_c_below_b_choices(1));
+      map_of_low_0_c_below_b_choices(3) := inverted_carry(map_of_low_0_c_below_b_choices(2), not is_set(map_low_0(2),
+        2), map_of_low_0_b_below_a_values(3));
+      for i in 4 to 7 loop
+        map_of_low_0_c_below_b_choices(i) := carry(map_of_low_0_c_below_b_choices(i - 1), not is_set(map_low_0(2), i -
+          1), map_of_low_0_b_below_a_values(2 * i - 3));
       end loop;
-      map_of_middle_0_b_below_a_value := is_set(map_middle_0(0), 1);
-      if is_set(map_middle_0(0), 0) then
-        map_of_middle_0_b_below_a_choice := (not is_set(map_middle_0(1), 1)) or (not is_set(map_middle_0(1), 0));
-      else
-        map_of_middle_0_b_below_a_choice := not is_set(map_middle_0(1), 1);
-      end if;
+      map_of_middle_0_b_below_a_values(1) := is_set(map_middle_0(0), 1);
+      map_of_middle_0_b_below_a_choices(1) := choice(is_set(map_middle_0(0), 0), (not is_set(map_middle_0(1), 1)) or
+        (not is_set(map_middle_0(1), 0)), not is_set(map_middle_0(1), 1));
       map_of_middle_0_b_below_a_is_equal := (map_middle_0(1) mod 4) = 0;
-      if map_of_middle_0_b_below_a_value then
-        map_of_middle_0_b_below_a_choices(2) := map_of_middle_0_b_below_a_choice;
-      else
-        map_of_middle_0_b_below_a_choices(2) := is_set(map_middle_0(0), 0) and map_of_middle_0_b_below_a_is_equal;
-      end if;
+      map_of_middle_0_b_below_a_choices(2) := choice(map_of_middle_0_b_below_a_values(1),
+        map_of_middle_0_b_below_a_choices(1), is_set(map_middle_0(0), 0) and map_of_middle_0_b_below_a_is_equal);
       map_of_middle_0_b_below_a_values(2) := is_set(map_middle_0(0), 2);
       map_of_middle_0_b_below_a_values(3) := is_set(map_middle_0(1), 2);
-      if map_of_middle_0_b_below_a_choices(2) then
-        map_of_middle_0_b_below_a_choices(3) := (not map_of_middle_0_b_below_a_values(2)) and
-          map_of_middle_0_b_below_a_values(3);
-      else
-        map_of_middle_0_b_below_a_choices(3) := (not map_of_middle_0_b_below_a_values(2)) or
-          map_of_middle_0_b_below_a_values(3);
-      end if;
+      map_of_middle_0_b_below_a_choices(3) := inverted_carry(map_of_middle_0_b_below_a_choices(2), not
+        map_of_middle_0_b_below_a_values(2), map_of_middle_0_b_below_a_values(3));
       for i in 3 to 6 loop
         map_of_middle_0_b_below_a_values(2 * i - 2) := is_set(map_middle_0(0), i);
         map_of_middle_0_b_below_a_values(2 * i - 1) := is_set(map_middle_0(1), i);
-        if map_of_middle_0_b_below_a_choices(i) then
-          map_of_middle_0_b_below_a_choices(i + 1) := (not map_of_middle_0_b_below_a_values(2 * i - 2)) or
-            map_of_middle_0_b_below_a_values(2 * i - 1);
-        else
-          map_of_middle_0_b_below_a_choices(i + 1) := (not map_of_middle_0_b_below_a_values(2 * i - 2)) and
-            map_of_middle_0_b_below_a_values(2 * i - 1);
-        end if;
+        map_of_middle_0_b_below_a_choices(i + 1) := carry(map_of_middle_0_b_below_a_choices(i), not
+          map_of_middle_0_b_below_a_values(2 * i - 2), map_of_middle_0_b_below_a_values(2 * i - 1));
       end loop;
       map_of_middle_0_c_below_a_value := is_set(map_middle_0(2), 1);
-      if is_set(map_middle_0(2), 0) then
-        map_of_middle_0_c_below_a_choice := not map_of_middle_0_b_below_a_value;
-      else
-        map_of_middle_0_c_below_a_choice := (map_middle_0(0) mod 4) = 0;
-      end if;
-      if map_of_middle_0_c_below_a_value then
-        map_of_middle_0_c_below_a_choices(2) := is_set(map_middle_0(2), 0) or (not map_of_middle_0_b_below_a_value) or
-          (not is_set(map_middle_0(0), 0));
-      else
-        map_of_middle_0_c_below_a_choices(2) := map_of_middle_0_c_below_a_choice;
-      end if;
-      if map_of_middle_0_c_below_a_choices(2) then
-        map_of_middle_0_c_below_a_choices(3) := (not is_set(map_middle_0(2), 2)) and
-          map_of_middle_0_b_below_a_values(2);
-      else
-        map_of_middle_0_c_below_a_choices(3) := (not is_set(map_middle_0(2), 2)) or map_of_middle_0_b_below_a_values(2);
-      end if;
-      for i in 3 to 6 loop
-        if map_of_middle_0_c_below_a_choices(i) then
-          map_of_middle_0_c_below_a_choices(i + 1) := (not is_set(map_middle_0(2), i)) or
-            map_of_middle_0_b_below_a_values(2 * i - 2);
-        else
-          map_of_middle_0_c_below_a_choices(i + 1) := (not is_set(map_middle_0(2), i)) and
-            map_of_middle_0_b_below_a_values(2 * i - 2);
-        end if;
+      map_of_middle_0_c_below_a_choices(1) := choice(is_set(map_middle_0(2), 0), not
+        map_of_middle_0_b_below_a_values(1), (map_middle_0(0) mod 4) = 0);
+      map_of_middle_0_c_below_a_choices(2) := choice(map_of_middle_0_c_below_a_value, is_set(map_middle_0(2), 0) or
+        (not map_of_middle_0_b_below_a_values(1)) or (not is_set(map_middle_0(0), 0)),
+        map_of_middle_0_c_below_a_choices(1));
+      map_of_middle_0_c_below_a_choices(3) := inverted_carry(map_of_middle_0_c_below_a_choices(2), not
+        is_set(map_middle_0(2), 2), map_of_middle_0_b_below_a_values(2));
+      for i in 4 to 7 loop
+        map_of_middle_0_c_below_a_choices(i) := carry(map_of_middle_0_c_below_a_choices(i - 1), not
+          is_set(map_middle_0(2), i - 1), map_of_middle_0_b_below_a_values(2 * i - 4));
       end loop;
-      if is_set(map_middle_0(2), 0) then
-        map_of_middle_0_c_below_b_choice := not is_set(map_middle_0(1), 1);
-      else
-        map_of_middle_0_c_below_b_choice := map_of_middle_0_b_below_a_is_equal;
-      end if;
-      if map_of_middle_0_c_below_a_value then
-        map_of_middle_0_c_below_b_choices(2) := is_set(map_middle_0(2), 0) or (not is_set(map_middle_0(1), 1)) or (not
-          is_set(map_middle_0(1), 0));
-      else
-        map_of_middle_0_c_below_b_choices(2) := map_of_middle_0_c_below_b_choice;
-      end if;
-      if map_of_middle_0_c_below_b_choices(2) then
-        map_of_middle_0_c_below_b_choices(3) := (not is_set(map_middle_0(2), 2)) and
-          map_of_middle_0_b_below_a_values(3);
-      else
-        map_of_middle_0_c_below_b_choices(3) := (not is_set(map_middle_0(2), 2)) or map_of_middle_0_b_below_a_values(3);
-      end if;
-      for i in 3 to 6 loop
-        if map_of_middle_0_c_below_b_choices(i) then
-          map_of_middle_0_c_below_b_choices(i + 1) := (not is_set(map_middle_0(2), i)) or
-            map_of_middle_0_b_below_a_values(2 * i - 1);
-        else
-          map_of_middle_0_c_below_b_choices(i + 1) := (not is_set(map_middle_0(2), i)) and
-            map_of_middle_0_b_below_a_values(2 * i - 1);
-        end if;
+      map_of_middle_0_c_below_b_choices(1) := choice(is_set(map_middle_0(2), 0), not is_set(map_middle_0(1), 1),
+        map_of_middle_0_b_below_a_is_equal);
+      map_of_middle_0_c_below_b_choices(2) := choice(map_of_middle_0_c_below_a_value, is_set(map_middle_0(2), 0) or
+        (not is_set(map_middle_0(1), 1)) or (not is_set(map_middle_0(1), 0)), map_of_middle_0_c_below_b_choices(1));
+      map_of_middle_0_c_below_b_choices(3) := inverted_carry(map_of_middle_0_c_below_b_choices(2), not
+        is_set(map_middle_0(2), 2), map_of_middle_0_b_below_a_values(3));
+      for i in 4 to 7 loop
+        map_of_middle_0_c_below_b_choices(i) := carry(map_of_middle_0_c_below_b_choices(i - 1), not
+          is_set(map_middle_0(2), i - 1), map_of_middle_0_b_below_a_values(2 * i - 3));
       end loop;
-      map_of_high_0_b_below_a_value := is_set(map_high_0(0), 1);
-      if is_set(map_high_0(0), 0) then
-        map_of_high_0_b_below_a_choice := (not is_set(map_high_0(1), 1)) or (not is_set(map_high_0(1), 0));
-      else
-        map_of_high_0_b_below_a_choice := not is_set(map_high_0(1), 1);
-      end if;
+      map_of_high_0_b_below_a_values(1) := is_set(map_high_0(0), 1);
+      map_of_high_0_b_below_a_choices(1) := choice(is_set(map_high_0(0), 0), (not is_set(map_high_0(1), 1)) or (not
+        is_set(map_high_0(1), 0)), not is_set(map_high_0(1), 1));
       map_of_high_0_b_below_a_is_equal := (map_high_0(1) mod 4) = 0;
-      if map_of_high_0_b_below_a_value then
-        map_of_high_0_b_below_a_choices(2) := map_of_high_0_b_below_a_choice;
-      else
-        map_of_high_0_b_below_a_choices(2) := is_set(map_high_0(0), 0) and map_of_high_0_b_below_a_is_equal;
-      end if;
+      map_of_high_0_b_below_a_choices(2) := choice(map_of_high_0_b_below_a_values(1),
+        map_of_high_0_b_below_a_choices(1), is_set(map_high_0(0), 0) and map_of_high_0_b_below_a_is_equal);
       map_of_high_0_b_below_a_values(2) := is_set(map_high_0(0), 2);
       map_of_high_0_b_below_a_values(3) := is_set(map_high_0(1), 2);
-      if map_of_high_0_b_below_a_choices(2) then
-        map_of_high_0_b_below_a_choices(3) := (not map_of_high_0_b_below_a_values(2)) and
-          map_of_high_0_b_below_a_values(3);
-      else
-        map_of_high_0_b_below_a_choices(3) := (not map_of_high_0_b_below_a_values(2)) or
-          map_of_high_0_b_below_a_values(3);
-      end if;
+      map_of_high_0_b_below_a_choices(3) := inverted_carry(map_of_high_0_b_below_a_choices(2), not
+        map_of_high_0_b_below_a_values(2), map_of_high_0_b_below_a_values(3));
       for i in 3 to 6 loop
         map_of_high_0_b_below_a_values(2 * i - 2) := is_set(map_high_0(0), i);
         map_of_high_0_b_below_a_values(2 * i - 1) := is_set(map_high_0(1), i);
-        if map_of_high_0_b_below_a_choices(i) then
-          map_of_high_0_b_below_a_choices(i + 1) := (not map_of_high_0_b_below_a_values(2 * i - 2)) or
-            map_of_high_0_b_below_a_values(2 * i - 1);
-        else
-          map_of_high_0_b_below_a_choices(i + 1) := (not map_of_high_0_b_below_a_values(2 * i - 2)) and
-            map_of_high_0_b_below_a_values(2 * i - 1);
-        end if;
+        map_of_high_0_b_below_a_choices(i + 1) := carry(map_of_high_0_b_below_a_choices(i), not
+          map_of_high_0_b_below_a_values(2 * i - 2), map_of_high_0_b_below_a_values(2 * i - 1));
       end loop;
       map_of_high_0_c_below_a_value := is_set(map_high_0(2), 1);
-      if is_set(map_high_0(2), 0) then
-        map_of_high_0_c_below_a_choice := not map_of_high_0_b_below_a_value;
-      else
-        map_of_high_0_c_below_a_choice := (map_high_0(0) mod 4) = 0;
-      end if;
-      if map_of_high_0_c_below_a_value then
-        map_of_high_0_c_below_a_choices(2) := is_set(map_high_0(2), 0) or (not map_of_high_0_b_below_a_value) or (not
-          is_set(map_high_0(0), 0));
-      else
-        map_of_high_0_c_below_a_choices(2) := map_of_high_0_c_below_a_choice;
-      end if;
-      if map_of_high_0_c_below_a_choices(2) then
-        map_of_high_0_c_below_a_choices(3) := (not is_set(map_high_0(2), 2)) and map_of_high_0_b_below_a_values(2);
-      else
-        map_of_high_0_c_below_a_choices(3) := (not is_set(map_high_0(2), 2)) or map_of_high_0_b_below_a_values(2);
-      end if;
-      for i in 3 to 6 loop
-        if map_of_high_0_c_below_a_choices(i) then
-          map_of_high_0_c_below_a_choices(i + 1) := (not is_set(map_high_0(2), i)) or map_of_high_0_b_below_a_values(2
-            * i - 2);
-        else
-          map_of_high_0_c_below_a_choices(i + 1) := (not is_set(map_high_0(2), i)) and map_of_high_0_b_below_a_values(2
-            * i - 2);
-        end if;
+      map_of_high_0_c_below_a_choices(1) := choice(is_set(map_high_0(2), 0), not map_of_high_0_b_below_a_values(1),
+        (map_high_0(0) mod 4) = 0);
+      map_of_high_0_c_below_a_choices(2) := choice(map_of_high_0_c_below_a_value, is_set(map_high_0(2), 0) or (not
+        map_of_high_0_b_below_a_values(1)) or (not is_set(map_high_0(0), 0)), map_of_high_0_c_below_a_choices(1));
+      map_of_high_0_c_below_a_choices(3) := inverted_carry(map_of_high_0_c_below_a_choices(2), not
+        is_set(map_high_0(2), 2), map_of_high_0_b_below_a_values(2));
+      for i in 4 to 7 loop
+        map_of_high_0_c_below_a_choices(i) := carry(map_of_high_0_c_below_a_choices(i - 1), not is_set(map_high_0(2), i
+          - 1), map_of_high_0_b_below_a_values(2 * i - 4));
       end loop;
-      if is_set(map_high_0(2), 0) then
-        map_of_high_0_c_below_b_choice := not is_set(map_high_0(1), 1);
-      else
-        map_of_high_0_c_below_b_choice := map_of_high_0_b_below_a_is_equal;
-      end if;
-      if map_of_high_0_c_below_a_value then
-        map_of_high_0_c_below_b_choices(2) := is_set(map_high_0(2), 0) or (not is_set(map_high_0(1), 1)) or (not
-          is_set(map_high_0(1), 0));
-      else
-        map_of_high_0_c_below_b_choices(2) := map_of_high_0_c_below_b_choice;
-      end if;
-      if map_of_high_0_c_below_b_choices(2) then
-        map_of_high_0_c_below_b_choices(3) := (not is_set(map_high_0(2), 2)) and map_of_high_0_b_below_a_values(3);
-      else
-        map_of_high_0_c_below_b_choices(3) := (not is_set(map_high_0(2), 2)) or map_of_high_0_b_below_a_values(3);
-      end if;
-      for i in 3 to 6 loop
-        if map_of_high_0_c_below_b_choices(i) then
-          map_of_high_0_c_below_b_choices(i + 1) := (not is_set(map_high_0(2), i)) or map_of_high_0_b_below_a_values(2
-            * i - 1);
-        else
-          map_of_high_0_c_below_b_choices(i + 1) := (not is_set(map_high_0(2), i)) and map_of_high_0_b_below_a_values(2
-            * i - 1);
-        end if;
+      map_of_high_0_c_below_b_choices(1) := choice(is_set(map_high_0(2), 0), not is_set(map_high_0(1), 1),
+        map_of_high_0_b_below_a_is_equal);
+      map_of_high_0_c_below_b_choices(2) := choice(map_of_high_0_c_below_a_value, is_set(map_high_0(2), 0) or (not
+        is_set(map_high_0(1), 1)) or (not is_set(map_high_0(1), 0)), map_of_high_0_c_below_b_choices(1));
+      map_of_high_0_c_below_b_choices(3) := inverted_carry(map_of_high_0_c_below_b_choices(2), not
+        is_set(map_high_0(2), 2), map_of_high_0_b_below_a_values(3));
+      for i in 4 to 7 loop
+        map_of_high_0_c_below_b_choices(i) := carry(map_of_high_0_c_below_b_choices(i - 1), not is_set(map_high_0(2), i
+          - 1), map_of_high_0_b_below_a_values(2 * i - 3));
       end loop;
-      if map_of_low_0_c_below_a then
-        map_largest_low_0_choice := map_of_low_0_a;
-      else
-        map_largest_low_0_choice := map_of_low_0_c;
-      end if;
-      if map_of_low_0_c_below_b then
-        map_largest_low_0_choice_2 := map_of_low_0_b;
-      else
-        map_largest_low_0_choice_2 := map_of_low_0_c;
-      end if;
-      if map_of_middle_0_c_below_a then
-        map_median_middle_0_choice := map_of_middle_0_c;
-      else
-        map_median_middle_0_choice := map_of_middle_0_a;
-      end if;
-      if map_of_middle_0_c_below_b then
-        map_median_middle_0_choices(2) := map_of_middle_0_b;
-      else
-        map_median_middle_0_choices(2) := map_median_middle_0_choice;
-      end if;
-      if map_of_middle_0_c_below_b then
-        map_median_middle_0_choices(3) := map_of_middle_0_c;
-      else
-        map_median_middle_0_choices(3) := map_of_middle_0_b;
-      end if;
-      if map_of_middle_0_c_below_a then
-        map_median_middle_0_choices(4) := map_of_middle_0_a;
-      else
-        map_median_middle_0_choices(4) := map_median_middle_0_choices(3);
-      end if;
-      if map_of_high_0_c_below_b then
-        map_smallest_high_0_choice := map_of_high_0_c;
-      else
-        map_smallest_high_0_choice := map_of_high_0_b;
-      end if;
-      if map_of_high_0_c_below_a then
-        map_smallest_high_0_choice_2 := map_of_high_0_c;
-      else
-        map_smallest_high_0_choice_2 := map_of_high_0_a;
-      end if;
-      map_of_all_0_b_below_a_value := is_set(map_largest_low_0, 1);
-      if is_set(map_largest_low_0, 0) then
-        map_of_all_0_b_below_a_choice := (not is_set(map_median_middle_0, 1)) or (not is_set(map_median_middle_0, 0));
-      else
-        map_of_all_0_b_below_a_choice := not is_set(map_median_middle_0, 1);
-      end if;
+      map_largest_low_0_choices(1) := choice(map_of_low_0_c_below_a, map_of_low_0_a, map_of_low_0_c);
+      map_largest_low_0_choices(2) := choice(map_of_low_0_c_below_b, map_of_low_0_b, map_of_low_0_c);
+      map_median_middle_0_choices(1) := choice(map_of_middle_0_c_below_a, map_of_middle_0_c, map_of_middle_0_a);
+      map_median_middle_0_choices(2) := choice(map_of_middle_0_c_below_b, map_of_middle_0_b,
+        map_median_middle_0_choices(1));
+      map_median_middle_0_choices(3) := choice(map_of_middle_0_c_below_b, map_of_middle_0_c, map_of_middle_0_b);
+      map_median_middle_0_choices(4) := choice(map_of_middle_0_c_below_a, map_of_middle_0_a,
+        map_median_middle_0_choices(3));
+      map_smallest_high_0_choices(1) := choice(map_of_high_0_c_below_b, map_of_high_0_c, map_of_high_0_b);
+      map_smallest_high_0_choices(2) := choice(map_of_high_0_c_below_a, map_of_high_0_c, map_of_high_0_a);
+      map_of_all_0_b_below_a_values(1) := is_set(map_largest_low_0, 1);
+      map_of_all_0_b_below_a_choices(1) := choice(is_set(map_largest_low_0, 0), (not is_set(map_median_middle_0, 1)) or
+        (not is_set(map_median_middle_0, 0)), not is_set(map_median_middle_0, 1));
       map_of_all_0_b_below_a_is_equal := (map_median_middle_0 mod 4) = 0;
-      if map_of_all_0_b_below_a_value then
-        map_of_all_0_b_below_a_choices(2) := map_of_all_0_b_below_a_choice;
-      else
-        map_of_all_0_b_below_a_choices(2) := is_set(map_largest_low_0, 0) and map_of_all_0_b_below_a_is_equal;
-      end if;
+      map_of_all_0_b_below_a_choices(2) := choice(map_of_all_0_b_below_a_values(1), map_of_all_0_b_below_a_choices(1),
+        is_set(map_largest_low_0, 0) and map_of_all_0_b_below_a_is_equal);
       map_of_all_0_b_below_a_values(2) := is_set(map_largest_low_0, 2);
       map_of_all_0_b_below_a_values(3) := is_set(map_median_middle_0, 2);
-      if map_of_all_0_b_below_a_choices(2) then
-        map_of_all_0_b_below_a_choices(3) := (not map_of_all_0_b_below_a_values(2)) and
-          map_of_all_0_b_below_a_values(3);
-      else
-        map_of_all_0_b_below_a_choices(3) := (not map_of_all_0_b_below_a_values(2)) or map_of_all_0_b_below_a_values(3);
-      end if;
+      map_of_all_0_b_below_a_choices(3) := inverted_carry(map_of_all_0_b_below_a_choices(2), not
+        map_of_all_0_b_below_a_values(2), map_of_all_0_b_below_a_values(3));
       for i in 3 to 6 loop
         map_of_all_0_b_below_a_values(2 * i - 2) := is_set(map_largest_low_0, i);
         map_of_all_0_b_below_a_values(2 * i - 1) := is_set(map_median_middle_0, i);
-        if map_of_all_0_b_below_a_choices(i) then
-          map_of_all_0_b_below_a_choices(i + 1) := (not map_of_all_0_b_below_a_values(2 * i - 2)) or
-            map_of_all_0_b_below_a_values(2 * i - 1);
-        else
-          map_of_all_0_b_below_a_choices(i + 1) := (not map_of_all_0_b_below_a_values(2 * i - 2)) and
-            map_of_all_0_b_below_a_values(2 * i - 1);
-        end if;
+        map_of_all_0_b_below_a_choices(i + 1) := carry(map_of_all_0_b_below_a_choices(i), not
+          map_of_all_0_b_below_a_values(2 * i - 2), map_of_all_0_b_below_a_values(2 * i - 1));
       end loop;
       map_of_all_0_c_below_a_value := is_set(map_smallest_high_0, 1);
-      if is_set(map_smallest_high_0, 0) then
-        map_of_all_0_c_below_a_choice := not map_of_all_0_b_below_a_value;
-      else
-        map_of_all_0_c_below_a_choice := (map_largest_low_0 mod 4) = 0;
-      end if;
-      if map_of_all_0_c_below_a_value then
-        map_of_all_0_c_below_a_choices(2) := is_set(map_smallest_high_0, 0) or (not map_of_all_0_b_below_a_value) or
-          (not is_set(map_largest_low_0, 0));
-      else
-        map_of_all_0_c_below_a_choices(2) := map_of_all_0_c_below_a_choice;
-      end if;
-      if map_of_all_0_c_below_a_choices(2) then
-        map_of_all_0_c_below_a_choices(3) := (not is_set(map_smallest_high_0, 2)) and map_of_all_0_b_below_a_values(2);
-      else
-        map_of_all_0_c_below_a_choices(3) := (not is_set(map_smallest_high_0, 2)) or map_of_all_0_b_below_a_values(2);
-      end if;
-      for i in 3 to 6 loop
-        if map_of_all_0_c_below_a_choices(i) then
-          map_of_all_0_c_below_a_choices(i + 1) := (not is_set(map_smallest_high_0, i)) or
-            map_of_all_0_b_below_a_values(2 * i - 2);
-        else
-          map_of_all_0_c_below_a_choices(i + 1) := (not is_set(map_smallest_high_0, i)) and
-            map_of_all_0_b_below_a_values(2 * i - 2);
-        end if;
+      map_of_all_0_c_below_a_choices(1) := choice(is_set(map_smallest_high_0, 0), not map_of_all_0_b_below_a_values(1),
+        (map_largest_low_0 mod 4) = 0);
+      map_of_all_0_c_below_a_choices(2) := choice(map_of_all_0_c_below_a_value, is_set(map_smallest_high_0, 0) or (not
+        map_of_all_0_b_below_a_values(1)) or (not is_set(map_largest_low_0, 0)), map_of_all_0_c_below_a_choices(1));
+      map_of_all_0_c_below_a_choices(3) := inverted_carry(map_of_all_0_c_below_a_choices(2), not
+        is_set(map_smallest_high_0, 2), map_of_all_0_b_below_a_values(2));
+      for i in 4 to 7 loop
+        map_of_all_0_c_below_a_choices(i) := carry(map_of_all_0_c_below_a_choices(i - 1), not
+          is_set(map_smallest_high_0, i - 1), map_of_all_0_b_below_a_values(2 * i - 4));
       end loop;
-      if is_set(map_smallest_high_0, 0) then
-        map_of_all_0_c_below_b_choice := not is_set(map_median_middle_0, 1);
-      else
-        map_of_all_0_c_below_b_choice := map_of_all_0_b_below_a_is_equal;
-      end if;
-      if map_of_all_0_c_below_a_value then
-        map_of_all_0_c_below_b_choices(2) := is_set(map_smallest_high_0, 0) or (not is_set(map_median_middle_0, 1)) or
-          (not is_set(map_median_middle_0, 0));
-      else
-        map_of_all_0_c_below_b_choices(2) := map_of_all_0_c_below_b_choice;
-      end if;
-      if map_of_all_0_c_below_b_choices(2) then
-        map_of_all_0_c_below_b_choices(3) := (not is_set(map_smallest_high_0, 2)) and map_of_all_0_b_below_a_values(3);
-      else
-        map_of_all_0_c_below_b_choices(3) := (not is_set(map_smallest_high_0, 2)) or map_of_all_0_b_below_a_values(3);
-      end if;
-      for i in 3 to 6 loop
-        if map_of_all_0_c_below_b_choices(i) then
-          map_of_all_0_c_below_b_choices(i + 1) := (not is_set(map_smallest_high_0, i)) or
-            map_of_all_0_b_below_a_values(2 * i - 1);
-        else
-          map_of_all_0_c_below_b_choices(i + 1) := (not is_set(map_smallest_high_0, i)) and
-            map_of_all_0_b_below_a_values(2 * i - 1);
-        end if;
+      map_of_all_0_c_below_b_choices(1) := choice(is_set(map_smallest_high_0, 0), not is_set(map_median_middle_0, 1),
+        map_of_all_0_b_below_a_is_equal);
+      map_of_all_0_c_below_b_choices(2) := choice(map_of_all_0_c_below_a_value, is_set(map_smallest_high_0, 0) or (not
+        is_set(map_median_middle_0, 1)) or (not is_set(map_median_middle_0, 0)), map_of_all_0_c_below_b_choices(1));
+      map_of_all_0_c_below_b_choices(3) := inverted_carry(map_of_all_0_c_below_b_choices(2), not
+        is_set(map_smallest_high_0, 2), map_of_all_0_b_below_a_values(3));
+      for i in 4 to 7 loop
+        map_of_all_0_c_below_b_choices(i) := carry(map_of_all_0_c_below_b_choices(i - 1), not
+          is_set(map_smallest_high_0, i - 1), map_of_all_0_b_below_a_values(2 * i - 3));
       end loop;
-      if map_of_all_0_c_below_a then
-        map_out_disparity_0_choice := map_of_all_0_c;
-      else
-        map_out_disparity_0_choice := map_of_all_0_a;
-      end if;
-      if map_of_all_0_c_below_b then
-        map_out_disparity_0_choices(2) := map_of_all_0_b;
-      else
-        map_out_disparity_0_choices(2) := map_out_disparity_0_choice;
-      end if;
-      if map_of_all_0_c_below_b then
-        map_out_disparity_0_choices(3) := map_of_all_0_c;
-      else
-        map_out_disparity_0_choices(3) := map_of_all_0_b;
-      end if;
-      if map_of_all_0_c_below_a then
-        map_out_disparity_0_choices(4) := map_of_all_0_a;
-      else
-        map_out_disparity_0_choices(4) := map_out_disparity_0_choices(3);
-      end if;
+      map_out_disparity_0_choices(1) := choice(map_of_all_0_c_below_a, map_of_all_0_c, map_of_all_0_a);
+      map_out_disparity_0_choices(2) := choice(map_of_all_0_c_below_b, map_of_all_0_b, map_out_disparity_0_choices(1));
+      map_out_disparity_0_choices(3) := choice(map_of_all_0_c_below_b, map_of_all_0_c, map_of_all_0_b);
+      map_out_disparity_0_choices(4) := choice(map_of_all_0_c_below_a, map_of_all_0_a, map_out_disparity_0_choices(3));
       map_counter_next_frame <= other(1)(40) = '1';
       map_newest_0 <= ((turn_ready mod 256) * 2) + (turn_ready / 256);
-      map_arrives <= turn_ready_tag_row_start_all_2;
-      map_behind <= map_line_ended and turn_ready_tag_valid;
+      map_arrives <= turn_ready_tag_row_start_alls(2);
+      map_behind <= map_line_ended and turn_ready_tag.valid;
       map_rows_read_newest_0 <= map_newest_0;
       map_rows_ready_words_0 <= to_integer(map_rows_read_words_0);
       map_rows_ready_newest_0 <= map_rows_read_newest_0;
@@ -9878,165 +4287,70 @@ begin
       map_waiting_first(2) <= map_waiting_first(1);
       map_waiting_last(2) <= map_waiting_last(1);
       map_waiting_passed_0(0) <= map_passed_0(1);
-      map_waiting_passed_0(1) <= map_waiting_passed_0(0);
-      map_waiting_passed_0(2) <= map_waiting_passed_0(1);
+      map_waiting_passed_0(1 to 2) <= map_waiting_passed_0(0 to 1);
       map_out_passed_0 <= map_waiting_passed_0(2);
       map_out_valid <= map_waiting_complete(2);
       map_out_start_of_frame <= map_waiting_first(2) and map_waiting_complete(2);
       map_out_end_of_line <= map_waiting_last(2) and map_waiting_complete(2);
-      if turn_ready_tag_start_of_frame and turn_ready_tag_valid and turn_order_inside then
-        map_counter_group <= map_counter_group_choice;
-      else
-        map_counter_group <= map_counter_group_choices(3);
-      end if;
-      if turn_ready_tag_end_of_line then
-        map_line_ended <= map_line_ended_choice;
-      else
-        map_line_ended <= map_line_ended and (not turn_ready_tag_valid);
-      end if;
-      if map_at_top then
-        map_of_column_0_a <= map_column(1) / 2;
-      else
-        map_of_column_0_a <= other_2 / 2;
-      end if;
-      if map_counter_next_frame then
-        map_of_column_0_c <= map_column(1) / 2;
-      else
-        map_of_column_0_c <= map_column(2) / 2;
-      end if;
-      if map_of_column_0_b_below_a_choices(9) then
-        map_of_column_0_b_below_a <= (not is_set(map_column(1), 8)) and is_set(other_2, 8) and (not map_at_top);
-      else
-        map_of_column_0_b_below_a <= (not is_set(map_column(1), 8)) or is_set(other_2, 8) or map_at_top;
-      end if;
-      if map_of_column_0_c_below_a_choices(18) then
-        map_of_column_0_c_below_a <= (not map_of_column_0_c_below_a_choices(19)) or
-          map_of_column_0_c_below_a_choices(20);
-      else
-        map_of_column_0_c_below_a <= (not map_of_column_0_c_below_a_choices(19)) and
-          map_of_column_0_c_below_a_choices(20);
-      end if;
-      if map_of_column_0_c_below_b_choices(6) then
-        map_of_column_0_c_below_b <= (not is_set(map_column(2), 8)) and is_set(map_column(1), 8) and (not
-          map_counter_next_frame);
-      else
-        map_of_column_0_c_below_b <= (not is_set(map_column(2), 8)) or is_set(map_column(1), 8) or
-          map_counter_next_frame;
-      end if;
-      if map_of_column_0_b_below_a then
-        map_sorted_low_0 <= map_sorted_low_0_choice;
-        map_sorted_middle_0 <= map_sorted_middle_0_choice;
-        map_sorted_high_0 <= map_sorted_high_0_choice;
-      else
-        map_sorted_low_0 <= map_sorted_low_0_choice_2;
-        map_sorted_middle_0 <= map_sorted_middle_0_choice_2;
-        map_sorted_high_0 <= map_sorted_high_0_choice_2;
-      end if;
-      if map_passed_0(0) then
-        map_passed_0(1) <= map_passed_0(1) or map_sorted_arrives or map_sorted_behind;
-      else
-        map_passed_0(1) <= map_passed_0(1) and (not map_sorted_arrives) and (not map_sorted_behind);
-      end if;
-      if map_of_low_0_b_below_a_choices(7) then
-        map_of_low_0_b_below_a <= is_set(map_low_0(0), 7) and (not is_set(map_low_0(1), 7));
-      else
-        map_of_low_0_b_below_a <= is_set(map_low_0(0), 7) or (not is_set(map_low_0(1), 7));
-      end if;
-      if map_of_low_0_c_below_a_choices(7) then
-        map_of_low_0_c_below_a <= (not is_set(map_low_0(2), 7)) or is_set(map_low_0(0), 7);
-      else
-        map_of_low_0_c_below_a <= (not is_set(map_low_0(2), 7)) and is_set(map_low_0(0), 7);
-      end if;
-      if map_of_low_0_c_below_b_choices(7) then
-        map_of_low_0_c_below_b <= (not is_set(map_low_0(2), 7)) or is_set(map_low_0(1), 7);
-      else
-        map_of_low_0_c_below_b <= (not is_set(map_low_0(2), 7)) and is_set(map_low_0(1), 7);
-      end if;
-      if map_of_middle_0_b_below_a_choices(7) then
-        map_of_middle_0_b_below_a <= is_set(map_middle_0(0), 7) and (not is_set(map_middle_0(1), 7));
-      else
-        map_of_middle_0_b_below_a <= is_set(map_middle_0(0), 7) or (not is_set(map_middle_0(1), 7));
-      end if;
-      if map_of_middle_0_c_below_a_choices(7) then
-        map_of_middle_0_c_below_a <= (not is_set(map_middle_0(2), 7)) or is_set(map_middle_0(0), 7);
-      else
-        map_of_middle_0_c_below_a <= (not is_set(map_middle_0(2), 7)) and is_set(map_middle_0(0), 7);
-      end if;
-      if map_of_middle_0_c_below_b_choices(7) then
-        map_of_middle_0_c_below_b <= (not is_set(map_middle_0(2), 7)) or is_set(map_middle_0(1), 7);
-      else
-        map_of_middle_0_c_below_b <= (not is_set(map_middle_0(2), 7)) and is_set(map_middle_0(1), 7);
-      end if;
-      if map_of_high_0_b_below_a_choices(7) then
-        map_of_high_0_b_below_a <= is_set(map_high_0(0), 7) and (not is_set(map_high_0(1), 7));
-      else
-        map_of_high_0_b_below_a <= is_set(map_high_0(0), 7) or (not is_set(map_high_0(1), 7));
-      end if;
-      if map_of_high_0_c_below_a_choices(7) then
-        map_of_high_0_c_below_a <= (not is_set(map_high_0(2), 7)) or is_set(map_high_0(0), 7);
-      else
-        map_of_high_0_c_below_a <= (not is_set(map_high_0(2), 7)) and is_set(map_high_0(0), 7);
-      end if;
-      if map_of_high_0_c_below_b_choices(7) then
-        map_of_high_0_c_below_b <= (not is_set(map_high_0(2), 7)) or is_set(map_high_0(1), 7);
-      else
-        map_of_high_0_c_below_b <= (not is_set(map_high_0(2), 7)) and is_set(map_high_0(1), 7);
-      end if;
-      if map_of_low_0_b_below_a then
-        map_largest_low_0 <= map_largest_low_0_choice;
-      else
-        map_largest_low_0 <= map_largest_low_0_choice_2;
-      end if;
-      if map_of_middle_0_b_below_a then
-        map_median_middle_0 <= map_median_middle_0_choices(2);
-      else
-        map_median_middle_0 <= map_median_middle_0_choices(4);
-      end if;
-      if map_of_high_0_b_below_a then
-        map_smallest_high_0 <= map_smallest_high_0_choice;
-      else
-        map_smallest_high_0 <= map_smallest_high_0_choice_2;
-      end if;
-      if map_of_all_0_b_below_a_choices(7) then
-        map_of_all_0_b_below_a <= is_set(map_largest_low_0, 7) and (not is_set(map_median_middle_0, 7));
-      else
-        map_of_all_0_b_below_a <= is_set(map_largest_low_0, 7) or (not is_set(map_median_middle_0, 7));
-      end if;
-      if map_of_all_0_c_below_a_choices(7) then
-        map_of_all_0_c_below_a <= (not is_set(map_smallest_high_0, 7)) or is_set(map_largest_low_0, 7);
-      else
-        map_of_all_0_c_below_a <= (not is_set(map_smallest_high_0, 7)) and is_set(map_largest_low_0, 7);
-      end if;
-      if map_of_all_0_c_below_b_choices(7) then
-        map_of_all_0_c_below_b <= (not is_set(map_smallest_high_0, 7)) or is_set(map_median_middle_0, 7);
-      else
-        map_of_all_0_c_below_b <= (not is_set(map_smallest_high_0, 7)) and is_set(map_median_middle_0, 7);
-      end if;
-      if map_of_all_0_b_below_a then
-        map_out_disparity_0 <= map_out_disparity_0_choices(2);
-      else
-        map_out_disparity_0 <= map_out_disparity_0_choices(4);
-      end if;
+      map_counter_group <= choice(turn_ready_tag.start_of_frame and turn_ready_tag.valid and turn_order_inside,
+        map_counter_group_choice, map_counter_group_choices(3));
+      map_line_ended <= choice(turn_ready_tag.end_of_line, map_line_ended_choice, map_line_ended and (not
+        turn_ready_tag.valid));
+      map_of_column_0_a <= choice(map_at_top, map_column(1) / 2, other_2 / 2);
+      map_of_column_0_c <= choice(map_counter_next_frame, map_column(1) / 2, map_column(2) / 2);
+      map_of_column_0_b_below_a <= choice(map_of_column_0_b_below_a_choices(9), (not is_set(map_column(1), 8)) and
+        is_set(other_2, 8) and (not map_at_top), (not is_set(map_column(1), 8)) or is_set(other_2, 8) or map_at_top);
+      map_of_column_0_c_below_a <= carry(map_of_column_0_c_below_a_choices(18), not
+        map_of_column_0_c_below_a_choices(19), map_of_column_0_c_below_a_choices(20));
+      map_of_column_0_c_below_b <= choice(map_of_column_0_c_below_b_choices(6), (not is_set(map_column(2), 8)) and
+        is_set(map_column(1), 8) and (not map_counter_next_frame), (not is_set(map_column(2), 8)) or
+        is_set(map_column(1), 8) or map_counter_next_frame);
+      map_sorted_low_0 <= choice(map_of_column_0_b_below_a, map_sorted_low_0_choices(1), map_sorted_low_0_choices(2));
+      map_sorted_middle_0 <= choice(map_of_column_0_b_below_a, map_sorted_middle_0_choices(1),
+        map_sorted_middle_0_choices(2));
+      map_sorted_high_0 <= choice(map_of_column_0_b_below_a, map_sorted_high_0_choices(1),
+        map_sorted_high_0_choices(2));
+      map_passed_0(1) <= choice(map_passed_0(0), map_passed_0(1) or map_sorted_arrives or map_sorted_behind,
+        map_passed_0(1) and (not map_sorted_arrives) and (not map_sorted_behind));
+      map_of_low_0_b_below_a <= inverted_carry(map_of_low_0_b_below_a_choices(7), is_set(map_low_0(0), 7), not
+        is_set(map_low_0(1), 7));
+      map_of_low_0_c_below_a <= carry(map_of_low_0_c_below_a_choices(7), not is_set(map_low_0(2), 7),
+        is_set(map_low_0(0), 7));
+      map_of_low_0_c_below_b <= carry(map_of_low_0_c_below_b_choices(7), not is_set(map_low_0(2), 7),
+        is_set(map_low_0(1), 7));
+      map_of_middle_0_b_below_a <= inverted_carry(map_of_middle_0_b_below_a_choices(7), is_set(map_middle_0(0), 7), not
+        is_set(map_middle_0(1), 7));
+      map_of_middle_0_c_below_a <= carry(map_of_middle_0_c_below_a_choices(7), not is_set(map_middle_0(2), 7),
+        is_set(map_middle_0(0), 7));
+      map_of_middle_0_c_below_b <= carry(map_of_middle_0_c_below_b_choices(7), not is_set(map_middle_0(2), 7),
+        is_set(map_middle_0(1), 7));
+      map_of_high_0_b_below_a <= inverted_carry(map_of_high_0_b_below_a_choices(7), is_set(map_high_0(0), 7), not
+        is_set(map_high_0(1), 7));
+      map_of_high_0_c_below_a <= carry(map_of_high_0_c_below_a_choices(7), not is_set(map_high_0(2), 7),
+        is_set(map_high_0(0), 7));
+      map_of_high_0_c_below_b <= carry(map_of_high_0_c_below_b_choices(7), not is_set(map_high_0(2), 7),
+        is_set(map_high_0(1), 7));
+      map_largest_low_0 <= choice(map_of_low_0_b_below_a, map_largest_low_0_choices(1), map_largest_low_0_choices(2));
+      map_median_middle_0 <= choice(map_of_middle_0_b_below_a, map_median_middle_0_choices(2),
+        map_median_middle_0_choices(4));
+      map_smallest_high_0 <= choice(map_of_high_0_b_below_a, map_smallest_high_0_choices(1),
+        map_smallest_high_0_choices(2));
+      map_of_all_0_b_below_a <= inverted_carry(map_of_all_0_b_below_a_choices(7), is_set(map_largest_low_0, 7), not
+        is_set(map_median_middle_0, 7));
+      map_of_all_0_c_below_a <= carry(map_of_all_0_c_below_a_choices(7), not is_set(map_smallest_high_0, 7),
+        is_set(map_largest_low_0, 7));
+      map_of_all_0_c_below_b <= carry(map_of_all_0_c_below_b_choices(7), not is_set(map_smallest_high_0, 7),
+        is_set(map_median_middle_0, 7));
+      map_out_disparity_0 <= choice(map_of_all_0_b_below_a, map_out_disparity_0_choices(2),
+        map_out_disparity_0_choices(4));
       if map_at_arrives_value then
         map_rows_write_words_0 <= (map_rows_ready_newest_0 * 512) + (map_rows_ready_words_0 / 512);
         map_write_column <= to_integer(other(1)(10 downto 0));
       end if;
-      if map_sorted_behind then
-        map_low_0_0_choice := map_low_0(0);
-      else
-        map_low_0_0_choice := map_sorted_low_0;
-      end if;
+      map_low_0_0_choice := choice(map_sorted_behind, map_low_0(0), map_sorted_low_0);
       map_low_0_all(1) := map_window_complete_is_equal and map_sorted_arrives;
-      if map_sorted_behind then
-        map_middle_0_0_choice := map_middle_0(0);
-      else
-        map_middle_0_0_choice := map_sorted_middle_0;
-      end if;
-      if map_sorted_behind then
-        map_high_0_0_choice := map_high_0(0);
-      else
-        map_high_0_0_choice := map_sorted_high_0;
-      end if;
+      map_middle_0_0_choice := choice(map_sorted_behind, map_middle_0(0), map_sorted_middle_0);
+      map_high_0_0_choice := choice(map_sorted_behind, map_high_0(0), map_sorted_high_0);
       map_low_0_all(0) := (not map_sorted_arrives) and (not map_sorted_behind);
       if not map_low_0_all(0) then
         map_low_0(0) <= map_low_0_0_choice;
@@ -10045,15 +4359,9 @@ begin
         map_middle_0(2) <= map_middle_0(1);
         map_high_0(0) <= map_high_0_0_choice;
         map_high_0(2) <= map_high_0(1);
-        if map_low_0_all(1) then
-          map_low_0(1) <= map_low_0_0_choice;
-          map_middle_0(1) <= map_middle_0_0_choice;
-          map_high_0(1) <= map_high_0_0_choice;
-        else
-          map_low_0(1) <= map_low_0(0);
-          map_middle_0(1) <= map_middle_0(0);
-          map_high_0(1) <= map_high_0(0);
-        end if;
+        map_low_0(1) <= choice(map_low_0_all(1), map_low_0_0_choice, map_low_0(0));
+        map_middle_0(1) <= choice(map_low_0_all(1), map_middle_0_0_choice, map_middle_0(0));
+        map_high_0(1) <= choice(map_low_0_all(1), map_high_0_0_choice, map_high_0(0));
       end if;
       if map_sorted_arrives then
         map_passed_0(0) <= map_column_passed_0(1);
@@ -10061,81 +4369,40 @@ begin
       -- relief
       if transform_columns_valid then
         relief_centre_column(0) <= transform_left_column_2;
-        relief_centre_column(1) <= relief_centre_column(0);
-        relief_centre_column(2) <= relief_centre_column(1);
-        relief_centre_column(3) <= relief_centre_column(2);
-        relief_centre_column(4) <= relief_centre_column(3);
+        relief_centre_column(1 to 4) <= relief_centre_column(0 to 3);
       end if;
-      if is_set(relief_centre_grey(1), 0) then
-        relief_newest_choice := (not is_set(relief_before, 1)) or (not is_set(relief_before, 0));
-      else
-        relief_newest_choice := not is_set(relief_before, 1);
-      end if;
-      if is_set(relief_centre_grey(1), 1) then
-        relief_newest_choices(2) := relief_newest_choice;
-      else
-        relief_newest_choices(2) := is_set(relief_centre_grey(1), 0) and ((relief_before mod 4) = 0);
-      end if;
-      relief_newest_value := is_set(relief_before, 2);
-      if relief_newest_choices(2) then
-        relief_newest_choices(3) := (not is_set(relief_centre_grey(1), 2)) and relief_newest_value;
-      else
-        relief_newest_choices(3) := (not is_set(relief_centre_grey(1), 2)) or relief_newest_value;
-      end if;
+      relief_newest_choices(1) := choice(is_set(relief_centre_grey(1), 0), (not is_set(relief_before, 1)) or (not
+        is_set(relief_before, 0)), not is_set(relief_before, 1));
+      relief_newest_choices(2) := choice(is_set(relief_centre_grey(1), 1), relief_newest_choices(1),
+        is_set(relief_centre_grey(1), 0) and ((relief_before mod 4) = 0));
+      relief_newest_values(1) := is_set(relief_before, 2);
+      relief_newest_choices(3) := inverted_carry(relief_newest_choices(2), not is_set(relief_centre_grey(1), 2),
+        relief_newest_values(1));
       for i in 2 to 5 loop
         relief_newest_values(i) := is_set(relief_before, i + 1);
-        if relief_newest_choices(i + 1) then
-          relief_newest_choices(i + 2) := (not is_set(relief_centre_grey(1), i + 1)) or relief_newest_values(i);
-        else
-          relief_newest_choices(i + 2) := (not is_set(relief_centre_grey(1), i + 1)) and relief_newest_values(i);
-        end if;
+        relief_newest_choices(i + 2) := carry(relief_newest_choices(i + 1), not is_set(relief_centre_grey(1), i + 1),
+          relief_newest_values(i));
       end loop;
-      if relief_newest_choices(7) then
-        relief_newest_choices(8) := (not is_set(relief_centre_grey(1), 7)) or is_set(relief_before, 7);
-      else
-        relief_newest_choices(8) := (not is_set(relief_centre_grey(1), 7)) and is_set(relief_before, 7);
-      end if;
+      relief_newest_choices(8) := carry(relief_newest_choices(7), not is_set(relief_centre_grey(1), 7),
+        is_set(relief_before, 7));
       relief_newest_values_from_6(6) := (relief_before - relief_centre_grey(1)) mod 256;
       relief_newest_values_from_6(7) := (relief_centre_grey(1) - relief_before) mod 256;
-      if relief_newest_choices(8) then
-        relief_newest_choices(9) := is_set(relief_newest_values_from_6(6), 2);
-      else
-        relief_newest_choices(9) := is_set(relief_newest_values_from_6(7), 2);
-      end if;
-      for i in 10 to 11 loop
-        if relief_newest_choices(8) then
-          relief_newest_choices(i) := not is_set(relief_newest_values_from_6(6), 23 - 2 * i);
-        else
-          relief_newest_choices(i) := not is_set(relief_newest_values_from_6(7), 23 - 2 * i);
-        end if;
+      relief_newest_choices(9) := choice(relief_newest_choices(8), is_set(relief_newest_values_from_6(6), 2),
+        is_set(relief_newest_values_from_6(7), 2));
+      relief_newest_choices(10) := choice(relief_newest_choices(8), not is_set(relief_newest_values_from_6(6), 3), not
+        is_set(relief_newest_values_from_6(7), 3));
+      for i in 0 to 1 loop
+        relief_newest_choices(2 * i + 11) := choice(relief_newest_choices(8), not
+          is_set(relief_newest_values_from_6(6), 4 * i + 1), not is_set(relief_newest_values_from_6(7), 4 * i + 1));
+        relief_newest_choices(2 * i + 12) := choice(relief_newest_choices(8), is_set(relief_newest_values_from_6(6), 2
+          * i + 4), is_set(relief_newest_values_from_6(7), 2 * i + 4));
       end loop;
-      if relief_newest_choices(8) then
-        relief_newest_choices(12) := is_set(relief_newest_values_from_6(6), 4);
-      else
-        relief_newest_choices(12) := is_set(relief_newest_values_from_6(7), 4);
-      end if;
-      if relief_newest_choices(8) then
-        relief_newest_choices(13) := not is_set(relief_newest_values_from_6(6), 5);
-      else
-        relief_newest_choices(13) := not is_set(relief_newest_values_from_6(7), 5);
-      end if;
-      for i in 14 to 15 loop
-        if relief_newest_choices(8) then
-          relief_newest_choices(i) := is_set(relief_newest_values_from_6(6), i - 8);
-        else
-          relief_newest_choices(i) := is_set(relief_newest_values_from_6(7), i - 8);
-        end if;
-      end loop;
-      if relief_newest_choices(7) then
-        relief_newest_choices(16) := is_set(relief_centre_grey(1), 7) and (not is_set(relief_before, 7));
-      else
-        relief_newest_choices(16) := is_set(relief_centre_grey(1), 7) or (not is_set(relief_before, 7));
-      end if;
-      if relief_newest_choices(16) then
-        relief_newest_choice_17 := (relief_newest_values_from_6(7) / 2) mod 64;
-      else
-        relief_newest_choice_17 := (relief_newest_values_from_6(6) / 2) mod 64;
-      end if;
+      relief_newest_choices(15) := choice(relief_newest_choices(8), is_set(relief_newest_values_from_6(6), 7),
+        is_set(relief_newest_values_from_6(7), 7));
+      relief_newest_choices(16) := inverted_carry(relief_newest_choices(7), is_set(relief_centre_grey(1), 7), not
+        is_set(relief_before, 7));
+      relief_newest_choice_17 := choice(relief_newest_choices(16), (relief_newest_values_from_6(7) / 2) mod 64,
+        (relief_newest_values_from_6(6) / 2) mod 64);
       relief_centre_grey(0) <= relief_centre_column(4);
       relief_centre_grey(1) <= relief_centre_grey(0);
       relief_delayed_0 <= relief_newest;
@@ -10144,42 +4411,25 @@ begin
       relief_rows_ready_newest_0 <= relief_rows_read_newest_0;
       relief_shown_0 <= relief_rows_ready_words_0;
       relief_write_turned_0 <= relief_entered;
-      if ((not ((not ((not ((not relief_newest_choices(9)) and relief_newest_choices(10) and
+      relief_newest <= choice(((not ((not ((not ((not relief_newest_choices(9)) and relief_newest_choices(10) and
         relief_newest_choices(11))) and relief_newest_choices(12))) and relief_newest_choices(13))) and
-        relief_newest_choices(14)) or relief_newest_choices(15) then
-        relief_newest <= 40;
-      else
-        relief_newest <= relief_newest_choice_17;
-      end if;
-      if relief_entering < 40 then
-        relief_entered <= relief_entering;
-      else
-        relief_entered <= 40;
-      end if;
-      if line_starts_phases(1) then
-        relief_write_address <= line_order_address;
-      else
-        relief_write_address <= 1240;
-      end if;
+        relief_newest_choices(14)) or relief_newest_choices(15), 40, relief_newest_choice_17);
+      relief_entered <= choice(relief_entering < 40, relief_entering, 40);
+      relief_write_address <= choice(line_starts_phases(1), line_order_address, 1240);
       if transform_filtering_valid(2) then
         relief_before <= relief_centre_grey(1);
       end if;
-      if rows_ready_tag_valid then
+      if rows_ready_tag.valid then
         relief_rows_write_words_0 <= relief_rows_ready_newest_0;
       end if;
-      if rows_tag_valid then
+      if rows_tag.valid then
         relief_column_0 <= relief_shown_0;
         relief_entering <= relief_column_0;
       end if;
       if line_comes(1) then
         relief_between <= to_integer(relief_turned_0);
-        if line_newest_first_column then
-          relief_left(0) <= 64;
-          relief_right(0) <= 64;
-        else
-          relief_left(0) <= 64 - relief_entered;
-          relief_right(0) <= 64 - relief_between;
-        end if;
+        relief_left(0) <= choice(line_newest_first_column, 64, 64 - relief_entered);
+        relief_right(0) <= choice(line_newest_first_column, 64, 64 - relief_between);
       end if;
       for i in 1 to 2 loop
         if line_comes(8 * i + 1) then
@@ -10230,33 +4480,13 @@ begin
         raster_place_group_after <= 376;
         delay_column <= 0;
         delay_row_inside(2) <= false;
-        delay_tag_valid <= false;
-        delay_tag_map_column <= false;
-        delay_tag_output_column <= false;
-        delay_tag_first_column <= false;
-        delay_tag_start_of_frame <= false;
-        delay_tag_end_of_line <= false;
+        delay_tag <= (others => false);
         rows_read_column <= 0;
-        rows_read_tag_valid <= false;
-        rows_read_tag_map_column <= false;
-        rows_read_tag_output_column <= false;
-        rows_read_tag_first_column <= false;
-        rows_read_tag_start_of_frame <= false;
-        rows_read_tag_end_of_line <= false;
+        rows_read_tag <= (others => false);
         rows_ready_column <= 0;
-        rows_ready_tag_valid <= false;
-        rows_ready_tag_map_column <= false;
-        rows_ready_tag_output_column <= false;
-        rows_ready_tag_first_column <= false;
-        rows_ready_tag_start_of_frame <= false;
-        rows_ready_tag_end_of_line <= false;
+        rows_ready_tag <= (others => false);
         rows_write_column <= 0;
-        rows_tag_valid <= false;
-        rows_tag_map_column <= false;
-        rows_tag_output_column <= false;
-        rows_tag_first_column <= false;
-        rows_tag_start_of_frame <= false;
-        rows_tag_end_of_line <= false;
+        rows_tag <= (others => false);
         line_centre_map_column_0 <= false;
         line_centre_output_column_0 <= false;
         line_centre_first_column_0 <= false;
@@ -10275,12 +4505,8 @@ begin
         line_order_turned_start_of_frame <= false;
         line_order_turned_end_of_line <= false;
         line_newest_first_column <= false;
-        for i in 1 to 35 loop
-          line_comes(i) <= false;
-        end loop;
-        for i in 1 to 35 loop
-          line_starts_phases(i) <= false;
-        end loop;
+        line_comes <= (others => false);
+        line_starts_phases <= (others => false);
         for i in 0 to 2 loop
           line_places_map_column(i) <= false;
           line_places_address(i) <= 0;
@@ -10314,8 +4540,7 @@ begin
         pathsleft_low_write_address <= 0;
         pathsabove_memory_read_address_0 <= 0;
         pathsabove_memory_read_address_2 <= 0;
-        pathsabove_memory_write_address(0) <= 0;
-        pathsabove_memory_write_address(1) <= 0;
+        pathsabove_memory_write_address <= (others => 0);
         pathsabove_memory_write_address_2 <= 0;
         pathsabove_read_address_address <= 0;
         pathsabove_read_address_count_phase <= 7;
@@ -10324,13 +4549,11 @@ begin
         pathsabove_write_address_count_phase <= 7;
         pathsturn_sum_memory_read_address_0 <= 0;
         pathsturn_sum_memory_read_address_2 <= 0;
-        pathsturn_sum_memory_write_address(0) <= 0;
-        pathsturn_sum_memory_write_address(1) <= 0;
+        pathsturn_sum_memory_write_address <= (others => 0);
         pathsturn_sum_memory_write_address_2 <= 0;
         pathsturn_cost_memory_read_address_0 <= 0;
         pathsturn_cost_memory_read_address_2 <= 0;
-        pathsturn_cost_memory_write_address(0) <= 0;
-        pathsturn_cost_memory_write_address(1) <= 0;
+        pathsturn_cost_memory_write_address <= (others => 0);
         pathsturn_cost_memory_write_address_2 <= 0;
         pathsturn_smallest_address <= 0;
         pathsturn_read_address_address <= 0;
@@ -10340,16 +4563,10 @@ begin
         pathsturn_write_address_address <= 0;
         pathsturn_write_address_is_here <= false;
         pathsturn_write_address_count_phase <= 7;
-        pathsturn_sum_write_address(0) <= 0;
-        pathsturn_sum_write_address(1) <= 0;
-        pathsturn_writes_sums(0) <= false;
-        pathsturn_writes_sums(1) <= false;
+        pathsturn_sum_write_address <= (others => 0);
+        pathsturn_writes_sums <= (others => false);
         winnerswinner1_best_below_0 <= false;
-        winners_best_tag_valid <= false;
-        winners_best_tag_map_column <= false;
-        winners_best_tag_output_column <= false;
-        winners_best_tag_start_of_frame <= false;
-        winners_best_tag_end_of_line <= false;
+        winners_best_tag <= (others => false);
         turn_order_address <= 0;
         turn_order_falls <= false;
         turn_order_inside <= false;
@@ -10361,16 +4578,9 @@ begin
         turn_order_turned_start_of_frame <= false;
         turn_order_turned_end_of_line <= false;
         turn_comes <= false;
-        turn_read_tag_valid <= false;
-        turn_read_tag_map_column <= false;
-        turn_read_tag_start_of_frame <= false;
-        turn_read_tag_end_of_line <= false;
+        turn_read_tag <= (others => false);
         turn_write_place <= 0;
-        turn_ready_tag_valid <= false;
-        turn_ready_tag_row_start <= false;
-        turn_ready_tag_map_column <= false;
-        turn_ready_tag_start_of_frame <= false;
-        turn_ready_tag_end_of_line <= false;
+        turn_ready_tag <= (others => false);
         map_counter_column <= 0;
         map_counter_group <= 376;
         map_arrives <= false;

@@ -95,11 +95,46 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
     return (value / 2 ** place) mod 2 = 1;
   end function;
 
+  -- the majority: a comparison or a sum as a chain of its bits
+  function carry(before : boolean; a : boolean; b : boolean) return boolean is
+  begin
+    if before then
+      return a or b;
+    end if;
+    return a and b;
+  end function;
+
+  function inverted_carry(before : boolean; a : boolean; b : boolean) return boolean is
+  begin
+    if before then
+      return a and b;
+    end if;
+    return a or b;
+  end function;
+
+  function choice(test : boolean; yes : boolean; no : boolean) return boolean is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
+  function choice(test : boolean; yes : integer; no : integer) return integer is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
   type boolean_1d is array (natural range <>) of boolean;
   type boolean_2d is array (natural range <>, natural range <>) of boolean;
+  type boolean_3d is array (natural range <>, natural range <>, natural range <>) of boolean;
   type natural_1023_1d is array (natural range <>) of natural range 0 to 1023;
   type natural_105_1d is array (natural range <>) of natural range 0 to 105;
   type natural_127_1d is array (natural range <>) of natural range 0 to 127;
+  type natural_127_2d is array (natural range <>, natural range <>) of natural range 0 to 127;
   type natural_14_1d is array (natural range <>) of natural range 0 to 14;
   type natural_14_2d is array (natural range <>, natural range <>) of natural range 0 to 14;
   type natural_16383_1d is array (natural range <>) of natural range 0 to 16383;
@@ -110,11 +145,12 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   type natural_254_1d is array (natural range <>) of natural range 0 to 254;
   type natural_255_1d is array (natural range <>) of natural range 0 to 255;
   type natural_255_2d is array (natural range <>, natural range <>) of natural range 0 to 255;
-  type natural_255_to_256_1d is array (natural range <>) of natural range 255 to 256;
+  type natural_255_to_256_2d is array (natural range <>, natural range <>) of natural range 255 to 256;
   type natural_257_to_1022_1d is array (natural range <>) of natural range 257 to 1022;
   type natural_28_1d is array (natural range <>) of natural range 0 to 28;
   type natural_2_2d is array (natural range <>, natural range <>) of natural range 0 to 2;
   type natural_31_1d is array (natural range <>) of natural range 0 to 31;
+  type natural_31_2d is array (natural range <>, natural range <>) of natural range 0 to 31;
   type natural_32767_1d is array (natural range <>) of natural range 0 to 32767;
   type natural_3_3d is array (natural range <>, natural range <>, natural range <>) of natural range 0 to 3;
   type natural_42_1d is array (natural range <>) of natural range 0 to 42;
@@ -132,6 +168,18 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   type unsigned_28_1d is array (natural range <>) of unsigned(27 downto 0);
   type unsigned_32_1d is array (natural range <>) of unsigned(31 downto 0);
   type unsigned_8_1d is array (natural range <>) of unsigned(7 downto 0);
+  type tag_6 is record
+    valid, map_column, output_column, first_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_5 is record
+    valid, map_column, output_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_4 is record
+    valid, map_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_5_b is record
+    valid, row_start, map_column, start_of_frame, end_of_line : boolean;
+  end record;
   signal in_start_of_frame, in_valid : boolean;
   signal in_right_pixel, in_left_pixel : natural range 0 to 255;
   -- transform
@@ -198,25 +246,19 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   signal delay_ahead_0, delay_delayed_0 : natural range 0 to 16383;
   signal delay_column : natural range 0 to 1023;
   signal delay_row_inside : boolean_1d(0 to 2);
-  signal delay_tag_valid, delay_tag_map_column, delay_tag_output_column, delay_tag_first_column : boolean;
-  signal delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
+  signal delay_tag : tag_6;
   -- rows
   signal rows_search_rows_read_words_0, rows_reference_rows_read_words_0 : unsigned(27 downto 0);
   signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 16383;
   signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0 : natural range 0 to 16383;
-  signal rows_search : natural_16383_1d(0 to 2);
-  signal rows_reference : natural_16383_1d(0 to 2);
+  signal rows_search, rows_reference : natural_16383_1d(0 to 2);
   signal rows_search_rows_ready_words_0, rows_search_rows_write_words_0 : natural range 0 to 268435455;
   signal rows_reference_rows_ready_words_0, rows_reference_rows_write_words_0 : natural range 0 to 268435455;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 1023;
   signal rows_read_inside : boolean_1d(0 to 2);
-  signal rows_read_tag_valid, rows_read_tag_map_column, rows_read_tag_output_column : boolean;
-  signal rows_read_tag_first_column, rows_read_tag_start_of_frame, rows_read_tag_end_of_line : boolean;
+  signal rows_read_tag : tag_6;
   signal rows_ready_inside : boolean_1d(0 to 2);
-  signal rows_ready_tag_valid, rows_ready_tag_map_column, rows_ready_tag_output_column : boolean;
-  signal rows_ready_tag_first_column, rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line : boolean;
-  signal rows_tag_valid, rows_tag_map_column, rows_tag_output_column, rows_tag_first_column : boolean;
-  signal rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  signal rows_ready_tag, rows_tag : tag_6;
   -- line
   signal line_centre_map_column_0, line_centre_output_column_0, line_centre_first_column_0 : boolean;
   signal line_centre_start_of_frame_0, line_centre_end_of_line_0, line_order_falls, line_order_inside : boolean;
@@ -224,8 +266,7 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   signal line_order_turned_valid, line_order_turned_map_column, line_order_turned_output_column : boolean;
   signal line_order_turned_first_column, line_order_turned_start_of_frame, line_order_turned_end_of_line : boolean;
   signal line_newest_first_column, line_newest_top : boolean;
-  signal line_comes : boolean_1d(1 to 33);
-  signal line_starts_phases : boolean_1d(1 to 33);
+  signal line_comes, line_starts_phases : boolean_1d(1 to 33);
   signal line_places_map_column : boolean_1d(0 to 4);  -- line_places_#_map_column
   signal line_places_first_column : boolean_1d(0 to 2);  -- line_places_#_first_column
   signal line_places_0_top : boolean;
@@ -236,9 +277,7 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   signal line_order_address : natural range 0 to 1023;
   signal line_places_address : natural_1023_1d(0 to 2);  -- line_places_#_address
   -- costsshift
-  signal costsshift_newest : natural_16383_1d(0 to 2);
-  signal costsshift_new_reference : natural_16383_1d(0 to 2);
-  signal costsshift_handed_on : natural_16383_1d(0 to 2);
+  signal costsshift_newest, costsshift_new_reference, costsshift_handed_on : natural_16383_1d(0 to 2);
   signal costsshift_read_reference : natural_16383_1d(0 to 2);
   signal costsshift_search : natural_16383_2d(0 to 2, 0 to 7);
   signal costsshift_reference : natural_16383_1d(0 to 2);
@@ -280,12 +319,8 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   signal pathsleft_room : natural range 0 to 63;
   signal pathsleft_start_cost : natural_63_1d(1 to 8);
   signal pathsleft_q_less, pathsleft_g_less, pathsleft_lower_neighbour : natural range 0 to 127;
-  signal pathsleft_stay : natural_127_1d(0 to 7);
-  signal pathsleft_step : natural_127_1d(0 to 7);
-  signal pathsleft_stay_change : natural_127_1d(0 to 7);
-  signal pathsleft_step_change : natural_127_1d(0 to 7);
-  signal pathsleft_cost : natural_127_1d(0 to 7);
-  signal pathsleft_arrived : natural_127_1d(0 to 7);
+  signal pathsleft_stay, pathsleft_step, pathsleft_stay_change, pathsleft_step_change : natural_127_1d(0 to 7);
+  signal pathsleft_cost, pathsleft_arrived : natural_127_1d(0 to 7);
   signal pathsleft_tree_smallest : natural_127_1d(0 to 3);
   signal pathsleft_tree_next_smallest : natural_127_1d(0 to 1);
   signal pathsleft_tree_next_next_smallest_0, pathsleft_low_0 : natural range 0 to 127;
@@ -300,10 +335,9 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   signal pathsabove_memory_read_words : unsigned_16_2d(0 to 1, 0 to 1);
   signal pathsabove_memory_read_words_2 : unsigned_8_1d(0 to 1);  -- pathsabove_memory_read_words_#_2
   signal pathsabove_memory_held_words : natural_65535_2d(0 to 1, 0 to 1);
-  signal pathsabove_memory_ready_words : natural_65535_1d(0 to 1);
+  signal pathsabove_memory_ready_words : natural_65535_1d(0 to 2);  -- pathsabove_memory_ready_words_# up to 65535, 65535, 255
   signal pathsabove_memory_write_words : natural_65535_2d(0 to 1, 0 to 1);
   signal pathsabove_memory_held_words_2 : natural_255_1d(0 to 1);  -- pathsabove_memory_held_words_#_2
-  signal pathsabove_memory_ready_words_2 : natural range 0 to 255;
   signal pathsabove_memory_write_words_2 : natural_255_1d(0 to 1);  -- pathsabove_memory_write_words_#_2
   signal pathsabove_read_address_address, pathsabove_write_address_address : natural range 0 to 8191;
   signal pathsabove_read_address_count_phase, pathsabove_count_phase : natural range 0 to 7;
@@ -315,8 +349,7 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   signal pathsabove_delay_held_0 : unsigned(29 downto 0);
   signal pathsabove_delay_held_1 : unsigned(17 downto 0);
   signal pathsabove_smallest_total, pathsabove_smallest : natural range 0 to 63;
-  signal pathsabove_cost : natural_63_1d(0 to 7);
-  signal pathsabove_held : natural_63_1d(0 to 7);
+  signal pathsabove_cost, pathsabove_held : natural_63_1d(0 to 7);
   signal pathsabove_lower_neighbour : natural range 0 to 63;
   signal pathsabove_beside : natural_63_1d(0 to 7);
   signal pathsabove_own : natural_63_1d(0 to 6);
@@ -337,16 +370,14 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   signal pathsturn_sum_memory_read_words_3 : unsigned_8_1d(0 to 1);  -- pathsturn_sum_memory_read_words_#_3
   signal pathsturn_cost_memory_read_words_1 : unsigned_8_1d(0 to 1);  -- pathsturn_cost_memory_read_words_#_1
   signal pathsturn_sum_memory_held_words : natural_65535_2d(0 to 1, 0 to 2);
-  signal pathsturn_sum_memory_ready_words : natural_65535_1d(0 to 2);
+  signal pathsturn_sum_memory_ready_words : natural_65535_1d(0 to 3);  -- pathsturn_sum_memory_ready_words_# up to 65535, 65535, 65535, 255
   signal pathsturn_sum_memory_write_words : natural_65535_2d(0 to 1, 0 to 2);
   signal pathsturn_cost_memory_held_words_0 : natural_65535_1d(0 to 1);  -- pathsturn_cost_memory_held_words_#_0
-  signal pathsturn_cost_memory_ready_words_0 : natural range 0 to 65535;
+  signal pathsturn_cost_memory_ready_words : natural_65535_1d(0 to 1);  -- pathsturn_cost_memory_ready_words_# up to 65535, 255
   signal pathsturn_cost_memory_write_words_0 : natural_65535_1d(0 to 1);  -- pathsturn_cost_memory_write_words_#_0
   signal pathsturn_sum_memory_held_words_3 : natural_255_1d(0 to 1);  -- pathsturn_sum_memory_held_words_#_3
-  signal pathsturn_sum_memory_ready_words_3 : natural range 0 to 255;
   signal pathsturn_sum_memory_write_words_3 : natural_255_1d(0 to 1);  -- pathsturn_sum_memory_write_words_#_3
   signal pathsturn_cost_memory_held_words_1 : natural_255_1d(0 to 1);  -- pathsturn_cost_memory_held_words_#_1
-  signal pathsturn_cost_memory_ready_words_1 : natural range 0 to 255;
   signal pathsturn_cost_memory_write_words_1 : natural_255_1d(0 to 1);  -- pathsturn_cost_memory_write_words_#_1
   signal pathsturn_read_smallest_0 : unsigned(4 downto 0);
   signal pathsturn_ready_smallest_0 : natural range 0 to 31;
@@ -362,12 +393,8 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   signal pathsright_q_now, pathsright_room : natural range 0 to 63;
   signal pathsright_start_cost : natural_63_1d(1 to 8);
   signal pathsright_q_less, pathsright_g_less, pathsright_lower_neighbour : natural range 0 to 127;
-  signal pathsright_stay : natural_127_1d(0 to 7);
-  signal pathsright_step : natural_127_1d(0 to 7);
-  signal pathsright_stay_change : natural_127_1d(0 to 7);
-  signal pathsright_step_change : natural_127_1d(0 to 7);
-  signal pathsright_cost : natural_127_1d(0 to 7);
-  signal pathsright_arrived : natural_127_1d(0 to 7);
+  signal pathsright_stay, pathsright_step, pathsright_stay_change, pathsright_step_change : natural_127_1d(0 to 7);
+  signal pathsright_cost, pathsright_arrived : natural_127_1d(0 to 7);
   signal pathsright_tree_smallest : natural_127_1d(0 to 3);
   signal pathsright_tree_next_smallest : natural_127_1d(0 to 1);
   signal pathsright_tree_next_next_smallest_0, pathsright_low_0 : natural range 0 to 127;
@@ -378,23 +405,14 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   signal winnersmask_partner : natural range 0 to 4095;
   signal winnersmask_inside : boolean_1d(0 to 7);
   -- winnerswinner1
-  signal winnerswinner1_best_cost_0 : natural_255_1d(0 to 3);
-  signal winnerswinner1_best_below_0 : natural_255_1d(0 to 3);
-  signal winnerswinner1_best_above_0 : natural_255_1d(0 to 3);
-  signal winnerswinner1_best_first_0 : natural_255_1d(0 to 3);
-  signal winnerswinner1_best_last_0 : natural_255_1d(0 to 3);
+  signal winnerswinner1_best_cost_0, winnerswinner1_best_below_0, winnerswinner1_best_above_0 : natural_255_1d(0 to 3);
+  signal winnerswinner1_best_first_0, winnerswinner1_best_last_0 : natural_255_1d(0 to 3);
   signal winnerswinner1_best_index_0_0, winnerswinner1_best_place_0 : boolean;
-  signal winnerswinner1_best_index_0_1 : natural range 0 to 3;
-  signal winnerswinner1_best_index_0_2 : natural range 0 to 5;
-  signal winnerswinner1_best_index_0_3 : natural range 0 to 7;
+  signal winnerswinner1_best_index_0 : natural_7_1d(1 to 3);  -- winnerswinner1_best_index_0_# up to 3, 5, 7
   -- winnerswinner2
-  signal winnerswinner2_best_cost_0 : natural_255_1d(0 to 1);
-  signal winnerswinner2_best_below_0 : natural_255_1d(0 to 1);
-  signal winnerswinner2_best_above_0 : natural_255_1d(0 to 1);
-  signal winnerswinner2_best_first_0 : natural_255_1d(0 to 1);
-  signal winnerswinner2_best_last_0 : natural_255_1d(0 to 1);
-  signal winnerswinner2_best_index_0_0 : natural range 0 to 3;
-  signal winnerswinner2_best_index_0_1 : natural range 0 to 7;
+  signal winnerswinner2_best_cost_0, winnerswinner2_best_below_0, winnerswinner2_best_above_0 : natural_255_1d(0 to 1);
+  signal winnerswinner2_best_first_0, winnerswinner2_best_last_0 : natural_255_1d(0 to 1);
+  signal winnerswinner2_best_index_0 : natural_7_1d(0 to 1);  -- winnerswinner2_best_index_0_# up to 3, 7
   -- winnerswinner3
   signal winnerswinner3_best_cost_0_0, winnerswinner3_best_below_0_0 : natural range 0 to 255;
   signal winnerswinner3_best_above_0_0, winnerswinner3_best_first_0_0 : natural range 0 to 255;
@@ -403,12 +421,10 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   -- winners
   signal winners_best_cost_0_0, winners_best_index_0_0, winners_best_below_0_0 : natural range 0 to 255;
   signal winners_best_above_0_0, winners_best_last_0_0 : natural range 0 to 255;
-  signal winners_best_tag_valid, winners_best_tag_map_column, winners_best_tag_output_column : boolean;
-  signal winners_best_tag_start_of_frame, winners_best_tag_end_of_line : boolean;
+  signal winners_best_tag : tag_5;
   -- other
   signal other_read_count_phase, other_count_phase, other_write_count_phase : natural range 0 to 7;
-  signal other_next_words : unsigned_32_1d(0 to 3);
-  signal other_words : unsigned_32_1d(0 to 3);
+  signal other_next_words, other_words : unsigned_32_1d(0 to 3);
   signal other : unsigned_32_1d(14 to 17);
   signal other_base, other_left : natural range 0 to 255;
   signal other_first_column, other_output_column, other_0 : boolean;
@@ -445,14 +461,12 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   signal leftright_asking_disparity_0, leftright_answered_disparity_0 : natural range 0 to 255;
   signal leftright_checked_disparity_0 : natural range 0 to 255;
   signal leftright_ring_read_address, leftright_ring_write_address : natural range 0 to 63;
-  signal leftright_holds_winners, leftright_held_valid, leftright_asking_passed_0, leftright_asking_tag_valid : boolean;
-  signal leftright_asking_tag_map_column, leftright_asking_tag_output_column : boolean;
-  signal leftright_asking_tag_start_of_frame, leftright_asking_tag_end_of_line, leftright_answered_passed_0 : boolean;
-  signal leftright_answered_tag_valid, leftright_answered_tag_map_column : boolean;
-  signal leftright_answered_tag_output_column, leftright_answered_tag_start_of_frame : boolean;
-  signal leftright_answered_tag_end_of_line, leftright_checked_passed_0, leftright_checked_tag_valid : boolean;
-  signal leftright_checked_tag_map_column, leftright_checked_tag_output_column : boolean;
-  signal leftright_checked_tag_start_of_frame, leftright_checked_tag_end_of_line : boolean;
+  signal leftright_holds_winners, leftright_held_valid, leftright_asking_passed_0 : boolean;
+  signal leftright_asking_tag : tag_5;
+  signal leftright_answered_passed_0 : boolean;
+  signal leftright_answered_tag : tag_5;
+  signal leftright_checked_passed_0 : boolean;
+  signal leftright_checked_tag : tag_5;
   signal leftright_position, leftright_held_position, leftright_address_0 : natural range 0 to 127;
   signal leftright_held_0 : unsigned(17 downto 0);
   signal leftright_asking_fraction_0, leftright_answered_fraction_0 : natural range 0 to 31;
@@ -462,10 +476,9 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   signal turn_order_address, turn_write_place : natural range 0 to 1023;
   signal turn_order_falls, turn_order_inside, turn_order_complete, turn_order_output, turn_order_first : boolean;
   signal turn_order_turned_valid, turn_order_turned_map_column, turn_order_turned_start_of_frame : boolean;
-  signal turn_order_turned_end_of_line, turn_comes, turn_read_tag_valid, turn_read_tag_map_column : boolean;
-  signal turn_read_tag_start_of_frame, turn_read_tag_end_of_line, turn_ready_tag_valid : boolean;
-  signal turn_ready_tag_row_start, turn_ready_tag_map_column, turn_ready_tag_start_of_frame : boolean;
-  signal turn_ready_tag_end_of_line : boolean;
+  signal turn_order_turned_end_of_line, turn_comes : boolean;
+  signal turn_read_tag : tag_4;
+  signal turn_ready_tag : tag_5_b;
   signal turn_newest, turn_write_words_0, turn_ready : natural range 0 to 16383;
   signal turn_read_words_0 : unsigned(13 downto 0);
   -- map
@@ -500,240 +513,6 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   signal map_of_middle_0_b, map_of_middle_0_c, map_of_high_0_a, map_of_high_0_b : natural range 0 to 32767;
   signal map_of_high_0_c, map_largest_low_0, map_median_middle_0, map_smallest_high_0 : natural range 0 to 32767;
   signal map_of_all_0_a, map_of_all_0_b, map_of_all_0_c, map_out_disparity_0 : natural range 0 to 32767;
-  signal transform_left_rows_read_words_0_memory_read_enable : boolean;
-  signal transform_left_rows_read_words_0_memory_read_address : unsigned(9 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_address : unsigned(9 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal transform_right_rows_read_words_0_memory_read_enable : boolean;
-  signal transform_right_rows_read_words_0_memory_read_address : unsigned(9 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_address : unsigned(9 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal other_5_memory_read_enable : boolean;
-  signal other_5_memory_read_address, other_5_memory_write_address : unsigned(9 downto 0);
-  signal other_5_memory_write_data : unsigned(25 downto 0);
-  signal turn_read_words_0_memory_read_enable : boolean;
-  signal turn_read_words_0_memory_read_address, turn_read_words_0_memory_write_address : unsigned(9 downto 0);
-  signal turn_read_words_0_memory_write_data : unsigned(13 downto 0);
-  signal leftright_found_0_memory_read_enable : boolean;
-  signal leftright_found_0_memory_read_address, leftright_found_0_memory_write_address : unsigned(6 downto 0);
-  signal leftright_found_0_memory_write_data : unsigned(7 downto 0);
-  signal leftright_held_0_memory_read_enable : boolean;
-  signal leftright_held_0_memory_read_address, leftright_held_0_memory_write_address : unsigned(5 downto 0);
-  signal leftright_held_0_memory_write_data : unsigned(17 downto 0);
-  signal other_next_words_3_memory_read_enable : boolean;
-  signal other_next_words_3_memory_read_address, other_next_words_3_memory_write_address : unsigned(2 downto 0);
-  signal other_next_words_3_memory_write_data : unsigned(31 downto 0);
-  signal other_next_words_2_memory_read_enable : boolean;
-  signal other_next_words_2_memory_read_address, other_next_words_2_memory_write_address : unsigned(2 downto 0);
-  signal other_next_words_2_memory_write_data : unsigned(31 downto 0);
-  signal other_next_words_1_memory_read_enable : boolean;
-  signal other_next_words_1_memory_read_address, other_next_words_1_memory_write_address : unsigned(2 downto 0);
-  signal other_next_words_1_memory_write_data : unsigned(31 downto 0);
-  signal other_next_words_0_memory_read_enable : boolean;
-  signal other_next_words_0_memory_read_address, other_next_words_0_memory_write_address : unsigned(2 downto 0);
-  signal other_next_words_0_memory_write_data : unsigned(31 downto 0);
-  signal pathsright_read_words_3_memory_read_enable : boolean;
-  signal pathsright_read_words_3_memory_read_address : unsigned(2 downto 0);
-  signal pathsright_read_words_3_memory_write_address : unsigned(2 downto 0);
-  signal pathsright_read_words_3_memory_write_data : unsigned(27 downto 0);
-  signal pathsright_read_words_2_memory_read_enable : boolean;
-  signal pathsright_read_words_2_memory_read_address : unsigned(2 downto 0);
-  signal pathsright_read_words_2_memory_write_address : unsigned(2 downto 0);
-  signal pathsright_read_words_2_memory_write_data : unsigned(27 downto 0);
-  signal pathsright_read_words_1_memory_read_enable : boolean;
-  signal pathsright_read_words_1_memory_read_address : unsigned(2 downto 0);
-  signal pathsright_read_words_1_memory_write_address : unsigned(2 downto 0);
-  signal pathsright_read_words_1_memory_write_data : unsigned(27 downto 0);
-  signal pathsright_read_words_0_memory_read_enable : boolean;
-  signal pathsright_read_words_0_memory_read_address : unsigned(2 downto 0);
-  signal pathsright_read_words_0_memory_write_address : unsigned(2 downto 0);
-  signal pathsright_read_words_0_memory_write_data : unsigned(27 downto 0);
-  signal pathsright_read_neighbour_0_memory_read_enable : boolean;
-  signal pathsright_read_neighbour_0_memory_read_address : unsigned(2 downto 0);
-  signal pathsright_read_neighbour_0_memory_write_address : unsigned(2 downto 0);
-  signal pathsright_read_neighbour_0_memory_write_data : unsigned(6 downto 0);
-  signal pathsright_lowest_0_memory_read_enable : boolean;
-  signal pathsright_lowest_0_memory_read_address, pathsright_lowest_0_memory_write_address : unsigned(3 downto 0);
-  signal pathsright_lowest_0_memory_write_data : unsigned(6 downto 0);
-  signal pathsturn_read_smallest_0_memory_read_enable : boolean;
-  signal pathsturn_read_smallest_0_memory_read_address : unsigned(9 downto 0);
-  signal pathsturn_read_smallest_0_memory_write_address : unsigned(9 downto 0);
-  signal pathsturn_read_smallest_0_memory_write_data : unsigned(4 downto 0);
-  signal pathsturn_sum_memory_read_words_0_3_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_0_3_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_3_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_3_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_0_2_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_0_2_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_2_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_2_memory_write_data : unsigned(15 downto 0);
-  signal pathsturn_sum_memory_read_words_0_1_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_0_1_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_1_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_1_memory_write_data : unsigned(15 downto 0);
-  signal pathsturn_sum_memory_read_words_0_0_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_0_0_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_0_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_0_memory_write_data : unsigned(15 downto 0);
-  signal pathsturn_sum_memory_read_words_1_3_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_1_3_memory_read_address : unsigned(9 downto 0);
-  signal pathsturn_sum_memory_read_words_1_3_memory_write_address : unsigned(9 downto 0);
-  signal pathsturn_sum_memory_read_words_1_3_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_1_2_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_1_2_memory_read_address : unsigned(9 downto 0);
-  signal pathsturn_sum_memory_read_words_1_2_memory_write_address : unsigned(9 downto 0);
-  signal pathsturn_sum_memory_read_words_1_2_memory_write_data : unsigned(15 downto 0);
-  signal pathsturn_sum_memory_read_words_1_1_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_1_1_memory_read_address : unsigned(9 downto 0);
-  signal pathsturn_sum_memory_read_words_1_1_memory_write_address : unsigned(9 downto 0);
-  signal pathsturn_sum_memory_read_words_1_1_memory_write_data : unsigned(15 downto 0);
-  signal pathsturn_sum_memory_read_words_1_0_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_1_0_memory_read_address : unsigned(9 downto 0);
-  signal pathsturn_sum_memory_read_words_1_0_memory_write_address : unsigned(9 downto 0);
-  signal pathsturn_sum_memory_read_words_1_0_memory_write_data : unsigned(15 downto 0);
-  signal pathsturn_cost_memory_read_words_0_1_memory_read_enable : boolean;
-  signal pathsturn_cost_memory_read_words_0_1_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_0_1_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_0_1_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_cost_memory_read_words_0_0_memory_read_enable : boolean;
-  signal pathsturn_cost_memory_read_words_0_0_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_0_0_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_0_0_memory_write_data : unsigned(15 downto 0);
-  signal pathsturn_cost_memory_read_words_1_1_memory_read_enable : boolean;
-  signal pathsturn_cost_memory_read_words_1_1_memory_read_address : unsigned(9 downto 0);
-  signal pathsturn_cost_memory_read_words_1_1_memory_write_address : unsigned(9 downto 0);
-  signal pathsturn_cost_memory_read_words_1_1_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_cost_memory_read_words_1_0_memory_read_enable : boolean;
-  signal pathsturn_cost_memory_read_words_1_0_memory_read_address : unsigned(9 downto 0);
-  signal pathsturn_cost_memory_read_words_1_0_memory_write_address : unsigned(9 downto 0);
-  signal pathsturn_cost_memory_read_words_1_0_memory_write_data : unsigned(15 downto 0);
-  signal pathsabove_delay_held_1_memory_read_enable : boolean;
-  signal pathsabove_delay_held_1_memory_read_address : unsigned(3 downto 0);
-  signal pathsabove_delay_held_1_memory_write_address : unsigned(3 downto 0);
-  signal pathsabove_delay_held_1_memory_write_data : unsigned(17 downto 0);
-  signal pathsabove_delay_held_0_memory_read_enable : boolean;
-  signal pathsabove_delay_held_0_memory_read_address : unsigned(3 downto 0);
-  signal pathsabove_delay_held_0_memory_write_address : unsigned(3 downto 0);
-  signal pathsabove_delay_held_0_memory_write_data : unsigned(29 downto 0);
-  signal pathsabove_memory_read_words_0_2_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_0_2_memory_read_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_2_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_2_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_0_1_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_0_1_memory_read_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_1_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_1_memory_write_data : unsigned(15 downto 0);
-  signal pathsabove_memory_read_words_0_0_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_0_0_memory_read_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_0_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_0_memory_write_data : unsigned(15 downto 0);
-  signal pathsabove_memory_read_words_1_2_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_1_2_memory_read_address : unsigned(9 downto 0);
-  signal pathsabove_memory_read_words_1_2_memory_write_address : unsigned(9 downto 0);
-  signal pathsabove_memory_read_words_1_2_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_1_1_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_1_1_memory_read_address : unsigned(9 downto 0);
-  signal pathsabove_memory_read_words_1_1_memory_write_address : unsigned(9 downto 0);
-  signal pathsabove_memory_read_words_1_1_memory_write_data : unsigned(15 downto 0);
-  signal pathsabove_memory_read_words_1_0_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_1_0_memory_read_address : unsigned(9 downto 0);
-  signal pathsabove_memory_read_words_1_0_memory_write_address : unsigned(9 downto 0);
-  signal pathsabove_memory_read_words_1_0_memory_write_data : unsigned(15 downto 0);
-  signal pathsleft_read_words_3_memory_read_enable : boolean;
-  signal pathsleft_read_words_3_memory_read_address, pathsleft_read_words_3_memory_write_address : unsigned(2 downto 0);
-  signal pathsleft_read_words_3_memory_write_data : unsigned(27 downto 0);
-  signal pathsleft_read_words_2_memory_read_enable : boolean;
-  signal pathsleft_read_words_2_memory_read_address, pathsleft_read_words_2_memory_write_address : unsigned(2 downto 0);
-  signal pathsleft_read_words_2_memory_write_data : unsigned(27 downto 0);
-  signal pathsleft_read_words_1_memory_read_enable : boolean;
-  signal pathsleft_read_words_1_memory_read_address, pathsleft_read_words_1_memory_write_address : unsigned(2 downto 0);
-  signal pathsleft_read_words_1_memory_write_data : unsigned(27 downto 0);
-  signal pathsleft_read_words_0_memory_read_enable : boolean;
-  signal pathsleft_read_words_0_memory_read_address, pathsleft_read_words_0_memory_write_address : unsigned(2 downto 0);
-  signal pathsleft_read_words_0_memory_write_data : unsigned(27 downto 0);
-  signal pathsleft_read_neighbour_0_memory_read_enable : boolean;
-  signal pathsleft_read_neighbour_0_memory_read_address : unsigned(2 downto 0);
-  signal pathsleft_read_neighbour_0_memory_write_address : unsigned(2 downto 0);
-  signal pathsleft_read_neighbour_0_memory_write_data : unsigned(6 downto 0);
-  signal pathsleft_lowest_0_memory_read_enable : boolean;
-  signal pathsleft_lowest_0_memory_read_address, pathsleft_lowest_0_memory_write_address : unsigned(3 downto 0);
-  signal pathsleft_lowest_0_memory_write_data : unsigned(6 downto 0);
-  signal paths_cost_delay_held_0_memory_read_enable : boolean;
-  signal paths_cost_delay_held_0_memory_read_address : unsigned(3 downto 0);
-  signal paths_cost_delay_held_0_memory_write_address : unsigned(3 downto 0);
-  signal paths_cost_delay_held_0_memory_write_data : unsigned(23 downto 0);
-  signal costswindow_read_words_3_memory_read_enable : boolean;
-  signal costswindow_read_words_3_memory_read_address : unsigned(2 downto 0);
-  signal costswindow_read_words_3_memory_write_address : unsigned(2 downto 0);
-  signal costswindow_read_words_3_memory_write_data : unsigned(27 downto 0);
-  signal costswindow_read_words_2_memory_read_enable : boolean;
-  signal costswindow_read_words_2_memory_read_address : unsigned(2 downto 0);
-  signal costswindow_read_words_2_memory_write_address : unsigned(2 downto 0);
-  signal costswindow_read_words_2_memory_write_data : unsigned(27 downto 0);
-  signal costswindow_read_words_1_memory_read_enable : boolean;
-  signal costswindow_read_words_1_memory_read_address : unsigned(2 downto 0);
-  signal costswindow_read_words_1_memory_write_address : unsigned(2 downto 0);
-  signal costswindow_read_words_1_memory_write_data : unsigned(26 downto 0);
-  signal costswindow_read_words_0_memory_read_enable : boolean;
-  signal costswindow_read_words_0_memory_read_address : unsigned(2 downto 0);
-  signal costswindow_read_words_0_memory_write_address : unsigned(2 downto 0);
-  signal costswindow_read_words_0_memory_write_data : unsigned(26 downto 0);
-  signal costsshift_read_words_11_memory_read_enable : boolean;
-  signal costsshift_read_words_11_memory_read_address : unsigned(2 downto 0);
-  signal costsshift_read_words_11_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_11_memory_write_data : unsigned(27 downto 0);
-  signal costsshift_read_words_10_memory_read_enable : boolean;
-  signal costsshift_read_words_10_memory_read_address : unsigned(2 downto 0);
-  signal costsshift_read_words_10_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_10_memory_write_data : unsigned(27 downto 0);
-  signal costsshift_read_words_9_memory_read_enable : boolean;
-  signal costsshift_read_words_9_memory_read_address : unsigned(2 downto 0);
-  signal costsshift_read_words_9_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_9_memory_write_data : unsigned(27 downto 0);
-  signal costsshift_read_words_8_memory_read_enable : boolean;
-  signal costsshift_read_words_8_memory_read_address : unsigned(2 downto 0);
-  signal costsshift_read_words_8_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_8_memory_write_data : unsigned(27 downto 0);
-  signal costsshift_read_words_7_memory_read_enable : boolean;
-  signal costsshift_read_words_7_memory_read_address : unsigned(2 downto 0);
-  signal costsshift_read_words_7_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_7_memory_write_data : unsigned(27 downto 0);
-  signal costsshift_read_words_6_memory_read_enable : boolean;
-  signal costsshift_read_words_6_memory_read_address : unsigned(2 downto 0);
-  signal costsshift_read_words_6_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_6_memory_write_data : unsigned(27 downto 0);
-  signal costsshift_read_words_5_memory_read_enable : boolean;
-  signal costsshift_read_words_5_memory_read_address : unsigned(2 downto 0);
-  signal costsshift_read_words_5_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_5_memory_write_data : unsigned(27 downto 0);
-  signal costsshift_read_words_4_memory_read_enable : boolean;
-  signal costsshift_read_words_4_memory_read_address : unsigned(2 downto 0);
-  signal costsshift_read_words_4_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_4_memory_write_data : unsigned(27 downto 0);
-  signal costsshift_read_words_3_memory_read_enable : boolean;
-  signal costsshift_read_words_3_memory_read_address : unsigned(2 downto 0);
-  signal costsshift_read_words_3_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_3_memory_write_data : unsigned(27 downto 0);
-  signal costsshift_read_words_2_memory_read_enable : boolean;
-  signal costsshift_read_words_2_memory_read_address : unsigned(2 downto 0);
-  signal costsshift_read_words_2_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_2_memory_write_data : unsigned(27 downto 0);
-  signal costsshift_read_words_1_memory_read_enable : boolean;
-  signal costsshift_read_words_1_memory_read_address : unsigned(2 downto 0);
-  signal costsshift_read_words_1_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_1_memory_write_data : unsigned(27 downto 0);
-  signal costsshift_read_words_0_memory_read_enable : boolean;
-  signal costsshift_read_words_0_memory_read_address : unsigned(2 downto 0);
-  signal costsshift_read_words_0_memory_write_address : unsigned(2 downto 0);
-  signal costsshift_read_words_0_memory_write_data : unsigned(27 downto 0);
-  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_0_memory_read_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_address : unsigned(9 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_data : unsigned(27 downto 0);
-  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(9 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(27 downto 0);
 
 begin
   in_start_of_frame <= start_of_frame = '1';
@@ -746,843 +525,615 @@ begin
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
 
-  transform_left_rows_read_words_0_memory_read_enable <= true;
-  transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 10);
-  transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 10);
-  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
-  transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 32, address_bits => 10)
-    port map (
-      clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
-      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words_0,
-      write_address => transform_left_rows_read_words_0_memory_write_address, write_data => transform_left_rows_read_words_0_memory_write_data);
+  transform_left_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+  begin
+    read_address <= to_unsigned(transform_counter_column, 10);
+    write_address <= to_unsigned(transform_write_column, 10);
+    cell : entity work.line_memory
+      generic map (depth => 640, width => 32, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        transform_left_rows_read_words_0, write_address => write_address, write_data =>
+        transform_left_rows_write_words_0);
+  end block;
 
-  transform_right_rows_read_words_0_memory_read_enable <= true;
-  transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 10);
-  transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 10);
-  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
-  transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 32, address_bits => 10)
-    port map (
-      clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
-      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words_0,
-      write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
+  transform_right_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+  begin
+    read_address <= to_unsigned(transform_counter_column, 10);
+    write_address <= to_unsigned(transform_write_column, 10);
+    cell : entity work.line_memory
+      generic map (depth => 640, width => 32, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        transform_right_rows_read_words_0, write_address => write_address, write_data =>
+        transform_right_rows_write_words_0);
+  end block;
 
-  other_5_memory_read_enable <= true;
-  other_5_memory_read_address <= to_unsigned(map_counter_column, 10);
-  other_5_memory_write_address <= to_unsigned(map_at_column, 10);
-  other_5_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
-  other_5_memory : entity work.line_memory
-    generic map (depth => 638, width => 26, address_bits => 10)
-    port map (
-      clock => clock, read_enable => other_5_memory_read_enable,
-      read_address => other_5_memory_read_address, read_data => other_5,
-      write_address => other_5_memory_write_address, write_data => other_5_memory_write_data);
+  other_5_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(25 downto 0);
+  begin
+    read_address <= to_unsigned(map_counter_column, 10);
+    write_address <= to_unsigned(map_at_column, 10);
+    write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
+    cell : entity work.line_memory
+      generic map (depth => 638, width => 26, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => other_5, write_address
+        => write_address, write_data => write_data);
+  end block;
 
-  turn_read_words_0_memory_read_enable <= true;
-  turn_read_words_0_memory_read_address <= to_unsigned(turn_order_address, 10);
-  turn_read_words_0_memory_write_address <= to_unsigned(turn_write_place, 10);
-  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 14);
-  turn_read_words_0_memory : entity work.line_memory
-    generic map (depth => 639, width => 14, address_bits => 10)
-    port map (
-      clock => clock, read_enable => turn_read_words_0_memory_read_enable,
-      read_address => turn_read_words_0_memory_read_address, read_data => turn_read_words_0,
-      write_address => turn_read_words_0_memory_write_address, write_data => turn_read_words_0_memory_write_data);
+  turn_read_words_0_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(13 downto 0);
+  begin
+    read_address <= to_unsigned(turn_order_address, 10);
+    write_address <= to_unsigned(turn_write_place, 10);
+    write_data <= to_unsigned(turn_write_words_0, 14);
+    cell : entity work.line_memory
+      generic map (depth => 639, width => 14, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => turn_read_words_0,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  leftright_found_0_memory_read_enable <= true;
-  leftright_found_0_memory_read_address <= to_unsigned(leftright_address_0, 7);
-  leftright_found_0_memory_write_address <= to_unsigned(leftright_position, 7);
-  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_0(14), 8);
-  leftright_found_0_memory : entity work.line_memory
-    generic map (depth => 128, width => 8, address_bits => 7)
-    port map (
-      clock => clock, read_enable => leftright_found_0_memory_read_enable,
-      read_address => leftright_found_0_memory_read_address, read_data => leftright_found_0,
-      write_address => leftright_found_0_memory_write_address, write_data => leftright_found_0_memory_write_data);
+  leftright_found_0_memory : block
+    signal read_address, write_address : unsigned(6 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(leftright_address_0, 7);
+    write_address <= to_unsigned(leftright_position, 7);
+    write_data <= to_unsigned(leftright_other_0(14), 8);
+    cell : entity work.line_memory
+      generic map (depth => 128, width => 8, address_bits => 7)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => leftright_found_0,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  leftright_held_0_memory_read_enable <= true;
-  leftright_held_0_memory_read_address <= to_unsigned(leftright_ring_read_address, 6);
-  leftright_held_0_memory_write_address <= to_unsigned(leftright_ring_write_address, 6);
-  leftright_held_0_memory_write_data <= to_unsigned(other_6, 5) & to_unsigned(as_number(transform_filtering_row_inside_4(2)), 1) & to_unsigned(refinement_disparity_0(11), 8) & to_unsigned(as_number(refinement_tag_end_of_line(11)), 1) & to_unsigned(as_number(refinement_tag_start_of_frame(11)), 1) & to_unsigned(as_number(refinement_tag_output_column(11)), 1) & to_unsigned(as_number(refinement_tag_map_column(11)), 1);
-  leftright_held_0_memory : entity work.line_memory
-    generic map (depth => 64, width => 18, address_bits => 6)
-    port map (
-      clock => clock, read_enable => leftright_held_0_memory_read_enable,
-      read_address => leftright_held_0_memory_read_address, read_data => leftright_held_0,
-      write_address => leftright_held_0_memory_write_address, write_data => leftright_held_0_memory_write_data);
+  leftright_held_0_memory : block
+    signal read_address, write_address : unsigned(5 downto 0);
+    signal write_data : unsigned(17 downto 0);
+  begin
+    read_address <= to_unsigned(leftright_ring_read_address, 6);
+    write_address <= to_unsigned(leftright_ring_write_address, 6);
+    write_data <= to_unsigned(other_6, 5) & to_unsigned(as_number(transform_filtering_row_inside_4(2)), 1) &
+      to_unsigned(refinement_disparity_0(11), 8) & to_unsigned(as_number(refinement_tag_end_of_line(11)), 1) &
+      to_unsigned(as_number(refinement_tag_start_of_frame(11)), 1) &
+      to_unsigned(as_number(refinement_tag_output_column(11)), 1) &
+      to_unsigned(as_number(refinement_tag_map_column(11)), 1);
+    cell : entity work.line_memory
+      generic map (depth => 64, width => 18, address_bits => 6)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => leftright_held_0,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  other_next_words_3_memory_read_enable <= true;
-  other_next_words_3_memory_read_address <= to_unsigned(other_read_count_phase, 3);
-  other_next_words_3_memory_write_address <= to_unsigned(other_write_count_phase, 3);
-  other_next_words_3_memory_write_data <= other(14);
-  other_next_words_3_memory : entity work.line_memory
-    generic map (depth => 8, width => 32, address_bits => 3)
-    port map (
-      clock => clock, read_enable => other_next_words_3_memory_read_enable,
-      read_address => other_next_words_3_memory_read_address, read_data => other_next_words(3),
-      write_address => other_next_words_3_memory_write_address, write_data => other_next_words_3_memory_write_data);
+  other_next_words_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(2 downto 0);
+  begin
+    read_address <= to_unsigned(other_read_count_phase, 3);
+    write_address <= to_unsigned(other_write_count_phase, 3);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 32, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => other_next_words(i),
+        write_address => write_address, write_data => other(17 - i));
+  end generate;
 
-  other_next_words_2_memory_read_enable <= true;
-  other_next_words_2_memory_read_address <= to_unsigned(other_read_count_phase, 3);
-  other_next_words_2_memory_write_address <= to_unsigned(other_write_count_phase, 3);
-  other_next_words_2_memory_write_data <= other(15);
-  other_next_words_2_memory : entity work.line_memory
-    generic map (depth => 8, width => 32, address_bits => 3)
-    port map (
-      clock => clock, read_enable => other_next_words_2_memory_read_enable,
-      read_address => other_next_words_2_memory_read_address, read_data => other_next_words(2),
-      write_address => other_next_words_2_memory_write_address, write_data => other_next_words_2_memory_write_data);
+  pathsright_read_words_memory : for i in 3 downto 2 generate
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(27 downto 0);
+  begin
+    read_address <= to_unsigned(pathsleft_read_count_phase, 3);
+    write_address <= to_unsigned(pathsleft_write_count_phase, 3);
+    write_data <= to_unsigned(pathsright_arrived(4 * i - 5), 7) & to_unsigned(pathsright_arrived(4 * i - 6), 7) &
+      to_unsigned(pathsright_arrived(4 * i - 7), 7) & to_unsigned(pathsright_arrived(4 * i - 8), 7);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 28, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsright_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  other_next_words_1_memory_read_enable <= true;
-  other_next_words_1_memory_read_address <= to_unsigned(other_read_count_phase, 3);
-  other_next_words_1_memory_write_address <= to_unsigned(other_write_count_phase, 3);
-  other_next_words_1_memory_write_data <= other(16);
-  other_next_words_1_memory : entity work.line_memory
-    generic map (depth => 8, width => 32, address_bits => 3)
-    port map (
-      clock => clock, read_enable => other_next_words_1_memory_read_enable,
-      read_address => other_next_words_1_memory_read_address, read_data => other_next_words(1),
-      write_address => other_next_words_1_memory_write_address, write_data => other_next_words_1_memory_write_data);
+  pathsright_read_words_1_memory : for i in 1 downto 0 generate
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(27 downto 0);
+  begin
+    read_address <= to_unsigned(pathsleft_read_count_phase, 3);
+    write_address <= to_unsigned(pathsleft_write_count_phase, 3);
+    write_data <= to_unsigned(pathsright_cost(4 * i + 3), 7) & to_unsigned(pathsright_cost(4 * i + 2), 7) &
+      to_unsigned(pathsright_cost(4 * i + 1), 7) & to_unsigned(pathsright_cost(4 * i), 7);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 28, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsright_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  other_next_words_0_memory_read_enable <= true;
-  other_next_words_0_memory_read_address <= to_unsigned(other_read_count_phase, 3);
-  other_next_words_0_memory_write_address <= to_unsigned(other_write_count_phase, 3);
-  other_next_words_0_memory_write_data <= other(17);
-  other_next_words_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 32, address_bits => 3)
-    port map (
-      clock => clock, read_enable => other_next_words_0_memory_read_enable,
-      read_address => other_next_words_0_memory_read_address, read_data => other_next_words(0),
-      write_address => other_next_words_0_memory_write_address, write_data => other_next_words_0_memory_write_data);
+  pathsright_read_neighbour_0_memory : block
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(6 downto 0);
+  begin
+    read_address <= to_unsigned(pathsleft_ahead_count_phase, 3);
+    write_address <= to_unsigned(pathsleft_write_count_phase, 3);
+    write_data <= to_unsigned(pathsright_cost(0), 7);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 7, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsright_read_neighbour_0, write_address => write_address, write_data => write_data);
+  end block;
 
-  pathsright_read_words_3_memory_read_enable <= true;
-  pathsright_read_words_3_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 3);
-  pathsright_read_words_3_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsright_read_words_3_memory_write_data <= to_unsigned(pathsright_arrived(7), 7) & to_unsigned(pathsright_arrived(6), 7) & to_unsigned(pathsright_arrived(5), 7) & to_unsigned(pathsright_arrived(4), 7);
-  pathsright_read_words_3_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => pathsright_read_words_3_memory_read_enable,
-      read_address => pathsright_read_words_3_memory_read_address, read_data => pathsright_read_words(3),
-      write_address => pathsright_read_words_3_memory_write_address, write_data => pathsright_read_words_3_memory_write_data);
+  pathsright_lowest_0_memory : block
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(6 downto 0);
+  begin
+    read_address <= to_unsigned(pathsleft_low_address, 4);
+    write_address <= to_unsigned(pathsleft_low_write_address, 4);
+    write_data <= to_unsigned(pathsright_low_0, 7);
+    cell : entity work.line_memory
+      generic map (depth => 16, width => 7, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => pathsright_lowest_0,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  pathsright_read_words_2_memory_read_enable <= true;
-  pathsright_read_words_2_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 3);
-  pathsright_read_words_2_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsright_read_words_2_memory_write_data <= to_unsigned(pathsright_arrived(3), 7) & to_unsigned(pathsright_arrived(2), 7) & to_unsigned(pathsright_arrived(1), 7) & to_unsigned(pathsright_arrived(0), 7);
-  pathsright_read_words_2_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => pathsright_read_words_2_memory_read_enable,
-      read_address => pathsright_read_words_2_memory_read_address, read_data => pathsright_read_words(2),
-      write_address => pathsright_read_words_2_memory_write_address, write_data => pathsright_read_words_2_memory_write_data);
+  pathsturn_read_smallest_0_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(4 downto 0);
+  begin
+    read_address <= to_unsigned(pathsturn_smallest_address, 10);
+    write_address <= to_unsigned(pathsturn_write_smallest_address, 10);
+    write_data <= to_unsigned(pathsturn_write_smallest_0, 5);
+    cell : entity work.line_memory
+      generic map (depth => 639, width => 5, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsturn_read_smallest_0, write_address => write_address, write_data => write_data);
+  end block;
 
-  pathsright_read_words_1_memory_read_enable <= true;
-  pathsright_read_words_1_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 3);
-  pathsright_read_words_1_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsright_read_words_1_memory_write_data <= to_unsigned(pathsright_cost(7), 7) & to_unsigned(pathsright_cost(6), 7) & to_unsigned(pathsright_cost(5), 7) & to_unsigned(pathsright_cost(4), 7);
-  pathsright_read_words_1_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => pathsright_read_words_1_memory_read_enable,
-      read_address => pathsright_read_words_1_memory_read_address, read_data => pathsright_read_words(1),
-      write_address => pathsright_read_words_1_memory_write_address, write_data => pathsright_read_words_1_memory_write_data);
+  pathsturn_sum_memory_read_words_3_0_memory : block
+    signal read_address, write_address : unsigned(11 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
+    write_address <= to_unsigned(pathsturn_sum_memory_write_address_0, 12);
+    write_data <= to_unsigned(pathsturn_sum_memory_write_words_3(0), 8);
+    cell : entity work.line_memory
+      generic map (depth => 4096, width => 8, address_bits => 12)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsturn_sum_memory_read_words_3(0), write_address => write_address, write_data => write_data);
+  end block;
 
-  pathsright_read_words_0_memory_read_enable <= true;
-  pathsright_read_words_0_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 3);
-  pathsright_read_words_0_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsright_read_words_0_memory_write_data <= to_unsigned(pathsright_cost(3), 7) & to_unsigned(pathsright_cost(2), 7) & to_unsigned(pathsright_cost(1), 7) & to_unsigned(pathsright_cost(0), 7);
-  pathsright_read_words_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => pathsright_read_words_0_memory_read_enable,
-      read_address => pathsright_read_words_0_memory_read_address, read_data => pathsright_read_words(0),
-      write_address => pathsright_read_words_0_memory_write_address, write_data => pathsright_read_words_0_memory_write_data);
+  pathsturn_sum_memory_read_words_memory : for i in 2 downto 0 generate
+    signal read_address, write_address : unsigned(11 downto 0);
+    signal write_data : unsigned(15 downto 0);
+  begin
+    read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
+    write_address <= to_unsigned(pathsturn_sum_memory_write_address_0, 12);
+    write_data <= to_unsigned(pathsturn_sum_memory_write_words(0, i), 16);
+    cell : entity work.line_memory
+      generic map (depth => 4096, width => 16, address_bits => 12)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsturn_sum_memory_read_words(0, i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  pathsright_read_neighbour_0_memory_read_enable <= true;
-  pathsright_read_neighbour_0_memory_read_address <= to_unsigned(pathsleft_ahead_count_phase, 3);
-  pathsright_read_neighbour_0_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsright_read_neighbour_0_memory_write_data <= to_unsigned(pathsright_cost(0), 7);
-  pathsright_read_neighbour_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 7, address_bits => 3)
-    port map (
-      clock => clock, read_enable => pathsright_read_neighbour_0_memory_read_enable,
-      read_address => pathsright_read_neighbour_0_memory_read_address, read_data => pathsright_read_neighbour_0,
-      write_address => pathsright_read_neighbour_0_memory_write_address, write_data => pathsright_read_neighbour_0_memory_write_data);
+  pathsturn_sum_memory_read_words_3_1_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(pathsturn_sum_memory_read_address_1, 10);
+    write_address <= to_unsigned(pathsturn_sum_memory_write_address_1, 10);
+    write_data <= to_unsigned(pathsturn_sum_memory_write_words_3(1), 8);
+    cell : entity work.line_memory
+      generic map (depth => 1024, width => 8, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsturn_sum_memory_read_words_3(1), write_address => write_address, write_data => write_data);
+  end block;
 
-  pathsright_lowest_0_memory_read_enable <= true;
-  pathsright_lowest_0_memory_read_address <= to_unsigned(pathsleft_low_address, 4);
-  pathsright_lowest_0_memory_write_address <= to_unsigned(pathsleft_low_write_address, 4);
-  pathsright_lowest_0_memory_write_data <= to_unsigned(pathsright_low_0, 7);
-  pathsright_lowest_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 7, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsright_lowest_0_memory_read_enable,
-      read_address => pathsright_lowest_0_memory_read_address, read_data => pathsright_lowest_0,
-      write_address => pathsright_lowest_0_memory_write_address, write_data => pathsright_lowest_0_memory_write_data);
+  pathsturn_sum_memory_read_words_1_2_memory : for i in 2 downto 0 generate
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(15 downto 0);
+  begin
+    read_address <= to_unsigned(pathsturn_sum_memory_read_address_1, 10);
+    write_address <= to_unsigned(pathsturn_sum_memory_write_address_1, 10);
+    write_data <= to_unsigned(pathsturn_sum_memory_write_words(1, i), 16);
+    cell : entity work.line_memory
+      generic map (depth => 1024, width => 16, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsturn_sum_memory_read_words(1, i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  pathsturn_read_smallest_0_memory_read_enable <= true;
-  pathsturn_read_smallest_0_memory_read_address <= to_unsigned(pathsturn_smallest_address, 10);
-  pathsturn_read_smallest_0_memory_write_address <= to_unsigned(pathsturn_write_smallest_address, 10);
-  pathsturn_read_smallest_0_memory_write_data <= to_unsigned(pathsturn_write_smallest_0, 5);
-  pathsturn_read_smallest_0_memory : entity work.line_memory
-    generic map (depth => 639, width => 5, address_bits => 10)
-    port map (
-      clock => clock, read_enable => pathsturn_read_smallest_0_memory_read_enable,
-      read_address => pathsturn_read_smallest_0_memory_read_address, read_data => pathsturn_read_smallest_0,
-      write_address => pathsturn_read_smallest_0_memory_write_address, write_data => pathsturn_read_smallest_0_memory_write_data);
+  pathsturn_cost_memory_read_words_1_0_memory : block
+    signal read_address, write_address : unsigned(11 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(pathsturn_cost_memory_read_address_0, 12);
+    write_address <= to_unsigned(pathsturn_cost_memory_write_address_0, 12);
+    write_data <= to_unsigned(pathsturn_cost_memory_write_words_1(0), 8);
+    cell : entity work.line_memory
+      generic map (depth => 4096, width => 8, address_bits => 12)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsturn_cost_memory_read_words_1(0), write_address => write_address, write_data => write_data);
+  end block;
 
-  pathsturn_sum_memory_read_words_0_3_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_0_3_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_0_3_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_0, 12);
-  pathsturn_sum_memory_read_words_0_3_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_3(0), 8);
-  pathsturn_sum_memory_read_words_0_3_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_0_3_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_0_3_memory_read_address, read_data => pathsturn_sum_memory_read_words_3(0),
-      write_address => pathsturn_sum_memory_read_words_0_3_memory_write_address, write_data => pathsturn_sum_memory_read_words_0_3_memory_write_data);
+  pathsturn_cost_memory_read_words_0_0_memory : block
+    signal read_address, write_address : unsigned(11 downto 0);
+    signal write_data : unsigned(15 downto 0);
+  begin
+    read_address <= to_unsigned(pathsturn_cost_memory_read_address_0, 12);
+    write_address <= to_unsigned(pathsturn_cost_memory_write_address_0, 12);
+    write_data <= to_unsigned(pathsturn_cost_memory_write_words_0(0), 16);
+    cell : entity work.line_memory
+      generic map (depth => 4096, width => 16, address_bits => 12)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsturn_cost_memory_read_words_0(0), write_address => write_address, write_data => write_data);
+  end block;
 
-  pathsturn_sum_memory_read_words_0_2_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_0_2_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_0_2_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_0, 12);
-  pathsturn_sum_memory_read_words_0_2_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(0, 2), 16);
-  pathsturn_sum_memory_read_words_0_2_memory : entity work.line_memory
-    generic map (depth => 4096, width => 16, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_0_2_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_0_2_memory_read_address, read_data => pathsturn_sum_memory_read_words(0, 2),
-      write_address => pathsturn_sum_memory_read_words_0_2_memory_write_address, write_data => pathsturn_sum_memory_read_words_0_2_memory_write_data);
+  pathsturn_cost_memory_read_words_1_1_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(pathsturn_cost_memory_read_address_1, 10);
+    write_address <= to_unsigned(pathsturn_cost_memory_write_address_1, 10);
+    write_data <= to_unsigned(pathsturn_cost_memory_write_words_1(1), 8);
+    cell : entity work.line_memory
+      generic map (depth => 1024, width => 8, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsturn_cost_memory_read_words_1(1), write_address => write_address, write_data => write_data);
+  end block;
 
-  pathsturn_sum_memory_read_words_0_1_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_0_1_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_0_1_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_0, 12);
-  pathsturn_sum_memory_read_words_0_1_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(0, 1), 16);
-  pathsturn_sum_memory_read_words_0_1_memory : entity work.line_memory
-    generic map (depth => 4096, width => 16, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_0_1_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_0_1_memory_read_address, read_data => pathsturn_sum_memory_read_words(0, 1),
-      write_address => pathsturn_sum_memory_read_words_0_1_memory_write_address, write_data => pathsturn_sum_memory_read_words_0_1_memory_write_data);
+  pathsturn_cost_memory_read_words_0_1_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(15 downto 0);
+  begin
+    read_address <= to_unsigned(pathsturn_cost_memory_read_address_1, 10);
+    write_address <= to_unsigned(pathsturn_cost_memory_write_address_1, 10);
+    write_data <= to_unsigned(pathsturn_cost_memory_write_words_0(1), 16);
+    cell : entity work.line_memory
+      generic map (depth => 1024, width => 16, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsturn_cost_memory_read_words_0(1), write_address => write_address, write_data => write_data);
+  end block;
 
-  pathsturn_sum_memory_read_words_0_0_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_0_0_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_0_0_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_0, 12);
-  pathsturn_sum_memory_read_words_0_0_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(0, 0), 16);
-  pathsturn_sum_memory_read_words_0_0_memory : entity work.line_memory
-    generic map (depth => 4096, width => 16, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_0_0_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_0_0_memory_read_address, read_data => pathsturn_sum_memory_read_words(0, 0),
-      write_address => pathsturn_sum_memory_read_words_0_0_memory_write_address, write_data => pathsturn_sum_memory_read_words_0_0_memory_write_data);
+  pathsabove_delay_held_1_memory : block
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(17 downto 0);
+  begin
+    read_address <= to_unsigned(paths_cost_delay_ring_read_address, 4);
+    write_address <= to_unsigned(paths_cost_delay_ring_write_address, 4);
+    write_data <= to_unsigned(pathsabove_total(7), 6) & to_unsigned(pathsabove_total(6), 6) &
+      to_unsigned(pathsabove_total(5), 6);
+    cell : entity work.line_memory
+      generic map (depth => 12, width => 18, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsabove_delay_held_1, write_address => write_address, write_data => write_data);
+  end block;
 
-  pathsturn_sum_memory_read_words_1_3_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_1_3_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_1, 10);
-  pathsturn_sum_memory_read_words_1_3_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_1, 10);
-  pathsturn_sum_memory_read_words_1_3_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_3(1), 8);
-  pathsturn_sum_memory_read_words_1_3_memory : entity work.line_memory
-    generic map (depth => 1024, width => 8, address_bits => 10)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_1_3_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_1_3_memory_read_address, read_data => pathsturn_sum_memory_read_words_3(1),
-      write_address => pathsturn_sum_memory_read_words_1_3_memory_write_address, write_data => pathsturn_sum_memory_read_words_1_3_memory_write_data);
+  pathsabove_delay_held_0_memory : block
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(29 downto 0);
+  begin
+    read_address <= to_unsigned(paths_cost_delay_ring_read_address, 4);
+    write_address <= to_unsigned(paths_cost_delay_ring_write_address, 4);
+    write_data <= to_unsigned(pathsabove_total(4), 6) & to_unsigned(pathsabove_total(3), 6) &
+      to_unsigned(pathsabove_total(2), 6) & to_unsigned(pathsabove_total(1), 6) & to_unsigned(pathsabove_total(0), 6);
+    cell : entity work.line_memory
+      generic map (depth => 12, width => 30, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsabove_delay_held_0, write_address => write_address, write_data => write_data);
+  end block;
 
-  pathsturn_sum_memory_read_words_1_2_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_1_2_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_1, 10);
-  pathsturn_sum_memory_read_words_1_2_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_1, 10);
-  pathsturn_sum_memory_read_words_1_2_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(1, 2), 16);
-  pathsturn_sum_memory_read_words_1_2_memory : entity work.line_memory
-    generic map (depth => 1024, width => 16, address_bits => 10)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_1_2_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_1_2_memory_read_address, read_data => pathsturn_sum_memory_read_words(1, 2),
-      write_address => pathsturn_sum_memory_read_words_1_2_memory_write_address, write_data => pathsturn_sum_memory_read_words_1_2_memory_write_data);
+  pathsabove_memory_read_words_2_0_memory : block
+    signal read_address, write_address : unsigned(11 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
+    write_address <= to_unsigned(pathsabove_memory_write_address_0, 12);
+    write_data <= to_unsigned(pathsabove_memory_write_words_2(0), 8);
+    cell : entity work.line_memory
+      generic map (depth => 4096, width => 8, address_bits => 12)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsabove_memory_read_words_2(0), write_address => write_address, write_data => write_data);
+  end block;
 
-  pathsturn_sum_memory_read_words_1_1_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_1_1_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_1, 10);
-  pathsturn_sum_memory_read_words_1_1_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_1, 10);
-  pathsturn_sum_memory_read_words_1_1_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(1, 1), 16);
-  pathsturn_sum_memory_read_words_1_1_memory : entity work.line_memory
-    generic map (depth => 1024, width => 16, address_bits => 10)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_1_1_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_1_1_memory_read_address, read_data => pathsturn_sum_memory_read_words(1, 1),
-      write_address => pathsturn_sum_memory_read_words_1_1_memory_write_address, write_data => pathsturn_sum_memory_read_words_1_1_memory_write_data);
+  pathsabove_memory_read_words_memory : for i in 1 downto 0 generate
+    signal read_address, write_address : unsigned(11 downto 0);
+    signal write_data : unsigned(15 downto 0);
+  begin
+    read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
+    write_address <= to_unsigned(pathsabove_memory_write_address_0, 12);
+    write_data <= to_unsigned(pathsabove_memory_write_words(0, i), 16);
+    cell : entity work.line_memory
+      generic map (depth => 4096, width => 16, address_bits => 12)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsabove_memory_read_words(0, i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  pathsturn_sum_memory_read_words_1_0_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_1_0_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_1, 10);
-  pathsturn_sum_memory_read_words_1_0_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_1, 10);
-  pathsturn_sum_memory_read_words_1_0_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(1, 0), 16);
-  pathsturn_sum_memory_read_words_1_0_memory : entity work.line_memory
-    generic map (depth => 1024, width => 16, address_bits => 10)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_1_0_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_1_0_memory_read_address, read_data => pathsturn_sum_memory_read_words(1, 0),
-      write_address => pathsturn_sum_memory_read_words_1_0_memory_write_address, write_data => pathsturn_sum_memory_read_words_1_0_memory_write_data);
+  pathsabove_memory_read_words_2_1_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(pathsabove_memory_read_address_1, 10);
+    write_address <= to_unsigned(pathsabove_memory_write_address_1, 10);
+    write_data <= to_unsigned(pathsabove_memory_write_words_2(1), 8);
+    cell : entity work.line_memory
+      generic map (depth => 1024, width => 8, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsabove_memory_read_words_2(1), write_address => write_address, write_data => write_data);
+  end block;
 
-  pathsturn_cost_memory_read_words_0_1_memory_read_enable <= true;
-  pathsturn_cost_memory_read_words_0_1_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_0, 12);
-  pathsturn_cost_memory_read_words_0_1_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address_0, 12);
-  pathsturn_cost_memory_read_words_0_1_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words_1(0), 8);
-  pathsturn_cost_memory_read_words_0_1_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_cost_memory_read_words_0_1_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_0_1_memory_read_address, read_data => pathsturn_cost_memory_read_words_1(0),
-      write_address => pathsturn_cost_memory_read_words_0_1_memory_write_address, write_data => pathsturn_cost_memory_read_words_0_1_memory_write_data);
+  pathsabove_memory_read_words_1_1_memory : for i in 1 downto 0 generate
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(15 downto 0);
+  begin
+    read_address <= to_unsigned(pathsabove_memory_read_address_1, 10);
+    write_address <= to_unsigned(pathsabove_memory_write_address_1, 10);
+    write_data <= to_unsigned(pathsabove_memory_write_words(1, i), 16);
+    cell : entity work.line_memory
+      generic map (depth => 1024, width => 16, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsabove_memory_read_words(1, i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  pathsturn_cost_memory_read_words_0_0_memory_read_enable <= true;
-  pathsturn_cost_memory_read_words_0_0_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_0, 12);
-  pathsturn_cost_memory_read_words_0_0_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address_0, 12);
-  pathsturn_cost_memory_read_words_0_0_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words_0(0), 16);
-  pathsturn_cost_memory_read_words_0_0_memory : entity work.line_memory
-    generic map (depth => 4096, width => 16, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_cost_memory_read_words_0_0_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_0_0_memory_read_address, read_data => pathsturn_cost_memory_read_words_0(0),
-      write_address => pathsturn_cost_memory_read_words_0_0_memory_write_address, write_data => pathsturn_cost_memory_read_words_0_0_memory_write_data);
+  pathsleft_read_words_memory : for i in 3 downto 2 generate
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(27 downto 0);
+  begin
+    read_address <= to_unsigned(pathsleft_read_count_phase, 3);
+    write_address <= to_unsigned(pathsleft_write_count_phase, 3);
+    write_data <= to_unsigned(pathsleft_arrived(4 * i - 5), 7) & to_unsigned(pathsleft_arrived(4 * i - 6), 7) &
+      to_unsigned(pathsleft_arrived(4 * i - 7), 7) & to_unsigned(pathsleft_arrived(4 * i - 8), 7);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 28, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsleft_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  pathsturn_cost_memory_read_words_1_1_memory_read_enable <= true;
-  pathsturn_cost_memory_read_words_1_1_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_1, 10);
-  pathsturn_cost_memory_read_words_1_1_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address_1, 10);
-  pathsturn_cost_memory_read_words_1_1_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words_1(1), 8);
-  pathsturn_cost_memory_read_words_1_1_memory : entity work.line_memory
-    generic map (depth => 1024, width => 8, address_bits => 10)
-    port map (
-      clock => clock, read_enable => pathsturn_cost_memory_read_words_1_1_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_1_1_memory_read_address, read_data => pathsturn_cost_memory_read_words_1(1),
-      write_address => pathsturn_cost_memory_read_words_1_1_memory_write_address, write_data => pathsturn_cost_memory_read_words_1_1_memory_write_data);
+  pathsleft_read_words_1_memory : for i in 1 downto 0 generate
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(27 downto 0);
+  begin
+    read_address <= to_unsigned(pathsleft_read_count_phase, 3);
+    write_address <= to_unsigned(pathsleft_write_count_phase, 3);
+    write_data <= to_unsigned(pathsleft_cost(4 * i + 3), 7) & to_unsigned(pathsleft_cost(4 * i + 2), 7) &
+      to_unsigned(pathsleft_cost(4 * i + 1), 7) & to_unsigned(pathsleft_cost(4 * i), 7);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 28, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsleft_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  pathsturn_cost_memory_read_words_1_0_memory_read_enable <= true;
-  pathsturn_cost_memory_read_words_1_0_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_1, 10);
-  pathsturn_cost_memory_read_words_1_0_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address_1, 10);
-  pathsturn_cost_memory_read_words_1_0_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words_0(1), 16);
-  pathsturn_cost_memory_read_words_1_0_memory : entity work.line_memory
-    generic map (depth => 1024, width => 16, address_bits => 10)
-    port map (
-      clock => clock, read_enable => pathsturn_cost_memory_read_words_1_0_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_1_0_memory_read_address, read_data => pathsturn_cost_memory_read_words_0(1),
-      write_address => pathsturn_cost_memory_read_words_1_0_memory_write_address, write_data => pathsturn_cost_memory_read_words_1_0_memory_write_data);
+  pathsleft_read_neighbour_0_memory : block
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(6 downto 0);
+  begin
+    read_address <= to_unsigned(pathsleft_ahead_count_phase, 3);
+    write_address <= to_unsigned(pathsleft_write_count_phase, 3);
+    write_data <= to_unsigned(pathsleft_cost(0), 7);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 7, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsleft_read_neighbour_0, write_address => write_address, write_data => write_data);
+  end block;
 
-  pathsabove_delay_held_1_memory_read_enable <= true;
-  pathsabove_delay_held_1_memory_read_address <= to_unsigned(paths_cost_delay_ring_read_address, 4);
-  pathsabove_delay_held_1_memory_write_address <= to_unsigned(paths_cost_delay_ring_write_address, 4);
-  pathsabove_delay_held_1_memory_write_data <= to_unsigned(pathsabove_total(7), 6) & to_unsigned(pathsabove_total(6), 6) & to_unsigned(pathsabove_total(5), 6);
-  pathsabove_delay_held_1_memory : entity work.line_memory
-    generic map (depth => 12, width => 18, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsabove_delay_held_1_memory_read_enable,
-      read_address => pathsabove_delay_held_1_memory_read_address, read_data => pathsabove_delay_held_1,
-      write_address => pathsabove_delay_held_1_memory_write_address, write_data => pathsabove_delay_held_1_memory_write_data);
+  pathsleft_lowest_0_memory : block
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(6 downto 0);
+  begin
+    read_address <= to_unsigned(pathsleft_low_address, 4);
+    write_address <= to_unsigned(pathsleft_low_write_address, 4);
+    write_data <= to_unsigned(pathsleft_low_0, 7);
+    cell : entity work.line_memory
+      generic map (depth => 16, width => 7, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => pathsleft_lowest_0,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  pathsabove_delay_held_0_memory_read_enable <= true;
-  pathsabove_delay_held_0_memory_read_address <= to_unsigned(paths_cost_delay_ring_read_address, 4);
-  pathsabove_delay_held_0_memory_write_address <= to_unsigned(paths_cost_delay_ring_write_address, 4);
-  pathsabove_delay_held_0_memory_write_data <= to_unsigned(pathsabove_total(4), 6) & to_unsigned(pathsabove_total(3), 6) & to_unsigned(pathsabove_total(2), 6) & to_unsigned(pathsabove_total(1), 6) & to_unsigned(pathsabove_total(0), 6);
-  pathsabove_delay_held_0_memory : entity work.line_memory
-    generic map (depth => 12, width => 30, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsabove_delay_held_0_memory_read_enable,
-      read_address => pathsabove_delay_held_0_memory_read_address, read_data => pathsabove_delay_held_0,
-      write_address => pathsabove_delay_held_0_memory_write_address, write_data => pathsabove_delay_held_0_memory_write_data);
+  paths_cost_delay_held_0_memory : block
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(23 downto 0);
+  begin
+    read_address <= to_unsigned(paths_cost_delay_ring_read_address, 4);
+    write_address <= to_unsigned(paths_cost_delay_ring_write_address, 4);
+    write_data <= ((((((((((((((to_unsigned(costs_cost(6), 6) & to_unsigned(0, 18)) or (to_unsigned((costs_cost(7) mod
+      8), 3) & to_unsigned(0, 21)))) or (to_unsigned(costs_cost(5), 9) & to_unsigned(0, 15)))) or
+      (to_unsigned(costs_cost(4), 12) & to_unsigned(0, 12)))) or (to_unsigned(costs_cost(3), 15) & to_unsigned(0, 9))))
+      or (to_unsigned(costs_cost(2), 18) & to_unsigned(0, 6)))) or (to_unsigned(costs_cost(0), 24)))) or
+      (to_unsigned(costs_cost(1), 21) & to_unsigned(0, 3)));
+    cell : entity work.line_memory
+      generic map (depth => 12, width => 24, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        paths_cost_delay_held_0, write_address => write_address, write_data => write_data);
+  end block;
 
-  pathsabove_memory_read_words_0_2_memory_read_enable <= true;
-  pathsabove_memory_read_words_0_2_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_0_2_memory_write_address <= to_unsigned(pathsabove_memory_write_address_0, 12);
-  pathsabove_memory_read_words_0_2_memory_write_data <= to_unsigned(pathsabove_memory_write_words_2(0), 8);
-  pathsabove_memory_read_words_0_2_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_0_2_memory_read_enable,
-      read_address => pathsabove_memory_read_words_0_2_memory_read_address, read_data => pathsabove_memory_read_words_2(0),
-      write_address => pathsabove_memory_read_words_0_2_memory_write_address, write_data => pathsabove_memory_read_words_0_2_memory_write_data);
+  costswindow_read_wordss_memory : for i in 3 downto 2 generate
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(27 downto 0);
+  begin
+    read_address <= to_unsigned(costswindow_read_count_phase, 3);
+    write_address <= to_unsigned(costswindow_write_count_phase, 3);
+    write_data <= to_unsigned(costswindow_partials(4 * i + 3), 7) & to_unsigned(costswindow_partials(4 * i + 2), 7) &
+      to_unsigned(costswindow_partials(4 * i + 1), 7) & to_unsigned(costswindow_partials(4 * i), 7);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 28, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        costswindow_read_wordss(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  pathsabove_memory_read_words_0_1_memory_read_enable <= true;
-  pathsabove_memory_read_words_0_1_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_0_1_memory_write_address <= to_unsigned(pathsabove_memory_write_address_0, 12);
-  pathsabove_memory_read_words_0_1_memory_write_data <= to_unsigned(pathsabove_memory_write_words(0, 1), 16);
-  pathsabove_memory_read_words_0_1_memory : entity work.line_memory
-    generic map (depth => 4096, width => 16, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_0_1_memory_read_enable,
-      read_address => pathsabove_memory_read_words_0_1_memory_read_address, read_data => pathsabove_memory_read_words(0, 1),
-      write_address => pathsabove_memory_read_words_0_1_memory_write_address, write_data => pathsabove_memory_read_words_0_1_memory_write_data);
+  costswindow_read_words_memory : for i in 1 downto 0 generate
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(26 downto 0);
+  begin
+    read_address <= to_unsigned(costswindow_read_count_phase, 3);
+    write_address <= to_unsigned(costswindow_write_count_phase, 3);
+    write_data <= to_unsigned(costswindow_partial(4 * i + 3), 6) & to_unsigned(costswindow_partial(4 * i + 2), 7) &
+      to_unsigned(costswindow_partial(4 * i + 1), 7) & to_unsigned(costswindow_partial(4 * i), 7);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 27, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        costswindow_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  pathsabove_memory_read_words_0_0_memory_read_enable <= true;
-  pathsabove_memory_read_words_0_0_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_0_0_memory_write_address <= to_unsigned(pathsabove_memory_write_address_0, 12);
-  pathsabove_memory_read_words_0_0_memory_write_data <= to_unsigned(pathsabove_memory_write_words(0, 0), 16);
-  pathsabove_memory_read_words_0_0_memory : entity work.line_memory
-    generic map (depth => 4096, width => 16, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_0_0_memory_read_enable,
-      read_address => pathsabove_memory_read_words_0_0_memory_read_address, read_data => pathsabove_memory_read_words(0, 0),
-      write_address => pathsabove_memory_read_words_0_0_memory_write_address, write_data => pathsabove_memory_read_words_0_0_memory_write_data);
+  costsshift_read_words_memory : for i in 11 downto 8 generate
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(27 downto 0);
+  begin
+    read_address <= to_unsigned(costsshift_count_phase, 3);
+    write_address <= to_unsigned(costsshift_write_phase, 3);
+    write_data <= to_unsigned(costsshift_search(2, 2 * i - 15), 14) & to_unsigned(costsshift_search(2, 2 * i - 16), 14);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 28, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        costsshift_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  pathsabove_memory_read_words_1_2_memory_read_enable <= true;
-  pathsabove_memory_read_words_1_2_memory_read_address <= to_unsigned(pathsabove_memory_read_address_1, 10);
-  pathsabove_memory_read_words_1_2_memory_write_address <= to_unsigned(pathsabove_memory_write_address_1, 10);
-  pathsabove_memory_read_words_1_2_memory_write_data <= to_unsigned(pathsabove_memory_write_words_2(1), 8);
-  pathsabove_memory_read_words_1_2_memory : entity work.line_memory
-    generic map (depth => 1024, width => 8, address_bits => 10)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_1_2_memory_read_enable,
-      read_address => pathsabove_memory_read_words_1_2_memory_read_address, read_data => pathsabove_memory_read_words_2(1),
-      write_address => pathsabove_memory_read_words_1_2_memory_write_address, write_data => pathsabove_memory_read_words_1_2_memory_write_data);
+  costsshift_read_words_7_memory : for i in 7 downto 4 generate
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(27 downto 0);
+  begin
+    read_address <= to_unsigned(costsshift_count_phase, 3);
+    write_address <= to_unsigned(costsshift_write_phase, 3);
+    write_data <= to_unsigned(costsshift_search(1, 2 * i - 7), 14) & to_unsigned(costsshift_search(1, 2 * i - 8), 14);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 28, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        costsshift_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  pathsabove_memory_read_words_1_1_memory_read_enable <= true;
-  pathsabove_memory_read_words_1_1_memory_read_address <= to_unsigned(pathsabove_memory_read_address_1, 10);
-  pathsabove_memory_read_words_1_1_memory_write_address <= to_unsigned(pathsabove_memory_write_address_1, 10);
-  pathsabove_memory_read_words_1_1_memory_write_data <= to_unsigned(pathsabove_memory_write_words(1, 1), 16);
-  pathsabove_memory_read_words_1_1_memory : entity work.line_memory
-    generic map (depth => 1024, width => 16, address_bits => 10)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_1_1_memory_read_enable,
-      read_address => pathsabove_memory_read_words_1_1_memory_read_address, read_data => pathsabove_memory_read_words(1, 1),
-      write_address => pathsabove_memory_read_words_1_1_memory_write_address, write_data => pathsabove_memory_read_words_1_1_memory_write_data);
+  costsshift_read_words_3_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(27 downto 0);
+  begin
+    read_address <= to_unsigned(costsshift_count_phase, 3);
+    write_address <= to_unsigned(costsshift_write_phase, 3);
+    write_data <= to_unsigned(costsshift_search(0, 2 * i + 1), 14) & to_unsigned(costsshift_search(0, 2 * i), 14);
+    cell : entity work.line_memory
+      generic map (depth => 8, width => 28, address_bits => 3)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        costsshift_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  pathsabove_memory_read_words_1_0_memory_read_enable <= true;
-  pathsabove_memory_read_words_1_0_memory_read_address <= to_unsigned(pathsabove_memory_read_address_1, 10);
-  pathsabove_memory_read_words_1_0_memory_write_address <= to_unsigned(pathsabove_memory_write_address_1, 10);
-  pathsabove_memory_read_words_1_0_memory_write_data <= to_unsigned(pathsabove_memory_write_words(1, 0), 16);
-  pathsabove_memory_read_words_1_0_memory : entity work.line_memory
-    generic map (depth => 1024, width => 16, address_bits => 10)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_1_0_memory_read_enable,
-      read_address => pathsabove_memory_read_words_1_0_memory_read_address, read_data => pathsabove_memory_read_words(1, 0),
-      write_address => pathsabove_memory_read_words_1_0_memory_write_address, write_data => pathsabove_memory_read_words_1_0_memory_write_data);
+  rows_search_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(27 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 10);
+    write_address <= to_unsigned(rows_write_column, 10);
+    write_data <= to_unsigned(rows_search_rows_write_words_0, 28);
+    cell : entity work.line_memory
+      generic map (depth => 640, width => 28, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_search_rows_read_words_0, write_address => write_address, write_data => write_data);
+  end block;
 
-  pathsleft_read_words_3_memory_read_enable <= true;
-  pathsleft_read_words_3_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 3);
-  pathsleft_read_words_3_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsleft_read_words_3_memory_write_data <= to_unsigned(pathsleft_arrived(7), 7) & to_unsigned(pathsleft_arrived(6), 7) & to_unsigned(pathsleft_arrived(5), 7) & to_unsigned(pathsleft_arrived(4), 7);
-  pathsleft_read_words_3_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => pathsleft_read_words_3_memory_read_enable,
-      read_address => pathsleft_read_words_3_memory_read_address, read_data => pathsleft_read_words(3),
-      write_address => pathsleft_read_words_3_memory_write_address, write_data => pathsleft_read_words_3_memory_write_data);
-
-  pathsleft_read_words_2_memory_read_enable <= true;
-  pathsleft_read_words_2_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 3);
-  pathsleft_read_words_2_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsleft_read_words_2_memory_write_data <= to_unsigned(pathsleft_arrived(3), 7) & to_unsigned(pathsleft_arrived(2), 7) & to_unsigned(pathsleft_arrived(1), 7) & to_unsigned(pathsleft_arrived(0), 7);
-  pathsleft_read_words_2_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => pathsleft_read_words_2_memory_read_enable,
-      read_address => pathsleft_read_words_2_memory_read_address, read_data => pathsleft_read_words(2),
-      write_address => pathsleft_read_words_2_memory_write_address, write_data => pathsleft_read_words_2_memory_write_data);
-
-  pathsleft_read_words_1_memory_read_enable <= true;
-  pathsleft_read_words_1_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 3);
-  pathsleft_read_words_1_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsleft_read_words_1_memory_write_data <= to_unsigned(pathsleft_cost(7), 7) & to_unsigned(pathsleft_cost(6), 7) & to_unsigned(pathsleft_cost(5), 7) & to_unsigned(pathsleft_cost(4), 7);
-  pathsleft_read_words_1_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => pathsleft_read_words_1_memory_read_enable,
-      read_address => pathsleft_read_words_1_memory_read_address, read_data => pathsleft_read_words(1),
-      write_address => pathsleft_read_words_1_memory_write_address, write_data => pathsleft_read_words_1_memory_write_data);
-
-  pathsleft_read_words_0_memory_read_enable <= true;
-  pathsleft_read_words_0_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 3);
-  pathsleft_read_words_0_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsleft_read_words_0_memory_write_data <= to_unsigned(pathsleft_cost(3), 7) & to_unsigned(pathsleft_cost(2), 7) & to_unsigned(pathsleft_cost(1), 7) & to_unsigned(pathsleft_cost(0), 7);
-  pathsleft_read_words_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => pathsleft_read_words_0_memory_read_enable,
-      read_address => pathsleft_read_words_0_memory_read_address, read_data => pathsleft_read_words(0),
-      write_address => pathsleft_read_words_0_memory_write_address, write_data => pathsleft_read_words_0_memory_write_data);
-
-  pathsleft_read_neighbour_0_memory_read_enable <= true;
-  pathsleft_read_neighbour_0_memory_read_address <= to_unsigned(pathsleft_ahead_count_phase, 3);
-  pathsleft_read_neighbour_0_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 3);
-  pathsleft_read_neighbour_0_memory_write_data <= to_unsigned(pathsleft_cost(0), 7);
-  pathsleft_read_neighbour_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 7, address_bits => 3)
-    port map (
-      clock => clock, read_enable => pathsleft_read_neighbour_0_memory_read_enable,
-      read_address => pathsleft_read_neighbour_0_memory_read_address, read_data => pathsleft_read_neighbour_0,
-      write_address => pathsleft_read_neighbour_0_memory_write_address, write_data => pathsleft_read_neighbour_0_memory_write_data);
-
-  pathsleft_lowest_0_memory_read_enable <= true;
-  pathsleft_lowest_0_memory_read_address <= to_unsigned(pathsleft_low_address, 4);
-  pathsleft_lowest_0_memory_write_address <= to_unsigned(pathsleft_low_write_address, 4);
-  pathsleft_lowest_0_memory_write_data <= to_unsigned(pathsleft_low_0, 7);
-  pathsleft_lowest_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 7, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsleft_lowest_0_memory_read_enable,
-      read_address => pathsleft_lowest_0_memory_read_address, read_data => pathsleft_lowest_0,
-      write_address => pathsleft_lowest_0_memory_write_address, write_data => pathsleft_lowest_0_memory_write_data);
-
-  paths_cost_delay_held_0_memory_read_enable <= true;
-  paths_cost_delay_held_0_memory_read_address <= to_unsigned(paths_cost_delay_ring_read_address, 4);
-  paths_cost_delay_held_0_memory_write_address <= to_unsigned(paths_cost_delay_ring_write_address, 4);
-  paths_cost_delay_held_0_memory_write_data <= ((((((((((((((to_unsigned(costs_cost(6), 6) & to_unsigned(0, 18)) or (to_unsigned((costs_cost(7) mod 8), 3) & to_unsigned(0, 21)))) or (to_unsigned(costs_cost(5), 9) & to_unsigned(0, 15)))) or (to_unsigned(costs_cost(4), 12) & to_unsigned(0, 12)))) or (to_unsigned(costs_cost(3), 15) & to_unsigned(0, 9)))) or (to_unsigned(costs_cost(2), 18) & to_unsigned(0, 6)))) or (to_unsigned(costs_cost(0), 24)))) or (to_unsigned(costs_cost(1), 21) & to_unsigned(0, 3)));
-  paths_cost_delay_held_0_memory : entity work.line_memory
-    generic map (depth => 12, width => 24, address_bits => 4)
-    port map (
-      clock => clock, read_enable => paths_cost_delay_held_0_memory_read_enable,
-      read_address => paths_cost_delay_held_0_memory_read_address, read_data => paths_cost_delay_held_0,
-      write_address => paths_cost_delay_held_0_memory_write_address, write_data => paths_cost_delay_held_0_memory_write_data);
-
-  costswindow_read_words_3_memory_read_enable <= true;
-  costswindow_read_words_3_memory_read_address <= to_unsigned(costswindow_read_count_phase, 3);
-  costswindow_read_words_3_memory_write_address <= to_unsigned(costswindow_write_count_phase, 3);
-  costswindow_read_words_3_memory_write_data <= to_unsigned(costswindow_partials(15), 7) & to_unsigned(costswindow_partials(14), 7) & to_unsigned(costswindow_partials(13), 7) & to_unsigned(costswindow_partials(12), 7);
-  costswindow_read_words_3_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costswindow_read_words_3_memory_read_enable,
-      read_address => costswindow_read_words_3_memory_read_address, read_data => costswindow_read_wordss(3),
-      write_address => costswindow_read_words_3_memory_write_address, write_data => costswindow_read_words_3_memory_write_data);
-
-  costswindow_read_words_2_memory_read_enable <= true;
-  costswindow_read_words_2_memory_read_address <= to_unsigned(costswindow_read_count_phase, 3);
-  costswindow_read_words_2_memory_write_address <= to_unsigned(costswindow_write_count_phase, 3);
-  costswindow_read_words_2_memory_write_data <= to_unsigned(costswindow_partials(11), 7) & to_unsigned(costswindow_partials(10), 7) & to_unsigned(costswindow_partials(9), 7) & to_unsigned(costswindow_partials(8), 7);
-  costswindow_read_words_2_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costswindow_read_words_2_memory_read_enable,
-      read_address => costswindow_read_words_2_memory_read_address, read_data => costswindow_read_wordss(2),
-      write_address => costswindow_read_words_2_memory_write_address, write_data => costswindow_read_words_2_memory_write_data);
-
-  costswindow_read_words_1_memory_read_enable <= true;
-  costswindow_read_words_1_memory_read_address <= to_unsigned(costswindow_read_count_phase, 3);
-  costswindow_read_words_1_memory_write_address <= to_unsigned(costswindow_write_count_phase, 3);
-  costswindow_read_words_1_memory_write_data <= to_unsigned(costswindow_partial(7), 6) & to_unsigned(costswindow_partial(6), 7) & to_unsigned(costswindow_partial(5), 7) & to_unsigned(costswindow_partial(4), 7);
-  costswindow_read_words_1_memory : entity work.line_memory
-    generic map (depth => 8, width => 27, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costswindow_read_words_1_memory_read_enable,
-      read_address => costswindow_read_words_1_memory_read_address, read_data => costswindow_read_words(1),
-      write_address => costswindow_read_words_1_memory_write_address, write_data => costswindow_read_words_1_memory_write_data);
-
-  costswindow_read_words_0_memory_read_enable <= true;
-  costswindow_read_words_0_memory_read_address <= to_unsigned(costswindow_read_count_phase, 3);
-  costswindow_read_words_0_memory_write_address <= to_unsigned(costswindow_write_count_phase, 3);
-  costswindow_read_words_0_memory_write_data <= to_unsigned(costswindow_partial(3), 6) & to_unsigned(costswindow_partial(2), 7) & to_unsigned(costswindow_partial(1), 7) & to_unsigned(costswindow_partial(0), 7);
-  costswindow_read_words_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 27, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costswindow_read_words_0_memory_read_enable,
-      read_address => costswindow_read_words_0_memory_read_address, read_data => costswindow_read_words(0),
-      write_address => costswindow_read_words_0_memory_write_address, write_data => costswindow_read_words_0_memory_write_data);
-
-  costsshift_read_words_11_memory_read_enable <= true;
-  costsshift_read_words_11_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
-  costsshift_read_words_11_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_11_memory_write_data <= to_unsigned(costsshift_search(2, 7), 14) & to_unsigned(costsshift_search(2, 6), 14);
-  costsshift_read_words_11_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_11_memory_read_enable,
-      read_address => costsshift_read_words_11_memory_read_address, read_data => costsshift_read_words(11),
-      write_address => costsshift_read_words_11_memory_write_address, write_data => costsshift_read_words_11_memory_write_data);
-
-  costsshift_read_words_10_memory_read_enable <= true;
-  costsshift_read_words_10_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
-  costsshift_read_words_10_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_10_memory_write_data <= to_unsigned(costsshift_search(2, 5), 14) & to_unsigned(costsshift_search(2, 4), 14);
-  costsshift_read_words_10_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_10_memory_read_enable,
-      read_address => costsshift_read_words_10_memory_read_address, read_data => costsshift_read_words(10),
-      write_address => costsshift_read_words_10_memory_write_address, write_data => costsshift_read_words_10_memory_write_data);
-
-  costsshift_read_words_9_memory_read_enable <= true;
-  costsshift_read_words_9_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
-  costsshift_read_words_9_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_9_memory_write_data <= to_unsigned(costsshift_search(2, 3), 14) & to_unsigned(costsshift_search(2, 2), 14);
-  costsshift_read_words_9_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_9_memory_read_enable,
-      read_address => costsshift_read_words_9_memory_read_address, read_data => costsshift_read_words(9),
-      write_address => costsshift_read_words_9_memory_write_address, write_data => costsshift_read_words_9_memory_write_data);
-
-  costsshift_read_words_8_memory_read_enable <= true;
-  costsshift_read_words_8_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
-  costsshift_read_words_8_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_8_memory_write_data <= to_unsigned(costsshift_search(2, 1), 14) & to_unsigned(costsshift_search(2, 0), 14);
-  costsshift_read_words_8_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_8_memory_read_enable,
-      read_address => costsshift_read_words_8_memory_read_address, read_data => costsshift_read_words(8),
-      write_address => costsshift_read_words_8_memory_write_address, write_data => costsshift_read_words_8_memory_write_data);
-
-  costsshift_read_words_7_memory_read_enable <= true;
-  costsshift_read_words_7_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
-  costsshift_read_words_7_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_7_memory_write_data <= to_unsigned(costsshift_search(1, 7), 14) & to_unsigned(costsshift_search(1, 6), 14);
-  costsshift_read_words_7_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_7_memory_read_enable,
-      read_address => costsshift_read_words_7_memory_read_address, read_data => costsshift_read_words(7),
-      write_address => costsshift_read_words_7_memory_write_address, write_data => costsshift_read_words_7_memory_write_data);
-
-  costsshift_read_words_6_memory_read_enable <= true;
-  costsshift_read_words_6_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
-  costsshift_read_words_6_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_6_memory_write_data <= to_unsigned(costsshift_search(1, 5), 14) & to_unsigned(costsshift_search(1, 4), 14);
-  costsshift_read_words_6_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_6_memory_read_enable,
-      read_address => costsshift_read_words_6_memory_read_address, read_data => costsshift_read_words(6),
-      write_address => costsshift_read_words_6_memory_write_address, write_data => costsshift_read_words_6_memory_write_data);
-
-  costsshift_read_words_5_memory_read_enable <= true;
-  costsshift_read_words_5_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
-  costsshift_read_words_5_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_5_memory_write_data <= to_unsigned(costsshift_search(1, 3), 14) & to_unsigned(costsshift_search(1, 2), 14);
-  costsshift_read_words_5_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_5_memory_read_enable,
-      read_address => costsshift_read_words_5_memory_read_address, read_data => costsshift_read_words(5),
-      write_address => costsshift_read_words_5_memory_write_address, write_data => costsshift_read_words_5_memory_write_data);
-
-  costsshift_read_words_4_memory_read_enable <= true;
-  costsshift_read_words_4_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
-  costsshift_read_words_4_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_4_memory_write_data <= to_unsigned(costsshift_search(1, 1), 14) & to_unsigned(costsshift_search(1, 0), 14);
-  costsshift_read_words_4_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_4_memory_read_enable,
-      read_address => costsshift_read_words_4_memory_read_address, read_data => costsshift_read_words(4),
-      write_address => costsshift_read_words_4_memory_write_address, write_data => costsshift_read_words_4_memory_write_data);
-
-  costsshift_read_words_3_memory_read_enable <= true;
-  costsshift_read_words_3_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
-  costsshift_read_words_3_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_3_memory_write_data <= to_unsigned(costsshift_search(0, 7), 14) & to_unsigned(costsshift_search(0, 6), 14);
-  costsshift_read_words_3_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_3_memory_read_enable,
-      read_address => costsshift_read_words_3_memory_read_address, read_data => costsshift_read_words(3),
-      write_address => costsshift_read_words_3_memory_write_address, write_data => costsshift_read_words_3_memory_write_data);
-
-  costsshift_read_words_2_memory_read_enable <= true;
-  costsshift_read_words_2_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
-  costsshift_read_words_2_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_2_memory_write_data <= to_unsigned(costsshift_search(0, 5), 14) & to_unsigned(costsshift_search(0, 4), 14);
-  costsshift_read_words_2_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_2_memory_read_enable,
-      read_address => costsshift_read_words_2_memory_read_address, read_data => costsshift_read_words(2),
-      write_address => costsshift_read_words_2_memory_write_address, write_data => costsshift_read_words_2_memory_write_data);
-
-  costsshift_read_words_1_memory_read_enable <= true;
-  costsshift_read_words_1_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
-  costsshift_read_words_1_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_1_memory_write_data <= to_unsigned(costsshift_search(0, 3), 14) & to_unsigned(costsshift_search(0, 2), 14);
-  costsshift_read_words_1_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_1_memory_read_enable,
-      read_address => costsshift_read_words_1_memory_read_address, read_data => costsshift_read_words(1),
-      write_address => costsshift_read_words_1_memory_write_address, write_data => costsshift_read_words_1_memory_write_data);
-
-  costsshift_read_words_0_memory_read_enable <= true;
-  costsshift_read_words_0_memory_read_address <= to_unsigned(costsshift_count_phase, 3);
-  costsshift_read_words_0_memory_write_address <= to_unsigned(costsshift_write_phase, 3);
-  costsshift_read_words_0_memory_write_data <= to_unsigned(costsshift_search(0, 1), 14) & to_unsigned(costsshift_search(0, 0), 14);
-  costsshift_read_words_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 28, address_bits => 3)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_0_memory_read_enable,
-      read_address => costsshift_read_words_0_memory_read_address, read_data => costsshift_read_words(0),
-      write_address => costsshift_read_words_0_memory_write_address, write_data => costsshift_read_words_0_memory_write_data);
-
-  rows_search_rows_read_words_0_memory_read_enable <= true;
-  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 28);
-  rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 28, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
-      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
-      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
-
-  rows_reference_rows_read_words_0_memory_read_enable <= true;
-  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 10);
-  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 10);
-  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 28);
-  rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 28, address_bits => 10)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
-      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
+  rows_reference_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(27 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 10);
+    write_address <= to_unsigned(rows_write_column, 10);
+    write_data <= to_unsigned(rows_reference_rows_write_words_0, 28);
+    cell : entity work.line_memory
+      generic map (depth => 640, width => 28, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_reference_rows_read_words_0, write_address => write_address, write_data => write_data);
+  end block;
 
   process (clock)
     variable transform_counter_next_frame_is_equal, transform_counter_frame_joins_choice : boolean;
-    variable transform_read_column_inside_0_is_less, transform_left_filter_low_is_larger_0_0_0_value : boolean;
-    variable transform_left_filter_low_is_larger_0_0_0_choice : boolean;
-    variable transform_left_filter_low_is_larger_0_0_0_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_0_0_choice_#
-    variable transform_left_filter_low_is_larger_0_0_0_values : boolean_1d(2 to 4);  -- transform_left_filter_low_is_larger_0_0_0_value_#
-    variable transform_left_filter_low_is_larger_0_0_2_any, transform_left_filter_low_is_larger_0_0_2_choice : boolean;
+    variable transform_read_column_inside_0_is_less : boolean;
+    variable transform_left_filter_low_is_larger_0_0_0_values : boolean_1d(1 to 4);  -- transform_left_filter_low_is_larger_0_0_0_value_#
+    variable transform_left_filter_low_is_larger_0_0_0_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_0_0_choice_#
+    variable transform_left_filter_low_is_larger_0_0_2_any : boolean;
+    variable transform_left_filter_low_is_larger_0_0_2_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_0_2_choice_#
     variable transform_left_filter_low_is_larger_0_0_2_is_equal : boolean;
-    variable transform_left_filter_low_is_larger_0_0_2_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_0_2_choice_#
     variable transform_left_filter_low_is_larger_0_0_2_value : boolean;
-    variable transform_left_filter_low_is_larger_0_0_4_choice : boolean;
-    variable transform_left_filter_low_is_larger_0_0_4_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_0_4_choice_#
+    variable transform_left_filter_low_is_larger_0_0_4_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_0_4_choice_#
     variable transform_left_filter_low_is_larger_0_0_4_value : boolean;
-    variable transform_left_filter_low_is_larger_0_2_0_choice : boolean;
-    variable transform_left_filter_low_is_larger_0_2_0_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_2_0_choice_#
+    variable transform_left_filter_low_is_larger_0_2_0_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_2_0_choice_#
     variable transform_left_filter_low_is_larger_0_2_0_value : boolean;
-    variable transform_left_filter_low_is_larger_0_2_2_choice : boolean;
-    variable transform_left_filter_low_is_larger_0_2_2_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_2_2_choice_#
+    variable transform_left_filter_low_is_larger_0_2_2_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_2_2_choice_#
     variable transform_left_filter_low_is_larger_0_2_2_value : boolean;
-    variable transform_left_filter_low_is_larger_0_2_4_choice : boolean;
-    variable transform_left_filter_low_is_larger_0_2_4_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_2_4_choice_#
+    variable transform_left_filter_low_is_larger_0_2_4_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_2_4_choice_#
     variable transform_left_filter_low_is_larger_0_2_4_value : boolean;
-    variable transform_left_filter_low_is_larger_0_4_0_choice : boolean;
-    variable transform_left_filter_low_is_larger_0_4_0_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_4_0_choice_#
+    variable transform_left_filter_low_is_larger_0_4_0_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_4_0_choice_#
     variable transform_left_filter_low_is_larger_0_4_0_value : boolean;
-    variable transform_left_filter_low_is_larger_0_4_4_choice : boolean;
-    variable transform_left_filter_low_is_larger_0_4_4_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_4_4_choice_#
+    variable transform_left_filter_low_is_larger_0_4_4_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_4_4_choice_#
     variable transform_left_filter_low_is_larger_0_4_4_value : boolean;
-    variable transform_left_filter_low_is_larger_0_6_0_choice : boolean;
-    variable transform_left_filter_low_is_larger_0_6_0_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_6_0_choice_#
+    variable transform_left_filter_low_is_larger_0_6_0_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_6_0_choice_#
     variable transform_left_filter_low_is_larger_0_6_0_value : boolean;
-    variable transform_left_filter_low_is_larger_0_6_2_choice : boolean;
-    variable transform_left_filter_low_is_larger_0_6_2_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_6_2_choice_#
+    variable transform_left_filter_low_is_larger_0_6_2_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_6_2_choice_#
     variable transform_left_filter_low_is_larger_0_6_2_value : boolean;
-    variable transform_left_filter_low_is_larger_0_6_4_choice : boolean;
-    variable transform_left_filter_low_is_larger_0_6_4_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_6_4_choice_#
+    variable transform_left_filter_low_is_larger_0_6_4_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_6_4_choice_#
     variable transform_left_filter_low_is_larger_0_6_4_value : boolean;
-    variable transform_left_filter_low_is_larger_0_8_0_choice : boolean;
-    variable transform_left_filter_low_is_larger_0_8_0_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_8_0_choice_#
+    variable transform_left_filter_low_is_larger_0_8_0_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_8_0_choice_#
     variable transform_left_filter_low_is_larger_0_8_0_value : boolean;
-    variable transform_left_filter_low_is_larger_0_8_2_choice : boolean;
-    variable transform_left_filter_low_is_larger_0_8_2_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_8_2_choice_#
+    variable transform_left_filter_low_is_larger_0_8_2_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_8_2_choice_#
     variable transform_left_filter_low_is_larger_0_8_2_value : boolean;
-    variable transform_left_filter_low_is_larger_0_8_4_choice : boolean;
-    variable transform_left_filter_low_is_larger_0_8_4_choices : boolean_1d(2 to 3);  -- transform_left_filter_low_is_larger_0_8_4_choice_#
-    variable transform_left_filter_low_is_larger_0_8_4_value, transform_left_filter_feature_0_value : boolean;
-    variable transform_left_filter_feature_0_choice : boolean;
-    variable transform_left_filter_feature_0_values : boolean_1d(2 to 3);  -- transform_left_filter_feature_0_value_#
-    variable transform_left_filter_feature_0_choices : boolean_1d(2 to 65);  -- transform_left_filter_feature_0_choice_#
-    variable transform_left_filter_feature_0_all : boolean;
-    variable transform_left_filter_feature_0_alls : boolean_1d(2 to 4);  -- transform_left_filter_feature_0_all_#
-    variable transform_right_filter_low_is_larger_0_0_0_value : boolean;
-    variable transform_right_filter_low_is_larger_0_0_0_choice : boolean;
-    variable transform_right_filter_low_is_larger_0_0_0_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_0_0_choice_#
-    variable transform_right_filter_low_is_larger_0_0_0_values : boolean_1d(2 to 4);  -- transform_right_filter_low_is_larger_0_0_0_value_#
+    variable transform_left_filter_low_is_larger_0_8_4_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_8_4_choice_#
+    variable transform_left_filter_low_is_larger_0_8_4_value : boolean;
+    variable transform_left_filter_feature_0_values : boolean_1d(1 to 3);  -- transform_left_filter_feature_0_value_#
+    variable transform_left_filter_feature_0_choices : boolean_1d(1 to 65);  -- transform_left_filter_feature_0_choice_#
+    variable transform_left_filter_feature_0_alls : boolean_1d(1 to 4);  -- transform_left_filter_feature_0_all_#
+    variable transform_right_filter_low_is_larger_0_0_0_values : boolean_1d(1 to 4);  -- transform_right_filter_low_is_larger_0_0_0_value_#
+    variable transform_right_filter_low_is_larger_0_0_0_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_0_0_choice_#
     variable transform_right_filter_low_is_larger_0_0_2_any : boolean;
-    variable transform_right_filter_low_is_larger_0_0_2_choice : boolean;
+    variable transform_right_filter_low_is_larger_0_0_2_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_0_2_choice_#
     variable transform_right_filter_low_is_larger_0_0_2_is_equal : boolean;
-    variable transform_right_filter_low_is_larger_0_0_2_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_0_2_choice_#
     variable transform_right_filter_low_is_larger_0_0_2_value : boolean;
-    variable transform_right_filter_low_is_larger_0_0_4_choice : boolean;
-    variable transform_right_filter_low_is_larger_0_0_4_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_0_4_choice_#
+    variable transform_right_filter_low_is_larger_0_0_4_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_0_4_choice_#
     variable transform_right_filter_low_is_larger_0_0_4_value : boolean;
-    variable transform_right_filter_low_is_larger_0_2_0_choice : boolean;
-    variable transform_right_filter_low_is_larger_0_2_0_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_2_0_choice_#
+    variable transform_right_filter_low_is_larger_0_2_0_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_2_0_choice_#
     variable transform_right_filter_low_is_larger_0_2_0_value : boolean;
-    variable transform_right_filter_low_is_larger_0_2_2_choice : boolean;
-    variable transform_right_filter_low_is_larger_0_2_2_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_2_2_choice_#
+    variable transform_right_filter_low_is_larger_0_2_2_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_2_2_choice_#
     variable transform_right_filter_low_is_larger_0_2_2_value : boolean;
-    variable transform_right_filter_low_is_larger_0_2_4_choice : boolean;
-    variable transform_right_filter_low_is_larger_0_2_4_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_2_4_choice_#
+    variable transform_right_filter_low_is_larger_0_2_4_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_2_4_choice_#
     variable transform_right_filter_low_is_larger_0_2_4_value : boolean;
-    variable transform_right_filter_low_is_larger_0_4_0_choice : boolean;
-    variable transform_right_filter_low_is_larger_0_4_0_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_4_0_choice_#
+    variable transform_right_filter_low_is_larger_0_4_0_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_4_0_choice_#
     variable transform_right_filter_low_is_larger_0_4_0_value : boolean;
-    variable transform_right_filter_low_is_larger_0_4_4_choice : boolean;
-    variable transform_right_filter_low_is_larger_0_4_4_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_4_4_choice_#
+    variable transform_right_filter_low_is_larger_0_4_4_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_4_4_choice_#
     variable transform_right_filter_low_is_larger_0_4_4_value : boolean;
-    variable transform_right_filter_low_is_larger_0_6_0_choice : boolean;
-    variable transform_right_filter_low_is_larger_0_6_0_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_6_0_choice_#
+    variable transform_right_filter_low_is_larger_0_6_0_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_6_0_choice_#
     variable transform_right_filter_low_is_larger_0_6_0_value : boolean;
-    variable transform_right_filter_low_is_larger_0_6_2_choice : boolean;
-    variable transform_right_filter_low_is_larger_0_6_2_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_6_2_choice_#
+    variable transform_right_filter_low_is_larger_0_6_2_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_6_2_choice_#
     variable transform_right_filter_low_is_larger_0_6_2_value : boolean;
-    variable transform_right_filter_low_is_larger_0_6_4_choice : boolean;
-    variable transform_right_filter_low_is_larger_0_6_4_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_6_4_choice_#
+    variable transform_right_filter_low_is_larger_0_6_4_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_6_4_choice_#
     variable transform_right_filter_low_is_larger_0_6_4_value : boolean;
-    variable transform_right_filter_low_is_larger_0_8_0_choice : boolean;
-    variable transform_right_filter_low_is_larger_0_8_0_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_8_0_choice_#
+    variable transform_right_filter_low_is_larger_0_8_0_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_8_0_choice_#
     variable transform_right_filter_low_is_larger_0_8_0_value : boolean;
-    variable transform_right_filter_low_is_larger_0_8_2_choice : boolean;
-    variable transform_right_filter_low_is_larger_0_8_2_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_8_2_choice_#
+    variable transform_right_filter_low_is_larger_0_8_2_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_8_2_choice_#
     variable transform_right_filter_low_is_larger_0_8_2_value : boolean;
-    variable transform_right_filter_low_is_larger_0_8_4_choice : boolean;
-    variable transform_right_filter_low_is_larger_0_8_4_choices : boolean_1d(2 to 3);  -- transform_right_filter_low_is_larger_0_8_4_choice_#
-    variable transform_right_filter_low_is_larger_0_8_4_value, transform_right_filter_feature_0_value : boolean;
-    variable transform_right_filter_feature_0_choice : boolean;
-    variable transform_right_filter_feature_0_values : boolean_1d(2 to 3);  -- transform_right_filter_feature_0_value_#
-    variable transform_right_filter_feature_0_choices : boolean_1d(2 to 70);  -- transform_right_filter_feature_0_choice_#
-    variable transform_right_filter_feature_0_all : boolean;
-    variable transform_right_filter_feature_0_alls : boolean_1d(2 to 5);  -- transform_right_filter_feature_0_all_#
+    variable transform_right_filter_low_is_larger_0_8_4_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_8_4_choice_#
+    variable transform_right_filter_low_is_larger_0_8_4_value : boolean;
+    variable transform_right_filter_feature_0_values : boolean_1d(1 to 3);  -- transform_right_filter_feature_0_value_#
+    variable transform_right_filter_feature_0_choices : boolean_1d(1 to 70);  -- transform_right_filter_feature_0_choice_#
+    variable transform_right_filter_feature_0_alls : boolean_1d(1 to 5);  -- transform_right_filter_feature_0_all_#
     variable raster_place_next_frame_is_equal, raster_place_back_to_back_choice : boolean;
     variable delay_row_inside_1_is_not_less, delay_row_inside_1_is_less, delay_tag_map_column_is_not_less : boolean;
     variable delay_tag_map_column_is_less, delay_tag_first_column_is_equal, line_order_address_any : boolean;
     variable line_order_falls_all, line_order_turned_output_column_choice, costsshift_search_0_0_is_equal : boolean;
-    variable costscolumn_pixels_first_0_count_value : boolean_2d(0 to 2, 0 to 4);  -- costscolumn_pixels_first_#_0_count_#_value
-    variable costscolumn_pixels_first_0_count_value_2 : boolean_2d(0 to 2, 0 to 3);  -- costscolumn_pixels_first_#_0_count_#_value_2
-    variable costscolumn_pixels_first_0_count_1_value_3 : boolean_1d(0 to 2);  -- costscolumn_pixels_first_#_0_count_1_value_3
-    variable costscolumn_pixels_first_0_count_3_value_3 : boolean_1d(0 to 2);  -- costscolumn_pixels_first_#_0_count_3_value_3
+    variable costscolumn_pixels_first_0_count_value : boolean_3d(0 to 2, 0 to 4, 1 to 3);  -- costscolumn_pixels_first_#_0_count_#_value_#
     variable costswindow_partial_0_any, pathsleft_read_count_phase_is_equal, pathsleft_cost_0_any : boolean;
-    variable pathsabove_ready_top_choice, pathsabove_ready_top_choice_2, pathsabove_count_phase_is_equal : boolean;
+    variable pathsabove_ready_top_choices : boolean_1d(1 to 2);  -- pathsabove_ready_top_choice_#
+    variable pathsabove_count_phase_is_equal : boolean;
     variable pathsabove_memory_write_words_0_is_less : boolean_1d(0 to 1);  -- pathsabove_memory_write_words_0_#_is_less
     variable pathsabove_memory_write_words_0_0_choice_4 : boolean;
     variable pathsabove_memory_write_words_0_all : boolean_1d(0 to 1);  -- pathsabove_memory_write_words_#_0_all
     variable pathsturn_sum_memory_write_words_0_all : boolean_1d(0 to 1);  -- pathsturn_sum_memory_write_words_#_0_all
     variable pathsturn_cost_memory_write_words_0_all : boolean_1d(0 to 1);  -- pathsturn_cost_memory_write_words_#_0_all
-    variable winnerswinner1_best_index_0_value : boolean_1d(0 to 3);  -- winnerswinner1_best_index_0_#_value
-    variable winnerswinner1_best_index_0_choice : boolean_1d(0 to 3);  -- winnerswinner1_best_index_0_#_choice
-    variable winnerswinner1_best_index_0_values : boolean_2d(0 to 3, 2 to 13);  -- winnerswinner1_best_index_0_#_value_#
-    variable winnerswinner1_best_index_0_choices : boolean_2d(0 to 3, 2 to 8);  -- winnerswinner1_best_index_0_#_choice_#
-    variable winnerswinner2_best_index_0_choice : boolean_1d(0 to 1);  -- winnerswinner2_best_index_0_#_choice
-    variable winnerswinner2_best_index_0_choices : boolean_2d(0 to 1, 2 to 8);  -- winnerswinner2_best_index_0_#_choice_#
-    variable winnerswinner2_best_index_0_value : boolean_1d(0 to 1);  -- winnerswinner2_best_index_0_#_value
-    variable winnerswinner2_best_index_0_values : boolean_2d(0 to 1, 2 to 5);  -- winnerswinner2_best_index_0_#_value_#
-    variable winnerswinner3_best_index_0_0_choice : boolean;
-    variable winnerswinner3_best_index_0_0_choices : boolean_1d(2 to 8);  -- winnerswinner3_best_index_0_0_choice_#
-    variable winnerswinner3_best_index_0_0_value : boolean;
-    variable winnerswinner3_best_index_0_0_values : boolean_1d(2 to 5);  -- winnerswinner3_best_index_0_0_value_#
+    variable winnerswinner1_best_index_0_value : boolean_2d(0 to 3, 1 to 13);  -- winnerswinner1_best_index_0_#_value_#
+    variable winnerswinner1_best_index_0_choice : boolean_2d(0 to 3, 1 to 8);  -- winnerswinner1_best_index_0_#_choice_#
+    variable winnerswinner2_best_index_0_choice : boolean_2d(0 to 1, 1 to 8);  -- winnerswinner2_best_index_0_#_choice_#
+    variable winnerswinner2_best_index_0_value : boolean_2d(0 to 1, 1 to 5);  -- winnerswinner2_best_index_0_#_value_#
+    variable winnerswinner3_best_index_0_0_choices : boolean_1d(1 to 8);  -- winnerswinner3_best_index_0_0_choice_#
+    variable winnerswinner3_best_index_0_0_values : boolean_1d(1 to 5);  -- winnerswinner3_best_index_0_0_value_#
     variable winners_best_index_0_0_is_less, winners_best_above_0_0_is_equal, other_3_is_equal, other_14_any : boolean;
-    variable other_choice : boolean_1d(14 to 15);  -- other_#_choice
-    variable other_14_choices : boolean_1d(2 to 9);  -- other_14_choice_#
-    variable other_value : boolean_1d(14 to 15);  -- other_#_value
-    variable other_14_values : boolean_1d(2 to 5);  -- other_14_value_#
-    variable other_all : boolean_1d(14 to 15);  -- other_#_all
-    variable other_14_choices_from_12 : boolean_1d(12 to 20);  -- other_14_choice_#
-    variable other_14_values_from_7 : boolean_1d(7 to 21);  -- other_14_value_#
-    variable other_14_alls : boolean_1d(2 to 3);  -- other_14_all_#
-    variable other_14_choices_from_23 : boolean_1d(23 to 31);  -- other_14_choice_#
-    variable other_14_choices_from_34 : boolean_1d(34 to 42);  -- other_14_choice_#
+    variable other_choice : boolean_2d(14 to 15, 1 to 42);  -- other_#_choice_#
+    variable other_value : boolean_2d(14 to 15, 1 to 21);  -- other_#_value_#
+    variable other_all : boolean_2d(14 to 15, 1 to 4);  -- other_#_all_#
     variable other_14_differs : boolean;
-    variable other_15_choices : boolean_1d(2 to 9);  -- other_15_choice_#
-    variable other_15_values : boolean_1d(2 to 20);  -- other_15_value_#
-    variable other_15_choices_from_12 : boolean_1d(12 to 19);  -- other_15_choice_#
-    variable other_15_alls : boolean_1d(2 to 4);  -- other_15_all_#
-    variable other_15_choices_from_22 : boolean_1d(22 to 30);  -- other_15_choice_#
-    variable other_15_choices_from_33 : boolean_1d(33 to 41);  -- other_15_choice_#
-    variable refinement_below_0_differs, refinement_below_0_differs_2, refinement_below_0_all : boolean;
-    variable refinement_above_0_choice, refinement_divisor_0_0_is_less, leftright_holds_winners_choice : boolean;
-    variable turn_order_address_any, turn_order_address_any_2, turn_order_falls_all, turn_order_complete_all : boolean;
-    variable turn_ready_tag_row_start_differs, turn_ready_tag_row_start_is_equal : boolean;
-    variable turn_ready_tag_row_start_choice : boolean;
-    variable turn_ready_tag_row_start_choices : boolean_1d(2 to 3);  -- turn_ready_tag_row_start_choice_#
-    variable turn_ready_tag_row_start_is_equal_2, turn_ready_tag_row_start_all : boolean;
-    variable turn_ready_tag_row_start_all_2, map_line_ended_choice, map_at_arrives_value : boolean;
-    variable map_window_complete_is_equal, map_window_complete_choice : boolean;
+    variable refinement_below_0_differss : boolean_1d(1 to 2);  -- refinement_below_0_differs_#
+    variable refinement_below_0_all, refinement_above_0_choice, refinement_divisor_0_0_is_less : boolean;
+    variable leftright_holds_winners_choice : boolean;
+    variable turn_order_address_anys : boolean_1d(1 to 2);  -- turn_order_address_any_#
+    variable turn_order_falls_all, turn_order_complete_all, turn_ready_tag_row_start_differs : boolean;
+    variable turn_ready_tag_row_start_is_equals : boolean_1d(1 to 2);  -- turn_ready_tag_row_start_is_equal_#
+    variable turn_ready_tag_row_start_choices : boolean_1d(1 to 3);  -- turn_ready_tag_row_start_choice_#
+    variable turn_ready_tag_row_start_alls : boolean_1d(1 to 2);  -- turn_ready_tag_row_start_all_#
+    variable map_line_ended_choice, map_at_arrives_value, map_window_complete_is_equal : boolean;
+    variable map_window_complete_choice : boolean;
     variable map_low_0_all : boolean_1d(0 to 1);  -- map_low_#_0_all
     variable transform_counter_group_after_choice, raster_place_group_after_choice : natural range 0 to 511;
     variable winners_best_cost_0_0_choice : natural range 0 to 511;
@@ -1599,42 +1150,34 @@ begin
     variable pathsabove_count_phase_choice, pathsabove_write_address_count_phase_choice : natural range 0 to 7;
     variable pathsturn_read_address_count_phase_choice : natural range 0 to 7;
     variable pathsturn_write_address_count_phase_choice : natural range 0 to 7;
-    variable pathsright_stay_change_value : natural_7_1d(1 to 4);  -- pathsright_stay_change_#_value
-    variable pathsright_stay_change_5_sum, pathsright_stay_change_6_value : natural range 0 to 7;
-    variable other_read_count_phase_choice, other_count_phase_choice : natural range 0 to 7;
-    variable other_write_count_phase_choice, other_6_choice_2 : natural range 0 to 7;
+    variable pathsright_stay_change_value : natural_7_1d(1 to 6);  -- pathsright_stay_change_#_value
+    variable pathsright_stay_change_5_sum, other_read_count_phase_choice : natural range 0 to 7;
+    variable other_count_phase_choice, other_write_count_phase_choice, other_6_choice_2 : natural range 0 to 7;
     variable costsmask_column_sum, winnersmask_column_sum : natural range 1 to 1024;
     variable costsmask_column_choice, pathsabove_memory_read_address_1_choice : natural range 0 to 1023;
     variable winnersmask_column_choice : natural range 0 to 1023;
     variable costsmask_partner_choice, winnersmask_partner_choice : natural range 0 to 1024;
     variable paths_smallest_cost_choice : natural range 0 to 21;
     variable pathsleft_stay_choice : natural_127_1d(0 to 7);  -- pathsleft_stay_#_choice
-    variable pathsleft_stay_value : natural_127_1d(1 to 2);  -- pathsleft_stay_#_value
-    variable pathsleft_stay_value_2 : natural_127_1d(1 to 2);  -- pathsleft_stay_#_value_2
-    variable pathsleft_stay_values : natural_127_1d(5 to 6);  -- pathsleft_stay_#_value
-    variable pathsleft_stay_value_2s : natural_127_1d(5 to 6);  -- pathsleft_stay_#_value_2
-    variable pathsleft_step_choice : natural_127_1d(0 to 7);  -- pathsleft_step_#_choice
-    variable pathsleft_step_0_choice_2, pathsleft_step_7_choice_2, pathsleft_low_0_choice : natural range 0 to 127;
+    variable pathsleft_stay_value : natural_127_2d(1 to 6, 1 to 2);  -- pathsleft_stay_#_value_#
+    variable pathsleft_step_choice : natural_127_2d(0 to 7, 1 to 2);  -- pathsleft_step_#_choice_#
+    variable pathsleft_low_0_choice : natural range 0 to 127;
     variable pathsright_stay_choice : natural_127_1d(0 to 7);  -- pathsright_stay_#_choice
-    variable pathsright_stay_value : natural_127_1d(1 to 2);  -- pathsright_stay_#_value
-    variable pathsright_stay_value_2 : natural_127_1d(1 to 2);  -- pathsright_stay_#_value_2
-    variable pathsright_stay_values : natural_127_1d(5 to 6);  -- pathsright_stay_#_value
-    variable pathsright_stay_value_2s : natural_127_1d(5 to 6);  -- pathsright_stay_#_value_2
-    variable pathsright_step_choice : natural_127_1d(0 to 7);  -- pathsright_step_#_choice
-    variable pathsright_step_0_choice_2, pathsright_step_7_choice_2, pathsright_low_0_choice : natural range 0 to 127;
-    variable pathsleft_q_choice, pathsleft_q_choice_2, pathsleft_room_left_choice : natural range 0 to 63;
-    variable pathsabove_smallest_total_choice, pathsabove_beside_0_choice : natural range 0 to 63;
-    variable pathsabove_beside_7_choice, pathsright_q_choice, pathsright_q_choice_2 : natural range 0 to 63;
+    variable pathsright_stay_value : natural_127_2d(1 to 6, 1 to 2);  -- pathsright_stay_#_value_#
+    variable pathsright_step_choice : natural_127_2d(0 to 7, 1 to 2);  -- pathsright_step_#_choice_#
+    variable pathsright_low_0_choice : natural range 0 to 127;
+    variable pathsleft_q_choices : natural_63_1d(1 to 2);  -- pathsleft_q_choice_#
+    variable pathsleft_room_left_choice, pathsabove_smallest_total_choice : natural range 0 to 63;
+    variable pathsabove_beside_0_choice, pathsabove_beside_7_choice : natural range 0 to 63;
+    variable pathsright_q_choices : natural_63_1d(1 to 2);  -- pathsright_q_choice_#
     variable pathsright_room_left_choice : natural range 0 to 63;
     variable pathsabove_memory_read_address_0_sum : natural range 1 to 8192;
     variable pathsabove_memory_read_address_0_choice, map_of_column_0_a_choice : natural range 0 to 4095;
     variable pathsabove_memory_read_address_0_sum_2, pathsturn_cost_memory_read_address_0_sum : natural range 0 to 8192;
-    variable pathsabove_memory_bank_choice, pathsabove_memory_bank_choice_2 : natural range 0 to 8191;
+    variable pathsabove_memory_bank_choices : natural_8191_1d(1 to 2);  -- pathsabove_memory_bank_choice_#
     variable pathsabove_write_address_address_choice, pathsturn_cost_memory_bank_choice : natural range 0 to 8191;
     variable pathsabove_total_choice : natural_31_1d(0 to 7);  -- pathsabove_total_#_choice
-    variable pathsabove_memory_write_words_0_choice : natural_31_1d(0 to 2);  -- pathsabove_memory_write_words_0_#_choice
-    variable pathsabove_memory_write_words_0_choice_2 : natural_31_1d(0 to 2);  -- pathsabove_memory_write_words_0_#_choice_2
-    variable pathsabove_memory_write_words_0_choice_3 : natural_31_1d(0 to 1);  -- pathsabove_memory_write_words_0_#_choice_3
+    variable pathsabove_memory_write_words_0_choice : natural_31_2d(0 to 2, 1 to 3);  -- pathsabove_memory_write_words_0_#_choice_#
     variable other_base_choice : natural range 0 to 31;
     variable pathsabove_memory_write_words_0_sum : natural_65535_1d(0 to 1);  -- pathsabove_memory_write_words_0_#_sum
     variable pathsturn_sum_memory_write_words_0_sum_2 : natural_65535_1d(0 to 2);  -- pathsturn_sum_memory_write_words_0_#_sum_2
@@ -1642,1374 +1185,655 @@ begin
     variable pathsabove_memory_write_words_0_1_choice_4 : natural range 0 to 3;
     variable pathsabove_memory_write_words_0_2_sum, pathsturn_sum_memory_write_words_0_3_sum : natural range 0 to 255;
     variable pathsturn_cost_memory_write_words_0_1_sum : natural range 0 to 255;
-    variable winnerswinner1_best_cost_0_any : natural_255_1d(0 to 3);  -- winnerswinner1_best_cost_0_#_any
-    variable winnerswinner1_best_cost_0_any_2 : natural_255_1d(0 to 3);  -- winnerswinner1_best_cost_0_#_any_2
+    variable winnerswinner1_best_cost_0_any : natural_255_2d(0 to 3, 1 to 2);  -- winnerswinner1_best_cost_0_#_any_#
     variable winnerswinner2_best_below_0_choice : natural_255_1d(0 to 1);  -- winnerswinner2_best_below_0_#_choice
     variable winnerswinner2_best_above_0_choice : natural_255_1d(0 to 1);  -- winnerswinner2_best_above_0_#_choice
     variable winnerswinner3_best_below_0_0_choice, winnerswinner3_best_above_0_0_choice : natural range 0 to 255;
-    variable winners_best_cost_0_0_choice_2, winners_best_below_0_0_choice : natural range 0 to 255;
-    variable winners_best_below_0_0_choice_2, winners_best_above_0_0_choice : natural range 0 to 255;
-    variable winners_best_above_0_0_choice_2, other_6_choice : natural range 0 to 255;
-    variable other_14_choices_from_10 : natural_255_1d(10 to 11);  -- other_14_choice_#
+    variable winners_best_cost_0_0_choice_2 : natural range 0 to 255;
+    variable winners_best_below_0_0_choices : natural_255_1d(1 to 2);  -- winners_best_below_0_0_choice_#
+    variable winners_best_above_0_0_choices : natural_255_1d(1 to 2);  -- winners_best_above_0_0_choice_#
+    variable other_6_choice : natural range 0 to 255;
+    variable other_14_choices : natural_255_1d(10 to 11);  -- other_14_choice_#
     variable other_14_choices_from_21 : natural_255_1d(21 to 22);  -- other_14_choice_#
     variable other_14_choices_from_32 : natural_255_1d(32 to 33);  -- other_14_choice_#
     variable other_14_choices_from_43 : natural_255_1d(43 to 44);  -- other_14_choice_#
-    variable other_15_choices_from_10 : natural_255_1d(10 to 11);  -- other_15_choice_#
+    variable other_15_choices : natural_255_1d(10 to 11);  -- other_15_choice_#
     variable other_15_choices_from_20 : natural_255_1d(20 to 21);  -- other_15_choice_#
     variable other_15_choices_from_31 : natural_255_1d(31 to 32);  -- other_15_choice_#
     variable other_15_choices_from_42 : natural_255_1d(42 to 43);  -- other_15_choice_#
-    variable other_choices : natural_255_1d(16 to 17);  -- other_#_choice
-    variable other_choices_from_16 : natural_255_2d(16 to 17, 2 to 8);  -- other_#_choice_#
+    variable other_choices : natural_255_2d(16 to 17, 1 to 8);  -- other_#_choice_#
     variable refinement_divisor_0_0_choice : natural range 0 to 255;
-    variable pathsturn_sum_memory_write_words_0_sum : natural_190_1d(0 to 2);  -- pathsturn_sum_memory_write_words_0_#_sum
-    variable winnerswinner1_best_cost_0_sum : natural_255_to_256_1d(0 to 3);  -- winnerswinner1_best_cost_0_#_sum
-    variable winnerswinner1_best_cost_0_sum_2 : natural_255_to_256_1d(0 to 3);  -- winnerswinner1_best_cost_0_#_sum_2
+    variable pathsturn_sum_memory_write_words_0_0_sum : natural range 0 to 190;
+    variable pathsturn_sum_memory_write_words_0_1_sum : natural range 0 to 190;
+    variable pathsturn_sum_memory_write_words_0_2_sum : natural range 0 to 190;
+    variable winnerswinner1_best_cost_0_sum : natural_255_to_256_2d(0 to 3, 1 to 2);  -- winnerswinner1_best_cost_0_#_sum_#
     variable other_6_difference : integer range -15 to 0;
     variable other_6_value : natural range 0 to 16;
     variable other_difference : natural_257_to_1022_1d(7 to 12);  -- other_#_difference
     variable other_13_difference : natural range 257 to 767;
     variable other_14_value_6 : natural range 0 to 248;
     variable leftright_checked_passed_0_difference : integer range -254 to 256;
-    variable map_of_column_0_c_choice, map_sorted_low_0_choice, map_sorted_low_0_choice_2 : natural range 0 to 32767;
-    variable map_sorted_middle_0_choice, map_sorted_middle_0_choice_2 : natural range 0 to 32767;
-    variable map_sorted_high_0_choice, map_sorted_high_0_choice_2, map_largest_low_0_choice : natural range 0 to 32767;
-    variable map_largest_low_0_choice_2, map_median_middle_0_choice : natural range 0 to 32767;
-    variable map_median_middle_0_choices : natural_32767_1d(2 to 4);  -- map_median_middle_0_choice_#
-    variable map_smallest_high_0_choice, map_smallest_high_0_choice_2 : natural range 0 to 32767;
-    variable map_out_disparity_0_choice : natural range 0 to 32767;
-    variable map_out_disparity_0_choices : natural_32767_1d(2 to 4);  -- map_out_disparity_0_choice_#
+    variable map_of_column_0_c_choice : natural range 0 to 32767;
+    variable map_sorted_low_0_choices : natural_32767_1d(1 to 2);  -- map_sorted_low_0_choice_#
+    variable map_sorted_middle_0_choices : natural_32767_1d(1 to 2);  -- map_sorted_middle_0_choice_#
+    variable map_sorted_high_0_choices : natural_32767_1d(1 to 2);  -- map_sorted_high_0_choice_#
+    variable map_largest_low_0_choices : natural_32767_1d(1 to 2);  -- map_largest_low_0_choice_#
+    variable map_median_middle_0_choices : natural_32767_1d(1 to 4);  -- map_median_middle_0_choice_#
+    variable map_smallest_high_0_choices : natural_32767_1d(1 to 2);  -- map_smallest_high_0_choice_#
+    variable map_out_disparity_0_choices : natural_32767_1d(1 to 4);  -- map_out_disparity_0_choice_#
     variable map_low_0_0_choice, map_middle_0_0_choice, map_high_0_0_choice : natural range 0 to 32767;
   begin
     if rising_edge(clock) then
+      -- no bit without a value, where an array has places for more
+      costscolumn_pixels_first_0_count_value := (others => (others => (others => false)));
+      other_choice := (others => (others => false));
+      other_value := (others => (others => false));
+      other_all := (others => (others => false));
+      pathsright_stay_change_value := (others => 0);
+      pathsleft_stay_value := (others => (others => 0));
+      pathsleft_step_choice := (others => (others => 0));
+      pathsright_stay_value := (others => (others => 0));
+      pathsright_step_choice := (others => (others => 0));
+      pathsabove_memory_write_words_0_choice := (others => (others => 0));
       -- transform
       transform_counter_next_frame_is_equal := transform_counter_column = 639;
-      if transform_counter_last_column then
-        transform_counter_frame_joins_choice := (not transform_counter_back_to_back) and winnerswinner1_best_place_0;
-      else
-        transform_counter_frame_joins_choice := winnerswinner1_best_place_0;
-      end if;
-      if transform_counter_back_to_back then
-        transform_counter_group_after_choice := 2;
-      else
-        transform_counter_group_after_choice := (transform_counter_group + 1) mod 512;
-      end if;
+      transform_counter_frame_joins_choice := choice(transform_counter_last_column, (not
+        transform_counter_back_to_back) and winnerswinner1_best_place_0, winnerswinner1_best_place_0);
+      transform_counter_group_after_choice := choice(transform_counter_back_to_back, 2, (transform_counter_group + 1)
+        mod 512);
       transform_read_column_inside_0_is_less := 3 < transform_counter_column;
-      transform_left_filter_low_is_larger_0_0_0_value := is_set(transform_left_filter_column_2(4), 1);
-      if is_set(transform_left_filter_column_2(4), 0) then
-        transform_left_filter_low_is_larger_0_0_0_choice := not is_set(transform_left_filter_column_0(0), 1);
-      else
-        transform_left_filter_low_is_larger_0_0_0_choice := (transform_left_filter_column_0(0) mod 4) = 0;
-      end if;
-      if transform_left_filter_low_is_larger_0_0_0_value then
-        transform_left_filter_low_is_larger_0_0_0_choices(2) := is_set(transform_left_filter_column_2(4), 0) or (not
-          is_set(transform_left_filter_column_0(0), 1)) or (not is_set(transform_left_filter_column_0(0), 0));
-      else
-        transform_left_filter_low_is_larger_0_0_0_choices(2) := transform_left_filter_low_is_larger_0_0_0_choice;
-      end if;
+      transform_left_filter_low_is_larger_0_0_0_values(1) := is_set(transform_left_filter_column_2(4), 1);
+      transform_left_filter_low_is_larger_0_0_0_choices(1) := choice(is_set(transform_left_filter_column_2(4), 0), not
+        is_set(transform_left_filter_column_0(0), 1), (transform_left_filter_column_0(0) mod 4) = 0);
+      transform_left_filter_low_is_larger_0_0_0_choices(2) :=
+        choice(transform_left_filter_low_is_larger_0_0_0_values(1), is_set(transform_left_filter_column_2(4), 0) or
+        (not is_set(transform_left_filter_column_0(0), 1)) or (not is_set(transform_left_filter_column_0(0), 0)),
+        transform_left_filter_low_is_larger_0_0_0_choices(1));
       transform_left_filter_low_is_larger_0_0_0_values(2) := is_set(transform_left_filter_column_2(4), 2);
       transform_left_filter_low_is_larger_0_0_0_values(3) := is_set(transform_left_filter_column_0(0), 2);
-      if transform_left_filter_low_is_larger_0_0_0_choices(2) then
-        transform_left_filter_low_is_larger_0_0_0_choices(3) := (not
-          transform_left_filter_low_is_larger_0_0_0_values(2)) and transform_left_filter_low_is_larger_0_0_0_values(3);
-      else
-        transform_left_filter_low_is_larger_0_0_0_choices(3) := (not
-          transform_left_filter_low_is_larger_0_0_0_values(2)) or transform_left_filter_low_is_larger_0_0_0_values(3);
-      end if;
+      transform_left_filter_low_is_larger_0_0_0_choices(3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_0_0_choices(2), not
+        transform_left_filter_low_is_larger_0_0_0_values(2), transform_left_filter_low_is_larger_0_0_0_values(3));
       transform_left_filter_low_is_larger_0_0_0_values(4) := is_set(transform_left_filter_column_0(0), 3);
-      transform_left_filter_low_is_larger_0_0_2_any := (not transform_left_filter_low_is_larger_0_0_0_value) or (not
-        is_set(transform_left_filter_column_2(4), 0));
-      if is_set(transform_left_filter_column_2(0), 0) then
-        transform_left_filter_low_is_larger_0_0_2_choice := transform_left_filter_low_is_larger_0_0_2_any;
-      else
-        transform_left_filter_low_is_larger_0_0_2_choice := not transform_left_filter_low_is_larger_0_0_0_value;
-      end if;
+      transform_left_filter_low_is_larger_0_0_2_any := (not transform_left_filter_low_is_larger_0_0_0_values(1)) or
+        (not is_set(transform_left_filter_column_2(4), 0));
+      transform_left_filter_low_is_larger_0_0_2_choices(1) := choice(is_set(transform_left_filter_column_2(0), 0),
+        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
       transform_left_filter_low_is_larger_0_0_2_is_equal := (transform_left_filter_column_2(4) mod 4) = 0;
-      if is_set(transform_left_filter_column_2(0), 1) then
-        transform_left_filter_low_is_larger_0_0_2_choices(2) := transform_left_filter_low_is_larger_0_0_2_choice;
-      else
-        transform_left_filter_low_is_larger_0_0_2_choices(2) := is_set(transform_left_filter_column_2(0), 0) and
-          transform_left_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_left_filter_low_is_larger_0_0_2_choices(2) then
-        transform_left_filter_low_is_larger_0_0_2_choices(3) := (not is_set(transform_left_filter_column_2(0), 2)) and
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_left_filter_low_is_larger_0_0_2_choices(3) := (not is_set(transform_left_filter_column_2(0), 2)) or
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_left_filter_low_is_larger_0_0_2_choices(2) := choice(is_set(transform_left_filter_column_2(0), 1),
+        transform_left_filter_low_is_larger_0_0_2_choices(1), is_set(transform_left_filter_column_2(0), 0) and
+        transform_left_filter_low_is_larger_0_0_2_is_equal);
+      transform_left_filter_low_is_larger_0_0_2_choices(3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_0_2_choices(2), not
+        is_set(transform_left_filter_column_2(0), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
       transform_left_filter_low_is_larger_0_0_2_value := is_set(transform_left_filter_column_2(0), 3);
-      if is_set(transform_left_filter_column_4(0), 0) then
-        transform_left_filter_low_is_larger_0_0_4_choice := transform_left_filter_low_is_larger_0_0_2_any;
-      else
-        transform_left_filter_low_is_larger_0_0_4_choice := not transform_left_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_left_filter_column_4(0), 1) then
-        transform_left_filter_low_is_larger_0_0_4_choices(2) := transform_left_filter_low_is_larger_0_0_4_choice;
-      else
-        transform_left_filter_low_is_larger_0_0_4_choices(2) := is_set(transform_left_filter_column_4(0), 0) and
-          transform_left_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_left_filter_low_is_larger_0_0_4_choices(2) then
-        transform_left_filter_low_is_larger_0_0_4_choices(3) := (not is_set(transform_left_filter_column_4(0), 2)) and
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_left_filter_low_is_larger_0_0_4_choices(3) := (not is_set(transform_left_filter_column_4(0), 2)) or
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_left_filter_low_is_larger_0_0_4_choices(1) := choice(is_set(transform_left_filter_column_4(0), 0),
+        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
+      transform_left_filter_low_is_larger_0_0_4_choices(2) := choice(is_set(transform_left_filter_column_4(0), 1),
+        transform_left_filter_low_is_larger_0_0_4_choices(1), is_set(transform_left_filter_column_4(0), 0) and
+        transform_left_filter_low_is_larger_0_0_2_is_equal);
+      transform_left_filter_low_is_larger_0_0_4_choices(3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_0_4_choices(2), not
+        is_set(transform_left_filter_column_4(0), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
       transform_left_filter_low_is_larger_0_0_4_value := is_set(transform_left_filter_column_4(0), 3);
-      if is_set(transform_left_filter_column_0(2), 0) then
-        transform_left_filter_low_is_larger_0_2_0_choice := transform_left_filter_low_is_larger_0_0_2_any;
-      else
-        transform_left_filter_low_is_larger_0_2_0_choice := not transform_left_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_left_filter_column_0(2), 1) then
-        transform_left_filter_low_is_larger_0_2_0_choices(2) := transform_left_filter_low_is_larger_0_2_0_choice;
-      else
-        transform_left_filter_low_is_larger_0_2_0_choices(2) := is_set(transform_left_filter_column_0(2), 0) and
-          transform_left_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_left_filter_low_is_larger_0_2_0_choices(2) then
-        transform_left_filter_low_is_larger_0_2_0_choices(3) := (not is_set(transform_left_filter_column_0(2), 2)) and
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_left_filter_low_is_larger_0_2_0_choices(3) := (not is_set(transform_left_filter_column_0(2), 2)) or
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_left_filter_low_is_larger_0_2_0_choices(1) := choice(is_set(transform_left_filter_column_0(2), 0),
+        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
+      transform_left_filter_low_is_larger_0_2_0_choices(2) := choice(is_set(transform_left_filter_column_0(2), 1),
+        transform_left_filter_low_is_larger_0_2_0_choices(1), is_set(transform_left_filter_column_0(2), 0) and
+        transform_left_filter_low_is_larger_0_0_2_is_equal);
+      transform_left_filter_low_is_larger_0_2_0_choices(3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_2_0_choices(2), not
+        is_set(transform_left_filter_column_0(2), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
       transform_left_filter_low_is_larger_0_2_0_value := is_set(transform_left_filter_column_0(2), 3);
-      if is_set(transform_left_filter_column_2(2), 0) then
-        transform_left_filter_low_is_larger_0_2_2_choice := transform_left_filter_low_is_larger_0_0_2_any;
-      else
-        transform_left_filter_low_is_larger_0_2_2_choice := not transform_left_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_left_filter_column_2(2), 1) then
-        transform_left_filter_low_is_larger_0_2_2_choices(2) := transform_left_filter_low_is_larger_0_2_2_choice;
-      else
-        transform_left_filter_low_is_larger_0_2_2_choices(2) := is_set(transform_left_filter_column_2(2), 0) and
-          transform_left_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_left_filter_low_is_larger_0_2_2_choices(2) then
-        transform_left_filter_low_is_larger_0_2_2_choices(3) := (not is_set(transform_left_filter_column_2(2), 2)) and
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_left_filter_low_is_larger_0_2_2_choices(3) := (not is_set(transform_left_filter_column_2(2), 2)) or
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_left_filter_low_is_larger_0_2_2_choices(1) := choice(is_set(transform_left_filter_column_2(2), 0),
+        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
+      transform_left_filter_low_is_larger_0_2_2_choices(2) := choice(is_set(transform_left_filter_column_2(2), 1),
+        transform_left_filter_low_is_larger_0_2_2_choices(1), is_set(transform_left_filter_column_2(2), 0) and
+        transform_left_filter_low_is_larger_0_0_2_is_equal);
+      transform_left_filter_low_is_larger_0_2_2_choices(3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_2_2_choices(2), not
+        is_set(transform_left_filter_column_2(2), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
       transform_left_filter_low_is_larger_0_2_2_value := is_set(transform_left_filter_column_2(2), 3);
-      if is_set(transform_left_filter_column_4(2), 0) then
-        transform_left_filter_low_is_larger_0_2_4_choice := transform_left_filter_low_is_larger_0_0_2_any;
-      else
-        transform_left_filter_low_is_larger_0_2_4_choice := not transform_left_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_left_filter_column_4(2), 1) then
-        transform_left_filter_low_is_larger_0_2_4_choices(2) := transform_left_filter_low_is_larger_0_2_4_choice;
-      else
-        transform_left_filter_low_is_larger_0_2_4_choices(2) := is_set(transform_left_filter_column_4(2), 0) and
-          transform_left_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_left_filter_low_is_larger_0_2_4_choices(2) then
-        transform_left_filter_low_is_larger_0_2_4_choices(3) := (not is_set(transform_left_filter_column_4(2), 2)) and
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_left_filter_low_is_larger_0_2_4_choices(3) := (not is_set(transform_left_filter_column_4(2), 2)) or
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_left_filter_low_is_larger_0_2_4_choices(1) := choice(is_set(transform_left_filter_column_4(2), 0),
+        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
+      transform_left_filter_low_is_larger_0_2_4_choices(2) := choice(is_set(transform_left_filter_column_4(2), 1),
+        transform_left_filter_low_is_larger_0_2_4_choices(1), is_set(transform_left_filter_column_4(2), 0) and
+        transform_left_filter_low_is_larger_0_0_2_is_equal);
+      transform_left_filter_low_is_larger_0_2_4_choices(3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_2_4_choices(2), not
+        is_set(transform_left_filter_column_4(2), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
       transform_left_filter_low_is_larger_0_2_4_value := is_set(transform_left_filter_column_4(2), 3);
-      if is_set(transform_left_filter_column_0(4), 0) then
-        transform_left_filter_low_is_larger_0_4_0_choice := transform_left_filter_low_is_larger_0_0_2_any;
-      else
-        transform_left_filter_low_is_larger_0_4_0_choice := not transform_left_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_left_filter_column_0(4), 1) then
-        transform_left_filter_low_is_larger_0_4_0_choices(2) := transform_left_filter_low_is_larger_0_4_0_choice;
-      else
-        transform_left_filter_low_is_larger_0_4_0_choices(2) := is_set(transform_left_filter_column_0(4), 0) and
-          transform_left_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_left_filter_low_is_larger_0_4_0_choices(2) then
-        transform_left_filter_low_is_larger_0_4_0_choices(3) := (not is_set(transform_left_filter_column_0(4), 2)) and
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_left_filter_low_is_larger_0_4_0_choices(3) := (not is_set(transform_left_filter_column_0(4), 2)) or
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_left_filter_low_is_larger_0_4_0_choices(1) := choice(is_set(transform_left_filter_column_0(4), 0),
+        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
+      transform_left_filter_low_is_larger_0_4_0_choices(2) := choice(is_set(transform_left_filter_column_0(4), 1),
+        transform_left_filter_low_is_larger_0_4_0_choices(1), is_set(transform_left_filter_column_0(4), 0) and
+        transform_left_filter_low_is_larger_0_0_2_is_equal);
+      transform_left_filter_low_is_larger_0_4_0_choices(3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_4_0_choices(2), not
+        is_set(transform_left_filter_column_0(4), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
       transform_left_filter_low_is_larger_0_4_0_value := is_set(transform_left_filter_column_0(4), 3);
-      if is_set(transform_left_filter_column_4(4), 0) then
-        transform_left_filter_low_is_larger_0_4_4_choice := transform_left_filter_low_is_larger_0_0_2_any;
-      else
-        transform_left_filter_low_is_larger_0_4_4_choice := not transform_left_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_left_filter_column_4(4), 1) then
-        transform_left_filter_low_is_larger_0_4_4_choices(2) := transform_left_filter_low_is_larger_0_4_4_choice;
-      else
-        transform_left_filter_low_is_larger_0_4_4_choices(2) := is_set(transform_left_filter_column_4(4), 0) and
-          transform_left_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_left_filter_low_is_larger_0_4_4_choices(2) then
-        transform_left_filter_low_is_larger_0_4_4_choices(3) := (not is_set(transform_left_filter_column_4(4), 2)) and
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_left_filter_low_is_larger_0_4_4_choices(3) := (not is_set(transform_left_filter_column_4(4), 2)) or
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_left_filter_low_is_larger_0_4_4_choices(1) := choice(is_set(transform_left_filter_column_4(4), 0),
+        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
+      transform_left_filter_low_is_larger_0_4_4_choices(2) := choice(is_set(transform_left_filter_column_4(4), 1),
+        transform_left_filter_low_is_larger_0_4_4_choices(1), is_set(transform_left_filter_column_4(4), 0) and
+        transform_left_filter_low_is_larger_0_0_2_is_equal);
+      transform_left_filter_low_is_larger_0_4_4_choices(3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_4_4_choices(2), not
+        is_set(transform_left_filter_column_4(4), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
       transform_left_filter_low_is_larger_0_4_4_value := is_set(transform_left_filter_column_4(4), 3);
-      if is_set(transform_left_filter_column_0(6), 0) then
-        transform_left_filter_low_is_larger_0_6_0_choice := transform_left_filter_low_is_larger_0_0_2_any;
-      else
-        transform_left_filter_low_is_larger_0_6_0_choice := not transform_left_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_left_filter_column_0(6), 1) then
-        transform_left_filter_low_is_larger_0_6_0_choices(2) := transform_left_filter_low_is_larger_0_6_0_choice;
-      else
-        transform_left_filter_low_is_larger_0_6_0_choices(2) := is_set(transform_left_filter_column_0(6), 0) and
-          transform_left_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_left_filter_low_is_larger_0_6_0_choices(2) then
-        transform_left_filter_low_is_larger_0_6_0_choices(3) := (not is_set(transform_left_filter_column_0(6), 2)) and
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_left_filter_low_is_larger_0_6_0_choices(3) := (not is_set(transform_left_filter_column_0(6), 2)) or
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_left_filter_low_is_larger_0_6_0_choices(1) := choice(is_set(transform_left_filter_column_0(6), 0),
+        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
+      transform_left_filter_low_is_larger_0_6_0_choices(2) := choice(is_set(transform_left_filter_column_0(6), 1),
+        transform_left_filter_low_is_larger_0_6_0_choices(1), is_set(transform_left_filter_column_0(6), 0) and
+        transform_left_filter_low_is_larger_0_0_2_is_equal);
+      transform_left_filter_low_is_larger_0_6_0_choices(3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_6_0_choices(2), not
+        is_set(transform_left_filter_column_0(6), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
       transform_left_filter_low_is_larger_0_6_0_value := is_set(transform_left_filter_column_0(6), 3);
-      if is_set(transform_left_filter_column_2(6), 0) then
-        transform_left_filter_low_is_larger_0_6_2_choice := transform_left_filter_low_is_larger_0_0_2_any;
-      else
-        transform_left_filter_low_is_larger_0_6_2_choice := not transform_left_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_left_filter_column_2(6), 1) then
-        transform_left_filter_low_is_larger_0_6_2_choices(2) := transform_left_filter_low_is_larger_0_6_2_choice;
-      else
-        transform_left_filter_low_is_larger_0_6_2_choices(2) := is_set(transform_left_filter_column_2(6), 0) and
-          transform_left_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_left_filter_low_is_larger_0_6_2_choices(2) then
-        transform_left_filter_low_is_larger_0_6_2_choices(3) := (not is_set(transform_left_filter_column_2(6), 2)) and
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_left_filter_low_is_larger_0_6_2_choices(3) := (not is_set(transform_left_filter_column_2(6), 2)) or
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_left_filter_low_is_larger_0_6_2_choices(1) := choice(is_set(transform_left_filter_column_2(6), 0),
+        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
+      transform_left_filter_low_is_larger_0_6_2_choices(2) := choice(is_set(transform_left_filter_column_2(6), 1),
+        transform_left_filter_low_is_larger_0_6_2_choices(1), is_set(transform_left_filter_column_2(6), 0) and
+        transform_left_filter_low_is_larger_0_0_2_is_equal);
+      transform_left_filter_low_is_larger_0_6_2_choices(3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_6_2_choices(2), not
+        is_set(transform_left_filter_column_2(6), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
       transform_left_filter_low_is_larger_0_6_2_value := is_set(transform_left_filter_column_2(6), 3);
-      if is_set(transform_left_filter_column_4(6), 0) then
-        transform_left_filter_low_is_larger_0_6_4_choice := transform_left_filter_low_is_larger_0_0_2_any;
-      else
-        transform_left_filter_low_is_larger_0_6_4_choice := not transform_left_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_left_filter_column_4(6), 1) then
-        transform_left_filter_low_is_larger_0_6_4_choices(2) := transform_left_filter_low_is_larger_0_6_4_choice;
-      else
-        transform_left_filter_low_is_larger_0_6_4_choices(2) := is_set(transform_left_filter_column_4(6), 0) and
-          transform_left_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_left_filter_low_is_larger_0_6_4_choices(2) then
-        transform_left_filter_low_is_larger_0_6_4_choices(3) := (not is_set(transform_left_filter_column_4(6), 2)) and
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_left_filter_low_is_larger_0_6_4_choices(3) := (not is_set(transform_left_filter_column_4(6), 2)) or
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_left_filter_low_is_larger_0_6_4_choices(1) := choice(is_set(transform_left_filter_column_4(6), 0),
+        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
+      transform_left_filter_low_is_larger_0_6_4_choices(2) := choice(is_set(transform_left_filter_column_4(6), 1),
+        transform_left_filter_low_is_larger_0_6_4_choices(1), is_set(transform_left_filter_column_4(6), 0) and
+        transform_left_filter_low_is_larger_0_0_2_is_equal);
+      transform_left_filter_low_is_larger_0_6_4_choices(3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_6_4_choices(2), not
+        is_set(transform_left_filter_column_4(6), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
       transform_left_filter_low_is_larger_0_6_4_value := is_set(transform_left_filter_column_4(6), 3);
-      if is_set(transform_left_filter_column_0(8), 0) then
-        transform_left_filter_low_is_larger_0_8_0_choice := transform_left_filter_low_is_larger_0_0_2_any;
-      else
-        transform_left_filter_low_is_larger_0_8_0_choice := not transform_left_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_left_filter_column_0(8), 1) then
-        transform_left_filter_low_is_larger_0_8_0_choices(2) := transform_left_filter_low_is_larger_0_8_0_choice;
-      else
-        transform_left_filter_low_is_larger_0_8_0_choices(2) := is_set(transform_left_filter_column_0(8), 0) and
-          transform_left_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_left_filter_low_is_larger_0_8_0_choices(2) then
-        transform_left_filter_low_is_larger_0_8_0_choices(3) := (not is_set(transform_left_filter_column_0(8), 2)) and
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_left_filter_low_is_larger_0_8_0_choices(3) := (not is_set(transform_left_filter_column_0(8), 2)) or
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_left_filter_low_is_larger_0_8_0_choices(1) := choice(is_set(transform_left_filter_column_0(8), 0),
+        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
+      transform_left_filter_low_is_larger_0_8_0_choices(2) := choice(is_set(transform_left_filter_column_0(8), 1),
+        transform_left_filter_low_is_larger_0_8_0_choices(1), is_set(transform_left_filter_column_0(8), 0) and
+        transform_left_filter_low_is_larger_0_0_2_is_equal);
+      transform_left_filter_low_is_larger_0_8_0_choices(3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_8_0_choices(2), not
+        is_set(transform_left_filter_column_0(8), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
       transform_left_filter_low_is_larger_0_8_0_value := is_set(transform_left_filter_column_0(8), 3);
-      if is_set(transform_left_filter_column_2(8), 0) then
-        transform_left_filter_low_is_larger_0_8_2_choice := transform_left_filter_low_is_larger_0_0_2_any;
-      else
-        transform_left_filter_low_is_larger_0_8_2_choice := not transform_left_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_left_filter_column_2(8), 1) then
-        transform_left_filter_low_is_larger_0_8_2_choices(2) := transform_left_filter_low_is_larger_0_8_2_choice;
-      else
-        transform_left_filter_low_is_larger_0_8_2_choices(2) := is_set(transform_left_filter_column_2(8), 0) and
-          transform_left_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_left_filter_low_is_larger_0_8_2_choices(2) then
-        transform_left_filter_low_is_larger_0_8_2_choices(3) := (not is_set(transform_left_filter_column_2(8), 2)) and
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_left_filter_low_is_larger_0_8_2_choices(3) := (not is_set(transform_left_filter_column_2(8), 2)) or
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_left_filter_low_is_larger_0_8_2_choices(1) := choice(is_set(transform_left_filter_column_2(8), 0),
+        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
+      transform_left_filter_low_is_larger_0_8_2_choices(2) := choice(is_set(transform_left_filter_column_2(8), 1),
+        transform_left_filter_low_is_larger_0_8_2_choices(1), is_set(transform_left_filter_column_2(8), 0) and
+        transform_left_filter_low_is_larger_0_0_2_is_equal);
+      transform_left_filter_low_is_larger_0_8_2_choices(3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_8_2_choices(2), not
+        is_set(transform_left_filter_column_2(8), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
       transform_left_filter_low_is_larger_0_8_2_value := is_set(transform_left_filter_column_2(8), 3);
-      if is_set(transform_left_filter_column_4(8), 0) then
-        transform_left_filter_low_is_larger_0_8_4_choice := transform_left_filter_low_is_larger_0_0_2_any;
-      else
-        transform_left_filter_low_is_larger_0_8_4_choice := not transform_left_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_left_filter_column_4(8), 1) then
-        transform_left_filter_low_is_larger_0_8_4_choices(2) := transform_left_filter_low_is_larger_0_8_4_choice;
-      else
-        transform_left_filter_low_is_larger_0_8_4_choices(2) := is_set(transform_left_filter_column_4(8), 0) and
-          transform_left_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_left_filter_low_is_larger_0_8_4_choices(2) then
-        transform_left_filter_low_is_larger_0_8_4_choices(3) := (not is_set(transform_left_filter_column_4(8), 2)) and
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_left_filter_low_is_larger_0_8_4_choices(3) := (not is_set(transform_left_filter_column_4(8), 2)) or
-          transform_left_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_left_filter_low_is_larger_0_8_4_choices(1) := choice(is_set(transform_left_filter_column_4(8), 0),
+        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
+      transform_left_filter_low_is_larger_0_8_4_choices(2) := choice(is_set(transform_left_filter_column_4(8), 1),
+        transform_left_filter_low_is_larger_0_8_4_choices(1), is_set(transform_left_filter_column_4(8), 0) and
+        transform_left_filter_low_is_larger_0_0_2_is_equal);
+      transform_left_filter_low_is_larger_0_8_4_choices(3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_8_4_choices(2), not
+        is_set(transform_left_filter_column_4(8), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
       transform_left_filter_low_is_larger_0_8_4_value := is_set(transform_left_filter_column_4(8), 3);
-      transform_left_filter_feature_0_value := is_set(transform_left_filter_column_2(4), 4);
-      if is_set(transform_left_filter_column_0(0), 4) then
-        transform_left_filter_feature_0_choice := (not transform_left_filter_low_is_larger_0_0_0) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choice := (not transform_left_filter_low_is_larger_0_0_0) or
-          transform_left_filter_feature_0_value;
-      end if;
-      transform_left_filter_feature_0_values(2) := is_set(transform_left_filter_column_2(4), 5);
-      if transform_left_filter_feature_0_choice then
-        transform_left_filter_feature_0_choices(2) := (not is_set(transform_left_filter_column_0(0), 5)) or
-          transform_left_filter_feature_0_values(2);
-      else
-        transform_left_filter_feature_0_choices(2) := (not is_set(transform_left_filter_column_0(0), 5)) and
-          transform_left_filter_feature_0_values(2);
-      end if;
-      transform_left_filter_feature_0_values(3) := is_set(transform_left_filter_column_2(4), 6);
-      if transform_left_filter_feature_0_choices(2) then
-        transform_left_filter_feature_0_choices(3) := (not is_set(transform_left_filter_column_0(0), 6)) or
-          transform_left_filter_feature_0_values(3);
-      else
-        transform_left_filter_feature_0_choices(3) := (not is_set(transform_left_filter_column_0(0), 6)) and
-          transform_left_filter_feature_0_values(3);
-      end if;
-      transform_left_filter_feature_0_all := transform_filtering_0_column_inside_0 and (not
+      transform_left_filter_feature_0_values(1) := is_set(transform_left_filter_column_2(4), 4);
+      transform_left_filter_feature_0_choices(1) := inverted_carry(is_set(transform_left_filter_column_0(0), 4), not
+        transform_left_filter_low_is_larger_0_0_0, transform_left_filter_feature_0_values(1));
+      for i in 2 to 3 loop
+        transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column_2(4), i + 3);
+        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
+          is_set(transform_left_filter_column_0(0), i + 3), transform_left_filter_feature_0_values(i));
+      end loop;
+      transform_left_filter_feature_0_alls(1) := transform_filtering_0_column_inside_0 and (not
         is_set(transform_left_filter_column_2(4), 7));
-      if is_set(transform_left_filter_column_0(0), 7) then
-        transform_left_filter_feature_0_choices(4) := transform_filtering_0_column_inside_0;
-      else
-        transform_left_filter_feature_0_choices(4) := transform_left_filter_feature_0_all;
-      end if;
-      if transform_left_filter_feature_0_choices(3) then
-        transform_left_filter_feature_0_choices(5) := is_set(transform_left_filter_column_0(0), 7) and
-          transform_filtering_0_column_inside_0 and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices(5) := transform_left_filter_feature_0_choices(4);
-      end if;
-      if is_set(transform_left_filter_column_2(0), 4) then
-        transform_left_filter_feature_0_choices(6) := (not transform_left_filter_low_is_larger_0_0_2) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choices(6) := (not transform_left_filter_low_is_larger_0_0_2) or
-          transform_left_filter_feature_0_value;
-      end if;
-      for i in 6 to 7 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_2(0), i - 1)) or
-            transform_left_filter_feature_0_values(i - 4);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_2(0), i - 1)) and
-            transform_left_filter_feature_0_values(i - 4);
-        end if;
-      end loop;
-      if is_set(transform_left_filter_column_2(0), 7) then
-        transform_left_filter_feature_0_choices(9) := transform_filtering_0_column_inside_0;
-      else
-        transform_left_filter_feature_0_choices(9) := transform_left_filter_feature_0_all;
-      end if;
-      if transform_left_filter_feature_0_choices(8) then
-        transform_left_filter_feature_0_choices(10) := is_set(transform_left_filter_column_2(0), 7) and
-          transform_filtering_0_column_inside_0 and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices(10) := transform_left_filter_feature_0_choices(9);
-      end if;
-      if is_set(transform_left_filter_column_4(0), 4) then
-        transform_left_filter_feature_0_choices(11) := (not transform_left_filter_low_is_larger_0_0_4) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choices(11) := (not transform_left_filter_low_is_larger_0_0_4) or
-          transform_left_filter_feature_0_value;
-      end if;
-      for i in 11 to 12 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_4(0), i - 6)) or
-            transform_left_filter_feature_0_values(i - 9);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_4(0), i - 6)) and
-            transform_left_filter_feature_0_values(i - 9);
-        end if;
-      end loop;
-      if transform_left_filter_feature_0_choices(13) then
-        transform_left_filter_feature_0_choices(14) := transform_filtering_0_column_inside_0 and
-          is_set(transform_left_filter_column_4(0), 7) and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices(14) := transform_filtering_0_column_inside_0 and
-          (is_set(transform_left_filter_column_4(0), 7) or (not is_set(transform_left_filter_column_2(4), 7)));
-      end if;
-      if is_set(transform_left_filter_column_2(2), 4) then
-        transform_left_filter_feature_0_choices(15) := (not transform_left_filter_low_is_larger_0_2_2) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choices(15) := (not transform_left_filter_low_is_larger_0_2_2) or
-          transform_left_filter_feature_0_value;
-      end if;
-      for i in 15 to 16 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_2(2), i - 10)) or
-            transform_left_filter_feature_0_values(i - 13);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_2(2), i - 10)) and
-            transform_left_filter_feature_0_values(i - 13);
-        end if;
-      end loop;
+      transform_left_filter_feature_0_choices(4) := choice(is_set(transform_left_filter_column_0(0), 7),
+        transform_filtering_0_column_inside_0, transform_left_filter_feature_0_alls(1));
+      transform_left_filter_feature_0_choices(5) := choice(transform_left_filter_feature_0_choices(3),
+        is_set(transform_left_filter_column_0(0), 7) and transform_filtering_0_column_inside_0 and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(4));
+      transform_left_filter_feature_0_choices(6) := inverted_carry(is_set(transform_left_filter_column_2(0), 4), not
+        transform_left_filter_low_is_larger_0_0_2, transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(7) := carry(transform_left_filter_feature_0_choices(6), not
+        is_set(transform_left_filter_column_2(0), 5), transform_left_filter_feature_0_values(2));
+      transform_left_filter_feature_0_choices(8) := carry(transform_left_filter_feature_0_choices(7), not
+        is_set(transform_left_filter_column_2(0), 6), transform_left_filter_feature_0_values(3));
+      transform_left_filter_feature_0_choices(9) := choice(is_set(transform_left_filter_column_2(0), 7),
+        transform_filtering_0_column_inside_0, transform_left_filter_feature_0_alls(1));
+      transform_left_filter_feature_0_choices(10) := choice(transform_left_filter_feature_0_choices(8),
+        is_set(transform_left_filter_column_2(0), 7) and transform_filtering_0_column_inside_0 and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(9));
+      transform_left_filter_feature_0_choices(11) := inverted_carry(is_set(transform_left_filter_column_4(0), 4), not
+        transform_left_filter_low_is_larger_0_0_4, transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(12) := carry(transform_left_filter_feature_0_choices(11), not
+        is_set(transform_left_filter_column_4(0), 5), transform_left_filter_feature_0_values(2));
+      transform_left_filter_feature_0_choices(13) := carry(transform_left_filter_feature_0_choices(12), not
+        is_set(transform_left_filter_column_4(0), 6), transform_left_filter_feature_0_values(3));
+      transform_left_filter_feature_0_choices(14) := choice(transform_left_filter_feature_0_choices(13),
+        transform_filtering_0_column_inside_0 and is_set(transform_left_filter_column_4(0), 7) and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_0 and
+        (is_set(transform_left_filter_column_4(0), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
+      transform_left_filter_feature_0_choices(15) := inverted_carry(is_set(transform_left_filter_column_2(2), 4), not
+        transform_left_filter_low_is_larger_0_2_2, transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(16) := carry(transform_left_filter_feature_0_choices(15), not
+        is_set(transform_left_filter_column_2(2), 5), transform_left_filter_feature_0_values(2));
+      transform_left_filter_feature_0_choices(17) := carry(transform_left_filter_feature_0_choices(16), not
+        is_set(transform_left_filter_column_2(2), 6), transform_left_filter_feature_0_values(3));
       transform_left_filter_feature_0_alls(2) := transform_filtering_0_column_inside_2 and (not
         is_set(transform_left_filter_column_2(4), 7));
-      if is_set(transform_left_filter_column_2(2), 7) then
-        transform_left_filter_feature_0_choices(18) := transform_filtering_0_column_inside_2;
-      else
-        transform_left_filter_feature_0_choices(18) := transform_left_filter_feature_0_alls(2);
-      end if;
-      if transform_left_filter_feature_0_choices(17) then
-        transform_left_filter_feature_0_choices(19) := is_set(transform_left_filter_column_2(2), 7) and
-          transform_filtering_0_column_inside_2 and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices(19) := transform_left_filter_feature_0_choices(18);
-      end if;
-      if is_set(transform_left_filter_column_0(2), 4) then
-        transform_left_filter_feature_0_choices(20) := (not transform_left_filter_low_is_larger_0_2_0) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choices(20) := (not transform_left_filter_low_is_larger_0_2_0) or
-          transform_left_filter_feature_0_value;
-      end if;
-      for i in 20 to 21 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_0(2), i - 15)) or
-            transform_left_filter_feature_0_values(i - 18);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_0(2), i - 15)) and
-            transform_left_filter_feature_0_values(i - 18);
-        end if;
-      end loop;
-      if is_set(transform_left_filter_column_0(2), 7) then
-        transform_left_filter_feature_0_choices(23) := transform_filtering_0_column_inside_2;
-      else
-        transform_left_filter_feature_0_choices(23) := transform_left_filter_feature_0_alls(2);
-      end if;
-      if transform_left_filter_feature_0_choices(22) then
-        transform_left_filter_feature_0_choices(24) := is_set(transform_left_filter_column_0(2), 7) and
-          transform_filtering_0_column_inside_2 and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices(24) := transform_left_filter_feature_0_choices(23);
-      end if;
-      if is_set(transform_left_filter_column_4(2), 4) then
-        transform_left_filter_feature_0_choices(25) := (not transform_left_filter_low_is_larger_0_2_4) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choices(25) := (not transform_left_filter_low_is_larger_0_2_4) or
-          transform_left_filter_feature_0_value;
-      end if;
-      for i in 25 to 26 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_4(2), i - 20)) or
-            transform_left_filter_feature_0_values(i - 23);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_4(2), i - 20)) and
-            transform_left_filter_feature_0_values(i - 23);
-        end if;
-      end loop;
-      if transform_left_filter_feature_0_choices(27) then
-        transform_left_filter_feature_0_choices(28) := transform_filtering_0_column_inside_2 and
-          is_set(transform_left_filter_column_4(2), 7) and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices(28) := transform_filtering_0_column_inside_2 and
-          (is_set(transform_left_filter_column_4(2), 7) or (not is_set(transform_left_filter_column_2(4), 7)));
-      end if;
-      if is_set(transform_left_filter_column_0(4), 4) then
-        transform_left_filter_feature_0_choices(29) := (not transform_left_filter_low_is_larger_0_4_0) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choices(29) := (not transform_left_filter_low_is_larger_0_4_0) or
-          transform_left_filter_feature_0_value;
-      end if;
-      for i in 29 to 30 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_0(4), i - 24)) or
-            transform_left_filter_feature_0_values(i - 27);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_0(4), i - 24)) and
-            transform_left_filter_feature_0_values(i - 27);
-        end if;
-      end loop;
-      if is_set(transform_left_filter_column_0(4), 7) then
-        transform_left_filter_feature_0_choices(32) := transform_filtering_column_inside_4(0);
-      else
-        transform_left_filter_feature_0_choices(32) := transform_filtering_column_inside_4(0) and (not
-          is_set(transform_left_filter_column_2(4), 7));
-      end if;
-      if transform_left_filter_feature_0_choices(31) then
-        transform_left_filter_feature_0_choices(33) := is_set(transform_left_filter_column_0(4), 7) and
-          transform_filtering_column_inside_4(0) and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices(33) := transform_left_filter_feature_0_choices(32);
-      end if;
-      if is_set(transform_left_filter_column_4(4), 4) then
-        transform_left_filter_feature_0_choices(34) := (not transform_left_filter_low_is_larger_0_4_4) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choices(34) := (not transform_left_filter_low_is_larger_0_4_4) or
-          transform_left_filter_feature_0_value;
-      end if;
-      for i in 34 to 35 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_4(4), i - 29)) or
-            transform_left_filter_feature_0_values(i - 32);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_4(4), i - 29)) and
-            transform_left_filter_feature_0_values(i - 32);
-        end if;
-      end loop;
-      if transform_left_filter_feature_0_choices(36) then
-        transform_left_filter_feature_0_choices(37) := transform_filtering_column_inside_4(0) and
-          is_set(transform_left_filter_column_4(4), 7) and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices(37) := transform_filtering_column_inside_4(0) and
-          (is_set(transform_left_filter_column_4(4), 7) or (not is_set(transform_left_filter_column_2(4), 7)));
-      end if;
-      if is_set(transform_left_filter_column_2(6), 4) then
-        transform_left_filter_feature_0_choices(38) := (not transform_left_filter_low_is_larger_0_6_2) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choices(38) := (not transform_left_filter_low_is_larger_0_6_2) or
-          transform_left_filter_feature_0_value;
-      end if;
-      for i in 38 to 39 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_2(6), i - 33)) or
-            transform_left_filter_feature_0_values(i - 36);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_2(6), i - 33)) and
-            transform_left_filter_feature_0_values(i - 36);
-        end if;
-      end loop;
+      transform_left_filter_feature_0_choices(18) := choice(is_set(transform_left_filter_column_2(2), 7),
+        transform_filtering_0_column_inside_2, transform_left_filter_feature_0_alls(2));
+      transform_left_filter_feature_0_choices(19) := choice(transform_left_filter_feature_0_choices(17),
+        is_set(transform_left_filter_column_2(2), 7) and transform_filtering_0_column_inside_2 and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(18));
+      transform_left_filter_feature_0_choices(20) := inverted_carry(is_set(transform_left_filter_column_0(2), 4), not
+        transform_left_filter_low_is_larger_0_2_0, transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(21) := carry(transform_left_filter_feature_0_choices(20), not
+        is_set(transform_left_filter_column_0(2), 5), transform_left_filter_feature_0_values(2));
+      transform_left_filter_feature_0_choices(22) := carry(transform_left_filter_feature_0_choices(21), not
+        is_set(transform_left_filter_column_0(2), 6), transform_left_filter_feature_0_values(3));
+      transform_left_filter_feature_0_choices(23) := choice(is_set(transform_left_filter_column_0(2), 7),
+        transform_filtering_0_column_inside_2, transform_left_filter_feature_0_alls(2));
+      transform_left_filter_feature_0_choices(24) := choice(transform_left_filter_feature_0_choices(22),
+        is_set(transform_left_filter_column_0(2), 7) and transform_filtering_0_column_inside_2 and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(23));
+      transform_left_filter_feature_0_choices(25) := inverted_carry(is_set(transform_left_filter_column_4(2), 4), not
+        transform_left_filter_low_is_larger_0_2_4, transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(26) := carry(transform_left_filter_feature_0_choices(25), not
+        is_set(transform_left_filter_column_4(2), 5), transform_left_filter_feature_0_values(2));
+      transform_left_filter_feature_0_choices(27) := carry(transform_left_filter_feature_0_choices(26), not
+        is_set(transform_left_filter_column_4(2), 6), transform_left_filter_feature_0_values(3));
+      transform_left_filter_feature_0_choices(28) := choice(transform_left_filter_feature_0_choices(27),
+        transform_filtering_0_column_inside_2 and is_set(transform_left_filter_column_4(2), 7) and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_2 and
+        (is_set(transform_left_filter_column_4(2), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
+      transform_left_filter_feature_0_choices(29) := inverted_carry(is_set(transform_left_filter_column_0(4), 4), not
+        transform_left_filter_low_is_larger_0_4_0, transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(30) := carry(transform_left_filter_feature_0_choices(29), not
+        is_set(transform_left_filter_column_0(4), 5), transform_left_filter_feature_0_values(2));
+      transform_left_filter_feature_0_choices(31) := carry(transform_left_filter_feature_0_choices(30), not
+        is_set(transform_left_filter_column_0(4), 6), transform_left_filter_feature_0_values(3));
+      transform_left_filter_feature_0_choices(32) := choice(is_set(transform_left_filter_column_0(4), 7),
+        transform_filtering_column_inside_4(0), transform_filtering_column_inside_4(0) and (not
+        is_set(transform_left_filter_column_2(4), 7)));
+      transform_left_filter_feature_0_choices(33) := choice(transform_left_filter_feature_0_choices(31),
+        is_set(transform_left_filter_column_0(4), 7) and transform_filtering_column_inside_4(0) and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(32));
+      transform_left_filter_feature_0_choices(34) := inverted_carry(is_set(transform_left_filter_column_4(4), 4), not
+        transform_left_filter_low_is_larger_0_4_4, transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(35) := carry(transform_left_filter_feature_0_choices(34), not
+        is_set(transform_left_filter_column_4(4), 5), transform_left_filter_feature_0_values(2));
+      transform_left_filter_feature_0_choices(36) := carry(transform_left_filter_feature_0_choices(35), not
+        is_set(transform_left_filter_column_4(4), 6), transform_left_filter_feature_0_values(3));
+      transform_left_filter_feature_0_choices(37) := choice(transform_left_filter_feature_0_choices(36),
+        transform_filtering_column_inside_4(0) and is_set(transform_left_filter_column_4(4), 7) and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_column_inside_4(0) and
+        (is_set(transform_left_filter_column_4(4), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
+      transform_left_filter_feature_0_choices(38) := inverted_carry(is_set(transform_left_filter_column_2(6), 4), not
+        transform_left_filter_low_is_larger_0_6_2, transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(39) := carry(transform_left_filter_feature_0_choices(38), not
+        is_set(transform_left_filter_column_2(6), 5), transform_left_filter_feature_0_values(2));
+      transform_left_filter_feature_0_choices(40) := carry(transform_left_filter_feature_0_choices(39), not
+        is_set(transform_left_filter_column_2(6), 6), transform_left_filter_feature_0_values(3));
       transform_left_filter_feature_0_alls(3) := transform_filtering_0_column_inside_6 and (not
         is_set(transform_left_filter_column_2(4), 7));
-      if is_set(transform_left_filter_column_2(6), 7) then
-        transform_left_filter_feature_0_choices(41) := transform_filtering_0_column_inside_6;
-      else
-        transform_left_filter_feature_0_choices(41) := transform_left_filter_feature_0_alls(3);
-      end if;
-      if transform_left_filter_feature_0_choices(40) then
-        transform_left_filter_feature_0_choices(42) := is_set(transform_left_filter_column_2(6), 7) and
-          transform_filtering_0_column_inside_6 and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices(42) := transform_left_filter_feature_0_choices(41);
-      end if;
-      if is_set(transform_left_filter_column_0(6), 4) then
-        transform_left_filter_feature_0_choices(43) := (not transform_left_filter_low_is_larger_0_6_0) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choices(43) := (not transform_left_filter_low_is_larger_0_6_0) or
-          transform_left_filter_feature_0_value;
-      end if;
-      for i in 43 to 44 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_0(6), i - 38)) or
-            transform_left_filter_feature_0_values(i - 41);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_0(6), i - 38)) and
-            transform_left_filter_feature_0_values(i - 41);
-        end if;
-      end loop;
-      if is_set(transform_left_filter_column_0(6), 7) then
-        transform_left_filter_feature_0_choices(46) := transform_filtering_0_column_inside_6;
-      else
-        transform_left_filter_feature_0_choices(46) := transform_left_filter_feature_0_alls(3);
-      end if;
-      if transform_left_filter_feature_0_choices(45) then
-        transform_left_filter_feature_0_choices(47) := is_set(transform_left_filter_column_0(6), 7) and
-          transform_filtering_0_column_inside_6 and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices(47) := transform_left_filter_feature_0_choices(46);
-      end if;
-      if is_set(transform_left_filter_column_4(6), 4) then
-        transform_left_filter_feature_0_choices(48) := (not transform_left_filter_low_is_larger_0_6_4) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choices(48) := (not transform_left_filter_low_is_larger_0_6_4) or
-          transform_left_filter_feature_0_value;
-      end if;
-      for i in 48 to 49 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_4(6), i - 43)) or
-            transform_left_filter_feature_0_values(i - 46);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_4(6), i - 43)) and
-            transform_left_filter_feature_0_values(i - 46);
-        end if;
-      end loop;
-      if transform_left_filter_feature_0_choices(50) then
-        transform_left_filter_feature_0_choices(51) := transform_filtering_0_column_inside_6 and
-          is_set(transform_left_filter_column_4(6), 7) and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices(51) := transform_filtering_0_column_inside_6 and
-          (is_set(transform_left_filter_column_4(6), 7) or (not is_set(transform_left_filter_column_2(4), 7)));
-      end if;
-      if is_set(transform_left_filter_column_2(8), 4) then
-        transform_left_filter_feature_0_choices(52) := (not transform_left_filter_low_is_larger_0_8_2) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choices(52) := (not transform_left_filter_low_is_larger_0_8_2) or
-          transform_left_filter_feature_0_value;
-      end if;
-      for i in 52 to 53 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_2(8), i - 47)) or
-            transform_left_filter_feature_0_values(i - 50);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_2(8), i - 47)) and
-            transform_left_filter_feature_0_values(i - 50);
-        end if;
-      end loop;
+      transform_left_filter_feature_0_choices(41) := choice(is_set(transform_left_filter_column_2(6), 7),
+        transform_filtering_0_column_inside_6, transform_left_filter_feature_0_alls(3));
+      transform_left_filter_feature_0_choices(42) := choice(transform_left_filter_feature_0_choices(40),
+        is_set(transform_left_filter_column_2(6), 7) and transform_filtering_0_column_inside_6 and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(41));
+      transform_left_filter_feature_0_choices(43) := inverted_carry(is_set(transform_left_filter_column_0(6), 4), not
+        transform_left_filter_low_is_larger_0_6_0, transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(44) := carry(transform_left_filter_feature_0_choices(43), not
+        is_set(transform_left_filter_column_0(6), 5), transform_left_filter_feature_0_values(2));
+      transform_left_filter_feature_0_choices(45) := carry(transform_left_filter_feature_0_choices(44), not
+        is_set(transform_left_filter_column_0(6), 6), transform_left_filter_feature_0_values(3));
+      transform_left_filter_feature_0_choices(46) := choice(is_set(transform_left_filter_column_0(6), 7),
+        transform_filtering_0_column_inside_6, transform_left_filter_feature_0_alls(3));
+      transform_left_filter_feature_0_choices(47) := choice(transform_left_filter_feature_0_choices(45),
+        is_set(transform_left_filter_column_0(6), 7) and transform_filtering_0_column_inside_6 and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(46));
+      transform_left_filter_feature_0_choices(48) := inverted_carry(is_set(transform_left_filter_column_4(6), 4), not
+        transform_left_filter_low_is_larger_0_6_4, transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(49) := carry(transform_left_filter_feature_0_choices(48), not
+        is_set(transform_left_filter_column_4(6), 5), transform_left_filter_feature_0_values(2));
+      transform_left_filter_feature_0_choices(50) := carry(transform_left_filter_feature_0_choices(49), not
+        is_set(transform_left_filter_column_4(6), 6), transform_left_filter_feature_0_values(3));
+      transform_left_filter_feature_0_choices(51) := choice(transform_left_filter_feature_0_choices(50),
+        transform_filtering_0_column_inside_6 and is_set(transform_left_filter_column_4(6), 7) and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_6 and
+        (is_set(transform_left_filter_column_4(6), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
+      transform_left_filter_feature_0_choices(52) := inverted_carry(is_set(transform_left_filter_column_2(8), 4), not
+        transform_left_filter_low_is_larger_0_8_2, transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(53) := carry(transform_left_filter_feature_0_choices(52), not
+        is_set(transform_left_filter_column_2(8), 5), transform_left_filter_feature_0_values(2));
+      transform_left_filter_feature_0_choices(54) := carry(transform_left_filter_feature_0_choices(53), not
+        is_set(transform_left_filter_column_2(8), 6), transform_left_filter_feature_0_values(3));
       transform_left_filter_feature_0_alls(4) := transform_filtering_0_column_inside_8 and (not
         is_set(transform_left_filter_column_2(4), 7));
-      if is_set(transform_left_filter_column_2(8), 7) then
-        transform_left_filter_feature_0_choices(55) := transform_filtering_0_column_inside_8;
-      else
-        transform_left_filter_feature_0_choices(55) := transform_left_filter_feature_0_alls(4);
-      end if;
-      if transform_left_filter_feature_0_choices(54) then
-        transform_left_filter_feature_0_choices(56) := is_set(transform_left_filter_column_2(8), 7) and
-          transform_filtering_0_column_inside_8 and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices(56) := transform_left_filter_feature_0_choices(55);
-      end if;
-      if is_set(transform_left_filter_column_0(8), 4) then
-        transform_left_filter_feature_0_choices(57) := (not transform_left_filter_low_is_larger_0_8_0) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choices(57) := (not transform_left_filter_low_is_larger_0_8_0) or
-          transform_left_filter_feature_0_value;
-      end if;
-      for i in 57 to 58 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_0(8), i - 52)) or
-            transform_left_filter_feature_0_values(i - 55);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_0(8), i - 52)) and
-            transform_left_filter_feature_0_values(i - 55);
-        end if;
-      end loop;
-      if is_set(transform_left_filter_column_0(8), 7) then
-        transform_left_filter_feature_0_choices(60) := transform_filtering_0_column_inside_8;
-      else
-        transform_left_filter_feature_0_choices(60) := transform_left_filter_feature_0_alls(4);
-      end if;
-      if transform_left_filter_feature_0_choices(59) then
-        transform_left_filter_feature_0_choices(61) := is_set(transform_left_filter_column_0(8), 7) and
-          transform_filtering_0_column_inside_8 and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices(61) := transform_left_filter_feature_0_choices(60);
-      end if;
-      if is_set(transform_left_filter_column_4(8), 4) then
-        transform_left_filter_feature_0_choices(62) := (not transform_left_filter_low_is_larger_0_8_4) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choices(62) := (not transform_left_filter_low_is_larger_0_8_4) or
-          transform_left_filter_feature_0_value;
-      end if;
-      for i in 62 to 63 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_4(8), i - 57)) or
-            transform_left_filter_feature_0_values(i - 60);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_4(8), i - 57)) and
-            transform_left_filter_feature_0_values(i - 60);
-        end if;
-      end loop;
-      if transform_left_filter_feature_0_choices(64) then
-        transform_left_filter_feature_0_choices(65) := transform_filtering_0_column_inside_8 and
-          is_set(transform_left_filter_column_4(8), 7) and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices(65) := transform_filtering_0_column_inside_8 and
-          (is_set(transform_left_filter_column_4(8), 7) or (not is_set(transform_left_filter_column_2(4), 7)));
-      end if;
-      transform_right_filter_low_is_larger_0_0_0_value := is_set(transform_right_filter_column_2(4), 1);
-      if is_set(transform_right_filter_column_2(4), 0) then
-        transform_right_filter_low_is_larger_0_0_0_choice := not is_set(transform_right_filter_column_0(0), 1);
-      else
-        transform_right_filter_low_is_larger_0_0_0_choice := (transform_right_filter_column_0(0) mod 4) = 0;
-      end if;
-      if transform_right_filter_low_is_larger_0_0_0_value then
-        transform_right_filter_low_is_larger_0_0_0_choices(2) := is_set(transform_right_filter_column_2(4), 0) or (not
-          is_set(transform_right_filter_column_0(0), 1)) or (not is_set(transform_right_filter_column_0(0), 0));
-      else
-        transform_right_filter_low_is_larger_0_0_0_choices(2) := transform_right_filter_low_is_larger_0_0_0_choice;
-      end if;
+      transform_left_filter_feature_0_choices(55) := choice(is_set(transform_left_filter_column_2(8), 7),
+        transform_filtering_0_column_inside_8, transform_left_filter_feature_0_alls(4));
+      transform_left_filter_feature_0_choices(56) := choice(transform_left_filter_feature_0_choices(54),
+        is_set(transform_left_filter_column_2(8), 7) and transform_filtering_0_column_inside_8 and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(55));
+      transform_left_filter_feature_0_choices(57) := inverted_carry(is_set(transform_left_filter_column_0(8), 4), not
+        transform_left_filter_low_is_larger_0_8_0, transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(58) := carry(transform_left_filter_feature_0_choices(57), not
+        is_set(transform_left_filter_column_0(8), 5), transform_left_filter_feature_0_values(2));
+      transform_left_filter_feature_0_choices(59) := carry(transform_left_filter_feature_0_choices(58), not
+        is_set(transform_left_filter_column_0(8), 6), transform_left_filter_feature_0_values(3));
+      transform_left_filter_feature_0_choices(60) := choice(is_set(transform_left_filter_column_0(8), 7),
+        transform_filtering_0_column_inside_8, transform_left_filter_feature_0_alls(4));
+      transform_left_filter_feature_0_choices(61) := choice(transform_left_filter_feature_0_choices(59),
+        is_set(transform_left_filter_column_0(8), 7) and transform_filtering_0_column_inside_8 and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(60));
+      transform_left_filter_feature_0_choices(62) := inverted_carry(is_set(transform_left_filter_column_4(8), 4), not
+        transform_left_filter_low_is_larger_0_8_4, transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(63) := carry(transform_left_filter_feature_0_choices(62), not
+        is_set(transform_left_filter_column_4(8), 5), transform_left_filter_feature_0_values(2));
+      transform_left_filter_feature_0_choices(64) := carry(transform_left_filter_feature_0_choices(63), not
+        is_set(transform_left_filter_column_4(8), 6), transform_left_filter_feature_0_values(3));
+      transform_left_filter_feature_0_choices(65) := choice(transform_left_filter_feature_0_choices(64),
+        transform_filtering_0_column_inside_8 and is_set(transform_left_filter_column_4(8), 7) and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_8 and
+        (is_set(transform_left_filter_column_4(8), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
+      transform_right_filter_low_is_larger_0_0_0_values(1) := is_set(transform_right_filter_column_2(4), 1);
+      transform_right_filter_low_is_larger_0_0_0_choices(1) := choice(is_set(transform_right_filter_column_2(4), 0),
+        not is_set(transform_right_filter_column_0(0), 1), (transform_right_filter_column_0(0) mod 4) = 0);
+      transform_right_filter_low_is_larger_0_0_0_choices(2) :=
+        choice(transform_right_filter_low_is_larger_0_0_0_values(1), is_set(transform_right_filter_column_2(4), 0) or
+        (not is_set(transform_right_filter_column_0(0), 1)) or (not is_set(transform_right_filter_column_0(0), 0)),
+        transform_right_filter_low_is_larger_0_0_0_choices(1));
       transform_right_filter_low_is_larger_0_0_0_values(2) := is_set(transform_right_filter_column_2(4), 2);
       transform_right_filter_low_is_larger_0_0_0_values(3) := is_set(transform_right_filter_column_0(0), 2);
-      if transform_right_filter_low_is_larger_0_0_0_choices(2) then
-        transform_right_filter_low_is_larger_0_0_0_choices(3) := (not
-          transform_right_filter_low_is_larger_0_0_0_values(2)) and
-          transform_right_filter_low_is_larger_0_0_0_values(3);
-      else
-        transform_right_filter_low_is_larger_0_0_0_choices(3) := (not
-          transform_right_filter_low_is_larger_0_0_0_values(2)) or transform_right_filter_low_is_larger_0_0_0_values(3);
-      end if;
+      transform_right_filter_low_is_larger_0_0_0_choices(3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_0_0_choices(2), not
+        transform_right_filter_low_is_larger_0_0_0_values(2), transform_right_filter_low_is_larger_0_0_0_values(3));
       transform_right_filter_low_is_larger_0_0_0_values(4) := is_set(transform_right_filter_column_0(0), 3);
-      transform_right_filter_low_is_larger_0_0_2_any := (not transform_right_filter_low_is_larger_0_0_0_value) or (not
-        is_set(transform_right_filter_column_2(4), 0));
-      if is_set(transform_right_filter_column_2(0), 0) then
-        transform_right_filter_low_is_larger_0_0_2_choice := transform_right_filter_low_is_larger_0_0_2_any;
-      else
-        transform_right_filter_low_is_larger_0_0_2_choice := not transform_right_filter_low_is_larger_0_0_0_value;
-      end if;
+      transform_right_filter_low_is_larger_0_0_2_any := (not transform_right_filter_low_is_larger_0_0_0_values(1)) or
+        (not is_set(transform_right_filter_column_2(4), 0));
+      transform_right_filter_low_is_larger_0_0_2_choices(1) := choice(is_set(transform_right_filter_column_2(0), 0),
+        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
       transform_right_filter_low_is_larger_0_0_2_is_equal := (transform_right_filter_column_2(4) mod 4) = 0;
-      if is_set(transform_right_filter_column_2(0), 1) then
-        transform_right_filter_low_is_larger_0_0_2_choices(2) := transform_right_filter_low_is_larger_0_0_2_choice;
-      else
-        transform_right_filter_low_is_larger_0_0_2_choices(2) := is_set(transform_right_filter_column_2(0), 0) and
-          transform_right_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_right_filter_low_is_larger_0_0_2_choices(2) then
-        transform_right_filter_low_is_larger_0_0_2_choices(3) := (not is_set(transform_right_filter_column_2(0), 2))
-          and transform_right_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_right_filter_low_is_larger_0_0_2_choices(3) := (not is_set(transform_right_filter_column_2(0), 2)) or
-          transform_right_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_right_filter_low_is_larger_0_0_2_choices(2) := choice(is_set(transform_right_filter_column_2(0), 1),
+        transform_right_filter_low_is_larger_0_0_2_choices(1), is_set(transform_right_filter_column_2(0), 0) and
+        transform_right_filter_low_is_larger_0_0_2_is_equal);
+      transform_right_filter_low_is_larger_0_0_2_choices(3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_0_2_choices(2), not
+        is_set(transform_right_filter_column_2(0), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
       transform_right_filter_low_is_larger_0_0_2_value := is_set(transform_right_filter_column_2(0), 3);
-      if is_set(transform_right_filter_column_4(0), 0) then
-        transform_right_filter_low_is_larger_0_0_4_choice := transform_right_filter_low_is_larger_0_0_2_any;
-      else
-        transform_right_filter_low_is_larger_0_0_4_choice := not transform_right_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_right_filter_column_4(0), 1) then
-        transform_right_filter_low_is_larger_0_0_4_choices(2) := transform_right_filter_low_is_larger_0_0_4_choice;
-      else
-        transform_right_filter_low_is_larger_0_0_4_choices(2) := is_set(transform_right_filter_column_4(0), 0) and
-          transform_right_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_right_filter_low_is_larger_0_0_4_choices(2) then
-        transform_right_filter_low_is_larger_0_0_4_choices(3) := (not is_set(transform_right_filter_column_4(0), 2))
-          and transform_right_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_right_filter_low_is_larger_0_0_4_choices(3) := (not is_set(transform_right_filter_column_4(0), 2)) or
-          transform_right_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_right_filter_low_is_larger_0_0_4_choices(1) := choice(is_set(transform_right_filter_column_4(0), 0),
+        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
+      transform_right_filter_low_is_larger_0_0_4_choices(2) := choice(is_set(transform_right_filter_column_4(0), 1),
+        transform_right_filter_low_is_larger_0_0_4_choices(1), is_set(transform_right_filter_column_4(0), 0) and
+        transform_right_filter_low_is_larger_0_0_2_is_equal);
+      transform_right_filter_low_is_larger_0_0_4_choices(3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_0_4_choices(2), not
+        is_set(transform_right_filter_column_4(0), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
       transform_right_filter_low_is_larger_0_0_4_value := is_set(transform_right_filter_column_4(0), 3);
-      if is_set(transform_right_filter_column_0(2), 0) then
-        transform_right_filter_low_is_larger_0_2_0_choice := transform_right_filter_low_is_larger_0_0_2_any;
-      else
-        transform_right_filter_low_is_larger_0_2_0_choice := not transform_right_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_right_filter_column_0(2), 1) then
-        transform_right_filter_low_is_larger_0_2_0_choices(2) := transform_right_filter_low_is_larger_0_2_0_choice;
-      else
-        transform_right_filter_low_is_larger_0_2_0_choices(2) := is_set(transform_right_filter_column_0(2), 0) and
-          transform_right_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_right_filter_low_is_larger_0_2_0_choices(2) then
-        transform_right_filter_low_is_larger_0_2_0_choices(3) := (not is_set(transform_right_filter_column_0(2), 2))
-          and transform_right_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_right_filter_low_is_larger_0_2_0_choices(3) := (not is_set(transform_right_filter_column_0(2), 2)) or
-          transform_right_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_right_filter_low_is_larger_0_2_0_choices(1) := choice(is_set(transform_right_filter_column_0(2), 0),
+        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
+      transform_right_filter_low_is_larger_0_2_0_choices(2) := choice(is_set(transform_right_filter_column_0(2), 1),
+        transform_right_filter_low_is_larger_0_2_0_choices(1), is_set(transform_right_filter_column_0(2), 0) and
+        transform_right_filter_low_is_larger_0_0_2_is_equal);
+      transform_right_filter_low_is_larger_0_2_0_choices(3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_2_0_choices(2), not
+        is_set(transform_right_filter_column_0(2), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
       transform_right_filter_low_is_larger_0_2_0_value := is_set(transform_right_filter_column_0(2), 3);
-      if is_set(transform_right_filter_column_2(2), 0) then
-        transform_right_filter_low_is_larger_0_2_2_choice := transform_right_filter_low_is_larger_0_0_2_any;
-      else
-        transform_right_filter_low_is_larger_0_2_2_choice := not transform_right_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_right_filter_column_2(2), 1) then
-        transform_right_filter_low_is_larger_0_2_2_choices(2) := transform_right_filter_low_is_larger_0_2_2_choice;
-      else
-        transform_right_filter_low_is_larger_0_2_2_choices(2) := is_set(transform_right_filter_column_2(2), 0) and
-          transform_right_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_right_filter_low_is_larger_0_2_2_choices(2) then
-        transform_right_filter_low_is_larger_0_2_2_choices(3) := (not is_set(transform_right_filter_column_2(2), 2))
-          and transform_right_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_right_filter_low_is_larger_0_2_2_choices(3) := (not is_set(transform_right_filter_column_2(2), 2)) or
-          transform_right_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_right_filter_low_is_larger_0_2_2_choices(1) := choice(is_set(transform_right_filter_column_2(2), 0),
+        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
+      transform_right_filter_low_is_larger_0_2_2_choices(2) := choice(is_set(transform_right_filter_column_2(2), 1),
+        transform_right_filter_low_is_larger_0_2_2_choices(1), is_set(transform_right_filter_column_2(2), 0) and
+        transform_right_filter_low_is_larger_0_0_2_is_equal);
+      transform_right_filter_low_is_larger_0_2_2_choices(3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_2_2_choices(2), not
+        is_set(transform_right_filter_column_2(2), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
       transform_right_filter_low_is_larger_0_2_2_value := is_set(transform_right_filter_column_2(2), 3);
-      if is_set(transform_right_filter_column_4(2), 0) then
-        transform_right_filter_low_is_larger_0_2_4_choice := transform_right_filter_low_is_larger_0_0_2_any;
-      else
-        transform_right_filter_low_is_larger_0_2_4_choice := not transform_right_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_right_filter_column_4(2), 1) then
-        transform_right_filter_low_is_larger_0_2_4_choices(2) := transform_right_filter_low_is_larger_0_2_4_choice;
-      else
-        transform_right_filter_low_is_larger_0_2_4_choices(2) := is_set(transform_right_filter_column_4(2), 0) and
-          transform_right_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_right_filter_low_is_larger_0_2_4_choices(2) then
-        transform_right_filter_low_is_larger_0_2_4_choices(3) := (not is_set(transform_right_filter_column_4(2), 2))
-          and transform_right_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_right_filter_low_is_larger_0_2_4_choices(3) := (not is_set(transform_right_filter_column_4(2), 2)) or
-          transform_right_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_right_filter_low_is_larger_0_2_4_choices(1) := choice(is_set(transform_right_filter_column_4(2), 0),
+        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
+      transform_right_filter_low_is_larger_0_2_4_choices(2) := choice(is_set(transform_right_filter_column_4(2), 1),
+        transform_right_filter_low_is_larger_0_2_4_choices(1), is_set(transform_right_filter_column_4(2), 0) and
+        transform_right_filter_low_is_larger_0_0_2_is_equal);
+      transform_right_filter_low_is_larger_0_2_4_choices(3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_2_4_choices(2), not
+        is_set(transform_right_filter_column_4(2), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
       transform_right_filter_low_is_larger_0_2_4_value := is_set(transform_right_filter_column_4(2), 3);
-      if is_set(transform_right_filter_column_0(4), 0) then
-        transform_right_filter_low_is_larger_0_4_0_choice := transform_right_filter_low_is_larger_0_0_2_any;
-      else
-        transform_right_filter_low_is_larger_0_4_0_choice := not transform_right_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_right_filter_column_0(4), 1) then
-        transform_right_filter_low_is_larger_0_4_0_choices(2) := transform_right_filter_low_is_larger_0_4_0_choice;
-      else
-        transform_right_filter_low_is_larger_0_4_0_choices(2) := is_set(transform_right_filter_column_0(4), 0) and
-          transform_right_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_right_filter_low_is_larger_0_4_0_choices(2) then
-        transform_right_filter_low_is_larger_0_4_0_choices(3) := (not is_set(transform_right_filter_column_0(4), 2))
-          and transform_right_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_right_filter_low_is_larger_0_4_0_choices(3) := (not is_set(transform_right_filter_column_0(4), 2)) or
-          transform_right_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_right_filter_low_is_larger_0_4_0_choices(1) := choice(is_set(transform_right_filter_column_0(4), 0),
+        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
+      transform_right_filter_low_is_larger_0_4_0_choices(2) := choice(is_set(transform_right_filter_column_0(4), 1),
+        transform_right_filter_low_is_larger_0_4_0_choices(1), is_set(transform_right_filter_column_0(4), 0) and
+        transform_right_filter_low_is_larger_0_0_2_is_equal);
+      transform_right_filter_low_is_larger_0_4_0_choices(3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_4_0_choices(2), not
+        is_set(transform_right_filter_column_0(4), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
       transform_right_filter_low_is_larger_0_4_0_value := is_set(transform_right_filter_column_0(4), 3);
-      if is_set(transform_right_filter_column_4(4), 0) then
-        transform_right_filter_low_is_larger_0_4_4_choice := transform_right_filter_low_is_larger_0_0_2_any;
-      else
-        transform_right_filter_low_is_larger_0_4_4_choice := not transform_right_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_right_filter_column_4(4), 1) then
-        transform_right_filter_low_is_larger_0_4_4_choices(2) := transform_right_filter_low_is_larger_0_4_4_choice;
-      else
-        transform_right_filter_low_is_larger_0_4_4_choices(2) := is_set(transform_right_filter_column_4(4), 0) and
-          transform_right_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_right_filter_low_is_larger_0_4_4_choices(2) then
-        transform_right_filter_low_is_larger_0_4_4_choices(3) := (not is_set(transform_right_filter_column_4(4), 2))
-          and transform_right_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_right_filter_low_is_larger_0_4_4_choices(3) := (not is_set(transform_right_filter_column_4(4), 2)) or
-          transform_right_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_right_filter_low_is_larger_0_4_4_choices(1) := choice(is_set(transform_right_filter_column_4(4), 0),
+        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
+      transform_right_filter_low_is_larger_0_4_4_choices(2) := choice(is_set(transform_right_filter_column_4(4), 1),
+        transform_right_filter_low_is_larger_0_4_4_choices(1), is_set(transform_right_filter_column_4(4), 0) and
+        transform_right_filter_low_is_larger_0_0_2_is_equal);
+      transform_right_filter_low_is_larger_0_4_4_choices(3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_4_4_choices(2), not
+        is_set(transform_right_filter_column_4(4), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
       transform_right_filter_low_is_larger_0_4_4_value := is_set(transform_right_filter_column_4(4), 3);
-      if is_set(transform_right_filter_column_0(6), 0) then
-        transform_right_filter_low_is_larger_0_6_0_choice := transform_right_filter_low_is_larger_0_0_2_any;
-      else
-        transform_right_filter_low_is_larger_0_6_0_choice := not transform_right_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_right_filter_column_0(6), 1) then
-        transform_right_filter_low_is_larger_0_6_0_choices(2) := transform_right_filter_low_is_larger_0_6_0_choice;
-      else
-        transform_right_filter_low_is_larger_0_6_0_choices(2) := is_set(transform_right_filter_column_0(6), 0) and
-          transform_right_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_right_filter_low_is_larger_0_6_0_choices(2) then
-        transform_right_filter_low_is_larger_0_6_0_choices(3) := (not is_set(transform_right_filter_column_0(6), 2))
-          and transform_right_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_right_filter_low_is_larger_0_6_0_choices(3) := (not is_set(transform_right_filter_column_0(6), 2)) or
-          transform_right_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_right_filter_low_is_larger_0_6_0_choices(1) := choice(is_set(transform_right_filter_column_0(6), 0),
+        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
+      transform_right_filter_low_is_larger_0_6_0_choices(2) := choice(is_set(transform_right_filter_column_0(6), 1),
+        transform_right_filter_low_is_larger_0_6_0_choices(1), is_set(transform_right_filter_column_0(6), 0) and
+        transform_right_filter_low_is_larger_0_0_2_is_equal);
+      transform_right_filter_low_is_larger_0_6_0_choices(3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_6_0_choices(2), not
+        is_set(transform_right_filter_column_0(6), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
       transform_right_filter_low_is_larger_0_6_0_value := is_set(transform_right_filter_column_0(6), 3);
-      if is_set(transform_right_filter_column_2(6), 0) then
-        transform_right_filter_low_is_larger_0_6_2_choice := transform_right_filter_low_is_larger_0_0_2_any;
-      else
-        transform_right_filter_low_is_larger_0_6_2_choice := not transform_right_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_right_filter_column_2(6), 1) then
-        transform_right_filter_low_is_larger_0_6_2_choices(2) := transform_right_filter_low_is_larger_0_6_2_choice;
-      else
-        transform_right_filter_low_is_larger_0_6_2_choices(2) := is_set(transform_right_filter_column_2(6), 0) and
-          transform_right_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_right_filter_low_is_larger_0_6_2_choices(2) then
-        transform_right_filter_low_is_larger_0_6_2_choices(3) := (not is_set(transform_right_filter_column_2(6), 2))
-          and transform_right_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_right_filter_low_is_larger_0_6_2_choices(3) := (not is_set(transform_right_filter_column_2(6), 2)) or
-          transform_right_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_right_filter_low_is_larger_0_6_2_choices(1) := choice(is_set(transform_right_filter_column_2(6), 0),
+        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
+      transform_right_filter_low_is_larger_0_6_2_choices(2) := choice(is_set(transform_right_filter_column_2(6), 1),
+        transform_right_filter_low_is_larger_0_6_2_choices(1), is_set(transform_right_filter_column_2(6), 0) and
+        transform_right_filter_low_is_larger_0_0_2_is_equal);
+      transform_right_filter_low_is_larger_0_6_2_choices(3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_6_2_choices(2), not
+        is_set(transform_right_filter_column_2(6), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
       transform_right_filter_low_is_larger_0_6_2_value := is_set(transform_right_filter_column_2(6), 3);
-      if is_set(transform_right_filter_column_4(6), 0) then
-        transform_right_filter_low_is_larger_0_6_4_choice := transform_right_filter_low_is_larger_0_0_2_any;
-      else
-        transform_right_filter_low_is_larger_0_6_4_choice := not transform_right_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_right_filter_column_4(6), 1) then
-        transform_right_filter_low_is_larger_0_6_4_choices(2) := transform_right_filter_low_is_larger_0_6_4_choice;
-      else
-        transform_right_filter_low_is_larger_0_6_4_choices(2) := is_set(transform_right_filter_column_4(6), 0) and
-          transform_right_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_right_filter_low_is_larger_0_6_4_choices(2) then
-        transform_right_filter_low_is_larger_0_6_4_choices(3) := (not is_set(transform_right_filter_column_4(6), 2))
-          and transform_right_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_right_filter_low_is_larger_0_6_4_choices(3) := (not is_set(transform_right_filter_column_4(6), 2)) or
-          transform_right_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_right_filter_low_is_larger_0_6_4_choices(1) := choice(is_set(transform_right_filter_column_4(6), 0),
+        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
+      transform_right_filter_low_is_larger_0_6_4_choices(2) := choice(is_set(transform_right_filter_column_4(6), 1),
+        transform_right_filter_low_is_larger_0_6_4_choices(1), is_set(transform_right_filter_column_4(6), 0) and
+        transform_right_filter_low_is_larger_0_0_2_is_equal);
+      transform_right_filter_low_is_larger_0_6_4_choices(3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_6_4_choices(2), not
+        is_set(transform_right_filter_column_4(6), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
       transform_right_filter_low_is_larger_0_6_4_value := is_set(transform_right_filter_column_4(6), 3);
-      if is_set(transform_right_filter_column_0(8), 0) then
-        transform_right_filter_low_is_larger_0_8_0_choice := transform_right_filter_low_is_larger_0_0_2_any;
-      else
-        transform_right_filter_low_is_larger_0_8_0_choice := not transform_right_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_right_filter_column_0(8), 1) then
-        transform_right_filter_low_is_larger_0_8_0_choices(2) := transform_right_filter_low_is_larger_0_8_0_choice;
-      else
-        transform_right_filter_low_is_larger_0_8_0_choices(2) := is_set(transform_right_filter_column_0(8), 0) and
-          transform_right_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_right_filter_low_is_larger_0_8_0_choices(2) then
-        transform_right_filter_low_is_larger_0_8_0_choices(3) := (not is_set(transform_right_filter_column_0(8), 2))
-          and transform_right_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_right_filter_low_is_larger_0_8_0_choices(3) := (not is_set(transform_right_filter_column_0(8), 2)) or
-          transform_right_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_right_filter_low_is_larger_0_8_0_choices(1) := choice(is_set(transform_right_filter_column_0(8), 0),
+        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
+      transform_right_filter_low_is_larger_0_8_0_choices(2) := choice(is_set(transform_right_filter_column_0(8), 1),
+        transform_right_filter_low_is_larger_0_8_0_choices(1), is_set(transform_right_filter_column_0(8), 0) and
+        transform_right_filter_low_is_larger_0_0_2_is_equal);
+      transform_right_filter_low_is_larger_0_8_0_choices(3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_8_0_choices(2), not
+        is_set(transform_right_filter_column_0(8), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
       transform_right_filter_low_is_larger_0_8_0_value := is_set(transform_right_filter_column_0(8), 3);
-      if is_set(transform_right_filter_column_2(8), 0) then
-        transform_right_filter_low_is_larger_0_8_2_choice := transform_right_filter_low_is_larger_0_0_2_any;
-      else
-        transform_right_filter_low_is_larger_0_8_2_choice := not transform_right_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_right_filter_column_2(8), 1) then
-        transform_right_filter_low_is_larger_0_8_2_choices(2) := transform_right_filter_low_is_larger_0_8_2_choice;
-      else
-        transform_right_filter_low_is_larger_0_8_2_choices(2) := is_set(transform_right_filter_column_2(8), 0) and
-          transform_right_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_right_filter_low_is_larger_0_8_2_choices(2) then
-        transform_right_filter_low_is_larger_0_8_2_choices(3) := (not is_set(transform_right_filter_column_2(8), 2))
-          and transform_right_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_right_filter_low_is_larger_0_8_2_choices(3) := (not is_set(transform_right_filter_column_2(8), 2)) or
-          transform_right_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_right_filter_low_is_larger_0_8_2_choices(1) := choice(is_set(transform_right_filter_column_2(8), 0),
+        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
+      transform_right_filter_low_is_larger_0_8_2_choices(2) := choice(is_set(transform_right_filter_column_2(8), 1),
+        transform_right_filter_low_is_larger_0_8_2_choices(1), is_set(transform_right_filter_column_2(8), 0) and
+        transform_right_filter_low_is_larger_0_0_2_is_equal);
+      transform_right_filter_low_is_larger_0_8_2_choices(3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_8_2_choices(2), not
+        is_set(transform_right_filter_column_2(8), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
       transform_right_filter_low_is_larger_0_8_2_value := is_set(transform_right_filter_column_2(8), 3);
-      if is_set(transform_right_filter_column_4(8), 0) then
-        transform_right_filter_low_is_larger_0_8_4_choice := transform_right_filter_low_is_larger_0_0_2_any;
-      else
-        transform_right_filter_low_is_larger_0_8_4_choice := not transform_right_filter_low_is_larger_0_0_0_value;
-      end if;
-      if is_set(transform_right_filter_column_4(8), 1) then
-        transform_right_filter_low_is_larger_0_8_4_choices(2) := transform_right_filter_low_is_larger_0_8_4_choice;
-      else
-        transform_right_filter_low_is_larger_0_8_4_choices(2) := is_set(transform_right_filter_column_4(8), 0) and
-          transform_right_filter_low_is_larger_0_0_2_is_equal;
-      end if;
-      if transform_right_filter_low_is_larger_0_8_4_choices(2) then
-        transform_right_filter_low_is_larger_0_8_4_choices(3) := (not is_set(transform_right_filter_column_4(8), 2))
-          and transform_right_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_right_filter_low_is_larger_0_8_4_choices(3) := (not is_set(transform_right_filter_column_4(8), 2)) or
-          transform_right_filter_low_is_larger_0_0_0_values(2);
-      end if;
+      transform_right_filter_low_is_larger_0_8_4_choices(1) := choice(is_set(transform_right_filter_column_4(8), 0),
+        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
+      transform_right_filter_low_is_larger_0_8_4_choices(2) := choice(is_set(transform_right_filter_column_4(8), 1),
+        transform_right_filter_low_is_larger_0_8_4_choices(1), is_set(transform_right_filter_column_4(8), 0) and
+        transform_right_filter_low_is_larger_0_0_2_is_equal);
+      transform_right_filter_low_is_larger_0_8_4_choices(3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_8_4_choices(2), not
+        is_set(transform_right_filter_column_4(8), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
       transform_right_filter_low_is_larger_0_8_4_value := is_set(transform_right_filter_column_4(8), 3);
-      transform_right_filter_feature_0_value := is_set(transform_right_filter_column_2(4), 4);
-      if is_set(transform_right_filter_column_0(0), 4) then
-        transform_right_filter_feature_0_choice := (not transform_right_filter_low_is_larger_0_0_0) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choice := (not transform_right_filter_low_is_larger_0_0_0) or
-          transform_right_filter_feature_0_value;
-      end if;
-      transform_right_filter_feature_0_values(2) := is_set(transform_right_filter_column_2(4), 5);
-      if transform_right_filter_feature_0_choice then
-        transform_right_filter_feature_0_choices(2) := (not is_set(transform_right_filter_column_0(0), 5)) or
-          transform_right_filter_feature_0_values(2);
-      else
-        transform_right_filter_feature_0_choices(2) := (not is_set(transform_right_filter_column_0(0), 5)) and
-          transform_right_filter_feature_0_values(2);
-      end if;
-      transform_right_filter_feature_0_values(3) := is_set(transform_right_filter_column_2(4), 6);
-      if transform_right_filter_feature_0_choices(2) then
-        transform_right_filter_feature_0_choices(3) := (not is_set(transform_right_filter_column_0(0), 6)) or
-          transform_right_filter_feature_0_values(3);
-      else
-        transform_right_filter_feature_0_choices(3) := (not is_set(transform_right_filter_column_0(0), 6)) and
-          transform_right_filter_feature_0_values(3);
-      end if;
-      transform_right_filter_feature_0_all := (not is_set(transform_right_filter_column_2(4), 7)) and
+      transform_right_filter_feature_0_values(1) := is_set(transform_right_filter_column_2(4), 4);
+      transform_right_filter_feature_0_choices(1) := inverted_carry(is_set(transform_right_filter_column_0(0), 4), not
+        transform_right_filter_low_is_larger_0_0_0, transform_right_filter_feature_0_values(1));
+      for i in 2 to 3 loop
+        transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column_2(4), i + 3);
+        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
+          is_set(transform_right_filter_column_0(0), i + 3), transform_right_filter_feature_0_values(i));
+      end loop;
+      transform_right_filter_feature_0_alls(1) := (not is_set(transform_right_filter_column_2(4), 7)) and
         transform_filtering_0_column_inside_0;
-      if is_set(transform_right_filter_column_0(0), 7) then
-        transform_right_filter_feature_0_choices(4) := transform_filtering_0_column_inside_0;
-      else
-        transform_right_filter_feature_0_choices(4) := transform_right_filter_feature_0_all;
-      end if;
-      if transform_right_filter_feature_0_choices(3) then
-        transform_right_filter_feature_0_choices(5) := is_set(transform_right_filter_column_0(0), 7) and (not
-          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_0;
-      else
-        transform_right_filter_feature_0_choices(5) := transform_right_filter_feature_0_choices(4);
-      end if;
-      if is_set(transform_right_filter_column_2(0), 4) then
-        transform_right_filter_feature_0_choices(6) := (not transform_right_filter_low_is_larger_0_0_2) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choices(6) := (not transform_right_filter_low_is_larger_0_0_2) or
-          transform_right_filter_feature_0_value;
-      end if;
-      for i in 6 to 7 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_2(0), i - 1)) or
-            transform_right_filter_feature_0_values(i - 4);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_2(0), i - 1))
-            and transform_right_filter_feature_0_values(i - 4);
-        end if;
-      end loop;
-      if is_set(transform_right_filter_column_2(0), 7) then
-        transform_right_filter_feature_0_choices(9) := transform_filtering_0_column_inside_0;
-      else
-        transform_right_filter_feature_0_choices(9) := transform_right_filter_feature_0_all;
-      end if;
-      if transform_right_filter_feature_0_choices(8) then
-        transform_right_filter_feature_0_choices(10) := is_set(transform_right_filter_column_2(0), 7) and (not
-          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_0;
-      else
-        transform_right_filter_feature_0_choices(10) := transform_right_filter_feature_0_choices(9);
-      end if;
-      if is_set(transform_right_filter_column_4(0), 4) then
-        transform_right_filter_feature_0_choices(11) := (not transform_right_filter_low_is_larger_0_0_4) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choices(11) := (not transform_right_filter_low_is_larger_0_0_4) or
-          transform_right_filter_feature_0_value;
-      end if;
-      for i in 11 to 12 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_4(0), i - 6)) or
-            transform_right_filter_feature_0_values(i - 9);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_4(0), i - 6))
-            and transform_right_filter_feature_0_values(i - 9);
-        end if;
-      end loop;
-      if is_set(transform_right_filter_column_4(0), 7) then
-        transform_right_filter_feature_0_choices(14) := transform_filtering_0_column_inside_0;
-      else
-        transform_right_filter_feature_0_choices(14) := transform_right_filter_feature_0_all;
-      end if;
-      if transform_right_filter_feature_0_choices(13) then
-        transform_right_filter_feature_0_choices(15) := is_set(transform_right_filter_column_4(0), 7) and (not
-          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_0;
-      else
-        transform_right_filter_feature_0_choices(15) := transform_right_filter_feature_0_choices(14);
-      end if;
-      if is_set(transform_right_filter_column_2(2), 4) then
-        transform_right_filter_feature_0_choices(16) := (not transform_right_filter_low_is_larger_0_2_2) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choices(16) := (not transform_right_filter_low_is_larger_0_2_2) or
-          transform_right_filter_feature_0_value;
-      end if;
-      for i in 16 to 17 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_2(2), i - 11))
-            or transform_right_filter_feature_0_values(i - 14);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_2(2), i - 11))
-            and transform_right_filter_feature_0_values(i - 14);
-        end if;
-      end loop;
+      transform_right_filter_feature_0_choices(4) := choice(is_set(transform_right_filter_column_0(0), 7),
+        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_alls(1));
+      transform_right_filter_feature_0_choices(5) := choice(transform_right_filter_feature_0_choices(3),
+        is_set(transform_right_filter_column_0(0), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
+        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_choices(4));
+      transform_right_filter_feature_0_choices(6) := inverted_carry(is_set(transform_right_filter_column_2(0), 4), not
+        transform_right_filter_low_is_larger_0_0_2, transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(7) := carry(transform_right_filter_feature_0_choices(6), not
+        is_set(transform_right_filter_column_2(0), 5), transform_right_filter_feature_0_values(2));
+      transform_right_filter_feature_0_choices(8) := carry(transform_right_filter_feature_0_choices(7), not
+        is_set(transform_right_filter_column_2(0), 6), transform_right_filter_feature_0_values(3));
+      transform_right_filter_feature_0_choices(9) := choice(is_set(transform_right_filter_column_2(0), 7),
+        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_alls(1));
+      transform_right_filter_feature_0_choices(10) := choice(transform_right_filter_feature_0_choices(8),
+        is_set(transform_right_filter_column_2(0), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
+        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_choices(9));
+      transform_right_filter_feature_0_choices(11) := inverted_carry(is_set(transform_right_filter_column_4(0), 4), not
+        transform_right_filter_low_is_larger_0_0_4, transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(12) := carry(transform_right_filter_feature_0_choices(11), not
+        is_set(transform_right_filter_column_4(0), 5), transform_right_filter_feature_0_values(2));
+      transform_right_filter_feature_0_choices(13) := carry(transform_right_filter_feature_0_choices(12), not
+        is_set(transform_right_filter_column_4(0), 6), transform_right_filter_feature_0_values(3));
+      transform_right_filter_feature_0_choices(14) := choice(is_set(transform_right_filter_column_4(0), 7),
+        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_alls(1));
+      transform_right_filter_feature_0_choices(15) := choice(transform_right_filter_feature_0_choices(13),
+        is_set(transform_right_filter_column_4(0), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
+        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_choices(14));
+      transform_right_filter_feature_0_choices(16) := inverted_carry(is_set(transform_right_filter_column_2(2), 4), not
+        transform_right_filter_low_is_larger_0_2_2, transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(17) := carry(transform_right_filter_feature_0_choices(16), not
+        is_set(transform_right_filter_column_2(2), 5), transform_right_filter_feature_0_values(2));
+      transform_right_filter_feature_0_choices(18) := carry(transform_right_filter_feature_0_choices(17), not
+        is_set(transform_right_filter_column_2(2), 6), transform_right_filter_feature_0_values(3));
       transform_right_filter_feature_0_alls(2) := (not is_set(transform_right_filter_column_2(4), 7)) and
         transform_filtering_0_column_inside_2;
-      if is_set(transform_right_filter_column_2(2), 7) then
-        transform_right_filter_feature_0_choices(19) := transform_filtering_0_column_inside_2;
-      else
-        transform_right_filter_feature_0_choices(19) := transform_right_filter_feature_0_alls(2);
-      end if;
-      if transform_right_filter_feature_0_choices(18) then
-        transform_right_filter_feature_0_choices(20) := is_set(transform_right_filter_column_2(2), 7) and (not
-          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_2;
-      else
-        transform_right_filter_feature_0_choices(20) := transform_right_filter_feature_0_choices(19);
-      end if;
-      if is_set(transform_right_filter_column_0(2), 4) then
-        transform_right_filter_feature_0_choices(21) := (not transform_right_filter_low_is_larger_0_2_0) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choices(21) := (not transform_right_filter_low_is_larger_0_2_0) or
-          transform_right_filter_feature_0_value;
-      end if;
-      for i in 21 to 22 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_0(2), i - 16))
-            or transform_right_filter_feature_0_values(i - 19);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_0(2), i - 16))
-            and transform_right_filter_feature_0_values(i - 19);
-        end if;
-      end loop;
-      if is_set(transform_right_filter_column_0(2), 7) then
-        transform_right_filter_feature_0_choices(24) := transform_filtering_0_column_inside_2;
-      else
-        transform_right_filter_feature_0_choices(24) := transform_right_filter_feature_0_alls(2);
-      end if;
-      if transform_right_filter_feature_0_choices(23) then
-        transform_right_filter_feature_0_choices(25) := is_set(transform_right_filter_column_0(2), 7) and (not
-          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_2;
-      else
-        transform_right_filter_feature_0_choices(25) := transform_right_filter_feature_0_choices(24);
-      end if;
-      if is_set(transform_right_filter_column_4(2), 4) then
-        transform_right_filter_feature_0_choices(26) := (not transform_right_filter_low_is_larger_0_2_4) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choices(26) := (not transform_right_filter_low_is_larger_0_2_4) or
-          transform_right_filter_feature_0_value;
-      end if;
-      for i in 26 to 27 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_4(2), i - 21))
-            or transform_right_filter_feature_0_values(i - 24);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_4(2), i - 21))
-            and transform_right_filter_feature_0_values(i - 24);
-        end if;
-      end loop;
-      if is_set(transform_right_filter_column_4(2), 7) then
-        transform_right_filter_feature_0_choices(29) := transform_filtering_0_column_inside_2;
-      else
-        transform_right_filter_feature_0_choices(29) := transform_right_filter_feature_0_alls(2);
-      end if;
-      if transform_right_filter_feature_0_choices(28) then
-        transform_right_filter_feature_0_choices(30) := is_set(transform_right_filter_column_4(2), 7) and (not
-          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_2;
-      else
-        transform_right_filter_feature_0_choices(30) := transform_right_filter_feature_0_choices(29);
-      end if;
-      if is_set(transform_right_filter_column_0(4), 4) then
-        transform_right_filter_feature_0_choices(31) := (not transform_right_filter_low_is_larger_0_4_0) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choices(31) := (not transform_right_filter_low_is_larger_0_4_0) or
-          transform_right_filter_feature_0_value;
-      end if;
-      for i in 31 to 32 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_0(4), i - 26))
-            or transform_right_filter_feature_0_values(i - 29);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_0(4), i - 26))
-            and transform_right_filter_feature_0_values(i - 29);
-        end if;
-      end loop;
+      transform_right_filter_feature_0_choices(19) := choice(is_set(transform_right_filter_column_2(2), 7),
+        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_alls(2));
+      transform_right_filter_feature_0_choices(20) := choice(transform_right_filter_feature_0_choices(18),
+        is_set(transform_right_filter_column_2(2), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
+        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_choices(19));
+      transform_right_filter_feature_0_choices(21) := inverted_carry(is_set(transform_right_filter_column_0(2), 4), not
+        transform_right_filter_low_is_larger_0_2_0, transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(22) := carry(transform_right_filter_feature_0_choices(21), not
+        is_set(transform_right_filter_column_0(2), 5), transform_right_filter_feature_0_values(2));
+      transform_right_filter_feature_0_choices(23) := carry(transform_right_filter_feature_0_choices(22), not
+        is_set(transform_right_filter_column_0(2), 6), transform_right_filter_feature_0_values(3));
+      transform_right_filter_feature_0_choices(24) := choice(is_set(transform_right_filter_column_0(2), 7),
+        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_alls(2));
+      transform_right_filter_feature_0_choices(25) := choice(transform_right_filter_feature_0_choices(23),
+        is_set(transform_right_filter_column_0(2), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
+        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_choices(24));
+      transform_right_filter_feature_0_choices(26) := inverted_carry(is_set(transform_right_filter_column_4(2), 4), not
+        transform_right_filter_low_is_larger_0_2_4, transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(27) := carry(transform_right_filter_feature_0_choices(26), not
+        is_set(transform_right_filter_column_4(2), 5), transform_right_filter_feature_0_values(2));
+      transform_right_filter_feature_0_choices(28) := carry(transform_right_filter_feature_0_choices(27), not
+        is_set(transform_right_filter_column_4(2), 6), transform_right_filter_feature_0_values(3));
+      transform_right_filter_feature_0_choices(29) := choice(is_set(transform_right_filter_column_4(2), 7),
+        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_alls(2));
+      transform_right_filter_feature_0_choices(30) := choice(transform_right_filter_feature_0_choices(28),
+        is_set(transform_right_filter_column_4(2), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
+        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_choices(29));
+      transform_right_filter_feature_0_choices(31) := inverted_carry(is_set(transform_right_filter_column_0(4), 4), not
+        transform_right_filter_low_is_larger_0_4_0, transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(32) := carry(transform_right_filter_feature_0_choices(31), not
+        is_set(transform_right_filter_column_0(4), 5), transform_right_filter_feature_0_values(2));
+      transform_right_filter_feature_0_choices(33) := carry(transform_right_filter_feature_0_choices(32), not
+        is_set(transform_right_filter_column_0(4), 6), transform_right_filter_feature_0_values(3));
       transform_right_filter_feature_0_alls(3) := (not is_set(transform_right_filter_column_2(4), 7)) and
         transform_filtering_column_inside_4(0);
-      if is_set(transform_right_filter_column_0(4), 7) then
-        transform_right_filter_feature_0_choices(34) := transform_filtering_column_inside_4(0);
-      else
-        transform_right_filter_feature_0_choices(34) := transform_right_filter_feature_0_alls(3);
-      end if;
-      if transform_right_filter_feature_0_choices(33) then
-        transform_right_filter_feature_0_choices(35) := is_set(transform_right_filter_column_0(4), 7) and (not
-          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_column_inside_4(0);
-      else
-        transform_right_filter_feature_0_choices(35) := transform_right_filter_feature_0_choices(34);
-      end if;
-      if is_set(transform_right_filter_column_4(4), 4) then
-        transform_right_filter_feature_0_choices(36) := (not transform_right_filter_low_is_larger_0_4_4) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choices(36) := (not transform_right_filter_low_is_larger_0_4_4) or
-          transform_right_filter_feature_0_value;
-      end if;
-      for i in 36 to 37 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_4(4), i - 31))
-            or transform_right_filter_feature_0_values(i - 34);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_4(4), i - 31))
-            and transform_right_filter_feature_0_values(i - 34);
-        end if;
-      end loop;
-      if is_set(transform_right_filter_column_4(4), 7) then
-        transform_right_filter_feature_0_choices(39) := transform_filtering_column_inside_4(0);
-      else
-        transform_right_filter_feature_0_choices(39) := transform_right_filter_feature_0_alls(3);
-      end if;
-      if transform_right_filter_feature_0_choices(38) then
-        transform_right_filter_feature_0_choices(40) := is_set(transform_right_filter_column_4(4), 7) and (not
-          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_column_inside_4(0);
-      else
-        transform_right_filter_feature_0_choices(40) := transform_right_filter_feature_0_choices(39);
-      end if;
-      if is_set(transform_right_filter_column_2(6), 4) then
-        transform_right_filter_feature_0_choices(41) := (not transform_right_filter_low_is_larger_0_6_2) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choices(41) := (not transform_right_filter_low_is_larger_0_6_2) or
-          transform_right_filter_feature_0_value;
-      end if;
-      for i in 41 to 42 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_2(6), i - 36))
-            or transform_right_filter_feature_0_values(i - 39);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_2(6), i - 36))
-            and transform_right_filter_feature_0_values(i - 39);
-        end if;
-      end loop;
+      transform_right_filter_feature_0_choices(34) := choice(is_set(transform_right_filter_column_0(4), 7),
+        transform_filtering_column_inside_4(0), transform_right_filter_feature_0_alls(3));
+      transform_right_filter_feature_0_choices(35) := choice(transform_right_filter_feature_0_choices(33),
+        is_set(transform_right_filter_column_0(4), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
+        transform_filtering_column_inside_4(0), transform_right_filter_feature_0_choices(34));
+      transform_right_filter_feature_0_choices(36) := inverted_carry(is_set(transform_right_filter_column_4(4), 4), not
+        transform_right_filter_low_is_larger_0_4_4, transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(37) := carry(transform_right_filter_feature_0_choices(36), not
+        is_set(transform_right_filter_column_4(4), 5), transform_right_filter_feature_0_values(2));
+      transform_right_filter_feature_0_choices(38) := carry(transform_right_filter_feature_0_choices(37), not
+        is_set(transform_right_filter_column_4(4), 6), transform_right_filter_feature_0_values(3));
+      transform_right_filter_feature_0_choices(39) := choice(is_set(transform_right_filter_column_4(4), 7),
+        transform_filtering_column_inside_4(0), transform_right_filter_feature_0_alls(3));
+      transform_right_filter_feature_0_choices(40) := choice(transform_right_filter_feature_0_choices(38),
+        is_set(transform_right_filter_column_4(4), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
+        transform_filtering_column_inside_4(0), transform_right_filter_feature_0_choices(39));
+      transform_right_filter_feature_0_choices(41) := inverted_carry(is_set(transform_right_filter_column_2(6), 4), not
+        transform_right_filter_low_is_larger_0_6_2, transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(42) := carry(transform_right_filter_feature_0_choices(41), not
+        is_set(transform_right_filter_column_2(6), 5), transform_right_filter_feature_0_values(2));
+      transform_right_filter_feature_0_choices(43) := carry(transform_right_filter_feature_0_choices(42), not
+        is_set(transform_right_filter_column_2(6), 6), transform_right_filter_feature_0_values(3));
       transform_right_filter_feature_0_alls(4) := (not is_set(transform_right_filter_column_2(4), 7)) and
         transform_filtering_0_column_inside_6;
-      if is_set(transform_right_filter_column_2(6), 7) then
-        transform_right_filter_feature_0_choices(44) := transform_filtering_0_column_inside_6;
-      else
-        transform_right_filter_feature_0_choices(44) := transform_right_filter_feature_0_alls(4);
-      end if;
-      if transform_right_filter_feature_0_choices(43) then
-        transform_right_filter_feature_0_choices(45) := is_set(transform_right_filter_column_2(6), 7) and (not
-          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_6;
-      else
-        transform_right_filter_feature_0_choices(45) := transform_right_filter_feature_0_choices(44);
-      end if;
-      if is_set(transform_right_filter_column_0(6), 4) then
-        transform_right_filter_feature_0_choices(46) := (not transform_right_filter_low_is_larger_0_6_0) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choices(46) := (not transform_right_filter_low_is_larger_0_6_0) or
-          transform_right_filter_feature_0_value;
-      end if;
-      for i in 46 to 47 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_0(6), i - 41))
-            or transform_right_filter_feature_0_values(i - 44);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_0(6), i - 41))
-            and transform_right_filter_feature_0_values(i - 44);
-        end if;
-      end loop;
-      if is_set(transform_right_filter_column_0(6), 7) then
-        transform_right_filter_feature_0_choices(49) := transform_filtering_0_column_inside_6;
-      else
-        transform_right_filter_feature_0_choices(49) := transform_right_filter_feature_0_alls(4);
-      end if;
-      if transform_right_filter_feature_0_choices(48) then
-        transform_right_filter_feature_0_choices(50) := is_set(transform_right_filter_column_0(6), 7) and (not
-          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_6;
-      else
-        transform_right_filter_feature_0_choices(50) := transform_right_filter_feature_0_choices(49);
-      end if;
-      if is_set(transform_right_filter_column_4(6), 4) then
-        transform_right_filter_feature_0_choices(51) := (not transform_right_filter_low_is_larger_0_6_4) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choices(51) := (not transform_right_filter_low_is_larger_0_6_4) or
-          transform_right_filter_feature_0_value;
-      end if;
-      for i in 51 to 52 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_4(6), i - 46))
-            or transform_right_filter_feature_0_values(i - 49);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_4(6), i - 46))
-            and transform_right_filter_feature_0_values(i - 49);
-        end if;
-      end loop;
-      if is_set(transform_right_filter_column_4(6), 7) then
-        transform_right_filter_feature_0_choices(54) := transform_filtering_0_column_inside_6;
-      else
-        transform_right_filter_feature_0_choices(54) := transform_right_filter_feature_0_alls(4);
-      end if;
-      if transform_right_filter_feature_0_choices(53) then
-        transform_right_filter_feature_0_choices(55) := is_set(transform_right_filter_column_4(6), 7) and (not
-          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_6;
-      else
-        transform_right_filter_feature_0_choices(55) := transform_right_filter_feature_0_choices(54);
-      end if;
-      if is_set(transform_right_filter_column_2(8), 4) then
-        transform_right_filter_feature_0_choices(56) := (not transform_right_filter_low_is_larger_0_8_2) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choices(56) := (not transform_right_filter_low_is_larger_0_8_2) or
-          transform_right_filter_feature_0_value;
-      end if;
-      for i in 56 to 57 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_2(8), i - 51))
-            or transform_right_filter_feature_0_values(i - 54);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_2(8), i - 51))
-            and transform_right_filter_feature_0_values(i - 54);
-        end if;
-      end loop;
+      transform_right_filter_feature_0_choices(44) := choice(is_set(transform_right_filter_column_2(6), 7),
+        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_alls(4));
+      transform_right_filter_feature_0_choices(45) := choice(transform_right_filter_feature_0_choices(43),
+        is_set(transform_right_filter_column_2(6), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
+        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_choices(44));
+      transform_right_filter_feature_0_choices(46) := inverted_carry(is_set(transform_right_filter_column_0(6), 4), not
+        transform_right_filter_low_is_larger_0_6_0, transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(47) := carry(transform_right_filter_feature_0_choices(46), not
+        is_set(transform_right_filter_column_0(6), 5), transform_right_filter_feature_0_values(2));
+      transform_right_filter_feature_0_choices(48) := carry(transform_right_filter_feature_0_choices(47), not
+        is_set(transform_right_filter_column_0(6), 6), transform_right_filter_feature_0_values(3));
+      transform_right_filter_feature_0_choices(49) := choice(is_set(transform_right_filter_column_0(6), 7),
+        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_alls(4));
+      transform_right_filter_feature_0_choices(50) := choice(transform_right_filter_feature_0_choices(48),
+        is_set(transform_right_filter_column_0(6), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
+        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_choices(49));
+      transform_right_filter_feature_0_choices(51) := inverted_carry(is_set(transform_right_filter_column_4(6), 4), not
+        transform_right_filter_low_is_larger_0_6_4, transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(52) := carry(transform_right_filter_feature_0_choices(51), not
+        is_set(transform_right_filter_column_4(6), 5), transform_right_filter_feature_0_values(2));
+      transform_right_filter_feature_0_choices(53) := carry(transform_right_filter_feature_0_choices(52), not
+        is_set(transform_right_filter_column_4(6), 6), transform_right_filter_feature_0_values(3));
+      transform_right_filter_feature_0_choices(54) := choice(is_set(transform_right_filter_column_4(6), 7),
+        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_alls(4));
+      transform_right_filter_feature_0_choices(55) := choice(transform_right_filter_feature_0_choices(53),
+        is_set(transform_right_filter_column_4(6), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
+        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_choices(54));
+      transform_right_filter_feature_0_choices(56) := inverted_carry(is_set(transform_right_filter_column_2(8), 4), not
+        transform_right_filter_low_is_larger_0_8_2, transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(57) := carry(transform_right_filter_feature_0_choices(56), not
+        is_set(transform_right_filter_column_2(8), 5), transform_right_filter_feature_0_values(2));
+      transform_right_filter_feature_0_choices(58) := carry(transform_right_filter_feature_0_choices(57), not
+        is_set(transform_right_filter_column_2(8), 6), transform_right_filter_feature_0_values(3));
       transform_right_filter_feature_0_alls(5) := (not is_set(transform_right_filter_column_2(4), 7)) and
         transform_filtering_0_column_inside_8;
-      if is_set(transform_right_filter_column_2(8), 7) then
-        transform_right_filter_feature_0_choices(59) := transform_filtering_0_column_inside_8;
-      else
-        transform_right_filter_feature_0_choices(59) := transform_right_filter_feature_0_alls(5);
-      end if;
-      if transform_right_filter_feature_0_choices(58) then
-        transform_right_filter_feature_0_choices(60) := is_set(transform_right_filter_column_2(8), 7) and (not
-          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_8;
-      else
-        transform_right_filter_feature_0_choices(60) := transform_right_filter_feature_0_choices(59);
-      end if;
-      if is_set(transform_right_filter_column_0(8), 4) then
-        transform_right_filter_feature_0_choices(61) := (not transform_right_filter_low_is_larger_0_8_0) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choices(61) := (not transform_right_filter_low_is_larger_0_8_0) or
-          transform_right_filter_feature_0_value;
-      end if;
-      for i in 61 to 62 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_0(8), i - 56))
-            or transform_right_filter_feature_0_values(i - 59);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_0(8), i - 56))
-            and transform_right_filter_feature_0_values(i - 59);
-        end if;
-      end loop;
-      if is_set(transform_right_filter_column_0(8), 7) then
-        transform_right_filter_feature_0_choices(64) := transform_filtering_0_column_inside_8;
-      else
-        transform_right_filter_feature_0_choices(64) := transform_right_filter_feature_0_alls(5);
-      end if;
-      if transform_right_filter_feature_0_choices(63) then
-        transform_right_filter_feature_0_choices(65) := is_set(transform_right_filter_column_0(8), 7) and (not
-          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_8;
-      else
-        transform_right_filter_feature_0_choices(65) := transform_right_filter_feature_0_choices(64);
-      end if;
-      if is_set(transform_right_filter_column_4(8), 4) then
-        transform_right_filter_feature_0_choices(66) := (not transform_right_filter_low_is_larger_0_8_4) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choices(66) := (not transform_right_filter_low_is_larger_0_8_4) or
-          transform_right_filter_feature_0_value;
-      end if;
-      for i in 66 to 67 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_4(8), i - 61))
-            or transform_right_filter_feature_0_values(i - 64);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_4(8), i - 61))
-            and transform_right_filter_feature_0_values(i - 64);
-        end if;
-      end loop;
-      if is_set(transform_right_filter_column_4(8), 7) then
-        transform_right_filter_feature_0_choices(69) := transform_filtering_0_column_inside_8;
-      else
-        transform_right_filter_feature_0_choices(69) := transform_right_filter_feature_0_alls(5);
-      end if;
-      if transform_right_filter_feature_0_choices(68) then
-        transform_right_filter_feature_0_choices(70) := is_set(transform_right_filter_column_4(8), 7) and (not
-          is_set(transform_right_filter_column_2(4), 7)) and transform_filtering_0_column_inside_8;
-      else
-        transform_right_filter_feature_0_choices(70) := transform_right_filter_feature_0_choices(69);
-      end if;
+      transform_right_filter_feature_0_choices(59) := choice(is_set(transform_right_filter_column_2(8), 7),
+        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_alls(5));
+      transform_right_filter_feature_0_choices(60) := choice(transform_right_filter_feature_0_choices(58),
+        is_set(transform_right_filter_column_2(8), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
+        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_choices(59));
+      transform_right_filter_feature_0_choices(61) := inverted_carry(is_set(transform_right_filter_column_0(8), 4), not
+        transform_right_filter_low_is_larger_0_8_0, transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(62) := carry(transform_right_filter_feature_0_choices(61), not
+        is_set(transform_right_filter_column_0(8), 5), transform_right_filter_feature_0_values(2));
+      transform_right_filter_feature_0_choices(63) := carry(transform_right_filter_feature_0_choices(62), not
+        is_set(transform_right_filter_column_0(8), 6), transform_right_filter_feature_0_values(3));
+      transform_right_filter_feature_0_choices(64) := choice(is_set(transform_right_filter_column_0(8), 7),
+        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_alls(5));
+      transform_right_filter_feature_0_choices(65) := choice(transform_right_filter_feature_0_choices(63),
+        is_set(transform_right_filter_column_0(8), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
+        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_choices(64));
+      transform_right_filter_feature_0_choices(66) := inverted_carry(is_set(transform_right_filter_column_4(8), 4), not
+        transform_right_filter_low_is_larger_0_8_4, transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(67) := carry(transform_right_filter_feature_0_choices(66), not
+        is_set(transform_right_filter_column_4(8), 5), transform_right_filter_feature_0_values(2));
+      transform_right_filter_feature_0_choices(68) := carry(transform_right_filter_feature_0_choices(67), not
+        is_set(transform_right_filter_column_4(8), 6), transform_right_filter_feature_0_values(3));
+      transform_right_filter_feature_0_choices(69) := choice(is_set(transform_right_filter_column_4(8), 7),
+        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_alls(5));
+      transform_right_filter_feature_0_choices(70) := choice(transform_right_filter_feature_0_choices(68),
+        is_set(transform_right_filter_column_4(8), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
+        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_choices(69));
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
@@ -3108,230 +1932,86 @@ begin
       transform_filtering_column_inside_4(2) <= transform_filtering_column_inside_4(1);
       transform_filtering_start_of_frame(2) <= transform_filtering_start_of_frame(1);
       transform_filtering_valid(2) <= transform_filtering_valid(1);
-      if transform_counter_counts then
-        transform_counter_frame_joins <= transform_counter_frame_joins_choice;
-      else
-        transform_counter_frame_joins <= winnerswinner1_best_place_0;
-      end if;
-      if transform_counter_last_column then
-        transform_counter_column_after <= 0;
-      else
-        transform_counter_column_after <= (transform_counter_column + 1) mod 1024;
-      end if;
-      if (not transform_counter_counts) or (not transform_counter_last_column) then
-        transform_counter_group_after <= transform_counter_group;
-      else
-        transform_counter_group_after <= transform_counter_group_after_choice;
-      end if;
-      if transform_left_filter_low_is_larger_0_0_0_choices(3) then
-        transform_left_filter_low_is_larger_0_0_0 <= (not is_set(transform_left_filter_column_2(4), 3)) or
-          transform_left_filter_low_is_larger_0_0_0_values(4);
-      else
-        transform_left_filter_low_is_larger_0_0_0 <= (not is_set(transform_left_filter_column_2(4), 3)) and
-          transform_left_filter_low_is_larger_0_0_0_values(4);
-      end if;
-      if transform_left_filter_low_is_larger_0_0_2_choices(3) then
-        transform_left_filter_low_is_larger_0_0_2 <= transform_left_filter_low_is_larger_0_0_2_value and (not
-          is_set(transform_left_filter_column_2(4), 3));
-      else
-        transform_left_filter_low_is_larger_0_0_2 <= transform_left_filter_low_is_larger_0_0_2_value or (not
-          is_set(transform_left_filter_column_2(4), 3));
-      end if;
-      if transform_left_filter_low_is_larger_0_0_4_choices(3) then
-        transform_left_filter_low_is_larger_0_0_4 <= transform_left_filter_low_is_larger_0_0_4_value and (not
-          is_set(transform_left_filter_column_2(4), 3));
-      else
-        transform_left_filter_low_is_larger_0_0_4 <= transform_left_filter_low_is_larger_0_0_4_value or (not
-          is_set(transform_left_filter_column_2(4), 3));
-      end if;
-      if transform_left_filter_low_is_larger_0_2_0_choices(3) then
-        transform_left_filter_low_is_larger_0_2_0 <= transform_left_filter_low_is_larger_0_2_0_value and (not
-          is_set(transform_left_filter_column_2(4), 3));
-      else
-        transform_left_filter_low_is_larger_0_2_0 <= transform_left_filter_low_is_larger_0_2_0_value or (not
-          is_set(transform_left_filter_column_2(4), 3));
-      end if;
-      if transform_left_filter_low_is_larger_0_2_2_choices(3) then
-        transform_left_filter_low_is_larger_0_2_2 <= transform_left_filter_low_is_larger_0_2_2_value and (not
-          is_set(transform_left_filter_column_2(4), 3));
-      else
-        transform_left_filter_low_is_larger_0_2_2 <= transform_left_filter_low_is_larger_0_2_2_value or (not
-          is_set(transform_left_filter_column_2(4), 3));
-      end if;
-      if transform_left_filter_low_is_larger_0_2_4_choices(3) then
-        transform_left_filter_low_is_larger_0_2_4 <= transform_left_filter_low_is_larger_0_2_4_value and (not
-          is_set(transform_left_filter_column_2(4), 3));
-      else
-        transform_left_filter_low_is_larger_0_2_4 <= transform_left_filter_low_is_larger_0_2_4_value or (not
-          is_set(transform_left_filter_column_2(4), 3));
-      end if;
-      if transform_left_filter_low_is_larger_0_4_0_choices(3) then
-        transform_left_filter_low_is_larger_0_4_0 <= transform_left_filter_low_is_larger_0_4_0_value and (not
-          is_set(transform_left_filter_column_2(4), 3));
-      else
-        transform_left_filter_low_is_larger_0_4_0 <= transform_left_filter_low_is_larger_0_4_0_value or (not
-          is_set(transform_left_filter_column_2(4), 3));
-      end if;
-      if transform_left_filter_low_is_larger_0_4_4_choices(3) then
-        transform_left_filter_low_is_larger_0_4_4 <= transform_left_filter_low_is_larger_0_4_4_value and (not
-          is_set(transform_left_filter_column_2(4), 3));
-      else
-        transform_left_filter_low_is_larger_0_4_4 <= transform_left_filter_low_is_larger_0_4_4_value or (not
-          is_set(transform_left_filter_column_2(4), 3));
-      end if;
-      if transform_left_filter_low_is_larger_0_6_0_choices(3) then
-        transform_left_filter_low_is_larger_0_6_0 <= transform_left_filter_low_is_larger_0_6_0_value and (not
-          is_set(transform_left_filter_column_2(4), 3));
-      else
-        transform_left_filter_low_is_larger_0_6_0 <= transform_left_filter_low_is_larger_0_6_0_value or (not
-          is_set(transform_left_filter_column_2(4), 3));
-      end if;
-      if transform_left_filter_low_is_larger_0_6_2_choices(3) then
-        transform_left_filter_low_is_larger_0_6_2 <= transform_left_filter_low_is_larger_0_6_2_value and (not
-          is_set(transform_left_filter_column_2(4), 3));
-      else
-        transform_left_filter_low_is_larger_0_6_2 <= transform_left_filter_low_is_larger_0_6_2_value or (not
-          is_set(transform_left_filter_column_2(4), 3));
-      end if;
-      if transform_left_filter_low_is_larger_0_6_4_choices(3) then
-        transform_left_filter_low_is_larger_0_6_4 <= transform_left_filter_low_is_larger_0_6_4_value and (not
-          is_set(transform_left_filter_column_2(4), 3));
-      else
-        transform_left_filter_low_is_larger_0_6_4 <= transform_left_filter_low_is_larger_0_6_4_value or (not
-          is_set(transform_left_filter_column_2(4), 3));
-      end if;
-      if transform_left_filter_low_is_larger_0_8_0_choices(3) then
-        transform_left_filter_low_is_larger_0_8_0 <= transform_left_filter_low_is_larger_0_8_0_value and (not
-          is_set(transform_left_filter_column_2(4), 3));
-      else
-        transform_left_filter_low_is_larger_0_8_0 <= transform_left_filter_low_is_larger_0_8_0_value or (not
-          is_set(transform_left_filter_column_2(4), 3));
-      end if;
-      if transform_left_filter_low_is_larger_0_8_2_choices(3) then
-        transform_left_filter_low_is_larger_0_8_2 <= transform_left_filter_low_is_larger_0_8_2_value and (not
-          is_set(transform_left_filter_column_2(4), 3));
-      else
-        transform_left_filter_low_is_larger_0_8_2 <= transform_left_filter_low_is_larger_0_8_2_value or (not
-          is_set(transform_left_filter_column_2(4), 3));
-      end if;
-      if transform_left_filter_low_is_larger_0_8_4_choices(3) then
-        transform_left_filter_low_is_larger_0_8_4 <= transform_left_filter_low_is_larger_0_8_4_value and (not
-          is_set(transform_left_filter_column_2(4), 3));
-      else
-        transform_left_filter_low_is_larger_0_8_4 <= transform_left_filter_low_is_larger_0_8_4_value or (not
-          is_set(transform_left_filter_column_2(4), 3));
-      end if;
-      if transform_right_filter_low_is_larger_0_0_0_choices(3) then
-        transform_right_filter_low_is_larger_0_0_0 <= (not is_set(transform_right_filter_column_2(4), 3)) or
-          transform_right_filter_low_is_larger_0_0_0_values(4);
-      else
-        transform_right_filter_low_is_larger_0_0_0 <= (not is_set(transform_right_filter_column_2(4), 3)) and
-          transform_right_filter_low_is_larger_0_0_0_values(4);
-      end if;
-      if transform_right_filter_low_is_larger_0_0_2_choices(3) then
-        transform_right_filter_low_is_larger_0_0_2 <= transform_right_filter_low_is_larger_0_0_2_value and (not
-          is_set(transform_right_filter_column_2(4), 3));
-      else
-        transform_right_filter_low_is_larger_0_0_2 <= transform_right_filter_low_is_larger_0_0_2_value or (not
-          is_set(transform_right_filter_column_2(4), 3));
-      end if;
-      if transform_right_filter_low_is_larger_0_0_4_choices(3) then
-        transform_right_filter_low_is_larger_0_0_4 <= transform_right_filter_low_is_larger_0_0_4_value and (not
-          is_set(transform_right_filter_column_2(4), 3));
-      else
-        transform_right_filter_low_is_larger_0_0_4 <= transform_right_filter_low_is_larger_0_0_4_value or (not
-          is_set(transform_right_filter_column_2(4), 3));
-      end if;
-      if transform_right_filter_low_is_larger_0_2_0_choices(3) then
-        transform_right_filter_low_is_larger_0_2_0 <= transform_right_filter_low_is_larger_0_2_0_value and (not
-          is_set(transform_right_filter_column_2(4), 3));
-      else
-        transform_right_filter_low_is_larger_0_2_0 <= transform_right_filter_low_is_larger_0_2_0_value or (not
-          is_set(transform_right_filter_column_2(4), 3));
-      end if;
-      if transform_right_filter_low_is_larger_0_2_2_choices(3) then
-        transform_right_filter_low_is_larger_0_2_2 <= transform_right_filter_low_is_larger_0_2_2_value and (not
-          is_set(transform_right_filter_column_2(4), 3));
-      else
-        transform_right_filter_low_is_larger_0_2_2 <= transform_right_filter_low_is_larger_0_2_2_value or (not
-          is_set(transform_right_filter_column_2(4), 3));
-      end if;
-      if transform_right_filter_low_is_larger_0_2_4_choices(3) then
-        transform_right_filter_low_is_larger_0_2_4 <= transform_right_filter_low_is_larger_0_2_4_value and (not
-          is_set(transform_right_filter_column_2(4), 3));
-      else
-        transform_right_filter_low_is_larger_0_2_4 <= transform_right_filter_low_is_larger_0_2_4_value or (not
-          is_set(transform_right_filter_column_2(4), 3));
-      end if;
-      if transform_right_filter_low_is_larger_0_4_0_choices(3) then
-        transform_right_filter_low_is_larger_0_4_0 <= transform_right_filter_low_is_larger_0_4_0_value and (not
-          is_set(transform_right_filter_column_2(4), 3));
-      else
-        transform_right_filter_low_is_larger_0_4_0 <= transform_right_filter_low_is_larger_0_4_0_value or (not
-          is_set(transform_right_filter_column_2(4), 3));
-      end if;
-      if transform_right_filter_low_is_larger_0_4_4_choices(3) then
-        transform_right_filter_low_is_larger_0_4_4 <= transform_right_filter_low_is_larger_0_4_4_value and (not
-          is_set(transform_right_filter_column_2(4), 3));
-      else
-        transform_right_filter_low_is_larger_0_4_4 <= transform_right_filter_low_is_larger_0_4_4_value or (not
-          is_set(transform_right_filter_column_2(4), 3));
-      end if;
-      if transform_right_filter_low_is_larger_0_6_0_choices(3) then
-        transform_right_filter_low_is_larger_0_6_0 <= transform_right_filter_low_is_larger_0_6_0_value and (not
-          is_set(transform_right_filter_column_2(4), 3));
-      else
-        transform_right_filter_low_is_larger_0_6_0 <= transform_right_filter_low_is_larger_0_6_0_value or (not
-          is_set(transform_right_filter_column_2(4), 3));
-      end if;
-      if transform_right_filter_low_is_larger_0_6_2_choices(3) then
-        transform_right_filter_low_is_larger_0_6_2 <= transform_right_filter_low_is_larger_0_6_2_value and (not
-          is_set(transform_right_filter_column_2(4), 3));
-      else
-        transform_right_filter_low_is_larger_0_6_2 <= transform_right_filter_low_is_larger_0_6_2_value or (not
-          is_set(transform_right_filter_column_2(4), 3));
-      end if;
-      if transform_right_filter_low_is_larger_0_6_4_choices(3) then
-        transform_right_filter_low_is_larger_0_6_4 <= transform_right_filter_low_is_larger_0_6_4_value and (not
-          is_set(transform_right_filter_column_2(4), 3));
-      else
-        transform_right_filter_low_is_larger_0_6_4 <= transform_right_filter_low_is_larger_0_6_4_value or (not
-          is_set(transform_right_filter_column_2(4), 3));
-      end if;
-      if transform_right_filter_low_is_larger_0_8_0_choices(3) then
-        transform_right_filter_low_is_larger_0_8_0 <= transform_right_filter_low_is_larger_0_8_0_value and (not
-          is_set(transform_right_filter_column_2(4), 3));
-      else
-        transform_right_filter_low_is_larger_0_8_0 <= transform_right_filter_low_is_larger_0_8_0_value or (not
-          is_set(transform_right_filter_column_2(4), 3));
-      end if;
-      if transform_right_filter_low_is_larger_0_8_2_choices(3) then
-        transform_right_filter_low_is_larger_0_8_2 <= transform_right_filter_low_is_larger_0_8_2_value and (not
-          is_set(transform_right_filter_column_2(4), 3));
-      else
-        transform_right_filter_low_is_larger_0_8_2 <= transform_right_filter_low_is_larger_0_8_2_value or (not
-          is_set(transform_right_filter_column_2(4), 3));
-      end if;
-      if transform_right_filter_low_is_larger_0_8_4_choices(3) then
-        transform_right_filter_low_is_larger_0_8_4 <= transform_right_filter_low_is_larger_0_8_4_value and (not
-          is_set(transform_right_filter_column_2(4), 3));
-      else
-        transform_right_filter_low_is_larger_0_8_4 <= transform_right_filter_low_is_larger_0_8_4_value or (not
-          is_set(transform_right_filter_column_2(4), 3));
-      end if;
-      if transform_counter_next_frame then
-        transform_counter_group_choice := 15;
-      else
-        transform_counter_group_choice := 0;
-      end if;
+      transform_counter_frame_joins <= choice(transform_counter_counts, transform_counter_frame_joins_choice,
+        winnerswinner1_best_place_0);
+      transform_counter_column_after <= choice(transform_counter_last_column, 0, (transform_counter_column + 1) mod
+        1024);
+      transform_counter_group_after <= choice((not transform_counter_counts) or (not transform_counter_last_column),
+        transform_counter_group, transform_counter_group_after_choice);
+      transform_left_filter_low_is_larger_0_0_0 <= carry(transform_left_filter_low_is_larger_0_0_0_choices(3), not
+        is_set(transform_left_filter_column_2(4), 3), transform_left_filter_low_is_larger_0_0_0_values(4));
+      transform_left_filter_low_is_larger_0_0_2 <= inverted_carry(transform_left_filter_low_is_larger_0_0_2_choices(3),
+        transform_left_filter_low_is_larger_0_0_2_value, not is_set(transform_left_filter_column_2(4), 3));
+      transform_left_filter_low_is_larger_0_0_4 <= inverted_carry(transform_left_filter_low_is_larger_0_0_4_choices(3),
+        transform_left_filter_low_is_larger_0_0_4_value, not is_set(transform_left_filter_column_2(4), 3));
+      transform_left_filter_low_is_larger_0_2_0 <= inverted_carry(transform_left_filter_low_is_larger_0_2_0_choices(3),
+        transform_left_filter_low_is_larger_0_2_0_value, not is_set(transform_left_filter_column_2(4), 3));
+      transform_left_filter_low_is_larger_0_2_2 <= inverted_carry(transform_left_filter_low_is_larger_0_2_2_choices(3),
+        transform_left_filter_low_is_larger_0_2_2_value, not is_set(transform_left_filter_column_2(4), 3));
+      transform_left_filter_low_is_larger_0_2_4 <= inverted_carry(transform_left_filter_low_is_larger_0_2_4_choices(3),
+        transform_left_filter_low_is_larger_0_2_4_value, not is_set(transform_left_filter_column_2(4), 3));
+      transform_left_filter_low_is_larger_0_4_0 <= inverted_carry(transform_left_filter_low_is_larger_0_4_0_choices(3),
+        transform_left_filter_low_is_larger_0_4_0_value, not is_set(transform_left_filter_column_2(4), 3));
+      transform_left_filter_low_is_larger_0_4_4 <= inverted_carry(transform_left_filter_low_is_larger_0_4_4_choices(3),
+        transform_left_filter_low_is_larger_0_4_4_value, not is_set(transform_left_filter_column_2(4), 3));
+      transform_left_filter_low_is_larger_0_6_0 <= inverted_carry(transform_left_filter_low_is_larger_0_6_0_choices(3),
+        transform_left_filter_low_is_larger_0_6_0_value, not is_set(transform_left_filter_column_2(4), 3));
+      transform_left_filter_low_is_larger_0_6_2 <= inverted_carry(transform_left_filter_low_is_larger_0_6_2_choices(3),
+        transform_left_filter_low_is_larger_0_6_2_value, not is_set(transform_left_filter_column_2(4), 3));
+      transform_left_filter_low_is_larger_0_6_4 <= inverted_carry(transform_left_filter_low_is_larger_0_6_4_choices(3),
+        transform_left_filter_low_is_larger_0_6_4_value, not is_set(transform_left_filter_column_2(4), 3));
+      transform_left_filter_low_is_larger_0_8_0 <= inverted_carry(transform_left_filter_low_is_larger_0_8_0_choices(3),
+        transform_left_filter_low_is_larger_0_8_0_value, not is_set(transform_left_filter_column_2(4), 3));
+      transform_left_filter_low_is_larger_0_8_2 <= inverted_carry(transform_left_filter_low_is_larger_0_8_2_choices(3),
+        transform_left_filter_low_is_larger_0_8_2_value, not is_set(transform_left_filter_column_2(4), 3));
+      transform_left_filter_low_is_larger_0_8_4 <= inverted_carry(transform_left_filter_low_is_larger_0_8_4_choices(3),
+        transform_left_filter_low_is_larger_0_8_4_value, not is_set(transform_left_filter_column_2(4), 3));
+      transform_right_filter_low_is_larger_0_0_0 <= carry(transform_right_filter_low_is_larger_0_0_0_choices(3), not
+        is_set(transform_right_filter_column_2(4), 3), transform_right_filter_low_is_larger_0_0_0_values(4));
+      transform_right_filter_low_is_larger_0_0_2 <=
+        inverted_carry(transform_right_filter_low_is_larger_0_0_2_choices(3),
+        transform_right_filter_low_is_larger_0_0_2_value, not is_set(transform_right_filter_column_2(4), 3));
+      transform_right_filter_low_is_larger_0_0_4 <=
+        inverted_carry(transform_right_filter_low_is_larger_0_0_4_choices(3),
+        transform_right_filter_low_is_larger_0_0_4_value, not is_set(transform_right_filter_column_2(4), 3));
+      transform_right_filter_low_is_larger_0_2_0 <=
+        inverted_carry(transform_right_filter_low_is_larger_0_2_0_choices(3),
+        transform_right_filter_low_is_larger_0_2_0_value, not is_set(transform_right_filter_column_2(4), 3));
+      transform_right_filter_low_is_larger_0_2_2 <=
+        inverted_carry(transform_right_filter_low_is_larger_0_2_2_choices(3),
+        transform_right_filter_low_is_larger_0_2_2_value, not is_set(transform_right_filter_column_2(4), 3));
+      transform_right_filter_low_is_larger_0_2_4 <=
+        inverted_carry(transform_right_filter_low_is_larger_0_2_4_choices(3),
+        transform_right_filter_low_is_larger_0_2_4_value, not is_set(transform_right_filter_column_2(4), 3));
+      transform_right_filter_low_is_larger_0_4_0 <=
+        inverted_carry(transform_right_filter_low_is_larger_0_4_0_choices(3),
+        transform_right_filter_low_is_larger_0_4_0_value, not is_set(transform_right_filter_column_2(4), 3));
+      transform_right_filter_low_is_larger_0_4_4 <=
+        inverted_carry(transform_right_filter_low_is_larger_0_4_4_choices(3),
+        transform_right_filter_low_is_larger_0_4_4_value, not is_set(transform_right_filter_column_2(4), 3));
+      transform_right_filter_low_is_larger_0_6_0 <=
+        inverted_carry(transform_right_filter_low_is_larger_0_6_0_choices(3),
+        transform_right_filter_low_is_larger_0_6_0_value, not is_set(transform_right_filter_column_2(4), 3));
+      transform_right_filter_low_is_larger_0_6_2 <=
+        inverted_carry(transform_right_filter_low_is_larger_0_6_2_choices(3),
+        transform_right_filter_low_is_larger_0_6_2_value, not is_set(transform_right_filter_column_2(4), 3));
+      transform_right_filter_low_is_larger_0_6_4 <=
+        inverted_carry(transform_right_filter_low_is_larger_0_6_4_choices(3),
+        transform_right_filter_low_is_larger_0_6_4_value, not is_set(transform_right_filter_column_2(4), 3));
+      transform_right_filter_low_is_larger_0_8_0 <=
+        inverted_carry(transform_right_filter_low_is_larger_0_8_0_choices(3),
+        transform_right_filter_low_is_larger_0_8_0_value, not is_set(transform_right_filter_column_2(4), 3));
+      transform_right_filter_low_is_larger_0_8_2 <=
+        inverted_carry(transform_right_filter_low_is_larger_0_8_2_choices(3),
+        transform_right_filter_low_is_larger_0_8_2_value, not is_set(transform_right_filter_column_2(4), 3));
+      transform_right_filter_low_is_larger_0_8_4 <=
+        inverted_carry(transform_right_filter_low_is_larger_0_8_4_choices(3),
+        transform_right_filter_low_is_larger_0_8_4_value, not is_set(transform_right_filter_column_2(4), 3));
+      transform_counter_group_choice := choice(transform_counter_next_frame, 15, 0);
       if in_valid then
-        if in_start_of_frame then
-          transform_counter_column <= 0;
-          transform_counter_group <= transform_counter_group_choice * 32;
-        else
-          transform_counter_column <= transform_counter_column_after;
-          transform_counter_group <= transform_counter_group_after;
-        end if;
+        transform_counter_column <= choice(in_start_of_frame, 0, transform_counter_column_after);
+        transform_counter_group <= choice(in_start_of_frame, transform_counter_group_choice * 32,
+          transform_counter_group_after);
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= to_unsigned(transform_left_rows_ready_newest_0, 8) &
@@ -3341,11 +2021,8 @@ begin
         transform_write_column <= transform_ready_column;
       end if;
       if transform_filtering_valid(2) then
-        if transform_filtering_start_of_frame(2) then
-          transform_read_row_inside_0 <= raster_place_next_frame;
-        else
-          transform_read_row_inside_0 <= raster_place_back_to_back;
-        end if;
+        transform_read_row_inside_0 <= choice(transform_filtering_start_of_frame(2), raster_place_next_frame,
+          raster_place_back_to_back);
       end if;
       if transform_columns_valid then
         for i in 1 to 8 loop
@@ -3358,40 +2035,18 @@ begin
           transform_right_filter_column_2(i) <= transform_right_filter_column_2(i - 1);
           transform_right_filter_column_4(i) <= transform_right_filter_column_4(i - 1);
         end loop;
-        if transform_columns_row_inside_0 then
-          transform_left_filter_column_0(0) <= transform_left_column_0;
-          transform_right_filter_column_0(0) <= transform_right_column_0;
-        else
-          transform_left_filter_column_0(0) <= 0;
-          transform_right_filter_column_0(0) <= 0;
-        end if;
-        if transform_columns_row_inside_2 then
-          transform_left_filter_column_2(0) <= transform_left_column_2;
-          transform_right_filter_column_2(0) <= transform_right_column_2;
-        else
-          transform_left_filter_column_2(0) <= 0;
-          transform_right_filter_column_2(0) <= 0;
-        end if;
-        if transform_columns_row_inside_4 then
-          transform_left_filter_column_4(0) <= transform_left_column_4;
-          transform_right_filter_column_4(0) <= transform_right_column_4;
-        else
-          transform_left_filter_column_4(0) <= 0;
-          transform_right_filter_column_4(0) <= 0;
-        end if;
+        transform_left_filter_column_0(0) <= choice(transform_columns_row_inside_0, transform_left_column_0, 0);
+        transform_right_filter_column_0(0) <= choice(transform_columns_row_inside_0, transform_right_column_0, 0);
+        transform_left_filter_column_2(0) <= choice(transform_columns_row_inside_2, transform_left_column_2, 0);
+        transform_right_filter_column_2(0) <= choice(transform_columns_row_inside_2, transform_right_column_2, 0);
+        transform_left_filter_column_4(0) <= choice(transform_columns_row_inside_4, transform_left_column_4, 0);
+        transform_right_filter_column_4(0) <= choice(transform_columns_row_inside_4, transform_right_column_4, 0);
       end if;
       -- raster
       raster_place_next_frame_is_equal := raster_place_column = 639;
-      if raster_place_last_column then
-        raster_place_back_to_back_choice := (not raster_place_frame_joins) and transform_read_row_inside_0;
-      else
-        raster_place_back_to_back_choice := transform_read_row_inside_0;
-      end if;
-      if raster_place_frame_joins then
-        raster_place_group_after_choice := 1;
-      else
-        raster_place_group_after_choice := (raster_place_group + 1) mod 512;
-      end if;
+      raster_place_back_to_back_choice := choice(raster_place_last_column, (not raster_place_frame_joins) and
+        transform_read_row_inside_0, transform_read_row_inside_0);
+      raster_place_group_after_choice := choice(raster_place_frame_joins, 1, (raster_place_group + 1) mod 512);
       raster_features_search_0 <= transform_right_filter_feature_0;
       raster_features_reference_0 <= transform_left_filter_feature_0;
       raster_features_valid <= transform_filtering_valid(2);
@@ -3399,34 +2054,16 @@ begin
       raster_place_last_column <= raster_place_next_frame_is_equal;
       raster_place_counts <= raster_place_group < 480;
       raster_place_frame_joins <= (raster_place_group = 480) and transform_read_row_inside_0;
-      if delay_row_inside(2) then
-        raster_place_back_to_back <= raster_place_back_to_back_choice;
-      else
-        raster_place_back_to_back <= transform_read_row_inside_0;
-      end if;
-      if raster_place_last_column then
-        raster_place_column_after <= 0;
-      else
-        raster_place_column_after <= (raster_place_column + 1) mod 1024;
-      end if;
-      if (not delay_row_inside(2)) or (not raster_place_last_column) then
-        raster_place_group_after <= raster_place_group;
-      else
-        raster_place_group_after <= raster_place_group_after_choice;
-      end if;
-      if raster_place_next_frame then
-        raster_place_group_choice := 15;
-      else
-        raster_place_group_choice := 0;
-      end if;
+      raster_place_back_to_back <= choice(delay_row_inside(2), raster_place_back_to_back_choice,
+        transform_read_row_inside_0);
+      raster_place_column_after <= choice(raster_place_last_column, 0, (raster_place_column + 1) mod 1024);
+      raster_place_group_after <= choice((not delay_row_inside(2)) or (not raster_place_last_column),
+        raster_place_group, raster_place_group_after_choice);
+      raster_place_group_choice := choice(raster_place_next_frame, 15, 0);
       if transform_filtering_valid(2) then
-        if transform_filtering_start_of_frame(2) then
-          raster_place_column <= 0;
-          raster_place_group <= raster_place_group_choice * 32;
-        else
-          raster_place_column <= raster_place_column_after;
-          raster_place_group <= raster_place_group_after;
-        end if;
+        raster_place_column <= choice(transform_filtering_start_of_frame(2), 0, raster_place_column_after);
+        raster_place_group <= choice(transform_filtering_start_of_frame(2), raster_place_group_choice * 32,
+          raster_place_group_after);
       end if;
       -- delay
       delay_row_inside_1_is_not_less := raster_place_group >= 1;
@@ -3440,13 +2077,13 @@ begin
       delay_row_inside(0) <= (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2)) < 480;
       delay_row_inside(1) <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
       delay_row_inside(2) <= raster_place_group /= 481;
-      delay_tag_valid <= raster_features_valid;
-      delay_tag_map_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
-      delay_tag_output_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less and
+      delay_tag.valid <= raster_features_valid;
+      delay_tag.map_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
+      delay_tag.output_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less and
         delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
-      delay_tag_first_column <= delay_tag_first_column_is_equal;
-      delay_tag_start_of_frame <= delay_tag_first_column_is_equal and (raster_place_group = 1);
-      delay_tag_end_of_line <= raster_place_column = 638;
+      delay_tag.first_column <= delay_tag_first_column_is_equal;
+      delay_tag.start_of_frame <= delay_tag_first_column_is_equal and (raster_place_group = 1);
+      delay_tag.end_of_line <= raster_place_column = 638;
       -- rows
       rows_search_rows_read_newest_0 <= delay_delayed_0;
       rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
@@ -3455,53 +2092,20 @@ begin
       rows_reference_rows_ready_words_0 <= to_integer(rows_reference_rows_read_words_0);
       rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
       rows_read_column <= delay_column;
-      rows_read_inside(0) <= delay_row_inside(0);
-      rows_read_inside(1) <= delay_row_inside(1);
+      rows_read_inside(0 to 1) <= delay_row_inside(0 to 1);
       rows_read_inside(2) <= raster_place_counts;
-      rows_read_tag_valid <= delay_tag_valid;
-      rows_read_tag_map_column <= delay_tag_map_column;
-      rows_read_tag_output_column <= delay_tag_output_column;
-      rows_read_tag_first_column <= delay_tag_first_column;
-      rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
-      rows_read_tag_end_of_line <= delay_tag_end_of_line;
+      rows_read_tag <= delay_tag;
       rows_ready_column <= rows_read_column;
-      rows_ready_inside(0) <= rows_read_inside(0);
-      rows_ready_inside(1) <= rows_read_inside(1);
-      rows_ready_inside(2) <= rows_read_inside(2);
-      rows_ready_tag_valid <= rows_read_tag_valid;
-      rows_ready_tag_map_column <= rows_read_tag_map_column;
-      rows_ready_tag_output_column <= rows_read_tag_output_column;
-      rows_ready_tag_first_column <= rows_read_tag_first_column;
-      rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
-      rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_tag_valid <= rows_ready_tag_valid;
-      rows_tag_map_column <= rows_ready_tag_map_column;
-      rows_tag_output_column <= rows_ready_tag_output_column;
-      rows_tag_first_column <= rows_ready_tag_first_column;
-      rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
-      rows_tag_end_of_line <= rows_ready_tag_end_of_line;
-      if rows_ready_inside(0) then
-        rows_search(0) <= rows_search_rows_ready_words_0 mod 16384;
-        rows_reference(0) <= rows_reference_rows_ready_words_0 mod 16384;
-      else
-        rows_search(0) <= 0;
-        rows_reference(0) <= 0;
-      end if;
-      if rows_ready_inside(1) then
-        rows_search(1) <= rows_search_rows_ready_words_0 / 16384;
-        rows_reference(1) <= rows_reference_rows_ready_words_0 / 16384;
-      else
-        rows_search(1) <= 0;
-        rows_reference(1) <= 0;
-      end if;
-      if rows_ready_inside(2) then
-        rows_search(2) <= rows_search_rows_ready_newest_0;
-        rows_reference(2) <= rows_reference_rows_ready_newest_0;
-      else
-        rows_search(2) <= 0;
-        rows_reference(2) <= 0;
-      end if;
-      if rows_ready_tag_valid then
+      rows_ready_inside <= rows_read_inside;
+      rows_ready_tag <= rows_read_tag;
+      rows_tag <= rows_ready_tag;
+      rows_search(0) <= choice(rows_ready_inside(0), rows_search_rows_ready_words_0 mod 16384, 0);
+      rows_reference(0) <= choice(rows_ready_inside(0), rows_reference_rows_ready_words_0 mod 16384, 0);
+      rows_search(1) <= choice(rows_ready_inside(1), rows_search_rows_ready_words_0 / 16384, 0);
+      rows_reference(1) <= choice(rows_ready_inside(1), rows_reference_rows_ready_words_0 / 16384, 0);
+      rows_search(2) <= choice(rows_ready_inside(2), rows_search_rows_ready_newest_0, 0);
+      rows_reference(2) <= choice(rows_ready_inside(2), rows_reference_rows_ready_newest_0, 0);
+      if rows_ready_tag.valid then
         rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 16384) + (rows_search_rows_ready_newest_0 *
           16384);
         rows_reference_rows_write_words_0 <= (rows_reference_rows_ready_words_0 / 16384) +
@@ -3509,65 +2113,40 @@ begin
         rows_write_column <= rows_ready_column;
       end if;
       -- line
-      if rows_tag_valid then
-        line_centre_map_column_0 <= rows_tag_map_column;
-        line_centre_output_column_0 <= rows_tag_output_column;
-        line_centre_first_column_0 <= rows_tag_first_column;
-        line_centre_start_of_frame_0 <= rows_tag_start_of_frame;
-        line_centre_end_of_line_0 <= rows_tag_end_of_line;
+      if rows_tag.valid then
+        line_centre_map_column_0 <= rows_tag.map_column;
+        line_centre_output_column_0 <= rows_tag.output_column;
+        line_centre_first_column_0 <= rows_tag.first_column;
+        line_centre_start_of_frame_0 <= rows_tag.start_of_frame;
+        line_centre_end_of_line_0 <= rows_tag.end_of_line;
         line_order_inside <= line_centre_map_column_0;
         line_newest_first_column <= line_centre_first_column_0;
         line_newest_top <= line_centre_start_of_frame_0;
       end if;
-      line_order_address_any := (not line_centre_map_column_0) or line_order_inside or (not rows_tag_valid);
-      if line_order_falls then
-        line_order_address_choice := 1023;
-      else
-        line_order_address_choice := 1;
+      line_order_address_any := (not line_centre_map_column_0) or line_order_inside or (not rows_tag.valid);
+      line_order_address_choice := choice(line_order_falls, 1023, 1);
+      line_order_address_choice_2 := choice(line_order_falls, 0, 637);
+      if not ((not line_centre_map_column_0) or (not rows_tag.valid)) then
+        line_order_address <= choice(line_order_address_any, (line_order_address_choice + line_order_address) mod 1024,
+          line_order_address_choice_2);
       end if;
-      if line_order_falls then
-        line_order_address_choice_2 := 0;
-      else
-        line_order_address_choice_2 := 637;
-      end if;
-      if not ((not line_centre_map_column_0) or (not rows_tag_valid)) then
-        if line_order_address_any then
-          line_order_address <= (line_order_address_choice + line_order_address) mod 1024;
-        else
-          line_order_address <= line_order_address_choice_2;
-        end if;
-      end if;
-      line_order_falls_all := line_centre_map_column_0 and (not line_order_inside) and rows_tag_valid;
-      if line_order_falls_all then
-        line_order_turned_output_column_choice := line_order_output and line_order_complete;
-      else
-        line_order_turned_output_column_choice := line_order_held_output;
-      end if;
-      line_order_turned_valid <= rows_tag_valid;
+      line_order_falls_all := line_centre_map_column_0 and (not line_order_inside) and rows_tag.valid;
+      line_order_turned_output_column_choice := choice(line_order_falls_all, line_order_output and line_order_complete,
+        line_order_held_output);
+      line_order_turned_valid <= rows_tag.valid;
       line_order_turned_map_column <= line_centre_map_column_0;
       line_order_turned_output_column <= line_order_turned_output_column_choice and line_centre_map_column_0;
       line_order_turned_first_column <= line_order_falls_all;
-      line_order_turned_start_of_frame <= line_centre_map_column_0 and (not line_order_inside) and rows_tag_valid and
+      line_order_turned_start_of_frame <= line_centre_map_column_0 and (not line_order_inside) and rows_tag.valid and
         line_order_first and line_order_output and line_order_complete;
       line_order_turned_end_of_line <= line_centre_end_of_line_0;
       line_comes(1) <= line_order_turned_valid;
-      for i in 2 to 33 loop
-        line_comes(i) <= line_comes(i - 1);
-      end loop;
+      line_comes(2 to 33) <= line_comes(1 to 32);
       line_starts_phases(1) <= line_order_inside and line_order_turned_valid;
-      for i in 2 to 33 loop
-        line_starts_phases(i) <= line_starts_phases(i - 1);
-      end loop;
-      if line_order_falls then
-        line_order_falls <= line_order_address_any;
-      else
-        line_order_falls <= line_order_falls_all;
-      end if;
-      if line_order_complete then
-        line_order_complete <= line_centre_end_of_line_0 or (not line_centre_map_column_0) or (not rows_tag_valid);
-      else
-        line_order_complete <= line_centre_end_of_line_0 and line_centre_map_column_0 and rows_tag_valid;
-      end if;
+      line_starts_phases(2 to 33) <= line_starts_phases(1 to 32);
+      line_order_falls <= choice(line_order_falls, line_order_address_any, line_order_falls_all);
+      line_order_complete <= choice(line_order_complete, line_centre_end_of_line_0 or (not line_centre_map_column_0) or
+        (not rows_tag.valid), line_centre_end_of_line_0 and line_centre_map_column_0 and rows_tag.valid);
       if line_order_falls_all then
         line_order_output <= line_centre_output_column_0;
         line_order_first <= line_centre_start_of_frame_0;
@@ -3603,38 +2182,22 @@ begin
         end if;
       end loop;
       -- costsshift
-      if rows_tag_valid then
-        costsshift_newest(0) <= rows_search(0);
-        costsshift_newest(1) <= rows_search(1);
-        costsshift_newest(2) <= rows_search(2);
-        costsshift_new_reference(0) <= rows_reference(0);
-        costsshift_new_reference(1) <= rows_reference(1);
-        costsshift_new_reference(2) <= rows_reference(2);
+      if rows_tag.valid then
+        costsshift_newest <= rows_search;
+        costsshift_new_reference <= rows_reference;
       end if;
-      if costsshift_count_phase = 7 then
-        costsshift_count_phase_choice := 7;
-      else
-        costsshift_count_phase_choice := (costsshift_count_phase + 1) mod 8;
-      end if;
-      costsshift_new_tag_valid <= rows_tag_valid or (not is_set(costsshift_count_phase, 2)) or (not
+      costsshift_count_phase_choice := choice(costsshift_count_phase = 7, 7, (costsshift_count_phase + 1) mod 8);
+      costsshift_new_tag_valid <= rows_tag.valid or (not is_set(costsshift_count_phase, 2)) or (not
         is_set(costsshift_count_phase, 1)) or (not is_set(costsshift_count_phase, 0));
       costsshift_handed_on(0) <= to_integer(costsshift_read_words(3)(27 downto 14));
       costsshift_handed_on(1) <= to_integer(costsshift_read_words(7)(27 downto 14));
       costsshift_handed_on(2) <= to_integer(costsshift_read_words(11)(27 downto 14));
-      costsshift_read_reference(0) <= costsshift_new_reference(0);
-      costsshift_read_reference(1) <= costsshift_new_reference(1);
-      costsshift_read_reference(2) <= costsshift_new_reference(2);
+      costsshift_read_reference <= costsshift_new_reference;
       costsshift_read_tag_valid <= costsshift_new_tag_valid;
       costsshift_read_count_phase <= costsshift_count_phase;
-      costsshift_reference(0) <= costsshift_read_reference(0);
-      costsshift_reference(1) <= costsshift_read_reference(1);
-      costsshift_reference(2) <= costsshift_read_reference(2);
+      costsshift_reference <= costsshift_read_reference;
       costsshift_write_phase <= costsshift_read_count_phase;
-      if rows_tag_valid then
-        costsshift_count_phase <= 0;
-      else
-        costsshift_count_phase <= costsshift_count_phase_choice;
-      end if;
+      costsshift_count_phase <= choice(rows_tag.valid, 0, costsshift_count_phase_choice);
       costsshift_search_0_0_is_equal := costsshift_read_count_phase = 0;
       if costsshift_read_tag_valid then
         for i in 0 to 2 loop
@@ -3644,70 +2207,65 @@ begin
           end loop;
           costsshift_search(i, 7) <= to_integer(costsshift_read_words(4 * i + 3)(13 downto 0));
         end loop;
-        if costsshift_search_0_0_is_equal then
-          costsshift_search(0, 0) <= costsshift_newest(0);
-          costsshift_search(1, 0) <= costsshift_newest(1);
-          costsshift_search(2, 0) <= costsshift_newest(2);
-        else
-          costsshift_search(0, 0) <= costsshift_handed_on(0);
-          costsshift_search(1, 0) <= costsshift_handed_on(1);
-          costsshift_search(2, 0) <= costsshift_handed_on(2);
-        end if;
+        for i in 0 to 2 loop
+          costsshift_search(i, 0) <= choice(costsshift_search_0_0_is_equal, costsshift_newest(i),
+            costsshift_handed_on(i));
+        end loop;
       end if;
       -- costscolumn
       for i in 0 to 2 loop
-        costscolumn_pixels_first_0_count_value(i, 0) := is_set(costsshift_reference(i), 2);
-        costscolumn_pixels_first_0_count_value_2(i, 0) := is_set(costsshift_reference(i), 1);
-        costscolumn_pixels_first_0_count_value(i, 1) := is_set(costsshift_reference(i), 3);
-        costscolumn_pixels_first_0_count_value_2(i, 1) := is_set(costsshift_reference(i), 5);
-        costscolumn_pixels_first_0_count_1_value_3(i) := is_set(costsshift_reference(i), 4);
-        costscolumn_pixels_first_0_count_value(i, 2) := is_set(costsshift_reference(i), 8);
-        costscolumn_pixels_first_0_count_value_2(i, 2) := is_set(costsshift_reference(i), 6);
-        costscolumn_pixels_first_0_count_value(i, 3) := is_set(costsshift_reference(i), 9);
-        costscolumn_pixels_first_0_count_value_2(i, 3) := is_set(costsshift_reference(i), 11);
-        costscolumn_pixels_first_0_count_3_value_3(i) := is_set(costsshift_reference(i), 10);
-        costscolumn_pixels_first_0_count_value(i, 4) := is_set(costsshift_reference(i), 12);
+        costscolumn_pixels_first_0_count_value(i, 0, 1) := is_set(costsshift_reference(i), 2);
+        costscolumn_pixels_first_0_count_value(i, 0, 2) := is_set(costsshift_reference(i), 1);
+        costscolumn_pixels_first_0_count_value(i, 1, 1) := is_set(costsshift_reference(i), 3);
+        costscolumn_pixels_first_0_count_value(i, 1, 2) := is_set(costsshift_reference(i), 5);
+        costscolumn_pixels_first_0_count_value(i, 1, 3) := is_set(costsshift_reference(i), 4);
+        costscolumn_pixels_first_0_count_value(i, 2, 1) := is_set(costsshift_reference(i), 8);
+        costscolumn_pixels_first_0_count_value(i, 2, 2) := is_set(costsshift_reference(i), 6);
+        costscolumn_pixels_first_0_count_value(i, 3, 1) := is_set(costsshift_reference(i), 9);
+        costscolumn_pixels_first_0_count_value(i, 3, 2) := is_set(costsshift_reference(i), 11);
+        costscolumn_pixels_first_0_count_value(i, 3, 3) := is_set(costsshift_reference(i), 10);
+        costscolumn_pixels_first_0_count_value(i, 4, 1) := is_set(costsshift_reference(i), 12);
       end loop;
       for i in 0 to 2 loop
         costscolumn_pixels_first_count(i, 0, 0) <= as_number((is_set(costsshift_search(i, 0), 0) /=
-          is_set(costsshift_reference(i), 0))) + as_number((costscolumn_pixels_first_0_count_value(i, 0) /=
-          is_set(costsshift_search(i, 0), 2))) + as_number((costscolumn_pixels_first_0_count_value_2(i, 0) /=
+          is_set(costsshift_reference(i), 0))) + as_number((costscolumn_pixels_first_0_count_value(i, 0, 1) /=
+          is_set(costsshift_search(i, 0), 2))) + as_number((costscolumn_pixels_first_0_count_value(i, 0, 2) /=
           is_set(costsshift_search(i, 0), 1)));
-        costscolumn_pixels_first_count(i, 0, 1) <= as_number((costscolumn_pixels_first_0_count_value(i, 1) /=
-          is_set(costsshift_search(i, 0), 3))) + as_number((costscolumn_pixels_first_0_count_value_2(i, 1) /=
-          is_set(costsshift_search(i, 0), 5))) + as_number((costscolumn_pixels_first_0_count_1_value_3(i) /=
+        costscolumn_pixels_first_count(i, 0, 1) <= as_number((costscolumn_pixels_first_0_count_value(i, 1, 1) /=
+          is_set(costsshift_search(i, 0), 3))) + as_number((costscolumn_pixels_first_0_count_value(i, 1, 2) /=
+          is_set(costsshift_search(i, 0), 5))) + as_number((costscolumn_pixels_first_0_count_value(i, 1, 3) /=
           is_set(costsshift_search(i, 0), 4)));
         costscolumn_pixels_first_count(i, 0, 2) <= (to_integer(((to_unsigned((costsshift_search(i, 0) mod 256), 8)) xor
           (to_unsigned((costsshift_reference(i) mod 256), 8)))) / 128) +
-          as_number((costscolumn_pixels_first_0_count_value(i, 2) /= is_set(costsshift_search(i, 0), 8))) +
-          as_number((costscolumn_pixels_first_0_count_value_2(i, 2) /= is_set(costsshift_search(i, 0), 6)));
-        costscolumn_pixels_first_count(i, 0, 3) <= as_number((costscolumn_pixels_first_0_count_value(i, 3) /=
-          is_set(costsshift_search(i, 0), 9))) + as_number((costscolumn_pixels_first_0_count_value_2(i, 3) /=
-          is_set(costsshift_search(i, 0), 11))) + as_number((costscolumn_pixels_first_0_count_3_value_3(i) /=
+          as_number((costscolumn_pixels_first_0_count_value(i, 2, 1) /= is_set(costsshift_search(i, 0), 8))) +
+          as_number((costscolumn_pixels_first_0_count_value(i, 2, 2) /= is_set(costsshift_search(i, 0), 6)));
+        costscolumn_pixels_first_count(i, 0, 3) <= as_number((costscolumn_pixels_first_0_count_value(i, 3, 1) /=
+          is_set(costsshift_search(i, 0), 9))) + as_number((costscolumn_pixels_first_0_count_value(i, 3, 2) /=
+          is_set(costsshift_search(i, 0), 11))) + as_number((costscolumn_pixels_first_0_count_value(i, 3, 3) /=
           is_set(costsshift_search(i, 0), 10)));
         costscolumn_pixels_first_count_4(i, 0) <= as_number((is_set(costsshift_reference(i), 13) /=
-          is_set(costsshift_search(i, 0), 13))) + as_number((costscolumn_pixels_first_0_count_value(i, 4) /=
+          is_set(costsshift_search(i, 0), 13))) + as_number((costscolumn_pixels_first_0_count_value(i, 4, 1) /=
           is_set(costsshift_search(i, 0), 12)));
         for j in 1 to 7 loop
           costscolumn_pixels_first_count(i, j, 0) <= as_number((is_set(costsshift_search(i, j), 0) /=
             is_set(costsshift_reference(i), 0))) + as_number((is_set(costsshift_search(i, j), 2) /=
-            costscolumn_pixels_first_0_count_value(i, 0))) + as_number((is_set(costsshift_search(i, j), 1) /=
-            costscolumn_pixels_first_0_count_value_2(i, 0)));
+            costscolumn_pixels_first_0_count_value(i, 0, 1))) + as_number((is_set(costsshift_search(i, j), 1) /=
+            costscolumn_pixels_first_0_count_value(i, 0, 2)));
           costscolumn_pixels_first_count(i, j, 1) <= as_number((is_set(costsshift_search(i, j), 3) /=
-            costscolumn_pixels_first_0_count_value(i, 1))) + as_number((is_set(costsshift_search(i, j), 5) /=
-            costscolumn_pixels_first_0_count_value_2(i, 1))) + as_number((is_set(costsshift_search(i, j), 4) /=
-            costscolumn_pixels_first_0_count_1_value_3(i)));
+            costscolumn_pixels_first_0_count_value(i, 1, 1))) + as_number((is_set(costsshift_search(i, j), 5) /=
+            costscolumn_pixels_first_0_count_value(i, 1, 2))) + as_number((is_set(costsshift_search(i, j), 4) /=
+            costscolumn_pixels_first_0_count_value(i, 1, 3)));
           costscolumn_pixels_first_count(i, j, 2) <= (to_integer(((to_unsigned((costsshift_search(i, j) mod 256), 8))
             xor (to_unsigned((costsshift_reference(i) mod 256), 8)))) / 128) + as_number((is_set(costsshift_search(i,
-            j), 8) /= costscolumn_pixels_first_0_count_value(i, 2))) + as_number((is_set(costsshift_search(i, j), 6) /=
-            costscolumn_pixels_first_0_count_value_2(i, 2)));
+            j), 8) /= costscolumn_pixels_first_0_count_value(i, 2, 1))) + as_number((is_set(costsshift_search(i, j), 6)
+            /= costscolumn_pixels_first_0_count_value(i, 2, 2)));
           costscolumn_pixels_first_count(i, j, 3) <= as_number((is_set(costsshift_search(i, j), 9) /=
-            costscolumn_pixels_first_0_count_value(i, 3))) + as_number((is_set(costsshift_search(i, j), 11) /=
-            costscolumn_pixels_first_0_count_value_2(i, 3))) + as_number((is_set(costsshift_search(i, j), 10) /=
-            costscolumn_pixels_first_0_count_3_value_3(i)));
+            costscolumn_pixels_first_0_count_value(i, 3, 1))) + as_number((is_set(costsshift_search(i, j), 11) /=
+            costscolumn_pixels_first_0_count_value(i, 3, 2))) + as_number((is_set(costsshift_search(i, j), 10) /=
+            costscolumn_pixels_first_0_count_value(i, 3, 3)));
           costscolumn_pixels_first_count_4(i, j) <= as_number((is_set(costsshift_search(i, j), 13) /=
             is_set(costsshift_reference(i), 13))) + as_number((is_set(costsshift_search(i, j), 12) /=
-            costscolumn_pixels_first_0_count_value(i, 4)));
+            costscolumn_pixels_first_0_count_value(i, 4, 1)));
         end loop;
       end loop;
       for i in 0 to 2 loop
@@ -3727,38 +2285,22 @@ begin
         costscolumn_column_0(i) <= costscolumn_pair_0(i) + costscolumn_single_0(i);
       end loop;
       -- costswindow
-      if costswindow_read_count_phase = 7 then
-        costswindow_read_count_phase_choice := 7;
-      else
-        costswindow_read_count_phase_choice := (costswindow_read_count_phase + 1) mod 8;
-      end if;
-      if costswindow_write_count_phase = 7 then
-        costswindow_write_count_phase_choice := 7;
-      else
-        costswindow_write_count_phase_choice := (costswindow_write_count_phase + 1) mod 8;
-      end if;
+      costswindow_read_count_phase_choice := choice(costswindow_read_count_phase = 7, 7, (costswindow_read_count_phase
+        + 1) mod 8);
+      costswindow_write_count_phase_choice := choice(costswindow_write_count_phase = 7, 7,
+        (costswindow_write_count_phase + 1) mod 8);
       for i in 2 to 3 loop
         for j in 0 to 3 loop
           costswindow_sum_0(4 * i + j - 8) <= costscolumn_column_0(4 * i + j - 8) +
             to_integer(costswindow_read_wordss(i)(7 * j + 6 downto 7 * j));
         end loop;
       end loop;
-      if line_comes(4) then
-        costswindow_read_count_phase <= 0;
-      else
-        costswindow_read_count_phase <= costswindow_read_count_phase_choice;
-      end if;
-      if line_comes(6) then
-        costswindow_write_count_phase <= 0;
-      else
-        costswindow_write_count_phase <= costswindow_write_count_phase_choice;
-      end if;
+      costswindow_read_count_phase <= choice(line_comes(4), 0, costswindow_read_count_phase_choice);
+      costswindow_write_count_phase <= choice(line_comes(6), 0, costswindow_write_count_phase_choice);
       costswindow_partial_0_any := (not is_set(costswindow_write_count_phase, 2)) or (not
         is_set(costswindow_write_count_phase, 1)) or (not is_set(costswindow_write_count_phase, 0)) or line_comes(6);
       if costswindow_partial_0_any then
-        for i in 0 to 7 loop
-          costswindow_partial(i) <= costscolumn_column_0(i);
-        end loop;
+        costswindow_partial <= costscolumn_column_0;
         for i in 0 to 1 loop
           for j in 8 to 11 loop
             costswindow_partials(4 * i + j) <= costscolumn_column_0(4 * i + j - 8) +
@@ -3768,19 +2310,11 @@ begin
       end if;
       -- costsmask
       costsmask_column_sum := costsmask_column + 1;
-      if line_places_shown_first_column(0) then
-        costsmask_column_choice := 0;
-      else
-        costsmask_column_choice := costsmask_column_sum mod 1024;
-      end if;
+      costsmask_column_choice := choice(line_places_shown_first_column(0), 0, costsmask_column_sum mod 1024);
       if line_comes(5) then
         costsmask_column <= costsmask_column_choice;
       end if;
-      if line_places_shown_first_column(0) then
-        costsmask_partner_choice := 0;
-      else
-        costsmask_partner_choice := costsmask_column_sum;
-      end if;
+      costsmask_partner_choice := choice(line_places_shown_first_column(0), 0, costsmask_column_sum);
       costsmask_inside(0) <= (((((costsmask_partner / 1024) + 63) mod 64) * 1024) + (costsmask_partner mod 1024)) < 638;
       costsmask_inside(1) <= (costsmask_partner >= 1025) and (costsmask_partner < 1663);
       costsmask_inside(2) <= (((((costsmask_partner / 2) + 32255) mod 32768) * 2) + (costsmask_partner mod 2)) < 638;
@@ -3789,26 +2323,15 @@ begin
       costsmask_inside(5) <= (costsmask_partner >= 1029) and (costsmask_partner < 1667);
       costsmask_inside(6) <= (((((costsmask_partner / 2) + 32253) mod 32768) * 2) + (costsmask_partner mod 2)) < 638;
       costsmask_inside(7) <= (costsmask_partner >= 1031) and (costsmask_partner < 1669);
-      if line_comes(5) then
-        costsmask_partner <= (((costsmask_partner_choice / 1024) + 1) * 1024) + costsmask_column_choice;
-      else
-        costsmask_partner <= ((((costsmask_partner / 8) + 511) mod 512) * 8) + (costsmask_partner mod 8);
-      end if;
+      costsmask_partner <= choice(line_comes(5), (((costsmask_partner_choice / 1024) + 1) * 1024) +
+        costsmask_column_choice, ((((costsmask_partner / 8) + 511) mod 512) * 8) + (costsmask_partner mod 8));
       -- costs
       for i in 0 to 7 loop
-        if (not (((not is_set(costswindow_sum_0(i), 5)) or (not is_set(costswindow_sum_0(i), 4))) and
-          ((costswindow_sum_0(i) / 64) = 0))) or (not costsmask_inside(i)) then
-          costs_cost(i) <= 5;
-        else
-          costs_cost(i) <= costswindow_sum_0(i) / 8;
-        end if;
+        costs_cost(i) <= choice((not (((not is_set(costswindow_sum_0(i), 5)) or (not is_set(costswindow_sum_0(i), 4)))
+          and ((costswindow_sum_0(i) / 64) = 0))) or (not costsmask_inside(i)), 5, costswindow_sum_0(i) / 8);
       end loop;
       -- paths
-      if line_comes(11) then
-        paths_smallest_cost_choice := 7;
-      else
-        paths_smallest_cost_choice := paths_smallest_cost;
-      end if;
+      paths_smallest_cost_choice := choice(line_comes(11), 7, paths_smallest_cost);
       paths_cost_delay_ring_write_address <= paths_cost_delay_ring_read_address;
       paths_sum(0) <= (pathsturn_sum_memory_ready_words(0) mod 128) + pathsright_cost(0);
       paths_sum(1) <= ((pathsturn_sum_memory_ready_words(0) / 128) mod 128) + pathsright_cost(1);
@@ -3818,150 +2341,74 @@ begin
       paths_sum(4) <= ((pathsturn_sum_memory_ready_words(2) mod 8) * 16) + (pathsturn_sum_memory_ready_words(1) / 4096)
         + pathsright_cost(4);
       paths_sum(5) <= ((pathsturn_sum_memory_ready_words(2) / 8) mod 128) + pathsright_cost(5);
-      paths_sum(6) <= ((pathsturn_sum_memory_ready_words_3 mod 2) * 64) + (pathsturn_sum_memory_ready_words(2) / 1024)
+      paths_sum(6) <= ((pathsturn_sum_memory_ready_words(3) mod 2) * 64) + (pathsturn_sum_memory_ready_words(2) / 1024)
         + pathsright_cost(6);
-      paths_sum(7) <= (pathsturn_sum_memory_ready_words_3 / 2) + pathsright_cost(7);
+      paths_sum(7) <= (pathsturn_sum_memory_ready_words(3) / 2) + pathsright_cost(7);
       for i in 0 to 3 loop
-        if (costs_cost(2 * i + 1) - costs_cost(2 * i)) < 0 then
-          paths_tree_smallest(i) <= costs_cost(2 * i + 1);
-        else
-          paths_tree_smallest(i) <= costs_cost(2 * i);
-        end if;
+        paths_tree_smallest(i) <= choice((costs_cost(2 * i + 1) - costs_cost(2 * i)) < 0, costs_cost(2 * i + 1),
+          costs_cost(2 * i));
       end loop;
-      for i in 0 to 1 loop
-        if (paths_tree_smallest(2 * i + 1) - paths_tree_smallest(2 * i)) < 0 then
-          paths_tree_next_smallest(i) <= paths_tree_smallest(2 * i + 1);
-        else
-          paths_tree_next_smallest(i) <= paths_tree_smallest(2 * i);
-        end if;
-      end loop;
-      if (paths_tree_next_smallest(1) - paths_tree_next_smallest(0)) < 0 then
-        paths_tree_next_next_smallest_0 <= paths_tree_next_smallest(1);
-      else
-        paths_tree_next_next_smallest_0 <= paths_tree_next_smallest(0);
-      end if;
-      if (paths_tree_next_next_smallest_0 - paths_smallest_cost_choice) < 0 then
-        paths_smallest_cost <= paths_tree_next_next_smallest_0;
-      else
-        paths_smallest_cost <= paths_smallest_cost_choice;
-      end if;
-      if paths_cost_delay_ring_read_address = 11 then
-        paths_cost_delay_ring_read_address <= 0;
-      else
-        paths_cost_delay_ring_read_address <= (paths_cost_delay_ring_read_address + 1) mod 16;
-      end if;
+      paths_tree_next_smallest(0) <= choice((paths_tree_smallest(1) - paths_tree_smallest(0)) < 0,
+        paths_tree_smallest(1), paths_tree_smallest(0));
+      paths_tree_next_smallest(1) <= choice((paths_tree_smallest(3) - paths_tree_smallest(2)) < 0,
+        paths_tree_smallest(3), paths_tree_smallest(2));
+      paths_tree_next_next_smallest_0 <= choice((paths_tree_next_smallest(1) - paths_tree_next_smallest(0)) < 0,
+        paths_tree_next_smallest(1), paths_tree_next_smallest(0));
+      paths_smallest_cost <= choice((paths_tree_next_next_smallest_0 - paths_smallest_cost_choice) < 0,
+        paths_tree_next_next_smallest_0, paths_smallest_cost_choice);
+      paths_cost_delay_ring_read_address <= choice(paths_cost_delay_ring_read_address = 11, 0,
+        (paths_cost_delay_ring_read_address + 1) mod 16);
       -- pathsleft
       if line_starts_phases(14) then
         pathsleft_low_address <= (pathsleft_low_address + 1) mod 16;
       end if;
       pathsleft_read_count_phase_is_equal := pathsleft_read_count_phase = 7;
-      if pathsleft_read_count_phase_is_equal then
-        pathsleft_read_count_phase_choice := 7;
-      else
-        pathsleft_read_count_phase_choice := (pathsleft_read_count_phase + 1) mod 8;
-      end if;
-      if pathsleft_ahead_count_phase = 7 then
-        pathsleft_ahead_count_phase_choice := 7;
-      else
-        pathsleft_ahead_count_phase_choice := (pathsleft_ahead_count_phase + 1) mod 8;
-      end if;
-      if (to_integer(pathsleft_read_words(2)(6 downto 0)) - to_integer(pathsleft_read_words(0)(6 downto 0))) < 0 then
-        pathsleft_stay_choice(0) := to_integer(pathsleft_read_words(2)(6 downto 0));
-      else
-        pathsleft_stay_choice(0) := to_integer(pathsleft_read_words(0)(6 downto 0));
-      end if;
-      for i in 1 to 2 loop
-        pathsleft_stay_value(i) := to_integer(pathsleft_read_words(2)(7 * i + 6 downto 7 * i));
-        pathsleft_stay_value_2(i) := to_integer(pathsleft_read_words(0)(7 * i + 6 downto 7 * i));
-        if (pathsleft_stay_value(i) - pathsleft_stay_value_2(i)) < 0 then
-          pathsleft_stay_choice(i) := pathsleft_stay_value(i);
-        else
-          pathsleft_stay_choice(i) := pathsleft_stay_value_2(i);
-        end if;
-      end loop;
+      pathsleft_read_count_phase_choice := choice(pathsleft_read_count_phase_is_equal, 7, (pathsleft_read_count_phase +
+        1) mod 8);
+      pathsleft_ahead_count_phase_choice := choice(pathsleft_ahead_count_phase = 7, 7, (pathsleft_ahead_count_phase +
+        1) mod 8);
       for i in 2 to 3 loop
-        if (to_integer(pathsleft_read_words(i)(69 - 21 * i downto 63 - 21 * i)) - to_integer(pathsleft_read_words(i -
-          2)(69 - 21 * i downto 63 - 21 * i))) < 0 then
-          pathsleft_stay_choice(i + 1) := to_integer(pathsleft_read_words(i)(69 - 21 * i downto 63 - 21 * i));
-        else
-          pathsleft_stay_choice(i + 1) := to_integer(pathsleft_read_words(i - 2)(69 - 21 * i downto 63 - 21 * i));
-        end if;
+        pathsleft_stay_choice(4 * i - 8) := choice((to_integer(pathsleft_read_words(i)(6 downto 0)) -
+          to_integer(pathsleft_read_words(i - 2)(6 downto 0))) < 0, to_integer(pathsleft_read_words(i)(6 downto 0)),
+          to_integer(pathsleft_read_words(i - 2)(6 downto 0)));
+        pathsleft_stay_value(4 * i - 7, 1) := to_integer(pathsleft_read_words(i)(13 downto 7));
+        pathsleft_stay_value(4 * i - 7, 2) := to_integer(pathsleft_read_words(i - 2)(13 downto 7));
+        pathsleft_stay_choice(4 * i - 7) := choice((pathsleft_stay_value(4 * i - 7, 1) - pathsleft_stay_value(4 * i -
+          7, 2)) < 0, pathsleft_stay_value(4 * i - 7, 1), pathsleft_stay_value(4 * i - 7, 2));
+        pathsleft_stay_value(4 * i - 6, 1) := to_integer(pathsleft_read_words(i)(20 downto 14));
+        pathsleft_stay_value(4 * i - 6, 2) := to_integer(pathsleft_read_words(i - 2)(20 downto 14));
+        pathsleft_stay_choice(4 * i - 6) := choice((pathsleft_stay_value(4 * i - 6, 1) - pathsleft_stay_value(4 * i -
+          6, 2)) < 0, pathsleft_stay_value(4 * i - 6, 1), pathsleft_stay_value(4 * i - 6, 2));
+        pathsleft_stay_choice(4 * i - 5) := choice((to_integer(pathsleft_read_words(i)(27 downto 21)) -
+          to_integer(pathsleft_read_words(i - 2)(27 downto 21))) < 0, to_integer(pathsleft_read_words(i)(27 downto
+          21)), to_integer(pathsleft_read_words(i - 2)(27 downto 21)));
       end loop;
-      for i in 5 to 6 loop
-        pathsleft_stay_values(i) := to_integer(pathsleft_read_words(3)(7 * i - 22 downto 7 * i - 28));
-        pathsleft_stay_value_2s(i) := to_integer(pathsleft_read_words(1)(7 * i - 22 downto 7 * i - 28));
-        if (pathsleft_stay_values(i) - pathsleft_stay_value_2s(i)) < 0 then
-          pathsleft_stay_choice(i) := pathsleft_stay_values(i);
-        else
-          pathsleft_stay_choice(i) := pathsleft_stay_value_2s(i);
-        end if;
-      end loop;
-      if (to_integer(pathsleft_read_words(3)(27 downto 21)) - to_integer(pathsleft_read_words(1)(27 downto 21))) < 0
-        then
-        pathsleft_stay_choice(7) := to_integer(pathsleft_read_words(3)(27 downto 21));
-      else
-        pathsleft_stay_choice(7) := to_integer(pathsleft_read_words(1)(27 downto 21));
-      end if;
-      if pathsleft_is_first then
-        pathsleft_step_choice(0) := pathsleft_stay_value_2(1);
-      else
-        pathsleft_step_choice(0) := pathsleft_lower_neighbour;
-      end if;
-      if (pathsleft_stay_value_2(1) - pathsleft_step_choice(0)) < 0 then
-        pathsleft_step_0_choice_2 := pathsleft_stay_value_2(1);
-      else
-        pathsleft_step_0_choice_2 := pathsleft_step_choice(0);
-      end if;
-      if (pathsleft_stay_value_2(2) - to_integer(pathsleft_read_words(0)(6 downto 0))) < 0 then
-        pathsleft_step_choice(1) := pathsleft_stay_value_2(2);
-      else
-        pathsleft_step_choice(1) := to_integer(pathsleft_read_words(0)(6 downto 0));
-      end if;
-      for i in 0 to 1 loop
-        if (to_integer(pathsleft_read_words(i)(27 - 21 * i downto 21 - 21 * i)) - pathsleft_stay_value_2(i + 1)) < 0
-          then
-          pathsleft_step_choice(i + 2) := to_integer(pathsleft_read_words(i)(27 - 21 * i downto 21 - 21 * i));
-        else
-          pathsleft_step_choice(i + 2) := pathsleft_stay_value_2(i + 1);
-        end if;
-      end loop;
-      for i in 5 to 6 loop
-        if (pathsleft_stay_value_2s(i) - to_integer(pathsleft_read_words(i - 5)(132 - 21 * i downto 126 - 21 * i))) < 0
-          then
-          pathsleft_step_choice(i - 1) := pathsleft_stay_value_2s(i);
-        else
-          pathsleft_step_choice(i - 1) := to_integer(pathsleft_read_words(i - 5)(132 - 21 * i downto 126 - 21 * i));
-        end if;
-      end loop;
-      if (to_integer(pathsleft_read_words(1)(27 downto 21)) - pathsleft_stay_value_2s(5)) < 0 then
-        pathsleft_step_choice(6) := to_integer(pathsleft_read_words(1)(27 downto 21));
-      else
-        pathsleft_step_choice(6) := pathsleft_stay_value_2s(5);
-      end if;
-      if pathsleft_is_last then
-        pathsleft_step_choice(7) := pathsleft_stay_value_2s(6);
-      else
-        pathsleft_step_choice(7) := to_integer(pathsleft_read_neighbour_0);
-      end if;
-      if (pathsleft_step_choice(7) - pathsleft_stay_value_2s(6)) < 0 then
-        pathsleft_step_7_choice_2 := pathsleft_step_choice(7);
-      else
-        pathsleft_step_7_choice_2 := pathsleft_stay_value_2s(6);
-      end if;
+      pathsleft_step_choice(0, 1) := choice(pathsleft_is_first, pathsleft_stay_value(1, 2), pathsleft_lower_neighbour);
+      pathsleft_step_choice(0, 2) := choice((pathsleft_stay_value(1, 2) - pathsleft_step_choice(0, 1)) < 0,
+        pathsleft_stay_value(1, 2), pathsleft_step_choice(0, 1));
+      pathsleft_step_choice(1, 1) := choice((pathsleft_stay_value(2, 2) - to_integer(pathsleft_read_words(0)(6 downto
+        0))) < 0, pathsleft_stay_value(2, 2), to_integer(pathsleft_read_words(0)(6 downto 0)));
+      pathsleft_step_choice(2, 1) := choice((to_integer(pathsleft_read_words(0)(27 downto 21)) -
+        pathsleft_stay_value(1, 2)) < 0, to_integer(pathsleft_read_words(0)(27 downto 21)), pathsleft_stay_value(1, 2));
+      pathsleft_step_choice(3, 1) := choice((to_integer(pathsleft_read_words(1)(6 downto 0)) - pathsleft_stay_value(2,
+        2)) < 0, to_integer(pathsleft_read_words(1)(6 downto 0)), pathsleft_stay_value(2, 2));
+      pathsleft_step_choice(4, 1) := choice((pathsleft_stay_value(5, 2) - to_integer(pathsleft_read_words(0)(27 downto
+        21))) < 0, pathsleft_stay_value(5, 2), to_integer(pathsleft_read_words(0)(27 downto 21)));
+      pathsleft_step_choice(5, 1) := choice((pathsleft_stay_value(6, 2) - to_integer(pathsleft_read_words(1)(6 downto
+        0))) < 0, pathsleft_stay_value(6, 2), to_integer(pathsleft_read_words(1)(6 downto 0)));
+      pathsleft_step_choice(6, 1) := choice((to_integer(pathsleft_read_words(1)(27 downto 21)) -
+        pathsleft_stay_value(5, 2)) < 0, to_integer(pathsleft_read_words(1)(27 downto 21)), pathsleft_stay_value(5, 2));
+      pathsleft_step_choice(7, 1) := choice(pathsleft_is_last, pathsleft_stay_value(6, 2),
+        to_integer(pathsleft_read_neighbour_0));
+      pathsleft_step_choice(7, 2) := choice((pathsleft_step_choice(7, 1) - pathsleft_stay_value(6, 2)) < 0,
+        pathsleft_step_choice(7, 1), pathsleft_stay_value(6, 2));
       pathsleft_stay_change_value(1) := to_integer(paths_cost_delay_held_0(5 downto 0)) / 8;
       for i in 2 to 6 loop
         pathsleft_stay_change_value(i) := to_integer(paths_cost_delay_held_0(3 * i + 2 downto 3 * i));
       end loop;
-      if pathsleft_write_count_phase = 7 then
-        pathsleft_write_count_phase_choice := 7;
-      else
-        pathsleft_write_count_phase_choice := (pathsleft_write_count_phase + 1) mod 8;
-      end if;
-      if line_comes(25) then
-        pathsleft_low_0_choice := 127;
-      else
-        pathsleft_low_0_choice := pathsleft_low_0;
-      end if;
+      pathsleft_write_count_phase_choice := choice(pathsleft_write_count_phase = 7, 7, (pathsleft_write_count_phase +
+        1) mod 8);
+      pathsleft_low_0_choice := choice(line_comes(25), 127, pathsleft_low_0);
       pathsleft_lost <= pathsleft_lowest_0(6) = '1';
       pathsleft_short_of <= ((to_integer(pathsright_lowest_0(5 downto 0)) + pathsright_room) / 64) = 1;
       pathsleft_missing <= (to_integer(pathsleft_lowest_0) + pathsleft_room) mod 64;
@@ -3979,105 +2426,46 @@ begin
         pathsleft_step_change(i) <= (pathsleft_stay_change_value(i) - pathsleft_g_less) mod 128;
       end loop;
       pathsleft_step_change(7) <= (to_integer(paths_cost_delay_held_0(23 downto 21)) - pathsleft_g_less) mod 128;
-      if line_starts_phases(18) then
-        pathsleft_read_count_phase <= 0;
-      else
-        pathsleft_read_count_phase <= pathsleft_read_count_phase_choice;
-      end if;
-      if line_starts_phases(17) then
-        pathsleft_ahead_count_phase <= 0;
-      else
-        pathsleft_ahead_count_phase <= pathsleft_ahead_count_phase_choice;
-      end if;
+      pathsleft_read_count_phase <= choice(line_starts_phases(18), 0, pathsleft_read_count_phase_choice);
+      pathsleft_ahead_count_phase <= choice(line_starts_phases(17), 0, pathsleft_ahead_count_phase_choice);
       for i in 0 to 7 loop
-        if (not is_set(pathsleft_stay_choice(i), 6)) and (not pathsleft_first) then
-          pathsleft_stay(i) <= pathsleft_stay_choice(i);
-        else
-          pathsleft_stay(i) <= 64;
-        end if;
+        pathsleft_stay(i) <= choice((not is_set(pathsleft_stay_choice(i), 6)) and (not pathsleft_first),
+          pathsleft_stay_choice(i), 64);
       end loop;
-      if pathsleft_first then
-        for i in 0 to 7 loop
-          pathsleft_step(i) <= 64;
-        end loop;
-      else
-        pathsleft_step(0) <= pathsleft_step_0_choice_2;
-        for i in 1 to 6 loop
-          pathsleft_step(i) <= pathsleft_step_choice(i);
-        end loop;
-        pathsleft_step(7) <= pathsleft_step_7_choice_2;
-      end if;
-      if line_starts_phases(21) then
-        pathsleft_write_count_phase <= 0;
-      else
-        pathsleft_write_count_phase <= pathsleft_write_count_phase_choice;
-      end if;
+      pathsleft_step(0) <= choice(pathsleft_first, 64, pathsleft_step_choice(0, 2));
+      for i in 1 to 6 loop
+        pathsleft_step(i) <= choice(pathsleft_first, 64, pathsleft_step_choice(i, 1));
+      end loop;
+      pathsleft_step(7) <= choice(pathsleft_first, 64, pathsleft_step_choice(7, 2));
+      pathsleft_write_count_phase <= choice(line_starts_phases(21), 0, pathsleft_write_count_phase_choice);
       for i in 0 to 3 loop
-        if (pathsleft_cost(2 * i + 1) - pathsleft_cost(2 * i)) < 0 then
-          pathsleft_tree_smallest(i) <= pathsleft_cost(2 * i + 1);
-        else
-          pathsleft_tree_smallest(i) <= pathsleft_cost(2 * i);
-        end if;
+        pathsleft_tree_smallest(i) <= choice((pathsleft_cost(2 * i + 1) - pathsleft_cost(2 * i)) < 0, pathsleft_cost(2
+          * i + 1), pathsleft_cost(2 * i));
       end loop;
-      for i in 0 to 1 loop
-        if (pathsleft_tree_smallest(2 * i + 1) - pathsleft_tree_smallest(2 * i)) < 0 then
-          pathsleft_tree_next_smallest(i) <= pathsleft_tree_smallest(2 * i + 1);
-        else
-          pathsleft_tree_next_smallest(i) <= pathsleft_tree_smallest(2 * i);
-        end if;
-      end loop;
-      if (pathsleft_tree_next_smallest(1) - pathsleft_tree_next_smallest(0)) < 0 then
-        pathsleft_tree_next_next_smallest_0 <= pathsleft_tree_next_smallest(1);
-      else
-        pathsleft_tree_next_next_smallest_0 <= pathsleft_tree_next_smallest(0);
-      end if;
-      if (pathsleft_tree_next_next_smallest_0 - pathsleft_low_0_choice) < 0 then
-        pathsleft_low_0 <= pathsleft_tree_next_next_smallest_0;
-      else
-        pathsleft_low_0 <= pathsleft_low_0_choice;
-      end if;
-      if pathsright_short_of then
-        pathsleft_q_choice := pathsleft_missing;
-      else
-        pathsleft_q_choice := 0;
-      end if;
-      if pathsleft_lost then
-        pathsleft_q_choice_2 := pathsleft_room;
-      else
-        pathsleft_q_choice_2 := pathsleft_q_choice;
-      end if;
-      if pathsright_short_of then
-        pathsleft_room_left_choice := pathsleft_below;
-      else
-        pathsleft_room_left_choice := pathsleft_room;
-      end if;
+      pathsleft_tree_next_smallest(0) <= choice((pathsleft_tree_smallest(1) - pathsleft_tree_smallest(0)) < 0,
+        pathsleft_tree_smallest(1), pathsleft_tree_smallest(0));
+      pathsleft_tree_next_smallest(1) <= choice((pathsleft_tree_smallest(3) - pathsleft_tree_smallest(2)) < 0,
+        pathsleft_tree_smallest(3), pathsleft_tree_smallest(2));
+      pathsleft_tree_next_next_smallest_0 <= choice((pathsleft_tree_next_smallest(1) - pathsleft_tree_next_smallest(0))
+        < 0, pathsleft_tree_next_smallest(1), pathsleft_tree_next_smallest(0));
+      pathsleft_low_0 <= choice((pathsleft_tree_next_next_smallest_0 - pathsleft_low_0_choice) < 0,
+        pathsleft_tree_next_next_smallest_0, pathsleft_low_0_choice);
+      pathsleft_q_choices(1) := choice(pathsright_short_of, pathsleft_missing, 0);
+      pathsleft_q_choices(2) := choice(pathsleft_lost, pathsleft_room, pathsleft_q_choices(1));
+      pathsleft_room_left_choice := choice(pathsright_short_of, pathsleft_below, pathsleft_room);
       if line_starts_phases(17) then
-        if line_places_shown_first_column(2) then
-          pathsleft_q <= 60;
-        else
-          pathsleft_q <= pathsleft_q_choice_2;
-        end if;
-        if pathsleft_lost then
-          pathsleft_room_left <= 0;
-        else
-          pathsleft_room_left <= pathsleft_room_left_choice;
-        end if;
+        pathsleft_q <= choice(line_places_shown_first_column(2), 60, pathsleft_q_choices(2));
+        pathsleft_room_left <= choice(pathsleft_lost, 0, pathsleft_room_left_choice);
       end if;
       if line_starts_phases(18) then
         pathsleft_q_now <= pathsleft_q;
         pathsleft_q_less <= (pathsleft_q + 121) mod 128;
-        if line_places_shown_first_column(2) then
-          pathsleft_room <= 0;
-          for i in 1 to 8 loop
-            pathsleft_start_cost(i) <= 0;
-          end loop;
-        else
-          pathsleft_room <= (pathsleft_room_left + pathsleft_start_cost(8)) mod 64;
-          pathsleft_start_cost(1) <= pathsleft_q_now;
-          for i in 2 to 8 loop
-            pathsleft_start_cost(i) <= pathsleft_start_cost(i - 1);
-          end loop;
-        end if;
+        pathsleft_room <= choice(line_places_shown_first_column(2), 0, (pathsleft_room_left + pathsleft_start_cost(8))
+          mod 64);
+        pathsleft_start_cost(1) <= choice(line_places_shown_first_column(2), 0, pathsleft_q_now);
+        for i in 2 to 8 loop
+          pathsleft_start_cost(i) <= choice(line_places_shown_first_column(2), 0, pathsleft_start_cost(i - 1));
+        end loop;
       end if;
       if line_starts_phases(19) then
         pathsleft_first <= line_places_shown_first_column(2);
@@ -4099,118 +2487,43 @@ begin
       end if;
       -- pathsabove
       pathsabove_memory_read_address_0_sum := pathsabove_read_address_address + 1;
-      if line_places_shown_first_column(0) then
-        pathsabove_memory_read_address_0_choice := 0;
-      else
-        pathsabove_memory_read_address_0_choice := pathsabove_memory_read_address_0_sum mod 4096;
-      end if;
+      pathsabove_memory_read_address_0_choice := choice(line_places_shown_first_column(0), 0,
+        pathsabove_memory_read_address_0_sum mod 4096);
       pathsabove_memory_read_address_0_sum_2 := pathsabove_read_address_address + as_number(((not
         is_set(pathsabove_read_address_count_phase, 2)) or (not is_set(pathsabove_read_address_count_phase, 1)) or (not
         is_set(pathsabove_read_address_count_phase, 0))));
-      if line_places_shown_first_column(0) then
-        pathsabove_memory_read_address_1_choice := 0;
-      else
-        pathsabove_memory_read_address_1_choice := pathsabove_memory_read_address_0_sum mod 1024;
-      end if;
-      if line_places_shown_first_column(0) then
-        pathsabove_memory_bank_choice := 0;
-      else
-        pathsabove_memory_bank_choice := pathsabove_memory_read_address_0_sum mod 8192;
-      end if;
-      if line_starts_phases(4) then
-        pathsabove_memory_bank_choice_2 := pathsabove_memory_bank_choice;
-      else
-        pathsabove_memory_bank_choice_2 := pathsabove_memory_read_address_0_sum_2 mod 8192;
-      end if;
-      if pathsabove_read_address_count_phase = 7 then
-        pathsabove_read_address_count_phase_choice := 7;
-      else
-        pathsabove_read_address_count_phase_choice := (pathsabove_read_address_count_phase + 1) mod 8;
-      end if;
-      if line_starts_phases(7) then
-        pathsabove_ready_top_choice := line_places_shown_first_column(0) or pathsabove_ready_top;
-      else
-        pathsabove_ready_top_choice := pathsabove_ready_top;
-      end if;
-      if line_starts_phases(7) then
-        pathsabove_ready_top_choice_2 := (not line_places_shown_first_column(0)) and pathsabove_ready_top;
-      else
-        pathsabove_ready_top_choice_2 := pathsabove_ready_top;
-      end if;
-      if pathsabove_ready_top then
-        pathsabove_total_choice(0) := 31;
-      else
-        pathsabove_total_choice(0) := pathsabove_memory_ready_words(0) mod 32;
-      end if;
-      if pathsabove_ready_top then
-        pathsabove_total_choice(1) := 31;
-      else
-        pathsabove_total_choice(1) := (pathsabove_memory_ready_words(0) / 32) mod 32;
-      end if;
-      if pathsabove_ready_top then
-        pathsabove_total_choice(2) := 31;
-      else
-        pathsabove_total_choice(2) := (pathsabove_memory_ready_words(0) / 1024) mod 32;
-      end if;
-      if pathsabove_ready_top then
-        pathsabove_total_choice(3) := 31;
-      else
-        pathsabove_total_choice(3) := ((pathsabove_memory_ready_words(1) mod 16) * 2) +
-          (pathsabove_memory_ready_words(0) / 32768);
-      end if;
-      if pathsabove_ready_top then
-        pathsabove_total_choice(4) := 31;
-      else
-        pathsabove_total_choice(4) := (pathsabove_memory_ready_words(1) / 16) mod 32;
-      end if;
-      if pathsabove_ready_top then
-        pathsabove_total_choice(5) := 31;
-      else
-        pathsabove_total_choice(5) := (pathsabove_memory_ready_words(1) / 512) mod 32;
-      end if;
-      if pathsabove_ready_top then
-        pathsabove_total_choice(6) := 31;
-      else
-        pathsabove_total_choice(6) := ((pathsabove_memory_ready_words_2 mod 8) * 4) + (pathsabove_memory_ready_words(1)
-          / 16384);
-      end if;
-      if pathsabove_ready_top then
-        pathsabove_total_choice(7) := 31;
-      else
-        pathsabove_total_choice(7) := pathsabove_memory_ready_words_2 / 8;
-      end if;
-      if line_comes(12) then
-        pathsabove_smallest_total_choice := 63;
-      else
-        pathsabove_smallest_total_choice := pathsabove_smallest_total;
-      end if;
+      pathsabove_memory_read_address_1_choice := choice(line_places_shown_first_column(0), 0,
+        pathsabove_memory_read_address_0_sum mod 1024);
+      pathsabove_memory_bank_choices(1) := choice(line_places_shown_first_column(0), 0,
+        pathsabove_memory_read_address_0_sum mod 8192);
+      pathsabove_memory_bank_choices(2) := choice(line_starts_phases(4), pathsabove_memory_bank_choices(1),
+        pathsabove_memory_read_address_0_sum_2 mod 8192);
+      pathsabove_read_address_count_phase_choice := choice(pathsabove_read_address_count_phase = 7, 7,
+        (pathsabove_read_address_count_phase + 1) mod 8);
+      pathsabove_ready_top_choices(1) := choice(line_starts_phases(7), line_places_shown_first_column(0) or
+        pathsabove_ready_top, pathsabove_ready_top);
+      pathsabove_ready_top_choices(2) := choice(line_starts_phases(7), (not line_places_shown_first_column(0)) and
+        pathsabove_ready_top, pathsabove_ready_top);
+      pathsabove_total_choice(0) := choice(pathsabove_ready_top, 31, pathsabove_memory_ready_words(0) mod 32);
+      pathsabove_total_choice(1) := choice(pathsabove_ready_top, 31, (pathsabove_memory_ready_words(0) / 32) mod 32);
+      pathsabove_total_choice(2) := choice(pathsabove_ready_top, 31, (pathsabove_memory_ready_words(0) / 1024) mod 32);
+      pathsabove_total_choice(3) := choice(pathsabove_ready_top, 31, ((pathsabove_memory_ready_words(1) mod 16) * 2) +
+        (pathsabove_memory_ready_words(0) / 32768));
+      pathsabove_total_choice(4) := choice(pathsabove_ready_top, 31, (pathsabove_memory_ready_words(1) / 16) mod 32);
+      pathsabove_total_choice(5) := choice(pathsabove_ready_top, 31, (pathsabove_memory_ready_words(1) / 512) mod 32);
+      pathsabove_total_choice(6) := choice(pathsabove_ready_top, 31, ((pathsabove_memory_ready_words(2) mod 8) * 4) +
+        (pathsabove_memory_ready_words(1) / 16384));
+      pathsabove_total_choice(7) := choice(pathsabove_ready_top, 31, pathsabove_memory_ready_words(2) / 8);
+      pathsabove_smallest_total_choice := choice(line_comes(12), 63, pathsabove_smallest_total);
       pathsabove_count_phase_is_equal := pathsabove_count_phase = 7;
-      if pathsabove_count_phase_is_equal then
-        pathsabove_count_phase_choice := 7;
-      else
-        pathsabove_count_phase_choice := (pathsabove_count_phase + 1) mod 8;
-      end if;
-      if pathsabove_count_phase = 0 then
-        pathsabove_beside_0_choice := pathsabove_held(1);
-      else
-        pathsabove_beside_0_choice := pathsabove_lower_neighbour;
-      end if;
-      if pathsabove_count_phase_is_equal then
-        pathsabove_beside_7_choice := pathsabove_held(6);
-      else
-        pathsabove_beside_7_choice := pathsabove_cost(0);
-      end if;
-      if line_places_shown_first_column(2) then
-        pathsabove_write_address_address_choice := 0;
-      else
-        pathsabove_write_address_address_choice := (pathsabove_write_address_address + 1) mod 8192;
-      end if;
-      if pathsabove_write_address_count_phase = 7 then
-        pathsabove_write_address_count_phase_choice := 7;
-      else
-        pathsabove_write_address_count_phase_choice := (pathsabove_write_address_count_phase + 1) mod 8;
-      end if;
-      pathsabove_memory_bank <= is_set(pathsabove_memory_bank_choice_2, 12);
+      pathsabove_count_phase_choice := choice(pathsabove_count_phase_is_equal, 7, (pathsabove_count_phase + 1) mod 8);
+      pathsabove_beside_0_choice := choice(pathsabove_count_phase = 0, pathsabove_held(1), pathsabove_lower_neighbour);
+      pathsabove_beside_7_choice := choice(pathsabove_count_phase_is_equal, pathsabove_held(6), pathsabove_cost(0));
+      pathsabove_write_address_address_choice := choice(line_places_shown_first_column(2), 0,
+        (pathsabove_write_address_address + 1) mod 8192);
+      pathsabove_write_address_count_phase_choice := choice(pathsabove_write_address_count_phase = 7, 7,
+        (pathsabove_write_address_count_phase + 1) mod 8);
+      pathsabove_memory_bank <= is_set(pathsabove_memory_bank_choices(2), 12);
       pathsabove_memory_read_bank <= pathsabove_memory_bank;
       pathsabove_memory_held_words(0, 0) <= to_integer(pathsabove_memory_read_words(0, 0));
       pathsabove_memory_held_words(0, 1) <= to_integer(pathsabove_memory_read_words(0, 1));
@@ -4219,7 +2532,7 @@ begin
       pathsabove_memory_held_words(1, 1) <= to_integer(pathsabove_memory_read_words(1, 1));
       pathsabove_memory_held_words_2(1) <= to_integer(pathsabove_memory_read_words_2(1));
       pathsabove_memory_held_bank <= pathsabove_memory_read_bank;
-      pathsabove_read_address_address <= pathsabove_memory_bank_choice_2;
+      pathsabove_read_address_address <= pathsabove_memory_bank_choices(2);
       for i in 0 to 7 loop
         pathsabove_total(i) <= costs_cost(i) + pathsabove_total_choice(i);
       end loop;
@@ -4231,169 +2544,90 @@ begin
       pathsabove_cost(5) <= (to_integer(pathsabove_delay_held_1) - pathsabove_smallest) mod 64;
       pathsabove_cost(6) <= (to_integer(pathsabove_delay_held_1(17 downto 6)) - pathsabove_smallest) mod 64;
       pathsabove_cost(7) <= (to_integer(pathsabove_delay_held_1(17 downto 12)) - pathsabove_smallest) mod 64;
-      for i in 0 to 7 loop
-        pathsabove_held(i) <= pathsabove_cost(i);
-      end loop;
+      pathsabove_held <= pathsabove_cost;
       pathsabove_lower_neighbour <= pathsabove_held(7);
-      for i in 0 to 6 loop
-        pathsabove_own(i) <= pathsabove_held(i);
-      end loop;
+      pathsabove_own <= pathsabove_held(0 to 6);
       for i in 0 to 7 loop
         pathsabove_step(i) <= pathsabove_beside(i) + 5;
       end loop;
       pathsabove_write_address_is_here <= line_starts_phases(24) or (not is_set(pathsabove_write_address_count_phase,
         2)) or (not is_set(pathsabove_write_address_count_phase, 1)) or (not
         is_set(pathsabove_write_address_count_phase, 0));
-      if line_starts_phases(4) then
-        pathsabove_memory_read_address_0 <= pathsabove_memory_read_address_0_choice;
-        pathsabove_memory_read_address_1 <= pathsabove_memory_read_address_1_choice;
-        pathsabove_read_address_count_phase <= 0;
-      else
-        pathsabove_memory_read_address_0 <= pathsabove_memory_read_address_0_sum_2 mod 4096;
-        pathsabove_memory_read_address_1 <= pathsabove_memory_read_address_0_sum_2 mod 1024;
-        pathsabove_read_address_count_phase <= pathsabove_read_address_count_phase_choice;
-      end if;
-      if pathsabove_memory_held_bank then
-        pathsabove_memory_ready_words(0) <= pathsabove_memory_held_words(1, 0);
-        pathsabove_memory_ready_words(1) <= pathsabove_memory_held_words(1, 1);
-        pathsabove_memory_ready_words_2 <= pathsabove_memory_held_words_2(1);
-      else
-        pathsabove_memory_ready_words(0) <= pathsabove_memory_held_words(0, 0);
-        pathsabove_memory_ready_words(1) <= pathsabove_memory_held_words(0, 1);
-        pathsabove_memory_ready_words_2 <= pathsabove_memory_held_words_2(0);
-      end if;
-      if line_places_0_top then
-        pathsabove_ready_top <= pathsabove_ready_top_choice;
-      else
-        pathsabove_ready_top <= pathsabove_ready_top_choice_2;
-      end if;
+      pathsabove_memory_read_address_0 <= choice(line_starts_phases(4), pathsabove_memory_read_address_0_choice,
+        pathsabove_memory_read_address_0_sum_2 mod 4096);
+      pathsabove_memory_read_address_1 <= choice(line_starts_phases(4), pathsabove_memory_read_address_1_choice,
+        pathsabove_memory_read_address_0_sum_2 mod 1024);
+      pathsabove_read_address_count_phase <= choice(line_starts_phases(4), 0,
+        pathsabove_read_address_count_phase_choice);
+      pathsabove_memory_ready_words(0) <= choice(pathsabove_memory_held_bank, pathsabove_memory_held_words(1, 0),
+        pathsabove_memory_held_words(0, 0));
+      pathsabove_memory_ready_words(1) <= choice(pathsabove_memory_held_bank, pathsabove_memory_held_words(1, 1),
+        pathsabove_memory_held_words(0, 1));
+      pathsabove_memory_ready_words(2) <= choice(pathsabove_memory_held_bank, pathsabove_memory_held_words_2(1),
+        pathsabove_memory_held_words_2(0));
+      pathsabove_ready_top <= choice(line_places_0_top, pathsabove_ready_top_choices(1),
+        pathsabove_ready_top_choices(2));
       for i in 0 to 3 loop
-        if (pathsabove_total(2 * i + 1) - pathsabove_total(2 * i)) < 0 then
-          pathsabove_tree_smallest(i) <= pathsabove_total(2 * i + 1);
-        else
-          pathsabove_tree_smallest(i) <= pathsabove_total(2 * i);
-        end if;
+        pathsabove_tree_smallest(i) <= choice((pathsabove_total(2 * i + 1) - pathsabove_total(2 * i)) < 0,
+          pathsabove_total(2 * i + 1), pathsabove_total(2 * i));
       end loop;
-      for i in 0 to 1 loop
-        if (pathsabove_tree_smallest(2 * i + 1) - pathsabove_tree_smallest(2 * i)) < 0 then
-          pathsabove_tree_next_smallest(i) <= pathsabove_tree_smallest(2 * i + 1);
-        else
-          pathsabove_tree_next_smallest(i) <= pathsabove_tree_smallest(2 * i);
-        end if;
+      pathsabove_tree_next_smallest(0) <= choice((pathsabove_tree_smallest(1) - pathsabove_tree_smallest(0)) < 0,
+        pathsabove_tree_smallest(1), pathsabove_tree_smallest(0));
+      pathsabove_tree_next_smallest(1) <= choice((pathsabove_tree_smallest(3) - pathsabove_tree_smallest(2)) < 0,
+        pathsabove_tree_smallest(3), pathsabove_tree_smallest(2));
+      pathsabove_tree_next_next_smallest_0 <= choice((pathsabove_tree_next_smallest(1) -
+        pathsabove_tree_next_smallest(0)) < 0, pathsabove_tree_next_smallest(1), pathsabove_tree_next_smallest(0));
+      pathsabove_smallest_total <= choice((pathsabove_tree_next_next_smallest_0 - pathsabove_smallest_total_choice) <
+        0, pathsabove_tree_next_next_smallest_0, pathsabove_smallest_total_choice);
+      pathsabove_count_phase <= choice(line_starts_phases(22), 0, pathsabove_count_phase_choice);
+      pathsabove_beside(0) <= choice((pathsabove_held(1) - pathsabove_beside_0_choice) < 0, pathsabove_held(1),
+        pathsabove_beside_0_choice);
+      for i in 1 to 6 loop
+        pathsabove_beside(i) <= choice((pathsabove_held(i + 1) - pathsabove_held(i - 1)) < 0, pathsabove_held(i + 1),
+          pathsabove_held(i - 1));
       end loop;
-      if (pathsabove_tree_next_smallest(1) - pathsabove_tree_next_smallest(0)) < 0 then
-        pathsabove_tree_next_next_smallest_0 <= pathsabove_tree_next_smallest(1);
-      else
-        pathsabove_tree_next_next_smallest_0 <= pathsabove_tree_next_smallest(0);
-      end if;
-      if (pathsabove_tree_next_next_smallest_0 - pathsabove_smallest_total_choice) < 0 then
-        pathsabove_smallest_total <= pathsabove_tree_next_next_smallest_0;
-      else
-        pathsabove_smallest_total <= pathsabove_smallest_total_choice;
-      end if;
-      if line_starts_phases(22) then
-        pathsabove_count_phase <= 0;
-      else
-        pathsabove_count_phase <= pathsabove_count_phase_choice;
-      end if;
-      if (pathsabove_held(1) - pathsabove_beside_0_choice) < 0 then
-        pathsabove_beside(0) <= pathsabove_held(1);
-      else
-        pathsabove_beside(0) <= pathsabove_beside_0_choice;
-      end if;
-      for i in 2 to 7 loop
-        if (pathsabove_held(i) - pathsabove_held(i - 2)) < 0 then
-          pathsabove_beside(i - 1) <= pathsabove_held(i);
-        else
-          pathsabove_beside(i - 1) <= pathsabove_held(i - 2);
-        end if;
-      end loop;
-      if (pathsabove_beside_7_choice - pathsabove_held(6)) < 0 then
-        pathsabove_beside(7) <= pathsabove_beside_7_choice;
-      else
-        pathsabove_beside(7) <= pathsabove_held(6);
-      end if;
+      pathsabove_beside(7) <= choice((pathsabove_beside_7_choice - pathsabove_held(6)) < 0, pathsabove_beside_7_choice,
+        pathsabove_held(6));
       for i in 0 to 6 loop
-        if pathsabove_own(i) < 31 then
-          pathsabove_stay(i) <= pathsabove_own(i) mod 32;
-        else
-          pathsabove_stay(i) <= 31;
-        end if;
+        pathsabove_stay(i) <= choice(pathsabove_own(i) < 31, pathsabove_own(i) mod 32, 31);
       end loop;
-      if pathsabove_lower_neighbour < 31 then
-        pathsabove_stay(7) <= pathsabove_lower_neighbour mod 32;
-      else
-        pathsabove_stay(7) <= 31;
-      end if;
-      if line_starts_phases(24) then
-        pathsabove_write_address_address <= pathsabove_write_address_address_choice;
-        pathsabove_write_address_count_phase <= 0;
-      else
-        pathsabove_write_address_address <= (pathsabove_write_address_address + as_number(((not
-          is_set(pathsabove_write_address_count_phase, 2)) or (not is_set(pathsabove_write_address_count_phase, 1)) or
-          (not is_set(pathsabove_write_address_count_phase, 0))))) mod 8192;
-        pathsabove_write_address_count_phase <= pathsabove_write_address_count_phase_choice;
-      end if;
-      if (pathsabove_step(1) - pathsabove_stay(1)) < 0 then
-        pathsabove_memory_write_words_0_choice(0) := pathsabove_step(1) mod 32;
-      else
-        pathsabove_memory_write_words_0_choice(0) := pathsabove_stay(1);
-      end if;
-      if (pathsabove_step(0) - pathsabove_stay(0)) < 0 then
-        pathsabove_memory_write_words_0_choice_2(0) := pathsabove_step(0) mod 32;
-      else
-        pathsabove_memory_write_words_0_choice_2(0) := pathsabove_stay(0);
-      end if;
-      if (pathsabove_step(2) - pathsabove_stay(2)) < 0 then
-        pathsabove_memory_write_words_0_choice_3(0) := pathsabove_step(2) mod 32;
-      else
-        pathsabove_memory_write_words_0_choice_3(0) := pathsabove_stay(2);
-      end if;
+      pathsabove_stay(7) <= choice(pathsabove_lower_neighbour < 31, pathsabove_lower_neighbour mod 32, 31);
+      pathsabove_write_address_address <= choice(line_starts_phases(24), pathsabove_write_address_address_choice,
+        (pathsabove_write_address_address + as_number(((not is_set(pathsabove_write_address_count_phase, 2)) or (not
+        is_set(pathsabove_write_address_count_phase, 1)) or (not is_set(pathsabove_write_address_count_phase, 0)))))
+        mod 8192);
+      pathsabove_write_address_count_phase <= choice(line_starts_phases(24), 0,
+        pathsabove_write_address_count_phase_choice);
+      pathsabove_memory_write_words_0_choice(0, 1) := choice((pathsabove_step(1) - pathsabove_stay(1)) < 0,
+        pathsabove_step(1) mod 32, pathsabove_stay(1));
+      pathsabove_memory_write_words_0_choice(0, 2) := choice((pathsabove_step(0) - pathsabove_stay(0)) < 0,
+        pathsabove_step(0) mod 32, pathsabove_stay(0));
+      pathsabove_memory_write_words_0_choice(0, 3) := choice((pathsabove_step(2) - pathsabove_stay(2)) < 0,
+        pathsabove_step(2) mod 32, pathsabove_stay(2));
       pathsabove_memory_write_words_0_is_less(0) := (pathsabove_step(3) - pathsabove_stay(3)) < 0;
-      if pathsabove_memory_write_words_0_is_less(0) then
-        pathsabove_memory_write_words_0_0_choice_4 := is_set(pathsabove_step(3), 0);
-      else
-        pathsabove_memory_write_words_0_0_choice_4 := is_set(pathsabove_stay(3), 0);
-      end if;
-      pathsabove_memory_write_words_0_sum(0) := (pathsabove_memory_write_words_0_choice(0) * 32) +
-        pathsabove_memory_write_words_0_choice_2(0) + (pathsabove_memory_write_words_0_choice_3(0) * 1024) +
+      pathsabove_memory_write_words_0_0_choice_4 := choice(pathsabove_memory_write_words_0_is_less(0),
+        is_set(pathsabove_step(3), 0), is_set(pathsabove_stay(3), 0));
+      pathsabove_memory_write_words_0_sum(0) := (pathsabove_memory_write_words_0_choice(0, 1) * 32) +
+        pathsabove_memory_write_words_0_choice(0, 2) + (pathsabove_memory_write_words_0_choice(0, 3) * 1024) +
         (as_number(pathsabove_memory_write_words_0_0_choice_4) * 32768);
-      if (pathsabove_step(4) - pathsabove_stay(4)) < 0 then
-        pathsabove_memory_write_words_0_choice(1) := pathsabove_step(4) mod 32;
-      else
-        pathsabove_memory_write_words_0_choice(1) := pathsabove_stay(4);
-      end if;
-      if pathsabove_memory_write_words_0_is_less(0) then
-        pathsabove_memory_write_words_0_choice_2(1) := pathsabove_step(3) mod 32;
-      else
-        pathsabove_memory_write_words_0_choice_2(1) := pathsabove_stay(3);
-      end if;
-      if (pathsabove_step(5) - pathsabove_stay(5)) < 0 then
-        pathsabove_memory_write_words_0_choice_3(1) := pathsabove_step(5) mod 32;
-      else
-        pathsabove_memory_write_words_0_choice_3(1) := pathsabove_stay(5);
-      end if;
+      pathsabove_memory_write_words_0_choice(1, 1) := choice((pathsabove_step(4) - pathsabove_stay(4)) < 0,
+        pathsabove_step(4) mod 32, pathsabove_stay(4));
+      pathsabove_memory_write_words_0_choice(1, 2) := choice(pathsabove_memory_write_words_0_is_less(0),
+        pathsabove_step(3) mod 32, pathsabove_stay(3));
+      pathsabove_memory_write_words_0_choice(1, 3) := choice((pathsabove_step(5) - pathsabove_stay(5)) < 0,
+        pathsabove_step(5) mod 32, pathsabove_stay(5));
       pathsabove_memory_write_words_0_is_less(1) := (pathsabove_step(6) - pathsabove_stay(6)) < 0;
-      if pathsabove_memory_write_words_0_is_less(1) then
-        pathsabove_memory_write_words_0_1_choice_4 := pathsabove_step(6) mod 4;
-      else
-        pathsabove_memory_write_words_0_1_choice_4 := pathsabove_stay(6) mod 4;
-      end if;
-      pathsabove_memory_write_words_0_sum(1) := (pathsabove_memory_write_words_0_choice(1) * 16) +
-        (pathsabove_memory_write_words_0_choice_2(1) / 2) + (pathsabove_memory_write_words_0_choice_3(1) * 512) +
+      pathsabove_memory_write_words_0_1_choice_4 := choice(pathsabove_memory_write_words_0_is_less(1),
+        pathsabove_step(6) mod 4, pathsabove_stay(6) mod 4);
+      pathsabove_memory_write_words_0_sum(1) := (pathsabove_memory_write_words_0_choice(1, 1) * 16) +
+        (pathsabove_memory_write_words_0_choice(1, 2) / 2) + (pathsabove_memory_write_words_0_choice(1, 3) * 512) +
         (pathsabove_memory_write_words_0_1_choice_4 * 16384);
-      if pathsabove_memory_write_words_0_is_less(1) then
-        pathsabove_memory_write_words_0_choice(2) := pathsabove_step(6) mod 32;
-      else
-        pathsabove_memory_write_words_0_choice(2) := pathsabove_stay(6);
-      end if;
-      if (pathsabove_step(7) - pathsabove_stay(7)) < 0 then
-        pathsabove_memory_write_words_0_choice_2(2) := pathsabove_step(7) mod 32;
-      else
-        pathsabove_memory_write_words_0_choice_2(2) := pathsabove_stay(7);
-      end if;
-      pathsabove_memory_write_words_0_2_sum := (pathsabove_memory_write_words_0_choice(2) / 4) +
-        (pathsabove_memory_write_words_0_choice_2(2) * 8);
+      pathsabove_memory_write_words_0_choice(2, 1) := choice(pathsabove_memory_write_words_0_is_less(1),
+        pathsabove_step(6) mod 32, pathsabove_stay(6));
+      pathsabove_memory_write_words_0_choice(2, 2) := choice((pathsabove_step(7) - pathsabove_stay(7)) < 0,
+        pathsabove_step(7) mod 32, pathsabove_stay(7));
+      pathsabove_memory_write_words_0_2_sum := (pathsabove_memory_write_words_0_choice(2, 1) / 4) +
+        (pathsabove_memory_write_words_0_choice(2, 2) * 8);
       pathsabove_memory_write_words_0_all(0) := pathsabove_write_address_is_here and (pathsabove_write_address_address
         < 4096);
       if pathsabove_memory_write_words_0_all(0) then
@@ -4417,21 +2651,12 @@ begin
       pathsturn_cost_memory_read_address_0_sum := pathsturn_read_address_address + as_number(((not
         is_set(pathsturn_read_address_count_phase, 2)) or (not is_set(pathsturn_read_address_count_phase, 1)) or (not
         is_set(pathsturn_read_address_count_phase, 0))));
-      if line_starts_phases(16) then
-        pathsturn_cost_memory_bank_choice := line_places_address(1) * 8;
-      else
-        pathsturn_cost_memory_bank_choice := pathsturn_cost_memory_read_address_0_sum mod 8192;
-      end if;
-      if pathsturn_read_address_count_phase = 7 then
-        pathsturn_read_address_count_phase_choice := 7;
-      else
-        pathsturn_read_address_count_phase_choice := (pathsturn_read_address_count_phase + 1) mod 8;
-      end if;
-      if pathsturn_write_address_count_phase = 7 then
-        pathsturn_write_address_count_phase_choice := 7;
-      else
-        pathsturn_write_address_count_phase_choice := (pathsturn_write_address_count_phase + 1) mod 8;
-      end if;
+      pathsturn_cost_memory_bank_choice := choice(line_starts_phases(16), line_places_address(1) * 8,
+        pathsturn_cost_memory_read_address_0_sum mod 8192);
+      pathsturn_read_address_count_phase_choice := choice(pathsturn_read_address_count_phase = 7, 7,
+        (pathsturn_read_address_count_phase + 1) mod 8);
+      pathsturn_write_address_count_phase_choice := choice(pathsturn_write_address_count_phase = 7, 7,
+        (pathsturn_write_address_count_phase + 1) mod 8);
       pathsturn_sum_memory_read_address_0 <= pathsturn_sum_read_address mod 4096;
       pathsturn_sum_memory_read_address_1 <= pathsturn_sum_read_address mod 1024;
       pathsturn_sum_memory_bank <= pathsturn_cost_memory_read_bank;
@@ -4460,57 +2685,41 @@ begin
       pathsturn_sum_write_address(1) <= pathsturn_sum_write_address(0);
       pathsturn_writes_sums(0) <= pathsturn_write_address_is_here;
       pathsturn_writes_sums(1) <= pathsturn_writes_sums(0);
-      if pathsturn_sum_memory_held_bank then
-        pathsturn_sum_memory_ready_words(0) <= pathsturn_sum_memory_held_words(1, 0);
-        pathsturn_sum_memory_ready_words(1) <= pathsturn_sum_memory_held_words(1, 1);
-        pathsturn_sum_memory_ready_words(2) <= pathsturn_sum_memory_held_words(1, 2);
-        pathsturn_sum_memory_ready_words_3 <= pathsturn_sum_memory_held_words_3(1);
-      else
-        pathsturn_sum_memory_ready_words(0) <= pathsturn_sum_memory_held_words(0, 0);
-        pathsturn_sum_memory_ready_words(1) <= pathsturn_sum_memory_held_words(0, 1);
-        pathsturn_sum_memory_ready_words(2) <= pathsturn_sum_memory_held_words(0, 2);
-        pathsturn_sum_memory_ready_words_3 <= pathsturn_sum_memory_held_words_3(0);
-      end if;
-      if line_starts_phases(16) then
-        pathsturn_cost_memory_read_address_0 <= (line_places_address(1) mod 512) * 8;
-        pathsturn_cost_memory_read_address_1 <= (line_places_address(1) mod 128) * 8;
-        pathsturn_read_address_count_phase <= 0;
-      else
-        pathsturn_cost_memory_read_address_0 <= pathsturn_cost_memory_read_address_0_sum mod 4096;
-        pathsturn_cost_memory_read_address_1 <= pathsturn_cost_memory_read_address_0_sum mod 1024;
-        pathsturn_read_address_count_phase <= pathsturn_read_address_count_phase_choice;
-      end if;
-      if pathsturn_sum_memory_bank then
-        pathsturn_cost_memory_ready_words_0 <= pathsturn_cost_memory_held_words_0(1);
-        pathsturn_cost_memory_ready_words_1 <= pathsturn_cost_memory_held_words_1(1);
-      else
-        pathsturn_cost_memory_ready_words_0 <= pathsturn_cost_memory_held_words_0(0);
-        pathsturn_cost_memory_ready_words_1 <= pathsturn_cost_memory_held_words_1(0);
-      end if;
-      if line_starts_phases(19) then
-        pathsturn_write_smallest_address <= line_places_address(2);
-        pathsturn_write_address_address <= line_places_address(2) * 8;
-        pathsturn_write_address_count_phase <= 0;
-      else
-        pathsturn_write_smallest_address <= 638;
-        pathsturn_write_address_address <= (pathsturn_write_address_address + as_number(((not
-          is_set(pathsturn_write_address_count_phase, 2)) or (not is_set(pathsturn_write_address_count_phase, 1)) or
-          (not is_set(pathsturn_write_address_count_phase, 0))))) mod 8192;
-        pathsturn_write_address_count_phase <= pathsturn_write_address_count_phase_choice;
-      end if;
-      pathsturn_sum_memory_write_words_0_sum(0) := pathsleft_cost(2) + pathsabove_cost(2);
+      for i in 0 to 2 loop
+        pathsturn_sum_memory_ready_words(i) <= choice(pathsturn_sum_memory_held_bank,
+          pathsturn_sum_memory_held_words(1, i), pathsturn_sum_memory_held_words(0, i));
+      end loop;
+      pathsturn_sum_memory_ready_words(3) <= choice(pathsturn_sum_memory_held_bank,
+        pathsturn_sum_memory_held_words_3(1), pathsturn_sum_memory_held_words_3(0));
+      pathsturn_cost_memory_read_address_0 <= choice(line_starts_phases(16), (line_places_address(1) mod 512) * 8,
+        pathsturn_cost_memory_read_address_0_sum mod 4096);
+      pathsturn_cost_memory_read_address_1 <= choice(line_starts_phases(16), (line_places_address(1) mod 128) * 8,
+        pathsturn_cost_memory_read_address_0_sum mod 1024);
+      pathsturn_read_address_count_phase <= choice(line_starts_phases(16), 0,
+        pathsturn_read_address_count_phase_choice);
+      pathsturn_cost_memory_ready_words(0) <= choice(pathsturn_sum_memory_bank, pathsturn_cost_memory_held_words_0(1),
+        pathsturn_cost_memory_held_words_0(0));
+      pathsturn_cost_memory_ready_words(1) <= choice(pathsturn_sum_memory_bank, pathsturn_cost_memory_held_words_1(1),
+        pathsturn_cost_memory_held_words_1(0));
+      pathsturn_write_smallest_address <= choice(line_starts_phases(19), line_places_address(2), 638);
+      pathsturn_write_address_address <= choice(line_starts_phases(19), line_places_address(2) * 8,
+        (pathsturn_write_address_address + as_number(((not is_set(pathsturn_write_address_count_phase, 2)) or (not
+        is_set(pathsturn_write_address_count_phase, 1)) or (not is_set(pathsturn_write_address_count_phase, 0))))) mod
+        8192);
+      pathsturn_write_address_count_phase <= choice(line_starts_phases(19), 0,
+        pathsturn_write_address_count_phase_choice);
+      pathsturn_sum_memory_write_words_0_0_sum := pathsleft_cost(2) + pathsabove_cost(2);
       pathsturn_sum_memory_write_words_0_sum_2(0) := (((pathsleft_cost(1) + pathsabove_cost(1)) mod 128) * 128) +
-        ((pathsleft_cost(0) + pathsabove_cost(0)) mod 128) + ((pathsturn_sum_memory_write_words_0_sum(0) mod 4) *
-        16384);
-      pathsturn_sum_memory_write_words_0_sum(1) := pathsleft_cost(4) + pathsabove_cost(4);
+        ((pathsleft_cost(0) + pathsabove_cost(0)) mod 128) + ((pathsturn_sum_memory_write_words_0_0_sum mod 4) * 16384);
+      pathsturn_sum_memory_write_words_0_1_sum := pathsleft_cost(4) + pathsabove_cost(4);
       pathsturn_sum_memory_write_words_0_sum_2(1) := (((pathsleft_cost(3) + pathsabove_cost(3)) mod 128) * 32) +
-        ((pathsturn_sum_memory_write_words_0_sum(0) mod 128) / 4) + ((pathsturn_sum_memory_write_words_0_sum(1) mod 16)
-        * 4096);
-      pathsturn_sum_memory_write_words_0_sum(2) := pathsleft_cost(6) + pathsabove_cost(6);
+        ((pathsturn_sum_memory_write_words_0_0_sum mod 128) / 4) + ((pathsturn_sum_memory_write_words_0_1_sum mod 16) *
+        4096);
+      pathsturn_sum_memory_write_words_0_2_sum := pathsleft_cost(6) + pathsabove_cost(6);
       pathsturn_sum_memory_write_words_0_sum_2(2) := (((pathsleft_cost(5) + pathsabove_cost(5)) mod 128) * 8) +
-        ((pathsturn_sum_memory_write_words_0_sum(1) mod 128) / 16) + ((pathsturn_sum_memory_write_words_0_sum(2) mod
-        64) * 1024);
-      pathsturn_sum_memory_write_words_0_3_sum := ((pathsturn_sum_memory_write_words_0_sum(2) mod 128) / 64) +
+        ((pathsturn_sum_memory_write_words_0_1_sum mod 128) / 16) + ((pathsturn_sum_memory_write_words_0_2_sum mod 64)
+        * 1024);
+      pathsturn_sum_memory_write_words_0_3_sum := ((pathsturn_sum_memory_write_words_0_2_sum mod 128) / 64) +
         (((pathsleft_cost(7) + pathsabove_cost(7)) mod 128) * 2);
       pathsturn_sum_memory_write_words_0_all(0) := (pathsturn_sum_write_address(1) < 4096) and pathsturn_writes_sums(1);
       if pathsturn_sum_memory_write_words_0_all(0) then
@@ -4551,211 +2760,113 @@ begin
         pathsturn_smallest_address <= line_places_address(1);
       end if;
       -- pathsright
-      if (to_integer(pathsright_read_words(2)(6 downto 0)) - to_integer(pathsright_read_words(0)(6 downto 0))) < 0 then
-        pathsright_stay_choice(0) := to_integer(pathsright_read_words(2)(6 downto 0));
-      else
-        pathsright_stay_choice(0) := to_integer(pathsright_read_words(0)(6 downto 0));
-      end if;
-      for i in 1 to 2 loop
-        pathsright_stay_value(i) := to_integer(pathsright_read_words(2)(7 * i + 6 downto 7 * i));
-        pathsright_stay_value_2(i) := to_integer(pathsright_read_words(0)(7 * i + 6 downto 7 * i));
-        if (pathsright_stay_value(i) - pathsright_stay_value_2(i)) < 0 then
-          pathsright_stay_choice(i) := pathsright_stay_value(i);
-        else
-          pathsright_stay_choice(i) := pathsright_stay_value_2(i);
-        end if;
-      end loop;
       for i in 2 to 3 loop
-        if (to_integer(pathsright_read_words(i)(69 - 21 * i downto 63 - 21 * i)) - to_integer(pathsright_read_words(i -
-          2)(69 - 21 * i downto 63 - 21 * i))) < 0 then
-          pathsright_stay_choice(i + 1) := to_integer(pathsright_read_words(i)(69 - 21 * i downto 63 - 21 * i));
-        else
-          pathsright_stay_choice(i + 1) := to_integer(pathsright_read_words(i - 2)(69 - 21 * i downto 63 - 21 * i));
-        end if;
+        pathsright_stay_choice(4 * i - 8) := choice((to_integer(pathsright_read_words(i)(6 downto 0)) -
+          to_integer(pathsright_read_words(i - 2)(6 downto 0))) < 0, to_integer(pathsright_read_words(i)(6 downto 0)),
+          to_integer(pathsright_read_words(i - 2)(6 downto 0)));
+        pathsright_stay_value(4 * i - 7, 1) := to_integer(pathsright_read_words(i)(13 downto 7));
+        pathsright_stay_value(4 * i - 7, 2) := to_integer(pathsright_read_words(i - 2)(13 downto 7));
+        pathsright_stay_choice(4 * i - 7) := choice((pathsright_stay_value(4 * i - 7, 1) - pathsright_stay_value(4 * i
+          - 7, 2)) < 0, pathsright_stay_value(4 * i - 7, 1), pathsright_stay_value(4 * i - 7, 2));
+        pathsright_stay_value(4 * i - 6, 1) := to_integer(pathsright_read_words(i)(20 downto 14));
+        pathsright_stay_value(4 * i - 6, 2) := to_integer(pathsright_read_words(i - 2)(20 downto 14));
+        pathsright_stay_choice(4 * i - 6) := choice((pathsright_stay_value(4 * i - 6, 1) - pathsright_stay_value(4 * i
+          - 6, 2)) < 0, pathsright_stay_value(4 * i - 6, 1), pathsright_stay_value(4 * i - 6, 2));
+        pathsright_stay_choice(4 * i - 5) := choice((to_integer(pathsright_read_words(i)(27 downto 21)) -
+          to_integer(pathsright_read_words(i - 2)(27 downto 21))) < 0, to_integer(pathsright_read_words(i)(27 downto
+          21)), to_integer(pathsright_read_words(i - 2)(27 downto 21)));
       end loop;
-      for i in 5 to 6 loop
-        pathsright_stay_values(i) := to_integer(pathsright_read_words(3)(7 * i - 22 downto 7 * i - 28));
-        pathsright_stay_value_2s(i) := to_integer(pathsright_read_words(1)(7 * i - 22 downto 7 * i - 28));
-        if (pathsright_stay_values(i) - pathsright_stay_value_2s(i)) < 0 then
-          pathsright_stay_choice(i) := pathsright_stay_values(i);
-        else
-          pathsright_stay_choice(i) := pathsright_stay_value_2s(i);
-        end if;
-      end loop;
-      if (to_integer(pathsright_read_words(3)(27 downto 21)) - to_integer(pathsright_read_words(1)(27 downto 21))) < 0
-        then
-        pathsright_stay_choice(7) := to_integer(pathsright_read_words(3)(27 downto 21));
-      else
-        pathsright_stay_choice(7) := to_integer(pathsright_read_words(1)(27 downto 21));
-      end if;
-      if pathsleft_is_first then
-        pathsright_step_choice(0) := pathsright_stay_value_2(1);
-      else
-        pathsright_step_choice(0) := pathsright_lower_neighbour;
-      end if;
-      if (pathsright_stay_value_2(1) - pathsright_step_choice(0)) < 0 then
-        pathsright_step_0_choice_2 := pathsright_stay_value_2(1);
-      else
-        pathsright_step_0_choice_2 := pathsright_step_choice(0);
-      end if;
-      if (pathsright_stay_value_2(2) - to_integer(pathsright_read_words(0)(6 downto 0))) < 0 then
-        pathsright_step_choice(1) := pathsright_stay_value_2(2);
-      else
-        pathsright_step_choice(1) := to_integer(pathsright_read_words(0)(6 downto 0));
-      end if;
-      for i in 0 to 1 loop
-        if (to_integer(pathsright_read_words(i)(27 - 21 * i downto 21 - 21 * i)) - pathsright_stay_value_2(i + 1)) < 0
-          then
-          pathsright_step_choice(i + 2) := to_integer(pathsright_read_words(i)(27 - 21 * i downto 21 - 21 * i));
-        else
-          pathsright_step_choice(i + 2) := pathsright_stay_value_2(i + 1);
-        end if;
-      end loop;
-      for i in 5 to 6 loop
-        if (pathsright_stay_value_2s(i) - to_integer(pathsright_read_words(i - 5)(132 - 21 * i downto 126 - 21 * i))) <
-          0 then
-          pathsright_step_choice(i - 1) := pathsright_stay_value_2s(i);
-        else
-          pathsright_step_choice(i - 1) := to_integer(pathsright_read_words(i - 5)(132 - 21 * i downto 126 - 21 * i));
-        end if;
-      end loop;
-      if (to_integer(pathsright_read_words(1)(27 downto 21)) - pathsright_stay_value_2s(5)) < 0 then
-        pathsright_step_choice(6) := to_integer(pathsright_read_words(1)(27 downto 21));
-      else
-        pathsright_step_choice(6) := pathsright_stay_value_2s(5);
-      end if;
-      if pathsleft_is_last then
-        pathsright_step_choice(7) := pathsright_stay_value_2s(6);
-      else
-        pathsright_step_choice(7) := to_integer(pathsright_read_neighbour_0);
-      end if;
-      if (pathsright_step_choice(7) - pathsright_stay_value_2s(6)) < 0 then
-        pathsright_step_7_choice_2 := pathsright_step_choice(7);
-      else
-        pathsright_step_7_choice_2 := pathsright_stay_value_2s(6);
-      end if;
-      pathsright_stay_change_value(1) := (pathsturn_cost_memory_ready_words_0 mod 64) / 8;
-      pathsright_stay_change_value(2) := (pathsturn_cost_memory_ready_words_0 / 64) mod 8;
-      pathsright_stay_change_value(3) := (pathsturn_cost_memory_ready_words_0 / 512) mod 8;
-      pathsright_stay_change_value(4) := (pathsturn_cost_memory_ready_words_0 / 4096) mod 8;
-      pathsright_stay_change_5_sum := ((pathsturn_cost_memory_ready_words_1 mod 4) * 2) +
-        (pathsturn_cost_memory_ready_words_0 / 32768);
-      pathsright_stay_change_6_value := (pathsturn_cost_memory_ready_words_1 / 4) mod 8;
-      if line_comes(25) then
-        pathsright_low_0_choice := 127;
-      else
-        pathsright_low_0_choice := pathsright_low_0;
-      end if;
+      pathsright_step_choice(0, 1) := choice(pathsleft_is_first, pathsright_stay_value(1, 2),
+        pathsright_lower_neighbour);
+      pathsright_step_choice(0, 2) := choice((pathsright_stay_value(1, 2) - pathsright_step_choice(0, 1)) < 0,
+        pathsright_stay_value(1, 2), pathsright_step_choice(0, 1));
+      pathsright_step_choice(1, 1) := choice((pathsright_stay_value(2, 2) - to_integer(pathsright_read_words(0)(6
+        downto 0))) < 0, pathsright_stay_value(2, 2), to_integer(pathsright_read_words(0)(6 downto 0)));
+      pathsright_step_choice(2, 1) := choice((to_integer(pathsright_read_words(0)(27 downto 21)) -
+        pathsright_stay_value(1, 2)) < 0, to_integer(pathsright_read_words(0)(27 downto 21)), pathsright_stay_value(1,
+        2));
+      pathsright_step_choice(3, 1) := choice((to_integer(pathsright_read_words(1)(6 downto 0)) -
+        pathsright_stay_value(2, 2)) < 0, to_integer(pathsright_read_words(1)(6 downto 0)), pathsright_stay_value(2,
+        2));
+      pathsright_step_choice(4, 1) := choice((pathsright_stay_value(5, 2) - to_integer(pathsright_read_words(0)(27
+        downto 21))) < 0, pathsright_stay_value(5, 2), to_integer(pathsright_read_words(0)(27 downto 21)));
+      pathsright_step_choice(5, 1) := choice((pathsright_stay_value(6, 2) - to_integer(pathsright_read_words(1)(6
+        downto 0))) < 0, pathsright_stay_value(6, 2), to_integer(pathsright_read_words(1)(6 downto 0)));
+      pathsright_step_choice(6, 1) := choice((to_integer(pathsright_read_words(1)(27 downto 21)) -
+        pathsright_stay_value(5, 2)) < 0, to_integer(pathsright_read_words(1)(27 downto 21)), pathsright_stay_value(5,
+        2));
+      pathsright_step_choice(7, 1) := choice(pathsleft_is_last, pathsright_stay_value(6, 2),
+        to_integer(pathsright_read_neighbour_0));
+      pathsright_step_choice(7, 2) := choice((pathsright_step_choice(7, 1) - pathsright_stay_value(6, 2)) < 0,
+        pathsright_step_choice(7, 1), pathsright_stay_value(6, 2));
+      pathsright_stay_change_value(1) := (pathsturn_cost_memory_ready_words(0) mod 64) / 8;
+      pathsright_stay_change_value(2) := (pathsturn_cost_memory_ready_words(0) / 64) mod 8;
+      pathsright_stay_change_value(3) := (pathsturn_cost_memory_ready_words(0) / 512) mod 8;
+      pathsright_stay_change_value(4) := (pathsturn_cost_memory_ready_words(0) / 4096) mod 8;
+      pathsright_stay_change_5_sum := ((pathsturn_cost_memory_ready_words(1) mod 4) * 2) +
+        (pathsturn_cost_memory_ready_words(0) / 32768);
+      pathsright_stay_change_value(6) := (pathsturn_cost_memory_ready_words(1) / 4) mod 8;
+      pathsright_low_0_choice := choice(line_comes(25), 127, pathsright_low_0);
       pathsright_lost <= pathsright_lowest_0(6) = '1';
       pathsright_short_of <= ((to_integer(pathsleft_lowest_0(5 downto 0)) + pathsleft_room) / 64) = 1;
       pathsright_missing <= (to_integer(pathsright_lowest_0) + pathsright_room) mod 64;
       pathsright_below <= (0 - to_integer(pathsright_lowest_0)) mod 64;
       pathsright_lower_neighbour <= to_integer(pathsright_read_words(1)(27 downto 21));
-      pathsright_stay_change(0) <= ((pathsturn_cost_memory_ready_words_0 mod 8) - pathsright_g) mod 128;
+      pathsright_stay_change(0) <= ((pathsturn_cost_memory_ready_words(0) mod 8) - pathsright_g) mod 128;
       pathsright_stay_change(1) <= (pathsright_stay_change_value(1) - pathsright_g) mod 128;
       pathsright_stay_change(2) <= (pathsright_stay_change_value(2) - pathsright_g) mod 128;
       pathsright_stay_change(3) <= (pathsright_stay_change_value(3) - pathsright_g) mod 128;
       pathsright_stay_change(4) <= (pathsright_stay_change_value(4) - pathsright_g) mod 128;
       pathsright_stay_change(5) <= (pathsright_stay_change_5_sum - pathsright_g) mod 128;
-      pathsright_stay_change(6) <= (pathsright_stay_change_6_value - pathsright_g) mod 128;
-      pathsright_stay_change(7) <= ((pathsturn_cost_memory_ready_words_1 / 32) - pathsright_g) mod 128;
-      pathsright_step_change(0) <= ((pathsturn_cost_memory_ready_words_0 mod 8) - pathsright_g_less) mod 128;
+      pathsright_stay_change(6) <= (pathsright_stay_change_value(6) - pathsright_g) mod 128;
+      pathsright_stay_change(7) <= ((pathsturn_cost_memory_ready_words(1) / 32) - pathsright_g) mod 128;
+      pathsright_step_change(0) <= ((pathsturn_cost_memory_ready_words(0) mod 8) - pathsright_g_less) mod 128;
       pathsright_step_change(1) <= (pathsright_stay_change_value(1) - pathsright_g_less) mod 128;
       pathsright_step_change(2) <= (pathsright_stay_change_value(2) - pathsright_g_less) mod 128;
       pathsright_step_change(3) <= (pathsright_stay_change_value(3) - pathsright_g_less) mod 128;
       pathsright_step_change(4) <= (pathsright_stay_change_value(4) - pathsright_g_less) mod 128;
       pathsright_step_change(5) <= (pathsright_stay_change_5_sum - pathsright_g_less) mod 128;
-      pathsright_step_change(6) <= (pathsright_stay_change_6_value - pathsright_g_less) mod 128;
-      pathsright_step_change(7) <= ((pathsturn_cost_memory_ready_words_1 / 32) - pathsright_g_less) mod 128;
-      if (not pathsleft_first) and (not is_set(pathsright_stay_choice(0), 6)) then
-        pathsright_stay(0) <= pathsright_stay_choice(0);
-      else
-        pathsright_stay(0) <= 64;
-      end if;
+      pathsright_step_change(6) <= (pathsright_stay_change_value(6) - pathsright_g_less) mod 128;
+      pathsright_step_change(7) <= ((pathsturn_cost_memory_ready_words(1) / 32) - pathsright_g_less) mod 128;
+      pathsright_stay(0) <= choice((not pathsleft_first) and (not is_set(pathsright_stay_choice(0), 6)),
+        pathsright_stay_choice(0), 64);
       for i in 1 to 7 loop
-        if (not is_set(pathsright_stay_choice(i), 6)) and (not pathsleft_first) then
-          pathsright_stay(i) <= pathsright_stay_choice(i);
-        else
-          pathsright_stay(i) <= 64;
-        end if;
+        pathsright_stay(i) <= choice((not is_set(pathsright_stay_choice(i), 6)) and (not pathsleft_first),
+          pathsright_stay_choice(i), 64);
       end loop;
-      if pathsleft_first then
-        for i in 0 to 7 loop
-          pathsright_step(i) <= 64;
-        end loop;
-      else
-        pathsright_step(0) <= pathsright_step_0_choice_2;
-        for i in 1 to 6 loop
-          pathsright_step(i) <= pathsright_step_choice(i);
-        end loop;
-        pathsright_step(7) <= pathsright_step_7_choice_2;
-      end if;
+      pathsright_step(0) <= choice(pathsleft_first, 64, pathsright_step_choice(0, 2));
+      for i in 1 to 6 loop
+        pathsright_step(i) <= choice(pathsleft_first, 64, pathsright_step_choice(i, 1));
+      end loop;
+      pathsright_step(7) <= choice(pathsleft_first, 64, pathsright_step_choice(7, 2));
       for i in 0 to 3 loop
-        if (pathsright_cost(2 * i + 1) - pathsright_cost(2 * i)) < 0 then
-          pathsright_tree_smallest(i) <= pathsright_cost(2 * i + 1);
-        else
-          pathsright_tree_smallest(i) <= pathsright_cost(2 * i);
-        end if;
+        pathsright_tree_smallest(i) <= choice((pathsright_cost(2 * i + 1) - pathsright_cost(2 * i)) < 0,
+          pathsright_cost(2 * i + 1), pathsright_cost(2 * i));
       end loop;
-      for i in 0 to 1 loop
-        if (pathsright_tree_smallest(2 * i + 1) - pathsright_tree_smallest(2 * i)) < 0 then
-          pathsright_tree_next_smallest(i) <= pathsright_tree_smallest(2 * i + 1);
-        else
-          pathsright_tree_next_smallest(i) <= pathsright_tree_smallest(2 * i);
-        end if;
-      end loop;
-      if (pathsright_tree_next_smallest(1) - pathsright_tree_next_smallest(0)) < 0 then
-        pathsright_tree_next_next_smallest_0 <= pathsright_tree_next_smallest(1);
-      else
-        pathsright_tree_next_next_smallest_0 <= pathsright_tree_next_smallest(0);
-      end if;
-      if (pathsright_tree_next_next_smallest_0 - pathsright_low_0_choice) < 0 then
-        pathsright_low_0 <= pathsright_tree_next_next_smallest_0;
-      else
-        pathsright_low_0 <= pathsright_low_0_choice;
-      end if;
-      if pathsleft_short_of then
-        pathsright_q_choice := pathsright_missing;
-      else
-        pathsright_q_choice := 0;
-      end if;
-      if pathsright_lost then
-        pathsright_q_choice_2 := pathsright_room;
-      else
-        pathsright_q_choice_2 := pathsright_q_choice;
-      end if;
-      if pathsleft_short_of then
-        pathsright_room_left_choice := pathsright_below;
-      else
-        pathsright_room_left_choice := pathsright_room;
-      end if;
+      pathsright_tree_next_smallest(0) <= choice((pathsright_tree_smallest(1) - pathsright_tree_smallest(0)) < 0,
+        pathsright_tree_smallest(1), pathsright_tree_smallest(0));
+      pathsright_tree_next_smallest(1) <= choice((pathsright_tree_smallest(3) - pathsright_tree_smallest(2)) < 0,
+        pathsright_tree_smallest(3), pathsright_tree_smallest(2));
+      pathsright_tree_next_next_smallest_0 <= choice((pathsright_tree_next_smallest(1) -
+        pathsright_tree_next_smallest(0)) < 0, pathsright_tree_next_smallest(1), pathsright_tree_next_smallest(0));
+      pathsright_low_0 <= choice((pathsright_tree_next_next_smallest_0 - pathsright_low_0_choice) < 0,
+        pathsright_tree_next_next_smallest_0, pathsright_low_0_choice);
+      pathsright_q_choices(1) := choice(pathsleft_short_of, pathsright_missing, 0);
+      pathsright_q_choices(2) := choice(pathsright_lost, pathsright_room, pathsright_q_choices(1));
+      pathsright_room_left_choice := choice(pathsleft_short_of, pathsright_below, pathsright_room);
       if line_starts_phases(17) then
-        if line_places_shown_first_column(2) then
-          pathsright_q <= 60;
-        else
-          pathsright_q <= pathsright_q_choice_2;
-        end if;
-        if pathsright_lost then
-          pathsright_room_left <= 0;
-        else
-          pathsright_room_left <= pathsright_room_left_choice;
-        end if;
+        pathsright_q <= choice(line_places_shown_first_column(2), 60, pathsright_q_choices(2));
+        pathsright_room_left <= choice(pathsright_lost, 0, pathsright_room_left_choice);
       end if;
       if line_starts_phases(18) then
         pathsright_q_now <= pathsright_q;
         pathsright_q_less <= (pathsright_q + 121) mod 128;
-        if line_places_shown_first_column(2) then
-          pathsright_room <= 0;
-          for i in 1 to 8 loop
-            pathsright_start_cost(i) <= 0;
-          end loop;
-        else
-          pathsright_room <= (pathsright_room_left + pathsright_start_cost(8)) mod 64;
-          pathsright_start_cost(1) <= pathsright_q_now;
-          for i in 2 to 8 loop
-            pathsright_start_cost(i) <= pathsright_start_cost(i - 1);
-          end loop;
-        end if;
+        pathsright_room <= choice(line_places_shown_first_column(2), 0, (pathsright_room_left +
+          pathsright_start_cost(8)) mod 64);
+        pathsright_start_cost(1) <= choice(line_places_shown_first_column(2), 0, pathsright_q_now);
+        for i in 2 to 8 loop
+          pathsright_start_cost(i) <= choice(line_places_shown_first_column(2), 0, pathsright_start_cost(i - 1));
+        end loop;
       end if;
       if line_starts_phases(19) then
         pathsright_g <= pathsturn_ready_smallest_0 + pathsright_q_now;
@@ -4771,19 +2882,11 @@ begin
       end if;
       -- winnersmask
       winnersmask_column_sum := winnersmask_column + 1;
-      if line_places_first_column(2) then
-        winnersmask_column_choice := 0;
-      else
-        winnersmask_column_choice := winnersmask_column_sum mod 1024;
-      end if;
+      winnersmask_column_choice := choice(line_places_first_column(2), 0, winnersmask_column_sum mod 1024);
       if line_comes(21) then
         winnersmask_column <= winnersmask_column_choice;
       end if;
-      if line_places_first_column(2) then
-        winnersmask_partner_choice := 0;
-      else
-        winnersmask_partner_choice := winnersmask_column_sum;
-      end if;
+      winnersmask_partner_choice := choice(line_places_first_column(2), 0, winnersmask_column_sum);
       winnersmask_inside(0) <= (((((winnersmask_partner / 1024) + 63) mod 64) * 1024) + (winnersmask_partner mod 1024))
         < 638;
       winnersmask_inside(1) <= (winnersmask_partner >= 1023) and (winnersmask_partner < 1661);
@@ -4796,847 +2899,401 @@ begin
       winnersmask_inside(6) <= (((((winnersmask_partner / 2) + 32259) mod 32768) * 2) + (winnersmask_partner mod 2)) <
         638;
       winnersmask_inside(7) <= (winnersmask_partner >= 1017) and (winnersmask_partner < 1655);
-      if line_comes(21) then
-        winnersmask_partner <= (((winnersmask_partner_choice / 1024) + 1) * 1024) + winnersmask_column_choice;
-      else
-        winnersmask_partner <= ((((winnersmask_partner / 8) + 1) mod 512) * 8) + (winnersmask_partner mod 8);
-      end if;
+      winnersmask_partner <= choice(line_comes(21), (((winnersmask_partner_choice / 1024) + 1) * 1024) +
+        winnersmask_column_choice, ((((winnersmask_partner / 8) + 1) mod 512) * 8) + (winnersmask_partner mod 8));
       -- winnerswinner1
       for i in 0 to 3 loop
-        winnerswinner1_best_cost_0_sum(i) := as_number(winnersmask_inside(2 * i + 1)) + 255;
-        winnerswinner1_best_cost_0_any(i) := to_integer(((to_unsigned(paths_sum(2 * i + 1), 8)) or
-          (to_unsigned((winnerswinner1_best_cost_0_sum(i) mod 256), 8))));
-        winnerswinner1_best_cost_0_sum_2(i) := as_number(winnersmask_inside(2 * i)) + 255;
-        winnerswinner1_best_cost_0_any_2(i) := to_integer(((to_unsigned(paths_sum(2 * i), 8)) or
-          (to_unsigned((winnerswinner1_best_cost_0_sum_2(i) mod 256), 8))));
+        winnerswinner1_best_cost_0_sum(i, 1) := as_number(winnersmask_inside(2 * i + 1)) + 255;
+        winnerswinner1_best_cost_0_any(i, 1) := to_integer(((to_unsigned(paths_sum(2 * i + 1), 8)) or
+          (to_unsigned((winnerswinner1_best_cost_0_sum(i, 1) mod 256), 8))));
+        winnerswinner1_best_cost_0_sum(i, 2) := as_number(winnersmask_inside(2 * i)) + 255;
+        winnerswinner1_best_cost_0_any(i, 2) := to_integer(((to_unsigned(paths_sum(2 * i), 8)) or
+          (to_unsigned((winnerswinner1_best_cost_0_sum(i, 2) mod 256), 8))));
       end loop;
       for i in 0 to 3 loop
-        winnerswinner1_best_index_0_value(i) := is_set(paths_sum(2 * i + 1), 1);
-        if is_set(winnerswinner1_best_cost_0_sum_2(i), 0) then
-          winnerswinner1_best_index_0_choice(i) := (not is_set(winnerswinner1_best_cost_0_sum(i), 0)) and (not
-            is_set(paths_sum(2 * i + 1), 0));
-        else
-          winnerswinner1_best_index_0_choice(i) := (not is_set(winnerswinner1_best_cost_0_sum(i), 0)) and (not
-            is_set(paths_sum(2 * i + 1), 0)) and is_set(paths_sum(2 * i), 0);
-        end if;
-        winnerswinner1_best_index_0_values(i, 2) := (((winnerswinner1_best_cost_0_sum_2(i) mod 256) / 2) mod 2) = 1;
-        winnerswinner1_best_index_0_values(i, 3) := is_set(paths_sum(2 * i), 1);
-        if (not ((((winnerswinner1_best_cost_0_sum(i) mod 256) / 2) mod 2) = 1)) and (not
-          winnerswinner1_best_index_0_value(i)) then
-          winnerswinner1_best_index_0_choices(i, 2) := winnerswinner1_best_index_0_choice(i) or
-            winnerswinner1_best_index_0_values(i, 2) or winnerswinner1_best_index_0_values(i, 3);
-        else
-          winnerswinner1_best_index_0_choices(i, 2) := winnerswinner1_best_index_0_choice(i) and
-            (winnerswinner1_best_index_0_values(i, 2) or winnerswinner1_best_index_0_values(i, 3));
-        end if;
-        winnerswinner1_best_index_0_values(i, 4) := (((winnerswinner1_best_cost_0_sum(i) mod 256) / 4) mod 2) = 1;
-        winnerswinner1_best_index_0_values(i, 5) := is_set(paths_sum(2 * i + 1), 2);
-        if winnerswinner1_best_index_0_choices(i, 2) then
-          winnerswinner1_best_index_0_choices(i, 3) := (not ((((winnerswinner1_best_cost_0_sum_2(i) mod 256) / 4) mod
-            2) = 1)) and (not is_set(paths_sum(2 * i), 2)) and (winnerswinner1_best_index_0_values(i, 4) or
-            winnerswinner1_best_index_0_values(i, 5));
-        else
-          winnerswinner1_best_index_0_choices(i, 3) := ((not ((((winnerswinner1_best_cost_0_sum_2(i) mod 256) / 4) mod
-            2) = 1)) and (not is_set(paths_sum(2 * i), 2))) or winnerswinner1_best_index_0_values(i, 4) or
-            winnerswinner1_best_index_0_values(i, 5);
-        end if;
-        winnerswinner1_best_index_0_values(i, 6) := (((winnerswinner1_best_cost_0_sum(i) mod 256) / 8) mod 2) = 1;
-        winnerswinner1_best_index_0_values(i, 7) := is_set(paths_sum(2 * i + 1), 3);
-        if winnerswinner1_best_index_0_choices(i, 3) then
-          winnerswinner1_best_index_0_choices(i, 4) := ((not ((((winnerswinner1_best_cost_0_sum_2(i) mod 256) / 8) mod
-            2) = 1)) and (not is_set(paths_sum(2 * i), 3))) or winnerswinner1_best_index_0_values(i, 6) or
-            winnerswinner1_best_index_0_values(i, 7);
-        else
-          winnerswinner1_best_index_0_choices(i, 4) := (not ((((winnerswinner1_best_cost_0_sum_2(i) mod 256) / 8) mod
-            2) = 1)) and (not is_set(paths_sum(2 * i), 3)) and (winnerswinner1_best_index_0_values(i, 6) or
-            winnerswinner1_best_index_0_values(i, 7));
-        end if;
-        winnerswinner1_best_index_0_values(i, 8) := (((winnerswinner1_best_cost_0_sum(i) mod 256) / 16) mod 2) = 1;
-        winnerswinner1_best_index_0_values(i, 9) := is_set(paths_sum(2 * i + 1), 4);
-        if winnerswinner1_best_index_0_choices(i, 4) then
-          winnerswinner1_best_index_0_choices(i, 5) := ((not ((((winnerswinner1_best_cost_0_sum_2(i) mod 256) / 16) mod
-            2) = 1)) and (not is_set(paths_sum(2 * i), 4))) or winnerswinner1_best_index_0_values(i, 8) or
-            winnerswinner1_best_index_0_values(i, 9);
-        else
-          winnerswinner1_best_index_0_choices(i, 5) := (not ((((winnerswinner1_best_cost_0_sum_2(i) mod 256) / 16) mod
-            2) = 1)) and (not is_set(paths_sum(2 * i), 4)) and (winnerswinner1_best_index_0_values(i, 8) or
-            winnerswinner1_best_index_0_values(i, 9));
-        end if;
-        winnerswinner1_best_index_0_values(i, 10) := (((winnerswinner1_best_cost_0_sum(i) mod 256) / 32) mod 2) = 1;
-        winnerswinner1_best_index_0_values(i, 11) := is_set(paths_sum(2 * i + 1), 5);
-        if winnerswinner1_best_index_0_choices(i, 5) then
-          winnerswinner1_best_index_0_choices(i, 6) := ((not ((((winnerswinner1_best_cost_0_sum_2(i) mod 256) / 32) mod
-            2) = 1)) and (not is_set(paths_sum(2 * i), 5))) or winnerswinner1_best_index_0_values(i, 10) or
-            winnerswinner1_best_index_0_values(i, 11);
-        else
-          winnerswinner1_best_index_0_choices(i, 6) := (not ((((winnerswinner1_best_cost_0_sum_2(i) mod 256) / 32) mod
-            2) = 1)) and (not is_set(paths_sum(2 * i), 5)) and (winnerswinner1_best_index_0_values(i, 10) or
-            winnerswinner1_best_index_0_values(i, 11));
-        end if;
-        winnerswinner1_best_index_0_values(i, 12) := (((winnerswinner1_best_cost_0_sum(i) mod 256) / 64) mod 2) = 1;
-        winnerswinner1_best_index_0_values(i, 13) := is_set(paths_sum(2 * i + 1), 6);
-        if winnerswinner1_best_index_0_choices(i, 6) then
-          winnerswinner1_best_index_0_choices(i, 7) := ((not ((((winnerswinner1_best_cost_0_sum_2(i) mod 256) / 64) mod
-            2) = 1)) and (not is_set(paths_sum(2 * i), 6))) or winnerswinner1_best_index_0_values(i, 12) or
-            winnerswinner1_best_index_0_values(i, 13);
-        else
-          winnerswinner1_best_index_0_choices(i, 7) := (not ((((winnerswinner1_best_cost_0_sum_2(i) mod 256) / 64) mod
-            2) = 1)) and (not is_set(paths_sum(2 * i), 6)) and (winnerswinner1_best_index_0_values(i, 12) or
-            winnerswinner1_best_index_0_values(i, 13));
-        end if;
-        if winnerswinner1_best_index_0_choices(i, 7) then
-          winnerswinner1_best_index_0_choices(i, 8) := (not ((not (((winnerswinner1_best_cost_0_sum_2(i) mod 256) /
-            128) = 1)) and (not is_set(paths_sum(2 * i), 7)))) and (not (((winnerswinner1_best_cost_0_sum(i) mod 256) /
-            128) = 1)) and (not is_set(paths_sum(2 * i + 1), 7));
-        else
-          winnerswinner1_best_index_0_choices(i, 8) := (not ((not (((winnerswinner1_best_cost_0_sum_2(i) mod 256) /
-            128) = 1)) and (not is_set(paths_sum(2 * i), 7)))) or ((not (((winnerswinner1_best_cost_0_sum(i) mod 256) /
-            128) = 1)) and (not is_set(paths_sum(2 * i + 1), 7)));
-        end if;
+        winnerswinner1_best_index_0_value(i, 1) := is_set(paths_sum(2 * i + 1), 1);
+        winnerswinner1_best_index_0_choice(i, 1) := choice(is_set(winnerswinner1_best_cost_0_sum(i, 2), 0), (not
+          is_set(winnerswinner1_best_cost_0_sum(i, 1), 0)) and (not is_set(paths_sum(2 * i + 1), 0)), (not
+          is_set(winnerswinner1_best_cost_0_sum(i, 1), 0)) and (not is_set(paths_sum(2 * i + 1), 0)) and
+          is_set(paths_sum(2 * i), 0));
+        winnerswinner1_best_index_0_value(i, 2) := (((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 2) mod 2) = 1;
+        winnerswinner1_best_index_0_value(i, 3) := is_set(paths_sum(2 * i), 1);
+        winnerswinner1_best_index_0_choice(i, 2) := choice((not ((((winnerswinner1_best_cost_0_sum(i, 1) mod 256) / 2)
+          mod 2) = 1)) and (not winnerswinner1_best_index_0_value(i, 1)), winnerswinner1_best_index_0_choice(i, 1) or
+          winnerswinner1_best_index_0_value(i, 2) or winnerswinner1_best_index_0_value(i, 3),
+          winnerswinner1_best_index_0_choice(i, 1) and (winnerswinner1_best_index_0_value(i, 2) or
+          winnerswinner1_best_index_0_value(i, 3)));
+        winnerswinner1_best_index_0_value(i, 4) := (((winnerswinner1_best_cost_0_sum(i, 1) mod 256) / 4) mod 2) = 1;
+        winnerswinner1_best_index_0_value(i, 5) := is_set(paths_sum(2 * i + 1), 2);
+        winnerswinner1_best_index_0_choice(i, 3) := choice(winnerswinner1_best_index_0_choice(i, 2), (not
+          ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 4) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 2)) and
+          (winnerswinner1_best_index_0_value(i, 4) or winnerswinner1_best_index_0_value(i, 5)), ((not
+          ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 4) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 2))) or
+          winnerswinner1_best_index_0_value(i, 4) or winnerswinner1_best_index_0_value(i, 5));
+        winnerswinner1_best_index_0_value(i, 6) := (((winnerswinner1_best_cost_0_sum(i, 1) mod 256) / 8) mod 2) = 1;
+        winnerswinner1_best_index_0_value(i, 7) := is_set(paths_sum(2 * i + 1), 3);
+        winnerswinner1_best_index_0_choice(i, 4) := choice(winnerswinner1_best_index_0_choice(i, 3), ((not
+          ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 8) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 3))) or
+          winnerswinner1_best_index_0_value(i, 6) or winnerswinner1_best_index_0_value(i, 7), (not
+          ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 8) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 3)) and
+          (winnerswinner1_best_index_0_value(i, 6) or winnerswinner1_best_index_0_value(i, 7)));
+        winnerswinner1_best_index_0_value(i, 8) := (((winnerswinner1_best_cost_0_sum(i, 1) mod 256) / 16) mod 2) = 1;
+        winnerswinner1_best_index_0_value(i, 9) := is_set(paths_sum(2 * i + 1), 4);
+        winnerswinner1_best_index_0_choice(i, 5) := choice(winnerswinner1_best_index_0_choice(i, 4), ((not
+          ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 16) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 4)))
+          or winnerswinner1_best_index_0_value(i, 8) or winnerswinner1_best_index_0_value(i, 9), (not
+          ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 16) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 4))
+          and (winnerswinner1_best_index_0_value(i, 8) or winnerswinner1_best_index_0_value(i, 9)));
+        winnerswinner1_best_index_0_value(i, 10) := (((winnerswinner1_best_cost_0_sum(i, 1) mod 256) / 32) mod 2) = 1;
+        winnerswinner1_best_index_0_value(i, 11) := is_set(paths_sum(2 * i + 1), 5);
+        winnerswinner1_best_index_0_choice(i, 6) := choice(winnerswinner1_best_index_0_choice(i, 5), ((not
+          ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 32) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 5)))
+          or winnerswinner1_best_index_0_value(i, 10) or winnerswinner1_best_index_0_value(i, 11), (not
+          ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 32) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 5))
+          and (winnerswinner1_best_index_0_value(i, 10) or winnerswinner1_best_index_0_value(i, 11)));
+        winnerswinner1_best_index_0_value(i, 12) := (((winnerswinner1_best_cost_0_sum(i, 1) mod 256) / 64) mod 2) = 1;
+        winnerswinner1_best_index_0_value(i, 13) := is_set(paths_sum(2 * i + 1), 6);
+        winnerswinner1_best_index_0_choice(i, 7) := choice(winnerswinner1_best_index_0_choice(i, 6), ((not
+          ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 64) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 6)))
+          or winnerswinner1_best_index_0_value(i, 12) or winnerswinner1_best_index_0_value(i, 13), (not
+          ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 64) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 6))
+          and (winnerswinner1_best_index_0_value(i, 12) or winnerswinner1_best_index_0_value(i, 13)));
+        winnerswinner1_best_index_0_choice(i, 8) := choice(winnerswinner1_best_index_0_choice(i, 7), (not ((not
+          (((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 128) = 1)) and (not is_set(paths_sum(2 * i), 7)))) and
+          (not (((winnerswinner1_best_cost_0_sum(i, 1) mod 256) / 128) = 1)) and (not is_set(paths_sum(2 * i + 1), 7)),
+          (not ((not (((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 128) = 1)) and (not is_set(paths_sum(2 * i),
+          7)))) or ((not (((winnerswinner1_best_cost_0_sum(i, 1) mod 256) / 128) = 1)) and (not is_set(paths_sum(2 * i
+          + 1), 7))));
       end loop;
-      winnerswinner1_best_index_0_0 <= winnerswinner1_best_index_0_choices(0, 8);
-      winnerswinner1_best_first_0(0) <= winnerswinner1_best_cost_0_any_2(0);
-      winnerswinner1_best_first_0(1) <= winnerswinner1_best_cost_0_any_2(1);
-      winnerswinner1_best_first_0(2) <= winnerswinner1_best_cost_0_any_2(2);
-      winnerswinner1_best_first_0(3) <= winnerswinner1_best_cost_0_any_2(3);
-      winnerswinner1_best_last_0(0) <= winnerswinner1_best_cost_0_any(0);
-      winnerswinner1_best_last_0(1) <= winnerswinner1_best_cost_0_any(1);
-      winnerswinner1_best_last_0(2) <= winnerswinner1_best_cost_0_any(2);
-      winnerswinner1_best_last_0(3) <= winnerswinner1_best_cost_0_any(3);
+      winnerswinner1_best_index_0_0 <= winnerswinner1_best_index_0_choice(0, 8);
+      winnerswinner1_best_first_0(0) <= winnerswinner1_best_cost_0_any(0, 2);
+      winnerswinner1_best_first_0(1) <= winnerswinner1_best_cost_0_any(1, 2);
+      winnerswinner1_best_first_0(2) <= winnerswinner1_best_cost_0_any(2, 2);
+      winnerswinner1_best_first_0(3) <= winnerswinner1_best_cost_0_any(3, 2);
+      winnerswinner1_best_last_0(0) <= winnerswinner1_best_cost_0_any(0, 1);
+      winnerswinner1_best_last_0(1) <= winnerswinner1_best_cost_0_any(1, 1);
+      winnerswinner1_best_last_0(2) <= winnerswinner1_best_cost_0_any(2, 1);
+      winnerswinner1_best_last_0(3) <= winnerswinner1_best_cost_0_any(3, 1);
       for i in 0 to 3 loop
-        if (winnerswinner1_best_cost_0_any(i) - winnerswinner1_best_cost_0_any_2(i)) < 0 then
-          winnerswinner1_best_cost_0(i) <= winnerswinner1_best_cost_0_any(i);
-        else
-          winnerswinner1_best_cost_0(i) <= winnerswinner1_best_cost_0_any_2(i);
-        end if;
+        winnerswinner1_best_cost_0(i) <= choice((winnerswinner1_best_cost_0_any(i, 1) -
+          winnerswinner1_best_cost_0_any(i, 2)) < 0, winnerswinner1_best_cost_0_any(i, 1),
+          winnerswinner1_best_cost_0_any(i, 2));
       end loop;
-      if winnerswinner1_best_index_0_choices(1, 8) then
-        winnerswinner1_best_index_0_1 <= 3;
-        winnerswinner1_best_below_0(1) <= winnerswinner1_best_cost_0_any_2(1);
-        winnerswinner1_best_above_0(1) <= 0;
-      else
-        winnerswinner1_best_index_0_1 <= 2;
-        winnerswinner1_best_below_0(1) <= 0;
-        winnerswinner1_best_above_0(1) <= winnerswinner1_best_cost_0_any(1);
-      end if;
-      if winnerswinner1_best_index_0_choices(2, 8) then
-        winnerswinner1_best_index_0_2 <= 5;
-        winnerswinner1_best_below_0(2) <= winnerswinner1_best_cost_0_any_2(2);
-        winnerswinner1_best_above_0(2) <= 0;
-      else
-        winnerswinner1_best_index_0_2 <= 4;
-        winnerswinner1_best_below_0(2) <= 0;
-        winnerswinner1_best_above_0(2) <= winnerswinner1_best_cost_0_any(2);
-      end if;
-      if winnerswinner1_best_index_0_choices(3, 8) then
-        winnerswinner1_best_index_0_3 <= 7;
-        winnerswinner1_best_below_0(3) <= winnerswinner1_best_cost_0_any_2(3);
-        winnerswinner1_best_above_0(3) <= 0;
-      else
-        winnerswinner1_best_index_0_3 <= 6;
-        winnerswinner1_best_below_0(3) <= 0;
-        winnerswinner1_best_above_0(3) <= winnerswinner1_best_cost_0_any(3);
-      end if;
-      if winnerswinner1_best_index_0_choices(0, 8) then
-        winnerswinner1_best_below_0(0) <= winnerswinner1_best_cost_0_any_2(0);
-        winnerswinner1_best_above_0(0) <= 0;
-      else
-        winnerswinner1_best_below_0(0) <= 0;
-        winnerswinner1_best_above_0(0) <= winnerswinner1_best_cost_0_any(0);
-      end if;
+      for i in 1 to 3 loop
+        winnerswinner1_best_index_0(i) <= choice(winnerswinner1_best_index_0_choice(i, 8), 2 * i + 1, 2 * i);
+        winnerswinner1_best_below_0(i) <= choice(winnerswinner1_best_index_0_choice(i, 8),
+          winnerswinner1_best_cost_0_any(i, 2), 0);
+        winnerswinner1_best_above_0(i) <= choice(winnerswinner1_best_index_0_choice(i, 8), 0,
+          winnerswinner1_best_cost_0_any(i, 1));
+      end loop;
+      winnerswinner1_best_below_0(0) <= choice(winnerswinner1_best_index_0_choice(0, 8),
+        winnerswinner1_best_cost_0_any(0, 2), 0);
+      winnerswinner1_best_above_0(0) <= choice(winnerswinner1_best_index_0_choice(0, 8), 0,
+        winnerswinner1_best_cost_0_any(0, 1));
       if in_valid then
-        if in_start_of_frame then
-          winnerswinner1_best_place_0 <= transform_counter_next_frame;
-        else
-          winnerswinner1_best_place_0 <= transform_counter_frame_joins;
-        end if;
+        winnerswinner1_best_place_0 <= choice(in_start_of_frame, transform_counter_next_frame,
+          transform_counter_frame_joins);
       end if;
       -- winnerswinner2
       for i in 0 to 1 loop
-        if is_set(winnerswinner1_best_cost_0(2 * i), 0) then
-          winnerswinner2_best_index_0_choice(i) := (not is_set(winnerswinner1_best_cost_0(2 * i + 1), 1)) or (not
-            is_set(winnerswinner1_best_cost_0(2 * i + 1), 0));
-        else
-          winnerswinner2_best_index_0_choice(i) := not is_set(winnerswinner1_best_cost_0(2 * i + 1), 1);
-        end if;
-        if is_set(winnerswinner1_best_cost_0(2 * i), 1) then
-          winnerswinner2_best_index_0_choices(i, 2) := winnerswinner2_best_index_0_choice(i);
-        else
-          winnerswinner2_best_index_0_choices(i, 2) := is_set(winnerswinner1_best_cost_0(2 * i), 0) and
-            ((winnerswinner1_best_cost_0(2 * i + 1) mod 4) = 0);
-        end if;
-        winnerswinner2_best_index_0_value(i) := is_set(winnerswinner1_best_cost_0(2 * i + 1), 2);
-        if winnerswinner2_best_index_0_choices(i, 2) then
-          winnerswinner2_best_index_0_choices(i, 3) := (not is_set(winnerswinner1_best_cost_0(2 * i), 2)) and
-            winnerswinner2_best_index_0_value(i);
-        else
-          winnerswinner2_best_index_0_choices(i, 3) := (not is_set(winnerswinner1_best_cost_0(2 * i), 2)) or
-            winnerswinner2_best_index_0_value(i);
-        end if;
+        winnerswinner2_best_index_0_choice(i, 1) := choice(is_set(winnerswinner1_best_cost_0(2 * i), 0), (not
+          is_set(winnerswinner1_best_cost_0(2 * i + 1), 1)) or (not is_set(winnerswinner1_best_cost_0(2 * i + 1), 0)),
+          not is_set(winnerswinner1_best_cost_0(2 * i + 1), 1));
+        winnerswinner2_best_index_0_choice(i, 2) := choice(is_set(winnerswinner1_best_cost_0(2 * i), 1),
+          winnerswinner2_best_index_0_choice(i, 1), is_set(winnerswinner1_best_cost_0(2 * i), 0) and
+          ((winnerswinner1_best_cost_0(2 * i + 1) mod 4) = 0));
+        winnerswinner2_best_index_0_value(i, 1) := is_set(winnerswinner1_best_cost_0(2 * i + 1), 2);
+        winnerswinner2_best_index_0_choice(i, 3) := inverted_carry(winnerswinner2_best_index_0_choice(i, 2), not
+          is_set(winnerswinner1_best_cost_0(2 * i), 2), winnerswinner2_best_index_0_value(i, 1));
         for j in 2 to 5 loop
-          winnerswinner2_best_index_0_values(i, j) := is_set(winnerswinner1_best_cost_0(2 * i + 1), j + 1);
-          if winnerswinner2_best_index_0_choices(i, j + 1) then
-            winnerswinner2_best_index_0_choices(i, j + 2) := (not is_set(winnerswinner1_best_cost_0(2 * i), j + 1)) or
-              winnerswinner2_best_index_0_values(i, j);
-          else
-            winnerswinner2_best_index_0_choices(i, j + 2) := (not is_set(winnerswinner1_best_cost_0(2 * i), j + 1)) and
-              winnerswinner2_best_index_0_values(i, j);
-          end if;
+          winnerswinner2_best_index_0_value(i, j) := is_set(winnerswinner1_best_cost_0(2 * i + 1), j + 1);
+          winnerswinner2_best_index_0_choice(i, j + 2) := carry(winnerswinner2_best_index_0_choice(i, j + 1), not
+            is_set(winnerswinner1_best_cost_0(2 * i), j + 1), winnerswinner2_best_index_0_value(i, j));
         end loop;
-        if winnerswinner2_best_index_0_choices(i, 7) then
-          winnerswinner2_best_index_0_choices(i, 8) := is_set(winnerswinner1_best_cost_0(2 * i), 7) and (not
-            is_set(winnerswinner1_best_cost_0(2 * i + 1), 7));
-        else
-          winnerswinner2_best_index_0_choices(i, 8) := is_set(winnerswinner1_best_cost_0(2 * i), 7) or (not
-            is_set(winnerswinner1_best_cost_0(2 * i + 1), 7));
-        end if;
+        winnerswinner2_best_index_0_choice(i, 8) := inverted_carry(winnerswinner2_best_index_0_choice(i, 7),
+          is_set(winnerswinner1_best_cost_0(2 * i), 7), not is_set(winnerswinner1_best_cost_0(2 * i + 1), 7));
       end loop;
-      if winnerswinner1_best_index_0_1 = 2 then
-        winnerswinner2_best_below_0_choice(0) := winnerswinner1_best_last_0(0);
-      else
-        winnerswinner2_best_below_0_choice(0) := winnerswinner1_best_below_0(1);
-      end if;
-      if winnerswinner1_best_index_0_3 = 6 then
-        winnerswinner2_best_below_0_choice(1) := winnerswinner1_best_last_0(2);
-      else
-        winnerswinner2_best_below_0_choice(1) := winnerswinner1_best_below_0(3);
-      end if;
-      if winnerswinner1_best_index_0_0 then
-        winnerswinner2_best_above_0_choice(0) := winnerswinner1_best_first_0(1);
-      else
-        winnerswinner2_best_above_0_choice(0) := winnerswinner1_best_above_0(0);
-      end if;
-      if other_0 then
-        winnerswinner2_best_above_0_choice(1) := winnerswinner1_best_first_0(3);
-      else
-        winnerswinner2_best_above_0_choice(1) := winnerswinner1_best_above_0(2);
-      end if;
+      winnerswinner2_best_below_0_choice(0) := choice(winnerswinner1_best_index_0(1) = 2,
+        winnerswinner1_best_last_0(0), winnerswinner1_best_below_0(1));
+      winnerswinner2_best_below_0_choice(1) := choice(winnerswinner1_best_index_0(3) = 6,
+        winnerswinner1_best_last_0(2), winnerswinner1_best_below_0(3));
+      winnerswinner2_best_above_0_choice(0) := choice(winnerswinner1_best_index_0_0, winnerswinner1_best_first_0(1),
+        winnerswinner1_best_above_0(0));
+      winnerswinner2_best_above_0_choice(1) := choice(other_0, winnerswinner1_best_first_0(3),
+        winnerswinner1_best_above_0(2));
       winnerswinner2_best_first_0(0) <= winnerswinner1_best_first_0(0);
       winnerswinner2_best_first_0(1) <= winnerswinner1_best_first_0(2);
       winnerswinner2_best_last_0(0) <= winnerswinner1_best_last_0(1);
       winnerswinner2_best_last_0(1) <= winnerswinner1_best_last_0(3);
-      for i in 0 to 1 loop
-        if (winnerswinner1_best_cost_0(2 * i + 1) - winnerswinner1_best_cost_0(2 * i)) < 0 then
-          winnerswinner2_best_cost_0(i) <= winnerswinner1_best_cost_0(2 * i + 1);
-        else
-          winnerswinner2_best_cost_0(i) <= winnerswinner1_best_cost_0(2 * i);
-        end if;
-      end loop;
-      if winnerswinner2_best_index_0_choices(0, 8) then
-        winnerswinner2_best_index_0_0 <= winnerswinner1_best_index_0_1;
-        winnerswinner2_best_below_0(0) <= winnerswinner2_best_below_0_choice(0);
-        winnerswinner2_best_above_0(0) <= winnerswinner1_best_above_0(1);
-      else
-        winnerswinner2_best_index_0_0 <= as_number(winnerswinner1_best_index_0_0);
-        winnerswinner2_best_below_0(0) <= winnerswinner1_best_below_0(0);
-        winnerswinner2_best_above_0(0) <= winnerswinner2_best_above_0_choice(0);
-      end if;
-      if winnerswinner2_best_index_0_choices(1, 8) then
-        winnerswinner2_best_index_0_1 <= winnerswinner1_best_index_0_3;
-        winnerswinner2_best_below_0(1) <= winnerswinner2_best_below_0_choice(1);
-        winnerswinner2_best_above_0(1) <= winnerswinner1_best_above_0(3);
-      else
-        winnerswinner2_best_index_0_1 <= winnerswinner1_best_index_0_2;
-        winnerswinner2_best_below_0(1) <= winnerswinner1_best_below_0(2);
-        winnerswinner2_best_above_0(1) <= winnerswinner2_best_above_0_choice(1);
-      end if;
+      winnerswinner2_best_cost_0(0) <= choice((winnerswinner1_best_cost_0(1) - winnerswinner1_best_cost_0(0)) < 0,
+        winnerswinner1_best_cost_0(1), winnerswinner1_best_cost_0(0));
+      winnerswinner2_best_cost_0(1) <= choice((winnerswinner1_best_cost_0(3) - winnerswinner1_best_cost_0(2)) < 0,
+        winnerswinner1_best_cost_0(3), winnerswinner1_best_cost_0(2));
+      winnerswinner2_best_index_0(0) <= choice(winnerswinner2_best_index_0_choice(0, 8),
+        winnerswinner1_best_index_0(1), as_number(winnerswinner1_best_index_0_0));
+      winnerswinner2_best_below_0(0) <= choice(winnerswinner2_best_index_0_choice(0, 8),
+        winnerswinner2_best_below_0_choice(0), winnerswinner1_best_below_0(0));
+      winnerswinner2_best_above_0(0) <= choice(winnerswinner2_best_index_0_choice(0, 8),
+        winnerswinner1_best_above_0(1), winnerswinner2_best_above_0_choice(0));
+      winnerswinner2_best_index_0(1) <= choice(winnerswinner2_best_index_0_choice(1, 8),
+        winnerswinner1_best_index_0(3), winnerswinner1_best_index_0(2));
+      winnerswinner2_best_below_0(1) <= choice(winnerswinner2_best_index_0_choice(1, 8),
+        winnerswinner2_best_below_0_choice(1), winnerswinner1_best_below_0(2));
+      winnerswinner2_best_above_0(1) <= choice(winnerswinner2_best_index_0_choice(1, 8),
+        winnerswinner1_best_above_0(3), winnerswinner2_best_above_0_choice(1));
       -- winnerswinner3
-      if is_set(winnerswinner2_best_cost_0(0), 0) then
-        winnerswinner3_best_index_0_0_choice := (not is_set(winnerswinner2_best_cost_0(1), 1)) or (not
-          is_set(winnerswinner2_best_cost_0(1), 0));
-      else
-        winnerswinner3_best_index_0_0_choice := not is_set(winnerswinner2_best_cost_0(1), 1);
-      end if;
-      if is_set(winnerswinner2_best_cost_0(0), 1) then
-        winnerswinner3_best_index_0_0_choices(2) := winnerswinner3_best_index_0_0_choice;
-      else
-        winnerswinner3_best_index_0_0_choices(2) := is_set(winnerswinner2_best_cost_0(0), 0) and
-          ((winnerswinner2_best_cost_0(1) mod 4) = 0);
-      end if;
-      winnerswinner3_best_index_0_0_value := is_set(winnerswinner2_best_cost_0(1), 2);
-      if winnerswinner3_best_index_0_0_choices(2) then
-        winnerswinner3_best_index_0_0_choices(3) := (not is_set(winnerswinner2_best_cost_0(0), 2)) and
-          winnerswinner3_best_index_0_0_value;
-      else
-        winnerswinner3_best_index_0_0_choices(3) := (not is_set(winnerswinner2_best_cost_0(0), 2)) or
-          winnerswinner3_best_index_0_0_value;
-      end if;
+      winnerswinner3_best_index_0_0_choices(1) := choice(is_set(winnerswinner2_best_cost_0(0), 0), (not
+        is_set(winnerswinner2_best_cost_0(1), 1)) or (not is_set(winnerswinner2_best_cost_0(1), 0)), not
+        is_set(winnerswinner2_best_cost_0(1), 1));
+      winnerswinner3_best_index_0_0_choices(2) := choice(is_set(winnerswinner2_best_cost_0(0), 1),
+        winnerswinner3_best_index_0_0_choices(1), is_set(winnerswinner2_best_cost_0(0), 0) and
+        ((winnerswinner2_best_cost_0(1) mod 4) = 0));
+      winnerswinner3_best_index_0_0_values(1) := is_set(winnerswinner2_best_cost_0(1), 2);
+      winnerswinner3_best_index_0_0_choices(3) := inverted_carry(winnerswinner3_best_index_0_0_choices(2), not
+        is_set(winnerswinner2_best_cost_0(0), 2), winnerswinner3_best_index_0_0_values(1));
       for i in 2 to 5 loop
         winnerswinner3_best_index_0_0_values(i) := is_set(winnerswinner2_best_cost_0(1), i + 1);
-        if winnerswinner3_best_index_0_0_choices(i + 1) then
-          winnerswinner3_best_index_0_0_choices(i + 2) := (not is_set(winnerswinner2_best_cost_0(0), i + 1)) or
-            winnerswinner3_best_index_0_0_values(i);
-        else
-          winnerswinner3_best_index_0_0_choices(i + 2) := (not is_set(winnerswinner2_best_cost_0(0), i + 1)) and
-            winnerswinner3_best_index_0_0_values(i);
-        end if;
+        winnerswinner3_best_index_0_0_choices(i + 2) := carry(winnerswinner3_best_index_0_0_choices(i + 1), not
+          is_set(winnerswinner2_best_cost_0(0), i + 1), winnerswinner3_best_index_0_0_values(i));
       end loop;
-      if winnerswinner3_best_index_0_0_choices(7) then
-        winnerswinner3_best_index_0_0_choices(8) := is_set(winnerswinner2_best_cost_0(0), 7) and (not
-          is_set(winnerswinner2_best_cost_0(1), 7));
-      else
-        winnerswinner3_best_index_0_0_choices(8) := is_set(winnerswinner2_best_cost_0(0), 7) or (not
-          is_set(winnerswinner2_best_cost_0(1), 7));
-      end if;
-      if winnerswinner2_best_index_0_1 = 4 then
-        winnerswinner3_best_below_0_0_choice := winnerswinner2_best_last_0(0);
-      else
-        winnerswinner3_best_below_0_0_choice := winnerswinner2_best_below_0(1);
-      end if;
-      if winnerswinner2_best_index_0_0 = 3 then
-        winnerswinner3_best_above_0_0_choice := winnerswinner2_best_first_0(1);
-      else
-        winnerswinner3_best_above_0_0_choice := winnerswinner2_best_above_0(0);
-      end if;
+      winnerswinner3_best_index_0_0_choices(8) := inverted_carry(winnerswinner3_best_index_0_0_choices(7),
+        is_set(winnerswinner2_best_cost_0(0), 7), not is_set(winnerswinner2_best_cost_0(1), 7));
+      winnerswinner3_best_below_0_0_choice := choice(winnerswinner2_best_index_0(1) = 4, winnerswinner2_best_last_0(0),
+        winnerswinner2_best_below_0(1));
+      winnerswinner3_best_above_0_0_choice := choice(winnerswinner2_best_index_0(0) = 3,
+        winnerswinner2_best_first_0(1), winnerswinner2_best_above_0(0));
       winnerswinner3_best_first_0_0 <= winnerswinner2_best_first_0(0);
       winnerswinner3_best_last_0_0 <= winnerswinner2_best_last_0(1);
-      if (winnerswinner2_best_cost_0(1) - winnerswinner2_best_cost_0(0)) < 0 then
-        winnerswinner3_best_cost_0_0 <= winnerswinner2_best_cost_0(1);
-      else
-        winnerswinner3_best_cost_0_0 <= winnerswinner2_best_cost_0(0);
-      end if;
-      if winnerswinner3_best_index_0_0_choices(8) then
-        winnerswinner3_best_index_0_0 <= winnerswinner2_best_index_0_1;
-        winnerswinner3_best_below_0_0 <= winnerswinner3_best_below_0_0_choice;
-        winnerswinner3_best_above_0_0 <= winnerswinner2_best_above_0(1);
-      else
-        winnerswinner3_best_index_0_0 <= winnerswinner2_best_index_0_0;
-        winnerswinner3_best_below_0_0 <= winnerswinner2_best_below_0(0);
-        winnerswinner3_best_above_0_0 <= winnerswinner3_best_above_0_0_choice;
-      end if;
+      winnerswinner3_best_cost_0_0 <= choice((winnerswinner2_best_cost_0(1) - winnerswinner2_best_cost_0(0)) < 0,
+        winnerswinner2_best_cost_0(1), winnerswinner2_best_cost_0(0));
+      winnerswinner3_best_index_0_0 <= choice(winnerswinner3_best_index_0_0_choices(8), winnerswinner2_best_index_0(1),
+        winnerswinner2_best_index_0(0));
+      winnerswinner3_best_below_0_0 <= choice(winnerswinner3_best_index_0_0_choices(8),
+        winnerswinner3_best_below_0_0_choice, winnerswinner2_best_below_0(0));
+      winnerswinner3_best_above_0_0 <= choice(winnerswinner3_best_index_0_0_choices(8), winnerswinner2_best_above_0(1),
+        winnerswinner3_best_above_0_0_choice);
       -- winners
-      if line_comes(26) then
-        winners_best_cost_0_0_choice := 511;
-      else
-        winners_best_cost_0_0_choice := winners_best_cost_0_0;
-      end if;
-      if line_comes(26) then
-        winners_best_cost_0_0_choice_2 := 255;
-      else
-        winners_best_cost_0_0_choice_2 := winners_best_cost_0_0;
-      end if;
+      winners_best_cost_0_0_choice := choice(line_comes(26), 511, winners_best_cost_0_0);
+      winners_best_cost_0_0_choice_2 := choice(line_comes(26), 255, winners_best_cost_0_0);
       winners_best_index_0_0_is_less := (winnerswinner3_best_cost_0_0 - winners_best_cost_0_0_choice) < 0;
-      if (not line_comes(26)) and (winnerswinner3_best_index_0_0 = 0) then
-        winners_best_below_0_0_choice := winners_best_last_0_0;
-      else
-        winners_best_below_0_0_choice := winnerswinner3_best_below_0_0;
-      end if;
-      if line_comes(26) then
-        winners_best_below_0_0_choice_2 := 0;
-      else
-        winners_best_below_0_0_choice_2 := winners_best_below_0_0;
-      end if;
+      winners_best_below_0_0_choices(1) := choice((not line_comes(26)) and (winnerswinner3_best_index_0_0 = 0),
+        winners_best_last_0_0, winnerswinner3_best_below_0_0);
+      winners_best_below_0_0_choices(2) := choice(line_comes(26), 0, winners_best_below_0_0);
       winners_best_above_0_0_is_equal := winners_best_index_0_0 = 63;
-      if line_comes(26) then
-        winners_best_above_0_0_choice := 0;
-      else
-        winners_best_above_0_0_choice := winners_best_above_0_0;
-      end if;
-      if winners_best_above_0_0_is_equal then
-        winners_best_above_0_0_choice_2 := winnerswinner3_best_first_0_0;
-      else
-        winners_best_above_0_0_choice_2 := winners_best_above_0_0_choice;
-      end if;
+      winners_best_above_0_0_choices(1) := choice(line_comes(26), 0, winners_best_above_0_0);
+      winners_best_above_0_0_choices(2) := choice(winners_best_above_0_0_is_equal, winnerswinner3_best_first_0_0,
+        winners_best_above_0_0_choices(1));
       winners_best_last_0_0 <= winnerswinner3_best_last_0_0;
-      winners_best_tag_valid <= line_comes(33);
-      winners_best_tag_map_column <= line_places_map_column(4);
-      winners_best_tag_output_column <= line_places_shown_output_column(4);
-      winners_best_tag_start_of_frame <= line_places_shown_start_of_frame(4);
-      winners_best_tag_end_of_line <= line_places_shown_end_of_line(4);
-      if (winners_best_cost_0_0_choice - winnerswinner3_best_cost_0_0) < 0 then
-        winners_best_cost_0_0 <= winners_best_cost_0_0_choice_2;
-      else
-        winners_best_cost_0_0 <= winnerswinner3_best_cost_0_0;
-      end if;
-      if winners_best_index_0_0_is_less then
-        winners_best_index_0_0 <= winnerswinner3_best_index_0_0 + 56;
-        winners_best_below_0_0 <= winners_best_below_0_0_choice;
-        winners_best_above_0_0 <= winnerswinner3_best_above_0_0;
-      else
-        winners_best_index_0_0 <= ((((winners_best_index_0_0 / 8) + 31) mod 32) * 8) + (winners_best_index_0_0 mod 8);
-        winners_best_below_0_0 <= winners_best_below_0_0_choice_2;
-        winners_best_above_0_0 <= winners_best_above_0_0_choice_2;
-      end if;
+      winners_best_tag.valid <= line_comes(33);
+      winners_best_tag.map_column <= line_places_map_column(4);
+      winners_best_tag.output_column <= line_places_shown_output_column(4);
+      winners_best_tag.start_of_frame <= line_places_shown_start_of_frame(4);
+      winners_best_tag.end_of_line <= line_places_shown_end_of_line(4);
+      winners_best_cost_0_0 <= choice((winners_best_cost_0_0_choice - winnerswinner3_best_cost_0_0) < 0,
+        winners_best_cost_0_0_choice_2, winnerswinner3_best_cost_0_0);
+      winners_best_index_0_0 <= choice(winners_best_index_0_0_is_less, winnerswinner3_best_index_0_0 + 56,
+        ((((winners_best_index_0_0 / 8) + 31) mod 32) * 8) + (winners_best_index_0_0 mod 8));
+      winners_best_below_0_0 <= choice(winners_best_index_0_0_is_less, winners_best_below_0_0_choices(1),
+        winners_best_below_0_0_choices(2));
+      winners_best_above_0_0 <= choice(winners_best_index_0_0_is_less, winnerswinner3_best_above_0_0,
+        winners_best_above_0_0_choices(2));
       -- other
-      if other_read_count_phase = 7 then
-        other_read_count_phase_choice := 7;
-      else
-        other_read_count_phase_choice := (other_read_count_phase + 1) mod 8;
-      end if;
-      if other_count_phase = 7 then
-        other_count_phase_choice := 7;
-      else
-        other_count_phase_choice := (other_count_phase + 1) mod 8;
-      end if;
-      if line_comes(22) then
-        other_base_choice := 0;
-      else
-        other_base_choice := ((other_base / 8) + 1) mod 32;
-      end if;
-      if other_write_count_phase = 7 then
-        other_write_count_phase_choice := 7;
-      else
-        other_write_count_phase_choice := (other_write_count_phase + 1) mod 8;
-      end if;
+      other_read_count_phase_choice := choice(other_read_count_phase = 7, 7, (other_read_count_phase + 1) mod 8);
+      other_count_phase_choice := choice(other_count_phase = 7, 7, (other_count_phase + 1) mod 8);
+      other_base_choice := choice(line_comes(22), 0, ((other_base / 8) + 1) mod 32);
+      other_write_count_phase_choice := choice(other_write_count_phase = 7, 7, (other_write_count_phase + 1) mod 8);
       other_3_is_equal := map_counter_group = 480;
       other_6_difference := 0 - (refinement_quotient_8_0 / 16);
       other_6_value := (refinement_quotient_8_0 + 15) / 16;
-      if refinement_negative_0(8) then
-        other_6_choice := other_6_difference mod 256;
-      else
-        other_6_choice := other_6_value;
-      end if;
-      if refinement_negative_0(8) then
-        other_6_choice_2 := other_6_difference mod 8;
-      else
-        other_6_choice_2 := other_6_value mod 8;
-      end if;
+      other_6_choice := choice(refinement_negative_0(8), other_6_difference mod 256, other_6_value);
+      other_6_choice_2 := choice(refinement_negative_0(8), other_6_difference mod 8, other_6_value mod 8);
       for i in 7 to 12 loop
         other_difference(i) := ((refinement_remainder_0(13 - i) * 2) + 512) - refinement_divisor_0(13 - i);
       end loop;
       other_13_difference := (refinement_remainder_0(0) + 512) - refinement_divisor_0(0);
       other_14_any := line_comes(23) or (not is_set(other_write_count_phase, 2)) or (not
         is_set(other_write_count_phase, 1)) or (not is_set(other_write_count_phase, 0));
-      if is_set(paths_sum(5), 0) then
-        other_choice(14) := (not (other_words(1)(17) = '1')) or (not (other_words(1)(16) = '1'));
-      else
-        other_choice(14) := not (other_words(1)(17) = '1');
-      end if;
-      if winnerswinner1_best_index_0_value(2) then
-        other_14_choices(2) := other_choice(14);
-      else
-        other_14_choices(2) := is_set(paths_sum(5), 0) and (to_integer(other_words(1)(17 downto 16)) = 0);
-      end if;
-      other_value(14) := other_words(1)(18) = '1';
-      if other_14_choices(2) then
-        other_14_choices(3) := (not winnerswinner1_best_index_0_values(2, 5)) and other_value(14);
-      else
-        other_14_choices(3) := (not winnerswinner1_best_index_0_values(2, 5)) or other_value(14);
-      end if;
+      other_choice(14, 1) := choice(is_set(paths_sum(5), 0), (not (other_words(1)(17) = '1')) or (not
+        (other_words(1)(16) = '1')), not (other_words(1)(17) = '1'));
+      other_choice(14, 2) := choice(winnerswinner1_best_index_0_value(2, 1), other_choice(14, 1), is_set(paths_sum(5),
+        0) and (to_integer(other_words(1)(17 downto 16)) = 0));
+      other_value(14, 1) := other_words(1)(18) = '1';
+      other_choice(14, 3) := inverted_carry(other_choice(14, 2), not winnerswinner1_best_index_0_value(2, 5),
+        other_value(14, 1));
       for i in 2 to 5 loop
-        other_14_values(i) := other_words(1)(i + 17) = '1';
-        if other_14_choices(i + 1) then
-          other_14_choices(i + 2) := (not winnerswinner1_best_index_0_values(2, 2 * i + 3)) or other_14_values(i);
-        else
-          other_14_choices(i + 2) := (not winnerswinner1_best_index_0_values(2, 2 * i + 3)) and other_14_values(i);
-        end if;
+        other_value(14, i) := other_words(1)(i + 17) = '1';
+        other_choice(14, i + 2) := carry(other_choice(14, i + 1), not winnerswinner1_best_index_0_value(2, 2 * i + 3),
+          other_value(14, i));
       end loop;
-      if is_set(paths_sum(5), 7) then
-        other_14_choices(8) := not other_first_column;
-      else
-        other_14_choices(8) := (not (other_words(1)(23) = '1')) and (not other_first_column);
-      end if;
-      if other_14_choices(7) then
-        other_14_choices(9) := is_set(paths_sum(5), 7) and (not (other_words(1)(23) = '1')) and (not
-          other_first_column);
-      else
-        other_14_choices(9) := other_14_choices(8);
-      end if;
-      other_all(14) := (not other_14_choices(9)) and winnersmask_inside(5) and other_output_column;
+      other_choice(14, 8) := choice(is_set(paths_sum(5), 7), not other_first_column, (not (other_words(1)(23) = '1'))
+        and (not other_first_column));
+      other_choice(14, 9) := choice(other_choice(14, 7), is_set(paths_sum(5), 7) and (not (other_words(1)(23) = '1'))
+        and (not other_first_column), other_choice(14, 8));
+      other_all(14, 1) := (not other_choice(14, 9)) and winnersmask_inside(5) and other_output_column;
       other_14_value_6 := (other_base / 8) * 8;
-      if other_all(14) then
-        other_14_choices_from_10(10) := other_14_value_6 + 5;
-      else
-        other_14_choices_from_10(10) := to_integer(other_words(3)(23 downto 16));
-      end if;
-      if other_14_any then
-        other_14_choices_from_10(11) := other_14_choices_from_10(10);
-      else
-        other_14_choices_from_10(11) := to_integer(other(14)(15 downto 8));
-      end if;
-      if is_set(paths_sum(4), 0) then
-        other_14_choices_from_12(12) := (not (other_words(1)(9) = '1')) or (not (other_words(1)(8) = '1'));
-      else
-        other_14_choices_from_12(12) := not (other_words(1)(9) = '1');
-      end if;
-      if winnerswinner1_best_index_0_values(2, 3) then
-        other_14_choices_from_12(13) := other_14_choices_from_12(12);
-      else
-        other_14_choices_from_12(13) := is_set(paths_sum(4), 0) and (to_integer(other_words(1)(9 downto 8)) = 0);
-      end if;
-      other_14_values_from_7(7) := other_words(1)(10) = '1';
-      if other_14_choices_from_12(13) then
-        other_14_choices_from_12(14) := (not is_set(paths_sum(4), 2)) and other_14_values_from_7(7);
-      else
-        other_14_choices_from_12(14) := (not is_set(paths_sum(4), 2)) or other_14_values_from_7(7);
-      end if;
+      other_14_choices(10) := choice(other_all(14, 1), other_14_value_6 + 5, to_integer(other_words(3)(23 downto 16)));
+      other_14_choices(11) := choice(other_14_any, other_14_choices(10), to_integer(other(14)(15 downto 8)));
+      other_choice(14, 12) := choice(is_set(paths_sum(4), 0), (not (other_words(1)(9) = '1')) or (not
+        (other_words(1)(8) = '1')), not (other_words(1)(9) = '1'));
+      other_choice(14, 13) := choice(winnerswinner1_best_index_0_value(2, 3), other_choice(14, 12),
+        is_set(paths_sum(4), 0) and (to_integer(other_words(1)(9 downto 8)) = 0));
+      other_value(14, 7) := other_words(1)(10) = '1';
+      other_choice(14, 14) := inverted_carry(other_choice(14, 13), not is_set(paths_sum(4), 2), other_value(14, 7));
       for i in 8 to 11 loop
-        other_14_values_from_7(i) := other_words(1)(i + 3) = '1';
-        if other_14_choices_from_12(i + 6) then
-          other_14_choices_from_12(i + 7) := (not is_set(paths_sum(4), i - 5)) or other_14_values_from_7(i);
-        else
-          other_14_choices_from_12(i + 7) := (not is_set(paths_sum(4), i - 5)) and other_14_values_from_7(i);
-        end if;
+        other_value(14, i) := other_words(1)(i + 3) = '1';
+        other_choice(14, i + 7) := carry(other_choice(14, i + 6), not is_set(paths_sum(4), i - 5), other_value(14, i));
       end loop;
-      if is_set(paths_sum(4), 7) then
-        other_14_choices_from_12(19) := not other_first_column;
-      else
-        other_14_choices_from_12(19) := (not (other_words(1)(15) = '1')) and (not other_first_column);
-      end if;
-      if other_14_choices_from_12(18) then
-        other_14_choices_from_12(20) := is_set(paths_sum(4), 7) and (not (other_words(1)(15) = '1')) and (not
-          other_first_column);
-      else
-        other_14_choices_from_12(20) := other_14_choices_from_12(19);
-      end if;
-      other_14_alls(2) := (not other_14_choices_from_12(20)) and winnersmask_inside(4) and other_output_column;
-      if other_14_alls(2) then
-        other_14_choices_from_21(21) := other_14_value_6 + 4;
-      else
-        other_14_choices_from_21(21) := to_integer(other_words(3)(15 downto 8));
-      end if;
-      if other_14_any then
-        other_14_choices_from_21(22) := other_14_choices_from_21(21);
-      else
-        other_14_choices_from_21(22) := to_integer(other(14)(7 downto 0));
-      end if;
-      if is_set(paths_sum(6), 0) then
-        other_14_choices_from_23(23) := (not (other_words(1)(25) = '1')) or (not (other_words(1)(24) = '1'));
-      else
-        other_14_choices_from_23(23) := not (other_words(1)(25) = '1');
-      end if;
-      if winnerswinner1_best_index_0_values(3, 3) then
-        other_14_choices_from_23(24) := other_14_choices_from_23(23);
-      else
-        other_14_choices_from_23(24) := is_set(paths_sum(6), 0) and (to_integer(other_words(1)(25 downto 24)) = 0);
-      end if;
-      other_14_values_from_7(12) := other_words(1)(26) = '1';
-      if other_14_choices_from_23(24) then
-        other_14_choices_from_23(25) := (not is_set(paths_sum(6), 2)) and other_14_values_from_7(12);
-      else
-        other_14_choices_from_23(25) := (not is_set(paths_sum(6), 2)) or other_14_values_from_7(12);
-      end if;
+      other_choice(14, 19) := choice(is_set(paths_sum(4), 7), not other_first_column, (not (other_words(1)(15) = '1'))
+        and (not other_first_column));
+      other_choice(14, 20) := choice(other_choice(14, 18), is_set(paths_sum(4), 7) and (not (other_words(1)(15) = '1'))
+        and (not other_first_column), other_choice(14, 19));
+      other_all(14, 2) := (not other_choice(14, 20)) and winnersmask_inside(4) and other_output_column;
+      other_14_choices_from_21(21) := choice(other_all(14, 2), other_14_value_6 + 4, to_integer(other_words(3)(15
+        downto 8)));
+      other_14_choices_from_21(22) := choice(other_14_any, other_14_choices_from_21(21), to_integer(other(14)(7 downto
+        0)));
+      other_choice(14, 23) := choice(is_set(paths_sum(6), 0), (not (other_words(1)(25) = '1')) or (not
+        (other_words(1)(24) = '1')), not (other_words(1)(25) = '1'));
+      other_choice(14, 24) := choice(winnerswinner1_best_index_0_value(3, 3), other_choice(14, 23),
+        is_set(paths_sum(6), 0) and (to_integer(other_words(1)(25 downto 24)) = 0));
+      other_value(14, 12) := other_words(1)(26) = '1';
+      other_choice(14, 25) := inverted_carry(other_choice(14, 24), not is_set(paths_sum(6), 2), other_value(14, 12));
       for i in 13 to 16 loop
-        other_14_values_from_7(i) := other_words(1)(i + 14) = '1';
-        if other_14_choices_from_23(i + 12) then
-          other_14_choices_from_23(i + 13) := (not is_set(paths_sum(6), i - 10)) or other_14_values_from_7(i);
-        else
-          other_14_choices_from_23(i + 13) := (not is_set(paths_sum(6), i - 10)) and other_14_values_from_7(i);
-        end if;
+        other_value(14, i) := other_words(1)(i + 14) = '1';
+        other_choice(14, i + 13) := carry(other_choice(14, i + 12), not is_set(paths_sum(6), i - 10), other_value(14,
+          i));
       end loop;
-      if is_set(paths_sum(6), 7) then
-        other_14_choices_from_23(30) := not other_first_column;
-      else
-        other_14_choices_from_23(30) := (not (other_words(1)(31) = '1')) and (not other_first_column);
-      end if;
-      if other_14_choices_from_23(29) then
-        other_14_choices_from_23(31) := is_set(paths_sum(6), 7) and (not (other_words(1)(31) = '1')) and (not
-          other_first_column);
-      else
-        other_14_choices_from_23(31) := other_14_choices_from_23(30);
-      end if;
-      other_14_alls(3) := (not other_14_choices_from_23(31)) and winnersmask_inside(6) and other_output_column;
-      if other_14_alls(3) then
-        other_14_choices_from_32(32) := other_14_value_6 + 6;
-      else
-        other_14_choices_from_32(32) := to_integer(other_words(3)(31 downto 24));
-      end if;
-      if other_14_any then
-        other_14_choices_from_32(33) := other_14_choices_from_32(32);
-      else
-        other_14_choices_from_32(33) := to_integer(other(14)(23 downto 16));
-      end if;
-      if is_set(paths_sum(7), 0) then
-        other_14_choices_from_34(34) := (not (other_next_words(0)(1) = '1')) or (not (other_next_words(0)(0) = '1'));
-      else
-        other_14_choices_from_34(34) := not (other_next_words(0)(1) = '1');
-      end if;
-      if winnerswinner1_best_index_0_value(3) then
-        other_14_choices_from_34(35) := other_14_choices_from_34(34);
-      else
-        other_14_choices_from_34(35) := is_set(paths_sum(7), 0) and (to_integer(other_next_words(0)(1 downto 0)) = 0);
-      end if;
-      other_14_values_from_7(17) := other_next_words(0)(2) = '1';
-      if other_14_choices_from_34(35) then
-        other_14_choices_from_34(36) := (not winnerswinner1_best_index_0_values(3, 5)) and other_14_values_from_7(17);
-      else
-        other_14_choices_from_34(36) := (not winnerswinner1_best_index_0_values(3, 5)) or other_14_values_from_7(17);
-      end if;
+      other_choice(14, 30) := choice(is_set(paths_sum(6), 7), not other_first_column, (not (other_words(1)(31) = '1'))
+        and (not other_first_column));
+      other_choice(14, 31) := choice(other_choice(14, 29), is_set(paths_sum(6), 7) and (not (other_words(1)(31) = '1'))
+        and (not other_first_column), other_choice(14, 30));
+      other_all(14, 3) := (not other_choice(14, 31)) and winnersmask_inside(6) and other_output_column;
+      other_14_choices_from_32(32) := choice(other_all(14, 3), other_14_value_6 + 6, to_integer(other_words(3)(31
+        downto 24)));
+      other_14_choices_from_32(33) := choice(other_14_any, other_14_choices_from_32(32), to_integer(other(14)(23 downto
+        16)));
+      other_choice(14, 34) := choice(is_set(paths_sum(7), 0), (not (other_next_words(0)(1) = '1')) or (not
+        (other_next_words(0)(0) = '1')), not (other_next_words(0)(1) = '1'));
+      other_choice(14, 35) := choice(winnerswinner1_best_index_0_value(3, 1), other_choice(14, 34),
+        is_set(paths_sum(7), 0) and (to_integer(other_next_words(0)(1 downto 0)) = 0));
+      other_value(14, 17) := other_next_words(0)(2) = '1';
+      other_choice(14, 36) := inverted_carry(other_choice(14, 35), not winnerswinner1_best_index_0_value(3, 5),
+        other_value(14, 17));
       for i in 18 to 21 loop
-        other_14_values_from_7(i) := other_next_words(0)(i - 15) = '1';
-        if other_14_choices_from_34(i + 18) then
-          other_14_choices_from_34(i + 19) := (not winnerswinner1_best_index_0_values(3, 2 * i - 29)) or
-            other_14_values_from_7(i);
-        else
-          other_14_choices_from_34(i + 19) := (not winnerswinner1_best_index_0_values(3, 2 * i - 29)) and
-            other_14_values_from_7(i);
-        end if;
+        other_value(14, i) := other_next_words(0)(i - 15) = '1';
+        other_choice(14, i + 19) := carry(other_choice(14, i + 18), not winnerswinner1_best_index_0_value(3, 2 * i -
+          29), other_value(14, i));
       end loop;
       other_14_differs := other_count_phase /= 7;
-      if other_14_choices_from_34(40) then
-        other_14_choices_from_34(41) := other_14_differs and is_set(paths_sum(7), 7) and (not (other_next_words(0)(7) =
-          '1'));
-      else
-        other_14_choices_from_34(41) := other_14_differs and (is_set(paths_sum(7), 7) or (not (other_next_words(0)(7) =
-          '1')));
-      end if;
-      if other_14_choices_from_34(41) then
-        other_14_choices_from_34(42) := winnersmask_inside(7) and other_output_column and other_first_column;
-      else
-        other_14_choices_from_34(42) := winnersmask_inside(7) and other_output_column;
-      end if;
-      if other_14_choices_from_34(42) then
-        other_14_choices_from_43(43) := other_14_value_6 + 7;
-      else
-        other_14_choices_from_43(43) := to_integer(other_next_words(2)(7 downto 0));
-      end if;
-      if other_14_any then
-        other_14_choices_from_43(44) := other_14_choices_from_43(43);
-      else
-        other_14_choices_from_43(44) := to_integer(other(14)(31 downto 24));
-      end if;
-      if is_set(paths_sum(1), 0) then
-        other_choice(15) := (not (other_words(0)(17) = '1')) or (not (other_words(0)(16) = '1'));
-      else
-        other_choice(15) := not (other_words(0)(17) = '1');
-      end if;
-      if winnerswinner1_best_index_0_value(0) then
-        other_15_choices(2) := other_choice(15);
-      else
-        other_15_choices(2) := is_set(paths_sum(1), 0) and (to_integer(other_words(0)(17 downto 16)) = 0);
-      end if;
-      other_value(15) := other_words(0)(18) = '1';
-      if other_15_choices(2) then
-        other_15_choices(3) := (not winnerswinner1_best_index_0_values(0, 5)) and other_value(15);
-      else
-        other_15_choices(3) := (not winnerswinner1_best_index_0_values(0, 5)) or other_value(15);
-      end if;
+      other_choice(14, 41) := choice(other_choice(14, 40), other_14_differs and is_set(paths_sum(7), 7) and (not
+        (other_next_words(0)(7) = '1')), other_14_differs and (is_set(paths_sum(7), 7) or (not (other_next_words(0)(7)
+        = '1'))));
+      other_choice(14, 42) := choice(other_choice(14, 41), winnersmask_inside(7) and other_output_column and
+        other_first_column, winnersmask_inside(7) and other_output_column);
+      other_14_choices_from_43(43) := choice(other_choice(14, 42), other_14_value_6 + 7,
+        to_integer(other_next_words(2)(7 downto 0)));
+      other_14_choices_from_43(44) := choice(other_14_any, other_14_choices_from_43(43), to_integer(other(14)(31 downto
+        24)));
+      other_choice(15, 1) := choice(is_set(paths_sum(1), 0), (not (other_words(0)(17) = '1')) or (not
+        (other_words(0)(16) = '1')), not (other_words(0)(17) = '1'));
+      other_choice(15, 2) := choice(winnerswinner1_best_index_0_value(0, 1), other_choice(15, 1), is_set(paths_sum(1),
+        0) and (to_integer(other_words(0)(17 downto 16)) = 0));
+      other_value(15, 1) := other_words(0)(18) = '1';
+      other_choice(15, 3) := inverted_carry(other_choice(15, 2), not winnerswinner1_best_index_0_value(0, 5),
+        other_value(15, 1));
       for i in 2 to 5 loop
-        other_15_values(i) := other_words(0)(i + 17) = '1';
-        if other_15_choices(i + 1) then
-          other_15_choices(i + 2) := (not winnerswinner1_best_index_0_values(0, 2 * i + 3)) or other_15_values(i);
-        else
-          other_15_choices(i + 2) := (not winnerswinner1_best_index_0_values(0, 2 * i + 3)) and other_15_values(i);
-        end if;
+        other_value(15, i) := other_words(0)(i + 17) = '1';
+        other_choice(15, i + 2) := carry(other_choice(15, i + 1), not winnerswinner1_best_index_0_value(0, 2 * i + 3),
+          other_value(15, i));
       end loop;
-      if is_set(paths_sum(1), 7) then
-        other_15_choices(8) := not other_first_column;
-      else
-        other_15_choices(8) := (not (other_words(0)(23) = '1')) and (not other_first_column);
-      end if;
-      if other_15_choices(7) then
-        other_15_choices(9) := is_set(paths_sum(1), 7) and (not (other_words(0)(23) = '1')) and (not
-          other_first_column);
-      else
-        other_15_choices(9) := other_15_choices(8);
-      end if;
-      other_all(15) := (not other_15_choices(9)) and winnersmask_inside(1) and other_output_column;
-      if other_all(15) then
-        other_15_choices_from_10(10) := other_14_value_6 + 1;
-      else
-        other_15_choices_from_10(10) := to_integer(other_words(2)(23 downto 16));
-      end if;
-      if other_14_any then
-        other_15_choices_from_10(11) := other_15_choices_from_10(10);
-      else
-        other_15_choices_from_10(11) := to_integer(other(15)(15 downto 8));
-      end if;
-      if is_set(paths_sum(0), 0) then
-        other_15_choices_from_12(12) := (not (other_words(0)(9) = '1')) or (not (other_words(0)(8) = '1'));
-      else
-        other_15_choices_from_12(12) := not (other_words(0)(9) = '1');
-      end if;
-      if winnerswinner1_best_index_0_values(0, 3) then
-        other_15_choices_from_12(13) := other_15_choices_from_12(12);
-      else
-        other_15_choices_from_12(13) := is_set(paths_sum(0), 0) and (to_integer(other_words(0)(9 downto 8)) = 0);
-      end if;
-      other_15_values(6) := other_words(0)(10) = '1';
-      if other_15_choices_from_12(13) then
-        other_15_choices_from_12(14) := (not is_set(paths_sum(0), 2)) and other_15_values(6);
-      else
-        other_15_choices_from_12(14) := (not is_set(paths_sum(0), 2)) or other_15_values(6);
-      end if;
+      other_choice(15, 8) := choice(is_set(paths_sum(1), 7), not other_first_column, (not (other_words(0)(23) = '1'))
+        and (not other_first_column));
+      other_choice(15, 9) := choice(other_choice(15, 7), is_set(paths_sum(1), 7) and (not (other_words(0)(23) = '1'))
+        and (not other_first_column), other_choice(15, 8));
+      other_all(15, 1) := (not other_choice(15, 9)) and winnersmask_inside(1) and other_output_column;
+      other_15_choices(10) := choice(other_all(15, 1), other_14_value_6 + 1, to_integer(other_words(2)(23 downto 16)));
+      other_15_choices(11) := choice(other_14_any, other_15_choices(10), to_integer(other(15)(15 downto 8)));
+      other_choice(15, 12) := choice(is_set(paths_sum(0), 0), (not (other_words(0)(9) = '1')) or (not
+        (other_words(0)(8) = '1')), not (other_words(0)(9) = '1'));
+      other_choice(15, 13) := choice(winnerswinner1_best_index_0_value(0, 3), other_choice(15, 12),
+        is_set(paths_sum(0), 0) and (to_integer(other_words(0)(9 downto 8)) = 0));
+      other_value(15, 6) := other_words(0)(10) = '1';
+      other_choice(15, 14) := inverted_carry(other_choice(15, 13), not is_set(paths_sum(0), 2), other_value(15, 6));
       for i in 7 to 10 loop
-        other_15_values(i) := other_words(0)(i + 4) = '1';
-        if other_15_choices_from_12(i + 7) then
-          other_15_choices_from_12(i + 8) := (not is_set(paths_sum(0), i - 4)) or other_15_values(i);
-        else
-          other_15_choices_from_12(i + 8) := (not is_set(paths_sum(0), i - 4)) and other_15_values(i);
-        end if;
+        other_value(15, i) := other_words(0)(i + 4) = '1';
+        other_choice(15, i + 8) := carry(other_choice(15, i + 7), not is_set(paths_sum(0), i - 4), other_value(15, i));
       end loop;
-      if other_15_choices_from_12(18) then
-        other_15_choices_from_12(19) := (not other_first_column) and is_set(paths_sum(0), 7) and (not
-          (other_words(0)(15) = '1'));
-      else
-        other_15_choices_from_12(19) := (not other_first_column) and (is_set(paths_sum(0), 7) or (not
-          (other_words(0)(15) = '1')));
-      end if;
-      other_15_alls(2) := (not other_15_choices_from_12(19)) and winnersmask_inside(0) and other_output_column;
-      if other_15_alls(2) then
-        other_15_choices_from_20(20) := other_base;
-      else
-        other_15_choices_from_20(20) := to_integer(other_words(2)(15 downto 8));
-      end if;
-      if other_14_any then
-        other_15_choices_from_20(21) := other_15_choices_from_20(20);
-      else
-        other_15_choices_from_20(21) := to_integer(other(15)(7 downto 0));
-      end if;
-      if is_set(paths_sum(2), 0) then
-        other_15_choices_from_22(22) := (not (other_words(0)(25) = '1')) or (not (other_words(0)(24) = '1'));
-      else
-        other_15_choices_from_22(22) := not (other_words(0)(25) = '1');
-      end if;
-      if winnerswinner1_best_index_0_values(1, 3) then
-        other_15_choices_from_22(23) := other_15_choices_from_22(22);
-      else
-        other_15_choices_from_22(23) := is_set(paths_sum(2), 0) and (to_integer(other_words(0)(25 downto 24)) = 0);
-      end if;
-      other_15_values(11) := other_words(0)(26) = '1';
-      if other_15_choices_from_22(23) then
-        other_15_choices_from_22(24) := (not is_set(paths_sum(2), 2)) and other_15_values(11);
-      else
-        other_15_choices_from_22(24) := (not is_set(paths_sum(2), 2)) or other_15_values(11);
-      end if;
+      other_choice(15, 19) := choice(other_choice(15, 18), (not other_first_column) and is_set(paths_sum(0), 7) and
+        (not (other_words(0)(15) = '1')), (not other_first_column) and (is_set(paths_sum(0), 7) or (not
+        (other_words(0)(15) = '1'))));
+      other_all(15, 2) := (not other_choice(15, 19)) and winnersmask_inside(0) and other_output_column;
+      other_15_choices_from_20(20) := choice(other_all(15, 2), other_base, to_integer(other_words(2)(15 downto 8)));
+      other_15_choices_from_20(21) := choice(other_14_any, other_15_choices_from_20(20), to_integer(other(15)(7 downto
+        0)));
+      other_choice(15, 22) := choice(is_set(paths_sum(2), 0), (not (other_words(0)(25) = '1')) or (not
+        (other_words(0)(24) = '1')), not (other_words(0)(25) = '1'));
+      other_choice(15, 23) := choice(winnerswinner1_best_index_0_value(1, 3), other_choice(15, 22),
+        is_set(paths_sum(2), 0) and (to_integer(other_words(0)(25 downto 24)) = 0));
+      other_value(15, 11) := other_words(0)(26) = '1';
+      other_choice(15, 24) := inverted_carry(other_choice(15, 23), not is_set(paths_sum(2), 2), other_value(15, 11));
       for i in 12 to 15 loop
-        other_15_values(i) := other_words(0)(i + 15) = '1';
-        if other_15_choices_from_22(i + 12) then
-          other_15_choices_from_22(i + 13) := (not is_set(paths_sum(2), i - 9)) or other_15_values(i);
-        else
-          other_15_choices_from_22(i + 13) := (not is_set(paths_sum(2), i - 9)) and other_15_values(i);
-        end if;
+        other_value(15, i) := other_words(0)(i + 15) = '1';
+        other_choice(15, i + 13) := carry(other_choice(15, i + 12), not is_set(paths_sum(2), i - 9), other_value(15,
+          i));
       end loop;
-      if is_set(paths_sum(2), 7) then
-        other_15_choices_from_22(29) := not other_first_column;
-      else
-        other_15_choices_from_22(29) := (not (other_words(0)(31) = '1')) and (not other_first_column);
-      end if;
-      if other_15_choices_from_22(28) then
-        other_15_choices_from_22(30) := is_set(paths_sum(2), 7) and (not (other_words(0)(31) = '1')) and (not
-          other_first_column);
-      else
-        other_15_choices_from_22(30) := other_15_choices_from_22(29);
-      end if;
-      other_15_alls(3) := (not other_15_choices_from_22(30)) and winnersmask_inside(2) and other_output_column;
-      if other_15_alls(3) then
-        other_15_choices_from_31(31) := other_14_value_6 + 2;
-      else
-        other_15_choices_from_31(31) := to_integer(other_words(2)(31 downto 24));
-      end if;
-      if other_14_any then
-        other_15_choices_from_31(32) := other_15_choices_from_31(31);
-      else
-        other_15_choices_from_31(32) := to_integer(other(15)(23 downto 16));
-      end if;
-      if is_set(paths_sum(3), 0) then
-        other_15_choices_from_33(33) := (not (other_words(1)(1) = '1')) or (not (other_words(1)(0) = '1'));
-      else
-        other_15_choices_from_33(33) := not (other_words(1)(1) = '1');
-      end if;
-      if winnerswinner1_best_index_0_value(1) then
-        other_15_choices_from_33(34) := other_15_choices_from_33(33);
-      else
-        other_15_choices_from_33(34) := is_set(paths_sum(3), 0) and (to_integer(other_words(1)(1 downto 0)) = 0);
-      end if;
-      other_15_values(16) := other_words(1)(2) = '1';
-      if other_15_choices_from_33(34) then
-        other_15_choices_from_33(35) := (not winnerswinner1_best_index_0_values(1, 5)) and other_15_values(16);
-      else
-        other_15_choices_from_33(35) := (not winnerswinner1_best_index_0_values(1, 5)) or other_15_values(16);
-      end if;
+      other_choice(15, 29) := choice(is_set(paths_sum(2), 7), not other_first_column, (not (other_words(0)(31) = '1'))
+        and (not other_first_column));
+      other_choice(15, 30) := choice(other_choice(15, 28), is_set(paths_sum(2), 7) and (not (other_words(0)(31) = '1'))
+        and (not other_first_column), other_choice(15, 29));
+      other_all(15, 3) := (not other_choice(15, 30)) and winnersmask_inside(2) and other_output_column;
+      other_15_choices_from_31(31) := choice(other_all(15, 3), other_14_value_6 + 2, to_integer(other_words(2)(31
+        downto 24)));
+      other_15_choices_from_31(32) := choice(other_14_any, other_15_choices_from_31(31), to_integer(other(15)(23 downto
+        16)));
+      other_choice(15, 33) := choice(is_set(paths_sum(3), 0), (not (other_words(1)(1) = '1')) or (not
+        (other_words(1)(0) = '1')), not (other_words(1)(1) = '1'));
+      other_choice(15, 34) := choice(winnerswinner1_best_index_0_value(1, 1), other_choice(15, 33),
+        is_set(paths_sum(3), 0) and (to_integer(other_words(1)(1 downto 0)) = 0));
+      other_value(15, 16) := other_words(1)(2) = '1';
+      other_choice(15, 35) := inverted_carry(other_choice(15, 34), not winnerswinner1_best_index_0_value(1, 5),
+        other_value(15, 16));
       for i in 17 to 20 loop
-        other_15_values(i) := other_words(1)(i - 14) = '1';
-        if other_15_choices_from_33(i + 18) then
-          other_15_choices_from_33(i + 19) := (not winnerswinner1_best_index_0_values(1, 2 * i - 27)) or
-            other_15_values(i);
-        else
-          other_15_choices_from_33(i + 19) := (not winnerswinner1_best_index_0_values(1, 2 * i - 27)) and
-            other_15_values(i);
-        end if;
+        other_value(15, i) := other_words(1)(i - 14) = '1';
+        other_choice(15, i + 19) := carry(other_choice(15, i + 18), not winnerswinner1_best_index_0_value(1, 2 * i -
+          27), other_value(15, i));
       end loop;
-      if is_set(paths_sum(3), 7) then
-        other_15_choices_from_33(40) := not other_first_column;
-      else
-        other_15_choices_from_33(40) := (not (other_words(1)(7) = '1')) and (not other_first_column);
-      end if;
-      if other_15_choices_from_33(39) then
-        other_15_choices_from_33(41) := is_set(paths_sum(3), 7) and (not (other_words(1)(7) = '1')) and (not
-          other_first_column);
-      else
-        other_15_choices_from_33(41) := other_15_choices_from_33(40);
-      end if;
-      other_15_alls(4) := (not other_15_choices_from_33(41)) and winnersmask_inside(3) and other_output_column;
-      if other_15_alls(4) then
-        other_15_choices_from_42(42) := other_14_value_6 + 3;
-      else
-        other_15_choices_from_42(42) := to_integer(other_words(3)(7 downto 0));
-      end if;
-      if other_14_any then
-        other_15_choices_from_42(43) := other_15_choices_from_42(42);
-      else
-        other_15_choices_from_42(43) := to_integer(other(15)(31 downto 24));
-      end if;
-      if other_all(14) then
-        other_choices(16) := paths_sum(5);
-      else
-        other_choices(16) := to_integer(other_words(1)(23 downto 16));
-      end if;
-      if other_14_any then
-        other_choices_from_16(16, 2) := other_choices(16);
-      else
-        other_choices_from_16(16, 2) := to_integer(other(16)(15 downto 8));
-      end if;
-      for i in 2 to 3 loop
-        if other_14_alls(i) then
-          other_choices_from_16(16, 2 * i - 1) := paths_sum(2 * i);
-        else
-          other_choices_from_16(16, 2 * i - 1) := to_integer(other_words(1)(16 * i - 17 downto 16 * i - 24));
-        end if;
-        if other_14_any then
-          other_choices_from_16(16, 2 * i) := other_choices_from_16(16, 2 * i - 1);
-        else
-          other_choices_from_16(16, 2 * i) := to_integer(other(16)(16 * i - 25 downto 16 * i - 32));
-        end if;
+      other_choice(15, 40) := choice(is_set(paths_sum(3), 7), not other_first_column, (not (other_words(1)(7) = '1'))
+        and (not other_first_column));
+      other_choice(15, 41) := choice(other_choice(15, 39), is_set(paths_sum(3), 7) and (not (other_words(1)(7) = '1'))
+        and (not other_first_column), other_choice(15, 40));
+      other_all(15, 4) := (not other_choice(15, 41)) and winnersmask_inside(3) and other_output_column;
+      other_15_choices_from_42(42) := choice(other_all(15, 4), other_14_value_6 + 3, to_integer(other_words(3)(7 downto
+        0)));
+      other_15_choices_from_42(43) := choice(other_14_any, other_15_choices_from_42(42), to_integer(other(15)(31 downto
+        24)));
+      for i in 1 to 2 loop
+        other_choices(16, 2 * i - 1) := choice(other_all(14, i), paths_sum(6 - i), to_integer(other_words(1)(31 - 8 * i
+          downto 24 - 8 * i)));
+        other_choices(16, 2 * i) := choice(other_14_any, other_choices(16, 2 * i - 1), to_integer(other(16)(23 - 8 * i
+          downto 16 - 8 * i)));
       end loop;
-      if other_14_choices_from_34(42) then
-        other_choices_from_16(16, 7) := paths_sum(7);
-      else
-        other_choices_from_16(16, 7) := to_integer(other_next_words(0)(7 downto 0));
-      end if;
-      if other_14_any then
-        other_choices_from_16(16, 8) := other_choices_from_16(16, 7);
-      else
-        other_choices_from_16(16, 8) := to_integer(other(16)(31 downto 24));
-      end if;
-      if other_all(15) then
-        other_choices(17) := paths_sum(1);
-      else
-        other_choices(17) := to_integer(other_words(0)(23 downto 16));
-      end if;
-      if other_14_any then
-        other_choices_from_16(17, 2) := other_choices(17);
-      else
-        other_choices_from_16(17, 2) := to_integer(other(17)(15 downto 8));
-      end if;
-      for i in 2 to 3 loop
-        if other_15_alls(i) then
-          other_choices_from_16(17, 2 * i - 1) := paths_sum(2 * i - 4);
-        else
-          other_choices_from_16(17, 2 * i - 1) := to_integer(other_words(0)(16 * i - 17 downto 16 * i - 24));
-        end if;
-        if other_14_any then
-          other_choices_from_16(17, 2 * i) := other_choices_from_16(17, 2 * i - 1);
-        else
-          other_choices_from_16(17, 2 * i) := to_integer(other(17)(16 * i - 25 downto 16 * i - 32));
-        end if;
+      other_choices(16, 5) := choice(other_all(14, 3), paths_sum(6), to_integer(other_words(1)(31 downto 24)));
+      other_choices(16, 6) := choice(other_14_any, other_choices(16, 5), to_integer(other(16)(23 downto 16)));
+      other_choices(16, 7) := choice(other_choice(14, 42), paths_sum(7), to_integer(other_next_words(0)(7 downto 0)));
+      for i in 16 to 17 loop
+        other_choices(i, 72 - 4 * i) := choice(other_14_any, other_choices(i, 71 - 4 * i), to_integer(other(i)(415 - 24
+          * i downto 408 - 24 * i)));
+        other_choices(17, 4 * i - 63) := choice(other_all(15, 2 * i - 31), paths_sum(i - 15),
+          to_integer(other_words(0)(8 * i - 105 downto 8 * i - 112)));
+        other_choices(17, 4 * i - 62) := choice(other_14_any, other_choices(17, 4 * i - 63), to_integer(other(17)(8 * i
+          - 113 downto 8 * i - 120)));
+        other_choices(17, 4 * i - 61) := choice(other_all(15, 2 * i - 30), paths_sum(3 * i - 48),
+          to_integer(other_words(i - 16)(143 - 8 * i downto 136 - 8 * i)));
       end loop;
-      if other_15_alls(4) then
-        other_choices_from_16(17, 7) := paths_sum(3);
-      else
-        other_choices_from_16(17, 7) := to_integer(other_words(1)(7 downto 0));
-      end if;
-      if other_14_any then
-        other_choices_from_16(17, 8) := other_choices_from_16(17, 7);
-      else
-        other_choices_from_16(17, 8) := to_integer(other(17)(31 downto 24));
-      end if;
-      other_words(0) <= other_next_words(0);
-      other_words(1) <= other_next_words(1);
-      other_words(2) <= other_next_words(2);
-      other_words(3) <= other_next_words(3);
+      other_choices(17, 8) := choice(other_14_any, other_choices(17, 7), to_integer(other(17)(31 downto 24)));
+      other_words <= other_next_words;
       other_base <= other_base_choice * 8;
-      other_0 <= winnerswinner1_best_index_0_choices(2, 8);
+      other_0 <= winnerswinner1_best_index_0_choice(2, 8);
       other_1 <= other_3;
       other_2 <= ((other_4 mod 8192) / 2) * 2;
       other_3 <= to_unsigned(as_number(((map_counter_group >= 1) and (map_counter_group < 481))), 1) &
@@ -5653,28 +3310,16 @@ begin
       other_12 <= ((other_difference(12) / 512) * 64) + ((other_13 / 128) * 128);
       other_13 <= (other_13_difference / 512) * 128;
       other(14) <= to_unsigned(other_14_choices_from_43(44), 8) & to_unsigned(other_14_choices_from_32(33), 8) &
-        to_unsigned(other_14_choices_from_10(11), 8) & to_unsigned(other_14_choices_from_21(22), 8);
+        to_unsigned(other_14_choices(11), 8) & to_unsigned(other_14_choices_from_21(22), 8);
       other(15) <= to_unsigned(other_15_choices_from_42(43), 8) & to_unsigned(other_15_choices_from_31(32), 8) &
-        to_unsigned(other_15_choices_from_10(11), 8) & to_unsigned(other_15_choices_from_20(21), 8);
-      other(16) <= to_unsigned(other_choices_from_16(16, 8), 8) & to_unsigned(other_choices_from_16(16, 6), 8) &
-        to_unsigned(other_choices_from_16(16, 2), 8) & to_unsigned(other_choices_from_16(16, 4), 8);
-      other(17) <= to_unsigned(other_choices_from_16(17, 8), 8) & to_unsigned(other_choices_from_16(17, 6), 8) &
-        to_unsigned(other_choices_from_16(17, 2), 8) & to_unsigned(other_choices_from_16(17, 4), 8);
-      if line_comes(20) then
-        other_read_count_phase <= 0;
-      else
-        other_read_count_phase <= other_read_count_phase_choice;
-      end if;
-      if line_comes(22) then
-        other_count_phase <= 0;
-      else
-        other_count_phase <= other_count_phase_choice;
-      end if;
-      if line_comes(23) then
-        other_write_count_phase <= 0;
-      else
-        other_write_count_phase <= other_write_count_phase_choice;
-      end if;
+        to_unsigned(other_15_choices(11), 8) & to_unsigned(other_15_choices_from_20(21), 8);
+      other(16) <= to_unsigned(other_choices(16, 8), 8) & to_unsigned(other_choices(16, 6), 8) &
+        to_unsigned(other_choices(16, 2), 8) & to_unsigned(other_choices(16, 4), 8);
+      other(17) <= to_unsigned(other_choices(17, 8), 8) & to_unsigned(other_choices(17, 6), 8) &
+        to_unsigned(other_choices(17, 2), 8) & to_unsigned(other_choices(17, 4), 8);
+      other_read_count_phase <= choice(line_comes(20), 0, other_read_count_phase_choice);
+      other_count_phase <= choice(line_comes(22), 0, other_count_phase_choice);
+      other_write_count_phase <= choice(line_comes(23), 0, other_write_count_phase_choice);
       if line_comes(22) then
         other_first_column <= line_places_first_column(2);
         other_output_column <= line_places_shown_output_column(2);
@@ -5683,36 +3328,24 @@ begin
         other_left <= to_integer(other(15)(7 downto 0));
       end if;
       -- refinement
-      refinement_below_0_differs := winners_best_index_0_0 /= 0;
-      refinement_below_0_differs_2 := winners_best_below_0_0 /= 255;
-      refinement_below_0_all := refinement_below_0_differs and refinement_below_0_differs_2;
-      if winners_best_above_0_0 = 255 then
-        refinement_above_0_choice := refinement_below_0_all;
-      else
-        refinement_above_0_choice := refinement_below_0_differs and refinement_below_0_differs_2 and
-          winners_best_above_0_0_is_equal;
-      end if;
+      refinement_below_0_differss(1) := winners_best_index_0_0 /= 0;
+      refinement_below_0_differss(2) := winners_best_below_0_0 /= 255;
+      refinement_below_0_all := refinement_below_0_differss(1) and refinement_below_0_differss(2);
+      refinement_above_0_choice := choice(winners_best_above_0_0 = 255, refinement_below_0_all,
+        refinement_below_0_differss(1) and refinement_below_0_differss(2) and winners_best_above_0_0_is_equal);
       refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
-      if refinement_divisor_0_0_is_less then
-        refinement_divisor_0_0_choice := refinement_v_0;
-      else
-        refinement_divisor_0_0_choice := refinement_u_0;
-      end if;
+      refinement_divisor_0_0_choice := choice(refinement_divisor_0_0_is_less, refinement_v_0, refinement_u_0);
       refinement_disparity_0(0) <= winners_best_index_0_0;
-      for i in 1 to 11 loop
-        refinement_disparity_0(i) <= refinement_disparity_0(i - 1);
-      end loop;
+      refinement_disparity_0(1 to 11) <= refinement_disparity_0(0 to 10);
       refinement_passed_0(1) <= transform_reached_first_4;
-      refinement_passed_0(2) <= refinement_passed_0(1);
-      refinement_passed_0(3) <= refinement_passed_0(2);
+      refinement_passed_0(2 to 3) <= refinement_passed_0(1 to 2);
       refinement_passed_0s(6) <= transform_filtering_column_inside_4(2);
-      refinement_passed_0s(7) <= refinement_passed_0s(6);
-      refinement_passed_0s(8) <= refinement_passed_0s(7);
-      refinement_tag_valid(0) <= winners_best_tag_valid;
-      refinement_tag_map_column(0) <= winners_best_tag_map_column;
-      refinement_tag_output_column(0) <= winners_best_tag_output_column;
-      refinement_tag_start_of_frame(0) <= winners_best_tag_start_of_frame;
-      refinement_tag_end_of_line(0) <= winners_best_tag_end_of_line;
+      refinement_passed_0s(7 to 8) <= refinement_passed_0s(6 to 7);
+      refinement_tag_valid(0) <= winners_best_tag.valid;
+      refinement_tag_map_column(0) <= winners_best_tag.map_column;
+      refinement_tag_output_column(0) <= winners_best_tag.output_column;
+      refinement_tag_start_of_frame(0) <= winners_best_tag.start_of_frame;
+      refinement_tag_end_of_line(0) <= winners_best_tag.end_of_line;
       for i in 1 to 11 loop
         refinement_tag_valid(i) <= refinement_tag_valid(i - 1);
         refinement_tag_map_column(i) <= refinement_tag_map_column(i - 1);
@@ -5727,49 +3360,27 @@ begin
       refinement_remainder_0(0) <= magnitude(refinement_difference_0);
       refinement_divisor_0(0) <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 8)) or
         (to_unsigned(as_number(((refinement_v_0 = 0) and (refinement_u_0 = 0))), 8))));
-      for i in 1 to 7 loop
-        refinement_divisor_0(i) <= refinement_divisor_0(i - 1);
-      end loop;
+      refinement_divisor_0(1 to 7) <= refinement_divisor_0(0 to 6);
       refinement_quotient_8_0 <= ((((refinement_remainder_0(7) * 2) + 512) - refinement_divisor_0(7)) / 512) +
         ((other_7 / 2) * 2);
       refinement_negative_0(0) <= refinement_divisor_0_0_is_less;
-      for i in 1 to 8 loop
-        refinement_negative_0(i) <= refinement_negative_0(i - 1);
-      end loop;
-      if refinement_below_0_all then
-        refinement_below_0 <= winners_best_below_0_0;
-      else
-        refinement_below_0 <= winners_best_above_0_0;
-      end if;
-      if refinement_above_0_choice then
-        refinement_above_0 <= winners_best_below_0_0;
-      else
-        refinement_above_0 <= winners_best_above_0_0;
-      end if;
-      if is_set(other_13_difference, 9) then
-        refinement_remainder_0(1) <= other_13_difference mod 256;
-      else
-        refinement_remainder_0(1) <= refinement_remainder_0(0);
-      end if;
+      refinement_negative_0(1 to 8) <= refinement_negative_0(0 to 7);
+      refinement_below_0 <= choice(refinement_below_0_all, winners_best_below_0_0, winners_best_above_0_0);
+      refinement_above_0 <= choice(refinement_above_0_choice, winners_best_below_0_0, winners_best_above_0_0);
+      refinement_remainder_0(1) <= choice(is_set(other_13_difference, 9), other_13_difference mod 256,
+        refinement_remainder_0(0));
       for i in 2 to 7 loop
-        if is_set(other_difference(14 - i), 9) then
-          refinement_remainder_0(i) <= other_difference(14 - i) mod 256;
-        else
-          refinement_remainder_0(i) <= (refinement_remainder_0(i - 1) mod 128) * 2;
-        end if;
+        refinement_remainder_0(i) <= choice(is_set(other_difference(14 - i), 9), other_difference(14 - i) mod 256,
+          (refinement_remainder_0(i - 1) mod 128) * 2);
       end loop;
       -- leftright
-      if (not is_set(leftright_ring_read_address, 5)) and ((leftright_ring_read_address mod 8) = 0) then
-        leftright_holds_winners_choice := (not leftright_holds_winners) and (is_set(leftright_ring_read_address, 4) or
-          is_set(leftright_ring_read_address, 3));
-      else
-        leftright_holds_winners_choice := not leftright_holds_winners;
-      end if;
+      leftright_holds_winners_choice := choice((not is_set(leftright_ring_read_address, 5)) and
+        ((leftright_ring_read_address mod 8) = 0), (not leftright_holds_winners) and
+        (is_set(leftright_ring_read_address, 4) or is_set(leftright_ring_read_address, 3)), not
+        leftright_holds_winners);
       leftright_checked_passed_0_difference := (leftright_answered_disparity_0 + 1) - to_integer(leftright_found_0);
       leftright_other_0(0) <= other_left;
-      for i in 1 to 14 loop
-        leftright_other_0(i) <= leftright_other_0(i - 1);
-      end loop;
+      leftright_other_0(1 to 14) <= leftright_other_0(0 to 13);
       leftright_position <= (leftright_position + as_number(refinement_tag_valid(11))) mod 128;
       leftright_held_position <= leftright_position;
       leftright_held_valid <= (not leftright_holds_winners_choice) and refinement_tag_valid(11);
@@ -5777,275 +3388,131 @@ begin
       leftright_asking_disparity_0 <= to_integer(leftright_held_0(11 downto 4));
       leftright_asking_fraction_0 <= to_integer(leftright_held_0(17 downto 13));
       leftright_asking_passed_0 <= leftright_held_0(12) = '1';
-      leftright_asking_tag_valid <= leftright_held_valid;
-      leftright_asking_tag_map_column <= leftright_held_0(0) = '1';
-      leftright_asking_tag_output_column <= leftright_held_0(1) = '1';
-      leftright_asking_tag_start_of_frame <= leftright_held_0(2) = '1';
-      leftright_asking_tag_end_of_line <= leftright_held_0(3) = '1';
+      leftright_asking_tag.valid <= leftright_held_valid;
+      leftright_asking_tag.map_column <= leftright_held_0(0) = '1';
+      leftright_asking_tag.output_column <= leftright_held_0(1) = '1';
+      leftright_asking_tag.start_of_frame <= leftright_held_0(2) = '1';
+      leftright_asking_tag.end_of_line <= leftright_held_0(3) = '1';
       leftright_answered_disparity_0 <= leftright_asking_disparity_0;
       leftright_answered_fraction_0 <= leftright_asking_fraction_0;
       leftright_answered_passed_0 <= leftright_asking_passed_0;
-      leftright_answered_tag_valid <= leftright_asking_tag_valid;
-      leftright_answered_tag_map_column <= leftright_asking_tag_map_column;
-      leftright_answered_tag_output_column <= leftright_asking_tag_output_column;
-      leftright_answered_tag_start_of_frame <= leftright_asking_tag_start_of_frame;
-      leftright_answered_tag_end_of_line <= leftright_asking_tag_end_of_line;
+      leftright_answered_tag <= leftright_asking_tag;
       leftright_checked_disparity_0 <= leftright_answered_disparity_0;
       leftright_checked_fraction_0 <= leftright_answered_fraction_0;
       leftright_checked_passed_0 <= leftright_answered_passed_0 and (leftright_checked_passed_0_difference >= 0) and
         (leftright_checked_passed_0_difference < 3);
-      leftright_checked_tag_valid <= leftright_answered_tag_valid;
-      leftright_checked_tag_map_column <= leftright_answered_tag_map_column;
-      leftright_checked_tag_output_column <= leftright_answered_tag_output_column;
-      leftright_checked_tag_start_of_frame <= leftright_answered_tag_start_of_frame;
-      leftright_checked_tag_end_of_line <= leftright_answered_tag_end_of_line;
-      if leftright_holds_winners_choice then
-        leftright_holds_winners <= (not refinement_tag_valid(11)) and leftright_holds_winners;
-      else
-        leftright_holds_winners <= refinement_tag_valid(11) or leftright_holds_winners;
-      end if;
+      leftright_checked_tag <= leftright_answered_tag;
+      leftright_holds_winners <= choice(leftright_holds_winners_choice, (not refinement_tag_valid(11)) and
+        leftright_holds_winners, refinement_tag_valid(11) or leftright_holds_winners);
       if refinement_tag_valid(11) then
         leftright_ring_write_address <= leftright_ring_read_address;
-        if leftright_ring_read_address = 63 then
-          leftright_ring_read_address <= 0;
-        else
-          leftright_ring_read_address <= (leftright_ring_read_address + 1) mod 64;
-        end if;
+        leftright_ring_read_address <= choice(leftright_ring_read_address = 63, 0, (leftright_ring_read_address + 1)
+          mod 64);
       end if;
       -- turn
-      turn_order_address_any := turn_order_inside or (not leftright_checked_tag_map_column) or (not
-        leftright_checked_tag_valid);
-      if turn_order_falls then
-        turn_order_address_choice := 1023;
-      else
-        turn_order_address_choice := 1;
+      turn_order_address_anys(1) := turn_order_inside or (not leftright_checked_tag.map_column) or (not
+        leftright_checked_tag.valid);
+      turn_order_address_choice := choice(turn_order_falls, 1023, 1);
+      turn_order_address_choice_2 := choice(turn_order_falls, 0, 637);
+      turn_order_address_anys(2) := (not leftright_checked_tag.map_column) or (not leftright_checked_tag.valid);
+      if not turn_order_address_anys(2) then
+        turn_order_address <= choice(turn_order_address_anys(1), (turn_order_address_choice + turn_order_address) mod
+          1024, turn_order_address_choice_2);
       end if;
-      if turn_order_falls then
-        turn_order_address_choice_2 := 0;
-      else
-        turn_order_address_choice_2 := 637;
-      end if;
-      turn_order_address_any_2 := (not leftright_checked_tag_map_column) or (not leftright_checked_tag_valid);
-      if not turn_order_address_any_2 then
-        if turn_order_address_any then
-          turn_order_address <= (turn_order_address_choice + turn_order_address) mod 1024;
-        else
-          turn_order_address <= turn_order_address_choice_2;
-        end if;
-      end if;
-      turn_order_falls_all := (not turn_order_inside) and leftright_checked_tag_map_column and
-        leftright_checked_tag_valid;
-      turn_order_complete_all := leftright_checked_tag_map_column and leftright_checked_tag_valid;
+      turn_order_falls_all := (not turn_order_inside) and leftright_checked_tag.map_column and
+        leftright_checked_tag.valid;
+      turn_order_complete_all := leftright_checked_tag.map_column and leftright_checked_tag.valid;
       turn_ready_tag_row_start_differs := map_counter_group /= 481;
-      turn_ready_tag_row_start_is_equal := map_counter_column = 637;
-      if turn_ready_tag_row_start_is_equal then
-        turn_ready_tag_row_start_choice := turn_ready_tag_row_start and (map_counter_group /= 480);
-      else
-        turn_ready_tag_row_start_choice := turn_ready_tag_row_start;
-      end if;
-      if turn_ready_tag_row_start_differs then
-        turn_ready_tag_row_start_choices(2) := turn_ready_tag_row_start_choice;
-      else
-        turn_ready_tag_row_start_choices(2) := turn_ready_tag_row_start;
-      end if;
-      turn_ready_tag_row_start_is_equal_2 := map_counter_group = 479;
-      turn_ready_tag_row_start_all := turn_ready_tag_row_start_is_equal_2 and turn_ready_tag_row_start_is_equal;
-      if turn_ready_tag_row_start_choices(2) then
-        turn_ready_tag_row_start_choices(3) := (not turn_ready_tag_start_of_frame) or turn_ready_tag_row_start_all;
-      else
-        turn_ready_tag_row_start_choices(3) := turn_ready_tag_start_of_frame and turn_ready_tag_row_start_is_equal_2
-          and turn_ready_tag_row_start_is_equal;
-      end if;
-      turn_ready_tag_row_start_all_2 := turn_ready_tag_valid and turn_ready_tag_map_column;
-      turn_order_turned_valid <= leftright_checked_tag_valid;
-      turn_order_turned_map_column <= leftright_checked_tag_map_column;
-      turn_order_turned_start_of_frame <= (not turn_order_inside) and leftright_checked_tag_map_column and
-        leftright_checked_tag_valid and turn_order_first and turn_order_output and turn_order_complete;
-      turn_order_turned_end_of_line <= leftright_checked_tag_end_of_line;
+      turn_ready_tag_row_start_is_equals(1) := map_counter_column = 637;
+      turn_ready_tag_row_start_choices(1) := choice(turn_ready_tag_row_start_is_equals(1), turn_ready_tag.row_start and
+        (map_counter_group /= 480), turn_ready_tag.row_start);
+      turn_ready_tag_row_start_choices(2) := choice(turn_ready_tag_row_start_differs,
+        turn_ready_tag_row_start_choices(1), turn_ready_tag.row_start);
+      turn_ready_tag_row_start_is_equals(2) := map_counter_group = 479;
+      turn_ready_tag_row_start_alls(1) := turn_ready_tag_row_start_is_equals(2) and
+        turn_ready_tag_row_start_is_equals(1);
+      turn_ready_tag_row_start_choices(3) := choice(turn_ready_tag_row_start_choices(2), (not
+        turn_ready_tag.start_of_frame) or turn_ready_tag_row_start_alls(1), turn_ready_tag.start_of_frame and
+        turn_ready_tag_row_start_is_equals(2) and turn_ready_tag_row_start_is_equals(1));
+      turn_ready_tag_row_start_alls(2) := turn_ready_tag.valid and turn_ready_tag.map_column;
+      turn_order_turned_valid <= leftright_checked_tag.valid;
+      turn_order_turned_map_column <= leftright_checked_tag.map_column;
+      turn_order_turned_start_of_frame <= (not turn_order_inside) and leftright_checked_tag.map_column and
+        leftright_checked_tag.valid and turn_order_first and turn_order_output and turn_order_complete;
+      turn_order_turned_end_of_line <= leftright_checked_tag.end_of_line;
       turn_newest <= (leftright_checked_fraction_0 * 512) + leftright_checked_disparity_0 +
         (as_number(leftright_checked_passed_0) * 256);
       turn_comes <= turn_order_complete_all;
-      turn_read_tag_valid <= turn_order_turned_valid;
-      turn_read_tag_map_column <= turn_order_turned_map_column;
-      turn_read_tag_start_of_frame <= turn_order_turned_start_of_frame;
-      turn_read_tag_end_of_line <= turn_order_turned_end_of_line;
+      turn_read_tag.valid <= turn_order_turned_valid;
+      turn_read_tag.map_column <= turn_order_turned_map_column;
+      turn_read_tag.start_of_frame <= turn_order_turned_start_of_frame;
+      turn_read_tag.end_of_line <= turn_order_turned_end_of_line;
       turn_ready <= to_integer(turn_read_words_0);
-      turn_ready_tag_valid <= turn_read_tag_valid;
-      turn_ready_tag_map_column <= turn_read_tag_map_column;
-      turn_ready_tag_start_of_frame <= turn_read_tag_start_of_frame;
-      turn_ready_tag_end_of_line <= turn_read_tag_end_of_line;
-      if turn_order_falls then
-        turn_order_falls <= turn_order_address_any;
-      else
-        turn_order_falls <= turn_order_falls_all;
-      end if;
-      if leftright_checked_tag_end_of_line then
-        turn_order_complete <= turn_order_complete or turn_order_complete_all;
-      else
-        turn_order_complete <= turn_order_complete and turn_order_address_any_2;
-      end if;
-      if turn_comes then
-        turn_write_place <= turn_order_address;
-      else
-        turn_write_place <= 638;
-      end if;
-      if turn_ready_tag_row_start_choices(3) then
-        turn_ready_tag_row_start <= turn_ready_tag_row_start or turn_ready_tag_row_start_all_2;
-      else
-        turn_ready_tag_row_start <= turn_ready_tag_row_start and ((not turn_ready_tag_valid) or (not
-          turn_ready_tag_map_column));
-      end if;
-      if leftright_checked_tag_valid then
-        turn_order_inside <= leftright_checked_tag_map_column;
+      turn_ready_tag.valid <= turn_read_tag.valid;
+      turn_ready_tag.map_column <= turn_read_tag.map_column;
+      turn_ready_tag.start_of_frame <= turn_read_tag.start_of_frame;
+      turn_ready_tag.end_of_line <= turn_read_tag.end_of_line;
+      turn_order_falls <= choice(turn_order_falls, turn_order_address_anys(1), turn_order_falls_all);
+      turn_order_complete <= choice(leftright_checked_tag.end_of_line, turn_order_complete or turn_order_complete_all,
+        turn_order_complete and turn_order_address_anys(2));
+      turn_write_place <= choice(turn_comes, turn_order_address, 638);
+      turn_ready_tag.row_start <= choice(turn_ready_tag_row_start_choices(3), turn_ready_tag.row_start or
+        turn_ready_tag_row_start_alls(2), turn_ready_tag.row_start and ((not turn_ready_tag.valid) or (not
+        turn_ready_tag.map_column)));
+      if leftright_checked_tag.valid then
+        turn_order_inside <= leftright_checked_tag.map_column;
       end if;
       if turn_order_falls_all then
-        turn_order_output <= leftright_checked_tag_output_column;
-        turn_order_first <= leftright_checked_tag_start_of_frame;
+        turn_order_output <= leftright_checked_tag.output_column;
+        turn_order_first <= leftright_checked_tag.start_of_frame;
       end if;
       if turn_comes then
         turn_write_words_0 <= turn_newest;
       end if;
       -- map
-      if turn_ready_tag_row_start_all_2 then
-        if turn_ready_tag_start_of_frame or turn_ready_tag_row_start_is_equal then
-          map_counter_column <= 0;
-        else
-          map_counter_column <= (map_counter_column + 1) mod 1024;
-        end if;
+      if turn_ready_tag_row_start_alls(2) then
+        map_counter_column <= choice(turn_ready_tag.start_of_frame or turn_ready_tag_row_start_is_equals(1), 0,
+          (map_counter_column + 1) mod 1024);
       end if;
-      if turn_ready_tag_row_start_all then
-        map_counter_group_choice := 15;
-      else
-        map_counter_group_choice := 0;
-      end if;
-      if turn_ready_tag_row_start and other_3_is_equal then
-        map_counter_group_choices(2) := 1;
-      else
-        map_counter_group_choices(2) := (map_counter_group + 1) mod 512;
-      end if;
-      if turn_ready_tag_row_start_differs and turn_ready_tag_row_start_is_equal and turn_ready_tag_valid and
-        turn_ready_tag_map_column then
-        map_counter_group_choices(3) := map_counter_group_choices(2);
-      else
-        map_counter_group_choices(3) := map_counter_group;
-      end if;
-      if turn_ready_tag_valid then
-        map_line_ended_choice := turn_ready_tag_map_column;
-      else
-        map_line_ended_choice := map_line_ended;
-      end if;
+      map_counter_group_choice := choice(turn_ready_tag_row_start_alls(1), 15, 0);
+      map_counter_group_choices(2) := choice(turn_ready_tag.row_start and other_3_is_equal, 1, (map_counter_group + 1)
+        mod 512);
+      map_counter_group_choices(3) := choice(turn_ready_tag_row_start_differs and turn_ready_tag_row_start_is_equals(1)
+        and turn_ready_tag.valid and turn_ready_tag.map_column, map_counter_group_choices(2), map_counter_group);
+      map_line_ended_choice := choice(turn_ready_tag.valid, turn_ready_tag.map_column, map_line_ended);
       map_at_arrives_value := other_1(16) = '1';
-      if map_at_top then
-        map_of_column_0_a_choice := map_column_1 / 2;
-      else
-        map_of_column_0_a_choice := other_2 / 2;
-      end if;
-      if map_counter_next_frame then
-        map_of_column_0_c_choice := map_column_1 / 2;
-      else
-        map_of_column_0_c_choice := map_column_2 / 2;
-      end if;
-      if map_of_column_0_c_below_b then
-        map_sorted_low_0_choice := map_of_column_0_c;
-      else
-        map_sorted_low_0_choice := map_of_column_0_b;
-      end if;
-      if map_of_column_0_c_below_a then
-        map_sorted_low_0_choice_2 := map_of_column_0_c;
-      else
-        map_sorted_low_0_choice_2 := map_of_column_0_a;
-      end if;
-      if map_of_column_0_c_below_b then
-        map_sorted_middle_0_choice := map_of_column_0_b;
-      else
-        map_sorted_middle_0_choice := map_sorted_low_0_choice_2;
-      end if;
-      if map_of_column_0_c_below_a then
-        map_sorted_middle_0_choice_2 := map_of_column_0_a;
-      else
-        map_sorted_middle_0_choice_2 := map_sorted_low_0_choice;
-      end if;
-      if map_of_column_0_c_below_a then
-        map_sorted_high_0_choice := map_of_column_0_a;
-      else
-        map_sorted_high_0_choice := map_of_column_0_c;
-      end if;
-      if map_of_column_0_c_below_b then
-        map_sorted_high_0_choice_2 := map_of_column_0_b;
-      else
-        map_sorted_high_0_choice_2 := map_of_column_0_c;
-      end if;
+      map_of_column_0_a_choice := choice(map_at_top, map_column_1 / 2, other_2 / 2);
+      map_of_column_0_c_choice := choice(map_counter_next_frame, map_column_1 / 2, map_column_2 / 2);
+      map_sorted_low_0_choices(1) := choice(map_of_column_0_c_below_b, map_of_column_0_c, map_of_column_0_b);
+      map_sorted_low_0_choices(2) := choice(map_of_column_0_c_below_a, map_of_column_0_c, map_of_column_0_a);
+      map_sorted_middle_0_choices(1) := choice(map_of_column_0_c_below_b, map_of_column_0_b,
+        map_sorted_low_0_choices(2));
+      map_sorted_middle_0_choices(2) := choice(map_of_column_0_c_below_a, map_of_column_0_a,
+        map_sorted_low_0_choices(1));
+      map_sorted_high_0_choices(1) := choice(map_of_column_0_c_below_a, map_of_column_0_a, map_of_column_0_c);
+      map_sorted_high_0_choices(2) := choice(map_of_column_0_c_below_b, map_of_column_0_b, map_of_column_0_c);
       map_window_complete_is_equal := map_sorted_column = 0;
-      if map_window_complete_is_equal then
-        map_window_complete_choice := map_sorted_behind;
-      else
-        map_window_complete_choice := map_sorted_arrives or map_sorted_behind;
-      end if;
-      if map_of_low_0_c_below_a then
-        map_largest_low_0_choice := map_of_low_0_a;
-      else
-        map_largest_low_0_choice := map_of_low_0_c;
-      end if;
-      if map_of_low_0_c_below_b then
-        map_largest_low_0_choice_2 := map_of_low_0_b;
-      else
-        map_largest_low_0_choice_2 := map_of_low_0_c;
-      end if;
-      if map_of_middle_0_c_below_a then
-        map_median_middle_0_choice := map_of_middle_0_c;
-      else
-        map_median_middle_0_choice := map_of_middle_0_a;
-      end if;
-      if map_of_middle_0_c_below_b then
-        map_median_middle_0_choices(2) := map_of_middle_0_b;
-      else
-        map_median_middle_0_choices(2) := map_median_middle_0_choice;
-      end if;
-      if map_of_middle_0_c_below_b then
-        map_median_middle_0_choices(3) := map_of_middle_0_c;
-      else
-        map_median_middle_0_choices(3) := map_of_middle_0_b;
-      end if;
-      if map_of_middle_0_c_below_a then
-        map_median_middle_0_choices(4) := map_of_middle_0_a;
-      else
-        map_median_middle_0_choices(4) := map_median_middle_0_choices(3);
-      end if;
-      if map_of_high_0_c_below_b then
-        map_smallest_high_0_choice := map_of_high_0_c;
-      else
-        map_smallest_high_0_choice := map_of_high_0_b;
-      end if;
-      if map_of_high_0_c_below_a then
-        map_smallest_high_0_choice_2 := map_of_high_0_c;
-      else
-        map_smallest_high_0_choice_2 := map_of_high_0_a;
-      end if;
-      if map_of_all_0_c_below_a then
-        map_out_disparity_0_choice := map_of_all_0_c;
-      else
-        map_out_disparity_0_choice := map_of_all_0_a;
-      end if;
-      if map_of_all_0_c_below_b then
-        map_out_disparity_0_choices(2) := map_of_all_0_b;
-      else
-        map_out_disparity_0_choices(2) := map_out_disparity_0_choice;
-      end if;
-      if map_of_all_0_c_below_b then
-        map_out_disparity_0_choices(3) := map_of_all_0_c;
-      else
-        map_out_disparity_0_choices(3) := map_of_all_0_b;
-      end if;
-      if map_of_all_0_c_below_a then
-        map_out_disparity_0_choices(4) := map_of_all_0_a;
-      else
-        map_out_disparity_0_choices(4) := map_out_disparity_0_choices(3);
-      end if;
+      map_window_complete_choice := choice(map_window_complete_is_equal, map_sorted_behind, map_sorted_arrives or
+        map_sorted_behind);
+      map_largest_low_0_choices(1) := choice(map_of_low_0_c_below_a, map_of_low_0_a, map_of_low_0_c);
+      map_largest_low_0_choices(2) := choice(map_of_low_0_c_below_b, map_of_low_0_b, map_of_low_0_c);
+      map_median_middle_0_choices(1) := choice(map_of_middle_0_c_below_a, map_of_middle_0_c, map_of_middle_0_a);
+      map_median_middle_0_choices(2) := choice(map_of_middle_0_c_below_b, map_of_middle_0_b,
+        map_median_middle_0_choices(1));
+      map_median_middle_0_choices(3) := choice(map_of_middle_0_c_below_b, map_of_middle_0_c, map_of_middle_0_b);
+      map_median_middle_0_choices(4) := choice(map_of_middle_0_c_below_a, map_of_middle_0_a,
+        map_median_middle_0_choices(3));
+      map_smallest_high_0_choices(1) := choice(map_of_high_0_c_below_b, map_of_high_0_c, map_of_high_0_b);
+      map_smallest_high_0_choices(2) := choice(map_of_high_0_c_below_a, map_of_high_0_c, map_of_high_0_a);
+      map_out_disparity_0_choices(1) := choice(map_of_all_0_c_below_a, map_of_all_0_c, map_of_all_0_a);
+      map_out_disparity_0_choices(2) := choice(map_of_all_0_c_below_b, map_of_all_0_b, map_out_disparity_0_choices(1));
+      map_out_disparity_0_choices(3) := choice(map_of_all_0_c_below_b, map_of_all_0_c, map_of_all_0_b);
+      map_out_disparity_0_choices(4) := choice(map_of_all_0_c_below_a, map_of_all_0_a, map_out_disparity_0_choices(3));
       map_counter_next_frame <= other_1(40) = '1';
       map_newest_0 <= ((((((((turn_ready mod 256) + (turn_ready / 8192)) * 2) + (((turn_ready / 512) mod 16) / 8) +
         8191) mod 4096) * 8) + ((turn_ready / 512) mod 8)) * 2) + ((turn_ready / 256) mod 2);
-      map_arrives <= turn_ready_tag_row_start_all_2;
-      map_behind <= map_line_ended and turn_ready_tag_valid;
+      map_arrives <= turn_ready_tag_row_start_alls(2);
+      map_behind <= map_line_ended and turn_ready_tag.valid;
       map_rows_read_newest_0 <= map_newest_0;
       map_rows_ready_newest_0 <= map_rows_read_newest_0;
       map_write_column <= to_integer(other_1(9 downto 0));
@@ -6110,76 +3577,37 @@ begin
       map_waiting_first(2) <= map_waiting_first(1);
       map_waiting_last(2) <= map_waiting_last(1);
       map_waiting_passed_0(0) <= map_passed_0(1);
-      map_waiting_passed_0(1) <= map_waiting_passed_0(0);
-      map_waiting_passed_0(2) <= map_waiting_passed_0(1);
+      map_waiting_passed_0(1 to 2) <= map_waiting_passed_0(0 to 1);
       map_out_passed_0 <= map_waiting_passed_0(2);
       map_out_valid <= map_waiting_complete(2);
       map_out_start_of_frame <= map_waiting_first(2) and map_waiting_complete(2);
       map_out_end_of_line <= map_waiting_last(2) and map_waiting_complete(2);
-      if turn_ready_tag_start_of_frame and turn_ready_tag_valid and turn_ready_tag_map_column then
-        map_counter_group <= map_counter_group_choice * 32;
-      else
-        map_counter_group <= map_counter_group_choices(3);
-      end if;
-      if turn_ready_tag_end_of_line then
-        map_line_ended <= map_line_ended_choice;
-      else
-        map_line_ended <= map_line_ended and (not turn_ready_tag_valid);
-      end if;
-      if map_of_column_0_b_below_a then
-        map_sorted_low_0 <= map_sorted_low_0_choice;
-        map_sorted_middle_0 <= map_sorted_middle_0_choice;
-        map_sorted_high_0 <= map_sorted_high_0_choice;
-      else
-        map_sorted_low_0 <= map_sorted_low_0_choice_2;
-        map_sorted_middle_0 <= map_sorted_middle_0_choice_2;
-        map_sorted_high_0 <= map_sorted_high_0_choice_2;
-      end if;
-      if map_passed_0(0) then
-        map_passed_0(1) <= map_passed_0(1) or map_sorted_arrives or map_sorted_behind;
-      else
-        map_passed_0(1) <= map_passed_0(1) and (not map_sorted_arrives) and (not map_sorted_behind);
-      end if;
-      if map_of_low_0_b_below_a then
-        map_largest_low_0 <= map_largest_low_0_choice;
-      else
-        map_largest_low_0 <= map_largest_low_0_choice_2;
-      end if;
-      if map_of_middle_0_b_below_a then
-        map_median_middle_0 <= map_median_middle_0_choices(2);
-      else
-        map_median_middle_0 <= map_median_middle_0_choices(4);
-      end if;
-      if map_of_high_0_b_below_a then
-        map_smallest_high_0 <= map_smallest_high_0_choice;
-      else
-        map_smallest_high_0 <= map_smallest_high_0_choice_2;
-      end if;
-      if map_of_all_0_b_below_a then
-        map_out_disparity_0 <= map_out_disparity_0_choices(2);
-      else
-        map_out_disparity_0 <= map_out_disparity_0_choices(4);
-      end if;
+      map_counter_group <= choice(turn_ready_tag.start_of_frame and turn_ready_tag.valid and turn_ready_tag.map_column,
+        map_counter_group_choice * 32, map_counter_group_choices(3));
+      map_line_ended <= choice(turn_ready_tag.end_of_line, map_line_ended_choice, map_line_ended and (not
+        turn_ready_tag.valid));
+      map_sorted_low_0 <= choice(map_of_column_0_b_below_a, map_sorted_low_0_choices(1), map_sorted_low_0_choices(2));
+      map_sorted_middle_0 <= choice(map_of_column_0_b_below_a, map_sorted_middle_0_choices(1),
+        map_sorted_middle_0_choices(2));
+      map_sorted_high_0 <= choice(map_of_column_0_b_below_a, map_sorted_high_0_choices(1),
+        map_sorted_high_0_choices(2));
+      map_passed_0(1) <= choice(map_passed_0(0), map_passed_0(1) or map_sorted_arrives or map_sorted_behind,
+        map_passed_0(1) and (not map_sorted_arrives) and (not map_sorted_behind));
+      map_largest_low_0 <= choice(map_of_low_0_b_below_a, map_largest_low_0_choices(1), map_largest_low_0_choices(2));
+      map_median_middle_0 <= choice(map_of_middle_0_b_below_a, map_median_middle_0_choices(2),
+        map_median_middle_0_choices(4));
+      map_smallest_high_0 <= choice(map_of_high_0_b_below_a, map_smallest_high_0_choices(1),
+        map_smallest_high_0_choices(2));
+      map_out_disparity_0 <= choice(map_of_all_0_b_below_a, map_out_disparity_0_choices(2),
+        map_out_disparity_0_choices(4));
       if map_at_arrives_value then
         map_rows_write_words_0 <= (other_4 / 8192) + (map_rows_ready_newest_0 * 8192);
         map_at_column <= to_integer(other_1(9 downto 0));
       end if;
-      if map_sorted_behind then
-        map_low_0_0_choice := map_low_0(0);
-      else
-        map_low_0_0_choice := map_sorted_low_0;
-      end if;
+      map_low_0_0_choice := choice(map_sorted_behind, map_low_0(0), map_sorted_low_0);
       map_low_0_all(1) := map_window_complete_is_equal and map_sorted_arrives;
-      if map_sorted_behind then
-        map_middle_0_0_choice := map_middle_0(0);
-      else
-        map_middle_0_0_choice := map_sorted_middle_0;
-      end if;
-      if map_sorted_behind then
-        map_high_0_0_choice := map_high_0(0);
-      else
-        map_high_0_0_choice := map_sorted_high_0;
-      end if;
+      map_middle_0_0_choice := choice(map_sorted_behind, map_middle_0(0), map_sorted_middle_0);
+      map_high_0_0_choice := choice(map_sorted_behind, map_high_0(0), map_sorted_high_0);
       map_low_0_all(0) := (not map_sorted_arrives) and (not map_sorted_behind);
       if not map_low_0_all(0) then
         map_low_0(0) <= map_low_0_0_choice;
@@ -6188,15 +3616,9 @@ begin
         map_middle_0(2) <= map_middle_0(1);
         map_high_0(0) <= map_high_0_0_choice;
         map_high_0(2) <= map_high_0(1);
-        if map_low_0_all(1) then
-          map_low_0(1) <= map_low_0_0_choice;
-          map_middle_0(1) <= map_middle_0_0_choice;
-          map_high_0(1) <= map_high_0_0_choice;
-        else
-          map_low_0(1) <= map_low_0(0);
-          map_middle_0(1) <= map_middle_0(0);
-          map_high_0(1) <= map_high_0(0);
-        end if;
+        map_low_0(1) <= choice(map_low_0_all(1), map_low_0_0_choice, map_low_0(0));
+        map_middle_0(1) <= choice(map_low_0_all(1), map_middle_0_0_choice, map_middle_0(0));
+        map_high_0(1) <= choice(map_low_0_all(1), map_high_0_0_choice, map_high_0(0));
       end if;
       if map_sorted_arrives then
         map_passed_0(0) <= map_column_passed_0(1);
@@ -6237,33 +3659,13 @@ begin
         raster_place_group_after <= 481;
         delay_column <= 0;
         delay_row_inside(2) <= false;
-        delay_tag_valid <= false;
-        delay_tag_map_column <= false;
-        delay_tag_output_column <= false;
-        delay_tag_first_column <= false;
-        delay_tag_start_of_frame <= false;
-        delay_tag_end_of_line <= false;
+        delay_tag <= (others => false);
         rows_read_column <= 0;
-        rows_read_tag_valid <= false;
-        rows_read_tag_map_column <= false;
-        rows_read_tag_output_column <= false;
-        rows_read_tag_first_column <= false;
-        rows_read_tag_start_of_frame <= false;
-        rows_read_tag_end_of_line <= false;
+        rows_read_tag <= (others => false);
         rows_ready_column <= 0;
-        rows_ready_tag_valid <= false;
-        rows_ready_tag_map_column <= false;
-        rows_ready_tag_output_column <= false;
-        rows_ready_tag_first_column <= false;
-        rows_ready_tag_start_of_frame <= false;
-        rows_ready_tag_end_of_line <= false;
+        rows_ready_tag <= (others => false);
         rows_write_column <= 0;
-        rows_tag_valid <= false;
-        rows_tag_map_column <= false;
-        rows_tag_output_column <= false;
-        rows_tag_first_column <= false;
-        rows_tag_start_of_frame <= false;
-        rows_tag_end_of_line <= false;
+        rows_tag <= (others => false);
         line_centre_map_column_0 <= false;
         line_centre_output_column_0 <= false;
         line_centre_first_column_0 <= false;
@@ -6282,13 +3684,9 @@ begin
         line_order_turned_start_of_frame <= false;
         line_order_turned_end_of_line <= false;
         line_newest_first_column <= false;
-        for i in 1 to 33 loop
-          line_comes(i) <= false;
-        end loop;
-        for i in 1 to 33 loop
-          line_starts_phases(i) <= false;
-        end loop;
-        for i in 0 to 1 loop
+        line_comes <= (others => false);
+        line_starts_phases <= (others => false);
+        for i in 0 to 2 loop
           line_places_map_column(i) <= false;
           line_places_address(i) <= 0;
           line_places_shown_output_column(i) <= false;
@@ -6296,18 +3694,12 @@ begin
           line_places_shown_start_of_frame(i) <= false;
           line_places_shown_end_of_line(i) <= false;
         end loop;
-        line_places_map_column(2) <= false;
-        line_places_address(2) <= 0;
-        line_places_shown_output_column(2) <= false;
-        line_places_shown_first_column(2) <= false;
-        for i in 2 to 3 loop
+        for i in 3 to 4 loop
+          line_places_map_column(i) <= false;
+          line_places_shown_output_column(i) <= false;
           line_places_shown_start_of_frame(i) <= false;
           line_places_shown_end_of_line(i) <= false;
-          line_places_map_column(i + 1) <= false;
-          line_places_shown_output_column(i + 1) <= false;
         end loop;
-        line_places_shown_start_of_frame(4) <= false;
-        line_places_shown_end_of_line(4) <= false;
         costsshift_new_tag_valid <= false;
         costsshift_count_phase <= 7;
         costsshift_read_tag_valid <= false;
@@ -6347,16 +3739,10 @@ begin
         pathsturn_write_address_address <= 0;
         pathsturn_write_address_is_here <= false;
         pathsturn_write_address_count_phase <= 7;
-        pathsturn_sum_write_address(0) <= 0;
-        pathsturn_sum_write_address(1) <= 0;
-        pathsturn_writes_sums(0) <= false;
-        pathsturn_writes_sums(1) <= false;
+        pathsturn_sum_write_address <= (others => 0);
+        pathsturn_writes_sums <= (others => false);
         winnerswinner1_best_place_0 <= false;
-        winners_best_tag_valid <= false;
-        winners_best_tag_map_column <= false;
-        winners_best_tag_output_column <= false;
-        winners_best_tag_start_of_frame <= false;
-        winners_best_tag_end_of_line <= false;
+        winners_best_tag <= (others => false);
         other_read_count_phase <= 7;
         other_write_count_phase <= 7;
         for i in 0 to 11 loop
@@ -6371,21 +3757,9 @@ begin
         leftright_holds_winners <= false;
         leftright_position <= 0;
         leftright_held_valid <= false;
-        leftright_asking_tag_valid <= false;
-        leftright_asking_tag_map_column <= false;
-        leftright_asking_tag_output_column <= false;
-        leftright_asking_tag_start_of_frame <= false;
-        leftright_asking_tag_end_of_line <= false;
-        leftright_answered_tag_valid <= false;
-        leftright_answered_tag_map_column <= false;
-        leftright_answered_tag_output_column <= false;
-        leftright_answered_tag_start_of_frame <= false;
-        leftright_answered_tag_end_of_line <= false;
-        leftright_checked_tag_valid <= false;
-        leftright_checked_tag_map_column <= false;
-        leftright_checked_tag_output_column <= false;
-        leftright_checked_tag_start_of_frame <= false;
-        leftright_checked_tag_end_of_line <= false;
+        leftright_asking_tag <= (others => false);
+        leftright_answered_tag <= (others => false);
+        leftright_checked_tag <= (others => false);
         turn_order_inside <= false;
         turn_order_complete <= false;
         turn_order_output <= false;
@@ -6395,15 +3769,8 @@ begin
         turn_order_turned_start_of_frame <= false;
         turn_order_turned_end_of_line <= false;
         turn_comes <= false;
-        turn_read_tag_valid <= false;
-        turn_read_tag_map_column <= false;
-        turn_read_tag_start_of_frame <= false;
-        turn_read_tag_end_of_line <= false;
-        turn_ready_tag_valid <= false;
-        turn_ready_tag_row_start <= false;
-        turn_ready_tag_map_column <= false;
-        turn_ready_tag_start_of_frame <= false;
-        turn_ready_tag_end_of_line <= false;
+        turn_read_tag <= (others => false);
+        turn_ready_tag <= (others => false);
         map_counter_column <= 0;
         map_counter_group <= 481;
         map_arrives <= false;

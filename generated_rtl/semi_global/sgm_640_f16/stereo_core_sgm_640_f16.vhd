@@ -94,6 +94,47 @@ architecture rtl of stereo_core_sgm_640_f16 is
     return (value / 2 ** place) mod 2 = 1;
   end function;
 
+  -- the majority: a comparison or a sum as a chain of its bits
+  function carry(before : boolean; a : boolean; b : boolean) return boolean is
+  begin
+    if before then
+      return a or b;
+    end if;
+    return a and b;
+  end function;
+
+  function inverted_carry(before : boolean; a : boolean; b : boolean) return boolean is
+  begin
+    if before then
+      return a and b;
+    end if;
+    return a or b;
+  end function;
+
+  function choice(test : boolean; yes : boolean; no : boolean) return boolean is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
+  function choice(test : boolean; yes : integer; no : integer) return integer is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
+  function choice(test : boolean; yes : unsigned; no : unsigned) return unsigned is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
   type boolean_1d is array (natural range <>) of boolean;
   type boolean_2d is array (natural range <>, natural range <>) of boolean;
   type boolean_3d is array (natural range <>, natural range <>, natural range <>) of boolean;
@@ -104,33 +145,47 @@ architecture rtl of stereo_core_sgm_640_f16 is
   type natural_15_1d is array (natural range <>) of natural range 0 to 15;
   type natural_16383_1d is array (natural range <>) of natural range 0 to 16383;
   type natural_190_1d is array (natural range <>) of natural range 0 to 190;
-  type natural_253_1d is array (natural range <>) of natural range 0 to 253;
-  type natural_254_1d is array (natural range <>) of natural range 0 to 254;
   type natural_255_1d is array (natural range <>) of natural range 0 to 255;
   type natural_255_2d is array (natural range <>, natural range <>) of natural range 0 to 255;
   type natural_2_1d is array (natural range <>) of natural range 0 to 2;
   type natural_31_1d is array (natural range <>) of natural range 0 to 31;
+  type natural_31_2d is array (natural range <>, natural range <>) of natural range 0 to 31;
   type natural_3_2d is array (natural range <>, natural range <>) of natural range 0 to 3;
   type natural_4095_1d is array (natural range <>) of natural range 0 to 4095;
   type natural_44_1d is array (natural range <>) of natural range 0 to 44;
   type natural_511_1d is array (natural range <>) of natural range 0 to 511;
   type natural_53_1d is array (natural range <>) of natural range 0 to 53;
   type natural_63_1d is array (natural range <>) of natural range 0 to 63;
+  type natural_63_2d is array (natural range <>, natural range <>) of natural range 0 to 63;
   type natural_67_1d is array (natural range <>) of natural range 0 to 67;
+  type natural_7_1d is array (natural range <>) of natural range 0 to 7;
   type unsigned_30_1d is array (natural range <>) of unsigned(29 downto 0);
   type unsigned_44_1d is array (natural range <>) of unsigned(43 downto 0);
   type unsigned_49_1d is array (natural range <>) of unsigned(48 downto 0);
   type unsigned_8_2d is array (natural range <>, natural range <>) of unsigned(7 downto 0);
+  type tag_5 is record
+    valid, first_cost, map_column, output_column, start_of_frame : boolean;
+  end record;
+  type tag_6 is record
+    valid, first_cost, map_column, output_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_5_b is record
+    valid, map_column, output_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_4 is record
+    valid, map_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_5_c is record
+    valid, row_start, map_column, start_of_frame, end_of_line : boolean;
+  end record;
   signal in_start_of_frame, in_valid : boolean;
   signal in_right_pixel, in_left_pixel : natural range 0 to 255;
   -- transform
   signal transform_left_0, transform_right_0, transform_left_rows_read_newest_0 : natural range 0 to 255;
   signal transform_left_rows_ready_newest_0, transform_right_rows_read_newest_0 : natural range 0 to 255;
   signal transform_right_rows_ready_newest_0 : natural range 0 to 255;
-  signal transform_left_column : natural_255_1d(0 to 4);
-  signal transform_right_column : natural_255_1d(0 to 4);
-  signal transform_left_filter_column : natural_255_2d(0 to 8, 0 to 4);
-  signal transform_right_filter_column : natural_255_2d(0 to 8, 0 to 4);
+  signal transform_left_column, transform_right_column : natural_255_1d(0 to 4);
+  signal transform_left_filter_column, transform_right_filter_column : natural_255_2d(0 to 8, 0 to 4);
   signal transform_valid, transform_counter_next_frame, transform_counter_last_column : boolean;
   signal transform_counter_counts, transform_counter_frame_joins, transform_counter_back_to_back : boolean;
   signal transform_counter_next_frame_after, transform_read_row_inside_0 : boolean;
@@ -169,19 +224,16 @@ architecture rtl of stereo_core_sgm_640_f16 is
   signal raster_place_group, raster_place_group_after : natural range 0 to 511;
   -- delay
   signal delay_ahead_0, delay_delayed_0 : unsigned(43 downto 0);
-  signal delay_tag_valid, delay_tag_first_cost, delay_tag_map_column, delay_tag_output_column : boolean;
-  signal delay_tag_start_of_frame : boolean;
+  signal delay_tag : tag_5;
   -- rows
   signal rows_search_0, rows_reference_0 : unsigned(43 downto 0);
-  signal rows_tag_valid, rows_tag_first_cost, rows_tag_map_column, rows_tag_output_column : boolean;
-  signal rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  signal rows_tag : tag_6;
   -- line
   signal line_centre_map_column_0, line_centre_first_column_0, line_centre_start_of_frame_0 : boolean;
   signal line_centre_end_of_line_0, line_order_falls, line_order_inside, line_order_complete : boolean;
   signal line_order_output, line_order_first, line_order_held_output, line_order_turned_valid : boolean;
   signal line_order_turned_output_column, line_order_turned_start_of_frame : boolean;
-  signal line_comes : boolean_1d(1 to 47);
-  signal line_starts_phases : boolean_1d(1 to 47);
+  signal line_comes, line_starts_phases : boolean_1d(1 to 47);
   signal line_places_map_column : boolean_1d(0 to 2);  -- line_places_#_map_column
   signal line_places_first_column : boolean_1d(0 to 1);  -- line_places_#_first_column
   signal line_places_0_top : boolean;
@@ -221,12 +273,8 @@ architecture rtl of stereo_core_sgm_640_f16 is
   signal pathsleft_room : natural range 0 to 31;
   signal pathsleft_start_cost : natural_31_1d(1 to 9);
   signal pathsleft_q_less, pathsleft_g_less, pathsleft_lower_neighbour : natural range 0 to 63;
-  signal pathsleft_stay : natural_63_1d(0 to 7);
-  signal pathsleft_step : natural_63_1d(0 to 7);
-  signal pathsleft_stay_change : natural_63_1d(0 to 7);
-  signal pathsleft_step_change : natural_63_1d(0 to 7);
-  signal pathsleft_cost : natural_63_1d(0 to 7);
-  signal pathsleft_arrived : natural_63_1d(0 to 7);
+  signal pathsleft_stay, pathsleft_step, pathsleft_stay_change, pathsleft_step_change : natural_63_1d(0 to 7);
+  signal pathsleft_cost, pathsleft_arrived : natural_63_1d(0 to 7);
   signal pathsleft_tree_smallest : natural_63_1d(0 to 3);
   signal pathsleft_tree_next_smallest : natural_63_1d(0 to 1);
   signal pathsleft_tree_next_next_smallest_0, pathsleft_low_0 : natural range 0 to 63;
@@ -252,8 +300,7 @@ architecture rtl of stereo_core_sgm_640_f16 is
   signal pathsabove_delay_held_0 : unsigned(29 downto 0);
   signal pathsabove_delay_held_1 : unsigned(17 downto 0);
   signal pathsabove_smallest_total, pathsabove_smallest : natural range 0 to 63;
-  signal pathsabove_cost : natural_63_1d(0 to 7);
-  signal pathsabove_held : natural_63_1d(0 to 7);
+  signal pathsabove_cost, pathsabove_held : natural_63_1d(0 to 7);
   signal pathsabove_lower_neighbour : natural range 0 to 63;
   signal pathsabove_beside : natural_63_1d(0 to 7);
   signal pathsabove_own : natural_63_1d(0 to 6);
@@ -275,12 +322,10 @@ architecture rtl of stereo_core_sgm_640_f16 is
   signal pathsturn_cost_memory_read_words : unsigned_8_2d(0 to 2, 0 to 3);
   signal pathsturn_sum_memory_held_words : natural_255_2d(0 to 2, 0 to 6);
   signal pathsturn_sum_memory_ready_words : natural_255_1d(0 to 6);
-  signal pathsturn_sum_memory_write_words : natural_255_2d(0 to 2, 1 to 5);
+  signal pathsturn_sum_memory_write_words : natural_255_2d(0 to 2, 0 to 6);  -- pathsturn_sum_memory_write_words_#_# up to 254, 255 x 5, 253, 254, 255 x 5, 253, 254, 255 x 5, 253
   signal pathsturn_cost_memory_held_words : natural_255_2d(0 to 2, 0 to 3);
   signal pathsturn_cost_memory_ready_words : natural_255_1d(0 to 3);
   signal pathsturn_cost_memory_write_words : natural_255_2d(0 to 2, 0 to 3);
-  signal pathsturn_sum_memory_write_words_0 : natural_254_1d(0 to 2);  -- pathsturn_sum_memory_write_words_#_0
-  signal pathsturn_sum_memory_write_words_6 : natural_253_1d(0 to 2);  -- pathsturn_sum_memory_write_words_#_6
   signal pathsturn_smallest_address, pathsturn_write_smallest_address : natural range 0 to 1023;
   signal pathsturn_read_smallest_0 : unsigned(3 downto 0);
   signal pathsturn_read_address_address, pathsturn_sum_read_address : natural range 0 to 16383;
@@ -295,12 +340,8 @@ architecture rtl of stereo_core_sgm_640_f16 is
   signal pathsright_q_now, pathsright_room : natural range 0 to 31;
   signal pathsright_start_cost : natural_31_1d(1 to 9);
   signal pathsright_q_less, pathsright_g_less, pathsright_lower_neighbour : natural range 0 to 63;
-  signal pathsright_stay : natural_63_1d(0 to 7);
-  signal pathsright_step : natural_63_1d(0 to 7);
-  signal pathsright_stay_change : natural_63_1d(0 to 7);
-  signal pathsright_step_change : natural_63_1d(0 to 7);
-  signal pathsright_cost : natural_63_1d(0 to 7);
-  signal pathsright_arrived : natural_63_1d(0 to 7);
+  signal pathsright_stay, pathsright_step, pathsright_stay_change, pathsright_step_change : natural_63_1d(0 to 7);
+  signal pathsright_cost, pathsright_arrived : natural_63_1d(0 to 7);
   signal pathsright_tree_smallest : natural_63_1d(0 to 3);
   signal pathsright_tree_next_smallest : natural_63_1d(0 to 1);
   signal pathsright_tree_next_next_smallest_0, pathsright_low_0 : natural range 0 to 63;
@@ -309,28 +350,23 @@ architecture rtl of stereo_core_sgm_640_f16 is
   -- winnerswinner1
   signal winnerswinner1_best_cost_0 : natural_190_1d(0 to 3);
   signal winnerswinner1_best_index_0_0, winnerswinner1_best_below_0 : boolean;
-  signal winnerswinner1_best_index_0_1 : natural range 0 to 3;
-  signal winnerswinner1_best_index_0_2 : natural range 0 to 5;
-  signal winnerswinner1_best_index_0_3 : natural range 0 to 7;
+  signal winnerswinner1_best_index_0 : natural_7_1d(1 to 3);  -- winnerswinner1_best_index_0_# up to 3, 5, 7
   -- winnerswinner2
   signal winnerswinner2_best_cost_0 : natural_190_1d(0 to 1);
-  signal winnerswinner2_best_index_0_0 : natural range 0 to 3;
-  signal winnerswinner2_best_index_0_1 : natural range 0 to 7;
+  signal winnerswinner2_best_index_0 : natural_7_1d(0 to 1);  -- winnerswinner2_best_index_0_# up to 3, 7
   -- winnerswinner3
   signal winnerswinner3_best_cost_0_0 : natural range 0 to 190;
   signal winnerswinner3_best_index_0_0 : natural range 0 to 7;
   -- winners
   signal winners_best_cost_0_0, winners_best_index_0_0 : natural range 0 to 255;
-  signal winners_best_tag_valid, winners_best_tag_map_column, winners_best_tag_output_column : boolean;
-  signal winners_best_tag_start_of_frame, winners_best_tag_end_of_line : boolean;
+  signal winners_best_tag : tag_5_b;
   -- turn
   signal turn_order_address, turn_write_place : natural range 0 to 1023;
   signal turn_order_falls, turn_order_inside, turn_order_complete, turn_order_output, turn_order_first : boolean;
   signal turn_order_turned_valid, turn_order_turned_map_column, turn_order_turned_start_of_frame : boolean;
-  signal turn_order_turned_end_of_line, turn_comes, turn_read_tag_valid, turn_read_tag_map_column : boolean;
-  signal turn_read_tag_start_of_frame, turn_read_tag_end_of_line, turn_ready_tag_valid : boolean;
-  signal turn_ready_tag_row_start, turn_ready_tag_map_column, turn_ready_tag_start_of_frame : boolean;
-  signal turn_ready_tag_end_of_line : boolean;
+  signal turn_order_turned_end_of_line, turn_comes : boolean;
+  signal turn_read_tag : tag_4;
+  signal turn_ready_tag : tag_5_c;
   signal turn_newest, turn_write_words_0, turn_ready : natural range 0 to 511;
   signal turn_read_words_0 : unsigned(8 downto 0);
   -- map
@@ -369,302 +405,6 @@ architecture rtl of stereo_core_sgm_640_f16 is
   signal other : unsigned_49_1d(0 to 1);
   signal other_2 : natural range 0 to 510;
   signal others_from_3 : natural_135007244_1d(3 to 10);  -- other_#
-  signal transform_left_rows_read_words_0_memory_read_enable : boolean;
-  signal transform_left_rows_read_words_0_memory_read_address : unsigned(9 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_address : unsigned(9 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal transform_right_rows_read_words_0_memory_read_enable : boolean;
-  signal transform_right_rows_read_words_0_memory_read_address : unsigned(9 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_address : unsigned(9 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal map_rows_read_words_0_memory_read_enable : boolean;
-  signal map_rows_read_words_0_memory_read_address, map_rows_read_words_0_memory_write_address : unsigned(9 downto 0);
-  signal map_rows_read_words_0_memory_write_data : unsigned(17 downto 0);
-  signal turn_read_words_0_memory_read_enable : boolean;
-  signal turn_read_words_0_memory_read_address, turn_read_words_0_memory_write_address : unsigned(9 downto 0);
-  signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
-  signal pathsright_read_words_3_memory_read_enable : boolean;
-  signal pathsright_read_words_3_memory_read_address : unsigned(3 downto 0);
-  signal pathsright_read_words_3_memory_write_address : unsigned(3 downto 0);
-  signal pathsright_read_words_3_memory_write_data : unsigned(5 downto 0);
-  signal pathsright_read_words_2_memory_read_enable : boolean;
-  signal pathsright_read_words_2_memory_read_address : unsigned(3 downto 0);
-  signal pathsright_read_words_2_memory_write_address : unsigned(3 downto 0);
-  signal pathsright_read_words_2_memory_write_data : unsigned(29 downto 0);
-  signal pathsright_read_words_1_memory_read_enable : boolean;
-  signal pathsright_read_words_1_memory_read_address : unsigned(3 downto 0);
-  signal pathsright_read_words_1_memory_write_address : unsigned(3 downto 0);
-  signal pathsright_read_words_1_memory_write_data : unsigned(29 downto 0);
-  signal pathsright_read_words_0_memory_read_enable : boolean;
-  signal pathsright_read_words_0_memory_read_address : unsigned(3 downto 0);
-  signal pathsright_read_words_0_memory_write_address : unsigned(3 downto 0);
-  signal pathsright_read_words_0_memory_write_data : unsigned(29 downto 0);
-  signal pathsright_read_neighbour_0_memory_read_enable : boolean;
-  signal pathsright_read_neighbour_0_memory_read_address : unsigned(3 downto 0);
-  signal pathsright_read_neighbour_0_memory_write_address : unsigned(3 downto 0);
-  signal pathsright_read_neighbour_0_memory_write_data : unsigned(5 downto 0);
-  signal pathsright_lowest_0_memory_read_enable : boolean;
-  signal pathsright_lowest_0_memory_read_address, pathsright_lowest_0_memory_write_address : unsigned(3 downto 0);
-  signal pathsright_lowest_0_memory_write_data : unsigned(5 downto 0);
-  signal pathsturn_read_smallest_0_memory_read_enable : boolean;
-  signal pathsturn_read_smallest_0_memory_read_address : unsigned(9 downto 0);
-  signal pathsturn_read_smallest_0_memory_write_address : unsigned(9 downto 0);
-  signal pathsturn_read_smallest_0_memory_write_data : unsigned(3 downto 0);
-  signal pathsturn_sum_memory_read_words_0_6_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_0_6_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_6_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_6_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_0_5_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_0_5_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_5_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_5_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_0_4_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_0_4_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_4_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_4_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_0_3_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_0_3_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_3_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_3_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_0_2_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_0_2_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_2_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_2_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_0_1_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_0_1_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_1_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_1_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_0_0_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_0_0_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_0_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_0_0_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_1_6_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_1_6_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_6_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_6_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_1_5_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_1_5_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_5_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_5_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_1_4_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_1_4_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_4_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_4_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_1_3_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_1_3_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_3_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_3_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_1_2_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_1_2_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_2_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_2_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_1_1_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_1_1_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_1_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_1_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_1_0_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_1_0_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_0_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_sum_memory_read_words_1_0_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_2_6_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_2_6_memory_read_address : unsigned(3 downto 0);
-  signal pathsturn_sum_memory_read_words_2_6_memory_write_address : unsigned(3 downto 0);
-  signal pathsturn_sum_memory_read_words_2_6_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_2_5_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_2_5_memory_read_address : unsigned(3 downto 0);
-  signal pathsturn_sum_memory_read_words_2_5_memory_write_address : unsigned(3 downto 0);
-  signal pathsturn_sum_memory_read_words_2_5_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_2_4_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_2_4_memory_read_address : unsigned(3 downto 0);
-  signal pathsturn_sum_memory_read_words_2_4_memory_write_address : unsigned(3 downto 0);
-  signal pathsturn_sum_memory_read_words_2_4_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_2_3_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_2_3_memory_read_address : unsigned(3 downto 0);
-  signal pathsturn_sum_memory_read_words_2_3_memory_write_address : unsigned(3 downto 0);
-  signal pathsturn_sum_memory_read_words_2_3_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_2_2_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_2_2_memory_read_address : unsigned(3 downto 0);
-  signal pathsturn_sum_memory_read_words_2_2_memory_write_address : unsigned(3 downto 0);
-  signal pathsturn_sum_memory_read_words_2_2_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_2_1_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_2_1_memory_read_address : unsigned(3 downto 0);
-  signal pathsturn_sum_memory_read_words_2_1_memory_write_address : unsigned(3 downto 0);
-  signal pathsturn_sum_memory_read_words_2_1_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_sum_memory_read_words_2_0_memory_read_enable : boolean;
-  signal pathsturn_sum_memory_read_words_2_0_memory_read_address : unsigned(3 downto 0);
-  signal pathsturn_sum_memory_read_words_2_0_memory_write_address : unsigned(3 downto 0);
-  signal pathsturn_sum_memory_read_words_2_0_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_cost_memory_read_words_0_3_memory_read_enable : boolean;
-  signal pathsturn_cost_memory_read_words_0_3_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_0_3_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_0_3_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_cost_memory_read_words_0_2_memory_read_enable : boolean;
-  signal pathsturn_cost_memory_read_words_0_2_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_0_2_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_0_2_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_cost_memory_read_words_0_1_memory_read_enable : boolean;
-  signal pathsturn_cost_memory_read_words_0_1_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_0_1_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_0_1_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_cost_memory_read_words_0_0_memory_read_enable : boolean;
-  signal pathsturn_cost_memory_read_words_0_0_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_0_0_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_0_0_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_cost_memory_read_words_1_3_memory_read_enable : boolean;
-  signal pathsturn_cost_memory_read_words_1_3_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_1_3_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_1_3_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_cost_memory_read_words_1_2_memory_read_enable : boolean;
-  signal pathsturn_cost_memory_read_words_1_2_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_1_2_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_1_2_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_cost_memory_read_words_1_1_memory_read_enable : boolean;
-  signal pathsturn_cost_memory_read_words_1_1_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_1_1_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_1_1_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_cost_memory_read_words_1_0_memory_read_enable : boolean;
-  signal pathsturn_cost_memory_read_words_1_0_memory_read_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_1_0_memory_write_address : unsigned(11 downto 0);
-  signal pathsturn_cost_memory_read_words_1_0_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_cost_memory_read_words_2_3_memory_read_enable : boolean;
-  signal pathsturn_cost_memory_read_words_2_3_memory_read_address : unsigned(3 downto 0);
-  signal pathsturn_cost_memory_read_words_2_3_memory_write_address : unsigned(3 downto 0);
-  signal pathsturn_cost_memory_read_words_2_3_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_cost_memory_read_words_2_2_memory_read_enable : boolean;
-  signal pathsturn_cost_memory_read_words_2_2_memory_read_address : unsigned(3 downto 0);
-  signal pathsturn_cost_memory_read_words_2_2_memory_write_address : unsigned(3 downto 0);
-  signal pathsturn_cost_memory_read_words_2_2_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_cost_memory_read_words_2_1_memory_read_enable : boolean;
-  signal pathsturn_cost_memory_read_words_2_1_memory_read_address : unsigned(3 downto 0);
-  signal pathsturn_cost_memory_read_words_2_1_memory_write_address : unsigned(3 downto 0);
-  signal pathsturn_cost_memory_read_words_2_1_memory_write_data : unsigned(7 downto 0);
-  signal pathsturn_cost_memory_read_words_2_0_memory_read_enable : boolean;
-  signal pathsturn_cost_memory_read_words_2_0_memory_read_address : unsigned(3 downto 0);
-  signal pathsturn_cost_memory_read_words_2_0_memory_write_address : unsigned(3 downto 0);
-  signal pathsturn_cost_memory_read_words_2_0_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_delay_held_1_memory_read_enable : boolean;
-  signal pathsabove_delay_held_1_memory_read_address : unsigned(4 downto 0);
-  signal pathsabove_delay_held_1_memory_write_address : unsigned(4 downto 0);
-  signal pathsabove_delay_held_1_memory_write_data : unsigned(17 downto 0);
-  signal pathsabove_delay_held_0_memory_read_enable : boolean;
-  signal pathsabove_delay_held_0_memory_read_address : unsigned(4 downto 0);
-  signal pathsabove_delay_held_0_memory_write_address : unsigned(4 downto 0);
-  signal pathsabove_delay_held_0_memory_write_data : unsigned(29 downto 0);
-  signal pathsabove_memory_read_words_0_4_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_0_4_memory_read_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_4_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_4_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_0_3_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_0_3_memory_read_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_3_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_3_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_0_2_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_0_2_memory_read_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_2_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_2_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_0_1_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_0_1_memory_read_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_1_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_1_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_0_0_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_0_0_memory_read_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_0_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_0_0_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_1_4_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_1_4_memory_read_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_1_4_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_1_4_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_1_3_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_1_3_memory_read_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_1_3_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_1_3_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_1_2_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_1_2_memory_read_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_1_2_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_1_2_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_1_1_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_1_1_memory_read_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_1_1_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_1_1_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_1_0_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_1_0_memory_read_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_1_0_memory_write_address : unsigned(11 downto 0);
-  signal pathsabove_memory_read_words_1_0_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_2_4_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_2_4_memory_read_address : unsigned(3 downto 0);
-  signal pathsabove_memory_read_words_2_4_memory_write_address : unsigned(3 downto 0);
-  signal pathsabove_memory_read_words_2_4_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_2_3_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_2_3_memory_read_address : unsigned(3 downto 0);
-  signal pathsabove_memory_read_words_2_3_memory_write_address : unsigned(3 downto 0);
-  signal pathsabove_memory_read_words_2_3_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_2_2_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_2_2_memory_read_address : unsigned(3 downto 0);
-  signal pathsabove_memory_read_words_2_2_memory_write_address : unsigned(3 downto 0);
-  signal pathsabove_memory_read_words_2_2_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_2_1_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_2_1_memory_read_address : unsigned(3 downto 0);
-  signal pathsabove_memory_read_words_2_1_memory_write_address : unsigned(3 downto 0);
-  signal pathsabove_memory_read_words_2_1_memory_write_data : unsigned(7 downto 0);
-  signal pathsabove_memory_read_words_2_0_memory_read_enable : boolean;
-  signal pathsabove_memory_read_words_2_0_memory_read_address : unsigned(3 downto 0);
-  signal pathsabove_memory_read_words_2_0_memory_write_address : unsigned(3 downto 0);
-  signal pathsabove_memory_read_words_2_0_memory_write_data : unsigned(7 downto 0);
-  signal pathsleft_read_words_3_memory_read_enable : boolean;
-  signal pathsleft_read_words_3_memory_read_address, pathsleft_read_words_3_memory_write_address : unsigned(3 downto 0);
-  signal pathsleft_read_words_3_memory_write_data : unsigned(5 downto 0);
-  signal pathsleft_read_words_2_memory_read_enable : boolean;
-  signal pathsleft_read_words_2_memory_read_address, pathsleft_read_words_2_memory_write_address : unsigned(3 downto 0);
-  signal pathsleft_read_words_2_memory_write_data : unsigned(29 downto 0);
-  signal pathsleft_read_words_1_memory_read_enable : boolean;
-  signal pathsleft_read_words_1_memory_read_address, pathsleft_read_words_1_memory_write_address : unsigned(3 downto 0);
-  signal pathsleft_read_words_1_memory_write_data : unsigned(29 downto 0);
-  signal pathsleft_read_words_0_memory_read_enable : boolean;
-  signal pathsleft_read_words_0_memory_read_address, pathsleft_read_words_0_memory_write_address : unsigned(3 downto 0);
-  signal pathsleft_read_words_0_memory_write_data : unsigned(29 downto 0);
-  signal pathsleft_read_neighbour_0_memory_read_enable : boolean;
-  signal pathsleft_read_neighbour_0_memory_read_address : unsigned(3 downto 0);
-  signal pathsleft_read_neighbour_0_memory_write_address : unsigned(3 downto 0);
-  signal pathsleft_read_neighbour_0_memory_write_data : unsigned(5 downto 0);
-  signal pathsleft_lowest_0_memory_read_enable : boolean;
-  signal pathsleft_lowest_0_memory_read_address, pathsleft_lowest_0_memory_write_address : unsigned(3 downto 0);
-  signal pathsleft_lowest_0_memory_write_data : unsigned(5 downto 0);
-  signal paths_cost_delay_held_0_memory_read_enable : boolean;
-  signal paths_cost_delay_held_0_memory_read_address : unsigned(4 downto 0);
-  signal paths_cost_delay_held_0_memory_write_address : unsigned(4 downto 0);
-  signal paths_cost_delay_held_0_memory_write_data : unsigned(31 downto 0);
-  signal costsshift_read_words_7_memory_read_enable : boolean;
-  signal costsshift_read_words_7_memory_read_address : unsigned(3 downto 0);
-  signal costsshift_read_words_7_memory_write_address : unsigned(3 downto 0);
-  signal costsshift_read_words_7_memory_write_data : unsigned(43 downto 0);
-  signal costsshift_read_words_6_memory_read_enable : boolean;
-  signal costsshift_read_words_6_memory_read_address : unsigned(3 downto 0);
-  signal costsshift_read_words_6_memory_write_address : unsigned(3 downto 0);
-  signal costsshift_read_words_6_memory_write_data : unsigned(43 downto 0);
-  signal costsshift_read_words_5_memory_read_enable : boolean;
-  signal costsshift_read_words_5_memory_read_address : unsigned(3 downto 0);
-  signal costsshift_read_words_5_memory_write_address : unsigned(3 downto 0);
-  signal costsshift_read_words_5_memory_write_data : unsigned(43 downto 0);
-  signal costsshift_read_words_4_memory_read_enable : boolean;
-  signal costsshift_read_words_4_memory_read_address : unsigned(3 downto 0);
-  signal costsshift_read_words_4_memory_write_address : unsigned(3 downto 0);
-  signal costsshift_read_words_4_memory_write_data : unsigned(43 downto 0);
-  signal costsshift_read_words_3_memory_read_enable : boolean;
-  signal costsshift_read_words_3_memory_read_address : unsigned(3 downto 0);
-  signal costsshift_read_words_3_memory_write_address : unsigned(3 downto 0);
-  signal costsshift_read_words_3_memory_write_data : unsigned(43 downto 0);
-  signal costsshift_read_words_2_memory_read_enable : boolean;
-  signal costsshift_read_words_2_memory_read_address : unsigned(3 downto 0);
-  signal costsshift_read_words_2_memory_write_address : unsigned(3 downto 0);
-  signal costsshift_read_words_2_memory_write_data : unsigned(43 downto 0);
-  signal costsshift_read_words_1_memory_read_enable : boolean;
-  signal costsshift_read_words_1_memory_read_address : unsigned(3 downto 0);
-  signal costsshift_read_words_1_memory_write_address : unsigned(3 downto 0);
-  signal costsshift_read_words_1_memory_write_data : unsigned(43 downto 0);
-  signal costsshift_read_words_0_memory_read_enable : boolean;
-  signal costsshift_read_words_0_memory_read_address : unsigned(3 downto 0);
-  signal costsshift_read_words_0_memory_write_address : unsigned(3 downto 0);
-  signal costsshift_read_words_0_memory_write_data : unsigned(43 downto 0);
 
 begin
   in_start_of_frame <= start_of_frame = '1';
@@ -677,968 +417,551 @@ begin
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
 
-  transform_left_rows_read_words_0_memory_read_enable <= true;
-  transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 10);
-  transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 10);
-  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
-  transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 32, address_bits => 10)
-    port map (
-      clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
-      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words_0,
-      write_address => transform_left_rows_read_words_0_memory_write_address, write_data => transform_left_rows_read_words_0_memory_write_data);
-
-  transform_right_rows_read_words_0_memory_read_enable <= true;
-  transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 10);
-  transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 10);
-  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
-  transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 32, address_bits => 10)
-    port map (
-      clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
-      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words_0,
-      write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
-
-  map_rows_read_words_0_memory_read_enable <= true;
-  map_rows_read_words_0_memory_read_address <= to_unsigned(map_counter_column, 10);
-  map_rows_read_words_0_memory_write_address <= to_unsigned(map_write_column, 10);
-  map_rows_read_words_0_memory_write_data <= to_unsigned(map_rows_write_words_0, 18);
-  map_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 513, width => 18, address_bits => 10)
-    port map (
-      clock => clock, read_enable => map_rows_read_words_0_memory_read_enable,
-      read_address => map_rows_read_words_0_memory_read_address, read_data => map_rows_read_words_0,
-      write_address => map_rows_read_words_0_memory_write_address, write_data => map_rows_read_words_0_memory_write_data);
-
-  turn_read_words_0_memory_read_enable <= true;
-  turn_read_words_0_memory_read_address <= to_unsigned(turn_order_address, 10);
-  turn_read_words_0_memory_write_address <= to_unsigned(turn_write_place, 10);
-  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 9);
-  turn_read_words_0_memory : entity work.line_memory
-    generic map (depth => 514, width => 9, address_bits => 10)
-    port map (
-      clock => clock, read_enable => turn_read_words_0_memory_read_enable,
-      read_address => turn_read_words_0_memory_read_address, read_data => turn_read_words_0,
-      write_address => turn_read_words_0_memory_write_address, write_data => turn_read_words_0_memory_write_data);
-
-  pathsright_read_words_3_memory_read_enable <= true;
-  pathsright_read_words_3_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 4);
-  pathsright_read_words_3_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 4);
-  pathsright_read_words_3_memory_write_data <= to_unsigned(pathsright_arrived(7), 6);
-  pathsright_read_words_3_memory : entity work.line_memory
-    generic map (depth => 16, width => 6, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsright_read_words_3_memory_read_enable,
-      read_address => pathsright_read_words_3_memory_read_address, read_data => pathsright_read_words_3,
-      write_address => pathsright_read_words_3_memory_write_address, write_data => pathsright_read_words_3_memory_write_data);
-
-  pathsright_read_words_2_memory_read_enable <= true;
-  pathsright_read_words_2_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 4);
-  pathsright_read_words_2_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 4);
-  pathsright_read_words_2_memory_write_data <= to_unsigned(pathsright_arrived(6), 6) & to_unsigned(pathsright_arrived(5), 6) & to_unsigned(pathsright_arrived(4), 6) & to_unsigned(pathsright_arrived(3), 6) & to_unsigned(pathsright_arrived(2), 6);
-  pathsright_read_words_2_memory : entity work.line_memory
-    generic map (depth => 16, width => 30, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsright_read_words_2_memory_read_enable,
-      read_address => pathsright_read_words_2_memory_read_address, read_data => pathsright_read_words(2),
-      write_address => pathsright_read_words_2_memory_write_address, write_data => pathsright_read_words_2_memory_write_data);
-
-  pathsright_read_words_1_memory_read_enable <= true;
-  pathsright_read_words_1_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 4);
-  pathsright_read_words_1_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 4);
-  pathsright_read_words_1_memory_write_data <= to_unsigned(pathsright_arrived(1), 6) & to_unsigned(pathsright_arrived(0), 6) & to_unsigned(pathsright_cost(7), 6) & to_unsigned(pathsright_cost(6), 6) & to_unsigned(pathsright_cost(5), 6);
-  pathsright_read_words_1_memory : entity work.line_memory
-    generic map (depth => 16, width => 30, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsright_read_words_1_memory_read_enable,
-      read_address => pathsright_read_words_1_memory_read_address, read_data => pathsright_read_words(1),
-      write_address => pathsright_read_words_1_memory_write_address, write_data => pathsright_read_words_1_memory_write_data);
-
-  pathsright_read_words_0_memory_read_enable <= true;
-  pathsright_read_words_0_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 4);
-  pathsright_read_words_0_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 4);
-  pathsright_read_words_0_memory_write_data <= to_unsigned(pathsright_cost(4), 6) & to_unsigned(pathsright_cost(3), 6) & to_unsigned(pathsright_cost(2), 6) & to_unsigned(pathsright_cost(1), 6) & to_unsigned(pathsright_cost(0), 6);
-  pathsright_read_words_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 30, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsright_read_words_0_memory_read_enable,
-      read_address => pathsright_read_words_0_memory_read_address, read_data => pathsright_read_words(0),
-      write_address => pathsright_read_words_0_memory_write_address, write_data => pathsright_read_words_0_memory_write_data);
-
-  pathsright_read_neighbour_0_memory_read_enable <= true;
-  pathsright_read_neighbour_0_memory_read_address <= to_unsigned(pathsleft_ahead_count_phase, 4);
-  pathsright_read_neighbour_0_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 4);
-  pathsright_read_neighbour_0_memory_write_data <= to_unsigned(pathsright_cost(0), 6);
-  pathsright_read_neighbour_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 6, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsright_read_neighbour_0_memory_read_enable,
-      read_address => pathsright_read_neighbour_0_memory_read_address, read_data => pathsright_read_neighbour_0,
-      write_address => pathsright_read_neighbour_0_memory_write_address, write_data => pathsright_read_neighbour_0_memory_write_data);
-
-  pathsright_lowest_0_memory_read_enable <= true;
-  pathsright_lowest_0_memory_read_address <= to_unsigned(pathsleft_low_address, 4);
-  pathsright_lowest_0_memory_write_address <= to_unsigned(pathsleft_low_write_address, 4);
-  pathsright_lowest_0_memory_write_data <= to_unsigned(pathsright_low_0, 6);
-  pathsright_lowest_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 6, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsright_lowest_0_memory_read_enable,
-      read_address => pathsright_lowest_0_memory_read_address, read_data => pathsright_lowest_0,
-      write_address => pathsright_lowest_0_memory_write_address, write_data => pathsright_lowest_0_memory_write_data);
-
-  pathsturn_read_smallest_0_memory_read_enable <= true;
-  pathsturn_read_smallest_0_memory_read_address <= to_unsigned(pathsturn_smallest_address, 10);
-  pathsturn_read_smallest_0_memory_write_address <= to_unsigned(pathsturn_write_smallest_address, 10);
-  pathsturn_read_smallest_0_memory_write_data <= to_unsigned(pathsturn_write_smallest_0, 4);
-  pathsturn_read_smallest_0_memory : entity work.line_memory
-    generic map (depth => 514, width => 4, address_bits => 10)
-    port map (
-      clock => clock, read_enable => pathsturn_read_smallest_0_memory_read_enable,
-      read_address => pathsturn_read_smallest_0_memory_read_address, read_data => pathsturn_read_smallest_0,
-      write_address => pathsturn_read_smallest_0_memory_write_address, write_data => pathsturn_read_smallest_0_memory_write_data);
-
-  pathsturn_sum_memory_read_words_0_6_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_0_6_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_0_6_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(0), 12);
-  pathsturn_sum_memory_read_words_0_6_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_6(0), 8);
-  pathsturn_sum_memory_read_words_0_6_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_0_6_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_0_6_memory_read_address, read_data => pathsturn_sum_memory_read_words(0, 6),
-      write_address => pathsturn_sum_memory_read_words_0_6_memory_write_address, write_data => pathsturn_sum_memory_read_words_0_6_memory_write_data);
-
-  pathsturn_sum_memory_read_words_0_5_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_0_5_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_0_5_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(0), 12);
-  pathsturn_sum_memory_read_words_0_5_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(0, 5), 8);
-  pathsturn_sum_memory_read_words_0_5_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_0_5_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_0_5_memory_read_address, read_data => pathsturn_sum_memory_read_words(0, 5),
-      write_address => pathsturn_sum_memory_read_words_0_5_memory_write_address, write_data => pathsturn_sum_memory_read_words_0_5_memory_write_data);
-
-  pathsturn_sum_memory_read_words_0_4_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_0_4_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_0_4_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(0), 12);
-  pathsturn_sum_memory_read_words_0_4_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(0, 4), 8);
-  pathsturn_sum_memory_read_words_0_4_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_0_4_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_0_4_memory_read_address, read_data => pathsturn_sum_memory_read_words(0, 4),
-      write_address => pathsturn_sum_memory_read_words_0_4_memory_write_address, write_data => pathsturn_sum_memory_read_words_0_4_memory_write_data);
-
-  pathsturn_sum_memory_read_words_0_3_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_0_3_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_0_3_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(0), 12);
-  pathsturn_sum_memory_read_words_0_3_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(0, 3), 8);
-  pathsturn_sum_memory_read_words_0_3_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_0_3_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_0_3_memory_read_address, read_data => pathsturn_sum_memory_read_words(0, 3),
-      write_address => pathsturn_sum_memory_read_words_0_3_memory_write_address, write_data => pathsturn_sum_memory_read_words_0_3_memory_write_data);
-
-  pathsturn_sum_memory_read_words_0_2_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_0_2_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_0_2_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(0), 12);
-  pathsturn_sum_memory_read_words_0_2_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(0, 2), 8);
-  pathsturn_sum_memory_read_words_0_2_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_0_2_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_0_2_memory_read_address, read_data => pathsturn_sum_memory_read_words(0, 2),
-      write_address => pathsturn_sum_memory_read_words_0_2_memory_write_address, write_data => pathsturn_sum_memory_read_words_0_2_memory_write_data);
-
-  pathsturn_sum_memory_read_words_0_1_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_0_1_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_0_1_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(0), 12);
-  pathsturn_sum_memory_read_words_0_1_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(0, 1), 8);
-  pathsturn_sum_memory_read_words_0_1_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_0_1_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_0_1_memory_read_address, read_data => pathsturn_sum_memory_read_words(0, 1),
-      write_address => pathsturn_sum_memory_read_words_0_1_memory_write_address, write_data => pathsturn_sum_memory_read_words_0_1_memory_write_data);
-
-  pathsturn_sum_memory_read_words_0_0_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_0_0_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_0_0_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(0), 12);
-  pathsturn_sum_memory_read_words_0_0_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_0(0), 8);
-  pathsturn_sum_memory_read_words_0_0_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_0_0_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_0_0_memory_read_address, read_data => pathsturn_sum_memory_read_words(0, 0),
-      write_address => pathsturn_sum_memory_read_words_0_0_memory_write_address, write_data => pathsturn_sum_memory_read_words_0_0_memory_write_data);
-
-  pathsturn_sum_memory_read_words_1_6_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_1_6_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_1_6_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(1), 12);
-  pathsturn_sum_memory_read_words_1_6_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_6(1), 8);
-  pathsturn_sum_memory_read_words_1_6_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_1_6_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_1_6_memory_read_address, read_data => pathsturn_sum_memory_read_words(1, 6),
-      write_address => pathsturn_sum_memory_read_words_1_6_memory_write_address, write_data => pathsturn_sum_memory_read_words_1_6_memory_write_data);
-
-  pathsturn_sum_memory_read_words_1_5_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_1_5_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_1_5_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(1), 12);
-  pathsturn_sum_memory_read_words_1_5_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(1, 5), 8);
-  pathsturn_sum_memory_read_words_1_5_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_1_5_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_1_5_memory_read_address, read_data => pathsturn_sum_memory_read_words(1, 5),
-      write_address => pathsturn_sum_memory_read_words_1_5_memory_write_address, write_data => pathsturn_sum_memory_read_words_1_5_memory_write_data);
-
-  pathsturn_sum_memory_read_words_1_4_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_1_4_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_1_4_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(1), 12);
-  pathsturn_sum_memory_read_words_1_4_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(1, 4), 8);
-  pathsturn_sum_memory_read_words_1_4_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_1_4_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_1_4_memory_read_address, read_data => pathsturn_sum_memory_read_words(1, 4),
-      write_address => pathsturn_sum_memory_read_words_1_4_memory_write_address, write_data => pathsturn_sum_memory_read_words_1_4_memory_write_data);
-
-  pathsturn_sum_memory_read_words_1_3_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_1_3_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_1_3_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(1), 12);
-  pathsturn_sum_memory_read_words_1_3_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(1, 3), 8);
-  pathsturn_sum_memory_read_words_1_3_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_1_3_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_1_3_memory_read_address, read_data => pathsturn_sum_memory_read_words(1, 3),
-      write_address => pathsturn_sum_memory_read_words_1_3_memory_write_address, write_data => pathsturn_sum_memory_read_words_1_3_memory_write_data);
-
-  pathsturn_sum_memory_read_words_1_2_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_1_2_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_1_2_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(1), 12);
-  pathsturn_sum_memory_read_words_1_2_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(1, 2), 8);
-  pathsturn_sum_memory_read_words_1_2_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_1_2_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_1_2_memory_read_address, read_data => pathsturn_sum_memory_read_words(1, 2),
-      write_address => pathsturn_sum_memory_read_words_1_2_memory_write_address, write_data => pathsturn_sum_memory_read_words_1_2_memory_write_data);
-
-  pathsturn_sum_memory_read_words_1_1_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_1_1_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_1_1_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(1), 12);
-  pathsturn_sum_memory_read_words_1_1_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(1, 1), 8);
-  pathsturn_sum_memory_read_words_1_1_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_1_1_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_1_1_memory_read_address, read_data => pathsturn_sum_memory_read_words(1, 1),
-      write_address => pathsturn_sum_memory_read_words_1_1_memory_write_address, write_data => pathsturn_sum_memory_read_words_1_1_memory_write_data);
-
-  pathsturn_sum_memory_read_words_1_0_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_1_0_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
-  pathsturn_sum_memory_read_words_1_0_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address(1), 12);
-  pathsturn_sum_memory_read_words_1_0_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_0(1), 8);
-  pathsturn_sum_memory_read_words_1_0_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_1_0_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_1_0_memory_read_address, read_data => pathsturn_sum_memory_read_words(1, 0),
-      write_address => pathsturn_sum_memory_read_words_1_0_memory_write_address, write_data => pathsturn_sum_memory_read_words_1_0_memory_write_data);
-
-  pathsturn_sum_memory_read_words_2_6_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_2_6_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_2, 4);
-  pathsturn_sum_memory_read_words_2_6_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_2, 4);
-  pathsturn_sum_memory_read_words_2_6_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_6(2), 8);
-  pathsturn_sum_memory_read_words_2_6_memory : entity work.line_memory
-    generic map (depth => 16, width => 8, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_2_6_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_2_6_memory_read_address, read_data => pathsturn_sum_memory_read_words(2, 6),
-      write_address => pathsturn_sum_memory_read_words_2_6_memory_write_address, write_data => pathsturn_sum_memory_read_words_2_6_memory_write_data);
-
-  pathsturn_sum_memory_read_words_2_5_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_2_5_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_2, 4);
-  pathsturn_sum_memory_read_words_2_5_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_2, 4);
-  pathsturn_sum_memory_read_words_2_5_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(2, 5), 8);
-  pathsturn_sum_memory_read_words_2_5_memory : entity work.line_memory
-    generic map (depth => 16, width => 8, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_2_5_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_2_5_memory_read_address, read_data => pathsturn_sum_memory_read_words(2, 5),
-      write_address => pathsturn_sum_memory_read_words_2_5_memory_write_address, write_data => pathsturn_sum_memory_read_words_2_5_memory_write_data);
-
-  pathsturn_sum_memory_read_words_2_4_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_2_4_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_2, 4);
-  pathsturn_sum_memory_read_words_2_4_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_2, 4);
-  pathsturn_sum_memory_read_words_2_4_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(2, 4), 8);
-  pathsturn_sum_memory_read_words_2_4_memory : entity work.line_memory
-    generic map (depth => 16, width => 8, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_2_4_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_2_4_memory_read_address, read_data => pathsturn_sum_memory_read_words(2, 4),
-      write_address => pathsturn_sum_memory_read_words_2_4_memory_write_address, write_data => pathsturn_sum_memory_read_words_2_4_memory_write_data);
-
-  pathsturn_sum_memory_read_words_2_3_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_2_3_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_2, 4);
-  pathsturn_sum_memory_read_words_2_3_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_2, 4);
-  pathsturn_sum_memory_read_words_2_3_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(2, 3), 8);
-  pathsturn_sum_memory_read_words_2_3_memory : entity work.line_memory
-    generic map (depth => 16, width => 8, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_2_3_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_2_3_memory_read_address, read_data => pathsturn_sum_memory_read_words(2, 3),
-      write_address => pathsturn_sum_memory_read_words_2_3_memory_write_address, write_data => pathsturn_sum_memory_read_words_2_3_memory_write_data);
-
-  pathsturn_sum_memory_read_words_2_2_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_2_2_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_2, 4);
-  pathsturn_sum_memory_read_words_2_2_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_2, 4);
-  pathsturn_sum_memory_read_words_2_2_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(2, 2), 8);
-  pathsturn_sum_memory_read_words_2_2_memory : entity work.line_memory
-    generic map (depth => 16, width => 8, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_2_2_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_2_2_memory_read_address, read_data => pathsturn_sum_memory_read_words(2, 2),
-      write_address => pathsturn_sum_memory_read_words_2_2_memory_write_address, write_data => pathsturn_sum_memory_read_words_2_2_memory_write_data);
-
-  pathsturn_sum_memory_read_words_2_1_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_2_1_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_2, 4);
-  pathsturn_sum_memory_read_words_2_1_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_2, 4);
-  pathsturn_sum_memory_read_words_2_1_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words(2, 1), 8);
-  pathsturn_sum_memory_read_words_2_1_memory : entity work.line_memory
-    generic map (depth => 16, width => 8, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_2_1_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_2_1_memory_read_address, read_data => pathsturn_sum_memory_read_words(2, 1),
-      write_address => pathsturn_sum_memory_read_words_2_1_memory_write_address, write_data => pathsturn_sum_memory_read_words_2_1_memory_write_data);
-
-  pathsturn_sum_memory_read_words_2_0_memory_read_enable <= true;
-  pathsturn_sum_memory_read_words_2_0_memory_read_address <= to_unsigned(pathsturn_sum_memory_read_address_2, 4);
-  pathsturn_sum_memory_read_words_2_0_memory_write_address <= to_unsigned(pathsturn_sum_memory_write_address_2, 4);
-  pathsturn_sum_memory_read_words_2_0_memory_write_data <= to_unsigned(pathsturn_sum_memory_write_words_0(2), 8);
-  pathsturn_sum_memory_read_words_2_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 8, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsturn_sum_memory_read_words_2_0_memory_read_enable,
-      read_address => pathsturn_sum_memory_read_words_2_0_memory_read_address, read_data => pathsturn_sum_memory_read_words(2, 0),
-      write_address => pathsturn_sum_memory_read_words_2_0_memory_write_address, write_data => pathsturn_sum_memory_read_words_2_0_memory_write_data);
-
-  pathsturn_cost_memory_read_words_0_3_memory_read_enable <= true;
-  pathsturn_cost_memory_read_words_0_3_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_0, 12);
-  pathsturn_cost_memory_read_words_0_3_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address(0), 12);
-  pathsturn_cost_memory_read_words_0_3_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words(0, 3), 8);
-  pathsturn_cost_memory_read_words_0_3_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_cost_memory_read_words_0_3_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_0_3_memory_read_address, read_data => pathsturn_cost_memory_read_words(0, 3),
-      write_address => pathsturn_cost_memory_read_words_0_3_memory_write_address, write_data => pathsturn_cost_memory_read_words_0_3_memory_write_data);
-
-  pathsturn_cost_memory_read_words_0_2_memory_read_enable <= true;
-  pathsturn_cost_memory_read_words_0_2_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_0, 12);
-  pathsturn_cost_memory_read_words_0_2_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address(0), 12);
-  pathsturn_cost_memory_read_words_0_2_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words(0, 2), 8);
-  pathsturn_cost_memory_read_words_0_2_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_cost_memory_read_words_0_2_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_0_2_memory_read_address, read_data => pathsturn_cost_memory_read_words(0, 2),
-      write_address => pathsturn_cost_memory_read_words_0_2_memory_write_address, write_data => pathsturn_cost_memory_read_words_0_2_memory_write_data);
-
-  pathsturn_cost_memory_read_words_0_1_memory_read_enable <= true;
-  pathsturn_cost_memory_read_words_0_1_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_0, 12);
-  pathsturn_cost_memory_read_words_0_1_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address(0), 12);
-  pathsturn_cost_memory_read_words_0_1_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words(0, 1), 8);
-  pathsturn_cost_memory_read_words_0_1_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_cost_memory_read_words_0_1_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_0_1_memory_read_address, read_data => pathsturn_cost_memory_read_words(0, 1),
-      write_address => pathsturn_cost_memory_read_words_0_1_memory_write_address, write_data => pathsturn_cost_memory_read_words_0_1_memory_write_data);
-
-  pathsturn_cost_memory_read_words_0_0_memory_read_enable <= true;
-  pathsturn_cost_memory_read_words_0_0_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_0, 12);
-  pathsturn_cost_memory_read_words_0_0_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address(0), 12);
-  pathsturn_cost_memory_read_words_0_0_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words(0, 0), 8);
-  pathsturn_cost_memory_read_words_0_0_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_cost_memory_read_words_0_0_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_0_0_memory_read_address, read_data => pathsturn_cost_memory_read_words(0, 0),
-      write_address => pathsturn_cost_memory_read_words_0_0_memory_write_address, write_data => pathsturn_cost_memory_read_words_0_0_memory_write_data);
-
-  pathsturn_cost_memory_read_words_1_3_memory_read_enable <= true;
-  pathsturn_cost_memory_read_words_1_3_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_0, 12);
-  pathsturn_cost_memory_read_words_1_3_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address(1), 12);
-  pathsturn_cost_memory_read_words_1_3_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words(1, 3), 8);
-  pathsturn_cost_memory_read_words_1_3_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_cost_memory_read_words_1_3_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_1_3_memory_read_address, read_data => pathsturn_cost_memory_read_words(1, 3),
-      write_address => pathsturn_cost_memory_read_words_1_3_memory_write_address, write_data => pathsturn_cost_memory_read_words_1_3_memory_write_data);
-
-  pathsturn_cost_memory_read_words_1_2_memory_read_enable <= true;
-  pathsturn_cost_memory_read_words_1_2_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_0, 12);
-  pathsturn_cost_memory_read_words_1_2_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address(1), 12);
-  pathsturn_cost_memory_read_words_1_2_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words(1, 2), 8);
-  pathsturn_cost_memory_read_words_1_2_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_cost_memory_read_words_1_2_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_1_2_memory_read_address, read_data => pathsturn_cost_memory_read_words(1, 2),
-      write_address => pathsturn_cost_memory_read_words_1_2_memory_write_address, write_data => pathsturn_cost_memory_read_words_1_2_memory_write_data);
-
-  pathsturn_cost_memory_read_words_1_1_memory_read_enable <= true;
-  pathsturn_cost_memory_read_words_1_1_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_0, 12);
-  pathsturn_cost_memory_read_words_1_1_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address(1), 12);
-  pathsturn_cost_memory_read_words_1_1_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words(1, 1), 8);
-  pathsturn_cost_memory_read_words_1_1_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_cost_memory_read_words_1_1_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_1_1_memory_read_address, read_data => pathsturn_cost_memory_read_words(1, 1),
-      write_address => pathsturn_cost_memory_read_words_1_1_memory_write_address, write_data => pathsturn_cost_memory_read_words_1_1_memory_write_data);
-
-  pathsturn_cost_memory_read_words_1_0_memory_read_enable <= true;
-  pathsturn_cost_memory_read_words_1_0_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_0, 12);
-  pathsturn_cost_memory_read_words_1_0_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address(1), 12);
-  pathsturn_cost_memory_read_words_1_0_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words(1, 0), 8);
-  pathsturn_cost_memory_read_words_1_0_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsturn_cost_memory_read_words_1_0_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_1_0_memory_read_address, read_data => pathsturn_cost_memory_read_words(1, 0),
-      write_address => pathsturn_cost_memory_read_words_1_0_memory_write_address, write_data => pathsturn_cost_memory_read_words_1_0_memory_write_data);
-
-  pathsturn_cost_memory_read_words_2_3_memory_read_enable <= true;
-  pathsturn_cost_memory_read_words_2_3_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_2, 4);
-  pathsturn_cost_memory_read_words_2_3_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address_2, 4);
-  pathsturn_cost_memory_read_words_2_3_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words(2, 3), 8);
-  pathsturn_cost_memory_read_words_2_3_memory : entity work.line_memory
-    generic map (depth => 16, width => 8, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsturn_cost_memory_read_words_2_3_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_2_3_memory_read_address, read_data => pathsturn_cost_memory_read_words(2, 3),
-      write_address => pathsturn_cost_memory_read_words_2_3_memory_write_address, write_data => pathsturn_cost_memory_read_words_2_3_memory_write_data);
-
-  pathsturn_cost_memory_read_words_2_2_memory_read_enable <= true;
-  pathsturn_cost_memory_read_words_2_2_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_2, 4);
-  pathsturn_cost_memory_read_words_2_2_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address_2, 4);
-  pathsturn_cost_memory_read_words_2_2_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words(2, 2), 8);
-  pathsturn_cost_memory_read_words_2_2_memory : entity work.line_memory
-    generic map (depth => 16, width => 8, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsturn_cost_memory_read_words_2_2_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_2_2_memory_read_address, read_data => pathsturn_cost_memory_read_words(2, 2),
-      write_address => pathsturn_cost_memory_read_words_2_2_memory_write_address, write_data => pathsturn_cost_memory_read_words_2_2_memory_write_data);
-
-  pathsturn_cost_memory_read_words_2_1_memory_read_enable <= true;
-  pathsturn_cost_memory_read_words_2_1_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_2, 4);
-  pathsturn_cost_memory_read_words_2_1_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address_2, 4);
-  pathsturn_cost_memory_read_words_2_1_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words(2, 1), 8);
-  pathsturn_cost_memory_read_words_2_1_memory : entity work.line_memory
-    generic map (depth => 16, width => 8, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsturn_cost_memory_read_words_2_1_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_2_1_memory_read_address, read_data => pathsturn_cost_memory_read_words(2, 1),
-      write_address => pathsturn_cost_memory_read_words_2_1_memory_write_address, write_data => pathsturn_cost_memory_read_words_2_1_memory_write_data);
-
-  pathsturn_cost_memory_read_words_2_0_memory_read_enable <= true;
-  pathsturn_cost_memory_read_words_2_0_memory_read_address <= to_unsigned(pathsturn_cost_memory_read_address_2, 4);
-  pathsturn_cost_memory_read_words_2_0_memory_write_address <= to_unsigned(pathsturn_cost_memory_write_address_2, 4);
-  pathsturn_cost_memory_read_words_2_0_memory_write_data <= to_unsigned(pathsturn_cost_memory_write_words(2, 0), 8);
-  pathsturn_cost_memory_read_words_2_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 8, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsturn_cost_memory_read_words_2_0_memory_read_enable,
-      read_address => pathsturn_cost_memory_read_words_2_0_memory_read_address, read_data => pathsturn_cost_memory_read_words(2, 0),
-      write_address => pathsturn_cost_memory_read_words_2_0_memory_write_address, write_data => pathsturn_cost_memory_read_words_2_0_memory_write_data);
-
-  pathsabove_delay_held_1_memory_read_enable <= true;
-  pathsabove_delay_held_1_memory_read_address <= to_unsigned(paths_cost_delay_ring_read_address, 5);
-  pathsabove_delay_held_1_memory_write_address <= to_unsigned(paths_cost_delay_ring_write_address, 5);
-  pathsabove_delay_held_1_memory_write_data <= to_unsigned(pathsabove_total(7), 6) & to_unsigned(pathsabove_total(6), 6) & to_unsigned(pathsabove_total(5), 6);
-  pathsabove_delay_held_1_memory : entity work.line_memory
-    generic map (depth => 20, width => 18, address_bits => 5)
-    port map (
-      clock => clock, read_enable => pathsabove_delay_held_1_memory_read_enable,
-      read_address => pathsabove_delay_held_1_memory_read_address, read_data => pathsabove_delay_held_1,
-      write_address => pathsabove_delay_held_1_memory_write_address, write_data => pathsabove_delay_held_1_memory_write_data);
-
-  pathsabove_delay_held_0_memory_read_enable <= true;
-  pathsabove_delay_held_0_memory_read_address <= to_unsigned(paths_cost_delay_ring_read_address, 5);
-  pathsabove_delay_held_0_memory_write_address <= to_unsigned(paths_cost_delay_ring_write_address, 5);
-  pathsabove_delay_held_0_memory_write_data <= to_unsigned(pathsabove_total(4), 6) & to_unsigned(pathsabove_total(3), 6) & to_unsigned(pathsabove_total(2), 6) & to_unsigned(pathsabove_total(1), 6) & to_unsigned(pathsabove_total(0), 6);
-  pathsabove_delay_held_0_memory : entity work.line_memory
-    generic map (depth => 20, width => 30, address_bits => 5)
-    port map (
-      clock => clock, read_enable => pathsabove_delay_held_0_memory_read_enable,
-      read_address => pathsabove_delay_held_0_memory_read_address, read_data => pathsabove_delay_held_0,
-      write_address => pathsabove_delay_held_0_memory_write_address, write_data => pathsabove_delay_held_0_memory_write_data);
-
-  pathsabove_memory_read_words_0_4_memory_read_enable <= true;
-  pathsabove_memory_read_words_0_4_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_0_4_memory_write_address <= to_unsigned(pathsabove_memory_write_address(0), 12);
-  pathsabove_memory_read_words_0_4_memory_write_data <= to_unsigned(pathsabove_memory_write_words(0, 4), 8);
-  pathsabove_memory_read_words_0_4_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_0_4_memory_read_enable,
-      read_address => pathsabove_memory_read_words_0_4_memory_read_address, read_data => pathsabove_memory_read_words(0, 4),
-      write_address => pathsabove_memory_read_words_0_4_memory_write_address, write_data => pathsabove_memory_read_words_0_4_memory_write_data);
-
-  pathsabove_memory_read_words_0_3_memory_read_enable <= true;
-  pathsabove_memory_read_words_0_3_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_0_3_memory_write_address <= to_unsigned(pathsabove_memory_write_address(0), 12);
-  pathsabove_memory_read_words_0_3_memory_write_data <= to_unsigned(pathsabove_memory_write_words(0, 3), 8);
-  pathsabove_memory_read_words_0_3_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_0_3_memory_read_enable,
-      read_address => pathsabove_memory_read_words_0_3_memory_read_address, read_data => pathsabove_memory_read_words(0, 3),
-      write_address => pathsabove_memory_read_words_0_3_memory_write_address, write_data => pathsabove_memory_read_words_0_3_memory_write_data);
-
-  pathsabove_memory_read_words_0_2_memory_read_enable <= true;
-  pathsabove_memory_read_words_0_2_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_0_2_memory_write_address <= to_unsigned(pathsabove_memory_write_address(0), 12);
-  pathsabove_memory_read_words_0_2_memory_write_data <= to_unsigned(pathsabove_memory_write_words(0, 2), 8);
-  pathsabove_memory_read_words_0_2_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_0_2_memory_read_enable,
-      read_address => pathsabove_memory_read_words_0_2_memory_read_address, read_data => pathsabove_memory_read_words(0, 2),
-      write_address => pathsabove_memory_read_words_0_2_memory_write_address, write_data => pathsabove_memory_read_words_0_2_memory_write_data);
-
-  pathsabove_memory_read_words_0_1_memory_read_enable <= true;
-  pathsabove_memory_read_words_0_1_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_0_1_memory_write_address <= to_unsigned(pathsabove_memory_write_address(0), 12);
-  pathsabove_memory_read_words_0_1_memory_write_data <= to_unsigned(pathsabove_memory_write_words(0, 1), 8);
-  pathsabove_memory_read_words_0_1_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_0_1_memory_read_enable,
-      read_address => pathsabove_memory_read_words_0_1_memory_read_address, read_data => pathsabove_memory_read_words(0, 1),
-      write_address => pathsabove_memory_read_words_0_1_memory_write_address, write_data => pathsabove_memory_read_words_0_1_memory_write_data);
-
-  pathsabove_memory_read_words_0_0_memory_read_enable <= true;
-  pathsabove_memory_read_words_0_0_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_0_0_memory_write_address <= to_unsigned(pathsabove_memory_write_address(0), 12);
-  pathsabove_memory_read_words_0_0_memory_write_data <= to_unsigned(pathsabove_memory_write_words(0, 0), 8);
-  pathsabove_memory_read_words_0_0_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_0_0_memory_read_enable,
-      read_address => pathsabove_memory_read_words_0_0_memory_read_address, read_data => pathsabove_memory_read_words(0, 0),
-      write_address => pathsabove_memory_read_words_0_0_memory_write_address, write_data => pathsabove_memory_read_words_0_0_memory_write_data);
-
-  pathsabove_memory_read_words_1_4_memory_read_enable <= true;
-  pathsabove_memory_read_words_1_4_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_1_4_memory_write_address <= to_unsigned(pathsabove_memory_write_address(1), 12);
-  pathsabove_memory_read_words_1_4_memory_write_data <= to_unsigned(pathsabove_memory_write_words(1, 4), 8);
-  pathsabove_memory_read_words_1_4_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_1_4_memory_read_enable,
-      read_address => pathsabove_memory_read_words_1_4_memory_read_address, read_data => pathsabove_memory_read_words(1, 4),
-      write_address => pathsabove_memory_read_words_1_4_memory_write_address, write_data => pathsabove_memory_read_words_1_4_memory_write_data);
-
-  pathsabove_memory_read_words_1_3_memory_read_enable <= true;
-  pathsabove_memory_read_words_1_3_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_1_3_memory_write_address <= to_unsigned(pathsabove_memory_write_address(1), 12);
-  pathsabove_memory_read_words_1_3_memory_write_data <= to_unsigned(pathsabove_memory_write_words(1, 3), 8);
-  pathsabove_memory_read_words_1_3_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_1_3_memory_read_enable,
-      read_address => pathsabove_memory_read_words_1_3_memory_read_address, read_data => pathsabove_memory_read_words(1, 3),
-      write_address => pathsabove_memory_read_words_1_3_memory_write_address, write_data => pathsabove_memory_read_words_1_3_memory_write_data);
-
-  pathsabove_memory_read_words_1_2_memory_read_enable <= true;
-  pathsabove_memory_read_words_1_2_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_1_2_memory_write_address <= to_unsigned(pathsabove_memory_write_address(1), 12);
-  pathsabove_memory_read_words_1_2_memory_write_data <= to_unsigned(pathsabove_memory_write_words(1, 2), 8);
-  pathsabove_memory_read_words_1_2_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_1_2_memory_read_enable,
-      read_address => pathsabove_memory_read_words_1_2_memory_read_address, read_data => pathsabove_memory_read_words(1, 2),
-      write_address => pathsabove_memory_read_words_1_2_memory_write_address, write_data => pathsabove_memory_read_words_1_2_memory_write_data);
-
-  pathsabove_memory_read_words_1_1_memory_read_enable <= true;
-  pathsabove_memory_read_words_1_1_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_1_1_memory_write_address <= to_unsigned(pathsabove_memory_write_address(1), 12);
-  pathsabove_memory_read_words_1_1_memory_write_data <= to_unsigned(pathsabove_memory_write_words(1, 1), 8);
-  pathsabove_memory_read_words_1_1_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_1_1_memory_read_enable,
-      read_address => pathsabove_memory_read_words_1_1_memory_read_address, read_data => pathsabove_memory_read_words(1, 1),
-      write_address => pathsabove_memory_read_words_1_1_memory_write_address, write_data => pathsabove_memory_read_words_1_1_memory_write_data);
-
-  pathsabove_memory_read_words_1_0_memory_read_enable <= true;
-  pathsabove_memory_read_words_1_0_memory_read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
-  pathsabove_memory_read_words_1_0_memory_write_address <= to_unsigned(pathsabove_memory_write_address(1), 12);
-  pathsabove_memory_read_words_1_0_memory_write_data <= to_unsigned(pathsabove_memory_write_words(1, 0), 8);
-  pathsabove_memory_read_words_1_0_memory : entity work.line_memory
-    generic map (depth => 4096, width => 8, address_bits => 12)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_1_0_memory_read_enable,
-      read_address => pathsabove_memory_read_words_1_0_memory_read_address, read_data => pathsabove_memory_read_words(1, 0),
-      write_address => pathsabove_memory_read_words_1_0_memory_write_address, write_data => pathsabove_memory_read_words_1_0_memory_write_data);
-
-  pathsabove_memory_read_words_2_4_memory_read_enable <= true;
-  pathsabove_memory_read_words_2_4_memory_read_address <= to_unsigned(pathsabove_memory_read_address_2, 4);
-  pathsabove_memory_read_words_2_4_memory_write_address <= to_unsigned(pathsabove_memory_write_address_2, 4);
-  pathsabove_memory_read_words_2_4_memory_write_data <= to_unsigned(pathsabove_memory_write_words(2, 4), 8);
-  pathsabove_memory_read_words_2_4_memory : entity work.line_memory
-    generic map (depth => 16, width => 8, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_2_4_memory_read_enable,
-      read_address => pathsabove_memory_read_words_2_4_memory_read_address, read_data => pathsabove_memory_read_words(2, 4),
-      write_address => pathsabove_memory_read_words_2_4_memory_write_address, write_data => pathsabove_memory_read_words_2_4_memory_write_data);
-
-  pathsabove_memory_read_words_2_3_memory_read_enable <= true;
-  pathsabove_memory_read_words_2_3_memory_read_address <= to_unsigned(pathsabove_memory_read_address_2, 4);
-  pathsabove_memory_read_words_2_3_memory_write_address <= to_unsigned(pathsabove_memory_write_address_2, 4);
-  pathsabove_memory_read_words_2_3_memory_write_data <= to_unsigned(pathsabove_memory_write_words(2, 3), 8);
-  pathsabove_memory_read_words_2_3_memory : entity work.line_memory
-    generic map (depth => 16, width => 8, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_2_3_memory_read_enable,
-      read_address => pathsabove_memory_read_words_2_3_memory_read_address, read_data => pathsabove_memory_read_words(2, 3),
-      write_address => pathsabove_memory_read_words_2_3_memory_write_address, write_data => pathsabove_memory_read_words_2_3_memory_write_data);
-
-  pathsabove_memory_read_words_2_2_memory_read_enable <= true;
-  pathsabove_memory_read_words_2_2_memory_read_address <= to_unsigned(pathsabove_memory_read_address_2, 4);
-  pathsabove_memory_read_words_2_2_memory_write_address <= to_unsigned(pathsabove_memory_write_address_2, 4);
-  pathsabove_memory_read_words_2_2_memory_write_data <= to_unsigned(pathsabove_memory_write_words(2, 2), 8);
-  pathsabove_memory_read_words_2_2_memory : entity work.line_memory
-    generic map (depth => 16, width => 8, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_2_2_memory_read_enable,
-      read_address => pathsabove_memory_read_words_2_2_memory_read_address, read_data => pathsabove_memory_read_words(2, 2),
-      write_address => pathsabove_memory_read_words_2_2_memory_write_address, write_data => pathsabove_memory_read_words_2_2_memory_write_data);
-
-  pathsabove_memory_read_words_2_1_memory_read_enable <= true;
-  pathsabove_memory_read_words_2_1_memory_read_address <= to_unsigned(pathsabove_memory_read_address_2, 4);
-  pathsabove_memory_read_words_2_1_memory_write_address <= to_unsigned(pathsabove_memory_write_address_2, 4);
-  pathsabove_memory_read_words_2_1_memory_write_data <= to_unsigned(pathsabove_memory_write_words(2, 1), 8);
-  pathsabove_memory_read_words_2_1_memory : entity work.line_memory
-    generic map (depth => 16, width => 8, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_2_1_memory_read_enable,
-      read_address => pathsabove_memory_read_words_2_1_memory_read_address, read_data => pathsabove_memory_read_words(2, 1),
-      write_address => pathsabove_memory_read_words_2_1_memory_write_address, write_data => pathsabove_memory_read_words_2_1_memory_write_data);
-
-  pathsabove_memory_read_words_2_0_memory_read_enable <= true;
-  pathsabove_memory_read_words_2_0_memory_read_address <= to_unsigned(pathsabove_memory_read_address_2, 4);
-  pathsabove_memory_read_words_2_0_memory_write_address <= to_unsigned(pathsabove_memory_write_address_2, 4);
-  pathsabove_memory_read_words_2_0_memory_write_data <= to_unsigned(pathsabove_memory_write_words(2, 0), 8);
-  pathsabove_memory_read_words_2_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 8, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsabove_memory_read_words_2_0_memory_read_enable,
-      read_address => pathsabove_memory_read_words_2_0_memory_read_address, read_data => pathsabove_memory_read_words(2, 0),
-      write_address => pathsabove_memory_read_words_2_0_memory_write_address, write_data => pathsabove_memory_read_words_2_0_memory_write_data);
-
-  pathsleft_read_words_3_memory_read_enable <= true;
-  pathsleft_read_words_3_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 4);
-  pathsleft_read_words_3_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 4);
-  pathsleft_read_words_3_memory_write_data <= to_unsigned(pathsleft_arrived(7), 6);
-  pathsleft_read_words_3_memory : entity work.line_memory
-    generic map (depth => 16, width => 6, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsleft_read_words_3_memory_read_enable,
-      read_address => pathsleft_read_words_3_memory_read_address, read_data => pathsleft_read_words_3,
-      write_address => pathsleft_read_words_3_memory_write_address, write_data => pathsleft_read_words_3_memory_write_data);
-
-  pathsleft_read_words_2_memory_read_enable <= true;
-  pathsleft_read_words_2_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 4);
-  pathsleft_read_words_2_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 4);
-  pathsleft_read_words_2_memory_write_data <= to_unsigned(pathsleft_arrived(6), 6) & to_unsigned(pathsleft_arrived(5), 6) & to_unsigned(pathsleft_arrived(4), 6) & to_unsigned(pathsleft_arrived(3), 6) & to_unsigned(pathsleft_arrived(2), 6);
-  pathsleft_read_words_2_memory : entity work.line_memory
-    generic map (depth => 16, width => 30, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsleft_read_words_2_memory_read_enable,
-      read_address => pathsleft_read_words_2_memory_read_address, read_data => pathsleft_read_words(2),
-      write_address => pathsleft_read_words_2_memory_write_address, write_data => pathsleft_read_words_2_memory_write_data);
-
-  pathsleft_read_words_1_memory_read_enable <= true;
-  pathsleft_read_words_1_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 4);
-  pathsleft_read_words_1_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 4);
-  pathsleft_read_words_1_memory_write_data <= to_unsigned(pathsleft_arrived(1), 6) & to_unsigned(pathsleft_arrived(0), 6) & to_unsigned(pathsleft_cost(7), 6) & to_unsigned(pathsleft_cost(6), 6) & to_unsigned(pathsleft_cost(5), 6);
-  pathsleft_read_words_1_memory : entity work.line_memory
-    generic map (depth => 16, width => 30, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsleft_read_words_1_memory_read_enable,
-      read_address => pathsleft_read_words_1_memory_read_address, read_data => pathsleft_read_words(1),
-      write_address => pathsleft_read_words_1_memory_write_address, write_data => pathsleft_read_words_1_memory_write_data);
-
-  pathsleft_read_words_0_memory_read_enable <= true;
-  pathsleft_read_words_0_memory_read_address <= to_unsigned(pathsleft_read_count_phase, 4);
-  pathsleft_read_words_0_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 4);
-  pathsleft_read_words_0_memory_write_data <= to_unsigned(pathsleft_cost(4), 6) & to_unsigned(pathsleft_cost(3), 6) & to_unsigned(pathsleft_cost(2), 6) & to_unsigned(pathsleft_cost(1), 6) & to_unsigned(pathsleft_cost(0), 6);
-  pathsleft_read_words_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 30, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsleft_read_words_0_memory_read_enable,
-      read_address => pathsleft_read_words_0_memory_read_address, read_data => pathsleft_read_words(0),
-      write_address => pathsleft_read_words_0_memory_write_address, write_data => pathsleft_read_words_0_memory_write_data);
-
-  pathsleft_read_neighbour_0_memory_read_enable <= true;
-  pathsleft_read_neighbour_0_memory_read_address <= to_unsigned(pathsleft_ahead_count_phase, 4);
-  pathsleft_read_neighbour_0_memory_write_address <= to_unsigned(pathsleft_write_count_phase, 4);
-  pathsleft_read_neighbour_0_memory_write_data <= to_unsigned(pathsleft_cost(0), 6);
-  pathsleft_read_neighbour_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 6, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsleft_read_neighbour_0_memory_read_enable,
-      read_address => pathsleft_read_neighbour_0_memory_read_address, read_data => pathsleft_read_neighbour_0,
-      write_address => pathsleft_read_neighbour_0_memory_write_address, write_data => pathsleft_read_neighbour_0_memory_write_data);
-
-  pathsleft_lowest_0_memory_read_enable <= true;
-  pathsleft_lowest_0_memory_read_address <= to_unsigned(pathsleft_low_address, 4);
-  pathsleft_lowest_0_memory_write_address <= to_unsigned(pathsleft_low_write_address, 4);
-  pathsleft_lowest_0_memory_write_data <= to_unsigned(pathsleft_low_0, 6);
-  pathsleft_lowest_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 6, address_bits => 4)
-    port map (
-      clock => clock, read_enable => pathsleft_lowest_0_memory_read_enable,
-      read_address => pathsleft_lowest_0_memory_read_address, read_data => pathsleft_lowest_0,
-      write_address => pathsleft_lowest_0_memory_write_address, write_data => pathsleft_lowest_0_memory_write_data);
-
-  paths_cost_delay_held_0_memory_read_enable <= true;
-  paths_cost_delay_held_0_memory_read_address <= to_unsigned(paths_cost_delay_ring_read_address, 5);
-  paths_cost_delay_held_0_memory_write_address <= to_unsigned(paths_cost_delay_ring_write_address, 5);
-  paths_cost_delay_held_0_memory_write_data <= to_unsigned(costs_cost(7), 4) & to_unsigned(costs_cost(6), 4) & to_unsigned(costs_cost(5), 4) & to_unsigned(costs_cost(4), 4) & to_unsigned(costs_cost(3), 4) & to_unsigned(costs_cost(2), 4) & to_unsigned(costs_cost(1), 4) & to_unsigned(costs_cost(0), 4);
-  paths_cost_delay_held_0_memory : entity work.line_memory
-    generic map (depth => 20, width => 32, address_bits => 5)
-    port map (
-      clock => clock, read_enable => paths_cost_delay_held_0_memory_read_enable,
-      read_address => paths_cost_delay_held_0_memory_read_address, read_data => paths_cost_delay_held_0,
-      write_address => paths_cost_delay_held_0_memory_write_address, write_data => paths_cost_delay_held_0_memory_write_data);
-
-  costsshift_read_words_7_memory_read_enable <= true;
-  costsshift_read_words_7_memory_read_address <= to_unsigned(costsshift_count_phase, 4);
-  costsshift_read_words_7_memory_write_address <= to_unsigned(costsshift_write_phase, 4);
-  costsshift_read_words_7_memory_write_data <= costsshift_search_0(7);
-  costsshift_read_words_7_memory : entity work.line_memory
-    generic map (depth => 16, width => 44, address_bits => 4)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_7_memory_read_enable,
-      read_address => costsshift_read_words_7_memory_read_address, read_data => costsshift_read_words(7),
-      write_address => costsshift_read_words_7_memory_write_address, write_data => costsshift_read_words_7_memory_write_data);
-
-  costsshift_read_words_6_memory_read_enable <= true;
-  costsshift_read_words_6_memory_read_address <= to_unsigned(costsshift_count_phase, 4);
-  costsshift_read_words_6_memory_write_address <= to_unsigned(costsshift_write_phase, 4);
-  costsshift_read_words_6_memory_write_data <= costsshift_search_0(6);
-  costsshift_read_words_6_memory : entity work.line_memory
-    generic map (depth => 16, width => 44, address_bits => 4)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_6_memory_read_enable,
-      read_address => costsshift_read_words_6_memory_read_address, read_data => costsshift_read_words(6),
-      write_address => costsshift_read_words_6_memory_write_address, write_data => costsshift_read_words_6_memory_write_data);
-
-  costsshift_read_words_5_memory_read_enable <= true;
-  costsshift_read_words_5_memory_read_address <= to_unsigned(costsshift_count_phase, 4);
-  costsshift_read_words_5_memory_write_address <= to_unsigned(costsshift_write_phase, 4);
-  costsshift_read_words_5_memory_write_data <= costsshift_search_0(5);
-  costsshift_read_words_5_memory : entity work.line_memory
-    generic map (depth => 16, width => 44, address_bits => 4)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_5_memory_read_enable,
-      read_address => costsshift_read_words_5_memory_read_address, read_data => costsshift_read_words(5),
-      write_address => costsshift_read_words_5_memory_write_address, write_data => costsshift_read_words_5_memory_write_data);
-
-  costsshift_read_words_4_memory_read_enable <= true;
-  costsshift_read_words_4_memory_read_address <= to_unsigned(costsshift_count_phase, 4);
-  costsshift_read_words_4_memory_write_address <= to_unsigned(costsshift_write_phase, 4);
-  costsshift_read_words_4_memory_write_data <= costsshift_search_0(4);
-  costsshift_read_words_4_memory : entity work.line_memory
-    generic map (depth => 16, width => 44, address_bits => 4)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_4_memory_read_enable,
-      read_address => costsshift_read_words_4_memory_read_address, read_data => costsshift_read_words(4),
-      write_address => costsshift_read_words_4_memory_write_address, write_data => costsshift_read_words_4_memory_write_data);
-
-  costsshift_read_words_3_memory_read_enable <= true;
-  costsshift_read_words_3_memory_read_address <= to_unsigned(costsshift_count_phase, 4);
-  costsshift_read_words_3_memory_write_address <= to_unsigned(costsshift_write_phase, 4);
-  costsshift_read_words_3_memory_write_data <= costsshift_search_0(3);
-  costsshift_read_words_3_memory : entity work.line_memory
-    generic map (depth => 16, width => 44, address_bits => 4)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_3_memory_read_enable,
-      read_address => costsshift_read_words_3_memory_read_address, read_data => costsshift_read_words(3),
-      write_address => costsshift_read_words_3_memory_write_address, write_data => costsshift_read_words_3_memory_write_data);
-
-  costsshift_read_words_2_memory_read_enable <= true;
-  costsshift_read_words_2_memory_read_address <= to_unsigned(costsshift_count_phase, 4);
-  costsshift_read_words_2_memory_write_address <= to_unsigned(costsshift_write_phase, 4);
-  costsshift_read_words_2_memory_write_data <= costsshift_search_0(2);
-  costsshift_read_words_2_memory : entity work.line_memory
-    generic map (depth => 16, width => 44, address_bits => 4)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_2_memory_read_enable,
-      read_address => costsshift_read_words_2_memory_read_address, read_data => costsshift_read_words(2),
-      write_address => costsshift_read_words_2_memory_write_address, write_data => costsshift_read_words_2_memory_write_data);
-
-  costsshift_read_words_1_memory_read_enable <= true;
-  costsshift_read_words_1_memory_read_address <= to_unsigned(costsshift_count_phase, 4);
-  costsshift_read_words_1_memory_write_address <= to_unsigned(costsshift_write_phase, 4);
-  costsshift_read_words_1_memory_write_data <= costsshift_search_0(1);
-  costsshift_read_words_1_memory : entity work.line_memory
-    generic map (depth => 16, width => 44, address_bits => 4)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_1_memory_read_enable,
-      read_address => costsshift_read_words_1_memory_read_address, read_data => costsshift_read_words(1),
-      write_address => costsshift_read_words_1_memory_write_address, write_data => costsshift_read_words_1_memory_write_data);
-
-  costsshift_read_words_0_memory_read_enable <= true;
-  costsshift_read_words_0_memory_read_address <= to_unsigned(costsshift_count_phase, 4);
-  costsshift_read_words_0_memory_write_address <= to_unsigned(costsshift_write_phase, 4);
-  costsshift_read_words_0_memory_write_data <= costsshift_search_0(0);
-  costsshift_read_words_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 44, address_bits => 4)
-    port map (
-      clock => clock, read_enable => costsshift_read_words_0_memory_read_enable,
-      read_address => costsshift_read_words_0_memory_read_address, read_data => costsshift_read_words(0),
-      write_address => costsshift_read_words_0_memory_write_address, write_data => costsshift_read_words_0_memory_write_data);
+  transform_left_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+  begin
+    read_address <= to_unsigned(transform_counter_column, 10);
+    write_address <= to_unsigned(transform_write_column, 10);
+    cell : entity work.line_memory
+      generic map (depth => 640, width => 32, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        transform_left_rows_read_words_0, write_address => write_address, write_data =>
+        transform_left_rows_write_words_0);
+  end block;
+
+  transform_right_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+  begin
+    read_address <= to_unsigned(transform_counter_column, 10);
+    write_address <= to_unsigned(transform_write_column, 10);
+    cell : entity work.line_memory
+      generic map (depth => 640, width => 32, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        transform_right_rows_read_words_0, write_address => write_address, write_data =>
+        transform_right_rows_write_words_0);
+  end block;
+
+  map_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(17 downto 0);
+  begin
+    read_address <= to_unsigned(map_counter_column, 10);
+    write_address <= to_unsigned(map_write_column, 10);
+    write_data <= to_unsigned(map_rows_write_words_0, 18);
+    cell : entity work.line_memory
+      generic map (depth => 513, width => 18, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => map_rows_read_words_0,
+        write_address => write_address, write_data => write_data);
+  end block;
+
+  turn_read_words_0_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(turn_order_address, 10);
+    write_address <= to_unsigned(turn_write_place, 10);
+    write_data <= to_unsigned(turn_write_words_0, 9);
+    cell : entity work.line_memory
+      generic map (depth => 514, width => 9, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => turn_read_words_0,
+        write_address => write_address, write_data => write_data);
+  end block;
+
+  pathsright_read_words_3_memory : block
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(5 downto 0);
+  begin
+    read_address <= to_unsigned(pathsleft_read_count_phase, 4);
+    write_address <= to_unsigned(pathsleft_write_count_phase, 4);
+    write_data <= to_unsigned(pathsright_arrived(7), 6);
+    cell : entity work.line_memory
+      generic map (depth => 16, width => 6, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsright_read_words_3, write_address => write_address, write_data => write_data);
+  end block;
+
+  pathsright_read_words_2_memory : block
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(29 downto 0);
+  begin
+    read_address <= to_unsigned(pathsleft_read_count_phase, 4);
+    write_address <= to_unsigned(pathsleft_write_count_phase, 4);
+    write_data <= to_unsigned(pathsright_arrived(6), 6) & to_unsigned(pathsright_arrived(5), 6) &
+      to_unsigned(pathsright_arrived(4), 6) & to_unsigned(pathsright_arrived(3), 6) &
+      to_unsigned(pathsright_arrived(2), 6);
+    cell : entity work.line_memory
+      generic map (depth => 16, width => 30, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsright_read_words(2), write_address => write_address, write_data => write_data);
+  end block;
+
+  pathsright_read_words_1_memory : block
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(29 downto 0);
+  begin
+    read_address <= to_unsigned(pathsleft_read_count_phase, 4);
+    write_address <= to_unsigned(pathsleft_write_count_phase, 4);
+    write_data <= to_unsigned(pathsright_arrived(1), 6) & to_unsigned(pathsright_arrived(0), 6) &
+      to_unsigned(pathsright_cost(7), 6) & to_unsigned(pathsright_cost(6), 6) & to_unsigned(pathsright_cost(5), 6);
+    cell : entity work.line_memory
+      generic map (depth => 16, width => 30, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsright_read_words(1), write_address => write_address, write_data => write_data);
+  end block;
+
+  pathsright_read_words_0_memory : block
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(29 downto 0);
+  begin
+    read_address <= to_unsigned(pathsleft_read_count_phase, 4);
+    write_address <= to_unsigned(pathsleft_write_count_phase, 4);
+    write_data <= to_unsigned(pathsright_cost(4), 6) & to_unsigned(pathsright_cost(3), 6) &
+      to_unsigned(pathsright_cost(2), 6) & to_unsigned(pathsright_cost(1), 6) & to_unsigned(pathsright_cost(0), 6);
+    cell : entity work.line_memory
+      generic map (depth => 16, width => 30, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsright_read_words(0), write_address => write_address, write_data => write_data);
+  end block;
+
+  pathsright_read_neighbour_0_memory : block
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(5 downto 0);
+  begin
+    read_address <= to_unsigned(pathsleft_ahead_count_phase, 4);
+    write_address <= to_unsigned(pathsleft_write_count_phase, 4);
+    write_data <= to_unsigned(pathsright_cost(0), 6);
+    cell : entity work.line_memory
+      generic map (depth => 16, width => 6, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsright_read_neighbour_0, write_address => write_address, write_data => write_data);
+  end block;
+
+  pathsright_lowest_0_memory : block
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(5 downto 0);
+  begin
+    read_address <= to_unsigned(pathsleft_low_address, 4);
+    write_address <= to_unsigned(pathsleft_low_write_address, 4);
+    write_data <= to_unsigned(pathsright_low_0, 6);
+    cell : entity work.line_memory
+      generic map (depth => 16, width => 6, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => pathsright_lowest_0,
+        write_address => write_address, write_data => write_data);
+  end block;
+
+  pathsturn_read_smallest_0_memory : block
+    signal read_address, write_address : unsigned(9 downto 0);
+    signal write_data : unsigned(3 downto 0);
+  begin
+    read_address <= to_unsigned(pathsturn_smallest_address, 10);
+    write_address <= to_unsigned(pathsturn_write_smallest_address, 10);
+    write_data <= to_unsigned(pathsturn_write_smallest_0, 4);
+    cell : entity work.line_memory
+      generic map (depth => 514, width => 4, address_bits => 10)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsturn_read_smallest_0, write_address => write_address, write_data => write_data);
+  end block;
+
+  pathsturn_sum_memory_read_words_memory : for i in 6 downto 0 generate
+    signal read_address, write_address : unsigned(11 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
+    write_address <= to_unsigned(pathsturn_sum_memory_write_address(0), 12);
+    write_data <= to_unsigned(pathsturn_sum_memory_write_words(0, i), 8);
+    cell : entity work.line_memory
+      generic map (depth => 4096, width => 8, address_bits => 12)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsturn_sum_memory_read_words(0, i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  pathsturn_sum_memory_read_words_1_6_memory : for i in 6 downto 0 generate
+    signal read_address, write_address : unsigned(11 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
+    write_address <= to_unsigned(pathsturn_sum_memory_write_address(1), 12);
+    write_data <= to_unsigned(pathsturn_sum_memory_write_words(1, i), 8);
+    cell : entity work.line_memory
+      generic map (depth => 4096, width => 8, address_bits => 12)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsturn_sum_memory_read_words(1, i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  pathsturn_sum_memory_read_words_2_6_memory : for i in 6 downto 0 generate
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(pathsturn_sum_memory_read_address_2, 4);
+    write_address <= to_unsigned(pathsturn_sum_memory_write_address_2, 4);
+    write_data <= to_unsigned(pathsturn_sum_memory_write_words(2, i), 8);
+    cell : entity work.line_memory
+      generic map (depth => 16, width => 8, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsturn_sum_memory_read_words(2, i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  pathsturn_cost_memory_read_words_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(11 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(pathsturn_cost_memory_read_address_0, 12);
+    write_address <= to_unsigned(pathsturn_cost_memory_write_address(0), 12);
+    write_data <= to_unsigned(pathsturn_cost_memory_write_words(0, i), 8);
+    cell : entity work.line_memory
+      generic map (depth => 4096, width => 8, address_bits => 12)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsturn_cost_memory_read_words(0, i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  pathsturn_cost_memory_read_words_1_3_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(11 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(pathsturn_cost_memory_read_address_0, 12);
+    write_address <= to_unsigned(pathsturn_cost_memory_write_address(1), 12);
+    write_data <= to_unsigned(pathsturn_cost_memory_write_words(1, i), 8);
+    cell : entity work.line_memory
+      generic map (depth => 4096, width => 8, address_bits => 12)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsturn_cost_memory_read_words(1, i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  pathsturn_cost_memory_read_words_2_3_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(pathsturn_cost_memory_read_address_2, 4);
+    write_address <= to_unsigned(pathsturn_cost_memory_write_address_2, 4);
+    write_data <= to_unsigned(pathsturn_cost_memory_write_words(2, i), 8);
+    cell : entity work.line_memory
+      generic map (depth => 16, width => 8, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsturn_cost_memory_read_words(2, i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  pathsabove_delay_held_1_memory : block
+    signal read_address, write_address : unsigned(4 downto 0);
+    signal write_data : unsigned(17 downto 0);
+  begin
+    read_address <= to_unsigned(paths_cost_delay_ring_read_address, 5);
+    write_address <= to_unsigned(paths_cost_delay_ring_write_address, 5);
+    write_data <= to_unsigned(pathsabove_total(7), 6) & to_unsigned(pathsabove_total(6), 6) &
+      to_unsigned(pathsabove_total(5), 6);
+    cell : entity work.line_memory
+      generic map (depth => 20, width => 18, address_bits => 5)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsabove_delay_held_1, write_address => write_address, write_data => write_data);
+  end block;
+
+  pathsabove_delay_held_0_memory : block
+    signal read_address, write_address : unsigned(4 downto 0);
+    signal write_data : unsigned(29 downto 0);
+  begin
+    read_address <= to_unsigned(paths_cost_delay_ring_read_address, 5);
+    write_address <= to_unsigned(paths_cost_delay_ring_write_address, 5);
+    write_data <= to_unsigned(pathsabove_total(4), 6) & to_unsigned(pathsabove_total(3), 6) &
+      to_unsigned(pathsabove_total(2), 6) & to_unsigned(pathsabove_total(1), 6) & to_unsigned(pathsabove_total(0), 6);
+    cell : entity work.line_memory
+      generic map (depth => 20, width => 30, address_bits => 5)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsabove_delay_held_0, write_address => write_address, write_data => write_data);
+  end block;
+
+  pathsabove_memory_read_words_memory : for i in 4 downto 0 generate
+    signal read_address, write_address : unsigned(11 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
+    write_address <= to_unsigned(pathsabove_memory_write_address(0), 12);
+    write_data <= to_unsigned(pathsabove_memory_write_words(0, i), 8);
+    cell : entity work.line_memory
+      generic map (depth => 4096, width => 8, address_bits => 12)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsabove_memory_read_words(0, i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  pathsabove_memory_read_words_1_4_memory : for i in 4 downto 0 generate
+    signal read_address, write_address : unsigned(11 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
+    write_address <= to_unsigned(pathsabove_memory_write_address(1), 12);
+    write_data <= to_unsigned(pathsabove_memory_write_words(1, i), 8);
+    cell : entity work.line_memory
+      generic map (depth => 4096, width => 8, address_bits => 12)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsabove_memory_read_words(1, i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  pathsabove_memory_read_words_2_4_memory : for i in 4 downto 0 generate
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(pathsabove_memory_read_address_2, 4);
+    write_address <= to_unsigned(pathsabove_memory_write_address_2, 4);
+    write_data <= to_unsigned(pathsabove_memory_write_words(2, i), 8);
+    cell : entity work.line_memory
+      generic map (depth => 16, width => 8, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsabove_memory_read_words(2, i), write_address => write_address, write_data => write_data);
+  end generate;
+
+  pathsleft_read_words_3_memory : block
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(5 downto 0);
+  begin
+    read_address <= to_unsigned(pathsleft_read_count_phase, 4);
+    write_address <= to_unsigned(pathsleft_write_count_phase, 4);
+    write_data <= to_unsigned(pathsleft_arrived(7), 6);
+    cell : entity work.line_memory
+      generic map (depth => 16, width => 6, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => pathsleft_read_words_3,
+        write_address => write_address, write_data => write_data);
+  end block;
+
+  pathsleft_read_words_2_memory : block
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(29 downto 0);
+  begin
+    read_address <= to_unsigned(pathsleft_read_count_phase, 4);
+    write_address <= to_unsigned(pathsleft_write_count_phase, 4);
+    write_data <= to_unsigned(pathsleft_arrived(6), 6) & to_unsigned(pathsleft_arrived(5), 6) &
+      to_unsigned(pathsleft_arrived(4), 6) & to_unsigned(pathsleft_arrived(3), 6) & to_unsigned(pathsleft_arrived(2),
+      6);
+    cell : entity work.line_memory
+      generic map (depth => 16, width => 30, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsleft_read_words(2), write_address => write_address, write_data => write_data);
+  end block;
+
+  pathsleft_read_words_1_memory : block
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(29 downto 0);
+  begin
+    read_address <= to_unsigned(pathsleft_read_count_phase, 4);
+    write_address <= to_unsigned(pathsleft_write_count_phase, 4);
+    write_data <= to_unsigned(pathsleft_arrived(1), 6) & to_unsigned(pathsleft_arrived(0), 6) &
+      to_unsigned(pathsleft_cost(7), 6) & to_unsigned(pathsleft_cost(6), 6) & to_unsigned(pathsleft_cost(5), 6);
+    cell : entity work.line_memory
+      generic map (depth => 16, width => 30, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsleft_read_words(1), write_address => write_address, write_data => write_data);
+  end block;
+
+  pathsleft_read_words_0_memory : block
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(29 downto 0);
+  begin
+    read_address <= to_unsigned(pathsleft_read_count_phase, 4);
+    write_address <= to_unsigned(pathsleft_write_count_phase, 4);
+    write_data <= to_unsigned(pathsleft_cost(4), 6) & to_unsigned(pathsleft_cost(3), 6) &
+      to_unsigned(pathsleft_cost(2), 6) & to_unsigned(pathsleft_cost(1), 6) & to_unsigned(pathsleft_cost(0), 6);
+    cell : entity work.line_memory
+      generic map (depth => 16, width => 30, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsleft_read_words(0), write_address => write_address, write_data => write_data);
+  end block;
+
+  pathsleft_read_neighbour_0_memory : block
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(5 downto 0);
+  begin
+    read_address <= to_unsigned(pathsleft_ahead_count_phase, 4);
+    write_address <= to_unsigned(pathsleft_write_count_phase, 4);
+    write_data <= to_unsigned(pathsleft_cost(0), 6);
+    cell : entity work.line_memory
+      generic map (depth => 16, width => 6, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        pathsleft_read_neighbour_0, write_address => write_address, write_data => write_data);
+  end block;
+
+  pathsleft_lowest_0_memory : block
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(5 downto 0);
+  begin
+    read_address <= to_unsigned(pathsleft_low_address, 4);
+    write_address <= to_unsigned(pathsleft_low_write_address, 4);
+    write_data <= to_unsigned(pathsleft_low_0, 6);
+    cell : entity work.line_memory
+      generic map (depth => 16, width => 6, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => pathsleft_lowest_0,
+        write_address => write_address, write_data => write_data);
+  end block;
+
+  paths_cost_delay_held_0_memory : block
+    signal read_address, write_address : unsigned(4 downto 0);
+    signal write_data : unsigned(31 downto 0);
+  begin
+    read_address <= to_unsigned(paths_cost_delay_ring_read_address, 5);
+    write_address <= to_unsigned(paths_cost_delay_ring_write_address, 5);
+    write_data <= to_unsigned(costs_cost(7), 4) & to_unsigned(costs_cost(6), 4) & to_unsigned(costs_cost(5), 4) &
+      to_unsigned(costs_cost(4), 4) & to_unsigned(costs_cost(3), 4) & to_unsigned(costs_cost(2), 4) &
+      to_unsigned(costs_cost(1), 4) & to_unsigned(costs_cost(0), 4);
+    cell : entity work.line_memory
+      generic map (depth => 20, width => 32, address_bits => 5)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        paths_cost_delay_held_0, write_address => write_address, write_data => write_data);
+  end block;
+
+  costsshift_read_words_memory : for i in 7 downto 0 generate
+    signal read_address, write_address : unsigned(3 downto 0);
+  begin
+    read_address <= to_unsigned(costsshift_count_phase, 4);
+    write_address <= to_unsigned(costsshift_write_phase, 4);
+    cell : entity work.line_memory
+      generic map (depth => 16, width => 44, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        costsshift_read_words(i), write_address => write_address, write_data => costsshift_search_0(i));
+  end generate;
 
   process (clock)
     variable transform_counter_next_frame_is_equal, transform_counter_frame_joins_choice : boolean;
-    variable transform_read_column_inside_0_is_less : boolean;
-    variable transform_left_filter_low_is_larger_0_value : boolean_2d(0 to 3, 0 to 4);  -- transform_left_filter_low_is_larger_0_#_#_value
-    variable transform_left_filter_low_is_larger_0_choice : boolean_2d(0 to 3, 0 to 4);  -- transform_left_filter_low_is_larger_0_#_#_choice
-    variable transform_left_filter_low_is_larger_0_choices_from_0 : boolean_3d(0 to 3, 0 to 4, 2 to 3);  -- transform_left_filter_low_is_larger_0_#_#_choice_#
+    variable transform_read_column_inside_0_is_less, transform_left_filter_low_is_larger_0_0_0_value : boolean;
+    variable transform_left_filter_low_is_larger_0_0_1_value, transform_left_filter_low_is_larger_0_0_2_value : boolean;
+    variable transform_left_filter_low_is_larger_0_0_3_value, transform_left_filter_low_is_larger_0_0_4_value : boolean;
+    variable transform_left_filter_low_is_larger_0_1_0_value, transform_left_filter_low_is_larger_0_1_1_value : boolean;
+    variable transform_left_filter_low_is_larger_0_1_2_value, transform_left_filter_low_is_larger_0_1_3_value : boolean;
+    variable transform_left_filter_low_is_larger_0_1_4_value, transform_left_filter_low_is_larger_0_2_0_value : boolean;
+    variable transform_left_filter_low_is_larger_0_2_1_value, transform_left_filter_low_is_larger_0_2_2_value : boolean;
+    variable transform_left_filter_low_is_larger_0_2_3_value, transform_left_filter_low_is_larger_0_2_4_value : boolean;
+    variable transform_left_filter_low_is_larger_0_3_0_value, transform_left_filter_low_is_larger_0_3_1_value : boolean;
+    variable transform_left_filter_low_is_larger_0_3_2_value, transform_left_filter_low_is_larger_0_3_3_value : boolean;
+    variable transform_left_filter_low_is_larger_0_3_4_value : boolean;
+    variable transform_left_filter_low_is_larger_0_choice : boolean_3d(0 to 8, 0 to 4, 1 to 3);  -- transform_left_filter_low_is_larger_0_#_#_choice_#
     variable transform_left_filter_low_is_larger_0_0_0_values : boolean_1d(2 to 4);  -- transform_left_filter_low_is_larger_0_0_0_value_#
     variable transform_left_filter_low_is_larger_0_0_1_any : boolean;
     variable transform_left_filter_low_is_larger_0_0_1_is_equal : boolean;
-    variable transform_left_filter_low_is_larger_0_4_choice : boolean_1d(0 to 1);  -- transform_left_filter_low_is_larger_0_4_#_choice
-    variable transform_left_filter_low_is_larger_0_4_choices_from_0 : boolean_2d(0 to 1, 2 to 3);  -- transform_left_filter_low_is_larger_0_4_#_choice_#
-    variable transform_left_filter_low_is_larger_0_4_value : boolean_1d(0 to 1);  -- transform_left_filter_low_is_larger_0_4_#_value
-    variable transform_left_filter_low_is_larger_0_4_choices : boolean_1d(3 to 4);  -- transform_left_filter_low_is_larger_0_4_#_choice
-    variable transform_left_filter_low_is_larger_0_4_choices_from_3 : boolean_2d(3 to 4, 2 to 3);  -- transform_left_filter_low_is_larger_0_4_#_choice_#
-    variable transform_left_filter_low_is_larger_0_4_values : boolean_1d(3 to 4);  -- transform_left_filter_low_is_larger_0_4_#_value
-    variable transform_left_filter_low_is_larger_0_choices : boolean_2d(5 to 8, 0 to 4);  -- transform_left_filter_low_is_larger_0_#_#_choice
-    variable transform_left_filter_low_is_larger_0_choices_from_5 : boolean_3d(5 to 8, 0 to 4, 2 to 3);  -- transform_left_filter_low_is_larger_0_#_#_choice_#
-    variable transform_left_filter_low_is_larger_0_values : boolean_2d(5 to 8, 0 to 4);  -- transform_left_filter_low_is_larger_0_#_#_value
-    variable transform_left_filter_feature_0_value, transform_left_filter_feature_0_choice : boolean;
-    variable transform_left_filter_feature_0_values : boolean_1d(2 to 6);  -- transform_left_filter_feature_0_value_#
-    variable transform_left_filter_feature_0_choices : boolean_1d(2 to 177);  -- transform_left_filter_feature_0_choice_#
-    variable transform_right_filter_low_is_larger_0_value : boolean_2d(0 to 3, 0 to 4);  -- transform_right_filter_low_is_larger_0_#_#_value
-    variable transform_right_filter_low_is_larger_0_choice : boolean_2d(0 to 3, 0 to 4);  -- transform_right_filter_low_is_larger_0_#_#_choice
-    variable transform_right_filter_low_is_larger_0_choices_from_0 : boolean_3d(0 to 3, 0 to 4, 2 to 3);  -- transform_right_filter_low_is_larger_0_#_#_choice_#
+    variable transform_left_filter_low_is_larger_0_4_0_value, transform_left_filter_low_is_larger_0_4_1_value : boolean;
+    variable transform_left_filter_low_is_larger_0_4_3_value, transform_left_filter_low_is_larger_0_4_4_value : boolean;
+    variable transform_left_filter_low_is_larger_0_5_0_value, transform_left_filter_low_is_larger_0_5_1_value : boolean;
+    variable transform_left_filter_low_is_larger_0_5_2_value, transform_left_filter_low_is_larger_0_5_3_value : boolean;
+    variable transform_left_filter_low_is_larger_0_5_4_value, transform_left_filter_low_is_larger_0_6_0_value : boolean;
+    variable transform_left_filter_low_is_larger_0_6_1_value, transform_left_filter_low_is_larger_0_6_2_value : boolean;
+    variable transform_left_filter_low_is_larger_0_6_3_value, transform_left_filter_low_is_larger_0_6_4_value : boolean;
+    variable transform_left_filter_low_is_larger_0_7_0_value, transform_left_filter_low_is_larger_0_7_1_value : boolean;
+    variable transform_left_filter_low_is_larger_0_7_2_value, transform_left_filter_low_is_larger_0_7_3_value : boolean;
+    variable transform_left_filter_low_is_larger_0_7_4_value, transform_left_filter_low_is_larger_0_8_0_value : boolean;
+    variable transform_left_filter_low_is_larger_0_8_1_value, transform_left_filter_low_is_larger_0_8_2_value : boolean;
+    variable transform_left_filter_low_is_larger_0_8_3_value, transform_left_filter_low_is_larger_0_8_4_value : boolean;
+    variable transform_left_filter_feature_0_values : boolean_1d(1 to 6);  -- transform_left_filter_feature_0_value_#
+    variable transform_left_filter_feature_0_choices : boolean_1d(1 to 177);  -- transform_left_filter_feature_0_choice_#
+    variable transform_right_filter_low_is_larger_0_0_0_value : boolean;
+    variable transform_right_filter_low_is_larger_0_0_1_value : boolean;
+    variable transform_right_filter_low_is_larger_0_0_2_value : boolean;
+    variable transform_right_filter_low_is_larger_0_0_3_value : boolean;
+    variable transform_right_filter_low_is_larger_0_0_4_value : boolean;
+    variable transform_right_filter_low_is_larger_0_1_0_value : boolean;
+    variable transform_right_filter_low_is_larger_0_1_1_value : boolean;
+    variable transform_right_filter_low_is_larger_0_1_2_value : boolean;
+    variable transform_right_filter_low_is_larger_0_1_3_value : boolean;
+    variable transform_right_filter_low_is_larger_0_1_4_value : boolean;
+    variable transform_right_filter_low_is_larger_0_2_0_value : boolean;
+    variable transform_right_filter_low_is_larger_0_2_1_value : boolean;
+    variable transform_right_filter_low_is_larger_0_2_2_value : boolean;
+    variable transform_right_filter_low_is_larger_0_2_3_value : boolean;
+    variable transform_right_filter_low_is_larger_0_2_4_value : boolean;
+    variable transform_right_filter_low_is_larger_0_3_0_value : boolean;
+    variable transform_right_filter_low_is_larger_0_3_1_value : boolean;
+    variable transform_right_filter_low_is_larger_0_3_2_value : boolean;
+    variable transform_right_filter_low_is_larger_0_3_3_value : boolean;
+    variable transform_right_filter_low_is_larger_0_3_4_value : boolean;
+    variable transform_right_filter_low_is_larger_0_choice : boolean_3d(0 to 8, 0 to 4, 1 to 3);  -- transform_right_filter_low_is_larger_0_#_#_choice_#
     variable transform_right_filter_low_is_larger_0_0_0_values : boolean_1d(2 to 4);  -- transform_right_filter_low_is_larger_0_0_0_value_#
     variable transform_right_filter_low_is_larger_0_0_1_any : boolean;
     variable transform_right_filter_low_is_larger_0_0_1_is_equal : boolean;
-    variable transform_right_filter_low_is_larger_0_4_choice : boolean_1d(0 to 1);  -- transform_right_filter_low_is_larger_0_4_#_choice
-    variable transform_right_filter_low_is_larger_0_4_choices_from_0 : boolean_2d(0 to 1, 2 to 3);  -- transform_right_filter_low_is_larger_0_4_#_choice_#
-    variable transform_right_filter_low_is_larger_0_4_value : boolean_1d(0 to 1);  -- transform_right_filter_low_is_larger_0_4_#_value
-    variable transform_right_filter_low_is_larger_0_4_choices : boolean_1d(3 to 4);  -- transform_right_filter_low_is_larger_0_4_#_choice
-    variable transform_right_filter_low_is_larger_0_4_choices_from_3 : boolean_2d(3 to 4, 2 to 3);  -- transform_right_filter_low_is_larger_0_4_#_choice_#
-    variable transform_right_filter_low_is_larger_0_4_values : boolean_1d(3 to 4);  -- transform_right_filter_low_is_larger_0_4_#_value
-    variable transform_right_filter_low_is_larger_0_choices : boolean_2d(5 to 8, 0 to 4);  -- transform_right_filter_low_is_larger_0_#_#_choice
-    variable transform_right_filter_low_is_larger_0_choices_from_5 : boolean_3d(5 to 8, 0 to 4, 2 to 3);  -- transform_right_filter_low_is_larger_0_#_#_choice_#
-    variable transform_right_filter_low_is_larger_0_values : boolean_2d(5 to 8, 0 to 4);  -- transform_right_filter_low_is_larger_0_#_#_value
-    variable transform_right_filter_feature_0_value, transform_right_filter_feature_0_choice : boolean;
-    variable transform_right_filter_feature_0_values : boolean_1d(2 to 6);  -- transform_right_filter_feature_0_value_#
-    variable transform_right_filter_feature_0_choices : boolean_1d(2 to 177);  -- transform_right_filter_feature_0_choice_#
+    variable transform_right_filter_low_is_larger_0_4_0_value : boolean;
+    variable transform_right_filter_low_is_larger_0_4_1_value : boolean;
+    variable transform_right_filter_low_is_larger_0_4_3_value : boolean;
+    variable transform_right_filter_low_is_larger_0_4_4_value : boolean;
+    variable transform_right_filter_low_is_larger_0_5_0_value : boolean;
+    variable transform_right_filter_low_is_larger_0_5_1_value : boolean;
+    variable transform_right_filter_low_is_larger_0_5_2_value : boolean;
+    variable transform_right_filter_low_is_larger_0_5_3_value : boolean;
+    variable transform_right_filter_low_is_larger_0_5_4_value : boolean;
+    variable transform_right_filter_low_is_larger_0_6_0_value : boolean;
+    variable transform_right_filter_low_is_larger_0_6_1_value : boolean;
+    variable transform_right_filter_low_is_larger_0_6_2_value : boolean;
+    variable transform_right_filter_low_is_larger_0_6_3_value : boolean;
+    variable transform_right_filter_low_is_larger_0_6_4_value : boolean;
+    variable transform_right_filter_low_is_larger_0_7_0_value : boolean;
+    variable transform_right_filter_low_is_larger_0_7_1_value : boolean;
+    variable transform_right_filter_low_is_larger_0_7_2_value : boolean;
+    variable transform_right_filter_low_is_larger_0_7_3_value : boolean;
+    variable transform_right_filter_low_is_larger_0_7_4_value : boolean;
+    variable transform_right_filter_low_is_larger_0_8_0_value : boolean;
+    variable transform_right_filter_low_is_larger_0_8_1_value : boolean;
+    variable transform_right_filter_low_is_larger_0_8_2_value : boolean;
+    variable transform_right_filter_low_is_larger_0_8_3_value : boolean;
+    variable transform_right_filter_low_is_larger_0_8_4_value : boolean;
+    variable transform_right_filter_feature_0_values : boolean_1d(1 to 6);  -- transform_right_filter_feature_0_value_#
+    variable transform_right_filter_feature_0_choices : boolean_1d(1 to 177);  -- transform_right_filter_feature_0_choice_#
     variable delay_tag_first_cost_is_equal, delay_tag_map_column_is_not_less, delay_tag_map_column_is_less : boolean;
     variable line_order_falls_any, line_order_falls_all, line_order_complete_any : boolean;
     variable line_order_turned_output_column_choice : boolean;
-    variable costswindow_first_0_count_value : boolean_1d(0 to 14);  -- costswindow_first_0_count_#_value
-    variable costswindow_first_0_count_0_value_2 : boolean;
-    variable costswindow_first_0_count_values : boolean_2d(1 to 13, 2 to 3);  -- costswindow_first_0_count_#_value_#
+    variable costswindow_first_0_count_value : boolean_2d(0 to 14, 1 to 3);  -- costswindow_first_0_count_#_value_#
     variable pathsleft_read_count_phase_is_equal, pathsleft_cost_0_any : boolean;
-    variable pathsabove_memory_ready_words_0_is_equal, pathsabove_memory_ready_words_0_is_equal_2 : boolean;
-    variable pathsabove_ready_top_choice, pathsabove_ready_top_choice_2, pathsabove_count_phase_is_equal : boolean;
+    variable pathsabove_memory_ready_words_0_is_equals : boolean_1d(1 to 2);  -- pathsabove_memory_ready_words_0_is_equal_#
+    variable pathsabove_ready_top_choices : boolean_1d(1 to 2);  -- pathsabove_ready_top_choice_#
+    variable pathsabove_count_phase_is_equal : boolean;
     variable pathsabove_memory_write_words_0_is_less : boolean_1d(0 to 3);  -- pathsabove_memory_write_words_0_#_is_less
     variable pathsabove_memory_write_words_0_1_choice_3 : boolean;
     variable pathsabove_memory_write_words_0_all : boolean_1d(0 to 2);  -- pathsabove_memory_write_words_#_0_all
-    variable pathsturn_sum_memory_ready_words_0_is_equal, pathsturn_sum_memory_ready_words_0_is_equal_2 : boolean;
-    variable pathsturn_cost_memory_ready_words_0_is_equal, pathsturn_cost_memory_ready_words_0_is_equal_2 : boolean;
+    variable pathsturn_sum_memory_ready_words_0_is_equals : boolean_1d(1 to 2);  -- pathsturn_sum_memory_ready_words_0_is_equal_#
+    variable pathsturn_cost_memory_ready_words_0_is_equals : boolean_1d(1 to 2);  -- pathsturn_cost_memory_ready_words_0_is_equal_#
     variable pathsturn_sum_memory_write_words_0_all : boolean_1d(0 to 2);  -- pathsturn_sum_memory_write_words_#_0_all
     variable pathsturn_cost_memory_write_words_0_all : boolean_1d(0 to 2);  -- pathsturn_cost_memory_write_words_#_0_all
-    variable winnerswinner1_best_index_0_choice : boolean_1d(0 to 3);  -- winnerswinner1_best_index_0_#_choice
-    variable winnerswinner1_best_index_0_0_choices : boolean_1d(2 to 7);  -- winnerswinner1_best_index_0_0_choice_#
-    variable winnerswinner1_best_index_0_value : boolean_1d(0 to 3);  -- winnerswinner1_best_index_0_#_value
-    variable winnerswinner1_best_index_0_values : boolean_2d(0 to 3, 2 to 5);  -- winnerswinner1_best_index_0_#_value_#
-    variable winnerswinner1_best_index_0_choices : boolean_2d(1 to 3, 2 to 8);  -- winnerswinner1_best_index_0_#_choice_#
-    variable winnerswinner2_best_index_0_choice : boolean_1d(0 to 1);  -- winnerswinner2_best_index_0_#_choice
-    variable winnerswinner2_best_index_0_choices : boolean_2d(0 to 1, 2 to 8);  -- winnerswinner2_best_index_0_#_choice_#
-    variable winnerswinner2_best_index_0_value : boolean_1d(0 to 1);  -- winnerswinner2_best_index_0_#_value
-    variable winnerswinner2_best_index_0_values : boolean_2d(0 to 1, 2 to 5);  -- winnerswinner2_best_index_0_#_value_#
-    variable winnerswinner3_best_index_0_0_choice : boolean;
-    variable winnerswinner3_best_index_0_0_choices : boolean_1d(2 to 8);  -- winnerswinner3_best_index_0_0_choice_#
-    variable winnerswinner3_best_index_0_0_value : boolean;
-    variable winnerswinner3_best_index_0_0_values : boolean_1d(2 to 5);  -- winnerswinner3_best_index_0_0_value_#
-    variable winners_best_index_0_0_value, winners_best_index_0_0_choice : boolean;
-    variable winners_best_index_0_0_values : boolean_1d(2 to 6);  -- winners_best_index_0_0_value_#
-    variable winners_best_index_0_0_choices : boolean_1d(2 to 7);  -- winners_best_index_0_0_choice_#
-    variable turn_order_address_any, turn_order_address_any_2, turn_order_falls_all, turn_order_complete_all : boolean;
-    variable turn_ready_tag_row_start_differs, turn_ready_tag_row_start_is_equal : boolean;
-    variable turn_ready_tag_row_start_choice : boolean;
-    variable turn_ready_tag_row_start_choices : boolean_1d(2 to 3);  -- turn_ready_tag_row_start_choice_#
-    variable turn_ready_tag_row_start_is_equal_2, turn_ready_tag_row_start_all : boolean;
-    variable turn_ready_tag_row_start_all_2, map_counter_group_is_equal, map_line_ended_choice : boolean;
-    variable map_at_arrives_value, map_of_column_0_b_below_a_value, map_of_column_0_b_below_a_choice : boolean;
-    variable map_of_column_0_b_below_a_values : boolean_1d(2 to 12);  -- map_of_column_0_b_below_a_value_#
-    variable map_of_column_0_b_below_a_choices : boolean_1d(2 to 9);  -- map_of_column_0_b_below_a_choice_#
-    variable map_of_column_0_c_below_a_value, map_of_column_0_c_below_a_choice : boolean;
-    variable map_of_column_0_c_below_a_values : boolean_1d(2 to 7);  -- map_of_column_0_c_below_a_value_#
-    variable map_of_column_0_c_below_a_choices : boolean_1d(2 to 20);  -- map_of_column_0_c_below_a_choice_#
-    variable map_of_column_0_c_below_b_choice : boolean;
-    variable map_of_column_0_c_below_b_choices : boolean_1d(2 to 6);  -- map_of_column_0_c_below_b_choice_#
-    variable map_window_complete_is_equal, map_window_complete_choice, map_of_low_0_b_below_a_value : boolean;
-    variable map_of_low_0_b_below_a_choice, map_of_low_0_b_below_a_is_equal : boolean;
-    variable map_of_low_0_b_below_a_choices : boolean_1d(2 to 7);  -- map_of_low_0_b_below_a_choice_#
-    variable map_of_low_0_b_below_a_values : boolean_1d(2 to 11);  -- map_of_low_0_b_below_a_value_#
-    variable map_of_low_0_c_below_a_value, map_of_low_0_c_below_a_choice : boolean;
-    variable map_of_low_0_c_below_a_choices : boolean_1d(2 to 7);  -- map_of_low_0_c_below_a_choice_#
-    variable map_of_low_0_c_below_b_choice : boolean;
-    variable map_of_low_0_c_below_b_choices : boolean_1d(2 to 7);  -- map_of_low_0_c_below_b_choice_#
-    variable map_of_middle_0_b_below_a_value, map_of_middle_0_b_below_a_choice : boolean;
-    variable map_of_middle_0_b_below_a_is_equal : boolean;
-    variable map_of_middle_0_b_below_a_choices : boolean_1d(2 to 7);  -- map_of_middle_0_b_below_a_choice_#
-    variable map_of_middle_0_b_below_a_values : boolean_1d(2 to 11);  -- map_of_middle_0_b_below_a_value_#
-    variable map_of_middle_0_c_below_a_value, map_of_middle_0_c_below_a_choice : boolean;
-    variable map_of_middle_0_c_below_a_choices : boolean_1d(2 to 7);  -- map_of_middle_0_c_below_a_choice_#
-    variable map_of_middle_0_c_below_b_choice : boolean;
-    variable map_of_middle_0_c_below_b_choices : boolean_1d(2 to 7);  -- map_of_middle_0_c_below_b_choice_#
-    variable map_of_high_0_b_below_a_value, map_of_high_0_b_below_a_choice, map_of_high_0_b_below_a_is_equal : boolean;
-    variable map_of_high_0_b_below_a_choices : boolean_1d(2 to 7);  -- map_of_high_0_b_below_a_choice_#
-    variable map_of_high_0_b_below_a_values : boolean_1d(2 to 11);  -- map_of_high_0_b_below_a_value_#
-    variable map_of_high_0_c_below_a_value, map_of_high_0_c_below_a_choice : boolean;
-    variable map_of_high_0_c_below_a_choices : boolean_1d(2 to 7);  -- map_of_high_0_c_below_a_choice_#
-    variable map_of_high_0_c_below_b_choice : boolean;
-    variable map_of_high_0_c_below_b_choices : boolean_1d(2 to 7);  -- map_of_high_0_c_below_b_choice_#
-    variable map_of_all_0_b_below_a_value, map_of_all_0_b_below_a_choice, map_of_all_0_b_below_a_is_equal : boolean;
-    variable map_of_all_0_b_below_a_choices : boolean_1d(2 to 7);  -- map_of_all_0_b_below_a_choice_#
-    variable map_of_all_0_b_below_a_values : boolean_1d(2 to 11);  -- map_of_all_0_b_below_a_value_#
-    variable map_of_all_0_c_below_a_value, map_of_all_0_c_below_a_choice : boolean;
-    variable map_of_all_0_c_below_a_choices : boolean_1d(2 to 7);  -- map_of_all_0_c_below_a_choice_#
-    variable map_of_all_0_c_below_b_choice : boolean;
-    variable map_of_all_0_c_below_b_choices : boolean_1d(2 to 7);  -- map_of_all_0_c_below_b_choice_#
+    variable winnerswinner1_best_index_0_choice : boolean_2d(0 to 3, 1 to 8);  -- winnerswinner1_best_index_0_#_choice_#
+    variable winnerswinner1_best_index_0_value : boolean_2d(0 to 3, 1 to 5);  -- winnerswinner1_best_index_0_#_value_#
+    variable winnerswinner2_best_index_0_choice : boolean_2d(0 to 1, 1 to 8);  -- winnerswinner2_best_index_0_#_choice_#
+    variable winnerswinner2_best_index_0_value : boolean_2d(0 to 1, 1 to 5);  -- winnerswinner2_best_index_0_#_value_#
+    variable winnerswinner3_best_index_0_0_choices : boolean_1d(1 to 8);  -- winnerswinner3_best_index_0_0_choice_#
+    variable winnerswinner3_best_index_0_0_values : boolean_1d(1 to 5);  -- winnerswinner3_best_index_0_0_value_#
+    variable winners_best_index_0_0_values : boolean_1d(1 to 6);  -- winners_best_index_0_0_value_#
+    variable winners_best_index_0_0_choices : boolean_1d(1 to 7);  -- winners_best_index_0_0_choice_#
+    variable turn_order_address_anys : boolean_1d(1 to 2);  -- turn_order_address_any_#
+    variable turn_order_falls_all, turn_order_complete_all, turn_ready_tag_row_start_differs : boolean;
+    variable turn_ready_tag_row_start_is_equals : boolean_1d(1 to 2);  -- turn_ready_tag_row_start_is_equal_#
+    variable turn_ready_tag_row_start_choices : boolean_1d(1 to 3);  -- turn_ready_tag_row_start_choice_#
+    variable turn_ready_tag_row_start_alls : boolean_1d(1 to 2);  -- turn_ready_tag_row_start_all_#
+    variable map_counter_group_is_equal, map_line_ended_choice, map_at_arrives_value : boolean;
+    variable map_of_column_0_b_below_a_values : boolean_1d(1 to 12);  -- map_of_column_0_b_below_a_value_#
+    variable map_of_column_0_b_below_a_choices : boolean_1d(1 to 9);  -- map_of_column_0_b_below_a_choice_#
+    variable map_of_column_0_c_below_a_values : boolean_1d(1 to 7);  -- map_of_column_0_c_below_a_value_#
+    variable map_of_column_0_c_below_a_choices : boolean_1d(1 to 20);  -- map_of_column_0_c_below_a_choice_#
+    variable map_of_column_0_c_below_b_choices : boolean_1d(1 to 6);  -- map_of_column_0_c_below_b_choice_#
+    variable map_window_complete_is_equal, map_window_complete_choice : boolean;
+    variable map_of_low_0_b_below_a_values : boolean_1d(1 to 11);  -- map_of_low_0_b_below_a_value_#
+    variable map_of_low_0_b_below_a_choices : boolean_1d(1 to 7);  -- map_of_low_0_b_below_a_choice_#
+    variable map_of_low_0_b_below_a_is_equal, map_of_low_0_c_below_a_value : boolean;
+    variable map_of_low_0_c_below_a_choices : boolean_1d(1 to 7);  -- map_of_low_0_c_below_a_choice_#
+    variable map_of_low_0_c_below_b_choices : boolean_1d(1 to 7);  -- map_of_low_0_c_below_b_choice_#
+    variable map_of_middle_0_b_below_a_values : boolean_1d(1 to 11);  -- map_of_middle_0_b_below_a_value_#
+    variable map_of_middle_0_b_below_a_choices : boolean_1d(1 to 7);  -- map_of_middle_0_b_below_a_choice_#
+    variable map_of_middle_0_b_below_a_is_equal, map_of_middle_0_c_below_a_value : boolean;
+    variable map_of_middle_0_c_below_a_choices : boolean_1d(1 to 7);  -- map_of_middle_0_c_below_a_choice_#
+    variable map_of_middle_0_c_below_b_choices : boolean_1d(1 to 7);  -- map_of_middle_0_c_below_b_choice_#
+    variable map_of_high_0_b_below_a_values : boolean_1d(1 to 11);  -- map_of_high_0_b_below_a_value_#
+    variable map_of_high_0_b_below_a_choices : boolean_1d(1 to 7);  -- map_of_high_0_b_below_a_choice_#
+    variable map_of_high_0_b_below_a_is_equal, map_of_high_0_c_below_a_value : boolean;
+    variable map_of_high_0_c_below_a_choices : boolean_1d(1 to 7);  -- map_of_high_0_c_below_a_choice_#
+    variable map_of_high_0_c_below_b_choices : boolean_1d(1 to 7);  -- map_of_high_0_c_below_b_choice_#
+    variable map_of_all_0_b_below_a_values : boolean_1d(1 to 11);  -- map_of_all_0_b_below_a_value_#
+    variable map_of_all_0_b_below_a_choices : boolean_1d(1 to 7);  -- map_of_all_0_b_below_a_choice_#
+    variable map_of_all_0_b_below_a_is_equal, map_of_all_0_c_below_a_value : boolean;
+    variable map_of_all_0_c_below_a_choices : boolean_1d(1 to 7);  -- map_of_all_0_c_below_a_choice_#
+    variable map_of_all_0_c_below_b_choices : boolean_1d(1 to 7);  -- map_of_all_0_c_below_b_choice_#
     variable map_low_0_all : boolean_1d(0 to 1);  -- map_low_#_0_all
     variable transform_counter_group_after_choice : natural range 0 to 511;
     variable map_counter_group_choices : natural_511_1d(2 to 3);  -- map_counter_group_choice_#
     variable transform_left_filter_feature_0_choice_178 : natural range 0 to 31;
-    variable transform_right_filter_feature_0_choice_178, pathsleft_q_choice : natural range 0 to 31;
-    variable pathsleft_q_choice_2, pathsleft_room_left_choice : natural range 0 to 31;
+    variable transform_right_filter_feature_0_choice_178 : natural range 0 to 31;
+    variable pathsleft_q_choices : natural_31_1d(1 to 2);  -- pathsleft_q_choice_#
+    variable pathsleft_room_left_choice : natural range 0 to 31;
     variable pathsabove_total_choice : natural_31_1d(0 to 7);  -- pathsabove_total_#_choice
-    variable pathsabove_memory_write_words_0_choice_2 : natural_31_1d(0 to 1);  -- pathsabove_memory_write_words_0_#_choice_2
-    variable pathsabove_memory_write_words_0_choice : natural_31_1d(1 to 4);  -- pathsabove_memory_write_words_0_#_choice
-    variable pathsabove_memory_write_words_0_choice_2s : natural_31_1d(3 to 4);  -- pathsabove_memory_write_words_0_#_choice_2
-    variable pathsright_q_choice, pathsright_q_choice_2, pathsright_room_left_choice : natural range 0 to 31;
+    variable pathsabove_memory_write_words_0_choice : natural_31_2d(0 to 4, 1 to 2);  -- pathsabove_memory_write_words_0_#_choice_#
+    variable pathsright_q_choices : natural_31_1d(1 to 2);  -- pathsright_q_choice_#
+    variable pathsright_room_left_choice : natural range 0 to 31;
     variable transform_left_filter_feature_0_choice_179 : natural range 0 to 1023;
     variable transform_right_filter_feature_0_choice_179 : natural range 0 to 1023;
     variable transform_left_filter_feature_0_choice_180 : natural range 0 to 32767;
@@ -1665,23 +988,21 @@ begin
     variable pathsturn_write_address_count_phase_choice, map_counter_group_choice : natural range 0 to 15;
     variable line_order_address_choice, turn_order_address_choice : natural range 1 to 1023;
     variable pathsleft_lower_neighbour_value : natural range 0 to 63;
-    variable pathsleft_stay_value : natural_63_1d(0 to 6);  -- pathsleft_stay_#_value
+    variable pathsleft_stay_value : natural_63_2d(0 to 6, 1 to 2);  -- pathsleft_stay_#_value_#
     variable pathsleft_stay_choice : natural_63_1d(0 to 7);  -- pathsleft_stay_#_choice
-    variable pathsleft_stay_3_value_2 : natural range 0 to 63;
-    variable pathsleft_step_choice : natural_63_1d(0 to 7);  -- pathsleft_step_#_choice
-    variable pathsleft_step_0_choice_2, pathsleft_step_7_choice_2, pathsleft_low_0_choice : natural range 0 to 63;
-    variable pathsabove_smallest_total_choice, pathsabove_beside_0_choice : natural range 0 to 63;
-    variable pathsabove_beside_7_choice, pathsright_lower_neighbour_value : natural range 0 to 63;
-    variable pathsright_stay_value : natural_63_1d(0 to 6);  -- pathsright_stay_#_value
+    variable pathsleft_step_choice : natural_63_2d(0 to 7, 1 to 2);  -- pathsleft_step_#_choice_#
+    variable pathsleft_low_0_choice, pathsabove_smallest_total_choice : natural range 0 to 63;
+    variable pathsabove_beside_0_choice, pathsabove_beside_7_choice : natural range 0 to 63;
+    variable pathsright_lower_neighbour_value : natural range 0 to 63;
+    variable pathsright_stay_value : natural_63_2d(0 to 6, 1 to 2);  -- pathsright_stay_#_value_#
     variable pathsright_stay_choice : natural_63_1d(0 to 7);  -- pathsright_stay_#_choice
-    variable pathsright_stay_3_value_2 : natural range 0 to 63;
-    variable pathsright_step_choice : natural_63_1d(0 to 7);  -- pathsright_step_#_choice
-    variable pathsright_step_0_choice_2, pathsright_step_7_choice_2, pathsright_low_0_choice : natural range 0 to 63;
+    variable pathsright_step_choice : natural_63_2d(0 to 7, 1 to 2);  -- pathsright_step_#_choice_#
+    variable pathsright_low_0_choice : natural range 0 to 63;
     variable pathsabove_memory_read_address_0_sum : natural range 1 to 16384;
     variable pathsabove_memory_read_address_0_choice : natural range 0 to 4095;
     variable pathsabove_memory_read_address_0_sum_2 : natural range 0 to 16384;
     variable pathsturn_cost_memory_read_address_0_sum : natural range 0 to 16384;
-    variable pathsabove_memory_bank_choice, pathsabove_memory_bank_choice_2 : natural range 0 to 16383;
+    variable pathsabove_memory_bank_choices : natural_16383_1d(1 to 2);  -- pathsabove_memory_bank_choice_#
     variable pathsabove_write_address_address_choice, pathsturn_cost_memory_bank_choice : natural range 0 to 16383;
     variable pathsabove_memory_ready_words_choice : natural_255_1d(0 to 4);  -- pathsabove_memory_ready_words_#_choice
     variable pathsabove_memory_write_words_0_sum : natural_255_1d(0 to 4);  -- pathsabove_memory_write_words_0_#_sum
@@ -1689,761 +1010,625 @@ begin
     variable pathsturn_cost_memory_ready_words_choice : natural_255_1d(0 to 3);  -- pathsturn_cost_memory_ready_words_#_choice
     variable pathsturn_sum_memory_write_words_0_sum_2 : natural_255_1d(1 to 5);  -- pathsturn_sum_memory_write_words_0_#_sum_2
     variable pathsturn_cost_memory_write_words_0_value : natural_255_1d(1 to 2);  -- pathsturn_cost_memory_write_words_0_#_value
-    variable winners_best_cost_0_0_choice, map_sorted_low_0_choice, map_sorted_low_0_choice_2 : natural range 0 to 255;
-    variable map_sorted_middle_0_choice, map_sorted_middle_0_choice_2 : natural range 0 to 255;
-    variable map_sorted_high_0_choice, map_sorted_high_0_choice_2, map_largest_low_0_choice : natural range 0 to 255;
-    variable map_largest_low_0_choice_2, map_median_middle_0_choice : natural range 0 to 255;
-    variable map_median_middle_0_choices : natural_255_1d(2 to 4);  -- map_median_middle_0_choice_#
-    variable map_smallest_high_0_choice, map_smallest_high_0_choice_2 : natural range 0 to 255;
-    variable map_out_disparity_0_choice : natural range 0 to 255;
-    variable map_out_disparity_0_choices : natural_255_1d(2 to 4);  -- map_out_disparity_0_choice_#
+    variable winners_best_cost_0_0_choice : natural range 0 to 255;
+    variable map_sorted_low_0_choices : natural_255_1d(1 to 2);  -- map_sorted_low_0_choice_#
+    variable map_sorted_middle_0_choices : natural_255_1d(1 to 2);  -- map_sorted_middle_0_choice_#
+    variable map_sorted_high_0_choices : natural_255_1d(1 to 2);  -- map_sorted_high_0_choice_#
+    variable map_largest_low_0_choices : natural_255_1d(1 to 2);  -- map_largest_low_0_choice_#
+    variable map_median_middle_0_choices : natural_255_1d(1 to 4);  -- map_median_middle_0_choice_#
+    variable map_smallest_high_0_choices : natural_255_1d(1 to 2);  -- map_smallest_high_0_choice_#
+    variable map_out_disparity_0_choices : natural_255_1d(1 to 4);  -- map_out_disparity_0_choice_#
     variable map_low_0_0_choice, map_middle_0_0_choice, map_high_0_0_choice : natural range 0 to 255;
     variable pathsabove_memory_write_words_0_0_choice : natural range 0 to 7;
     variable pathsabove_memory_write_words_0_3_choice_3 : natural range 0 to 3;
-    variable pathsturn_sum_memory_write_words_0_sum : natural_126_1d(0 to 5);  -- pathsturn_sum_memory_write_words_0_#_sum
+    variable pathsturn_sum_memory_write_words_0_0_sum : natural range 0 to 126;
+    variable pathsturn_sum_memory_write_words_0_1_sum : natural range 0 to 126;
+    variable pathsturn_sum_memory_write_words_0_2_sum : natural range 0 to 126;
+    variable pathsturn_sum_memory_write_words_0_3_sum : natural range 0 to 126;
+    variable pathsturn_sum_memory_write_words_0_4_sum : natural range 0 to 126;
+    variable pathsturn_sum_memory_write_words_0_5_sum : natural range 0 to 126;
     variable pathsturn_sum_memory_write_words_0_0_sum_2 : natural range 0 to 254;
     variable pathsturn_sum_memory_write_words_0_6_sum : natural range 0 to 253;
   begin
     if rising_edge(clock) then
+      -- no bit without a value, where an array has places for more
+      transform_left_filter_low_is_larger_0_choice := (others => (others => (others => false)));
+      transform_right_filter_low_is_larger_0_choice := (others => (others => (others => false)));
+      costswindow_first_0_count_value := (others => (others => false));
+      winnerswinner1_best_index_0_choice := (others => (others => false));
+      pathsabove_memory_write_words_0_choice := (others => (others => 0));
+      pathsleft_stay_value := (others => (others => 0));
+      pathsleft_step_choice := (others => (others => 0));
+      pathsright_stay_value := (others => (others => 0));
+      pathsright_step_choice := (others => (others => 0));
       -- transform
       transform_counter_next_frame_is_equal := transform_counter_column = 639;
-      if transform_counter_last_column then
-        transform_counter_frame_joins_choice := (not transform_counter_back_to_back) and winnerswinner1_best_below_0;
-      else
-        transform_counter_frame_joins_choice := winnerswinner1_best_below_0;
-      end if;
-      if transform_counter_back_to_back then
-        transform_counter_group_after_choice := 2;
-      else
-        transform_counter_group_after_choice := (transform_counter_group + 1) mod 512;
-      end if;
+      transform_counter_frame_joins_choice := choice(transform_counter_last_column, (not
+        transform_counter_back_to_back) and winnerswinner1_best_below_0, winnerswinner1_best_below_0);
+      transform_counter_group_after_choice := choice(transform_counter_back_to_back, 2, (transform_counter_group + 1)
+        mod 512);
       transform_read_column_inside_0_is_less := 3 < transform_counter_column;
-      transform_left_filter_low_is_larger_0_value(0, 0) := is_set(transform_left_filter_column(4, 2), 1);
-      if is_set(transform_left_filter_column(4, 2), 0) then
-        transform_left_filter_low_is_larger_0_choice(0, 0) := not is_set(transform_left_filter_column(0, 0), 1);
-      else
-        transform_left_filter_low_is_larger_0_choice(0, 0) := (transform_left_filter_column(0, 0) mod 4) = 0;
-      end if;
-      if transform_left_filter_low_is_larger_0_value(0, 0) then
-        transform_left_filter_low_is_larger_0_choices_from_0(0, 0, 2) := is_set(transform_left_filter_column(4, 2), 0)
-          or (not is_set(transform_left_filter_column(0, 0), 1)) or (not is_set(transform_left_filter_column(0, 0), 0));
-      else
-        transform_left_filter_low_is_larger_0_choices_from_0(0, 0, 2) :=
-          transform_left_filter_low_is_larger_0_choice(0, 0);
-      end if;
+      transform_left_filter_low_is_larger_0_0_0_value := is_set(transform_left_filter_column(4, 2), 1);
+      transform_left_filter_low_is_larger_0_choice(0, 0, 1) := choice(is_set(transform_left_filter_column(4, 2), 0),
+        not is_set(transform_left_filter_column(0, 0), 1), (transform_left_filter_column(0, 0) mod 4) = 0);
+      transform_left_filter_low_is_larger_0_choice(0, 0, 2) := choice(transform_left_filter_low_is_larger_0_0_0_value,
+        is_set(transform_left_filter_column(4, 2), 0) or (not is_set(transform_left_filter_column(0, 0), 1)) or (not
+        is_set(transform_left_filter_column(0, 0), 0)), transform_left_filter_low_is_larger_0_choice(0, 0, 1));
       transform_left_filter_low_is_larger_0_0_0_values(2) := is_set(transform_left_filter_column(4, 2), 2);
       transform_left_filter_low_is_larger_0_0_0_values(3) := is_set(transform_left_filter_column(0, 0), 2);
-      if transform_left_filter_low_is_larger_0_choices_from_0(0, 0, 2) then
-        transform_left_filter_low_is_larger_0_choices_from_0(0, 0, 3) := (not
-          transform_left_filter_low_is_larger_0_0_0_values(2)) and transform_left_filter_low_is_larger_0_0_0_values(3);
-      else
-        transform_left_filter_low_is_larger_0_choices_from_0(0, 0, 3) := (not
-          transform_left_filter_low_is_larger_0_0_0_values(2)) or transform_left_filter_low_is_larger_0_0_0_values(3);
-      end if;
+      transform_left_filter_low_is_larger_0_choice(0, 0, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(0, 0, 2), not
+        transform_left_filter_low_is_larger_0_0_0_values(2), transform_left_filter_low_is_larger_0_0_0_values(3));
       transform_left_filter_low_is_larger_0_0_0_values(4) := is_set(transform_left_filter_column(0, 0), 3);
-      transform_left_filter_low_is_larger_0_0_1_any := (not transform_left_filter_low_is_larger_0_value(0, 0)) or (not
+      transform_left_filter_low_is_larger_0_0_1_any := (not transform_left_filter_low_is_larger_0_0_0_value) or (not
         is_set(transform_left_filter_column(4, 2), 0));
-      if is_set(transform_left_filter_column(0, 1), 0) then
-        transform_left_filter_low_is_larger_0_choice(0, 1) := transform_left_filter_low_is_larger_0_0_1_any;
-      else
-        transform_left_filter_low_is_larger_0_choice(0, 1) := not transform_left_filter_low_is_larger_0_value(0, 0);
-      end if;
+      transform_left_filter_low_is_larger_0_choice(0, 1, 1) := choice(is_set(transform_left_filter_column(0, 1), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
       transform_left_filter_low_is_larger_0_0_1_is_equal := (transform_left_filter_column(4, 2) mod 4) = 0;
-      for i in 0 to 2 loop
-        for j in 1 to 3 loop
-          if is_set(transform_left_filter_column(i, j), 1) then
-            transform_left_filter_low_is_larger_0_choices_from_0(i, j, 2) :=
-              transform_left_filter_low_is_larger_0_choice(i, j);
-          else
-            transform_left_filter_low_is_larger_0_choices_from_0(i, j, 2) := is_set(transform_left_filter_column(i, j),
-              0) and transform_left_filter_low_is_larger_0_0_1_is_equal;
-          end if;
-          if transform_left_filter_low_is_larger_0_choices_from_0(i, j, 2) then
-            transform_left_filter_low_is_larger_0_choices_from_0(i, j, 3) := (not
-              is_set(transform_left_filter_column(i, j), 2)) and transform_left_filter_low_is_larger_0_0_0_values(2);
-          else
-            transform_left_filter_low_is_larger_0_choices_from_0(i, j, 3) := (not
-              is_set(transform_left_filter_column(i, j), 2)) or transform_left_filter_low_is_larger_0_0_0_values(2);
-          end if;
-          transform_left_filter_low_is_larger_0_value(i, j) := is_set(transform_left_filter_column(i, j), 3);
-          if is_set(transform_left_filter_column(i, j + 1), 0) then
-            transform_left_filter_low_is_larger_0_choice(i, j + 1) := transform_left_filter_low_is_larger_0_0_1_any;
-          else
-            transform_left_filter_low_is_larger_0_choice(i, j + 1) := not
-              transform_left_filter_low_is_larger_0_value(0, 0);
-          end if;
-        end loop;
-        for j in 0 to 1 loop
-          if is_set(transform_left_filter_column(i + j, 4 - 4 * j), 1) then
-            transform_left_filter_low_is_larger_0_choices_from_0(i + j, 4 - 4 * j, 2) :=
-              transform_left_filter_low_is_larger_0_choice(i + j, 4 - 4 * j);
-          else
-            transform_left_filter_low_is_larger_0_choices_from_0(i + j, 4 - 4 * j, 2) :=
-              is_set(transform_left_filter_column(i + j, 4 - 4 * j), 0) and
-              transform_left_filter_low_is_larger_0_0_1_is_equal;
-          end if;
-          if transform_left_filter_low_is_larger_0_choices_from_0(i + j, 4 - 4 * j, 2) then
-            transform_left_filter_low_is_larger_0_choices_from_0(i + j, 4 - 4 * j, 3) := (not
-              is_set(transform_left_filter_column(i + j, 4 - 4 * j), 2)) and
-              transform_left_filter_low_is_larger_0_0_0_values(2);
-          else
-            transform_left_filter_low_is_larger_0_choices_from_0(i + j, 4 - 4 * j, 3) := (not
-              is_set(transform_left_filter_column(i + j, 4 - 4 * j), 2)) or
-              transform_left_filter_low_is_larger_0_0_0_values(2);
-          end if;
-          transform_left_filter_low_is_larger_0_value(i + j, 4 - 4 * j) := is_set(transform_left_filter_column(i + j, 4
-            - 4 * j), 3);
-          if is_set(transform_left_filter_column(i + 1, j), 0) then
-            transform_left_filter_low_is_larger_0_choice(i + 1, j) := transform_left_filter_low_is_larger_0_0_1_any;
-          else
-            transform_left_filter_low_is_larger_0_choice(i + 1, j) := not
-              transform_left_filter_low_is_larger_0_value(0, 0);
-          end if;
-        end loop;
-      end loop;
-      for i in 1 to 3 loop
-        if is_set(transform_left_filter_column(3, i), 1) then
-          transform_left_filter_low_is_larger_0_choices_from_0(3, i, 2) :=
-            transform_left_filter_low_is_larger_0_choice(3, i);
-        else
-          transform_left_filter_low_is_larger_0_choices_from_0(3, i, 2) := is_set(transform_left_filter_column(3, i),
-            0) and transform_left_filter_low_is_larger_0_0_1_is_equal;
-        end if;
-        if transform_left_filter_low_is_larger_0_choices_from_0(3, i, 2) then
-          transform_left_filter_low_is_larger_0_choices_from_0(3, i, 3) := (not is_set(transform_left_filter_column(3,
-            i), 2)) and transform_left_filter_low_is_larger_0_0_0_values(2);
-        else
-          transform_left_filter_low_is_larger_0_choices_from_0(3, i, 3) := (not is_set(transform_left_filter_column(3,
-            i), 2)) or transform_left_filter_low_is_larger_0_0_0_values(2);
-        end if;
-        transform_left_filter_low_is_larger_0_value(3, i) := is_set(transform_left_filter_column(3, i), 3);
-        if is_set(transform_left_filter_column(3, i + 1), 0) then
-          transform_left_filter_low_is_larger_0_choice(3, i + 1) := transform_left_filter_low_is_larger_0_0_1_any;
-        else
-          transform_left_filter_low_is_larger_0_choice(3, i + 1) := not transform_left_filter_low_is_larger_0_value(0,
-            0);
-        end if;
-      end loop;
-      if is_set(transform_left_filter_column(3, 4), 1) then
-        transform_left_filter_low_is_larger_0_choices_from_0(3, 4, 2) :=
-          transform_left_filter_low_is_larger_0_choice(3, 4);
-      else
-        transform_left_filter_low_is_larger_0_choices_from_0(3, 4, 2) := is_set(transform_left_filter_column(3, 4), 0)
-          and transform_left_filter_low_is_larger_0_0_1_is_equal;
-      end if;
-      if transform_left_filter_low_is_larger_0_choices_from_0(3, 4, 2) then
-        transform_left_filter_low_is_larger_0_choices_from_0(3, 4, 3) := (not is_set(transform_left_filter_column(3,
-          4), 2)) and transform_left_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_left_filter_low_is_larger_0_choices_from_0(3, 4, 3) := (not is_set(transform_left_filter_column(3,
-          4), 2)) or transform_left_filter_low_is_larger_0_0_0_values(2);
-      end if;
-      transform_left_filter_low_is_larger_0_value(3, 4) := is_set(transform_left_filter_column(3, 4), 3);
-      for i in 0 to 1 loop
-        if is_set(transform_left_filter_column(4, i), 0) then
-          transform_left_filter_low_is_larger_0_4_choice(i) := transform_left_filter_low_is_larger_0_0_1_any;
-        else
-          transform_left_filter_low_is_larger_0_4_choice(i) := not transform_left_filter_low_is_larger_0_value(0, 0);
-        end if;
-        if is_set(transform_left_filter_column(4, i), 1) then
-          transform_left_filter_low_is_larger_0_4_choices_from_0(i, 2) :=
-            transform_left_filter_low_is_larger_0_4_choice(i);
-        else
-          transform_left_filter_low_is_larger_0_4_choices_from_0(i, 2) := is_set(transform_left_filter_column(4, i), 0)
-            and transform_left_filter_low_is_larger_0_0_1_is_equal;
-        end if;
-        if transform_left_filter_low_is_larger_0_4_choices_from_0(i, 2) then
-          transform_left_filter_low_is_larger_0_4_choices_from_0(i, 3) := (not is_set(transform_left_filter_column(4,
-            i), 2)) and transform_left_filter_low_is_larger_0_0_0_values(2);
-        else
-          transform_left_filter_low_is_larger_0_4_choices_from_0(i, 3) := (not is_set(transform_left_filter_column(4,
-            i), 2)) or transform_left_filter_low_is_larger_0_0_0_values(2);
-        end if;
-        transform_left_filter_low_is_larger_0_4_value(i) := is_set(transform_left_filter_column(4, i), 3);
-      end loop;
-      for i in 3 to 4 loop
-        if is_set(transform_left_filter_column(4, i), 0) then
-          transform_left_filter_low_is_larger_0_4_choices(i) := transform_left_filter_low_is_larger_0_0_1_any;
-        else
-          transform_left_filter_low_is_larger_0_4_choices(i) := not transform_left_filter_low_is_larger_0_value(0, 0);
-        end if;
-        if is_set(transform_left_filter_column(4, i), 1) then
-          transform_left_filter_low_is_larger_0_4_choices_from_3(i, 2) :=
-            transform_left_filter_low_is_larger_0_4_choices(i);
-        else
-          transform_left_filter_low_is_larger_0_4_choices_from_3(i, 2) := is_set(transform_left_filter_column(4, i), 0)
-            and transform_left_filter_low_is_larger_0_0_1_is_equal;
-        end if;
-        if transform_left_filter_low_is_larger_0_4_choices_from_3(i, 2) then
-          transform_left_filter_low_is_larger_0_4_choices_from_3(i, 3) := (not is_set(transform_left_filter_column(4,
-            i), 2)) and transform_left_filter_low_is_larger_0_0_0_values(2);
-        else
-          transform_left_filter_low_is_larger_0_4_choices_from_3(i, 3) := (not is_set(transform_left_filter_column(4,
-            i), 2)) or transform_left_filter_low_is_larger_0_0_0_values(2);
-        end if;
-        transform_left_filter_low_is_larger_0_4_values(i) := is_set(transform_left_filter_column(4, i), 3);
-      end loop;
-      for i in 5 to 8 loop
-        for j in 0 to 4 loop
-          if is_set(transform_left_filter_column(i, j), 0) then
-            transform_left_filter_low_is_larger_0_choices(i, j) := transform_left_filter_low_is_larger_0_0_1_any;
-          else
-            transform_left_filter_low_is_larger_0_choices(i, j) := not transform_left_filter_low_is_larger_0_value(0,
-              0);
-          end if;
-          if is_set(transform_left_filter_column(i, j), 1) then
-            transform_left_filter_low_is_larger_0_choices_from_5(i, j, 2) :=
-              transform_left_filter_low_is_larger_0_choices(i, j);
-          else
-            transform_left_filter_low_is_larger_0_choices_from_5(i, j, 2) := is_set(transform_left_filter_column(i, j),
-              0) and transform_left_filter_low_is_larger_0_0_1_is_equal;
-          end if;
-          if transform_left_filter_low_is_larger_0_choices_from_5(i, j, 2) then
-            transform_left_filter_low_is_larger_0_choices_from_5(i, j, 3) := (not
-              is_set(transform_left_filter_column(i, j), 2)) and transform_left_filter_low_is_larger_0_0_0_values(2);
-          else
-            transform_left_filter_low_is_larger_0_choices_from_5(i, j, 3) := (not
-              is_set(transform_left_filter_column(i, j), 2)) or transform_left_filter_low_is_larger_0_0_0_values(2);
-          end if;
-          transform_left_filter_low_is_larger_0_values(i, j) := is_set(transform_left_filter_column(i, j), 3);
-        end loop;
-      end loop;
-      transform_left_filter_feature_0_value := is_set(transform_left_filter_column(4, 2), 4);
-      if is_set(transform_left_filter_column(8, 0), 4) then
-        transform_left_filter_feature_0_choice := (not transform_left_filter_low_is_larger_0s(8, 0)) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choice := (not transform_left_filter_low_is_larger_0s(8, 0)) or
-          transform_left_filter_feature_0_value;
-      end if;
+      transform_left_filter_low_is_larger_0_choice(0, 1, 2) := choice(is_set(transform_left_filter_column(0, 1), 1),
+        transform_left_filter_low_is_larger_0_choice(0, 1, 1), is_set(transform_left_filter_column(0, 1), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(0, 1, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(0, 1, 2), not
+        is_set(transform_left_filter_column(0, 1), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_0_1_value := is_set(transform_left_filter_column(0, 1), 3);
+      transform_left_filter_low_is_larger_0_choice(0, 2, 1) := choice(is_set(transform_left_filter_column(0, 2), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(0, 2, 2) := choice(is_set(transform_left_filter_column(0, 2), 1),
+        transform_left_filter_low_is_larger_0_choice(0, 2, 1), is_set(transform_left_filter_column(0, 2), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(0, 2, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(0, 2, 2), not
+        is_set(transform_left_filter_column(0, 2), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_0_2_value := is_set(transform_left_filter_column(0, 2), 3);
+      transform_left_filter_low_is_larger_0_choice(0, 3, 1) := choice(is_set(transform_left_filter_column(0, 3), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(0, 3, 2) := choice(is_set(transform_left_filter_column(0, 3), 1),
+        transform_left_filter_low_is_larger_0_choice(0, 3, 1), is_set(transform_left_filter_column(0, 3), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(0, 3, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(0, 3, 2), not
+        is_set(transform_left_filter_column(0, 3), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_0_3_value := is_set(transform_left_filter_column(0, 3), 3);
+      transform_left_filter_low_is_larger_0_choice(0, 4, 1) := choice(is_set(transform_left_filter_column(0, 4), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(0, 4, 2) := choice(is_set(transform_left_filter_column(0, 4), 1),
+        transform_left_filter_low_is_larger_0_choice(0, 4, 1), is_set(transform_left_filter_column(0, 4), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(0, 4, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(0, 4, 2), not
+        is_set(transform_left_filter_column(0, 4), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_0_4_value := is_set(transform_left_filter_column(0, 4), 3);
+      transform_left_filter_low_is_larger_0_choice(1, 0, 1) := choice(is_set(transform_left_filter_column(1, 0), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(1, 0, 2) := choice(is_set(transform_left_filter_column(1, 0), 1),
+        transform_left_filter_low_is_larger_0_choice(1, 0, 1), is_set(transform_left_filter_column(1, 0), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(1, 0, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(1, 0, 2), not
+        is_set(transform_left_filter_column(1, 0), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_1_0_value := is_set(transform_left_filter_column(1, 0), 3);
+      transform_left_filter_low_is_larger_0_choice(1, 1, 1) := choice(is_set(transform_left_filter_column(1, 1), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(1, 1, 2) := choice(is_set(transform_left_filter_column(1, 1), 1),
+        transform_left_filter_low_is_larger_0_choice(1, 1, 1), is_set(transform_left_filter_column(1, 1), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(1, 1, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(1, 1, 2), not
+        is_set(transform_left_filter_column(1, 1), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_1_1_value := is_set(transform_left_filter_column(1, 1), 3);
+      transform_left_filter_low_is_larger_0_choice(1, 2, 1) := choice(is_set(transform_left_filter_column(1, 2), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(1, 2, 2) := choice(is_set(transform_left_filter_column(1, 2), 1),
+        transform_left_filter_low_is_larger_0_choice(1, 2, 1), is_set(transform_left_filter_column(1, 2), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(1, 2, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(1, 2, 2), not
+        is_set(transform_left_filter_column(1, 2), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_1_2_value := is_set(transform_left_filter_column(1, 2), 3);
+      transform_left_filter_low_is_larger_0_choice(1, 3, 1) := choice(is_set(transform_left_filter_column(1, 3), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(1, 3, 2) := choice(is_set(transform_left_filter_column(1, 3), 1),
+        transform_left_filter_low_is_larger_0_choice(1, 3, 1), is_set(transform_left_filter_column(1, 3), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(1, 3, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(1, 3, 2), not
+        is_set(transform_left_filter_column(1, 3), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_1_3_value := is_set(transform_left_filter_column(1, 3), 3);
+      transform_left_filter_low_is_larger_0_choice(1, 4, 1) := choice(is_set(transform_left_filter_column(1, 4), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(1, 4, 2) := choice(is_set(transform_left_filter_column(1, 4), 1),
+        transform_left_filter_low_is_larger_0_choice(1, 4, 1), is_set(transform_left_filter_column(1, 4), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(1, 4, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(1, 4, 2), not
+        is_set(transform_left_filter_column(1, 4), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_1_4_value := is_set(transform_left_filter_column(1, 4), 3);
+      transform_left_filter_low_is_larger_0_choice(2, 0, 1) := choice(is_set(transform_left_filter_column(2, 0), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(2, 0, 2) := choice(is_set(transform_left_filter_column(2, 0), 1),
+        transform_left_filter_low_is_larger_0_choice(2, 0, 1), is_set(transform_left_filter_column(2, 0), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(2, 0, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(2, 0, 2), not
+        is_set(transform_left_filter_column(2, 0), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_2_0_value := is_set(transform_left_filter_column(2, 0), 3);
+      transform_left_filter_low_is_larger_0_choice(2, 1, 1) := choice(is_set(transform_left_filter_column(2, 1), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(2, 1, 2) := choice(is_set(transform_left_filter_column(2, 1), 1),
+        transform_left_filter_low_is_larger_0_choice(2, 1, 1), is_set(transform_left_filter_column(2, 1), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(2, 1, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(2, 1, 2), not
+        is_set(transform_left_filter_column(2, 1), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_2_1_value := is_set(transform_left_filter_column(2, 1), 3);
+      transform_left_filter_low_is_larger_0_choice(2, 2, 1) := choice(is_set(transform_left_filter_column(2, 2), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(2, 2, 2) := choice(is_set(transform_left_filter_column(2, 2), 1),
+        transform_left_filter_low_is_larger_0_choice(2, 2, 1), is_set(transform_left_filter_column(2, 2), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(2, 2, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(2, 2, 2), not
+        is_set(transform_left_filter_column(2, 2), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_2_2_value := is_set(transform_left_filter_column(2, 2), 3);
+      transform_left_filter_low_is_larger_0_choice(2, 3, 1) := choice(is_set(transform_left_filter_column(2, 3), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(2, 3, 2) := choice(is_set(transform_left_filter_column(2, 3), 1),
+        transform_left_filter_low_is_larger_0_choice(2, 3, 1), is_set(transform_left_filter_column(2, 3), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(2, 3, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(2, 3, 2), not
+        is_set(transform_left_filter_column(2, 3), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_2_3_value := is_set(transform_left_filter_column(2, 3), 3);
+      transform_left_filter_low_is_larger_0_choice(2, 4, 1) := choice(is_set(transform_left_filter_column(2, 4), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(2, 4, 2) := choice(is_set(transform_left_filter_column(2, 4), 1),
+        transform_left_filter_low_is_larger_0_choice(2, 4, 1), is_set(transform_left_filter_column(2, 4), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(2, 4, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(2, 4, 2), not
+        is_set(transform_left_filter_column(2, 4), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_2_4_value := is_set(transform_left_filter_column(2, 4), 3);
+      transform_left_filter_low_is_larger_0_choice(3, 0, 1) := choice(is_set(transform_left_filter_column(3, 0), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(3, 0, 2) := choice(is_set(transform_left_filter_column(3, 0), 1),
+        transform_left_filter_low_is_larger_0_choice(3, 0, 1), is_set(transform_left_filter_column(3, 0), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(3, 0, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(3, 0, 2), not
+        is_set(transform_left_filter_column(3, 0), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_3_0_value := is_set(transform_left_filter_column(3, 0), 3);
+      transform_left_filter_low_is_larger_0_choice(3, 1, 1) := choice(is_set(transform_left_filter_column(3, 1), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(3, 1, 2) := choice(is_set(transform_left_filter_column(3, 1), 1),
+        transform_left_filter_low_is_larger_0_choice(3, 1, 1), is_set(transform_left_filter_column(3, 1), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(3, 1, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(3, 1, 2), not
+        is_set(transform_left_filter_column(3, 1), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_3_1_value := is_set(transform_left_filter_column(3, 1), 3);
+      transform_left_filter_low_is_larger_0_choice(3, 2, 1) := choice(is_set(transform_left_filter_column(3, 2), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(3, 2, 2) := choice(is_set(transform_left_filter_column(3, 2), 1),
+        transform_left_filter_low_is_larger_0_choice(3, 2, 1), is_set(transform_left_filter_column(3, 2), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(3, 2, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(3, 2, 2), not
+        is_set(transform_left_filter_column(3, 2), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_3_2_value := is_set(transform_left_filter_column(3, 2), 3);
+      transform_left_filter_low_is_larger_0_choice(3, 3, 1) := choice(is_set(transform_left_filter_column(3, 3), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(3, 3, 2) := choice(is_set(transform_left_filter_column(3, 3), 1),
+        transform_left_filter_low_is_larger_0_choice(3, 3, 1), is_set(transform_left_filter_column(3, 3), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(3, 3, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(3, 3, 2), not
+        is_set(transform_left_filter_column(3, 3), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_3_3_value := is_set(transform_left_filter_column(3, 3), 3);
+      transform_left_filter_low_is_larger_0_choice(3, 4, 1) := choice(is_set(transform_left_filter_column(3, 4), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(3, 4, 2) := choice(is_set(transform_left_filter_column(3, 4), 1),
+        transform_left_filter_low_is_larger_0_choice(3, 4, 1), is_set(transform_left_filter_column(3, 4), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(3, 4, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(3, 4, 2), not
+        is_set(transform_left_filter_column(3, 4), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_3_4_value := is_set(transform_left_filter_column(3, 4), 3);
+      transform_left_filter_low_is_larger_0_choice(4, 0, 1) := choice(is_set(transform_left_filter_column(4, 0), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(4, 0, 2) := choice(is_set(transform_left_filter_column(4, 0), 1),
+        transform_left_filter_low_is_larger_0_choice(4, 0, 1), is_set(transform_left_filter_column(4, 0), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(4, 0, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(4, 0, 2), not
+        is_set(transform_left_filter_column(4, 0), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_4_0_value := is_set(transform_left_filter_column(4, 0), 3);
+      transform_left_filter_low_is_larger_0_choice(4, 1, 1) := choice(is_set(transform_left_filter_column(4, 1), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(4, 1, 2) := choice(is_set(transform_left_filter_column(4, 1), 1),
+        transform_left_filter_low_is_larger_0_choice(4, 1, 1), is_set(transform_left_filter_column(4, 1), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(4, 1, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(4, 1, 2), not
+        is_set(transform_left_filter_column(4, 1), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_4_1_value := is_set(transform_left_filter_column(4, 1), 3);
+      transform_left_filter_low_is_larger_0_choice(4, 3, 1) := choice(is_set(transform_left_filter_column(4, 3), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(4, 3, 2) := choice(is_set(transform_left_filter_column(4, 3), 1),
+        transform_left_filter_low_is_larger_0_choice(4, 3, 1), is_set(transform_left_filter_column(4, 3), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(4, 3, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(4, 3, 2), not
+        is_set(transform_left_filter_column(4, 3), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_4_3_value := is_set(transform_left_filter_column(4, 3), 3);
+      transform_left_filter_low_is_larger_0_choice(4, 4, 1) := choice(is_set(transform_left_filter_column(4, 4), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(4, 4, 2) := choice(is_set(transform_left_filter_column(4, 4), 1),
+        transform_left_filter_low_is_larger_0_choice(4, 4, 1), is_set(transform_left_filter_column(4, 4), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(4, 4, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(4, 4, 2), not
+        is_set(transform_left_filter_column(4, 4), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_4_4_value := is_set(transform_left_filter_column(4, 4), 3);
+      transform_left_filter_low_is_larger_0_choice(5, 0, 1) := choice(is_set(transform_left_filter_column(5, 0), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(5, 0, 2) := choice(is_set(transform_left_filter_column(5, 0), 1),
+        transform_left_filter_low_is_larger_0_choice(5, 0, 1), is_set(transform_left_filter_column(5, 0), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(5, 0, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(5, 0, 2), not
+        is_set(transform_left_filter_column(5, 0), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_5_0_value := is_set(transform_left_filter_column(5, 0), 3);
+      transform_left_filter_low_is_larger_0_choice(5, 1, 1) := choice(is_set(transform_left_filter_column(5, 1), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(5, 1, 2) := choice(is_set(transform_left_filter_column(5, 1), 1),
+        transform_left_filter_low_is_larger_0_choice(5, 1, 1), is_set(transform_left_filter_column(5, 1), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(5, 1, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(5, 1, 2), not
+        is_set(transform_left_filter_column(5, 1), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_5_1_value := is_set(transform_left_filter_column(5, 1), 3);
+      transform_left_filter_low_is_larger_0_choice(5, 2, 1) := choice(is_set(transform_left_filter_column(5, 2), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(5, 2, 2) := choice(is_set(transform_left_filter_column(5, 2), 1),
+        transform_left_filter_low_is_larger_0_choice(5, 2, 1), is_set(transform_left_filter_column(5, 2), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(5, 2, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(5, 2, 2), not
+        is_set(transform_left_filter_column(5, 2), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_5_2_value := is_set(transform_left_filter_column(5, 2), 3);
+      transform_left_filter_low_is_larger_0_choice(5, 3, 1) := choice(is_set(transform_left_filter_column(5, 3), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(5, 3, 2) := choice(is_set(transform_left_filter_column(5, 3), 1),
+        transform_left_filter_low_is_larger_0_choice(5, 3, 1), is_set(transform_left_filter_column(5, 3), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(5, 3, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(5, 3, 2), not
+        is_set(transform_left_filter_column(5, 3), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_5_3_value := is_set(transform_left_filter_column(5, 3), 3);
+      transform_left_filter_low_is_larger_0_choice(5, 4, 1) := choice(is_set(transform_left_filter_column(5, 4), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(5, 4, 2) := choice(is_set(transform_left_filter_column(5, 4), 1),
+        transform_left_filter_low_is_larger_0_choice(5, 4, 1), is_set(transform_left_filter_column(5, 4), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(5, 4, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(5, 4, 2), not
+        is_set(transform_left_filter_column(5, 4), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_5_4_value := is_set(transform_left_filter_column(5, 4), 3);
+      transform_left_filter_low_is_larger_0_choice(6, 0, 1) := choice(is_set(transform_left_filter_column(6, 0), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(6, 0, 2) := choice(is_set(transform_left_filter_column(6, 0), 1),
+        transform_left_filter_low_is_larger_0_choice(6, 0, 1), is_set(transform_left_filter_column(6, 0), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(6, 0, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(6, 0, 2), not
+        is_set(transform_left_filter_column(6, 0), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_6_0_value := is_set(transform_left_filter_column(6, 0), 3);
+      transform_left_filter_low_is_larger_0_choice(6, 1, 1) := choice(is_set(transform_left_filter_column(6, 1), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(6, 1, 2) := choice(is_set(transform_left_filter_column(6, 1), 1),
+        transform_left_filter_low_is_larger_0_choice(6, 1, 1), is_set(transform_left_filter_column(6, 1), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(6, 1, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(6, 1, 2), not
+        is_set(transform_left_filter_column(6, 1), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_6_1_value := is_set(transform_left_filter_column(6, 1), 3);
+      transform_left_filter_low_is_larger_0_choice(6, 2, 1) := choice(is_set(transform_left_filter_column(6, 2), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(6, 2, 2) := choice(is_set(transform_left_filter_column(6, 2), 1),
+        transform_left_filter_low_is_larger_0_choice(6, 2, 1), is_set(transform_left_filter_column(6, 2), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(6, 2, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(6, 2, 2), not
+        is_set(transform_left_filter_column(6, 2), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_6_2_value := is_set(transform_left_filter_column(6, 2), 3);
+      transform_left_filter_low_is_larger_0_choice(6, 3, 1) := choice(is_set(transform_left_filter_column(6, 3), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(6, 3, 2) := choice(is_set(transform_left_filter_column(6, 3), 1),
+        transform_left_filter_low_is_larger_0_choice(6, 3, 1), is_set(transform_left_filter_column(6, 3), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(6, 3, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(6, 3, 2), not
+        is_set(transform_left_filter_column(6, 3), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_6_3_value := is_set(transform_left_filter_column(6, 3), 3);
+      transform_left_filter_low_is_larger_0_choice(6, 4, 1) := choice(is_set(transform_left_filter_column(6, 4), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(6, 4, 2) := choice(is_set(transform_left_filter_column(6, 4), 1),
+        transform_left_filter_low_is_larger_0_choice(6, 4, 1), is_set(transform_left_filter_column(6, 4), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(6, 4, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(6, 4, 2), not
+        is_set(transform_left_filter_column(6, 4), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_6_4_value := is_set(transform_left_filter_column(6, 4), 3);
+      transform_left_filter_low_is_larger_0_choice(7, 0, 1) := choice(is_set(transform_left_filter_column(7, 0), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(7, 0, 2) := choice(is_set(transform_left_filter_column(7, 0), 1),
+        transform_left_filter_low_is_larger_0_choice(7, 0, 1), is_set(transform_left_filter_column(7, 0), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(7, 0, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(7, 0, 2), not
+        is_set(transform_left_filter_column(7, 0), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_7_0_value := is_set(transform_left_filter_column(7, 0), 3);
+      transform_left_filter_low_is_larger_0_choice(7, 1, 1) := choice(is_set(transform_left_filter_column(7, 1), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(7, 1, 2) := choice(is_set(transform_left_filter_column(7, 1), 1),
+        transform_left_filter_low_is_larger_0_choice(7, 1, 1), is_set(transform_left_filter_column(7, 1), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(7, 1, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(7, 1, 2), not
+        is_set(transform_left_filter_column(7, 1), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_7_1_value := is_set(transform_left_filter_column(7, 1), 3);
+      transform_left_filter_low_is_larger_0_choice(7, 2, 1) := choice(is_set(transform_left_filter_column(7, 2), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(7, 2, 2) := choice(is_set(transform_left_filter_column(7, 2), 1),
+        transform_left_filter_low_is_larger_0_choice(7, 2, 1), is_set(transform_left_filter_column(7, 2), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(7, 2, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(7, 2, 2), not
+        is_set(transform_left_filter_column(7, 2), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_7_2_value := is_set(transform_left_filter_column(7, 2), 3);
+      transform_left_filter_low_is_larger_0_choice(7, 3, 1) := choice(is_set(transform_left_filter_column(7, 3), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(7, 3, 2) := choice(is_set(transform_left_filter_column(7, 3), 1),
+        transform_left_filter_low_is_larger_0_choice(7, 3, 1), is_set(transform_left_filter_column(7, 3), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(7, 3, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(7, 3, 2), not
+        is_set(transform_left_filter_column(7, 3), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_7_3_value := is_set(transform_left_filter_column(7, 3), 3);
+      transform_left_filter_low_is_larger_0_choice(7, 4, 1) := choice(is_set(transform_left_filter_column(7, 4), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(7, 4, 2) := choice(is_set(transform_left_filter_column(7, 4), 1),
+        transform_left_filter_low_is_larger_0_choice(7, 4, 1), is_set(transform_left_filter_column(7, 4), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(7, 4, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(7, 4, 2), not
+        is_set(transform_left_filter_column(7, 4), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_7_4_value := is_set(transform_left_filter_column(7, 4), 3);
+      transform_left_filter_low_is_larger_0_choice(8, 0, 1) := choice(is_set(transform_left_filter_column(8, 0), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(8, 0, 2) := choice(is_set(transform_left_filter_column(8, 0), 1),
+        transform_left_filter_low_is_larger_0_choice(8, 0, 1), is_set(transform_left_filter_column(8, 0), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(8, 0, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(8, 0, 2), not
+        is_set(transform_left_filter_column(8, 0), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_8_0_value := is_set(transform_left_filter_column(8, 0), 3);
+      transform_left_filter_low_is_larger_0_choice(8, 1, 1) := choice(is_set(transform_left_filter_column(8, 1), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(8, 1, 2) := choice(is_set(transform_left_filter_column(8, 1), 1),
+        transform_left_filter_low_is_larger_0_choice(8, 1, 1), is_set(transform_left_filter_column(8, 1), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(8, 1, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(8, 1, 2), not
+        is_set(transform_left_filter_column(8, 1), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_8_1_value := is_set(transform_left_filter_column(8, 1), 3);
+      transform_left_filter_low_is_larger_0_choice(8, 2, 1) := choice(is_set(transform_left_filter_column(8, 2), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(8, 2, 2) := choice(is_set(transform_left_filter_column(8, 2), 1),
+        transform_left_filter_low_is_larger_0_choice(8, 2, 1), is_set(transform_left_filter_column(8, 2), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(8, 2, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(8, 2, 2), not
+        is_set(transform_left_filter_column(8, 2), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_8_2_value := is_set(transform_left_filter_column(8, 2), 3);
+      transform_left_filter_low_is_larger_0_choice(8, 3, 1) := choice(is_set(transform_left_filter_column(8, 3), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(8, 3, 2) := choice(is_set(transform_left_filter_column(8, 3), 1),
+        transform_left_filter_low_is_larger_0_choice(8, 3, 1), is_set(transform_left_filter_column(8, 3), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(8, 3, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(8, 3, 2), not
+        is_set(transform_left_filter_column(8, 3), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_8_3_value := is_set(transform_left_filter_column(8, 3), 3);
+      transform_left_filter_low_is_larger_0_choice(8, 4, 1) := choice(is_set(transform_left_filter_column(8, 4), 0),
+        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_choice(8, 4, 2) := choice(is_set(transform_left_filter_column(8, 4), 1),
+        transform_left_filter_low_is_larger_0_choice(8, 4, 1), is_set(transform_left_filter_column(8, 4), 0) and
+        transform_left_filter_low_is_larger_0_0_1_is_equal);
+      transform_left_filter_low_is_larger_0_choice(8, 4, 3) :=
+        inverted_carry(transform_left_filter_low_is_larger_0_choice(8, 4, 2), not
+        is_set(transform_left_filter_column(8, 4), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
+      transform_left_filter_low_is_larger_0_8_4_value := is_set(transform_left_filter_column(8, 4), 3);
+      transform_left_filter_feature_0_values(1) := is_set(transform_left_filter_column(4, 2), 4);
+      transform_left_filter_feature_0_choices(1) := inverted_carry(is_set(transform_left_filter_column(8, 0), 4), not
+        transform_left_filter_low_is_larger_0s(8, 0), transform_left_filter_feature_0_values(1));
       transform_left_filter_feature_0_values(2) := is_set(transform_left_filter_column(4, 2), 5);
-      if transform_left_filter_feature_0_choice then
-        transform_left_filter_feature_0_choices(2) := (not is_set(transform_left_filter_column(8, 0), 5)) or
-          transform_left_filter_feature_0_values(2);
-      else
-        transform_left_filter_feature_0_choices(2) := (not is_set(transform_left_filter_column(8, 0), 5)) and
-          transform_left_filter_feature_0_values(2);
-      end if;
+      transform_left_filter_feature_0_choices(2) := carry(transform_left_filter_feature_0_choices(1), not
+        is_set(transform_left_filter_column(8, 0), 5), transform_left_filter_feature_0_values(2));
       transform_left_filter_feature_0_values(3) := is_set(transform_left_filter_column(4, 2), 6);
-      if transform_left_filter_feature_0_choices(2) then
-        transform_left_filter_feature_0_choices(3) := (not is_set(transform_left_filter_column(8, 0), 6)) or
-          transform_left_filter_feature_0_values(3);
-      else
-        transform_left_filter_feature_0_choices(3) := (not is_set(transform_left_filter_column(8, 0), 6)) and
-          transform_left_filter_feature_0_values(3);
-      end if;
       for i in 0 to 3 loop
-        if transform_left_filter_feature_0_choices(4 * i + 3) then
-          transform_left_filter_feature_0_choices(4 * i + 4) := is_set(transform_left_filter_column(8, i), 7) and (not
-            is_set(transform_left_filter_column(4, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(4 * i + 4) := is_set(transform_left_filter_column(8, i), 7) or (not
-            is_set(transform_left_filter_column(4, 2), 7));
-        end if;
-        if is_set(transform_left_filter_column(8, i + 1), 4) then
-          transform_left_filter_feature_0_choices(4 * i + 5) := (not transform_left_filter_low_is_larger_0s(8, i + 1))
-            and transform_left_filter_feature_0_value;
-        else
-          transform_left_filter_feature_0_choices(4 * i + 5) := (not transform_left_filter_low_is_larger_0s(8, i + 1))
-            or transform_left_filter_feature_0_value;
-        end if;
-        for j in 5 to 6 loop
-          if transform_left_filter_feature_0_choices(4 * i + j) then
-            transform_left_filter_feature_0_choices(4 * i + j + 1) := (not is_set(transform_left_filter_column(8, i +
-              1), j)) or transform_left_filter_feature_0_values(j - 3);
-          else
-            transform_left_filter_feature_0_choices(4 * i + j + 1) := (not is_set(transform_left_filter_column(8, i +
-              1), j)) and transform_left_filter_feature_0_values(j - 3);
-          end if;
-        end loop;
+        transform_left_filter_feature_0_choices(4 * i + 3) := carry(transform_left_filter_feature_0_choices(4 * i + 2),
+          not is_set(transform_left_filter_column(8, i), 6), transform_left_filter_feature_0_values(3));
+        transform_left_filter_feature_0_choices(4 * i + 4) := inverted_carry(transform_left_filter_feature_0_choices(4
+          * i + 3), is_set(transform_left_filter_column(8, i), 7), not is_set(transform_left_filter_column(4, 2), 7));
+        transform_left_filter_feature_0_choices(4 * i + 5) := inverted_carry(is_set(transform_left_filter_column(8, i +
+          1), 4), not transform_left_filter_low_is_larger_0s(8, i + 1), transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(4 * i + 6) := carry(transform_left_filter_feature_0_choices(4 * i + 5),
+          not is_set(transform_left_filter_column(8, i + 1), 5), transform_left_filter_feature_0_values(2));
       end loop;
+      transform_left_filter_feature_0_choices(19) := carry(transform_left_filter_feature_0_choices(18), not
+        is_set(transform_left_filter_column(8, 4), 6), transform_left_filter_feature_0_values(3));
+      transform_left_filter_feature_0_choices(20) := inverted_carry(transform_left_filter_feature_0_choices(19),
+        is_set(transform_left_filter_column(8, 4), 7), not is_set(transform_left_filter_column(4, 2), 7));
       for i in 0 to 2 loop
-        for j in 0 to 1 loop
-          if transform_left_filter_feature_0_choices(20 * i + 4 * j + 19) then
-            transform_left_filter_feature_0_choices(20 * i + 4 * j + 20) := is_set(transform_left_filter_column(8 - i -
-              j, 4 - 4 * j), 7) and (not is_set(transform_left_filter_column(4, 2), 7));
-          else
-            transform_left_filter_feature_0_choices(20 * i + 4 * j + 20) := is_set(transform_left_filter_column(8 - i -
-              j, 4 - 4 * j), 7) or (not is_set(transform_left_filter_column(4, 2), 7));
-          end if;
-          if is_set(transform_left_filter_column(7 - i, j), 4) then
-            transform_left_filter_feature_0_choices(20 * i + 4 * j + 21) := (not
-              transform_left_filter_low_is_larger_0s(7 - i, j)) and transform_left_filter_feature_0_value;
-          else
-            transform_left_filter_feature_0_choices(20 * i + 4 * j + 21) := (not
-              transform_left_filter_low_is_larger_0s(7 - i, j)) or transform_left_filter_feature_0_value;
-          end if;
-          for k in 5 to 6 loop
-            if transform_left_filter_feature_0_choices(20 * i + 4 * j + k + 16) then
-              transform_left_filter_feature_0_choices(20 * i + 4 * j + k + 17) := (not
-                is_set(transform_left_filter_column(7 - i, j), k)) or transform_left_filter_feature_0_values(k - 3);
-            else
-              transform_left_filter_feature_0_choices(20 * i + 4 * j + k + 17) := (not
-                is_set(transform_left_filter_column(7 - i, j), k)) and transform_left_filter_feature_0_values(k - 3);
-            end if;
-          end loop;
-        end loop;
-        for j in 1 to 3 loop
-          if transform_left_filter_feature_0_choices(20 * i + 4 * j + 23) then
-            transform_left_filter_feature_0_choices(20 * i + 4 * j + 24) := is_set(transform_left_filter_column(7 - i,
-              j), 7) and (not is_set(transform_left_filter_column(4, 2), 7));
-          else
-            transform_left_filter_feature_0_choices(20 * i + 4 * j + 24) := is_set(transform_left_filter_column(7 - i,
-              j), 7) or (not is_set(transform_left_filter_column(4, 2), 7));
-          end if;
-          if is_set(transform_left_filter_column(7 - i, j + 1), 4) then
-            transform_left_filter_feature_0_choices(20 * i + 4 * j + 25) := (not
-              transform_left_filter_low_is_larger_0s(7 - i, j + 1)) and transform_left_filter_feature_0_value;
-          else
-            transform_left_filter_feature_0_choices(20 * i + 4 * j + 25) := (not
-              transform_left_filter_low_is_larger_0s(7 - i, j + 1)) or transform_left_filter_feature_0_value;
-          end if;
-          for k in 5 to 6 loop
-            if transform_left_filter_feature_0_choices(20 * i + 4 * j + k + 20) then
-              transform_left_filter_feature_0_choices(20 * i + 4 * j + k + 21) := (not
-                is_set(transform_left_filter_column(7 - i, j + 1), k)) or transform_left_filter_feature_0_values(k - 3);
-            else
-              transform_left_filter_feature_0_choices(20 * i + 4 * j + k + 21) := (not
-                is_set(transform_left_filter_column(7 - i, j + 1), k)) and transform_left_filter_feature_0_values(k -
-                3);
-            end if;
-          end loop;
+        for j in 0 to 4 loop
+          transform_left_filter_feature_0_choices(20 * i + 4 * j + 21) :=
+            inverted_carry(is_set(transform_left_filter_column(7 - i, j), 4), not
+            transform_left_filter_low_is_larger_0s(7 - i, j), transform_left_filter_feature_0_values(1));
+          transform_left_filter_feature_0_choices(20 * i + 4 * j + 22) :=
+            carry(transform_left_filter_feature_0_choices(20 * i + 4 * j + 21), not
+            is_set(transform_left_filter_column(7 - i, j), 5), transform_left_filter_feature_0_values(2));
+          transform_left_filter_feature_0_choices(20 * i + 4 * j + 23) :=
+            carry(transform_left_filter_feature_0_choices(20 * i + 4 * j + 22), not
+            is_set(transform_left_filter_column(7 - i, j), 6), transform_left_filter_feature_0_values(3));
+          transform_left_filter_feature_0_choices(20 * i + 4 * j + 24) :=
+            inverted_carry(transform_left_filter_feature_0_choices(20 * i + 4 * j + 23),
+            is_set(transform_left_filter_column(7 - i, j), 7), not is_set(transform_left_filter_column(4, 2), 7));
         end loop;
       end loop;
-      if transform_left_filter_feature_0_choices(79) then
-        transform_left_filter_feature_0_choices(80) := is_set(transform_left_filter_column(5, 4), 7) and (not
-          is_set(transform_left_filter_column(4, 2), 7));
-      else
-        transform_left_filter_feature_0_choices(80) := is_set(transform_left_filter_column(5, 4), 7) or (not
-          is_set(transform_left_filter_column(4, 2), 7));
-      end if;
-      if is_set(transform_left_filter_column(4, 4), 4) then
-        transform_left_filter_feature_0_choices(81) := (not transform_left_filter_low_is_larger_0_4s(4)) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choices(81) := (not transform_left_filter_low_is_larger_0_4s(4)) or
-          transform_left_filter_feature_0_value;
-      end if;
-      for i in 81 to 82 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(4, 4), i - 76)) or
-            transform_left_filter_feature_0_values(i - 79);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(4, 4), i - 76))
-            and transform_left_filter_feature_0_values(i - 79);
-        end if;
-      end loop;
-      if is_set(transform_left_filter_column(4, 4), 7) then
-        transform_left_filter_feature_0_choices(84) := transform_filtering_0_column_inside(4);
-      else
-        transform_left_filter_feature_0_choices(84) := transform_filtering_0_column_inside(4) and (not
-          is_set(transform_left_filter_column(4, 2), 7));
-      end if;
-      if transform_left_filter_feature_0_choices(83) then
-        transform_left_filter_feature_0_choices(85) := is_set(transform_left_filter_column(4, 4), 7) and
-          transform_filtering_0_column_inside(4) and (not is_set(transform_left_filter_column(4, 2), 7));
-      else
-        transform_left_filter_feature_0_choices(85) := transform_left_filter_feature_0_choices(84);
-      end if;
-      if is_set(transform_left_filter_column(4, 1), 4) then
-        transform_left_filter_feature_0_choices(86) := (not transform_left_filter_low_is_larger_0_4(1)) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choices(86) := (not transform_left_filter_low_is_larger_0_4(1)) or
-          transform_left_filter_feature_0_value;
-      end if;
-      for i in 86 to 87 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(4, 1), i - 81)) or
-            transform_left_filter_feature_0_values(i - 84);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(4, 1), i - 81))
-            and transform_left_filter_feature_0_values(i - 84);
-        end if;
-      end loop;
-      if transform_left_filter_feature_0_choices(88) then
-        transform_left_filter_feature_0_choices(89) := is_set(transform_left_filter_column(4, 1), 7) and (not
-          is_set(transform_left_filter_column(4, 2), 7));
-      else
-        transform_left_filter_feature_0_choices(89) := is_set(transform_left_filter_column(4, 1), 7) or (not
-          is_set(transform_left_filter_column(4, 2), 7));
-      end if;
-      if is_set(transform_left_filter_column(4, 3), 4) then
-        transform_left_filter_feature_0_choices(90) := (not transform_left_filter_low_is_larger_0_4s(3)) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choices(90) := (not transform_left_filter_low_is_larger_0_4s(3)) or
-          transform_left_filter_feature_0_value;
-      end if;
-      for i in 90 to 91 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(4, 3), i - 85)) or
-            transform_left_filter_feature_0_values(i - 88);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(4, 3), i - 85))
-            and transform_left_filter_feature_0_values(i - 88);
-        end if;
-      end loop;
-      if transform_left_filter_feature_0_choices(92) then
-        transform_left_filter_feature_0_choices(93) := is_set(transform_left_filter_column(4, 3), 7) and (not
-          is_set(transform_left_filter_column(4, 2), 7));
-      else
-        transform_left_filter_feature_0_choices(93) := is_set(transform_left_filter_column(4, 3), 7) or (not
-          is_set(transform_left_filter_column(4, 2), 7));
-      end if;
-      if is_set(transform_left_filter_column(4, 0), 4) then
-        transform_left_filter_feature_0_choices(94) := (not transform_left_filter_low_is_larger_0_4(0)) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choices(94) := (not transform_left_filter_low_is_larger_0_4(0)) or
-          transform_left_filter_feature_0_value;
-      end if;
-      for i in 3 to 4 loop
-        for j in 5 to 6 loop
-          if transform_left_filter_feature_0_choices(4 * i + j + 77) then
-            transform_left_filter_feature_0_choices(4 * i + j + 78) := (not is_set(transform_left_filter_column(7 - i,
-              3 * i - 9), j)) or transform_left_filter_feature_0_values(j - 3);
-          else
-            transform_left_filter_feature_0_choices(4 * i + j + 78) := (not is_set(transform_left_filter_column(7 - i,
-              3 * i - 9), j)) and transform_left_filter_feature_0_values(j - 3);
-          end if;
+      transform_left_filter_feature_0_choices(81) := inverted_carry(is_set(transform_left_filter_column(4, 4), 4), not
+        transform_left_filter_low_is_larger_0_4s(4), transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(82) := carry(transform_left_filter_feature_0_choices(81), not
+        is_set(transform_left_filter_column(4, 4), 5), transform_left_filter_feature_0_values(2));
+      transform_left_filter_feature_0_choices(83) := carry(transform_left_filter_feature_0_choices(82), not
+        is_set(transform_left_filter_column(4, 4), 6), transform_left_filter_feature_0_values(3));
+      transform_left_filter_feature_0_choices(84) := choice(is_set(transform_left_filter_column(4, 4), 7),
+        transform_filtering_0_column_inside(4), transform_filtering_0_column_inside(4) and (not
+        is_set(transform_left_filter_column(4, 2), 7)));
+      transform_left_filter_feature_0_choices(85) := choice(transform_left_filter_feature_0_choices(83),
+        is_set(transform_left_filter_column(4, 4), 7) and transform_filtering_0_column_inside(4) and (not
+        is_set(transform_left_filter_column(4, 2), 7)), transform_left_filter_feature_0_choices(84));
+      transform_left_filter_feature_0_choices(86) := inverted_carry(is_set(transform_left_filter_column(4, 1), 4), not
+        transform_left_filter_low_is_larger_0_4(1), transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(87) := carry(transform_left_filter_feature_0_choices(86), not
+        is_set(transform_left_filter_column(4, 1), 5), transform_left_filter_feature_0_values(2));
+      transform_left_filter_feature_0_choices(88) := carry(transform_left_filter_feature_0_choices(87), not
+        is_set(transform_left_filter_column(4, 1), 6), transform_left_filter_feature_0_values(3));
+      transform_left_filter_feature_0_choices(89) := inverted_carry(transform_left_filter_feature_0_choices(88),
+        is_set(transform_left_filter_column(4, 1), 7), not is_set(transform_left_filter_column(4, 2), 7));
+      transform_left_filter_feature_0_choices(90) := inverted_carry(is_set(transform_left_filter_column(4, 3), 4), not
+        transform_left_filter_low_is_larger_0_4s(3), transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(91) := carry(transform_left_filter_feature_0_choices(90), not
+        is_set(transform_left_filter_column(4, 3), 5), transform_left_filter_feature_0_values(2));
+      transform_left_filter_feature_0_choices(92) := carry(transform_left_filter_feature_0_choices(91), not
+        is_set(transform_left_filter_column(4, 3), 6), transform_left_filter_feature_0_values(3));
+      transform_left_filter_feature_0_choices(93) := inverted_carry(transform_left_filter_feature_0_choices(92),
+        is_set(transform_left_filter_column(4, 3), 7), not is_set(transform_left_filter_column(4, 2), 7));
+      transform_left_filter_feature_0_choices(94) := inverted_carry(is_set(transform_left_filter_column(4, 0), 4), not
+        transform_left_filter_low_is_larger_0_4(0), transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(95) := carry(transform_left_filter_feature_0_choices(94), not
+        is_set(transform_left_filter_column(4, 0), 5), transform_left_filter_feature_0_values(2));
+      transform_left_filter_feature_0_choices(96) := carry(transform_left_filter_feature_0_choices(95), not
+        is_set(transform_left_filter_column(4, 0), 6), transform_left_filter_feature_0_values(3));
+      transform_left_filter_feature_0_choices(97) := inverted_carry(transform_left_filter_feature_0_choices(96),
+        is_set(transform_left_filter_column(4, 0), 7), not is_set(transform_left_filter_column(4, 2), 7));
+      for i in 0 to 2 loop
+        transform_left_filter_feature_0_choices(20 * i + 98) := inverted_carry(is_set(transform_left_filter_column(3 -
+          i, 3), 4), not transform_left_filter_low_is_larger_0(3 - i, 3), transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(20 * i + 99) := carry(transform_left_filter_feature_0_choices(20 * i +
+          98), not is_set(transform_left_filter_column(3 - i, 3), 5), transform_left_filter_feature_0_values(2));
+        transform_left_filter_feature_0_choices(20 * i + 100) := carry(transform_left_filter_feature_0_choices(20 * i +
+          99), not is_set(transform_left_filter_column(3 - i, 3), 6), transform_left_filter_feature_0_values(3));
+        transform_left_filter_feature_0_choices(20 * i + 101) :=
+          inverted_carry(transform_left_filter_feature_0_choices(20 * i + 100), is_set(transform_left_filter_column(3 -
+          i, 3), 7), not is_set(transform_left_filter_column(4, 2), 7));
+        transform_left_filter_feature_0_choices(20 * i + 102) := inverted_carry(is_set(transform_left_filter_column(3 -
+          i, 4), 4), not transform_left_filter_low_is_larger_0(3 - i, 4), transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(20 * i + 103) := carry(transform_left_filter_feature_0_choices(20 * i +
+          102), not is_set(transform_left_filter_column(3 - i, 4), 5), transform_left_filter_feature_0_values(2));
+        transform_left_filter_feature_0_choices(20 * i + 104) := carry(transform_left_filter_feature_0_choices(20 * i +
+          103), not is_set(transform_left_filter_column(3 - i, 4), 6), transform_left_filter_feature_0_values(3));
+        transform_left_filter_feature_0_choices(20 * i + 105) :=
+          inverted_carry(transform_left_filter_feature_0_choices(20 * i + 104), is_set(transform_left_filter_column(3 -
+          i, 4), 7), not is_set(transform_left_filter_column(4, 2), 7));
+        for j in 0 to 2 loop
+          transform_left_filter_feature_0_choices(20 * i + 4 * j + 106) :=
+            inverted_carry(is_set(transform_left_filter_column(3 - i, 2 - j), 4), not
+            transform_left_filter_low_is_larger_0(3 - i, 2 - j), transform_left_filter_feature_0_values(1));
+          transform_left_filter_feature_0_choices(20 * i + 4 * j + 107) :=
+            carry(transform_left_filter_feature_0_choices(20 * i + 4 * j + 106), not
+            is_set(transform_left_filter_column(3 - i, 2 - j), 5), transform_left_filter_feature_0_values(2));
+          transform_left_filter_feature_0_choices(20 * i + 4 * j + 108) :=
+            carry(transform_left_filter_feature_0_choices(20 * i + 4 * j + 107), not
+            is_set(transform_left_filter_column(3 - i, 2 - j), 6), transform_left_filter_feature_0_values(3));
+          transform_left_filter_feature_0_choices(20 * i + 4 * j + 109) :=
+            inverted_carry(transform_left_filter_feature_0_choices(20 * i + 4 * j + 108),
+            is_set(transform_left_filter_column(3 - i, 2 - j), 7), not is_set(transform_left_filter_column(4, 2), 7));
         end loop;
-        if transform_left_filter_feature_0_choices(4 * i + 84) then
-          transform_left_filter_feature_0_choices(4 * i + 85) := is_set(transform_left_filter_column(7 - i, 3 * i - 9),
-            7) and (not is_set(transform_left_filter_column(4, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(4 * i + 85) := is_set(transform_left_filter_column(7 - i, 3 * i - 9),
-            7) or (not is_set(transform_left_filter_column(4, 2), 7));
-        end if;
-        if is_set(transform_left_filter_column(3, i), 4) then
-          transform_left_filter_feature_0_choices(4 * i + 86) := (not transform_left_filter_low_is_larger_0(3, i)) and
-            transform_left_filter_feature_0_value;
-        else
-          transform_left_filter_feature_0_choices(4 * i + 86) := (not transform_left_filter_low_is_larger_0(3, i)) or
-            transform_left_filter_feature_0_value;
-        end if;
       end loop;
       for i in 0 to 1 loop
-        for j in 5 to 6 loop
-          if transform_left_filter_feature_0_choices(4 * i + j + 97) then
-            transform_left_filter_feature_0_choices(4 * i + j + 98) := (not is_set(transform_left_filter_column(3, 4 -
-              2 * i), j)) or transform_left_filter_feature_0_values(j - 3);
-          else
-            transform_left_filter_feature_0_choices(4 * i + j + 98) := (not is_set(transform_left_filter_column(3, 4 -
-              2 * i), j)) and transform_left_filter_feature_0_values(j - 3);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(4 * i + 104) then
-          transform_left_filter_feature_0_choices(4 * i + 105) := is_set(transform_left_filter_column(3, 4 - 2 * i), 7)
-            and (not is_set(transform_left_filter_column(4, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(4 * i + 105) := is_set(transform_left_filter_column(3, 4 - 2 * i), 7)
-            or (not is_set(transform_left_filter_column(4, 2), 7));
-        end if;
-        if is_set(transform_left_filter_column(3, 2 - i), 4) then
-          transform_left_filter_feature_0_choices(4 * i + 106) := (not transform_left_filter_low_is_larger_0(3, 2 - i))
-            and transform_left_filter_feature_0_value;
-        else
-          transform_left_filter_feature_0_choices(4 * i + 106) := (not transform_left_filter_low_is_larger_0(3, 2 - i))
-            or transform_left_filter_feature_0_value;
-        end if;
+        transform_left_filter_feature_0_choices(8 * i + 158) := inverted_carry(is_set(transform_left_filter_column(0, 3
+          - i), 4), not transform_left_filter_low_is_larger_0(0, 3 - i), transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(8 * i + 159) := carry(transform_left_filter_feature_0_choices(8 * i +
+          158), not is_set(transform_left_filter_column(0, 3 - i), 5), transform_left_filter_feature_0_values(2));
+        transform_left_filter_feature_0_choices(8 * i + 160) := carry(transform_left_filter_feature_0_choices(8 * i +
+          159), not is_set(transform_left_filter_column(0, 3 - i), 6), transform_left_filter_feature_0_values(3));
+        transform_left_filter_feature_0_choices(8 * i + 161) :=
+          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 160), is_set(transform_left_filter_column(0, 3
+          - i), 7), not is_set(transform_left_filter_column(4, 2), 7));
+        transform_left_filter_feature_0_choices(8 * i + 162) := inverted_carry(is_set(transform_left_filter_column(0, 4
+          - 3 * i), 4), not transform_left_filter_low_is_larger_0(0, 4 - 3 * i),
+          transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(8 * i + 163) := carry(transform_left_filter_feature_0_choices(8 * i +
+          162), not is_set(transform_left_filter_column(0, 4 - 3 * i), 5), transform_left_filter_feature_0_values(2));
+        transform_left_filter_feature_0_choices(8 * i + 164) := carry(transform_left_filter_feature_0_choices(8 * i +
+          163), not is_set(transform_left_filter_column(0, 4 - 3 * i), 6), transform_left_filter_feature_0_values(3));
+        transform_left_filter_feature_0_choices(8 * i + 165) :=
+          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 164), is_set(transform_left_filter_column(0, 4
+          - 3 * i), 7), not is_set(transform_left_filter_column(4, 2), 7));
       end loop;
-      for i in 0 to 1 loop
-        for j in 5 to 6 loop
-          if transform_left_filter_feature_0_choices(4 * i + j + 105) then
-            transform_left_filter_feature_0_choices(4 * i + j + 106) := (not is_set(transform_left_filter_column(3, 1 -
-              i), j)) or transform_left_filter_feature_0_values(j - 3);
-          else
-            transform_left_filter_feature_0_choices(4 * i + j + 106) := (not is_set(transform_left_filter_column(3, 1 -
-              i), j)) and transform_left_filter_feature_0_values(j - 3);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(4 * i + 112) then
-          transform_left_filter_feature_0_choices(4 * i + 113) := is_set(transform_left_filter_column(3, 1 - i), 7) and
-            (not is_set(transform_left_filter_column(4, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(4 * i + 113) := is_set(transform_left_filter_column(3, 1 - i), 7) or
-            (not is_set(transform_left_filter_column(4, 2), 7));
-        end if;
-        if is_set(transform_left_filter_column(3 - i, 3 * i), 4) then
-          transform_left_filter_feature_0_choices(4 * i + 114) := (not transform_left_filter_low_is_larger_0(3 - i, 3 *
-            i)) and transform_left_filter_feature_0_value;
-        else
-          transform_left_filter_feature_0_choices(4 * i + 114) := (not transform_left_filter_low_is_larger_0(3 - i, 3 *
-            i)) or transform_left_filter_feature_0_value;
-        end if;
-      end loop;
-      for i in 3 to 4 loop
-        for j in 5 to 6 loop
-          if transform_left_filter_feature_0_choices(4 * i + j + 101) then
-            transform_left_filter_feature_0_choices(4 * i + j + 102) := (not is_set(transform_left_filter_column(2, i),
-              j)) or transform_left_filter_feature_0_values(j - 3);
-          else
-            transform_left_filter_feature_0_choices(4 * i + j + 102) := (not is_set(transform_left_filter_column(2, i),
-              j)) and transform_left_filter_feature_0_values(j - 3);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(4 * i + 108) then
-          transform_left_filter_feature_0_choices(4 * i + 109) := is_set(transform_left_filter_column(2, i), 7) and
-            (not is_set(transform_left_filter_column(4, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(4 * i + 109) := is_set(transform_left_filter_column(2, i), 7) or (not
-            is_set(transform_left_filter_column(4, 2), 7));
-        end if;
-        if is_set(transform_left_filter_column(2, 10 - 2 * i), 4) then
-          transform_left_filter_feature_0_choices(4 * i + 110) := (not transform_left_filter_low_is_larger_0(2, 10 - 2
-            * i)) and transform_left_filter_feature_0_value;
-        else
-          transform_left_filter_feature_0_choices(4 * i + 110) := (not transform_left_filter_low_is_larger_0(2, 10 - 2
-            * i)) or transform_left_filter_feature_0_value;
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        for j in 5 to 6 loop
-          if transform_left_filter_feature_0_choices(4 * i + j + 121) then
-            transform_left_filter_feature_0_choices(4 * i + j + 122) := (not is_set(transform_left_filter_column(2, 2 -
-              i), j)) or transform_left_filter_feature_0_values(j - 3);
-          else
-            transform_left_filter_feature_0_choices(4 * i + j + 122) := (not is_set(transform_left_filter_column(2, 2 -
-              i), j)) and transform_left_filter_feature_0_values(j - 3);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(4 * i + 128) then
-          transform_left_filter_feature_0_choices(4 * i + 129) := is_set(transform_left_filter_column(2, 2 - i), 7) and
-            (not is_set(transform_left_filter_column(4, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(4 * i + 129) := is_set(transform_left_filter_column(2, 2 - i), 7) or
-            (not is_set(transform_left_filter_column(4, 2), 7));
-        end if;
-        if is_set(transform_left_filter_column(2, 1 - i), 4) then
-          transform_left_filter_feature_0_choices(4 * i + 130) := (not transform_left_filter_low_is_larger_0(2, 1 - i))
-            and transform_left_filter_feature_0_value;
-        else
-          transform_left_filter_feature_0_choices(4 * i + 130) := (not transform_left_filter_low_is_larger_0(2, 1 - i))
-            or transform_left_filter_feature_0_value;
-        end if;
-      end loop;
-      for i in 3 to 4 loop
-        for j in 5 to 6 loop
-          if transform_left_filter_feature_0_choices(4 * i + j + 117) then
-            transform_left_filter_feature_0_choices(4 * i + j + 118) := (not is_set(transform_left_filter_column(5 - i,
-              3 * i - 9), j)) or transform_left_filter_feature_0_values(j - 3);
-          else
-            transform_left_filter_feature_0_choices(4 * i + j + 118) := (not is_set(transform_left_filter_column(5 - i,
-              3 * i - 9), j)) and transform_left_filter_feature_0_values(j - 3);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(4 * i + 124) then
-          transform_left_filter_feature_0_choices(4 * i + 125) := is_set(transform_left_filter_column(5 - i, 3 * i -
-            9), 7) and (not is_set(transform_left_filter_column(4, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(4 * i + 125) := is_set(transform_left_filter_column(5 - i, 3 * i -
-            9), 7) or (not is_set(transform_left_filter_column(4, 2), 7));
-        end if;
-        if is_set(transform_left_filter_column(1, i), 4) then
-          transform_left_filter_feature_0_choices(4 * i + 126) := (not transform_left_filter_low_is_larger_0(1, i)) and
-            transform_left_filter_feature_0_value;
-        else
-          transform_left_filter_feature_0_choices(4 * i + 126) := (not transform_left_filter_low_is_larger_0(1, i)) or
-            transform_left_filter_feature_0_value;
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        for j in 5 to 6 loop
-          if transform_left_filter_feature_0_choices(4 * i + j + 137) then
-            transform_left_filter_feature_0_choices(4 * i + j + 138) := (not is_set(transform_left_filter_column(1, 4 -
-              2 * i), j)) or transform_left_filter_feature_0_values(j - 3);
-          else
-            transform_left_filter_feature_0_choices(4 * i + j + 138) := (not is_set(transform_left_filter_column(1, 4 -
-              2 * i), j)) and transform_left_filter_feature_0_values(j - 3);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(4 * i + 144) then
-          transform_left_filter_feature_0_choices(4 * i + 145) := is_set(transform_left_filter_column(1, 4 - 2 * i), 7)
-            and (not is_set(transform_left_filter_column(4, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(4 * i + 145) := is_set(transform_left_filter_column(1, 4 - 2 * i), 7)
-            or (not is_set(transform_left_filter_column(4, 2), 7));
-        end if;
-        if is_set(transform_left_filter_column(1, 2 - i), 4) then
-          transform_left_filter_feature_0_choices(4 * i + 146) := (not transform_left_filter_low_is_larger_0(1, 2 - i))
-            and transform_left_filter_feature_0_value;
-        else
-          transform_left_filter_feature_0_choices(4 * i + 146) := (not transform_left_filter_low_is_larger_0(1, 2 - i))
-            or transform_left_filter_feature_0_value;
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        for j in 5 to 6 loop
-          if transform_left_filter_feature_0_choices(4 * i + j + 145) then
-            transform_left_filter_feature_0_choices(4 * i + j + 146) := (not is_set(transform_left_filter_column(1, 1 -
-              i), j)) or transform_left_filter_feature_0_values(j - 3);
-          else
-            transform_left_filter_feature_0_choices(4 * i + j + 146) := (not is_set(transform_left_filter_column(1, 1 -
-              i), j)) and transform_left_filter_feature_0_values(j - 3);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(4 * i + 152) then
-          transform_left_filter_feature_0_choices(4 * i + 153) := is_set(transform_left_filter_column(1, 1 - i), 7) and
-            (not is_set(transform_left_filter_column(4, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(4 * i + 153) := is_set(transform_left_filter_column(1, 1 - i), 7) or
-            (not is_set(transform_left_filter_column(4, 2), 7));
-        end if;
-        if is_set(transform_left_filter_column(1 - i, 3 * i), 4) then
-          transform_left_filter_feature_0_choices(4 * i + 154) := (not transform_left_filter_low_is_larger_0(1 - i, 3 *
-            i)) and transform_left_filter_feature_0_value;
-        else
-          transform_left_filter_feature_0_choices(4 * i + 154) := (not transform_left_filter_low_is_larger_0(1 - i, 3 *
-            i)) or transform_left_filter_feature_0_value;
-        end if;
-      end loop;
-      for i in 3 to 4 loop
-        for j in 5 to 6 loop
-          if transform_left_filter_feature_0_choices(4 * i + j + 141) then
-            transform_left_filter_feature_0_choices(4 * i + j + 142) := (not is_set(transform_left_filter_column(0, i),
-              j)) or transform_left_filter_feature_0_values(j - 3);
-          else
-            transform_left_filter_feature_0_choices(4 * i + j + 142) := (not is_set(transform_left_filter_column(0, i),
-              j)) and transform_left_filter_feature_0_values(j - 3);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(4 * i + 148) then
-          transform_left_filter_feature_0_choices(4 * i + 149) := is_set(transform_left_filter_column(0, i), 7) and
-            (not is_set(transform_left_filter_column(4, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(4 * i + 149) := is_set(transform_left_filter_column(0, i), 7) or (not
-            is_set(transform_left_filter_column(4, 2), 7));
-        end if;
-        if is_set(transform_left_filter_column(0, 10 - 2 * i), 4) then
-          transform_left_filter_feature_0_choices(4 * i + 150) := (not transform_left_filter_low_is_larger_0(0, 10 - 2
-            * i)) and transform_left_filter_feature_0_value;
-        else
-          transform_left_filter_feature_0_choices(4 * i + 150) := (not transform_left_filter_low_is_larger_0(0, 10 - 2
-            * i)) or transform_left_filter_feature_0_value;
-        end if;
-      end loop;
-      for i in 166 to 167 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(0, 2), i - 161))
-            or transform_left_filter_feature_0_values(i - 164);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(0, 2), i - 161))
-            and transform_left_filter_feature_0_values(i - 164);
-        end if;
-      end loop;
-      if transform_left_filter_feature_0_choices(168) then
-        transform_left_filter_feature_0_choices(169) := is_set(transform_left_filter_column(0, 2), 7) and (not
-          is_set(transform_left_filter_column(4, 2), 7));
-      else
-        transform_left_filter_feature_0_choices(169) := is_set(transform_left_filter_column(0, 2), 7) or (not
-          is_set(transform_left_filter_column(4, 2), 7));
-      end if;
-      if is_set(transform_left_filter_column(0, 1), 4) then
-        transform_left_filter_feature_0_choices(170) := (not transform_left_filter_low_is_larger_0(0, 1)) and
-          transform_left_filter_feature_0_value;
-      else
-        transform_left_filter_feature_0_choices(170) := (not transform_left_filter_low_is_larger_0(0, 1)) or
-          transform_left_filter_feature_0_value;
-      end if;
-      for i in 170 to 171 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(0, 1), i - 165))
-            or transform_left_filter_feature_0_values(i - 168);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(0, 1), i - 165))
-            and transform_left_filter_feature_0_values(i - 168);
-        end if;
-      end loop;
-      if transform_left_filter_feature_0_choices(172) then
-        transform_left_filter_feature_0_choices(173) := is_set(transform_left_filter_column(0, 1), 7) and (not
-          is_set(transform_left_filter_column(4, 2), 7));
-      else
-        transform_left_filter_feature_0_choices(173) := is_set(transform_left_filter_column(0, 1), 7) or (not
-          is_set(transform_left_filter_column(4, 2), 7));
-      end if;
       transform_left_filter_feature_0_values(4) := is_set(transform_left_filter_column(0, 0), 4);
-      if transform_left_filter_feature_0_value then
-        transform_left_filter_feature_0_choices(174) := transform_left_filter_feature_0_values(4) and
-          transform_left_filter_low_is_larger_0(0, 0);
-      else
-        transform_left_filter_feature_0_choices(174) := transform_left_filter_feature_0_values(4) or
-          transform_left_filter_low_is_larger_0(0, 0);
-      end if;
+      transform_left_filter_feature_0_choices(174) := inverted_carry(transform_left_filter_feature_0_values(1),
+        transform_left_filter_feature_0_values(4), transform_left_filter_low_is_larger_0(0, 0));
       for i in 5 to 6 loop
         transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(0, 0), i);
-        if transform_left_filter_feature_0_choices(i + 169) then
-          transform_left_filter_feature_0_choices(i + 170) := (not transform_left_filter_feature_0_values(i - 3)) or
-            transform_left_filter_feature_0_values(i);
-        else
-          transform_left_filter_feature_0_choices(i + 170) := (not transform_left_filter_feature_0_values(i - 3)) and
-            transform_left_filter_feature_0_values(i);
-        end if;
+        transform_left_filter_feature_0_choices(i + 170) := carry(transform_left_filter_feature_0_choices(i + 169), not
+          transform_left_filter_feature_0_values(i - 3), transform_left_filter_feature_0_values(i));
       end loop;
-      if transform_left_filter_feature_0_choices(176) then
-        transform_left_filter_feature_0_choices(177) := (not is_set(transform_left_filter_column(4, 2), 7)) or
-          is_set(transform_left_filter_column(0, 0), 7);
-      else
-        transform_left_filter_feature_0_choices(177) := (not is_set(transform_left_filter_column(4, 2), 7)) and
-          is_set(transform_left_filter_column(0, 0), 7);
-      end if;
-      if transform_filtering_0_column_inside(0) then
-        transform_left_filter_feature_0_choice_178 := (as_number(transform_left_filter_feature_0_choices(161)) * 8) +
-          (as_number(transform_left_filter_feature_0_choices(165)) * 16) +
-          (as_number(transform_left_filter_feature_0_choices(169)) * 4) +
-          (as_number(transform_left_filter_feature_0_choices(173)) * 2) +
-          as_number(transform_left_filter_feature_0_choices(177));
-      else
-        transform_left_filter_feature_0_choice_178 := 0;
-      end if;
-      if transform_filtering_0_column_inside(1) then
-        transform_left_filter_feature_0_choice_179 := (as_number(transform_left_filter_feature_0_choices(141)) * 256) +
-          (as_number(transform_left_filter_feature_0_choices(145)) * 512) +
-          (as_number(transform_left_filter_feature_0_choices(149)) * 128) +
-          (as_number(transform_left_filter_feature_0_choices(153)) * 64) +
-          (as_number(transform_left_filter_feature_0_choices(157)) * 32) + transform_left_filter_feature_0_choice_178;
-      else
-        transform_left_filter_feature_0_choice_179 := transform_left_filter_feature_0_choice_178;
-      end if;
-      if transform_filtering_0_column_inside(2) then
-        transform_left_filter_feature_0_choice_180 := (as_number(transform_left_filter_feature_0_choices(121)) * 8192)
-          + (as_number(transform_left_filter_feature_0_choices(125)) * 16384) +
-          (as_number(transform_left_filter_feature_0_choices(129)) * 4096) +
-          (as_number(transform_left_filter_feature_0_choices(133)) * 2048) +
-          (as_number(transform_left_filter_feature_0_choices(137)) * 1024) + transform_left_filter_feature_0_choice_179;
-      else
-        transform_left_filter_feature_0_choice_180 := transform_left_filter_feature_0_choice_179;
-      end if;
-      if transform_filtering_0_column_inside(3) then
-        transform_left_filter_feature_0_choice_181 := (as_number(transform_left_filter_feature_0_choices(101)) *
-          262144) + (as_number(transform_left_filter_feature_0_choices(105)) * 524288) +
-          (as_number(transform_left_filter_feature_0_choices(109)) * 131072) +
-          (as_number(transform_left_filter_feature_0_choices(113)) * 65536) +
-          (as_number(transform_left_filter_feature_0_choices(117)) * 32768) +
-          transform_left_filter_feature_0_choice_180;
-      else
-        transform_left_filter_feature_0_choice_181 := transform_left_filter_feature_0_choice_180;
-      end if;
-      if transform_filtering_0_column_inside(4) then
-        transform_left_filter_feature_0_choice_182 := (as_number(transform_left_filter_feature_0_choices(89)) *
-          2097152) + (as_number(transform_left_filter_feature_0_choices(93)) * 4194304) +
-          (as_number(transform_left_filter_feature_0_choices(97)) * 1048576) +
-          transform_left_filter_feature_0_choice_181;
-      else
-        transform_left_filter_feature_0_choice_182 := transform_left_filter_feature_0_choice_181;
-      end if;
-      if transform_filtering_0_column_inside(5) then
-        transform_left_filter_feature_0_choice_183 := (as_number(transform_left_filter_feature_0_choices(64)) *
-          16777216) + (as_number(transform_left_filter_feature_0_choices(68)) * 33554432) +
-          (as_number(transform_left_filter_feature_0_choices(72)) * 67108864) +
-          (as_number(transform_left_filter_feature_0_choices(76)) * 134217728) +
-          (as_number(transform_left_filter_feature_0_choices(80)) * 268435456) +
-          (as_number(transform_left_filter_feature_0_choices(85)) * 8388608) +
-          transform_left_filter_feature_0_choice_182;
-      else
-        transform_left_filter_feature_0_choice_183 := (as_number(transform_left_filter_feature_0_choices(85)) *
-          8388608) + transform_left_filter_feature_0_choice_182;
-      end if;
+      transform_left_filter_feature_0_choices(177) := carry(transform_left_filter_feature_0_choices(176), not
+        is_set(transform_left_filter_column(4, 2), 7), is_set(transform_left_filter_column(0, 0), 7));
+      transform_left_filter_feature_0_choice_178 := choice(transform_filtering_0_column_inside(0),
+        (as_number(transform_left_filter_feature_0_choices(161)) * 8) +
+        (as_number(transform_left_filter_feature_0_choices(165)) * 16) +
+        (as_number(transform_left_filter_feature_0_choices(169)) * 4) +
+        (as_number(transform_left_filter_feature_0_choices(173)) * 2) +
+        as_number(transform_left_filter_feature_0_choices(177)), 0);
+      transform_left_filter_feature_0_choice_179 := choice(transform_filtering_0_column_inside(1),
+        (as_number(transform_left_filter_feature_0_choices(141)) * 256) +
+        (as_number(transform_left_filter_feature_0_choices(145)) * 512) +
+        (as_number(transform_left_filter_feature_0_choices(149)) * 128) +
+        (as_number(transform_left_filter_feature_0_choices(153)) * 64) +
+        (as_number(transform_left_filter_feature_0_choices(157)) * 32) + transform_left_filter_feature_0_choice_178,
+        transform_left_filter_feature_0_choice_178);
+      transform_left_filter_feature_0_choice_180 := choice(transform_filtering_0_column_inside(2),
+        (as_number(transform_left_filter_feature_0_choices(121)) * 8192) +
+        (as_number(transform_left_filter_feature_0_choices(125)) * 16384) +
+        (as_number(transform_left_filter_feature_0_choices(129)) * 4096) +
+        (as_number(transform_left_filter_feature_0_choices(133)) * 2048) +
+        (as_number(transform_left_filter_feature_0_choices(137)) * 1024) + transform_left_filter_feature_0_choice_179,
+        transform_left_filter_feature_0_choice_179);
+      transform_left_filter_feature_0_choice_181 := choice(transform_filtering_0_column_inside(3),
+        (as_number(transform_left_filter_feature_0_choices(101)) * 262144) +
+        (as_number(transform_left_filter_feature_0_choices(105)) * 524288) +
+        (as_number(transform_left_filter_feature_0_choices(109)) * 131072) +
+        (as_number(transform_left_filter_feature_0_choices(113)) * 65536) +
+        (as_number(transform_left_filter_feature_0_choices(117)) * 32768) + transform_left_filter_feature_0_choice_180,
+        transform_left_filter_feature_0_choice_180);
+      transform_left_filter_feature_0_choice_182 := choice(transform_filtering_0_column_inside(4),
+        (as_number(transform_left_filter_feature_0_choices(89)) * 2097152) +
+        (as_number(transform_left_filter_feature_0_choices(93)) * 4194304) +
+        (as_number(transform_left_filter_feature_0_choices(97)) * 1048576) +
+        transform_left_filter_feature_0_choice_181, transform_left_filter_feature_0_choice_181);
+      transform_left_filter_feature_0_choice_183 := choice(transform_filtering_0_column_inside(5),
+        (as_number(transform_left_filter_feature_0_choices(64)) * 16777216) +
+        (as_number(transform_left_filter_feature_0_choices(68)) * 33554432) +
+        (as_number(transform_left_filter_feature_0_choices(72)) * 67108864) +
+        (as_number(transform_left_filter_feature_0_choices(76)) * 134217728) +
+        (as_number(transform_left_filter_feature_0_choices(80)) * 268435456) +
+        (as_number(transform_left_filter_feature_0_choices(85)) * 8388608) +
+        transform_left_filter_feature_0_choice_182, (as_number(transform_left_filter_feature_0_choices(85)) * 8388608)
+        + transform_left_filter_feature_0_choice_182);
       if transform_filtering_0_column_inside(6) then
         transform_left_filter_feature_0_choice_184 :=
           to_unsigned(as_number(transform_left_filter_feature_0_choices(60)), 1) &
@@ -2466,736 +1651,591 @@ begin
       else
         transform_left_filter_feature_0_choice_185 := resize(transform_left_filter_feature_0_choice_184, 39);
       end if;
-      transform_right_filter_low_is_larger_0_value(0, 0) := is_set(transform_right_filter_column(4, 2), 1);
-      if is_set(transform_right_filter_column(4, 2), 0) then
-        transform_right_filter_low_is_larger_0_choice(0, 0) := not is_set(transform_right_filter_column(0, 0), 1);
-      else
-        transform_right_filter_low_is_larger_0_choice(0, 0) := (transform_right_filter_column(0, 0) mod 4) = 0;
-      end if;
-      if transform_right_filter_low_is_larger_0_value(0, 0) then
-        transform_right_filter_low_is_larger_0_choices_from_0(0, 0, 2) := is_set(transform_right_filter_column(4, 2),
-          0) or (not is_set(transform_right_filter_column(0, 0), 1)) or (not is_set(transform_right_filter_column(0,
-          0), 0));
-      else
-        transform_right_filter_low_is_larger_0_choices_from_0(0, 0, 2) :=
-          transform_right_filter_low_is_larger_0_choice(0, 0);
-      end if;
+      transform_right_filter_low_is_larger_0_0_0_value := is_set(transform_right_filter_column(4, 2), 1);
+      transform_right_filter_low_is_larger_0_choice(0, 0, 1) := choice(is_set(transform_right_filter_column(4, 2), 0),
+        not is_set(transform_right_filter_column(0, 0), 1), (transform_right_filter_column(0, 0) mod 4) = 0);
+      transform_right_filter_low_is_larger_0_choice(0, 0, 2) :=
+        choice(transform_right_filter_low_is_larger_0_0_0_value, is_set(transform_right_filter_column(4, 2), 0) or (not
+        is_set(transform_right_filter_column(0, 0), 1)) or (not is_set(transform_right_filter_column(0, 0), 0)),
+        transform_right_filter_low_is_larger_0_choice(0, 0, 1));
       transform_right_filter_low_is_larger_0_0_0_values(2) := is_set(transform_right_filter_column(4, 2), 2);
       transform_right_filter_low_is_larger_0_0_0_values(3) := is_set(transform_right_filter_column(0, 0), 2);
-      if transform_right_filter_low_is_larger_0_choices_from_0(0, 0, 2) then
-        transform_right_filter_low_is_larger_0_choices_from_0(0, 0, 3) := (not
-          transform_right_filter_low_is_larger_0_0_0_values(2)) and
-          transform_right_filter_low_is_larger_0_0_0_values(3);
-      else
-        transform_right_filter_low_is_larger_0_choices_from_0(0, 0, 3) := (not
-          transform_right_filter_low_is_larger_0_0_0_values(2)) or transform_right_filter_low_is_larger_0_0_0_values(3);
-      end if;
+      transform_right_filter_low_is_larger_0_choice(0, 0, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(0, 0, 2), not
+        transform_right_filter_low_is_larger_0_0_0_values(2), transform_right_filter_low_is_larger_0_0_0_values(3));
       transform_right_filter_low_is_larger_0_0_0_values(4) := is_set(transform_right_filter_column(0, 0), 3);
-      transform_right_filter_low_is_larger_0_0_1_any := (not transform_right_filter_low_is_larger_0_value(0, 0)) or
-        (not is_set(transform_right_filter_column(4, 2), 0));
-      if is_set(transform_right_filter_column(0, 1), 0) then
-        transform_right_filter_low_is_larger_0_choice(0, 1) := transform_right_filter_low_is_larger_0_0_1_any;
-      else
-        transform_right_filter_low_is_larger_0_choice(0, 1) := not transform_right_filter_low_is_larger_0_value(0, 0);
-      end if;
+      transform_right_filter_low_is_larger_0_0_1_any := (not transform_right_filter_low_is_larger_0_0_0_value) or (not
+        is_set(transform_right_filter_column(4, 2), 0));
+      transform_right_filter_low_is_larger_0_choice(0, 1, 1) := choice(is_set(transform_right_filter_column(0, 1), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
       transform_right_filter_low_is_larger_0_0_1_is_equal := (transform_right_filter_column(4, 2) mod 4) = 0;
-      for i in 0 to 2 loop
-        for j in 1 to 3 loop
-          if is_set(transform_right_filter_column(i, j), 1) then
-            transform_right_filter_low_is_larger_0_choices_from_0(i, j, 2) :=
-              transform_right_filter_low_is_larger_0_choice(i, j);
-          else
-            transform_right_filter_low_is_larger_0_choices_from_0(i, j, 2) := is_set(transform_right_filter_column(i,
-              j), 0) and transform_right_filter_low_is_larger_0_0_1_is_equal;
-          end if;
-          if transform_right_filter_low_is_larger_0_choices_from_0(i, j, 2) then
-            transform_right_filter_low_is_larger_0_choices_from_0(i, j, 3) := (not
-              is_set(transform_right_filter_column(i, j), 2)) and transform_right_filter_low_is_larger_0_0_0_values(2);
-          else
-            transform_right_filter_low_is_larger_0_choices_from_0(i, j, 3) := (not
-              is_set(transform_right_filter_column(i, j), 2)) or transform_right_filter_low_is_larger_0_0_0_values(2);
-          end if;
-          transform_right_filter_low_is_larger_0_value(i, j) := is_set(transform_right_filter_column(i, j), 3);
-          if is_set(transform_right_filter_column(i, j + 1), 0) then
-            transform_right_filter_low_is_larger_0_choice(i, j + 1) := transform_right_filter_low_is_larger_0_0_1_any;
-          else
-            transform_right_filter_low_is_larger_0_choice(i, j + 1) := not
-              transform_right_filter_low_is_larger_0_value(0, 0);
-          end if;
-        end loop;
-        for j in 0 to 1 loop
-          if is_set(transform_right_filter_column(i + j, 4 - 4 * j), 1) then
-            transform_right_filter_low_is_larger_0_choices_from_0(i + j, 4 - 4 * j, 2) :=
-              transform_right_filter_low_is_larger_0_choice(i + j, 4 - 4 * j);
-          else
-            transform_right_filter_low_is_larger_0_choices_from_0(i + j, 4 - 4 * j, 2) :=
-              is_set(transform_right_filter_column(i + j, 4 - 4 * j), 0) and
-              transform_right_filter_low_is_larger_0_0_1_is_equal;
-          end if;
-          if transform_right_filter_low_is_larger_0_choices_from_0(i + j, 4 - 4 * j, 2) then
-            transform_right_filter_low_is_larger_0_choices_from_0(i + j, 4 - 4 * j, 3) := (not
-              is_set(transform_right_filter_column(i + j, 4 - 4 * j), 2)) and
-              transform_right_filter_low_is_larger_0_0_0_values(2);
-          else
-            transform_right_filter_low_is_larger_0_choices_from_0(i + j, 4 - 4 * j, 3) := (not
-              is_set(transform_right_filter_column(i + j, 4 - 4 * j), 2)) or
-              transform_right_filter_low_is_larger_0_0_0_values(2);
-          end if;
-          transform_right_filter_low_is_larger_0_value(i + j, 4 - 4 * j) := is_set(transform_right_filter_column(i + j,
-            4 - 4 * j), 3);
-          if is_set(transform_right_filter_column(i + 1, j), 0) then
-            transform_right_filter_low_is_larger_0_choice(i + 1, j) := transform_right_filter_low_is_larger_0_0_1_any;
-          else
-            transform_right_filter_low_is_larger_0_choice(i + 1, j) := not
-              transform_right_filter_low_is_larger_0_value(0, 0);
-          end if;
-        end loop;
-      end loop;
-      for i in 1 to 3 loop
-        if is_set(transform_right_filter_column(3, i), 1) then
-          transform_right_filter_low_is_larger_0_choices_from_0(3, i, 2) :=
-            transform_right_filter_low_is_larger_0_choice(3, i);
-        else
-          transform_right_filter_low_is_larger_0_choices_from_0(3, i, 2) := is_set(transform_right_filter_column(3, i),
-            0) and transform_right_filter_low_is_larger_0_0_1_is_equal;
-        end if;
-        if transform_right_filter_low_is_larger_0_choices_from_0(3, i, 2) then
-          transform_right_filter_low_is_larger_0_choices_from_0(3, i, 3) := (not
-            is_set(transform_right_filter_column(3, i), 2)) and transform_right_filter_low_is_larger_0_0_0_values(2);
-        else
-          transform_right_filter_low_is_larger_0_choices_from_0(3, i, 3) := (not
-            is_set(transform_right_filter_column(3, i), 2)) or transform_right_filter_low_is_larger_0_0_0_values(2);
-        end if;
-        transform_right_filter_low_is_larger_0_value(3, i) := is_set(transform_right_filter_column(3, i), 3);
-        if is_set(transform_right_filter_column(3, i + 1), 0) then
-          transform_right_filter_low_is_larger_0_choice(3, i + 1) := transform_right_filter_low_is_larger_0_0_1_any;
-        else
-          transform_right_filter_low_is_larger_0_choice(3, i + 1) := not
-            transform_right_filter_low_is_larger_0_value(0, 0);
-        end if;
-      end loop;
-      if is_set(transform_right_filter_column(3, 4), 1) then
-        transform_right_filter_low_is_larger_0_choices_from_0(3, 4, 2) :=
-          transform_right_filter_low_is_larger_0_choice(3, 4);
-      else
-        transform_right_filter_low_is_larger_0_choices_from_0(3, 4, 2) := is_set(transform_right_filter_column(3, 4),
-          0) and transform_right_filter_low_is_larger_0_0_1_is_equal;
-      end if;
-      if transform_right_filter_low_is_larger_0_choices_from_0(3, 4, 2) then
-        transform_right_filter_low_is_larger_0_choices_from_0(3, 4, 3) := (not is_set(transform_right_filter_column(3,
-          4), 2)) and transform_right_filter_low_is_larger_0_0_0_values(2);
-      else
-        transform_right_filter_low_is_larger_0_choices_from_0(3, 4, 3) := (not is_set(transform_right_filter_column(3,
-          4), 2)) or transform_right_filter_low_is_larger_0_0_0_values(2);
-      end if;
-      transform_right_filter_low_is_larger_0_value(3, 4) := is_set(transform_right_filter_column(3, 4), 3);
-      for i in 0 to 1 loop
-        if is_set(transform_right_filter_column(4, i), 0) then
-          transform_right_filter_low_is_larger_0_4_choice(i) := transform_right_filter_low_is_larger_0_0_1_any;
-        else
-          transform_right_filter_low_is_larger_0_4_choice(i) := not transform_right_filter_low_is_larger_0_value(0, 0);
-        end if;
-        if is_set(transform_right_filter_column(4, i), 1) then
-          transform_right_filter_low_is_larger_0_4_choices_from_0(i, 2) :=
-            transform_right_filter_low_is_larger_0_4_choice(i);
-        else
-          transform_right_filter_low_is_larger_0_4_choices_from_0(i, 2) := is_set(transform_right_filter_column(4, i),
-            0) and transform_right_filter_low_is_larger_0_0_1_is_equal;
-        end if;
-        if transform_right_filter_low_is_larger_0_4_choices_from_0(i, 2) then
-          transform_right_filter_low_is_larger_0_4_choices_from_0(i, 3) := (not is_set(transform_right_filter_column(4,
-            i), 2)) and transform_right_filter_low_is_larger_0_0_0_values(2);
-        else
-          transform_right_filter_low_is_larger_0_4_choices_from_0(i, 3) := (not is_set(transform_right_filter_column(4,
-            i), 2)) or transform_right_filter_low_is_larger_0_0_0_values(2);
-        end if;
-        transform_right_filter_low_is_larger_0_4_value(i) := is_set(transform_right_filter_column(4, i), 3);
-      end loop;
-      for i in 3 to 4 loop
-        if is_set(transform_right_filter_column(4, i), 0) then
-          transform_right_filter_low_is_larger_0_4_choices(i) := transform_right_filter_low_is_larger_0_0_1_any;
-        else
-          transform_right_filter_low_is_larger_0_4_choices(i) := not transform_right_filter_low_is_larger_0_value(0, 0);
-        end if;
-        if is_set(transform_right_filter_column(4, i), 1) then
-          transform_right_filter_low_is_larger_0_4_choices_from_3(i, 2) :=
-            transform_right_filter_low_is_larger_0_4_choices(i);
-        else
-          transform_right_filter_low_is_larger_0_4_choices_from_3(i, 2) := is_set(transform_right_filter_column(4, i),
-            0) and transform_right_filter_low_is_larger_0_0_1_is_equal;
-        end if;
-        if transform_right_filter_low_is_larger_0_4_choices_from_3(i, 2) then
-          transform_right_filter_low_is_larger_0_4_choices_from_3(i, 3) := (not is_set(transform_right_filter_column(4,
-            i), 2)) and transform_right_filter_low_is_larger_0_0_0_values(2);
-        else
-          transform_right_filter_low_is_larger_0_4_choices_from_3(i, 3) := (not is_set(transform_right_filter_column(4,
-            i), 2)) or transform_right_filter_low_is_larger_0_0_0_values(2);
-        end if;
-        transform_right_filter_low_is_larger_0_4_values(i) := is_set(transform_right_filter_column(4, i), 3);
-      end loop;
-      for i in 5 to 8 loop
-        for j in 0 to 4 loop
-          if is_set(transform_right_filter_column(i, j), 0) then
-            transform_right_filter_low_is_larger_0_choices(i, j) := transform_right_filter_low_is_larger_0_0_1_any;
-          else
-            transform_right_filter_low_is_larger_0_choices(i, j) := not transform_right_filter_low_is_larger_0_value(0,
-              0);
-          end if;
-          if is_set(transform_right_filter_column(i, j), 1) then
-            transform_right_filter_low_is_larger_0_choices_from_5(i, j, 2) :=
-              transform_right_filter_low_is_larger_0_choices(i, j);
-          else
-            transform_right_filter_low_is_larger_0_choices_from_5(i, j, 2) := is_set(transform_right_filter_column(i,
-              j), 0) and transform_right_filter_low_is_larger_0_0_1_is_equal;
-          end if;
-          if transform_right_filter_low_is_larger_0_choices_from_5(i, j, 2) then
-            transform_right_filter_low_is_larger_0_choices_from_5(i, j, 3) := (not
-              is_set(transform_right_filter_column(i, j), 2)) and transform_right_filter_low_is_larger_0_0_0_values(2);
-          else
-            transform_right_filter_low_is_larger_0_choices_from_5(i, j, 3) := (not
-              is_set(transform_right_filter_column(i, j), 2)) or transform_right_filter_low_is_larger_0_0_0_values(2);
-          end if;
-          transform_right_filter_low_is_larger_0_values(i, j) := is_set(transform_right_filter_column(i, j), 3);
-        end loop;
-      end loop;
-      transform_right_filter_feature_0_value := is_set(transform_right_filter_column(4, 2), 4);
-      if is_set(transform_right_filter_column(8, 0), 4) then
-        transform_right_filter_feature_0_choice := (not transform_right_filter_low_is_larger_0s(8, 0)) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choice := (not transform_right_filter_low_is_larger_0s(8, 0)) or
-          transform_right_filter_feature_0_value;
-      end if;
+      transform_right_filter_low_is_larger_0_choice(0, 1, 2) := choice(is_set(transform_right_filter_column(0, 1), 1),
+        transform_right_filter_low_is_larger_0_choice(0, 1, 1), is_set(transform_right_filter_column(0, 1), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(0, 1, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(0, 1, 2), not
+        is_set(transform_right_filter_column(0, 1), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_0_1_value := is_set(transform_right_filter_column(0, 1), 3);
+      transform_right_filter_low_is_larger_0_choice(0, 2, 1) := choice(is_set(transform_right_filter_column(0, 2), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(0, 2, 2) := choice(is_set(transform_right_filter_column(0, 2), 1),
+        transform_right_filter_low_is_larger_0_choice(0, 2, 1), is_set(transform_right_filter_column(0, 2), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(0, 2, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(0, 2, 2), not
+        is_set(transform_right_filter_column(0, 2), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_0_2_value := is_set(transform_right_filter_column(0, 2), 3);
+      transform_right_filter_low_is_larger_0_choice(0, 3, 1) := choice(is_set(transform_right_filter_column(0, 3), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(0, 3, 2) := choice(is_set(transform_right_filter_column(0, 3), 1),
+        transform_right_filter_low_is_larger_0_choice(0, 3, 1), is_set(transform_right_filter_column(0, 3), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(0, 3, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(0, 3, 2), not
+        is_set(transform_right_filter_column(0, 3), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_0_3_value := is_set(transform_right_filter_column(0, 3), 3);
+      transform_right_filter_low_is_larger_0_choice(0, 4, 1) := choice(is_set(transform_right_filter_column(0, 4), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(0, 4, 2) := choice(is_set(transform_right_filter_column(0, 4), 1),
+        transform_right_filter_low_is_larger_0_choice(0, 4, 1), is_set(transform_right_filter_column(0, 4), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(0, 4, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(0, 4, 2), not
+        is_set(transform_right_filter_column(0, 4), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_0_4_value := is_set(transform_right_filter_column(0, 4), 3);
+      transform_right_filter_low_is_larger_0_choice(1, 0, 1) := choice(is_set(transform_right_filter_column(1, 0), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(1, 0, 2) := choice(is_set(transform_right_filter_column(1, 0), 1),
+        transform_right_filter_low_is_larger_0_choice(1, 0, 1), is_set(transform_right_filter_column(1, 0), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(1, 0, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(1, 0, 2), not
+        is_set(transform_right_filter_column(1, 0), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_1_0_value := is_set(transform_right_filter_column(1, 0), 3);
+      transform_right_filter_low_is_larger_0_choice(1, 1, 1) := choice(is_set(transform_right_filter_column(1, 1), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(1, 1, 2) := choice(is_set(transform_right_filter_column(1, 1), 1),
+        transform_right_filter_low_is_larger_0_choice(1, 1, 1), is_set(transform_right_filter_column(1, 1), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(1, 1, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(1, 1, 2), not
+        is_set(transform_right_filter_column(1, 1), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_1_1_value := is_set(transform_right_filter_column(1, 1), 3);
+      transform_right_filter_low_is_larger_0_choice(1, 2, 1) := choice(is_set(transform_right_filter_column(1, 2), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(1, 2, 2) := choice(is_set(transform_right_filter_column(1, 2), 1),
+        transform_right_filter_low_is_larger_0_choice(1, 2, 1), is_set(transform_right_filter_column(1, 2), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(1, 2, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(1, 2, 2), not
+        is_set(transform_right_filter_column(1, 2), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_1_2_value := is_set(transform_right_filter_column(1, 2), 3);
+      transform_right_filter_low_is_larger_0_choice(1, 3, 1) := choice(is_set(transform_right_filter_column(1, 3), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(1, 3, 2) := choice(is_set(transform_right_filter_column(1, 3), 1),
+        transform_right_filter_low_is_larger_0_choice(1, 3, 1), is_set(transform_right_filter_column(1, 3), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(1, 3, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(1, 3, 2), not
+        is_set(transform_right_filter_column(1, 3), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_1_3_value := is_set(transform_right_filter_column(1, 3), 3);
+      transform_right_filter_low_is_larger_0_choice(1, 4, 1) := choice(is_set(transform_right_filter_column(1, 4), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(1, 4, 2) := choice(is_set(transform_right_filter_column(1, 4), 1),
+        transform_right_filter_low_is_larger_0_choice(1, 4, 1), is_set(transform_right_filter_column(1, 4), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(1, 4, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(1, 4, 2), not
+        is_set(transform_right_filter_column(1, 4), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_1_4_value := is_set(transform_right_filter_column(1, 4), 3);
+      transform_right_filter_low_is_larger_0_choice(2, 0, 1) := choice(is_set(transform_right_filter_column(2, 0), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(2, 0, 2) := choice(is_set(transform_right_filter_column(2, 0), 1),
+        transform_right_filter_low_is_larger_0_choice(2, 0, 1), is_set(transform_right_filter_column(2, 0), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(2, 0, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(2, 0, 2), not
+        is_set(transform_right_filter_column(2, 0), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_2_0_value := is_set(transform_right_filter_column(2, 0), 3);
+      transform_right_filter_low_is_larger_0_choice(2, 1, 1) := choice(is_set(transform_right_filter_column(2, 1), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(2, 1, 2) := choice(is_set(transform_right_filter_column(2, 1), 1),
+        transform_right_filter_low_is_larger_0_choice(2, 1, 1), is_set(transform_right_filter_column(2, 1), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(2, 1, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(2, 1, 2), not
+        is_set(transform_right_filter_column(2, 1), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_2_1_value := is_set(transform_right_filter_column(2, 1), 3);
+      transform_right_filter_low_is_larger_0_choice(2, 2, 1) := choice(is_set(transform_right_filter_column(2, 2), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(2, 2, 2) := choice(is_set(transform_right_filter_column(2, 2), 1),
+        transform_right_filter_low_is_larger_0_choice(2, 2, 1), is_set(transform_right_filter_column(2, 2), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(2, 2, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(2, 2, 2), not
+        is_set(transform_right_filter_column(2, 2), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_2_2_value := is_set(transform_right_filter_column(2, 2), 3);
+      transform_right_filter_low_is_larger_0_choice(2, 3, 1) := choice(is_set(transform_right_filter_column(2, 3), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(2, 3, 2) := choice(is_set(transform_right_filter_column(2, 3), 1),
+        transform_right_filter_low_is_larger_0_choice(2, 3, 1), is_set(transform_right_filter_column(2, 3), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(2, 3, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(2, 3, 2), not
+        is_set(transform_right_filter_column(2, 3), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_2_3_value := is_set(transform_right_filter_column(2, 3), 3);
+      transform_right_filter_low_is_larger_0_choice(2, 4, 1) := choice(is_set(transform_right_filter_column(2, 4), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(2, 4, 2) := choice(is_set(transform_right_filter_column(2, 4), 1),
+        transform_right_filter_low_is_larger_0_choice(2, 4, 1), is_set(transform_right_filter_column(2, 4), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(2, 4, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(2, 4, 2), not
+        is_set(transform_right_filter_column(2, 4), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_2_4_value := is_set(transform_right_filter_column(2, 4), 3);
+      transform_right_filter_low_is_larger_0_choice(3, 0, 1) := choice(is_set(transform_right_filter_column(3, 0), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(3, 0, 2) := choice(is_set(transform_right_filter_column(3, 0), 1),
+        transform_right_filter_low_is_larger_0_choice(3, 0, 1), is_set(transform_right_filter_column(3, 0), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(3, 0, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(3, 0, 2), not
+        is_set(transform_right_filter_column(3, 0), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_3_0_value := is_set(transform_right_filter_column(3, 0), 3);
+      transform_right_filter_low_is_larger_0_choice(3, 1, 1) := choice(is_set(transform_right_filter_column(3, 1), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(3, 1, 2) := choice(is_set(transform_right_filter_column(3, 1), 1),
+        transform_right_filter_low_is_larger_0_choice(3, 1, 1), is_set(transform_right_filter_column(3, 1), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(3, 1, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(3, 1, 2), not
+        is_set(transform_right_filter_column(3, 1), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_3_1_value := is_set(transform_right_filter_column(3, 1), 3);
+      transform_right_filter_low_is_larger_0_choice(3, 2, 1) := choice(is_set(transform_right_filter_column(3, 2), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(3, 2, 2) := choice(is_set(transform_right_filter_column(3, 2), 1),
+        transform_right_filter_low_is_larger_0_choice(3, 2, 1), is_set(transform_right_filter_column(3, 2), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(3, 2, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(3, 2, 2), not
+        is_set(transform_right_filter_column(3, 2), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_3_2_value := is_set(transform_right_filter_column(3, 2), 3);
+      transform_right_filter_low_is_larger_0_choice(3, 3, 1) := choice(is_set(transform_right_filter_column(3, 3), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(3, 3, 2) := choice(is_set(transform_right_filter_column(3, 3), 1),
+        transform_right_filter_low_is_larger_0_choice(3, 3, 1), is_set(transform_right_filter_column(3, 3), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(3, 3, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(3, 3, 2), not
+        is_set(transform_right_filter_column(3, 3), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_3_3_value := is_set(transform_right_filter_column(3, 3), 3);
+      transform_right_filter_low_is_larger_0_choice(3, 4, 1) := choice(is_set(transform_right_filter_column(3, 4), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(3, 4, 2) := choice(is_set(transform_right_filter_column(3, 4), 1),
+        transform_right_filter_low_is_larger_0_choice(3, 4, 1), is_set(transform_right_filter_column(3, 4), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(3, 4, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(3, 4, 2), not
+        is_set(transform_right_filter_column(3, 4), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_3_4_value := is_set(transform_right_filter_column(3, 4), 3);
+      transform_right_filter_low_is_larger_0_choice(4, 0, 1) := choice(is_set(transform_right_filter_column(4, 0), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(4, 0, 2) := choice(is_set(transform_right_filter_column(4, 0), 1),
+        transform_right_filter_low_is_larger_0_choice(4, 0, 1), is_set(transform_right_filter_column(4, 0), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(4, 0, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(4, 0, 2), not
+        is_set(transform_right_filter_column(4, 0), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_4_0_value := is_set(transform_right_filter_column(4, 0), 3);
+      transform_right_filter_low_is_larger_0_choice(4, 1, 1) := choice(is_set(transform_right_filter_column(4, 1), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(4, 1, 2) := choice(is_set(transform_right_filter_column(4, 1), 1),
+        transform_right_filter_low_is_larger_0_choice(4, 1, 1), is_set(transform_right_filter_column(4, 1), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(4, 1, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(4, 1, 2), not
+        is_set(transform_right_filter_column(4, 1), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_4_1_value := is_set(transform_right_filter_column(4, 1), 3);
+      transform_right_filter_low_is_larger_0_choice(4, 3, 1) := choice(is_set(transform_right_filter_column(4, 3), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(4, 3, 2) := choice(is_set(transform_right_filter_column(4, 3), 1),
+        transform_right_filter_low_is_larger_0_choice(4, 3, 1), is_set(transform_right_filter_column(4, 3), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(4, 3, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(4, 3, 2), not
+        is_set(transform_right_filter_column(4, 3), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_4_3_value := is_set(transform_right_filter_column(4, 3), 3);
+      transform_right_filter_low_is_larger_0_choice(4, 4, 1) := choice(is_set(transform_right_filter_column(4, 4), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(4, 4, 2) := choice(is_set(transform_right_filter_column(4, 4), 1),
+        transform_right_filter_low_is_larger_0_choice(4, 4, 1), is_set(transform_right_filter_column(4, 4), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(4, 4, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(4, 4, 2), not
+        is_set(transform_right_filter_column(4, 4), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_4_4_value := is_set(transform_right_filter_column(4, 4), 3);
+      transform_right_filter_low_is_larger_0_choice(5, 0, 1) := choice(is_set(transform_right_filter_column(5, 0), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(5, 0, 2) := choice(is_set(transform_right_filter_column(5, 0), 1),
+        transform_right_filter_low_is_larger_0_choice(5, 0, 1), is_set(transform_right_filter_column(5, 0), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(5, 0, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(5, 0, 2), not
+        is_set(transform_right_filter_column(5, 0), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_5_0_value := is_set(transform_right_filter_column(5, 0), 3);
+      transform_right_filter_low_is_larger_0_choice(5, 1, 1) := choice(is_set(transform_right_filter_column(5, 1), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(5, 1, 2) := choice(is_set(transform_right_filter_column(5, 1), 1),
+        transform_right_filter_low_is_larger_0_choice(5, 1, 1), is_set(transform_right_filter_column(5, 1), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(5, 1, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(5, 1, 2), not
+        is_set(transform_right_filter_column(5, 1), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_5_1_value := is_set(transform_right_filter_column(5, 1), 3);
+      transform_right_filter_low_is_larger_0_choice(5, 2, 1) := choice(is_set(transform_right_filter_column(5, 2), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(5, 2, 2) := choice(is_set(transform_right_filter_column(5, 2), 1),
+        transform_right_filter_low_is_larger_0_choice(5, 2, 1), is_set(transform_right_filter_column(5, 2), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(5, 2, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(5, 2, 2), not
+        is_set(transform_right_filter_column(5, 2), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_5_2_value := is_set(transform_right_filter_column(5, 2), 3);
+      transform_right_filter_low_is_larger_0_choice(5, 3, 1) := choice(is_set(transform_right_filter_column(5, 3), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(5, 3, 2) := choice(is_set(transform_right_filter_column(5, 3), 1),
+        transform_right_filter_low_is_larger_0_choice(5, 3, 1), is_set(transform_right_filter_column(5, 3), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(5, 3, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(5, 3, 2), not
+        is_set(transform_right_filter_column(5, 3), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_5_3_value := is_set(transform_right_filter_column(5, 3), 3);
+      transform_right_filter_low_is_larger_0_choice(5, 4, 1) := choice(is_set(transform_right_filter_column(5, 4), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(5, 4, 2) := choice(is_set(transform_right_filter_column(5, 4), 1),
+        transform_right_filter_low_is_larger_0_choice(5, 4, 1), is_set(transform_right_filter_column(5, 4), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(5, 4, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(5, 4, 2), not
+        is_set(transform_right_filter_column(5, 4), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_5_4_value := is_set(transform_right_filter_column(5, 4), 3);
+      transform_right_filter_low_is_larger_0_choice(6, 0, 1) := choice(is_set(transform_right_filter_column(6, 0), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(6, 0, 2) := choice(is_set(transform_right_filter_column(6, 0), 1),
+        transform_right_filter_low_is_larger_0_choice(6, 0, 1), is_set(transform_right_filter_column(6, 0), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(6, 0, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(6, 0, 2), not
+        is_set(transform_right_filter_column(6, 0), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_6_0_value := is_set(transform_right_filter_column(6, 0), 3);
+      transform_right_filter_low_is_larger_0_choice(6, 1, 1) := choice(is_set(transform_right_filter_column(6, 1), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(6, 1, 2) := choice(is_set(transform_right_filter_column(6, 1), 1),
+        transform_right_filter_low_is_larger_0_choice(6, 1, 1), is_set(transform_right_filter_column(6, 1), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(6, 1, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(6, 1, 2), not
+        is_set(transform_right_filter_column(6, 1), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_6_1_value := is_set(transform_right_filter_column(6, 1), 3);
+      transform_right_filter_low_is_larger_0_choice(6, 2, 1) := choice(is_set(transform_right_filter_column(6, 2), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(6, 2, 2) := choice(is_set(transform_right_filter_column(6, 2), 1),
+        transform_right_filter_low_is_larger_0_choice(6, 2, 1), is_set(transform_right_filter_column(6, 2), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(6, 2, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(6, 2, 2), not
+        is_set(transform_right_filter_column(6, 2), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_6_2_value := is_set(transform_right_filter_column(6, 2), 3);
+      transform_right_filter_low_is_larger_0_choice(6, 3, 1) := choice(is_set(transform_right_filter_column(6, 3), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(6, 3, 2) := choice(is_set(transform_right_filter_column(6, 3), 1),
+        transform_right_filter_low_is_larger_0_choice(6, 3, 1), is_set(transform_right_filter_column(6, 3), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(6, 3, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(6, 3, 2), not
+        is_set(transform_right_filter_column(6, 3), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_6_3_value := is_set(transform_right_filter_column(6, 3), 3);
+      transform_right_filter_low_is_larger_0_choice(6, 4, 1) := choice(is_set(transform_right_filter_column(6, 4), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(6, 4, 2) := choice(is_set(transform_right_filter_column(6, 4), 1),
+        transform_right_filter_low_is_larger_0_choice(6, 4, 1), is_set(transform_right_filter_column(6, 4), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(6, 4, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(6, 4, 2), not
+        is_set(transform_right_filter_column(6, 4), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_6_4_value := is_set(transform_right_filter_column(6, 4), 3);
+      transform_right_filter_low_is_larger_0_choice(7, 0, 1) := choice(is_set(transform_right_filter_column(7, 0), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(7, 0, 2) := choice(is_set(transform_right_filter_column(7, 0), 1),
+        transform_right_filter_low_is_larger_0_choice(7, 0, 1), is_set(transform_right_filter_column(7, 0), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(7, 0, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(7, 0, 2), not
+        is_set(transform_right_filter_column(7, 0), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_7_0_value := is_set(transform_right_filter_column(7, 0), 3);
+      transform_right_filter_low_is_larger_0_choice(7, 1, 1) := choice(is_set(transform_right_filter_column(7, 1), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(7, 1, 2) := choice(is_set(transform_right_filter_column(7, 1), 1),
+        transform_right_filter_low_is_larger_0_choice(7, 1, 1), is_set(transform_right_filter_column(7, 1), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(7, 1, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(7, 1, 2), not
+        is_set(transform_right_filter_column(7, 1), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_7_1_value := is_set(transform_right_filter_column(7, 1), 3);
+      transform_right_filter_low_is_larger_0_choice(7, 2, 1) := choice(is_set(transform_right_filter_column(7, 2), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(7, 2, 2) := choice(is_set(transform_right_filter_column(7, 2), 1),
+        transform_right_filter_low_is_larger_0_choice(7, 2, 1), is_set(transform_right_filter_column(7, 2), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(7, 2, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(7, 2, 2), not
+        is_set(transform_right_filter_column(7, 2), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_7_2_value := is_set(transform_right_filter_column(7, 2), 3);
+      transform_right_filter_low_is_larger_0_choice(7, 3, 1) := choice(is_set(transform_right_filter_column(7, 3), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(7, 3, 2) := choice(is_set(transform_right_filter_column(7, 3), 1),
+        transform_right_filter_low_is_larger_0_choice(7, 3, 1), is_set(transform_right_filter_column(7, 3), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(7, 3, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(7, 3, 2), not
+        is_set(transform_right_filter_column(7, 3), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_7_3_value := is_set(transform_right_filter_column(7, 3), 3);
+      transform_right_filter_low_is_larger_0_choice(7, 4, 1) := choice(is_set(transform_right_filter_column(7, 4), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(7, 4, 2) := choice(is_set(transform_right_filter_column(7, 4), 1),
+        transform_right_filter_low_is_larger_0_choice(7, 4, 1), is_set(transform_right_filter_column(7, 4), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(7, 4, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(7, 4, 2), not
+        is_set(transform_right_filter_column(7, 4), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_7_4_value := is_set(transform_right_filter_column(7, 4), 3);
+      transform_right_filter_low_is_larger_0_choice(8, 0, 1) := choice(is_set(transform_right_filter_column(8, 0), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(8, 0, 2) := choice(is_set(transform_right_filter_column(8, 0), 1),
+        transform_right_filter_low_is_larger_0_choice(8, 0, 1), is_set(transform_right_filter_column(8, 0), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(8, 0, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(8, 0, 2), not
+        is_set(transform_right_filter_column(8, 0), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_8_0_value := is_set(transform_right_filter_column(8, 0), 3);
+      transform_right_filter_low_is_larger_0_choice(8, 1, 1) := choice(is_set(transform_right_filter_column(8, 1), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(8, 1, 2) := choice(is_set(transform_right_filter_column(8, 1), 1),
+        transform_right_filter_low_is_larger_0_choice(8, 1, 1), is_set(transform_right_filter_column(8, 1), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(8, 1, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(8, 1, 2), not
+        is_set(transform_right_filter_column(8, 1), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_8_1_value := is_set(transform_right_filter_column(8, 1), 3);
+      transform_right_filter_low_is_larger_0_choice(8, 2, 1) := choice(is_set(transform_right_filter_column(8, 2), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(8, 2, 2) := choice(is_set(transform_right_filter_column(8, 2), 1),
+        transform_right_filter_low_is_larger_0_choice(8, 2, 1), is_set(transform_right_filter_column(8, 2), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(8, 2, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(8, 2, 2), not
+        is_set(transform_right_filter_column(8, 2), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_8_2_value := is_set(transform_right_filter_column(8, 2), 3);
+      transform_right_filter_low_is_larger_0_choice(8, 3, 1) := choice(is_set(transform_right_filter_column(8, 3), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(8, 3, 2) := choice(is_set(transform_right_filter_column(8, 3), 1),
+        transform_right_filter_low_is_larger_0_choice(8, 3, 1), is_set(transform_right_filter_column(8, 3), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(8, 3, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(8, 3, 2), not
+        is_set(transform_right_filter_column(8, 3), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_8_3_value := is_set(transform_right_filter_column(8, 3), 3);
+      transform_right_filter_low_is_larger_0_choice(8, 4, 1) := choice(is_set(transform_right_filter_column(8, 4), 0),
+        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_choice(8, 4, 2) := choice(is_set(transform_right_filter_column(8, 4), 1),
+        transform_right_filter_low_is_larger_0_choice(8, 4, 1), is_set(transform_right_filter_column(8, 4), 0) and
+        transform_right_filter_low_is_larger_0_0_1_is_equal);
+      transform_right_filter_low_is_larger_0_choice(8, 4, 3) :=
+        inverted_carry(transform_right_filter_low_is_larger_0_choice(8, 4, 2), not
+        is_set(transform_right_filter_column(8, 4), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
+      transform_right_filter_low_is_larger_0_8_4_value := is_set(transform_right_filter_column(8, 4), 3);
+      transform_right_filter_feature_0_values(1) := is_set(transform_right_filter_column(4, 2), 4);
+      transform_right_filter_feature_0_choices(1) := inverted_carry(is_set(transform_right_filter_column(8, 0), 4), not
+        transform_right_filter_low_is_larger_0s(8, 0), transform_right_filter_feature_0_values(1));
       transform_right_filter_feature_0_values(2) := is_set(transform_right_filter_column(4, 2), 5);
-      if transform_right_filter_feature_0_choice then
-        transform_right_filter_feature_0_choices(2) := (not is_set(transform_right_filter_column(8, 0), 5)) or
-          transform_right_filter_feature_0_values(2);
-      else
-        transform_right_filter_feature_0_choices(2) := (not is_set(transform_right_filter_column(8, 0), 5)) and
-          transform_right_filter_feature_0_values(2);
-      end if;
+      transform_right_filter_feature_0_choices(2) := carry(transform_right_filter_feature_0_choices(1), not
+        is_set(transform_right_filter_column(8, 0), 5), transform_right_filter_feature_0_values(2));
       transform_right_filter_feature_0_values(3) := is_set(transform_right_filter_column(4, 2), 6);
-      if transform_right_filter_feature_0_choices(2) then
-        transform_right_filter_feature_0_choices(3) := (not is_set(transform_right_filter_column(8, 0), 6)) or
-          transform_right_filter_feature_0_values(3);
-      else
-        transform_right_filter_feature_0_choices(3) := (not is_set(transform_right_filter_column(8, 0), 6)) and
-          transform_right_filter_feature_0_values(3);
-      end if;
       for i in 0 to 3 loop
-        if transform_right_filter_feature_0_choices(4 * i + 3) then
-          transform_right_filter_feature_0_choices(4 * i + 4) := is_set(transform_right_filter_column(8, i), 7) and
-            (not is_set(transform_right_filter_column(4, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(4 * i + 4) := is_set(transform_right_filter_column(8, i), 7) or (not
-            is_set(transform_right_filter_column(4, 2), 7));
-        end if;
-        if is_set(transform_right_filter_column(8, i + 1), 4) then
-          transform_right_filter_feature_0_choices(4 * i + 5) := (not transform_right_filter_low_is_larger_0s(8, i +
-            1)) and transform_right_filter_feature_0_value;
-        else
-          transform_right_filter_feature_0_choices(4 * i + 5) := (not transform_right_filter_low_is_larger_0s(8, i +
-            1)) or transform_right_filter_feature_0_value;
-        end if;
-        for j in 5 to 6 loop
-          if transform_right_filter_feature_0_choices(4 * i + j) then
-            transform_right_filter_feature_0_choices(4 * i + j + 1) := (not is_set(transform_right_filter_column(8, i +
-              1), j)) or transform_right_filter_feature_0_values(j - 3);
-          else
-            transform_right_filter_feature_0_choices(4 * i + j + 1) := (not is_set(transform_right_filter_column(8, i +
-              1), j)) and transform_right_filter_feature_0_values(j - 3);
-          end if;
-        end loop;
+        transform_right_filter_feature_0_choices(4 * i + 3) := carry(transform_right_filter_feature_0_choices(4 * i +
+          2), not is_set(transform_right_filter_column(8, i), 6), transform_right_filter_feature_0_values(3));
+        transform_right_filter_feature_0_choices(4 * i + 4) :=
+          inverted_carry(transform_right_filter_feature_0_choices(4 * i + 3), is_set(transform_right_filter_column(8,
+          i), 7), not is_set(transform_right_filter_column(4, 2), 7));
+        transform_right_filter_feature_0_choices(4 * i + 5) := inverted_carry(is_set(transform_right_filter_column(8, i
+          + 1), 4), not transform_right_filter_low_is_larger_0s(8, i + 1), transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(4 * i + 6) := carry(transform_right_filter_feature_0_choices(4 * i +
+          5), not is_set(transform_right_filter_column(8, i + 1), 5), transform_right_filter_feature_0_values(2));
       end loop;
+      transform_right_filter_feature_0_choices(19) := carry(transform_right_filter_feature_0_choices(18), not
+        is_set(transform_right_filter_column(8, 4), 6), transform_right_filter_feature_0_values(3));
+      transform_right_filter_feature_0_choices(20) := inverted_carry(transform_right_filter_feature_0_choices(19),
+        is_set(transform_right_filter_column(8, 4), 7), not is_set(transform_right_filter_column(4, 2), 7));
       for i in 0 to 2 loop
-        for j in 0 to 1 loop
-          if transform_right_filter_feature_0_choices(20 * i + 4 * j + 19) then
-            transform_right_filter_feature_0_choices(20 * i + 4 * j + 20) := is_set(transform_right_filter_column(8 - i
-              - j, 4 - 4 * j), 7) and (not is_set(transform_right_filter_column(4, 2), 7));
-          else
-            transform_right_filter_feature_0_choices(20 * i + 4 * j + 20) := is_set(transform_right_filter_column(8 - i
-              - j, 4 - 4 * j), 7) or (not is_set(transform_right_filter_column(4, 2), 7));
-          end if;
-          if is_set(transform_right_filter_column(7 - i, j), 4) then
-            transform_right_filter_feature_0_choices(20 * i + 4 * j + 21) := (not
-              transform_right_filter_low_is_larger_0s(7 - i, j)) and transform_right_filter_feature_0_value;
-          else
-            transform_right_filter_feature_0_choices(20 * i + 4 * j + 21) := (not
-              transform_right_filter_low_is_larger_0s(7 - i, j)) or transform_right_filter_feature_0_value;
-          end if;
-          for k in 5 to 6 loop
-            if transform_right_filter_feature_0_choices(20 * i + 4 * j + k + 16) then
-              transform_right_filter_feature_0_choices(20 * i + 4 * j + k + 17) := (not
-                is_set(transform_right_filter_column(7 - i, j), k)) or transform_right_filter_feature_0_values(k - 3);
-            else
-              transform_right_filter_feature_0_choices(20 * i + 4 * j + k + 17) := (not
-                is_set(transform_right_filter_column(7 - i, j), k)) and transform_right_filter_feature_0_values(k - 3);
-            end if;
-          end loop;
-        end loop;
-        for j in 1 to 3 loop
-          if transform_right_filter_feature_0_choices(20 * i + 4 * j + 23) then
-            transform_right_filter_feature_0_choices(20 * i + 4 * j + 24) := is_set(transform_right_filter_column(7 -
-              i, j), 7) and (not is_set(transform_right_filter_column(4, 2), 7));
-          else
-            transform_right_filter_feature_0_choices(20 * i + 4 * j + 24) := is_set(transform_right_filter_column(7 -
-              i, j), 7) or (not is_set(transform_right_filter_column(4, 2), 7));
-          end if;
-          if is_set(transform_right_filter_column(7 - i, j + 1), 4) then
-            transform_right_filter_feature_0_choices(20 * i + 4 * j + 25) := (not
-              transform_right_filter_low_is_larger_0s(7 - i, j + 1)) and transform_right_filter_feature_0_value;
-          else
-            transform_right_filter_feature_0_choices(20 * i + 4 * j + 25) := (not
-              transform_right_filter_low_is_larger_0s(7 - i, j + 1)) or transform_right_filter_feature_0_value;
-          end if;
-          for k in 5 to 6 loop
-            if transform_right_filter_feature_0_choices(20 * i + 4 * j + k + 20) then
-              transform_right_filter_feature_0_choices(20 * i + 4 * j + k + 21) := (not
-                is_set(transform_right_filter_column(7 - i, j + 1), k)) or transform_right_filter_feature_0_values(k -
-                3);
-            else
-              transform_right_filter_feature_0_choices(20 * i + 4 * j + k + 21) := (not
-                is_set(transform_right_filter_column(7 - i, j + 1), k)) and transform_right_filter_feature_0_values(k -
-                3);
-            end if;
-          end loop;
+        for j in 0 to 4 loop
+          transform_right_filter_feature_0_choices(20 * i + 4 * j + 21) :=
+            inverted_carry(is_set(transform_right_filter_column(7 - i, j), 4), not
+            transform_right_filter_low_is_larger_0s(7 - i, j), transform_right_filter_feature_0_values(1));
+          transform_right_filter_feature_0_choices(20 * i + 4 * j + 22) :=
+            carry(transform_right_filter_feature_0_choices(20 * i + 4 * j + 21), not
+            is_set(transform_right_filter_column(7 - i, j), 5), transform_right_filter_feature_0_values(2));
+          transform_right_filter_feature_0_choices(20 * i + 4 * j + 23) :=
+            carry(transform_right_filter_feature_0_choices(20 * i + 4 * j + 22), not
+            is_set(transform_right_filter_column(7 - i, j), 6), transform_right_filter_feature_0_values(3));
+          transform_right_filter_feature_0_choices(20 * i + 4 * j + 24) :=
+            inverted_carry(transform_right_filter_feature_0_choices(20 * i + 4 * j + 23),
+            is_set(transform_right_filter_column(7 - i, j), 7), not is_set(transform_right_filter_column(4, 2), 7));
         end loop;
       end loop;
-      if transform_right_filter_feature_0_choices(79) then
-        transform_right_filter_feature_0_choices(80) := is_set(transform_right_filter_column(5, 4), 7) and (not
-          is_set(transform_right_filter_column(4, 2), 7));
-      else
-        transform_right_filter_feature_0_choices(80) := is_set(transform_right_filter_column(5, 4), 7) or (not
-          is_set(transform_right_filter_column(4, 2), 7));
-      end if;
-      if is_set(transform_right_filter_column(4, 4), 4) then
-        transform_right_filter_feature_0_choices(81) := (not transform_right_filter_low_is_larger_0_4s(4)) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choices(81) := (not transform_right_filter_low_is_larger_0_4s(4)) or
-          transform_right_filter_feature_0_value;
-      end if;
-      for i in 81 to 82 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(4, 4), i - 76))
-            or transform_right_filter_feature_0_values(i - 79);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(4, 4), i - 76))
-            and transform_right_filter_feature_0_values(i - 79);
-        end if;
-      end loop;
-      if is_set(transform_right_filter_column(4, 4), 7) then
-        transform_right_filter_feature_0_choices(84) := transform_filtering_0_column_inside(4);
-      else
-        transform_right_filter_feature_0_choices(84) := transform_filtering_0_column_inside(4) and (not
-          is_set(transform_right_filter_column(4, 2), 7));
-      end if;
-      if transform_right_filter_feature_0_choices(83) then
-        transform_right_filter_feature_0_choices(85) := is_set(transform_right_filter_column(4, 4), 7) and
-          transform_filtering_0_column_inside(4) and (not is_set(transform_right_filter_column(4, 2), 7));
-      else
-        transform_right_filter_feature_0_choices(85) := transform_right_filter_feature_0_choices(84);
-      end if;
-      if is_set(transform_right_filter_column(4, 1), 4) then
-        transform_right_filter_feature_0_choices(86) := (not transform_right_filter_low_is_larger_0_4(1)) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choices(86) := (not transform_right_filter_low_is_larger_0_4(1)) or
-          transform_right_filter_feature_0_value;
-      end if;
-      for i in 86 to 87 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(4, 1), i - 81))
-            or transform_right_filter_feature_0_values(i - 84);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(4, 1), i - 81))
-            and transform_right_filter_feature_0_values(i - 84);
-        end if;
-      end loop;
-      if transform_right_filter_feature_0_choices(88) then
-        transform_right_filter_feature_0_choices(89) := is_set(transform_right_filter_column(4, 1), 7) and (not
-          is_set(transform_right_filter_column(4, 2), 7));
-      else
-        transform_right_filter_feature_0_choices(89) := is_set(transform_right_filter_column(4, 1), 7) or (not
-          is_set(transform_right_filter_column(4, 2), 7));
-      end if;
-      if is_set(transform_right_filter_column(4, 3), 4) then
-        transform_right_filter_feature_0_choices(90) := (not transform_right_filter_low_is_larger_0_4s(3)) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choices(90) := (not transform_right_filter_low_is_larger_0_4s(3)) or
-          transform_right_filter_feature_0_value;
-      end if;
-      for i in 90 to 91 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(4, 3), i - 85))
-            or transform_right_filter_feature_0_values(i - 88);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(4, 3), i - 85))
-            and transform_right_filter_feature_0_values(i - 88);
-        end if;
-      end loop;
-      if transform_right_filter_feature_0_choices(92) then
-        transform_right_filter_feature_0_choices(93) := is_set(transform_right_filter_column(4, 3), 7) and (not
-          is_set(transform_right_filter_column(4, 2), 7));
-      else
-        transform_right_filter_feature_0_choices(93) := is_set(transform_right_filter_column(4, 3), 7) or (not
-          is_set(transform_right_filter_column(4, 2), 7));
-      end if;
-      if is_set(transform_right_filter_column(4, 0), 4) then
-        transform_right_filter_feature_0_choices(94) := (not transform_right_filter_low_is_larger_0_4(0)) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choices(94) := (not transform_right_filter_low_is_larger_0_4(0)) or
-          transform_right_filter_feature_0_value;
-      end if;
-      for i in 3 to 4 loop
-        for j in 5 to 6 loop
-          if transform_right_filter_feature_0_choices(4 * i + j + 77) then
-            transform_right_filter_feature_0_choices(4 * i + j + 78) := (not is_set(transform_right_filter_column(7 -
-              i, 3 * i - 9), j)) or transform_right_filter_feature_0_values(j - 3);
-          else
-            transform_right_filter_feature_0_choices(4 * i + j + 78) := (not is_set(transform_right_filter_column(7 -
-              i, 3 * i - 9), j)) and transform_right_filter_feature_0_values(j - 3);
-          end if;
+      transform_right_filter_feature_0_choices(81) := inverted_carry(is_set(transform_right_filter_column(4, 4), 4),
+        not transform_right_filter_low_is_larger_0_4s(4), transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(82) := carry(transform_right_filter_feature_0_choices(81), not
+        is_set(transform_right_filter_column(4, 4), 5), transform_right_filter_feature_0_values(2));
+      transform_right_filter_feature_0_choices(83) := carry(transform_right_filter_feature_0_choices(82), not
+        is_set(transform_right_filter_column(4, 4), 6), transform_right_filter_feature_0_values(3));
+      transform_right_filter_feature_0_choices(84) := choice(is_set(transform_right_filter_column(4, 4), 7),
+        transform_filtering_0_column_inside(4), transform_filtering_0_column_inside(4) and (not
+        is_set(transform_right_filter_column(4, 2), 7)));
+      transform_right_filter_feature_0_choices(85) := choice(transform_right_filter_feature_0_choices(83),
+        is_set(transform_right_filter_column(4, 4), 7) and transform_filtering_0_column_inside(4) and (not
+        is_set(transform_right_filter_column(4, 2), 7)), transform_right_filter_feature_0_choices(84));
+      transform_right_filter_feature_0_choices(86) := inverted_carry(is_set(transform_right_filter_column(4, 1), 4),
+        not transform_right_filter_low_is_larger_0_4(1), transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(87) := carry(transform_right_filter_feature_0_choices(86), not
+        is_set(transform_right_filter_column(4, 1), 5), transform_right_filter_feature_0_values(2));
+      transform_right_filter_feature_0_choices(88) := carry(transform_right_filter_feature_0_choices(87), not
+        is_set(transform_right_filter_column(4, 1), 6), transform_right_filter_feature_0_values(3));
+      transform_right_filter_feature_0_choices(89) := inverted_carry(transform_right_filter_feature_0_choices(88),
+        is_set(transform_right_filter_column(4, 1), 7), not is_set(transform_right_filter_column(4, 2), 7));
+      transform_right_filter_feature_0_choices(90) := inverted_carry(is_set(transform_right_filter_column(4, 3), 4),
+        not transform_right_filter_low_is_larger_0_4s(3), transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(91) := carry(transform_right_filter_feature_0_choices(90), not
+        is_set(transform_right_filter_column(4, 3), 5), transform_right_filter_feature_0_values(2));
+      transform_right_filter_feature_0_choices(92) := carry(transform_right_filter_feature_0_choices(91), not
+        is_set(transform_right_filter_column(4, 3), 6), transform_right_filter_feature_0_values(3));
+      transform_right_filter_feature_0_choices(93) := inverted_carry(transform_right_filter_feature_0_choices(92),
+        is_set(transform_right_filter_column(4, 3), 7), not is_set(transform_right_filter_column(4, 2), 7));
+      transform_right_filter_feature_0_choices(94) := inverted_carry(is_set(transform_right_filter_column(4, 0), 4),
+        not transform_right_filter_low_is_larger_0_4(0), transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(95) := carry(transform_right_filter_feature_0_choices(94), not
+        is_set(transform_right_filter_column(4, 0), 5), transform_right_filter_feature_0_values(2));
+      transform_right_filter_feature_0_choices(96) := carry(transform_right_filter_feature_0_choices(95), not
+        is_set(transform_right_filter_column(4, 0), 6), transform_right_filter_feature_0_values(3));
+      transform_right_filter_feature_0_choices(97) := inverted_carry(transform_right_filter_feature_0_choices(96),
+        is_set(transform_right_filter_column(4, 0), 7), not is_set(transform_right_filter_column(4, 2), 7));
+      for i in 0 to 2 loop
+        transform_right_filter_feature_0_choices(20 * i + 98) := inverted_carry(is_set(transform_right_filter_column(3
+          - i, 3), 4), not transform_right_filter_low_is_larger_0(3 - i, 3),
+          transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(20 * i + 99) := carry(transform_right_filter_feature_0_choices(20 * i
+          + 98), not is_set(transform_right_filter_column(3 - i, 3), 5), transform_right_filter_feature_0_values(2));
+        transform_right_filter_feature_0_choices(20 * i + 100) := carry(transform_right_filter_feature_0_choices(20 * i
+          + 99), not is_set(transform_right_filter_column(3 - i, 3), 6), transform_right_filter_feature_0_values(3));
+        transform_right_filter_feature_0_choices(20 * i + 101) :=
+          inverted_carry(transform_right_filter_feature_0_choices(20 * i + 100), is_set(transform_right_filter_column(3
+          - i, 3), 7), not is_set(transform_right_filter_column(4, 2), 7));
+        transform_right_filter_feature_0_choices(20 * i + 102) := inverted_carry(is_set(transform_right_filter_column(3
+          - i, 4), 4), not transform_right_filter_low_is_larger_0(3 - i, 4),
+          transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(20 * i + 103) := carry(transform_right_filter_feature_0_choices(20 * i
+          + 102), not is_set(transform_right_filter_column(3 - i, 4), 5), transform_right_filter_feature_0_values(2));
+        transform_right_filter_feature_0_choices(20 * i + 104) := carry(transform_right_filter_feature_0_choices(20 * i
+          + 103), not is_set(transform_right_filter_column(3 - i, 4), 6), transform_right_filter_feature_0_values(3));
+        transform_right_filter_feature_0_choices(20 * i + 105) :=
+          inverted_carry(transform_right_filter_feature_0_choices(20 * i + 104), is_set(transform_right_filter_column(3
+          - i, 4), 7), not is_set(transform_right_filter_column(4, 2), 7));
+        for j in 0 to 2 loop
+          transform_right_filter_feature_0_choices(20 * i + 4 * j + 106) :=
+            inverted_carry(is_set(transform_right_filter_column(3 - i, 2 - j), 4), not
+            transform_right_filter_low_is_larger_0(3 - i, 2 - j), transform_right_filter_feature_0_values(1));
+          transform_right_filter_feature_0_choices(20 * i + 4 * j + 107) :=
+            carry(transform_right_filter_feature_0_choices(20 * i + 4 * j + 106), not
+            is_set(transform_right_filter_column(3 - i, 2 - j), 5), transform_right_filter_feature_0_values(2));
+          transform_right_filter_feature_0_choices(20 * i + 4 * j + 108) :=
+            carry(transform_right_filter_feature_0_choices(20 * i + 4 * j + 107), not
+            is_set(transform_right_filter_column(3 - i, 2 - j), 6), transform_right_filter_feature_0_values(3));
+          transform_right_filter_feature_0_choices(20 * i + 4 * j + 109) :=
+            inverted_carry(transform_right_filter_feature_0_choices(20 * i + 4 * j + 108),
+            is_set(transform_right_filter_column(3 - i, 2 - j), 7), not is_set(transform_right_filter_column(4, 2), 7));
         end loop;
-        if transform_right_filter_feature_0_choices(4 * i + 84) then
-          transform_right_filter_feature_0_choices(4 * i + 85) := is_set(transform_right_filter_column(7 - i, 3 * i -
-            9), 7) and (not is_set(transform_right_filter_column(4, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(4 * i + 85) := is_set(transform_right_filter_column(7 - i, 3 * i -
-            9), 7) or (not is_set(transform_right_filter_column(4, 2), 7));
-        end if;
-        if is_set(transform_right_filter_column(3, i), 4) then
-          transform_right_filter_feature_0_choices(4 * i + 86) := (not transform_right_filter_low_is_larger_0(3, i))
-            and transform_right_filter_feature_0_value;
-        else
-          transform_right_filter_feature_0_choices(4 * i + 86) := (not transform_right_filter_low_is_larger_0(3, i)) or
-            transform_right_filter_feature_0_value;
-        end if;
       end loop;
       for i in 0 to 1 loop
-        for j in 5 to 6 loop
-          if transform_right_filter_feature_0_choices(4 * i + j + 97) then
-            transform_right_filter_feature_0_choices(4 * i + j + 98) := (not is_set(transform_right_filter_column(3, 4
-              - 2 * i), j)) or transform_right_filter_feature_0_values(j - 3);
-          else
-            transform_right_filter_feature_0_choices(4 * i + j + 98) := (not is_set(transform_right_filter_column(3, 4
-              - 2 * i), j)) and transform_right_filter_feature_0_values(j - 3);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(4 * i + 104) then
-          transform_right_filter_feature_0_choices(4 * i + 105) := is_set(transform_right_filter_column(3, 4 - 2 * i),
-            7) and (not is_set(transform_right_filter_column(4, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(4 * i + 105) := is_set(transform_right_filter_column(3, 4 - 2 * i),
-            7) or (not is_set(transform_right_filter_column(4, 2), 7));
-        end if;
-        if is_set(transform_right_filter_column(3, 2 - i), 4) then
-          transform_right_filter_feature_0_choices(4 * i + 106) := (not transform_right_filter_low_is_larger_0(3, 2 -
-            i)) and transform_right_filter_feature_0_value;
-        else
-          transform_right_filter_feature_0_choices(4 * i + 106) := (not transform_right_filter_low_is_larger_0(3, 2 -
-            i)) or transform_right_filter_feature_0_value;
-        end if;
+        transform_right_filter_feature_0_choices(8 * i + 158) := inverted_carry(is_set(transform_right_filter_column(0,
+          3 - i), 4), not transform_right_filter_low_is_larger_0(0, 3 - i), transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(8 * i + 159) := carry(transform_right_filter_feature_0_choices(8 * i +
+          158), not is_set(transform_right_filter_column(0, 3 - i), 5), transform_right_filter_feature_0_values(2));
+        transform_right_filter_feature_0_choices(8 * i + 160) := carry(transform_right_filter_feature_0_choices(8 * i +
+          159), not is_set(transform_right_filter_column(0, 3 - i), 6), transform_right_filter_feature_0_values(3));
+        transform_right_filter_feature_0_choices(8 * i + 161) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 160), is_set(transform_right_filter_column(0,
+          3 - i), 7), not is_set(transform_right_filter_column(4, 2), 7));
+        transform_right_filter_feature_0_choices(8 * i + 162) := inverted_carry(is_set(transform_right_filter_column(0,
+          4 - 3 * i), 4), not transform_right_filter_low_is_larger_0(0, 4 - 3 * i),
+          transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(8 * i + 163) := carry(transform_right_filter_feature_0_choices(8 * i +
+          162), not is_set(transform_right_filter_column(0, 4 - 3 * i), 5), transform_right_filter_feature_0_values(2));
+        transform_right_filter_feature_0_choices(8 * i + 164) := carry(transform_right_filter_feature_0_choices(8 * i +
+          163), not is_set(transform_right_filter_column(0, 4 - 3 * i), 6), transform_right_filter_feature_0_values(3));
+        transform_right_filter_feature_0_choices(8 * i + 165) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 164), is_set(transform_right_filter_column(0,
+          4 - 3 * i), 7), not is_set(transform_right_filter_column(4, 2), 7));
       end loop;
-      for i in 0 to 1 loop
-        for j in 5 to 6 loop
-          if transform_right_filter_feature_0_choices(4 * i + j + 105) then
-            transform_right_filter_feature_0_choices(4 * i + j + 106) := (not is_set(transform_right_filter_column(3, 1
-              - i), j)) or transform_right_filter_feature_0_values(j - 3);
-          else
-            transform_right_filter_feature_0_choices(4 * i + j + 106) := (not is_set(transform_right_filter_column(3, 1
-              - i), j)) and transform_right_filter_feature_0_values(j - 3);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(4 * i + 112) then
-          transform_right_filter_feature_0_choices(4 * i + 113) := is_set(transform_right_filter_column(3, 1 - i), 7)
-            and (not is_set(transform_right_filter_column(4, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(4 * i + 113) := is_set(transform_right_filter_column(3, 1 - i), 7)
-            or (not is_set(transform_right_filter_column(4, 2), 7));
-        end if;
-        if is_set(transform_right_filter_column(3 - i, 3 * i), 4) then
-          transform_right_filter_feature_0_choices(4 * i + 114) := (not transform_right_filter_low_is_larger_0(3 - i, 3
-            * i)) and transform_right_filter_feature_0_value;
-        else
-          transform_right_filter_feature_0_choices(4 * i + 114) := (not transform_right_filter_low_is_larger_0(3 - i, 3
-            * i)) or transform_right_filter_feature_0_value;
-        end if;
-      end loop;
-      for i in 3 to 4 loop
-        for j in 5 to 6 loop
-          if transform_right_filter_feature_0_choices(4 * i + j + 101) then
-            transform_right_filter_feature_0_choices(4 * i + j + 102) := (not is_set(transform_right_filter_column(2,
-              i), j)) or transform_right_filter_feature_0_values(j - 3);
-          else
-            transform_right_filter_feature_0_choices(4 * i + j + 102) := (not is_set(transform_right_filter_column(2,
-              i), j)) and transform_right_filter_feature_0_values(j - 3);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(4 * i + 108) then
-          transform_right_filter_feature_0_choices(4 * i + 109) := is_set(transform_right_filter_column(2, i), 7) and
-            (not is_set(transform_right_filter_column(4, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(4 * i + 109) := is_set(transform_right_filter_column(2, i), 7) or
-            (not is_set(transform_right_filter_column(4, 2), 7));
-        end if;
-        if is_set(transform_right_filter_column(2, 10 - 2 * i), 4) then
-          transform_right_filter_feature_0_choices(4 * i + 110) := (not transform_right_filter_low_is_larger_0(2, 10 -
-            2 * i)) and transform_right_filter_feature_0_value;
-        else
-          transform_right_filter_feature_0_choices(4 * i + 110) := (not transform_right_filter_low_is_larger_0(2, 10 -
-            2 * i)) or transform_right_filter_feature_0_value;
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        for j in 5 to 6 loop
-          if transform_right_filter_feature_0_choices(4 * i + j + 121) then
-            transform_right_filter_feature_0_choices(4 * i + j + 122) := (not is_set(transform_right_filter_column(2, 2
-              - i), j)) or transform_right_filter_feature_0_values(j - 3);
-          else
-            transform_right_filter_feature_0_choices(4 * i + j + 122) := (not is_set(transform_right_filter_column(2, 2
-              - i), j)) and transform_right_filter_feature_0_values(j - 3);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(4 * i + 128) then
-          transform_right_filter_feature_0_choices(4 * i + 129) := is_set(transform_right_filter_column(2, 2 - i), 7)
-            and (not is_set(transform_right_filter_column(4, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(4 * i + 129) := is_set(transform_right_filter_column(2, 2 - i), 7)
-            or (not is_set(transform_right_filter_column(4, 2), 7));
-        end if;
-        if is_set(transform_right_filter_column(2, 1 - i), 4) then
-          transform_right_filter_feature_0_choices(4 * i + 130) := (not transform_right_filter_low_is_larger_0(2, 1 -
-            i)) and transform_right_filter_feature_0_value;
-        else
-          transform_right_filter_feature_0_choices(4 * i + 130) := (not transform_right_filter_low_is_larger_0(2, 1 -
-            i)) or transform_right_filter_feature_0_value;
-        end if;
-      end loop;
-      for i in 3 to 4 loop
-        for j in 5 to 6 loop
-          if transform_right_filter_feature_0_choices(4 * i + j + 117) then
-            transform_right_filter_feature_0_choices(4 * i + j + 118) := (not is_set(transform_right_filter_column(5 -
-              i, 3 * i - 9), j)) or transform_right_filter_feature_0_values(j - 3);
-          else
-            transform_right_filter_feature_0_choices(4 * i + j + 118) := (not is_set(transform_right_filter_column(5 -
-              i, 3 * i - 9), j)) and transform_right_filter_feature_0_values(j - 3);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(4 * i + 124) then
-          transform_right_filter_feature_0_choices(4 * i + 125) := is_set(transform_right_filter_column(5 - i, 3 * i -
-            9), 7) and (not is_set(transform_right_filter_column(4, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(4 * i + 125) := is_set(transform_right_filter_column(5 - i, 3 * i -
-            9), 7) or (not is_set(transform_right_filter_column(4, 2), 7));
-        end if;
-        if is_set(transform_right_filter_column(1, i), 4) then
-          transform_right_filter_feature_0_choices(4 * i + 126) := (not transform_right_filter_low_is_larger_0(1, i))
-            and transform_right_filter_feature_0_value;
-        else
-          transform_right_filter_feature_0_choices(4 * i + 126) := (not transform_right_filter_low_is_larger_0(1, i))
-            or transform_right_filter_feature_0_value;
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        for j in 5 to 6 loop
-          if transform_right_filter_feature_0_choices(4 * i + j + 137) then
-            transform_right_filter_feature_0_choices(4 * i + j + 138) := (not is_set(transform_right_filter_column(1, 4
-              - 2 * i), j)) or transform_right_filter_feature_0_values(j - 3);
-          else
-            transform_right_filter_feature_0_choices(4 * i + j + 138) := (not is_set(transform_right_filter_column(1, 4
-              - 2 * i), j)) and transform_right_filter_feature_0_values(j - 3);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(4 * i + 144) then
-          transform_right_filter_feature_0_choices(4 * i + 145) := is_set(transform_right_filter_column(1, 4 - 2 * i),
-            7) and (not is_set(transform_right_filter_column(4, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(4 * i + 145) := is_set(transform_right_filter_column(1, 4 - 2 * i),
-            7) or (not is_set(transform_right_filter_column(4, 2), 7));
-        end if;
-        if is_set(transform_right_filter_column(1, 2 - i), 4) then
-          transform_right_filter_feature_0_choices(4 * i + 146) := (not transform_right_filter_low_is_larger_0(1, 2 -
-            i)) and transform_right_filter_feature_0_value;
-        else
-          transform_right_filter_feature_0_choices(4 * i + 146) := (not transform_right_filter_low_is_larger_0(1, 2 -
-            i)) or transform_right_filter_feature_0_value;
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        for j in 5 to 6 loop
-          if transform_right_filter_feature_0_choices(4 * i + j + 145) then
-            transform_right_filter_feature_0_choices(4 * i + j + 146) := (not is_set(transform_right_filter_column(1, 1
-              - i), j)) or transform_right_filter_feature_0_values(j - 3);
-          else
-            transform_right_filter_feature_0_choices(4 * i + j + 146) := (not is_set(transform_right_filter_column(1, 1
-              - i), j)) and transform_right_filter_feature_0_values(j - 3);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(4 * i + 152) then
-          transform_right_filter_feature_0_choices(4 * i + 153) := is_set(transform_right_filter_column(1, 1 - i), 7)
-            and (not is_set(transform_right_filter_column(4, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(4 * i + 153) := is_set(transform_right_filter_column(1, 1 - i), 7)
-            or (not is_set(transform_right_filter_column(4, 2), 7));
-        end if;
-        if is_set(transform_right_filter_column(1 - i, 3 * i), 4) then
-          transform_right_filter_feature_0_choices(4 * i + 154) := (not transform_right_filter_low_is_larger_0(1 - i, 3
-            * i)) and transform_right_filter_feature_0_value;
-        else
-          transform_right_filter_feature_0_choices(4 * i + 154) := (not transform_right_filter_low_is_larger_0(1 - i, 3
-            * i)) or transform_right_filter_feature_0_value;
-        end if;
-      end loop;
-      for i in 3 to 4 loop
-        for j in 5 to 6 loop
-          if transform_right_filter_feature_0_choices(4 * i + j + 141) then
-            transform_right_filter_feature_0_choices(4 * i + j + 142) := (not is_set(transform_right_filter_column(0,
-              i), j)) or transform_right_filter_feature_0_values(j - 3);
-          else
-            transform_right_filter_feature_0_choices(4 * i + j + 142) := (not is_set(transform_right_filter_column(0,
-              i), j)) and transform_right_filter_feature_0_values(j - 3);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(4 * i + 148) then
-          transform_right_filter_feature_0_choices(4 * i + 149) := is_set(transform_right_filter_column(0, i), 7) and
-            (not is_set(transform_right_filter_column(4, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(4 * i + 149) := is_set(transform_right_filter_column(0, i), 7) or
-            (not is_set(transform_right_filter_column(4, 2), 7));
-        end if;
-        if is_set(transform_right_filter_column(0, 10 - 2 * i), 4) then
-          transform_right_filter_feature_0_choices(4 * i + 150) := (not transform_right_filter_low_is_larger_0(0, 10 -
-            2 * i)) and transform_right_filter_feature_0_value;
-        else
-          transform_right_filter_feature_0_choices(4 * i + 150) := (not transform_right_filter_low_is_larger_0(0, 10 -
-            2 * i)) or transform_right_filter_feature_0_value;
-        end if;
-      end loop;
-      for i in 166 to 167 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(0, 2), i - 161))
-            or transform_right_filter_feature_0_values(i - 164);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(0, 2), i - 161))
-            and transform_right_filter_feature_0_values(i - 164);
-        end if;
-      end loop;
-      if transform_right_filter_feature_0_choices(168) then
-        transform_right_filter_feature_0_choices(169) := is_set(transform_right_filter_column(0, 2), 7) and (not
-          is_set(transform_right_filter_column(4, 2), 7));
-      else
-        transform_right_filter_feature_0_choices(169) := is_set(transform_right_filter_column(0, 2), 7) or (not
-          is_set(transform_right_filter_column(4, 2), 7));
-      end if;
-      if is_set(transform_right_filter_column(0, 1), 4) then
-        transform_right_filter_feature_0_choices(170) := (not transform_right_filter_low_is_larger_0(0, 1)) and
-          transform_right_filter_feature_0_value;
-      else
-        transform_right_filter_feature_0_choices(170) := (not transform_right_filter_low_is_larger_0(0, 1)) or
-          transform_right_filter_feature_0_value;
-      end if;
-      for i in 170 to 171 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(0, 1), i - 165))
-            or transform_right_filter_feature_0_values(i - 168);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(0, 1), i - 165))
-            and transform_right_filter_feature_0_values(i - 168);
-        end if;
-      end loop;
-      if transform_right_filter_feature_0_choices(172) then
-        transform_right_filter_feature_0_choices(173) := is_set(transform_right_filter_column(0, 1), 7) and (not
-          is_set(transform_right_filter_column(4, 2), 7));
-      else
-        transform_right_filter_feature_0_choices(173) := is_set(transform_right_filter_column(0, 1), 7) or (not
-          is_set(transform_right_filter_column(4, 2), 7));
-      end if;
       transform_right_filter_feature_0_values(4) := is_set(transform_right_filter_column(0, 0), 4);
-      if transform_right_filter_feature_0_value then
-        transform_right_filter_feature_0_choices(174) := transform_right_filter_feature_0_values(4) and
-          transform_right_filter_low_is_larger_0(0, 0);
-      else
-        transform_right_filter_feature_0_choices(174) := transform_right_filter_feature_0_values(4) or
-          transform_right_filter_low_is_larger_0(0, 0);
-      end if;
+      transform_right_filter_feature_0_choices(174) := inverted_carry(transform_right_filter_feature_0_values(1),
+        transform_right_filter_feature_0_values(4), transform_right_filter_low_is_larger_0(0, 0));
       for i in 5 to 6 loop
         transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(0, 0), i);
-        if transform_right_filter_feature_0_choices(i + 169) then
-          transform_right_filter_feature_0_choices(i + 170) := (not transform_right_filter_feature_0_values(i - 3)) or
-            transform_right_filter_feature_0_values(i);
-        else
-          transform_right_filter_feature_0_choices(i + 170) := (not transform_right_filter_feature_0_values(i - 3)) and
-            transform_right_filter_feature_0_values(i);
-        end if;
+        transform_right_filter_feature_0_choices(i + 170) := carry(transform_right_filter_feature_0_choices(i + 169),
+          not transform_right_filter_feature_0_values(i - 3), transform_right_filter_feature_0_values(i));
       end loop;
-      if transform_right_filter_feature_0_choices(176) then
-        transform_right_filter_feature_0_choices(177) := (not is_set(transform_right_filter_column(4, 2), 7)) or
-          is_set(transform_right_filter_column(0, 0), 7);
-      else
-        transform_right_filter_feature_0_choices(177) := (not is_set(transform_right_filter_column(4, 2), 7)) and
-          is_set(transform_right_filter_column(0, 0), 7);
-      end if;
-      if transform_filtering_0_column_inside(0) then
-        transform_right_filter_feature_0_choice_178 := (as_number(transform_right_filter_feature_0_choices(161)) * 8) +
-          (as_number(transform_right_filter_feature_0_choices(165)) * 16) +
-          (as_number(transform_right_filter_feature_0_choices(169)) * 4) +
-          (as_number(transform_right_filter_feature_0_choices(173)) * 2) +
-          as_number(transform_right_filter_feature_0_choices(177));
-      else
-        transform_right_filter_feature_0_choice_178 := 0;
-      end if;
-      if transform_filtering_0_column_inside(1) then
-        transform_right_filter_feature_0_choice_179 := (as_number(transform_right_filter_feature_0_choices(141)) * 256)
-          + (as_number(transform_right_filter_feature_0_choices(145)) * 512) +
-          (as_number(transform_right_filter_feature_0_choices(149)) * 128) +
-          (as_number(transform_right_filter_feature_0_choices(153)) * 64) +
-          (as_number(transform_right_filter_feature_0_choices(157)) * 32) + transform_right_filter_feature_0_choice_178;
-      else
-        transform_right_filter_feature_0_choice_179 := transform_right_filter_feature_0_choice_178;
-      end if;
-      if transform_filtering_0_column_inside(2) then
-        transform_right_filter_feature_0_choice_180 := (as_number(transform_right_filter_feature_0_choices(121)) *
-          8192) + (as_number(transform_right_filter_feature_0_choices(125)) * 16384) +
-          (as_number(transform_right_filter_feature_0_choices(129)) * 4096) +
-          (as_number(transform_right_filter_feature_0_choices(133)) * 2048) +
-          (as_number(transform_right_filter_feature_0_choices(137)) * 1024) +
-          transform_right_filter_feature_0_choice_179;
-      else
-        transform_right_filter_feature_0_choice_180 := transform_right_filter_feature_0_choice_179;
-      end if;
-      if transform_filtering_0_column_inside(3) then
-        transform_right_filter_feature_0_choice_181 := (as_number(transform_right_filter_feature_0_choices(101)) *
-          262144) + (as_number(transform_right_filter_feature_0_choices(105)) * 524288) +
-          (as_number(transform_right_filter_feature_0_choices(109)) * 131072) +
-          (as_number(transform_right_filter_feature_0_choices(113)) * 65536) +
-          (as_number(transform_right_filter_feature_0_choices(117)) * 32768) +
-          transform_right_filter_feature_0_choice_180;
-      else
-        transform_right_filter_feature_0_choice_181 := transform_right_filter_feature_0_choice_180;
-      end if;
-      if transform_filtering_0_column_inside(4) then
-        transform_right_filter_feature_0_choice_182 := (as_number(transform_right_filter_feature_0_choices(89)) *
-          2097152) + (as_number(transform_right_filter_feature_0_choices(93)) * 4194304) +
-          (as_number(transform_right_filter_feature_0_choices(97)) * 1048576) +
-          transform_right_filter_feature_0_choice_181;
-      else
-        transform_right_filter_feature_0_choice_182 := transform_right_filter_feature_0_choice_181;
-      end if;
-      if transform_filtering_0_column_inside(5) then
-        transform_right_filter_feature_0_choice_183 := (as_number(transform_right_filter_feature_0_choices(64)) *
-          16777216) + (as_number(transform_right_filter_feature_0_choices(68)) * 33554432) +
-          (as_number(transform_right_filter_feature_0_choices(72)) * 67108864) +
-          (as_number(transform_right_filter_feature_0_choices(76)) * 134217728) +
-          (as_number(transform_right_filter_feature_0_choices(80)) * 268435456) +
-          (as_number(transform_right_filter_feature_0_choices(85)) * 8388608) +
-          transform_right_filter_feature_0_choice_182;
-      else
-        transform_right_filter_feature_0_choice_183 := (as_number(transform_right_filter_feature_0_choices(85)) *
-          8388608) + transform_right_filter_feature_0_choice_182;
-      end if;
+      transform_right_filter_feature_0_choices(177) := carry(transform_right_filter_feature_0_choices(176), not
+        is_set(transform_right_filter_column(4, 2), 7), is_set(transform_right_filter_column(0, 0), 7));
+      transform_right_filter_feature_0_choice_178 := choice(transform_filtering_0_column_inside(0),
+        (as_number(transform_right_filter_feature_0_choices(161)) * 8) +
+        (as_number(transform_right_filter_feature_0_choices(165)) * 16) +
+        (as_number(transform_right_filter_feature_0_choices(169)) * 4) +
+        (as_number(transform_right_filter_feature_0_choices(173)) * 2) +
+        as_number(transform_right_filter_feature_0_choices(177)), 0);
+      transform_right_filter_feature_0_choice_179 := choice(transform_filtering_0_column_inside(1),
+        (as_number(transform_right_filter_feature_0_choices(141)) * 256) +
+        (as_number(transform_right_filter_feature_0_choices(145)) * 512) +
+        (as_number(transform_right_filter_feature_0_choices(149)) * 128) +
+        (as_number(transform_right_filter_feature_0_choices(153)) * 64) +
+        (as_number(transform_right_filter_feature_0_choices(157)) * 32) + transform_right_filter_feature_0_choice_178,
+        transform_right_filter_feature_0_choice_178);
+      transform_right_filter_feature_0_choice_180 := choice(transform_filtering_0_column_inside(2),
+        (as_number(transform_right_filter_feature_0_choices(121)) * 8192) +
+        (as_number(transform_right_filter_feature_0_choices(125)) * 16384) +
+        (as_number(transform_right_filter_feature_0_choices(129)) * 4096) +
+        (as_number(transform_right_filter_feature_0_choices(133)) * 2048) +
+        (as_number(transform_right_filter_feature_0_choices(137)) * 1024) +
+        transform_right_filter_feature_0_choice_179, transform_right_filter_feature_0_choice_179);
+      transform_right_filter_feature_0_choice_181 := choice(transform_filtering_0_column_inside(3),
+        (as_number(transform_right_filter_feature_0_choices(101)) * 262144) +
+        (as_number(transform_right_filter_feature_0_choices(105)) * 524288) +
+        (as_number(transform_right_filter_feature_0_choices(109)) * 131072) +
+        (as_number(transform_right_filter_feature_0_choices(113)) * 65536) +
+        (as_number(transform_right_filter_feature_0_choices(117)) * 32768) +
+        transform_right_filter_feature_0_choice_180, transform_right_filter_feature_0_choice_180);
+      transform_right_filter_feature_0_choice_182 := choice(transform_filtering_0_column_inside(4),
+        (as_number(transform_right_filter_feature_0_choices(89)) * 2097152) +
+        (as_number(transform_right_filter_feature_0_choices(93)) * 4194304) +
+        (as_number(transform_right_filter_feature_0_choices(97)) * 1048576) +
+        transform_right_filter_feature_0_choice_181, transform_right_filter_feature_0_choice_181);
+      transform_right_filter_feature_0_choice_183 := choice(transform_filtering_0_column_inside(5),
+        (as_number(transform_right_filter_feature_0_choices(64)) * 16777216) +
+        (as_number(transform_right_filter_feature_0_choices(68)) * 33554432) +
+        (as_number(transform_right_filter_feature_0_choices(72)) * 67108864) +
+        (as_number(transform_right_filter_feature_0_choices(76)) * 134217728) +
+        (as_number(transform_right_filter_feature_0_choices(80)) * 268435456) +
+        (as_number(transform_right_filter_feature_0_choices(85)) * 8388608) +
+        transform_right_filter_feature_0_choice_182, (as_number(transform_right_filter_feature_0_choices(85)) *
+        8388608) + transform_right_filter_feature_0_choice_182);
       if transform_filtering_0_column_inside(6) then
         transform_right_filter_feature_0_choice_184 :=
           to_unsigned(as_number(transform_right_filter_feature_0_choices(60)), 1) &
@@ -3250,15 +2290,9 @@ begin
       transform_ready_row_inside(2) <= transform_reached_first(2) and (not transform_reached_beyond_last(4));
       transform_ready_row_inside(3) <= transform_reached_first(3) and (not transform_reached_beyond_last(3));
       transform_ready_row_inside(4) <= transform_read_column_inside(4) and (not transform_reached_beyond_last(2));
-      transform_ready_column_inside(0) <= transform_read_column_inside(0);
-      transform_ready_column_inside(1) <= transform_read_column_inside(1);
-      transform_ready_column_inside(2) <= transform_read_column_inside(2);
-      transform_ready_column_inside(3) <= transform_read_column_inside(3);
+      transform_ready_column_inside(0 to 3) <= transform_read_column_inside(0 to 3);
       transform_ready_column_inside(4) <= transform_reached_first(4);
-      transform_ready_column_inside(5) <= transform_read_column_inside(5);
-      transform_ready_column_inside(6) <= transform_read_column_inside(6);
-      transform_ready_column_inside(7) <= transform_read_column_inside(7);
-      transform_ready_column_inside(8) <= transform_read_column_inside(8);
+      transform_ready_column_inside(5 to 8) <= transform_read_column_inside(5 to 8);
       transform_ready_start_of_frame <= transform_read_start_of_frame;
       transform_ready_valid <= transform_read_valid;
       transform_reached_first(0) <= 3 < transform_counter_group;
@@ -3279,103 +2313,111 @@ begin
       transform_right_column(2) <= to_integer(transform_right_rows_ready_words_0(23 downto 16));
       transform_right_column(3) <= to_integer(transform_right_rows_ready_words_0(31 downto 24));
       transform_right_column(4) <= transform_right_rows_ready_newest_0;
-      for i in 0 to 4 loop
-        transform_columns_row_inside(i) <= transform_ready_row_inside(i);
-      end loop;
-      for i in 0 to 8 loop
-        transform_columns_column_inside(i) <= transform_ready_column_inside(i);
-      end loop;
+      transform_columns_row_inside <= transform_ready_row_inside;
+      transform_columns_column_inside <= transform_ready_column_inside;
       transform_columns_start_of_frame <= transform_ready_start_of_frame;
       transform_columns_valid <= transform_ready_valid;
-      for i in 0 to 8 loop
-        transform_filtering_0_column_inside(i) <= transform_columns_column_inside(i);
-      end loop;
+      transform_filtering_0_column_inside <= transform_columns_column_inside;
       transform_filtering_start_of_frame(0) <= transform_columns_start_of_frame;
       transform_filtering_valid(0) <= transform_columns_valid;
       transform_filtering_start_of_frame(1) <= transform_filtering_start_of_frame(0);
       transform_filtering_valid(1) <= transform_filtering_valid(0);
       transform_filtering_start_of_frame(2) <= transform_filtering_start_of_frame(1);
       transform_filtering_valid(2) <= transform_filtering_valid(1);
-      if transform_counter_counts then
-        transform_counter_frame_joins <= transform_counter_frame_joins_choice;
-      else
-        transform_counter_frame_joins <= winnerswinner1_best_below_0;
-      end if;
-      if transform_counter_last_column then
-        transform_counter_column_after <= 0;
-      else
-        transform_counter_column_after <= (transform_counter_column + 1) mod 1024;
-      end if;
-      if (not transform_counter_counts) or (not transform_counter_last_column) then
-        transform_counter_group_after <= transform_counter_group;
-      else
-        transform_counter_group_after <= transform_counter_group_after_choice;
-      end if;
-      if transform_left_filter_low_is_larger_0_choices_from_0(0, 0, 3) then
-        transform_left_filter_low_is_larger_0(0, 0) <= (not is_set(transform_left_filter_column(4, 2), 3)) or
-          transform_left_filter_low_is_larger_0_0_0_values(4);
-      else
-        transform_left_filter_low_is_larger_0(0, 0) <= (not is_set(transform_left_filter_column(4, 2), 3)) and
-          transform_left_filter_low_is_larger_0_0_0_values(4);
-      end if;
-      for i in 1 to 4 loop
-        if transform_left_filter_low_is_larger_0_choices_from_0(0, i, 3) then
-          transform_left_filter_low_is_larger_0(0, i) <= transform_left_filter_low_is_larger_0_value(0, i) and (not
-            is_set(transform_left_filter_column(4, 2), 3));
-        else
-          transform_left_filter_low_is_larger_0(0, i) <= transform_left_filter_low_is_larger_0_value(0, i) or (not
-            is_set(transform_left_filter_column(4, 2), 3));
-        end if;
-      end loop;
-      for i in 1 to 3 loop
-        for j in 0 to 4 loop
-          if transform_left_filter_low_is_larger_0_choices_from_0(i, j, 3) then
-            transform_left_filter_low_is_larger_0(i, j) <= transform_left_filter_low_is_larger_0_value(i, j) and (not
-              is_set(transform_left_filter_column(4, 2), 3));
-          else
-            transform_left_filter_low_is_larger_0(i, j) <= transform_left_filter_low_is_larger_0_value(i, j) or (not
-              is_set(transform_left_filter_column(4, 2), 3));
-          end if;
-        end loop;
-      end loop;
-      for i in 0 to 1 loop
-        if transform_left_filter_low_is_larger_0_4_choices_from_0(i, 3) then
-          transform_left_filter_low_is_larger_0_4(i) <= transform_left_filter_low_is_larger_0_4_value(i) and (not
-            is_set(transform_left_filter_column(4, 2), 3));
-        else
-          transform_left_filter_low_is_larger_0_4(i) <= transform_left_filter_low_is_larger_0_4_value(i) or (not
-            is_set(transform_left_filter_column(4, 2), 3));
-        end if;
-      end loop;
-      for i in 3 to 4 loop
-        if transform_left_filter_low_is_larger_0_4_choices_from_3(i, 3) then
-          transform_left_filter_low_is_larger_0_4s(i) <= transform_left_filter_low_is_larger_0_4_values(i) and (not
-            is_set(transform_left_filter_column(4, 2), 3));
-        else
-          transform_left_filter_low_is_larger_0_4s(i) <= transform_left_filter_low_is_larger_0_4_values(i) or (not
-            is_set(transform_left_filter_column(4, 2), 3));
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        for j in 0 to 4 loop
-          if transform_left_filter_low_is_larger_0_choices_from_5(2 * i + 5, j, 3) then
-            transform_left_filter_low_is_larger_0s(2 * i + 5, j) <= transform_left_filter_low_is_larger_0_values(2 * i
-              + 5, j) and (not is_set(transform_left_filter_column(4, 2), 3));
-          else
-            transform_left_filter_low_is_larger_0s(2 * i + 5, j) <= transform_left_filter_low_is_larger_0_values(2 * i
-              + 5, j) or (not is_set(transform_left_filter_column(4, 2), 3));
-          end if;
-        end loop;
-        for j in 0 to 4 loop
-          if transform_left_filter_low_is_larger_0_choices_from_5(2 * i + 6, j, 3) then
-            transform_left_filter_low_is_larger_0s(2 * i + 6, j) <= transform_left_filter_low_is_larger_0_values(2 * i
-              + 6, j) and (not is_set(transform_left_filter_column(4, 2), 3));
-          else
-            transform_left_filter_low_is_larger_0s(2 * i + 6, j) <= transform_left_filter_low_is_larger_0_values(2 * i
-              + 6, j) or (not is_set(transform_left_filter_column(4, 2), 3));
-          end if;
-        end loop;
-      end loop;
+      transform_counter_frame_joins <= choice(transform_counter_counts, transform_counter_frame_joins_choice,
+        winnerswinner1_best_below_0);
+      transform_counter_column_after <= choice(transform_counter_last_column, 0, (transform_counter_column + 1) mod
+        1024);
+      transform_counter_group_after <= choice((not transform_counter_counts) or (not transform_counter_last_column),
+        transform_counter_group, transform_counter_group_after_choice);
+      transform_left_filter_low_is_larger_0(0, 0) <= carry(transform_left_filter_low_is_larger_0_choice(0, 0, 3), not
+        is_set(transform_left_filter_column(4, 2), 3), transform_left_filter_low_is_larger_0_0_0_values(4));
+      transform_left_filter_low_is_larger_0(0, 1) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(0, 1,
+        3), transform_left_filter_low_is_larger_0_0_1_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0(0, 2) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(0, 2,
+        3), transform_left_filter_low_is_larger_0_0_2_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0(0, 3) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(0, 3,
+        3), transform_left_filter_low_is_larger_0_0_3_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0(0, 4) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(0, 4,
+        3), transform_left_filter_low_is_larger_0_0_4_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0(1, 0) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(1, 0,
+        3), transform_left_filter_low_is_larger_0_1_0_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0(1, 1) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(1, 1,
+        3), transform_left_filter_low_is_larger_0_1_1_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0(1, 2) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(1, 2,
+        3), transform_left_filter_low_is_larger_0_1_2_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0(1, 3) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(1, 3,
+        3), transform_left_filter_low_is_larger_0_1_3_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0(1, 4) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(1, 4,
+        3), transform_left_filter_low_is_larger_0_1_4_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0(2, 0) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(2, 0,
+        3), transform_left_filter_low_is_larger_0_2_0_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0(2, 1) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(2, 1,
+        3), transform_left_filter_low_is_larger_0_2_1_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0(2, 2) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(2, 2,
+        3), transform_left_filter_low_is_larger_0_2_2_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0(2, 3) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(2, 3,
+        3), transform_left_filter_low_is_larger_0_2_3_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0(2, 4) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(2, 4,
+        3), transform_left_filter_low_is_larger_0_2_4_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0(3, 0) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(3, 0,
+        3), transform_left_filter_low_is_larger_0_3_0_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0(3, 1) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(3, 1,
+        3), transform_left_filter_low_is_larger_0_3_1_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0(3, 2) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(3, 2,
+        3), transform_left_filter_low_is_larger_0_3_2_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0(3, 3) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(3, 3,
+        3), transform_left_filter_low_is_larger_0_3_3_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0(3, 4) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(3, 4,
+        3), transform_left_filter_low_is_larger_0_3_4_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0_4(0) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(4, 0,
+        3), transform_left_filter_low_is_larger_0_4_0_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0_4(1) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(4, 1,
+        3), transform_left_filter_low_is_larger_0_4_1_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0_4s(3) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(4, 3,
+        3), transform_left_filter_low_is_larger_0_4_3_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0_4s(4) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(4, 4,
+        3), transform_left_filter_low_is_larger_0_4_4_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0s(5, 0) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(5, 0,
+        3), transform_left_filter_low_is_larger_0_5_0_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0s(5, 1) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(5, 1,
+        3), transform_left_filter_low_is_larger_0_5_1_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0s(5, 2) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(5, 2,
+        3), transform_left_filter_low_is_larger_0_5_2_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0s(5, 3) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(5, 3,
+        3), transform_left_filter_low_is_larger_0_5_3_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0s(5, 4) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(5, 4,
+        3), transform_left_filter_low_is_larger_0_5_4_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0s(6, 0) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(6, 0,
+        3), transform_left_filter_low_is_larger_0_6_0_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0s(6, 1) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(6, 1,
+        3), transform_left_filter_low_is_larger_0_6_1_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0s(6, 2) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(6, 2,
+        3), transform_left_filter_low_is_larger_0_6_2_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0s(6, 3) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(6, 3,
+        3), transform_left_filter_low_is_larger_0_6_3_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0s(6, 4) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(6, 4,
+        3), transform_left_filter_low_is_larger_0_6_4_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0s(7, 0) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(7, 0,
+        3), transform_left_filter_low_is_larger_0_7_0_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0s(7, 1) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(7, 1,
+        3), transform_left_filter_low_is_larger_0_7_1_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0s(7, 2) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(7, 2,
+        3), transform_left_filter_low_is_larger_0_7_2_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0s(7, 3) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(7, 3,
+        3), transform_left_filter_low_is_larger_0_7_3_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0s(7, 4) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(7, 4,
+        3), transform_left_filter_low_is_larger_0_7_4_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0s(8, 0) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(8, 0,
+        3), transform_left_filter_low_is_larger_0_8_0_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0s(8, 1) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(8, 1,
+        3), transform_left_filter_low_is_larger_0_8_1_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0s(8, 2) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(8, 2,
+        3), transform_left_filter_low_is_larger_0_8_2_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0s(8, 3) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(8, 3,
+        3), transform_left_filter_low_is_larger_0_8_3_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0s(8, 4) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(8, 4,
+        3), transform_left_filter_low_is_larger_0_8_4_value, not is_set(transform_left_filter_column(4, 2), 3));
       if transform_filtering_0_column_inside(8) then
         transform_left_filter_feature_0 <= to_unsigned(as_number(transform_left_filter_feature_0_choices(20)), 1) &
           to_unsigned(as_number(transform_left_filter_feature_0_choices(16)), 1) &
@@ -3393,84 +2435,99 @@ begin
         transform_left_filter_feature_0 <= resize(transform_left_filter_feature_0_choice_185, 44);
         transform_right_filter_feature_0 <= resize(transform_right_filter_feature_0_choice_185, 44);
       end if;
-      if transform_right_filter_low_is_larger_0_choices_from_0(0, 0, 3) then
-        transform_right_filter_low_is_larger_0(0, 0) <= (not is_set(transform_right_filter_column(4, 2), 3)) or
-          transform_right_filter_low_is_larger_0_0_0_values(4);
-      else
-        transform_right_filter_low_is_larger_0(0, 0) <= (not is_set(transform_right_filter_column(4, 2), 3)) and
-          transform_right_filter_low_is_larger_0_0_0_values(4);
-      end if;
-      for i in 1 to 4 loop
-        if transform_right_filter_low_is_larger_0_choices_from_0(0, i, 3) then
-          transform_right_filter_low_is_larger_0(0, i) <= transform_right_filter_low_is_larger_0_value(0, i) and (not
-            is_set(transform_right_filter_column(4, 2), 3));
-        else
-          transform_right_filter_low_is_larger_0(0, i) <= transform_right_filter_low_is_larger_0_value(0, i) or (not
-            is_set(transform_right_filter_column(4, 2), 3));
-        end if;
-      end loop;
-      for i in 1 to 3 loop
-        for j in 0 to 4 loop
-          if transform_right_filter_low_is_larger_0_choices_from_0(i, j, 3) then
-            transform_right_filter_low_is_larger_0(i, j) <= transform_right_filter_low_is_larger_0_value(i, j) and (not
-              is_set(transform_right_filter_column(4, 2), 3));
-          else
-            transform_right_filter_low_is_larger_0(i, j) <= transform_right_filter_low_is_larger_0_value(i, j) or (not
-              is_set(transform_right_filter_column(4, 2), 3));
-          end if;
-        end loop;
-      end loop;
-      for i in 0 to 1 loop
-        if transform_right_filter_low_is_larger_0_4_choices_from_0(i, 3) then
-          transform_right_filter_low_is_larger_0_4(i) <= transform_right_filter_low_is_larger_0_4_value(i) and (not
-            is_set(transform_right_filter_column(4, 2), 3));
-        else
-          transform_right_filter_low_is_larger_0_4(i) <= transform_right_filter_low_is_larger_0_4_value(i) or (not
-            is_set(transform_right_filter_column(4, 2), 3));
-        end if;
-      end loop;
-      for i in 3 to 4 loop
-        if transform_right_filter_low_is_larger_0_4_choices_from_3(i, 3) then
-          transform_right_filter_low_is_larger_0_4s(i) <= transform_right_filter_low_is_larger_0_4_values(i) and (not
-            is_set(transform_right_filter_column(4, 2), 3));
-        else
-          transform_right_filter_low_is_larger_0_4s(i) <= transform_right_filter_low_is_larger_0_4_values(i) or (not
-            is_set(transform_right_filter_column(4, 2), 3));
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        for j in 0 to 4 loop
-          if transform_right_filter_low_is_larger_0_choices_from_5(2 * i + 5, j, 3) then
-            transform_right_filter_low_is_larger_0s(2 * i + 5, j) <= transform_right_filter_low_is_larger_0_values(2 *
-              i + 5, j) and (not is_set(transform_right_filter_column(4, 2), 3));
-          else
-            transform_right_filter_low_is_larger_0s(2 * i + 5, j) <= transform_right_filter_low_is_larger_0_values(2 *
-              i + 5, j) or (not is_set(transform_right_filter_column(4, 2), 3));
-          end if;
-        end loop;
-        for j in 0 to 4 loop
-          if transform_right_filter_low_is_larger_0_choices_from_5(2 * i + 6, j, 3) then
-            transform_right_filter_low_is_larger_0s(2 * i + 6, j) <= transform_right_filter_low_is_larger_0_values(2 *
-              i + 6, j) and (not is_set(transform_right_filter_column(4, 2), 3));
-          else
-            transform_right_filter_low_is_larger_0s(2 * i + 6, j) <= transform_right_filter_low_is_larger_0_values(2 *
-              i + 6, j) or (not is_set(transform_right_filter_column(4, 2), 3));
-          end if;
-        end loop;
-      end loop;
-      if transform_counter_next_frame then
-        transform_counter_group_choice := 15;
-      else
-        transform_counter_group_choice := 0;
-      end if;
+      transform_right_filter_low_is_larger_0(0, 0) <= carry(transform_right_filter_low_is_larger_0_choice(0, 0, 3), not
+        is_set(transform_right_filter_column(4, 2), 3), transform_right_filter_low_is_larger_0_0_0_values(4));
+      transform_right_filter_low_is_larger_0(0, 1) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(0,
+        1, 3), transform_right_filter_low_is_larger_0_0_1_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0(0, 2) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(0,
+        2, 3), transform_right_filter_low_is_larger_0_0_2_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0(0, 3) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(0,
+        3, 3), transform_right_filter_low_is_larger_0_0_3_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0(0, 4) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(0,
+        4, 3), transform_right_filter_low_is_larger_0_0_4_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0(1, 0) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(1,
+        0, 3), transform_right_filter_low_is_larger_0_1_0_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0(1, 1) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(1,
+        1, 3), transform_right_filter_low_is_larger_0_1_1_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0(1, 2) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(1,
+        2, 3), transform_right_filter_low_is_larger_0_1_2_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0(1, 3) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(1,
+        3, 3), transform_right_filter_low_is_larger_0_1_3_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0(1, 4) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(1,
+        4, 3), transform_right_filter_low_is_larger_0_1_4_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0(2, 0) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(2,
+        0, 3), transform_right_filter_low_is_larger_0_2_0_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0(2, 1) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(2,
+        1, 3), transform_right_filter_low_is_larger_0_2_1_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0(2, 2) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(2,
+        2, 3), transform_right_filter_low_is_larger_0_2_2_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0(2, 3) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(2,
+        3, 3), transform_right_filter_low_is_larger_0_2_3_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0(2, 4) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(2,
+        4, 3), transform_right_filter_low_is_larger_0_2_4_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0(3, 0) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(3,
+        0, 3), transform_right_filter_low_is_larger_0_3_0_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0(3, 1) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(3,
+        1, 3), transform_right_filter_low_is_larger_0_3_1_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0(3, 2) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(3,
+        2, 3), transform_right_filter_low_is_larger_0_3_2_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0(3, 3) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(3,
+        3, 3), transform_right_filter_low_is_larger_0_3_3_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0(3, 4) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(3,
+        4, 3), transform_right_filter_low_is_larger_0_3_4_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0_4(0) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(4, 0,
+        3), transform_right_filter_low_is_larger_0_4_0_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0_4(1) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(4, 1,
+        3), transform_right_filter_low_is_larger_0_4_1_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0_4s(3) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(4,
+        3, 3), transform_right_filter_low_is_larger_0_4_3_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0_4s(4) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(4,
+        4, 3), transform_right_filter_low_is_larger_0_4_4_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0s(5, 0) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(5,
+        0, 3), transform_right_filter_low_is_larger_0_5_0_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0s(5, 1) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(5,
+        1, 3), transform_right_filter_low_is_larger_0_5_1_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0s(5, 2) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(5,
+        2, 3), transform_right_filter_low_is_larger_0_5_2_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0s(5, 3) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(5,
+        3, 3), transform_right_filter_low_is_larger_0_5_3_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0s(5, 4) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(5,
+        4, 3), transform_right_filter_low_is_larger_0_5_4_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0s(6, 0) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(6,
+        0, 3), transform_right_filter_low_is_larger_0_6_0_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0s(6, 1) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(6,
+        1, 3), transform_right_filter_low_is_larger_0_6_1_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0s(6, 2) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(6,
+        2, 3), transform_right_filter_low_is_larger_0_6_2_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0s(6, 3) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(6,
+        3, 3), transform_right_filter_low_is_larger_0_6_3_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0s(6, 4) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(6,
+        4, 3), transform_right_filter_low_is_larger_0_6_4_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0s(7, 0) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(7,
+        0, 3), transform_right_filter_low_is_larger_0_7_0_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0s(7, 1) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(7,
+        1, 3), transform_right_filter_low_is_larger_0_7_1_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0s(7, 2) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(7,
+        2, 3), transform_right_filter_low_is_larger_0_7_2_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0s(7, 3) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(7,
+        3, 3), transform_right_filter_low_is_larger_0_7_3_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0s(7, 4) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(7,
+        4, 3), transform_right_filter_low_is_larger_0_7_4_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0s(8, 0) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(8,
+        0, 3), transform_right_filter_low_is_larger_0_8_0_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0s(8, 1) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(8,
+        1, 3), transform_right_filter_low_is_larger_0_8_1_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0s(8, 2) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(8,
+        2, 3), transform_right_filter_low_is_larger_0_8_2_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0s(8, 3) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(8,
+        3, 3), transform_right_filter_low_is_larger_0_8_3_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0s(8, 4) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(8,
+        4, 3), transform_right_filter_low_is_larger_0_8_4_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_counter_group_choice := choice(transform_counter_next_frame, 15, 0);
       if in_valid then
-        if in_start_of_frame then
-          transform_counter_column <= 0;
-          transform_counter_group <= transform_counter_group_choice * 32;
-        else
-          transform_counter_column <= transform_counter_column_after;
-          transform_counter_group <= transform_counter_group_after;
-        end if;
+        transform_counter_column <= choice(in_start_of_frame, 0, transform_counter_column_after);
+        transform_counter_group <= choice(in_start_of_frame, transform_counter_group_choice * 32,
+          transform_counter_group_after);
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= to_unsigned(transform_left_rows_ready_newest_0, 8) &
@@ -3497,13 +2554,8 @@ begin
           end loop;
         end loop;
         for i in 0 to 4 loop
-          if transform_columns_row_inside(i) then
-            transform_left_filter_column(0, i) <= transform_left_column(i);
-            transform_right_filter_column(0, i) <= transform_right_column(i);
-          else
-            transform_left_filter_column(0, i) <= 0;
-            transform_right_filter_column(0, i) <= 0;
-          end if;
+          transform_left_filter_column(0, i) <= choice(transform_columns_row_inside(i), transform_left_column(i), 0);
+          transform_right_filter_column(0, i) <= choice(transform_columns_row_inside(i), transform_right_column(i), 0);
         end loop;
       end if;
       -- raster
@@ -3514,19 +2566,10 @@ begin
       raster_place_counts <= raster_place_group /= 480;
       raster_place_group_after <= (raster_place_group + as_number((raster_place_counts and raster_place_last_column)))
         mod 512;
-      if raster_place_last_column then
-        raster_place_column_after <= 0;
-      else
-        raster_place_column_after <= (raster_place_column + 1) mod 1024;
-      end if;
+      raster_place_column_after <= choice(raster_place_last_column, 0, (raster_place_column + 1) mod 1024);
       if transform_filtering_valid(2) then
-        if transform_filtering_start_of_frame(2) then
-          raster_place_column <= 0;
-          raster_place_group <= 0;
-        else
-          raster_place_column <= raster_place_column_after;
-          raster_place_group <= raster_place_group_after;
-        end if;
+        raster_place_column <= choice(transform_filtering_start_of_frame(2), 0, raster_place_column_after);
+        raster_place_group <= choice(transform_filtering_start_of_frame(2), 0, raster_place_group_after);
       end if;
       -- delay
       delay_tag_first_cost_is_equal := raster_place_column = 127;
@@ -3534,79 +2577,56 @@ begin
       delay_tag_map_column_is_less := raster_place_column < 640;
       delay_ahead_0 <= raster_features_reference_0;
       delay_delayed_0 <= raster_features_search_0;
-      delay_tag_valid <= raster_features_valid;
-      delay_tag_first_cost <= delay_tag_first_cost_is_equal;
-      delay_tag_map_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
-      delay_tag_output_column <= (raster_place_group < 480) and delay_tag_map_column_is_not_less and
+      delay_tag.valid <= raster_features_valid;
+      delay_tag.first_cost <= delay_tag_first_cost_is_equal;
+      delay_tag.map_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
+      delay_tag.output_column <= (raster_place_group < 480) and delay_tag_map_column_is_not_less and
         delay_tag_map_column_is_less;
-      delay_tag_start_of_frame <= (raster_place_group = 0) and delay_tag_first_cost_is_equal;
+      delay_tag.start_of_frame <= (raster_place_group = 0) and delay_tag_first_cost_is_equal;
       -- rows
       rows_search_0 <= delay_delayed_0;
       rows_reference_0 <= delay_ahead_0;
-      rows_tag_valid <= delay_tag_valid;
-      rows_tag_first_cost <= delay_tag_first_cost;
-      rows_tag_map_column <= delay_tag_map_column;
-      rows_tag_output_column <= delay_tag_output_column;
-      rows_tag_start_of_frame <= delay_tag_start_of_frame;
-      rows_tag_end_of_line <= raster_place_last_column;
+      rows_tag.valid <= delay_tag.valid;
+      rows_tag.first_cost <= delay_tag.first_cost;
+      rows_tag.map_column <= delay_tag.map_column;
+      rows_tag.output_column <= delay_tag.output_column;
+      rows_tag.start_of_frame <= delay_tag.start_of_frame;
+      rows_tag.end_of_line <= raster_place_last_column;
       -- line
-      if rows_tag_valid then
-        line_centre_map_column_0 <= rows_tag_map_column;
-        line_centre_first_column_0 <= rows_tag_first_cost;
-        line_centre_start_of_frame_0 <= rows_tag_start_of_frame;
+      if rows_tag.valid then
+        line_centre_map_column_0 <= rows_tag.map_column;
+        line_centre_first_column_0 <= rows_tag.first_cost;
+        line_centre_start_of_frame_0 <= rows_tag.start_of_frame;
       end if;
-      line_order_falls_any := (not rows_tag_map_column) or line_centre_map_column_0 or (not rows_tag_valid);
-      line_order_falls_all := rows_tag_map_column and (not line_centre_map_column_0) and rows_tag_valid;
-      line_order_complete_any := (not rows_tag_map_column) or (not rows_tag_valid);
-      if line_order_falls_all then
-        line_order_turned_output_column_choice := line_order_output and line_order_complete;
-      else
-        line_order_turned_output_column_choice := line_order_held_output;
-      end if;
-      line_centre_end_of_line_0 <= rows_tag_end_of_line;
-      line_order_inside <= rows_tag_map_column;
-      line_order_turned_valid <= rows_tag_valid;
-      line_order_turned_output_column <= line_order_turned_output_column_choice and rows_tag_map_column;
-      line_order_turned_start_of_frame <= rows_tag_map_column and (not line_centre_map_column_0) and rows_tag_valid and
+      line_order_falls_any := (not rows_tag.map_column) or line_centre_map_column_0 or (not rows_tag.valid);
+      line_order_falls_all := rows_tag.map_column and (not line_centre_map_column_0) and rows_tag.valid;
+      line_order_complete_any := (not rows_tag.map_column) or (not rows_tag.valid);
+      line_order_turned_output_column_choice := choice(line_order_falls_all, line_order_output and line_order_complete,
+        line_order_held_output);
+      line_centre_end_of_line_0 <= rows_tag.end_of_line;
+      line_order_inside <= rows_tag.map_column;
+      line_order_turned_valid <= rows_tag.valid;
+      line_order_turned_output_column <= line_order_turned_output_column_choice and rows_tag.map_column;
+      line_order_turned_start_of_frame <= rows_tag.map_column and (not line_centre_map_column_0) and rows_tag.valid and
         line_order_first and line_order_output and line_order_complete;
       line_comes(1) <= line_order_turned_valid;
-      for i in 2 to 47 loop
-        line_comes(i) <= line_comes(i - 1);
-      end loop;
+      line_comes(2 to 47) <= line_comes(1 to 46);
       line_starts_phases(1) <= line_order_turned_valid and line_centre_map_column_0;
-      for i in 2 to 25 loop
-        line_starts_phases(i) <= line_starts_phases(i - 1);
-      end loop;
+      line_starts_phases(2 to 25) <= line_starts_phases(1 to 24);
       line_starts_phases(26) <= pathsleft_read_count_phase = 0;
       line_starts_phases(27) <= pathsleft_is_first;
-      for i in 28 to 47 loop
-        line_starts_phases(i) <= line_starts_phases(i - 1);
-      end loop;
-      if line_order_falls then
-        line_order_falls <= line_order_falls_any;
-      else
-        line_order_falls <= line_order_falls_all;
-      end if;
-      if rows_tag_end_of_line then
-        line_order_complete <= line_order_complete or (rows_tag_map_column and rows_tag_valid);
-      else
-        line_order_complete <= line_order_complete and line_order_complete_any;
-      end if;
-      if line_order_falls then
-        line_order_address_choice := 1023;
-      else
-        line_order_address_choice := 1;
-      end if;
+      line_starts_phases(28 to 47) <= line_starts_phases(27 to 46);
+      line_order_falls <= choice(line_order_falls, line_order_falls_any, line_order_falls_all);
+      line_order_complete <= choice(rows_tag.end_of_line, line_order_complete or (rows_tag.map_column and
+        rows_tag.valid), line_order_complete and line_order_complete_any);
+      line_order_address_choice := choice(line_order_falls, 1023, 1);
       if not line_order_complete_any then
-        if line_order_falls_any then
-          line_order_address <= (line_order_address_choice + line_order_address) mod 1024;
-        else
-          line_order_address <= as_number((not line_order_falls)) * 512;
-        end if;
+        line_order_address <= choice(line_order_falls_any, (line_order_address_choice + line_order_address) mod 1024,
+          as_number((not line_order_falls)) * 512);
       end if;
       if line_order_falls_all then
-        line_order_output <= rows_tag_output_column;
-        line_order_first <= rows_tag_start_of_frame;
+        line_order_output <= rows_tag.output_column;
+        line_order_first <= rows_tag.start_of_frame;
         line_order_held_output <= line_order_output and line_order_complete;
       end if;
       if line_order_turned_valid then
@@ -3633,98 +2653,80 @@ begin
         line_places_shown_end_of_line(2) <= line_places_shown_end_of_line(1);
       end if;
       -- costsshift
-      if rows_tag_valid then
+      if rows_tag.valid then
         costsshift_newest_0 <= rows_search_0;
         costsshift_new_reference_0 <= rows_reference_0;
       end if;
-      if costsshift_count_phase = 15 then
-        costsshift_count_phase_choice := 15;
-      else
-        costsshift_count_phase_choice := (costsshift_count_phase + 1) mod 16;
-      end if;
-      costsshift_new_tag_valid <= (costsshift_count_phase /= 15) or rows_tag_valid;
+      costsshift_count_phase_choice := choice(costsshift_count_phase = 15, 15, (costsshift_count_phase + 1) mod 16);
+      costsshift_new_tag_valid <= (costsshift_count_phase /= 15) or rows_tag.valid;
       costsshift_handed_on_0 <= costsshift_read_words(7);
       costsshift_read_reference_0 <= costsshift_new_reference_0;
       costsshift_read_tag_valid <= costsshift_new_tag_valid;
       costsshift_read_count_phase <= costsshift_count_phase;
       costsshift_reference_0 <= costsshift_read_reference_0;
       costsshift_write_phase <= costsshift_read_count_phase;
-      if rows_tag_valid then
-        costsshift_count_phase <= 0;
-      else
-        costsshift_count_phase <= costsshift_count_phase_choice;
-      end if;
+      costsshift_count_phase <= choice(rows_tag.valid, 0, costsshift_count_phase_choice);
       if costsshift_read_tag_valid then
-        for i in 1 to 7 loop
-          costsshift_search_0(i) <= costsshift_read_words(i - 1);
-        end loop;
-        if costsshift_read_count_phase = 0 then
-          costsshift_search_0(0) <= costsshift_newest_0;
-        else
-          costsshift_search_0(0) <= costsshift_handed_on_0;
-        end if;
+        costsshift_search_0(1 to 7) <= costsshift_read_words(0 to 6);
+        costsshift_search_0(0) <= choice(costsshift_read_count_phase = 0, costsshift_newest_0, costsshift_handed_on_0);
       end if;
       -- costswindow
-      costswindow_first_0_count_value(0) := costsshift_reference_0(2) = '1';
-      costswindow_first_0_count_0_value_2 := costsshift_reference_0(1) = '1';
+      costswindow_first_0_count_value(0, 1) := costsshift_reference_0(2) = '1';
+      costswindow_first_0_count_value(0, 2) := costsshift_reference_0(1) = '1';
       for i in 1 to 7 loop
-        costswindow_first_0_count_value(i) := costsshift_reference_0(3 * i) = '1';
-        costswindow_first_0_count_values(i, 2) := costsshift_reference_0(3 * i + 1) = '1';
-        costswindow_first_0_count_values(i, 3) := costsshift_reference_0(3 * i + 2) = '1';
+        costswindow_first_0_count_value(i, 1) := costsshift_reference_0(3 * i) = '1';
+        costswindow_first_0_count_value(i, 2) := costsshift_reference_0(3 * i + 1) = '1';
+        costswindow_first_0_count_value(i, 3) := costsshift_reference_0(3 * i + 2) = '1';
       end loop;
-      costswindow_first_0_count_value(8) := costsshift_reference_0(24) = '1';
-      costswindow_first_0_count_values(8, 2) := costsshift_reference_0(26) = '1';
-      costswindow_first_0_count_values(8, 3) := costsshift_reference_0(25) = '1';
+      costswindow_first_0_count_value(8, 1) := costsshift_reference_0(24) = '1';
+      costswindow_first_0_count_value(8, 2) := costsshift_reference_0(26) = '1';
+      costswindow_first_0_count_value(8, 3) := costsshift_reference_0(25) = '1';
       for i in 9 to 13 loop
-        costswindow_first_0_count_value(i) := costsshift_reference_0(3 * i) = '1';
-        costswindow_first_0_count_values(i, 2) := costsshift_reference_0(3 * i + 1) = '1';
-        costswindow_first_0_count_values(i, 3) := costsshift_reference_0(3 * i + 2) = '1';
+        costswindow_first_0_count_value(i, 1) := costsshift_reference_0(3 * i) = '1';
+        costswindow_first_0_count_value(i, 2) := costsshift_reference_0(3 * i + 1) = '1';
+        costswindow_first_0_count_value(i, 3) := costsshift_reference_0(3 * i + 2) = '1';
       end loop;
-      costswindow_first_0_count_value(14) := costsshift_reference_0(42) = '1';
+      costswindow_first_0_count_value(14, 1) := costsshift_reference_0(42) = '1';
       costswindow_first_count(0, 0) <= as_number(((costsshift_reference_0(0) = '1') /= (costsshift_search_0(0)(0) =
-        '1'))) + as_number((costswindow_first_0_count_value(0) /= (costsshift_search_0(0)(2) = '1'))) +
-        as_number((costswindow_first_0_count_0_value_2 /= (costsshift_search_0(0)(1) = '1')));
+        '1'))) + as_number((costswindow_first_0_count_value(0, 1) /= (costsshift_search_0(0)(2) = '1'))) +
+        as_number((costswindow_first_0_count_value(0, 2) /= (costsshift_search_0(0)(1) = '1')));
       for i in 1 to 7 loop
-        costswindow_first_count(0, i) <= as_number((costswindow_first_0_count_value(i) /= (costsshift_search_0(0)(3 *
-          i) = '1'))) + as_number((costswindow_first_0_count_values(i, 2) /= (costsshift_search_0(0)(3 * i + 1) =
-          '1'))) + as_number((costswindow_first_0_count_values(i, 3) /= (costsshift_search_0(0)(3 * i + 2) = '1')));
+        costswindow_first_count(0, i) <= as_number((costswindow_first_0_count_value(i, 1) /= (costsshift_search_0(0)(3
+          * i) = '1'))) + as_number((costswindow_first_0_count_value(i, 2) /= (costsshift_search_0(0)(3 * i + 1) =
+          '1'))) + as_number((costswindow_first_0_count_value(i, 3) /= (costsshift_search_0(0)(3 * i + 2) = '1')));
       end loop;
-      for i in 8 to 9 loop
-        costswindow_first_count(0, i) <= as_number((costswindow_first_0_count_value(i) /= (costsshift_search_0(0)(3 *
-          i) = '1'))) + as_number((costswindow_first_0_count_values(i, 2) /= (costsshift_search_0(0)(2 * i + 10) =
-          '1'))) + as_number((costswindow_first_0_count_values(i, 3) /= (costsshift_search_0(0)(4 * i - 7) = '1')));
-      end loop;
-      for i in 10 to 13 loop
-        costswindow_first_count(0, i) <= as_number((costswindow_first_0_count_value(i) /= (costsshift_search_0(0)(3 *
-          i) = '1'))) + as_number((costswindow_first_0_count_values(i, 2) /= (costsshift_search_0(0)(3 * i + 1) =
-          '1'))) + as_number((costswindow_first_0_count_values(i, 3) /= (costsshift_search_0(0)(3 * i + 2) = '1')));
+      costswindow_first_count(0, 8) <= as_number((costswindow_first_0_count_value(8, 1) /= (costsshift_search_0(0)(24)
+        = '1'))) + as_number((costswindow_first_0_count_value(8, 2) /= (costsshift_search_0(0)(26) = '1'))) +
+        as_number((costswindow_first_0_count_value(8, 3) /= (costsshift_search_0(0)(25) = '1')));
+      for i in 9 to 13 loop
+        costswindow_first_count(0, i) <= as_number((costswindow_first_0_count_value(i, 1) /= (costsshift_search_0(0)(3
+          * i) = '1'))) + as_number((costswindow_first_0_count_value(i, 2) /= (costsshift_search_0(0)(3 * i + 1) =
+          '1'))) + as_number((costswindow_first_0_count_value(i, 3) /= (costsshift_search_0(0)(3 * i + 2) = '1')));
       end loop;
       costswindow_first_count_14(0) <= as_number(((costsshift_reference_0(43) = '1') /= (costsshift_search_0(0)(43) =
-        '1'))) + as_number((costswindow_first_0_count_value(14) /= (costsshift_search_0(0)(42) = '1')));
+        '1'))) + as_number((costswindow_first_0_count_value(14, 1) /= (costsshift_search_0(0)(42) = '1')));
       for i in 1 to 7 loop
         costswindow_first_count(i, 0) <= as_number(((costsshift_search_0(i)(0) = '1') /= (costsshift_reference_0(0) =
-          '1'))) + as_number(((costsshift_search_0(i)(2) = '1') /= costswindow_first_0_count_value(0))) +
-          as_number(((costsshift_search_0(i)(1) = '1') /= costswindow_first_0_count_0_value_2));
+          '1'))) + as_number(((costsshift_search_0(i)(2) = '1') /= costswindow_first_0_count_value(0, 1))) +
+          as_number(((costsshift_search_0(i)(1) = '1') /= costswindow_first_0_count_value(0, 2)));
         for j in 1 to 7 loop
           costswindow_first_count(i, j) <= as_number(((costsshift_search_0(i)(3 * j) = '1') /=
-            costswindow_first_0_count_value(j))) + as_number(((costsshift_search_0(i)(3 * j + 1) = '1') /=
-            costswindow_first_0_count_values(j, 2))) + as_number(((costsshift_search_0(i)(3 * j + 2) = '1') /=
-            costswindow_first_0_count_values(j, 3)));
+            costswindow_first_0_count_value(j, 1))) + as_number(((costsshift_search_0(i)(3 * j + 1) = '1') /=
+            costswindow_first_0_count_value(j, 2))) + as_number(((costsshift_search_0(i)(3 * j + 2) = '1') /=
+            costswindow_first_0_count_value(j, 3)));
         end loop;
-        for j in 8 to 9 loop
+        costswindow_first_count(i, 8) <= as_number(((costsshift_search_0(i)(24) = '1') /=
+          costswindow_first_0_count_value(8, 1))) + as_number(((costsshift_search_0(i)(26) = '1') /=
+          costswindow_first_0_count_value(8, 2))) + as_number(((costsshift_search_0(i)(25) = '1') /=
+          costswindow_first_0_count_value(8, 3)));
+        for j in 9 to 13 loop
           costswindow_first_count(i, j) <= as_number(((costsshift_search_0(i)(3 * j) = '1') /=
-            costswindow_first_0_count_value(j))) + as_number(((costsshift_search_0(i)(2 * j + 10) = '1') /=
-            costswindow_first_0_count_values(j, 2))) + as_number(((costsshift_search_0(i)(4 * j - 7) = '1') /=
-            costswindow_first_0_count_values(j, 3)));
-        end loop;
-        for j in 10 to 13 loop
-          costswindow_first_count(i, j) <= as_number(((costsshift_search_0(i)(3 * j) = '1') /=
-            costswindow_first_0_count_value(j))) + as_number(((costsshift_search_0(i)(3 * j + 1) = '1') /=
-            costswindow_first_0_count_values(j, 2))) + as_number(((costsshift_search_0(i)(3 * j + 2) = '1') /=
-            costswindow_first_0_count_values(j, 3)));
+            costswindow_first_0_count_value(j, 1))) + as_number(((costsshift_search_0(i)(3 * j + 1) = '1') /=
+            costswindow_first_0_count_value(j, 2))) + as_number(((costsshift_search_0(i)(3 * j + 2) = '1') /=
+            costswindow_first_0_count_value(j, 3)));
         end loop;
         costswindow_first_count_14(i) <= as_number(((costsshift_search_0(i)(43) = '1') /= (costsshift_reference_0(43) =
-          '1'))) + as_number(((costsshift_search_0(i)(42) = '1') /= costswindow_first_0_count_value(14)));
+          '1'))) + as_number(((costsshift_search_0(i)(42) = '1') /= costswindow_first_0_count_value(14, 1)));
       end loop;
       for i in 0 to 7 loop
         costswindow_sum_0(i) <= ((others_from_3(10 - i) / 65536) mod 16) + ((others_from_3(10 - i) / 256) mod 16) +
@@ -3735,11 +2737,7 @@ begin
         costs_cost(i) <= costswindow_sum_0(i) / 4;
       end loop;
       -- paths
-      if line_comes(9) then
-        paths_smallest_cost_choice := 15;
-      else
-        paths_smallest_cost_choice := paths_smallest_cost;
-      end if;
+      paths_smallest_cost_choice := choice(line_comes(9), 15, paths_smallest_cost);
       paths_cost_delay_ring_write_address <= paths_cost_delay_ring_read_address;
       paths_sum(0) <= (pathsturn_sum_memory_ready_words(0) mod 128) + pathsright_cost(0);
       paths_sum(1) <= ((pathsturn_sum_memory_ready_words(1) mod 64) * 2) + (pathsturn_sum_memory_ready_words(0) / 128)
@@ -3756,155 +2754,80 @@ begin
         pathsright_cost(6);
       paths_sum(7) <= (pathsturn_sum_memory_ready_words(6) / 2) + pathsright_cost(7);
       for i in 0 to 3 loop
-        if (costs_cost(2 * i + 1) - costs_cost(2 * i)) < 0 then
-          paths_tree_smallest(i) <= costs_cost(2 * i + 1);
-        else
-          paths_tree_smallest(i) <= costs_cost(2 * i);
-        end if;
+        paths_tree_smallest(i) <= choice((costs_cost(2 * i + 1) - costs_cost(2 * i)) < 0, costs_cost(2 * i + 1),
+          costs_cost(2 * i));
       end loop;
-      for i in 0 to 1 loop
-        if (paths_tree_smallest(2 * i + 1) - paths_tree_smallest(2 * i)) < 0 then
-          paths_tree_next_smallest(i) <= paths_tree_smallest(2 * i + 1);
-        else
-          paths_tree_next_smallest(i) <= paths_tree_smallest(2 * i);
-        end if;
-      end loop;
-      if (paths_tree_next_smallest(1) - paths_tree_next_smallest(0)) < 0 then
-        paths_tree_next_next_smallest_0 <= paths_tree_next_smallest(1);
-      else
-        paths_tree_next_next_smallest_0 <= paths_tree_next_smallest(0);
-      end if;
-      if (paths_tree_next_next_smallest_0 - paths_smallest_cost_choice) < 0 then
-        paths_smallest_cost <= paths_tree_next_next_smallest_0;
-      else
-        paths_smallest_cost <= paths_smallest_cost_choice;
-      end if;
-      if paths_cost_delay_ring_read_address = 19 then
-        paths_cost_delay_ring_read_address <= 0;
-      else
-        paths_cost_delay_ring_read_address <= (paths_cost_delay_ring_read_address + 1) mod 32;
-      end if;
+      paths_tree_next_smallest(0) <= choice((paths_tree_smallest(1) - paths_tree_smallest(0)) < 0,
+        paths_tree_smallest(1), paths_tree_smallest(0));
+      paths_tree_next_smallest(1) <= choice((paths_tree_smallest(3) - paths_tree_smallest(2)) < 0,
+        paths_tree_smallest(3), paths_tree_smallest(2));
+      paths_tree_next_next_smallest_0 <= choice((paths_tree_next_smallest(1) - paths_tree_next_smallest(0)) < 0,
+        paths_tree_next_smallest(1), paths_tree_next_smallest(0));
+      paths_smallest_cost <= choice((paths_tree_next_next_smallest_0 - paths_smallest_cost_choice) < 0,
+        paths_tree_next_next_smallest_0, paths_smallest_cost_choice);
+      paths_cost_delay_ring_read_address <= choice(paths_cost_delay_ring_read_address = 19, 0,
+        (paths_cost_delay_ring_read_address + 1) mod 32);
       -- pathsleft
       if line_starts_phases(20) then
         pathsleft_low_address <= (pathsleft_low_address + 1) mod 16;
       end if;
       pathsleft_read_count_phase_is_equal := pathsleft_read_count_phase = 15;
-      if pathsleft_read_count_phase_is_equal then
-        pathsleft_read_count_phase_choice := 15;
-      else
-        pathsleft_read_count_phase_choice := (pathsleft_read_count_phase + 1) mod 16;
-      end if;
-      if pathsleft_ahead_count_phase = 15 then
-        pathsleft_ahead_count_phase_choice := 15;
-      else
-        pathsleft_ahead_count_phase_choice := (pathsleft_ahead_count_phase + 1) mod 16;
-      end if;
+      pathsleft_read_count_phase_choice := choice(pathsleft_read_count_phase_is_equal, 15, (pathsleft_read_count_phase
+        + 1) mod 16);
+      pathsleft_ahead_count_phase_choice := choice(pathsleft_ahead_count_phase = 15, 15, (pathsleft_ahead_count_phase +
+        1) mod 16);
       pathsleft_lower_neighbour_value := to_integer(pathsleft_read_words(1)(17 downto 12));
-      pathsleft_stay_value(0) := to_integer(pathsleft_read_words(1)(23 downto 18));
-      if (pathsleft_stay_value(0) - to_integer(pathsleft_read_words(0)(5 downto 0))) < 0 then
-        pathsleft_stay_choice(0) := pathsleft_stay_value(0);
-      else
-        pathsleft_stay_choice(0) := to_integer(pathsleft_read_words(0)(5 downto 0));
-      end if;
+      pathsleft_stay_value(0, 1) := to_integer(pathsleft_read_words(1)(23 downto 18));
+      pathsleft_stay_choice(0) := choice((pathsleft_stay_value(0, 1) - to_integer(pathsleft_read_words(0)(5 downto 0)))
+        < 0, pathsleft_stay_value(0, 1), to_integer(pathsleft_read_words(0)(5 downto 0)));
       for i in 1 to 2 loop
-        pathsleft_stay_value(i) := to_integer(pathsleft_read_words(0)(6 * i + 5 downto 6 * i));
-        if (to_integer(pathsleft_read_words(i)(53 - 24 * i downto 48 - 24 * i)) - pathsleft_stay_value(i)) < 0 then
-          pathsleft_stay_choice(i) := to_integer(pathsleft_read_words(i)(53 - 24 * i downto 48 - 24 * i));
-        else
-          pathsleft_stay_choice(i) := pathsleft_stay_value(i);
-        end if;
+        pathsleft_stay_value(i, 1) := to_integer(pathsleft_read_words(0)(6 * i + 5 downto 6 * i));
+        pathsleft_stay_choice(i) := choice((to_integer(pathsleft_read_words(i)(53 - 24 * i downto 48 - 24 * i)) -
+          pathsleft_stay_value(i, 1)) < 0, to_integer(pathsleft_read_words(i)(53 - 24 * i downto 48 - 24 * i)),
+          pathsleft_stay_value(i, 1));
       end loop;
-      pathsleft_stay_value(3) := to_integer(pathsleft_read_words(2)(11 downto 6));
-      pathsleft_stay_3_value_2 := to_integer(pathsleft_read_words(0)(23 downto 18));
-      if (pathsleft_stay_value(3) - pathsleft_stay_3_value_2) < 0 then
-        pathsleft_stay_choice(3) := pathsleft_stay_value(3);
-      else
-        pathsleft_stay_choice(3) := pathsleft_stay_3_value_2;
-      end if;
+      pathsleft_stay_value(3, 1) := to_integer(pathsleft_read_words(2)(11 downto 6));
+      pathsleft_stay_value(3, 2) := to_integer(pathsleft_read_words(0)(23 downto 18));
+      pathsleft_stay_choice(3) := choice((pathsleft_stay_value(3, 1) - pathsleft_stay_value(3, 2)) < 0,
+        pathsleft_stay_value(3, 1), pathsleft_stay_value(3, 2));
       for i in 4 to 5 loop
-        pathsleft_stay_value(i) := to_integer(pathsleft_read_words(2)(6 * i - 7 downto 6 * i - 12));
-        if (pathsleft_stay_value(i) - to_integer(pathsleft_read_words(i - 4)(125 - 24 * i downto 120 - 24 * i))) < 0
-          then
-          pathsleft_stay_choice(i) := pathsleft_stay_value(i);
-        else
-          pathsleft_stay_choice(i) := to_integer(pathsleft_read_words(i - 4)(125 - 24 * i downto 120 - 24 * i));
-        end if;
+        pathsleft_stay_value(i, 1) := to_integer(pathsleft_read_words(2)(6 * i - 7 downto 6 * i - 12));
+        pathsleft_stay_choice(i) := choice((pathsleft_stay_value(i, 1) - to_integer(pathsleft_read_words(i - 4)(125 -
+          24 * i downto 120 - 24 * i))) < 0, pathsleft_stay_value(i, 1), to_integer(pathsleft_read_words(i - 4)(125 -
+          24 * i downto 120 - 24 * i)));
       end loop;
-      pathsleft_stay_value(6) := to_integer(pathsleft_read_words(1)(11 downto 6));
-      if (to_integer(pathsleft_read_words(2)(29 downto 24)) - pathsleft_stay_value(6)) < 0 then
-        pathsleft_stay_choice(6) := to_integer(pathsleft_read_words(2)(29 downto 24));
-      else
-        pathsleft_stay_choice(6) := pathsleft_stay_value(6);
-      end if;
-      if (to_integer(pathsleft_read_words_3) - pathsleft_lower_neighbour_value) < 0 then
-        pathsleft_stay_choice(7) := to_integer(pathsleft_read_words_3);
-      else
-        pathsleft_stay_choice(7) := pathsleft_lower_neighbour_value;
-      end if;
-      if line_starts_phases(26) then
-        pathsleft_step_choice(0) := pathsleft_stay_value(1);
-      else
-        pathsleft_step_choice(0) := pathsleft_lower_neighbour;
-      end if;
-      if (pathsleft_stay_value(1) - pathsleft_step_choice(0)) < 0 then
-        pathsleft_step_0_choice_2 := pathsleft_stay_value(1);
-      else
-        pathsleft_step_0_choice_2 := pathsleft_step_choice(0);
-      end if;
-      if (pathsleft_stay_value(2) - to_integer(pathsleft_read_words(0)(5 downto 0))) < 0 then
-        pathsleft_step_choice(1) := pathsleft_stay_value(2);
-      else
-        pathsleft_step_choice(1) := to_integer(pathsleft_read_words(0)(5 downto 0));
-      end if;
-      if (pathsleft_stay_3_value_2 - pathsleft_stay_value(1)) < 0 then
-        pathsleft_step_choice(2) := pathsleft_stay_3_value_2;
-      else
-        pathsleft_step_choice(2) := pathsleft_stay_value(1);
-      end if;
-      if (to_integer(pathsleft_read_words(0)(29 downto 24)) - pathsleft_stay_value(2)) < 0 then
-        pathsleft_step_choice(3) := to_integer(pathsleft_read_words(0)(29 downto 24));
-      else
-        pathsleft_step_choice(3) := pathsleft_stay_value(2);
-      end if;
-      if (to_integer(pathsleft_read_words(1)(5 downto 0)) - pathsleft_stay_3_value_2) < 0 then
-        pathsleft_step_choice(4) := to_integer(pathsleft_read_words(1)(5 downto 0));
-      else
-        pathsleft_step_choice(4) := pathsleft_stay_3_value_2;
-      end if;
-      if (pathsleft_stay_value(6) - to_integer(pathsleft_read_words(0)(29 downto 24))) < 0 then
-        pathsleft_step_choice(5) := pathsleft_stay_value(6);
-      else
-        pathsleft_step_choice(5) := to_integer(pathsleft_read_words(0)(29 downto 24));
-      end if;
-      if (pathsleft_lower_neighbour_value - to_integer(pathsleft_read_words(1)(5 downto 0))) < 0 then
-        pathsleft_step_choice(6) := pathsleft_lower_neighbour_value;
-      else
-        pathsleft_step_choice(6) := to_integer(pathsleft_read_words(1)(5 downto 0));
-      end if;
-      if pathsleft_is_last then
-        pathsleft_step_choice(7) := pathsleft_stay_value(6);
-      else
-        pathsleft_step_choice(7) := to_integer(pathsleft_read_neighbour_0);
-      end if;
-      if (pathsleft_step_choice(7) - pathsleft_stay_value(6)) < 0 then
-        pathsleft_step_7_choice_2 := pathsleft_step_choice(7);
-      else
-        pathsleft_step_7_choice_2 := pathsleft_stay_value(6);
-      end if;
+      pathsleft_stay_value(6, 1) := to_integer(pathsleft_read_words(1)(11 downto 6));
+      pathsleft_stay_choice(6) := choice((to_integer(pathsleft_read_words(2)(29 downto 24)) - pathsleft_stay_value(6,
+        1)) < 0, to_integer(pathsleft_read_words(2)(29 downto 24)), pathsleft_stay_value(6, 1));
+      pathsleft_stay_choice(7) := choice((to_integer(pathsleft_read_words_3) - pathsleft_lower_neighbour_value) < 0,
+        to_integer(pathsleft_read_words_3), pathsleft_lower_neighbour_value);
+      pathsleft_step_choice(0, 1) := choice(line_starts_phases(26), pathsleft_stay_value(1, 1),
+        pathsleft_lower_neighbour);
+      pathsleft_step_choice(0, 2) := choice((pathsleft_stay_value(1, 1) - pathsleft_step_choice(0, 1)) < 0,
+        pathsleft_stay_value(1, 1), pathsleft_step_choice(0, 1));
+      pathsleft_step_choice(1, 1) := choice((pathsleft_stay_value(2, 1) - to_integer(pathsleft_read_words(0)(5 downto
+        0))) < 0, pathsleft_stay_value(2, 1), to_integer(pathsleft_read_words(0)(5 downto 0)));
+      pathsleft_step_choice(2, 1) := choice((pathsleft_stay_value(3, 2) - pathsleft_stay_value(1, 1)) < 0,
+        pathsleft_stay_value(3, 2), pathsleft_stay_value(1, 1));
+      pathsleft_step_choice(3, 1) := choice((to_integer(pathsleft_read_words(0)(29 downto 24)) -
+        pathsleft_stay_value(2, 1)) < 0, to_integer(pathsleft_read_words(0)(29 downto 24)), pathsleft_stay_value(2, 1));
+      pathsleft_step_choice(4, 1) := choice((to_integer(pathsleft_read_words(1)(5 downto 0)) - pathsleft_stay_value(3,
+        2)) < 0, to_integer(pathsleft_read_words(1)(5 downto 0)), pathsleft_stay_value(3, 2));
+      pathsleft_step_choice(5, 1) := choice((pathsleft_stay_value(6, 1) - to_integer(pathsleft_read_words(0)(29 downto
+        24))) < 0, pathsleft_stay_value(6, 1), to_integer(pathsleft_read_words(0)(29 downto 24)));
+      pathsleft_step_choice(6, 1) := choice((pathsleft_lower_neighbour_value - to_integer(pathsleft_read_words(1)(5
+        downto 0))) < 0, pathsleft_lower_neighbour_value, to_integer(pathsleft_read_words(1)(5 downto 0)));
+      pathsleft_step_choice(7, 1) := choice(pathsleft_is_last, pathsleft_stay_value(6, 1),
+        to_integer(pathsleft_read_neighbour_0));
+      pathsleft_step_choice(7, 2) := choice((pathsleft_step_choice(7, 1) - pathsleft_stay_value(6, 1)) < 0,
+        pathsleft_step_choice(7, 1), pathsleft_stay_value(6, 1));
       pathsleft_stay_change_value(1) := to_integer(paths_cost_delay_held_0(7 downto 0)) / 16;
       for i in 2 to 6 loop
         pathsleft_stay_change_value(i) := to_integer(paths_cost_delay_held_0(4 * i + 3 downto 4 * i));
       end loop;
-      if pathsleft_write_count_phase = 15 then
-        pathsleft_write_count_phase_choice := 15;
-      else
-        pathsleft_write_count_phase_choice := (pathsleft_write_count_phase + 1) mod 16;
-      end if;
-      if line_comes(31) then
-        pathsleft_low_0_choice := 63;
-      else
-        pathsleft_low_0_choice := pathsleft_low_0;
-      end if;
+      pathsleft_write_count_phase_choice := choice(pathsleft_write_count_phase = 15, 15, (pathsleft_write_count_phase +
+        1) mod 16);
+      pathsleft_low_0_choice := choice(line_comes(31), 63, pathsleft_low_0);
       pathsleft_lost <= pathsleft_lowest_0(5) = '1';
       pathsleft_short_of <= ((to_integer(pathsleft_lowest_0(4 downto 0)) + pathsleft_room) / 32) = 1;
       pathsleft_missing <= (to_integer(pathsleft_lowest_0) + pathsleft_room) mod 32;
@@ -3922,105 +2845,46 @@ begin
         pathsleft_step_change(i) <= (pathsleft_stay_change_value(i) - pathsleft_g_less) mod 64;
       end loop;
       pathsleft_step_change(7) <= (to_integer(paths_cost_delay_held_0(31 downto 28)) - pathsleft_g_less) mod 64;
-      if line_starts_phases(24) then
-        pathsleft_read_count_phase <= 0;
-      else
-        pathsleft_read_count_phase <= pathsleft_read_count_phase_choice;
-      end if;
-      if line_starts_phases(23) then
-        pathsleft_ahead_count_phase <= 0;
-      else
-        pathsleft_ahead_count_phase <= pathsleft_ahead_count_phase_choice;
-      end if;
+      pathsleft_read_count_phase <= choice(line_starts_phases(24), 0, pathsleft_read_count_phase_choice);
+      pathsleft_ahead_count_phase <= choice(line_starts_phases(23), 0, pathsleft_ahead_count_phase_choice);
       for i in 0 to 7 loop
-        if (not is_set(pathsleft_stay_choice(i), 5)) and (not pathsleft_first) then
-          pathsleft_stay(i) <= pathsleft_stay_choice(i);
-        else
-          pathsleft_stay(i) <= 32;
-        end if;
+        pathsleft_stay(i) <= choice((not is_set(pathsleft_stay_choice(i), 5)) and (not pathsleft_first),
+          pathsleft_stay_choice(i), 32);
       end loop;
-      if pathsleft_first then
-        for i in 0 to 7 loop
-          pathsleft_step(i) <= 32;
-        end loop;
-      else
-        pathsleft_step(0) <= pathsleft_step_0_choice_2;
-        for i in 1 to 6 loop
-          pathsleft_step(i) <= pathsleft_step_choice(i);
-        end loop;
-        pathsleft_step(7) <= pathsleft_step_7_choice_2;
-      end if;
-      if line_starts_phases(27) then
-        pathsleft_write_count_phase <= 0;
-      else
-        pathsleft_write_count_phase <= pathsleft_write_count_phase_choice;
-      end if;
+      pathsleft_step(0) <= choice(pathsleft_first, 32, pathsleft_step_choice(0, 2));
+      for i in 1 to 6 loop
+        pathsleft_step(i) <= choice(pathsleft_first, 32, pathsleft_step_choice(i, 1));
+      end loop;
+      pathsleft_step(7) <= choice(pathsleft_first, 32, pathsleft_step_choice(7, 2));
+      pathsleft_write_count_phase <= choice(line_starts_phases(27), 0, pathsleft_write_count_phase_choice);
       for i in 0 to 3 loop
-        if (pathsleft_cost(2 * i + 1) - pathsleft_cost(2 * i)) < 0 then
-          pathsleft_tree_smallest(i) <= pathsleft_cost(2 * i + 1);
-        else
-          pathsleft_tree_smallest(i) <= pathsleft_cost(2 * i);
-        end if;
+        pathsleft_tree_smallest(i) <= choice((pathsleft_cost(2 * i + 1) - pathsleft_cost(2 * i)) < 0, pathsleft_cost(2
+          * i + 1), pathsleft_cost(2 * i));
       end loop;
-      for i in 0 to 1 loop
-        if (pathsleft_tree_smallest(2 * i + 1) - pathsleft_tree_smallest(2 * i)) < 0 then
-          pathsleft_tree_next_smallest(i) <= pathsleft_tree_smallest(2 * i + 1);
-        else
-          pathsleft_tree_next_smallest(i) <= pathsleft_tree_smallest(2 * i);
-        end if;
-      end loop;
-      if (pathsleft_tree_next_smallest(1) - pathsleft_tree_next_smallest(0)) < 0 then
-        pathsleft_tree_next_next_smallest_0 <= pathsleft_tree_next_smallest(1);
-      else
-        pathsleft_tree_next_next_smallest_0 <= pathsleft_tree_next_smallest(0);
-      end if;
-      if (pathsleft_tree_next_next_smallest_0 - pathsleft_low_0_choice) < 0 then
-        pathsleft_low_0 <= pathsleft_tree_next_next_smallest_0;
-      else
-        pathsleft_low_0 <= pathsleft_low_0_choice;
-      end if;
-      if pathsleft_short_of then
-        pathsleft_q_choice := pathsleft_missing;
-      else
-        pathsleft_q_choice := 0;
-      end if;
-      if pathsleft_lost then
-        pathsleft_q_choice_2 := pathsleft_room;
-      else
-        pathsleft_q_choice_2 := pathsleft_q_choice;
-      end if;
-      if pathsleft_short_of then
-        pathsleft_room_left_choice := pathsleft_below;
-      else
-        pathsleft_room_left_choice := pathsleft_room;
-      end if;
+      pathsleft_tree_next_smallest(0) <= choice((pathsleft_tree_smallest(1) - pathsleft_tree_smallest(0)) < 0,
+        pathsleft_tree_smallest(1), pathsleft_tree_smallest(0));
+      pathsleft_tree_next_smallest(1) <= choice((pathsleft_tree_smallest(3) - pathsleft_tree_smallest(2)) < 0,
+        pathsleft_tree_smallest(3), pathsleft_tree_smallest(2));
+      pathsleft_tree_next_next_smallest_0 <= choice((pathsleft_tree_next_smallest(1) - pathsleft_tree_next_smallest(0))
+        < 0, pathsleft_tree_next_smallest(1), pathsleft_tree_next_smallest(0));
+      pathsleft_low_0 <= choice((pathsleft_tree_next_next_smallest_0 - pathsleft_low_0_choice) < 0,
+        pathsleft_tree_next_next_smallest_0, pathsleft_low_0_choice);
+      pathsleft_q_choices(1) := choice(pathsleft_short_of, pathsleft_missing, 0);
+      pathsleft_q_choices(2) := choice(pathsleft_lost, pathsleft_room, pathsleft_q_choices(1));
+      pathsleft_room_left_choice := choice(pathsleft_short_of, pathsleft_below, pathsleft_room);
       if line_starts_phases(23) then
-        if line_places_first_column(1) then
-          pathsleft_q <= 24;
-        else
-          pathsleft_q <= pathsleft_q_choice_2;
-        end if;
-        if pathsleft_lost then
-          pathsleft_room_left <= 0;
-        else
-          pathsleft_room_left <= pathsleft_room_left_choice;
-        end if;
+        pathsleft_q <= choice(line_places_first_column(1), 24, pathsleft_q_choices(2));
+        pathsleft_room_left <= choice(pathsleft_lost, 0, pathsleft_room_left_choice);
       end if;
       if line_starts_phases(24) then
         pathsleft_q_now <= pathsleft_q;
         pathsleft_q_less <= ((((pathsleft_q / 4) + 15) mod 16) * 4) + (pathsleft_q mod 4);
-        if line_places_first_column(1) then
-          pathsleft_room <= 0;
-          for i in 1 to 9 loop
-            pathsleft_start_cost(i) <= 0;
-          end loop;
-        else
-          pathsleft_room <= (pathsleft_room_left + pathsleft_start_cost(9)) mod 32;
-          pathsleft_start_cost(1) <= pathsleft_q_now;
-          for i in 2 to 9 loop
-            pathsleft_start_cost(i) <= pathsleft_start_cost(i - 1);
-          end loop;
-        end if;
+        pathsleft_room <= choice(line_places_first_column(1), 0, (pathsleft_room_left + pathsleft_start_cost(9)) mod
+          32);
+        pathsleft_start_cost(1) <= choice(line_places_first_column(1), 0, pathsleft_q_now);
+        for i in 2 to 9 loop
+          pathsleft_start_cost(i) <= choice(line_places_first_column(1), 0, pathsleft_start_cost(i - 1));
+        end loop;
       end if;
       if line_starts_phases(25) then
         pathsleft_first <= line_places_first_column(1);
@@ -4041,129 +2905,51 @@ begin
       end if;
       -- pathsabove
       pathsabove_memory_read_address_0_sum := pathsabove_read_address_address + 1;
-      if line_places_first_column(0) then
-        pathsabove_memory_read_address_0_choice := 0;
-      else
-        pathsabove_memory_read_address_0_choice := pathsabove_memory_read_address_0_sum mod 4096;
-      end if;
+      pathsabove_memory_read_address_0_choice := choice(line_places_first_column(0), 0,
+        pathsabove_memory_read_address_0_sum mod 4096);
       pathsabove_memory_read_address_0_sum_2 := pathsabove_read_address_address + as_number(((not
         is_set(pathsabove_read_address_count_phase, 3)) or (not is_set(pathsabove_read_address_count_phase, 2)) or (not
         is_set(pathsabove_read_address_count_phase, 1)) or (not is_set(pathsabove_read_address_count_phase, 0))));
-      if line_places_first_column(0) then
-        pathsabove_memory_read_address_2_choice := 0;
-      else
-        pathsabove_memory_read_address_2_choice := pathsabove_memory_read_address_0_sum mod 16;
-      end if;
-      if line_places_first_column(0) then
-        pathsabove_memory_bank_choice := 0;
-      else
-        pathsabove_memory_bank_choice := pathsabove_memory_read_address_0_sum mod 16384;
-      end if;
-      if line_starts_phases(2) then
-        pathsabove_memory_bank_choice_2 := pathsabove_memory_bank_choice;
-      else
-        pathsabove_memory_bank_choice_2 := pathsabove_memory_read_address_0_sum_2 mod 16384;
-      end if;
-      pathsabove_memory_ready_words_0_is_equal := pathsabove_memory_held_bank = 2;
-      pathsabove_memory_ready_words_0_is_equal_2 := pathsabove_memory_held_bank = 1;
+      pathsabove_memory_read_address_2_choice := choice(line_places_first_column(0), 0,
+        pathsabove_memory_read_address_0_sum mod 16);
+      pathsabove_memory_bank_choices(1) := choice(line_places_first_column(0), 0, pathsabove_memory_read_address_0_sum
+        mod 16384);
+      pathsabove_memory_bank_choices(2) := choice(line_starts_phases(2), pathsabove_memory_bank_choices(1),
+        pathsabove_memory_read_address_0_sum_2 mod 16384);
+      pathsabove_memory_ready_words_0_is_equals(1) := pathsabove_memory_held_bank = 2;
+      pathsabove_memory_ready_words_0_is_equals(2) := pathsabove_memory_held_bank = 1;
       for i in 0 to 4 loop
-        if pathsabove_memory_ready_words_0_is_equal_2 then
-          pathsabove_memory_ready_words_choice(i) := pathsabove_memory_held_words(1, i);
-        else
-          pathsabove_memory_ready_words_choice(i) := pathsabove_memory_held_words(0, i);
-        end if;
+        pathsabove_memory_ready_words_choice(i) := choice(pathsabove_memory_ready_words_0_is_equals(2),
+          pathsabove_memory_held_words(1, i), pathsabove_memory_held_words(0, i));
       end loop;
-      if pathsabove_read_address_count_phase = 15 then
-        pathsabove_read_address_count_phase_choice := 15;
-      else
-        pathsabove_read_address_count_phase_choice := (pathsabove_read_address_count_phase + 1) mod 16;
-      end if;
-      if line_starts_phases(5) then
-        pathsabove_ready_top_choice := line_places_first_column(0) or pathsabove_ready_top;
-      else
-        pathsabove_ready_top_choice := pathsabove_ready_top;
-      end if;
-      if line_starts_phases(5) then
-        pathsabove_ready_top_choice_2 := (not line_places_first_column(0)) and pathsabove_ready_top;
-      else
-        pathsabove_ready_top_choice_2 := pathsabove_ready_top;
-      end if;
-      if pathsabove_ready_top then
-        pathsabove_total_choice(0) := 24;
-      else
-        pathsabove_total_choice(0) := pathsabove_memory_ready_words(0) mod 32;
-      end if;
-      if pathsabove_ready_top then
-        pathsabove_total_choice(1) := 24;
-      else
-        pathsabove_total_choice(1) := ((pathsabove_memory_ready_words(1) mod 4) * 8) +
-          (pathsabove_memory_ready_words(0) / 32);
-      end if;
-      if pathsabove_ready_top then
-        pathsabove_total_choice(2) := 24;
-      else
-        pathsabove_total_choice(2) := (pathsabove_memory_ready_words(1) / 4) mod 32;
-      end if;
-      if pathsabove_ready_top then
-        pathsabove_total_choice(3) := 24;
-      else
-        pathsabove_total_choice(3) := ((pathsabove_memory_ready_words(2) mod 16) * 2) +
-          (pathsabove_memory_ready_words(1) / 128);
-      end if;
-      if pathsabove_ready_top then
-        pathsabove_total_choice(4) := 24;
-      else
-        pathsabove_total_choice(4) := ((pathsabove_memory_ready_words(3) mod 2) * 16) +
-          (pathsabove_memory_ready_words(2) / 16);
-      end if;
-      if pathsabove_ready_top then
-        pathsabove_total_choice(5) := 24;
-      else
-        pathsabove_total_choice(5) := (pathsabove_memory_ready_words(3) / 2) mod 32;
-      end if;
-      if pathsabove_ready_top then
-        pathsabove_total_choice(6) := 24;
-      else
-        pathsabove_total_choice(6) := ((pathsabove_memory_ready_words(4) mod 8) * 4) +
-          (pathsabove_memory_ready_words(3) / 64);
-      end if;
-      if pathsabove_ready_top then
-        pathsabove_total_choice(7) := 24;
-      else
-        pathsabove_total_choice(7) := pathsabove_memory_ready_words(4) / 8;
-      end if;
-      if line_comes(10) then
-        pathsabove_smallest_total_choice := 63;
-      else
-        pathsabove_smallest_total_choice := pathsabove_smallest_total;
-      end if;
+      pathsabove_read_address_count_phase_choice := choice(pathsabove_read_address_count_phase = 15, 15,
+        (pathsabove_read_address_count_phase + 1) mod 16);
+      pathsabove_ready_top_choices(1) := choice(line_starts_phases(5), line_places_first_column(0) or
+        pathsabove_ready_top, pathsabove_ready_top);
+      pathsabove_ready_top_choices(2) := choice(line_starts_phases(5), (not line_places_first_column(0)) and
+        pathsabove_ready_top, pathsabove_ready_top);
+      pathsabove_total_choice(0) := choice(pathsabove_ready_top, 24, pathsabove_memory_ready_words(0) mod 32);
+      pathsabove_total_choice(1) := choice(pathsabove_ready_top, 24, ((pathsabove_memory_ready_words(1) mod 4) * 8) +
+        (pathsabove_memory_ready_words(0) / 32));
+      pathsabove_total_choice(2) := choice(pathsabove_ready_top, 24, (pathsabove_memory_ready_words(1) / 4) mod 32);
+      pathsabove_total_choice(3) := choice(pathsabove_ready_top, 24, ((pathsabove_memory_ready_words(2) mod 16) * 2) +
+        (pathsabove_memory_ready_words(1) / 128));
+      pathsabove_total_choice(4) := choice(pathsabove_ready_top, 24, ((pathsabove_memory_ready_words(3) mod 2) * 16) +
+        (pathsabove_memory_ready_words(2) / 16));
+      pathsabove_total_choice(5) := choice(pathsabove_ready_top, 24, (pathsabove_memory_ready_words(3) / 2) mod 32);
+      pathsabove_total_choice(6) := choice(pathsabove_ready_top, 24, ((pathsabove_memory_ready_words(4) mod 8) * 4) +
+        (pathsabove_memory_ready_words(3) / 64));
+      pathsabove_total_choice(7) := choice(pathsabove_ready_top, 24, pathsabove_memory_ready_words(4) / 8);
+      pathsabove_smallest_total_choice := choice(line_comes(10), 63, pathsabove_smallest_total);
       pathsabove_count_phase_is_equal := pathsabove_count_phase = 15;
-      if pathsabove_count_phase_is_equal then
-        pathsabove_count_phase_choice := 15;
-      else
-        pathsabove_count_phase_choice := (pathsabove_count_phase + 1) mod 16;
-      end if;
-      if pathsabove_count_phase = 0 then
-        pathsabove_beside_0_choice := pathsabove_held(1);
-      else
-        pathsabove_beside_0_choice := pathsabove_lower_neighbour;
-      end if;
-      if pathsabove_count_phase_is_equal then
-        pathsabove_beside_7_choice := pathsabove_held(6);
-      else
-        pathsabove_beside_7_choice := pathsabove_cost(0);
-      end if;
-      if line_places_first_column(1) then
-        pathsabove_write_address_address_choice := 0;
-      else
-        pathsabove_write_address_address_choice := (pathsabove_write_address_address + 1) mod 16384;
-      end if;
-      if pathsabove_write_address_count_phase = 15 then
-        pathsabove_write_address_count_phase_choice := 15;
-      else
-        pathsabove_write_address_count_phase_choice := (pathsabove_write_address_count_phase + 1) mod 16;
-      end if;
-      pathsabove_memory_bank <= pathsabove_memory_bank_choice_2 / 4096;
+      pathsabove_count_phase_choice := choice(pathsabove_count_phase_is_equal, 15, (pathsabove_count_phase + 1) mod 16);
+      pathsabove_beside_0_choice := choice(pathsabove_count_phase = 0, pathsabove_held(1), pathsabove_lower_neighbour);
+      pathsabove_beside_7_choice := choice(pathsabove_count_phase_is_equal, pathsabove_held(6), pathsabove_cost(0));
+      pathsabove_write_address_address_choice := choice(line_places_first_column(1), 0,
+        (pathsabove_write_address_address + 1) mod 16384);
+      pathsabove_write_address_count_phase_choice := choice(pathsabove_write_address_count_phase = 15, 15,
+        (pathsabove_write_address_count_phase + 1) mod 16);
+      pathsabove_memory_bank <= pathsabove_memory_bank_choices(2) / 4096;
       pathsabove_memory_read_bank <= pathsabove_memory_bank;
       for i in 0 to 2 loop
         for j in 0 to 4 loop
@@ -4171,7 +2957,7 @@ begin
         end loop;
       end loop;
       pathsabove_memory_held_bank <= pathsabove_memory_read_bank;
-      pathsabove_read_address_address <= pathsabove_memory_bank_choice_2;
+      pathsabove_read_address_address <= pathsabove_memory_bank_choices(2);
       for i in 0 to 7 loop
         pathsabove_total(i) <= costs_cost(i) + pathsabove_total_choice(i);
       end loop;
@@ -4183,183 +2969,95 @@ begin
       pathsabove_cost(5) <= (to_integer(pathsabove_delay_held_1) - pathsabove_smallest) mod 64;
       pathsabove_cost(6) <= (to_integer(pathsabove_delay_held_1(17 downto 6)) - pathsabove_smallest) mod 64;
       pathsabove_cost(7) <= (to_integer(pathsabove_delay_held_1(17 downto 12)) - pathsabove_smallest) mod 64;
-      for i in 0 to 7 loop
-        pathsabove_held(i) <= pathsabove_cost(i);
-      end loop;
+      pathsabove_held <= pathsabove_cost;
       pathsabove_lower_neighbour <= pathsabove_held(7);
-      for i in 0 to 6 loop
-        pathsabove_own(i) <= pathsabove_held(i);
-      end loop;
+      pathsabove_own <= pathsabove_held(0 to 6);
       for i in 0 to 7 loop
         pathsabove_step(i) <= (((pathsabove_beside(i) / 4) + 1) * 4) + (pathsabove_beside(i) mod 4);
       end loop;
       pathsabove_write_address_is_here <= (pathsabove_write_address_count_phase /= 15) or line_starts_phases(30);
-      if line_starts_phases(2) then
-        pathsabove_memory_read_address_0 <= pathsabove_memory_read_address_0_choice;
-        pathsabove_memory_read_address_2 <= pathsabove_memory_read_address_2_choice;
-        pathsabove_read_address_count_phase <= 0;
-      else
-        pathsabove_memory_read_address_0 <= pathsabove_memory_read_address_0_sum_2 mod 4096;
-        pathsabove_memory_read_address_2 <= pathsabove_memory_read_address_0_sum_2 mod 16;
-        pathsabove_read_address_count_phase <= pathsabove_read_address_count_phase_choice;
-      end if;
-      if pathsabove_memory_ready_words_0_is_equal then
-        for i in 0 to 4 loop
-          pathsabove_memory_ready_words(i) <= pathsabove_memory_held_words(2, i);
-        end loop;
-      else
-        for i in 0 to 4 loop
-          pathsabove_memory_ready_words(i) <= pathsabove_memory_ready_words_choice(i);
-        end loop;
-      end if;
-      if line_places_0_top then
-        pathsabove_ready_top <= pathsabove_ready_top_choice;
-      else
-        pathsabove_ready_top <= pathsabove_ready_top_choice_2;
-      end if;
+      pathsabove_memory_read_address_0 <= choice(line_starts_phases(2), pathsabove_memory_read_address_0_choice,
+        pathsabove_memory_read_address_0_sum_2 mod 4096);
+      pathsabove_memory_read_address_2 <= choice(line_starts_phases(2), pathsabove_memory_read_address_2_choice,
+        pathsabove_memory_read_address_0_sum_2 mod 16);
+      pathsabove_read_address_count_phase <= choice(line_starts_phases(2), 0,
+        pathsabove_read_address_count_phase_choice);
+      for i in 0 to 4 loop
+        pathsabove_memory_ready_words(i) <= choice(pathsabove_memory_ready_words_0_is_equals(1),
+          pathsabove_memory_held_words(2, i), pathsabove_memory_ready_words_choice(i));
+      end loop;
+      pathsabove_ready_top <= choice(line_places_0_top, pathsabove_ready_top_choices(1),
+        pathsabove_ready_top_choices(2));
       for i in 0 to 3 loop
-        if (pathsabove_total(2 * i + 1) - pathsabove_total(2 * i)) < 0 then
-          pathsabove_tree_smallest(i) <= pathsabove_total(2 * i + 1);
-        else
-          pathsabove_tree_smallest(i) <= pathsabove_total(2 * i);
-        end if;
+        pathsabove_tree_smallest(i) <= choice((pathsabove_total(2 * i + 1) - pathsabove_total(2 * i)) < 0,
+          pathsabove_total(2 * i + 1), pathsabove_total(2 * i));
       end loop;
-      for i in 0 to 1 loop
-        if (pathsabove_tree_smallest(2 * i + 1) - pathsabove_tree_smallest(2 * i)) < 0 then
-          pathsabove_tree_next_smallest(i) <= pathsabove_tree_smallest(2 * i + 1);
-        else
-          pathsabove_tree_next_smallest(i) <= pathsabove_tree_smallest(2 * i);
-        end if;
+      pathsabove_tree_next_smallest(0) <= choice((pathsabove_tree_smallest(1) - pathsabove_tree_smallest(0)) < 0,
+        pathsabove_tree_smallest(1), pathsabove_tree_smallest(0));
+      pathsabove_tree_next_smallest(1) <= choice((pathsabove_tree_smallest(3) - pathsabove_tree_smallest(2)) < 0,
+        pathsabove_tree_smallest(3), pathsabove_tree_smallest(2));
+      pathsabove_tree_next_next_smallest_0 <= choice((pathsabove_tree_next_smallest(1) -
+        pathsabove_tree_next_smallest(0)) < 0, pathsabove_tree_next_smallest(1), pathsabove_tree_next_smallest(0));
+      pathsabove_smallest_total <= choice((pathsabove_tree_next_next_smallest_0 - pathsabove_smallest_total_choice) <
+        0, pathsabove_tree_next_next_smallest_0, pathsabove_smallest_total_choice);
+      pathsabove_count_phase <= choice(line_starts_phases(28), 0, pathsabove_count_phase_choice);
+      pathsabove_beside(0) <= choice((pathsabove_held(1) - pathsabove_beside_0_choice) < 0, pathsabove_held(1),
+        pathsabove_beside_0_choice);
+      for i in 1 to 6 loop
+        pathsabove_beside(i) <= choice((pathsabove_held(i + 1) - pathsabove_held(i - 1)) < 0, pathsabove_held(i + 1),
+          pathsabove_held(i - 1));
       end loop;
-      if (pathsabove_tree_next_smallest(1) - pathsabove_tree_next_smallest(0)) < 0 then
-        pathsabove_tree_next_next_smallest_0 <= pathsabove_tree_next_smallest(1);
-      else
-        pathsabove_tree_next_next_smallest_0 <= pathsabove_tree_next_smallest(0);
-      end if;
-      if (pathsabove_tree_next_next_smallest_0 - pathsabove_smallest_total_choice) < 0 then
-        pathsabove_smallest_total <= pathsabove_tree_next_next_smallest_0;
-      else
-        pathsabove_smallest_total <= pathsabove_smallest_total_choice;
-      end if;
-      if line_starts_phases(28) then
-        pathsabove_count_phase <= 0;
-      else
-        pathsabove_count_phase <= pathsabove_count_phase_choice;
-      end if;
-      if (pathsabove_held(1) - pathsabove_beside_0_choice) < 0 then
-        pathsabove_beside(0) <= pathsabove_held(1);
-      else
-        pathsabove_beside(0) <= pathsabove_beside_0_choice;
-      end if;
-      for i in 2 to 7 loop
-        if (pathsabove_held(i) - pathsabove_held(i - 2)) < 0 then
-          pathsabove_beside(i - 1) <= pathsabove_held(i);
-        else
-          pathsabove_beside(i - 1) <= pathsabove_held(i - 2);
-        end if;
-      end loop;
-      if (pathsabove_beside_7_choice - pathsabove_held(6)) < 0 then
-        pathsabove_beside(7) <= pathsabove_beside_7_choice;
-      else
-        pathsabove_beside(7) <= pathsabove_held(6);
-      end if;
+      pathsabove_beside(7) <= choice((pathsabove_beside_7_choice - pathsabove_held(6)) < 0, pathsabove_beside_7_choice,
+        pathsabove_held(6));
       for i in 0 to 6 loop
-        if pathsabove_own(i) < 24 then
-          pathsabove_stay(i) <= pathsabove_own(i) mod 32;
-        else
-          pathsabove_stay(i) <= 24;
-        end if;
+        pathsabove_stay(i) <= choice(pathsabove_own(i) < 24, pathsabove_own(i) mod 32, 24);
       end loop;
-      if pathsabove_lower_neighbour < 24 then
-        pathsabove_stay(7) <= pathsabove_lower_neighbour mod 32;
-      else
-        pathsabove_stay(7) <= 24;
-      end if;
-      if line_starts_phases(30) then
-        pathsabove_write_address_address <= pathsabove_write_address_address_choice;
-        pathsabove_write_address_count_phase <= 0;
-      else
-        pathsabove_write_address_address <= (pathsabove_write_address_address + as_number(((not
-          is_set(pathsabove_write_address_count_phase, 3)) or (not is_set(pathsabove_write_address_count_phase, 2)) or
-          (not is_set(pathsabove_write_address_count_phase, 1)) or (not is_set(pathsabove_write_address_count_phase,
-          0))))) mod 16384;
-        pathsabove_write_address_count_phase <= pathsabove_write_address_count_phase_choice;
-      end if;
+      pathsabove_stay(7) <= choice(pathsabove_lower_neighbour < 24, pathsabove_lower_neighbour mod 32, 24);
+      pathsabove_write_address_address <= choice(line_starts_phases(30), pathsabove_write_address_address_choice,
+        (pathsabove_write_address_address + as_number(((not is_set(pathsabove_write_address_count_phase, 3)) or (not
+        is_set(pathsabove_write_address_count_phase, 2)) or (not is_set(pathsabove_write_address_count_phase, 1)) or
+        (not is_set(pathsabove_write_address_count_phase, 0))))) mod 16384);
+      pathsabove_write_address_count_phase <= choice(line_starts_phases(30), 0,
+        pathsabove_write_address_count_phase_choice);
       pathsabove_memory_write_words_0_is_less(0) := (pathsabove_step(1) - pathsabove_stay(1)) < 0;
-      if pathsabove_memory_write_words_0_is_less(0) then
-        pathsabove_memory_write_words_0_0_choice := pathsabove_step(1) mod 8;
-      else
-        pathsabove_memory_write_words_0_0_choice := pathsabove_stay(1) mod 8;
-      end if;
-      if (pathsabove_step(0) - pathsabove_stay(0)) < 0 then
-        pathsabove_memory_write_words_0_choice_2(0) := pathsabove_step(0) mod 32;
-      else
-        pathsabove_memory_write_words_0_choice_2(0) := pathsabove_stay(0);
-      end if;
+      pathsabove_memory_write_words_0_0_choice := choice(pathsabove_memory_write_words_0_is_less(0), pathsabove_step(1)
+        mod 8, pathsabove_stay(1) mod 8);
+      pathsabove_memory_write_words_0_choice(0, 2) := choice((pathsabove_step(0) - pathsabove_stay(0)) < 0,
+        pathsabove_step(0) mod 32, pathsabove_stay(0));
       pathsabove_memory_write_words_0_sum(0) := (pathsabove_memory_write_words_0_0_choice * 32) +
-        pathsabove_memory_write_words_0_choice_2(0);
-      if pathsabove_memory_write_words_0_is_less(0) then
-        pathsabove_memory_write_words_0_choice(1) := pathsabove_step(1) mod 32;
-      else
-        pathsabove_memory_write_words_0_choice(1) := pathsabove_stay(1);
-      end if;
-      if (pathsabove_step(2) - pathsabove_stay(2)) < 0 then
-        pathsabove_memory_write_words_0_choice_2(1) := pathsabove_step(2) mod 32;
-      else
-        pathsabove_memory_write_words_0_choice_2(1) := pathsabove_stay(2);
-      end if;
+        pathsabove_memory_write_words_0_choice(0, 2);
+      pathsabove_memory_write_words_0_choice(1, 1) := choice(pathsabove_memory_write_words_0_is_less(0),
+        pathsabove_step(1) mod 32, pathsabove_stay(1));
+      pathsabove_memory_write_words_0_choice(1, 2) := choice((pathsabove_step(2) - pathsabove_stay(2)) < 0,
+        pathsabove_step(2) mod 32, pathsabove_stay(2));
       pathsabove_memory_write_words_0_is_less(1) := (pathsabove_step(3) - pathsabove_stay(3)) < 0;
-      if pathsabove_memory_write_words_0_is_less(1) then
-        pathsabove_memory_write_words_0_1_choice_3 := is_set(pathsabove_step(3), 0);
-      else
-        pathsabove_memory_write_words_0_1_choice_3 := is_set(pathsabove_stay(3), 0);
-      end if;
-      pathsabove_memory_write_words_0_sum(1) := (pathsabove_memory_write_words_0_choice(1) / 8) +
-        (pathsabove_memory_write_words_0_choice_2(1) * 4) + (as_number(pathsabove_memory_write_words_0_1_choice_3) *
+      pathsabove_memory_write_words_0_1_choice_3 := choice(pathsabove_memory_write_words_0_is_less(1),
+        is_set(pathsabove_step(3), 0), is_set(pathsabove_stay(3), 0));
+      pathsabove_memory_write_words_0_sum(1) := (pathsabove_memory_write_words_0_choice(1, 1) / 8) +
+        (pathsabove_memory_write_words_0_choice(1, 2) * 4) + (as_number(pathsabove_memory_write_words_0_1_choice_3) *
         128);
-      if pathsabove_memory_write_words_0_is_less(1) then
-        pathsabove_memory_write_words_0_choice(2) := pathsabove_step(3) mod 32;
-      else
-        pathsabove_memory_write_words_0_choice(2) := pathsabove_stay(3);
-      end if;
+      pathsabove_memory_write_words_0_choice(2, 1) := choice(pathsabove_memory_write_words_0_is_less(1),
+        pathsabove_step(3) mod 32, pathsabove_stay(3));
       pathsabove_memory_write_words_0_is_less(2) := (pathsabove_step(4) - pathsabove_stay(4)) < 0;
-      if pathsabove_memory_write_words_0_is_less(2) then
-        pathsabove_memory_write_words_0_2_choice_2 := pathsabove_step(4) mod 16;
-      else
-        pathsabove_memory_write_words_0_2_choice_2 := pathsabove_stay(4) mod 16;
-      end if;
-      pathsabove_memory_write_words_0_sum(2) := (pathsabove_memory_write_words_0_choice(2) / 2) +
+      pathsabove_memory_write_words_0_2_choice_2 := choice(pathsabove_memory_write_words_0_is_less(2),
+        pathsabove_step(4) mod 16, pathsabove_stay(4) mod 16);
+      pathsabove_memory_write_words_0_sum(2) := (pathsabove_memory_write_words_0_choice(2, 1) / 2) +
         (pathsabove_memory_write_words_0_2_choice_2 * 16);
-      if pathsabove_memory_write_words_0_is_less(2) then
-        pathsabove_memory_write_words_0_choice(3) := pathsabove_step(4) mod 32;
-      else
-        pathsabove_memory_write_words_0_choice(3) := pathsabove_stay(4);
-      end if;
-      if (pathsabove_step(5) - pathsabove_stay(5)) < 0 then
-        pathsabove_memory_write_words_0_choice_2s(3) := pathsabove_step(5) mod 32;
-      else
-        pathsabove_memory_write_words_0_choice_2s(3) := pathsabove_stay(5);
-      end if;
+      pathsabove_memory_write_words_0_choice(3, 1) := choice(pathsabove_memory_write_words_0_is_less(2),
+        pathsabove_step(4) mod 32, pathsabove_stay(4));
+      pathsabove_memory_write_words_0_choice(3, 2) := choice((pathsabove_step(5) - pathsabove_stay(5)) < 0,
+        pathsabove_step(5) mod 32, pathsabove_stay(5));
       pathsabove_memory_write_words_0_is_less(3) := (pathsabove_step(6) - pathsabove_stay(6)) < 0;
-      if pathsabove_memory_write_words_0_is_less(3) then
-        pathsabove_memory_write_words_0_3_choice_3 := pathsabove_step(6) mod 4;
-      else
-        pathsabove_memory_write_words_0_3_choice_3 := pathsabove_stay(6) mod 4;
-      end if;
-      pathsabove_memory_write_words_0_sum(3) := (pathsabove_memory_write_words_0_choice(3) / 16) +
-        (pathsabove_memory_write_words_0_choice_2s(3) * 2) + (pathsabove_memory_write_words_0_3_choice_3 * 64);
-      if pathsabove_memory_write_words_0_is_less(3) then
-        pathsabove_memory_write_words_0_choice(4) := pathsabove_step(6) mod 32;
-      else
-        pathsabove_memory_write_words_0_choice(4) := pathsabove_stay(6);
-      end if;
-      if (pathsabove_step(7) - pathsabove_stay(7)) < 0 then
-        pathsabove_memory_write_words_0_choice_2s(4) := pathsabove_step(7) mod 32;
-      else
-        pathsabove_memory_write_words_0_choice_2s(4) := pathsabove_stay(7);
-      end if;
-      pathsabove_memory_write_words_0_sum(4) := (pathsabove_memory_write_words_0_choice(4) / 4) +
-        (pathsabove_memory_write_words_0_choice_2s(4) * 8);
+      pathsabove_memory_write_words_0_3_choice_3 := choice(pathsabove_memory_write_words_0_is_less(3),
+        pathsabove_step(6) mod 4, pathsabove_stay(6) mod 4);
+      pathsabove_memory_write_words_0_sum(3) := (pathsabove_memory_write_words_0_choice(3, 1) / 16) +
+        (pathsabove_memory_write_words_0_choice(3, 2) * 2) + (pathsabove_memory_write_words_0_3_choice_3 * 64);
+      pathsabove_memory_write_words_0_choice(4, 1) := choice(pathsabove_memory_write_words_0_is_less(3),
+        pathsabove_step(6) mod 32, pathsabove_stay(6));
+      pathsabove_memory_write_words_0_choice(4, 2) := choice((pathsabove_step(7) - pathsabove_stay(7)) < 0,
+        pathsabove_step(7) mod 32, pathsabove_stay(7));
+      pathsabove_memory_write_words_0_sum(4) := (pathsabove_memory_write_words_0_choice(4, 1) / 4) +
+        (pathsabove_memory_write_words_0_choice(4, 2) * 8);
       pathsabove_memory_write_words_0_all(0) := pathsabove_write_address_is_here and (pathsabove_write_address_address
         < 4096);
       for i in 0 to 1 loop
@@ -4382,42 +3080,27 @@ begin
         pathsabove_smallest <= pathsabove_smallest_total;
       end if;
       -- pathsturn
-      pathsturn_sum_memory_ready_words_0_is_equal := pathsturn_sum_memory_held_bank = 2;
-      pathsturn_sum_memory_ready_words_0_is_equal_2 := pathsturn_sum_memory_held_bank = 1;
+      pathsturn_sum_memory_ready_words_0_is_equals(1) := pathsturn_sum_memory_held_bank = 2;
+      pathsturn_sum_memory_ready_words_0_is_equals(2) := pathsturn_sum_memory_held_bank = 1;
       for i in 0 to 6 loop
-        if pathsturn_sum_memory_ready_words_0_is_equal_2 then
-          pathsturn_sum_memory_ready_words_choice(i) := pathsturn_sum_memory_held_words(1, i);
-        else
-          pathsturn_sum_memory_ready_words_choice(i) := pathsturn_sum_memory_held_words(0, i);
-        end if;
+        pathsturn_sum_memory_ready_words_choice(i) := choice(pathsturn_sum_memory_ready_words_0_is_equals(2),
+          pathsturn_sum_memory_held_words(1, i), pathsturn_sum_memory_held_words(0, i));
       end loop;
       pathsturn_cost_memory_read_address_0_sum := pathsturn_read_address_address + as_number(((not
         is_set(pathsturn_read_address_count_phase, 3)) or (not is_set(pathsturn_read_address_count_phase, 2)) or (not
         is_set(pathsturn_read_address_count_phase, 1)) or (not is_set(pathsturn_read_address_count_phase, 0))));
-      if line_starts_phases(22) then
-        pathsturn_cost_memory_bank_choice := line_places_address(1) * 16;
-      else
-        pathsturn_cost_memory_bank_choice := pathsturn_cost_memory_read_address_0_sum mod 16384;
-      end if;
-      pathsturn_cost_memory_ready_words_0_is_equal := pathsturn_sum_memory_bank = 2;
-      pathsturn_cost_memory_ready_words_0_is_equal_2 := pathsturn_sum_memory_bank = 1;
+      pathsturn_cost_memory_bank_choice := choice(line_starts_phases(22), line_places_address(1) * 16,
+        pathsturn_cost_memory_read_address_0_sum mod 16384);
+      pathsturn_cost_memory_ready_words_0_is_equals(1) := pathsturn_sum_memory_bank = 2;
+      pathsturn_cost_memory_ready_words_0_is_equals(2) := pathsturn_sum_memory_bank = 1;
       for i in 0 to 3 loop
-        if pathsturn_cost_memory_ready_words_0_is_equal_2 then
-          pathsturn_cost_memory_ready_words_choice(i) := pathsturn_cost_memory_held_words(1, i);
-        else
-          pathsturn_cost_memory_ready_words_choice(i) := pathsturn_cost_memory_held_words(0, i);
-        end if;
+        pathsturn_cost_memory_ready_words_choice(i) := choice(pathsturn_cost_memory_ready_words_0_is_equals(2),
+          pathsturn_cost_memory_held_words(1, i), pathsturn_cost_memory_held_words(0, i));
       end loop;
-      if pathsturn_read_address_count_phase = 15 then
-        pathsturn_read_address_count_phase_choice := 15;
-      else
-        pathsturn_read_address_count_phase_choice := (pathsturn_read_address_count_phase + 1) mod 16;
-      end if;
-      if pathsturn_write_address_count_phase = 15 then
-        pathsturn_write_address_count_phase_choice := 15;
-      else
-        pathsturn_write_address_count_phase_choice := (pathsturn_write_address_count_phase + 1) mod 16;
-      end if;
+      pathsturn_read_address_count_phase_choice := choice(pathsturn_read_address_count_phase = 15, 15,
+        (pathsturn_read_address_count_phase + 1) mod 16);
+      pathsturn_write_address_count_phase_choice := choice(pathsturn_write_address_count_phase = 15, 15,
+        (pathsturn_write_address_count_phase + 1) mod 16);
       pathsturn_sum_memory_read_address_0 <= pathsturn_sum_read_address mod 4096;
       pathsturn_sum_memory_read_address_2 <= pathsturn_sum_read_address mod 16;
       pathsturn_sum_memory_bank <= pathsturn_cost_memory_read_bank;
@@ -4446,86 +3129,66 @@ begin
       pathsturn_sum_write_address(1) <= pathsturn_sum_write_address(0);
       pathsturn_writes_sums(0) <= pathsturn_write_address_is_here;
       pathsturn_writes_sums(1) <= pathsturn_writes_sums(0);
-      if pathsturn_sum_memory_ready_words_0_is_equal then
-        for i in 0 to 6 loop
-          pathsturn_sum_memory_ready_words(i) <= pathsturn_sum_memory_held_words(2, i);
-        end loop;
-      else
-        for i in 0 to 6 loop
-          pathsturn_sum_memory_ready_words(i) <= pathsturn_sum_memory_ready_words_choice(i);
-        end loop;
-      end if;
-      if line_starts_phases(22) then
-        pathsturn_cost_memory_read_address_0 <= (line_places_address(1) mod 256) * 16;
-        pathsturn_cost_memory_read_address_2 <= 0;
-        pathsturn_read_address_count_phase <= 0;
-      else
-        pathsturn_cost_memory_read_address_0 <= pathsturn_cost_memory_read_address_0_sum mod 4096;
-        pathsturn_cost_memory_read_address_2 <= pathsturn_cost_memory_read_address_0_sum mod 16;
-        pathsturn_read_address_count_phase <= pathsturn_read_address_count_phase_choice;
-      end if;
-      if pathsturn_cost_memory_ready_words_0_is_equal then
-        pathsturn_cost_memory_ready_words(0) <= pathsturn_cost_memory_held_words(2, 0);
-        pathsturn_cost_memory_ready_words(1) <= pathsturn_cost_memory_held_words(2, 1);
-        pathsturn_cost_memory_ready_words(2) <= pathsturn_cost_memory_held_words(2, 2);
-        pathsturn_cost_memory_ready_words(3) <= pathsturn_cost_memory_held_words(2, 3);
-      else
-        pathsturn_cost_memory_ready_words(0) <= pathsturn_cost_memory_ready_words_choice(0);
-        pathsturn_cost_memory_ready_words(1) <= pathsturn_cost_memory_ready_words_choice(1);
-        pathsturn_cost_memory_ready_words(2) <= pathsturn_cost_memory_ready_words_choice(2);
-        pathsturn_cost_memory_ready_words(3) <= pathsturn_cost_memory_ready_words_choice(3);
-      end if;
-      if line_starts_phases(25) then
-        pathsturn_write_smallest_address <= line_places_address(1);
-        pathsturn_write_address_address <= line_places_address(1) * 16;
-        pathsturn_write_address_count_phase <= 0;
-      else
-        pathsturn_write_smallest_address <= 513;
-        pathsturn_write_address_address <= (pathsturn_write_address_address + as_number(((not
-          is_set(pathsturn_write_address_count_phase, 3)) or (not is_set(pathsturn_write_address_count_phase, 2)) or
-          (not is_set(pathsturn_write_address_count_phase, 1)) or (not is_set(pathsturn_write_address_count_phase,
-          0))))) mod 16384;
-        pathsturn_write_address_count_phase <= pathsturn_write_address_count_phase_choice;
-      end if;
-      pathsturn_sum_memory_write_words_0_sum(0) := pathsleft_cost(1) + pathsabove_cost(1);
+      for i in 0 to 6 loop
+        pathsturn_sum_memory_ready_words(i) <= choice(pathsturn_sum_memory_ready_words_0_is_equals(1),
+          pathsturn_sum_memory_held_words(2, i), pathsturn_sum_memory_ready_words_choice(i));
+      end loop;
+      pathsturn_cost_memory_read_address_0 <= choice(line_starts_phases(22), (line_places_address(1) mod 256) * 16,
+        pathsturn_cost_memory_read_address_0_sum mod 4096);
+      pathsturn_cost_memory_read_address_2 <= choice(line_starts_phases(22), 0,
+        pathsturn_cost_memory_read_address_0_sum mod 16);
+      pathsturn_read_address_count_phase <= choice(line_starts_phases(22), 0,
+        pathsturn_read_address_count_phase_choice);
+      for i in 0 to 3 loop
+        pathsturn_cost_memory_ready_words(i) <= choice(pathsturn_cost_memory_ready_words_0_is_equals(1),
+          pathsturn_cost_memory_held_words(2, i), pathsturn_cost_memory_ready_words_choice(i));
+      end loop;
+      pathsturn_write_smallest_address <= choice(line_starts_phases(25), line_places_address(1), 513);
+      pathsturn_write_address_address <= choice(line_starts_phases(25), line_places_address(1) * 16,
+        (pathsturn_write_address_address + as_number(((not is_set(pathsturn_write_address_count_phase, 3)) or (not
+        is_set(pathsturn_write_address_count_phase, 2)) or (not is_set(pathsturn_write_address_count_phase, 1)) or (not
+        is_set(pathsturn_write_address_count_phase, 0))))) mod 16384);
+      pathsturn_write_address_count_phase <= choice(line_starts_phases(25), 0,
+        pathsturn_write_address_count_phase_choice);
+      pathsturn_sum_memory_write_words_0_0_sum := pathsleft_cost(1) + pathsabove_cost(1);
       pathsturn_sum_memory_write_words_0_0_sum_2 := pathsleft_cost(0) + pathsabove_cost(0) +
-        ((pathsturn_sum_memory_write_words_0_sum(0) mod 2) * 128);
-      pathsturn_sum_memory_write_words_0_sum(1) := pathsleft_cost(2) + pathsabove_cost(2);
-      pathsturn_sum_memory_write_words_0_sum_2(1) := (pathsturn_sum_memory_write_words_0_sum(0) / 2) +
-        ((pathsturn_sum_memory_write_words_0_sum(1) mod 4) * 64);
-      pathsturn_sum_memory_write_words_0_sum(2) := pathsleft_cost(3) + pathsabove_cost(3);
-      pathsturn_sum_memory_write_words_0_sum_2(2) := (pathsturn_sum_memory_write_words_0_sum(1) / 4) +
-        ((pathsturn_sum_memory_write_words_0_sum(2) mod 8) * 32);
-      pathsturn_sum_memory_write_words_0_sum(3) := pathsleft_cost(4) + pathsabove_cost(4);
-      pathsturn_sum_memory_write_words_0_sum_2(3) := (pathsturn_sum_memory_write_words_0_sum(2) / 8) +
-        ((pathsturn_sum_memory_write_words_0_sum(3) mod 16) * 16);
-      pathsturn_sum_memory_write_words_0_sum(4) := pathsleft_cost(5) + pathsabove_cost(5);
-      pathsturn_sum_memory_write_words_0_sum_2(4) := (pathsturn_sum_memory_write_words_0_sum(3) / 16) +
-        ((pathsturn_sum_memory_write_words_0_sum(4) mod 32) * 8);
-      pathsturn_sum_memory_write_words_0_sum(5) := pathsleft_cost(6) + pathsabove_cost(6);
-      pathsturn_sum_memory_write_words_0_sum_2(5) := (pathsturn_sum_memory_write_words_0_sum(4) / 32) +
-        ((pathsturn_sum_memory_write_words_0_sum(5) mod 64) * 4);
-      pathsturn_sum_memory_write_words_0_6_sum := (pathsturn_sum_memory_write_words_0_sum(5) / 64) +
-        ((pathsleft_cost(7) + pathsabove_cost(7)) * 2);
+        ((pathsturn_sum_memory_write_words_0_0_sum mod 2) * 128);
+      pathsturn_sum_memory_write_words_0_1_sum := pathsleft_cost(2) + pathsabove_cost(2);
+      pathsturn_sum_memory_write_words_0_sum_2(1) := (pathsturn_sum_memory_write_words_0_0_sum / 2) +
+        ((pathsturn_sum_memory_write_words_0_1_sum mod 4) * 64);
+      pathsturn_sum_memory_write_words_0_2_sum := pathsleft_cost(3) + pathsabove_cost(3);
+      pathsturn_sum_memory_write_words_0_sum_2(2) := (pathsturn_sum_memory_write_words_0_1_sum / 4) +
+        ((pathsturn_sum_memory_write_words_0_2_sum mod 8) * 32);
+      pathsturn_sum_memory_write_words_0_3_sum := pathsleft_cost(4) + pathsabove_cost(4);
+      pathsturn_sum_memory_write_words_0_sum_2(3) := (pathsturn_sum_memory_write_words_0_2_sum / 8) +
+        ((pathsturn_sum_memory_write_words_0_3_sum mod 16) * 16);
+      pathsturn_sum_memory_write_words_0_4_sum := pathsleft_cost(5) + pathsabove_cost(5);
+      pathsturn_sum_memory_write_words_0_sum_2(4) := (pathsturn_sum_memory_write_words_0_3_sum / 16) +
+        ((pathsturn_sum_memory_write_words_0_4_sum mod 32) * 8);
+      pathsturn_sum_memory_write_words_0_5_sum := pathsleft_cost(6) + pathsabove_cost(6);
+      pathsturn_sum_memory_write_words_0_sum_2(5) := (pathsturn_sum_memory_write_words_0_4_sum / 32) +
+        ((pathsturn_sum_memory_write_words_0_5_sum mod 64) * 4);
+      pathsturn_sum_memory_write_words_0_6_sum := (pathsturn_sum_memory_write_words_0_5_sum / 64) + ((pathsleft_cost(7)
+        + pathsabove_cost(7)) * 2);
       pathsturn_sum_memory_write_words_0_all(0) := (pathsturn_sum_write_address(1) < 4096) and pathsturn_writes_sums(1);
       for i in 0 to 1 loop
         if pathsturn_sum_memory_write_words_0_all(i) then
-          pathsturn_sum_memory_write_words_0(i) <= pathsturn_sum_memory_write_words_0_0_sum_2;
+          pathsturn_sum_memory_write_words(i, 0) <= pathsturn_sum_memory_write_words_0_0_sum_2;
           for j in 1 to 5 loop
             pathsturn_sum_memory_write_words(i, j) <= pathsturn_sum_memory_write_words_0_sum_2(j);
           end loop;
-          pathsturn_sum_memory_write_words_6(i) <= pathsturn_sum_memory_write_words_0_6_sum;
+          pathsturn_sum_memory_write_words(i, 6) <= pathsturn_sum_memory_write_words_0_6_sum;
           pathsturn_sum_memory_write_address(i) <= pathsturn_sum_write_address(1) mod 4096;
         end if;
         pathsturn_sum_memory_write_words_0_all(i + 1) := pathsturn_writes_sums(1) and ((pathsturn_sum_write_address(1)
           / 4096) = (i + 1));
       end loop;
       if pathsturn_sum_memory_write_words_0_all(2) then
-        pathsturn_sum_memory_write_words_0(2) <= pathsturn_sum_memory_write_words_0_0_sum_2;
+        pathsturn_sum_memory_write_words(2, 0) <= pathsturn_sum_memory_write_words_0_0_sum_2;
         for i in 1 to 5 loop
           pathsturn_sum_memory_write_words(2, i) <= pathsturn_sum_memory_write_words_0_sum_2(i);
         end loop;
-        pathsturn_sum_memory_write_words_6(2) <= pathsturn_sum_memory_write_words_0_6_sum;
+        pathsturn_sum_memory_write_words(2, 6) <= pathsturn_sum_memory_write_words_0_6_sum;
         pathsturn_sum_memory_write_address_2 <= pathsturn_sum_write_address(1) mod 16;
       end if;
       pathsturn_cost_memory_write_words_0_value(1) := to_integer(paths_cost_delay_held_0(15 downto 8));
@@ -4555,102 +3218,54 @@ begin
       end if;
       -- pathsright
       pathsright_lower_neighbour_value := to_integer(pathsright_read_words(1)(17 downto 12));
-      pathsright_stay_value(0) := to_integer(pathsright_read_words(1)(23 downto 18));
-      if (pathsright_stay_value(0) - to_integer(pathsright_read_words(0)(5 downto 0))) < 0 then
-        pathsright_stay_choice(0) := pathsright_stay_value(0);
-      else
-        pathsright_stay_choice(0) := to_integer(pathsright_read_words(0)(5 downto 0));
-      end if;
+      pathsright_stay_value(0, 1) := to_integer(pathsright_read_words(1)(23 downto 18));
+      pathsright_stay_choice(0) := choice((pathsright_stay_value(0, 1) - to_integer(pathsright_read_words(0)(5 downto
+        0))) < 0, pathsright_stay_value(0, 1), to_integer(pathsright_read_words(0)(5 downto 0)));
       for i in 1 to 2 loop
-        pathsright_stay_value(i) := to_integer(pathsright_read_words(0)(6 * i + 5 downto 6 * i));
-        if (to_integer(pathsright_read_words(i)(53 - 24 * i downto 48 - 24 * i)) - pathsright_stay_value(i)) < 0 then
-          pathsright_stay_choice(i) := to_integer(pathsright_read_words(i)(53 - 24 * i downto 48 - 24 * i));
-        else
-          pathsright_stay_choice(i) := pathsright_stay_value(i);
-        end if;
+        pathsright_stay_value(i, 1) := to_integer(pathsright_read_words(0)(6 * i + 5 downto 6 * i));
+        pathsright_stay_choice(i) := choice((to_integer(pathsright_read_words(i)(53 - 24 * i downto 48 - 24 * i)) -
+          pathsright_stay_value(i, 1)) < 0, to_integer(pathsright_read_words(i)(53 - 24 * i downto 48 - 24 * i)),
+          pathsright_stay_value(i, 1));
       end loop;
-      pathsright_stay_value(3) := to_integer(pathsright_read_words(2)(11 downto 6));
-      pathsright_stay_3_value_2 := to_integer(pathsright_read_words(0)(23 downto 18));
-      if (pathsright_stay_value(3) - pathsright_stay_3_value_2) < 0 then
-        pathsright_stay_choice(3) := pathsright_stay_value(3);
-      else
-        pathsright_stay_choice(3) := pathsright_stay_3_value_2;
-      end if;
+      pathsright_stay_value(3, 1) := to_integer(pathsright_read_words(2)(11 downto 6));
+      pathsright_stay_value(3, 2) := to_integer(pathsright_read_words(0)(23 downto 18));
+      pathsright_stay_choice(3) := choice((pathsright_stay_value(3, 1) - pathsright_stay_value(3, 2)) < 0,
+        pathsright_stay_value(3, 1), pathsright_stay_value(3, 2));
       for i in 4 to 5 loop
-        pathsright_stay_value(i) := to_integer(pathsright_read_words(2)(6 * i - 7 downto 6 * i - 12));
-        if (pathsright_stay_value(i) - to_integer(pathsright_read_words(i - 4)(125 - 24 * i downto 120 - 24 * i))) < 0
-          then
-          pathsright_stay_choice(i) := pathsright_stay_value(i);
-        else
-          pathsright_stay_choice(i) := to_integer(pathsright_read_words(i - 4)(125 - 24 * i downto 120 - 24 * i));
-        end if;
+        pathsright_stay_value(i, 1) := to_integer(pathsright_read_words(2)(6 * i - 7 downto 6 * i - 12));
+        pathsright_stay_choice(i) := choice((pathsright_stay_value(i, 1) - to_integer(pathsright_read_words(i - 4)(125
+          - 24 * i downto 120 - 24 * i))) < 0, pathsright_stay_value(i, 1), to_integer(pathsright_read_words(i - 4)(125
+          - 24 * i downto 120 - 24 * i)));
       end loop;
-      pathsright_stay_value(6) := to_integer(pathsright_read_words(1)(11 downto 6));
-      if (to_integer(pathsright_read_words(2)(29 downto 24)) - pathsright_stay_value(6)) < 0 then
-        pathsright_stay_choice(6) := to_integer(pathsright_read_words(2)(29 downto 24));
-      else
-        pathsright_stay_choice(6) := pathsright_stay_value(6);
-      end if;
-      if (to_integer(pathsright_read_words_3) - pathsright_lower_neighbour_value) < 0 then
-        pathsright_stay_choice(7) := to_integer(pathsright_read_words_3);
-      else
-        pathsright_stay_choice(7) := pathsright_lower_neighbour_value;
-      end if;
-      if line_starts_phases(26) then
-        pathsright_step_choice(0) := pathsright_stay_value(1);
-      else
-        pathsright_step_choice(0) := pathsright_lower_neighbour;
-      end if;
-      if (pathsright_stay_value(1) - pathsright_step_choice(0)) < 0 then
-        pathsright_step_0_choice_2 := pathsright_stay_value(1);
-      else
-        pathsright_step_0_choice_2 := pathsright_step_choice(0);
-      end if;
-      if (pathsright_stay_value(2) - to_integer(pathsright_read_words(0)(5 downto 0))) < 0 then
-        pathsright_step_choice(1) := pathsright_stay_value(2);
-      else
-        pathsright_step_choice(1) := to_integer(pathsright_read_words(0)(5 downto 0));
-      end if;
-      if (pathsright_stay_3_value_2 - pathsright_stay_value(1)) < 0 then
-        pathsright_step_choice(2) := pathsright_stay_3_value_2;
-      else
-        pathsright_step_choice(2) := pathsright_stay_value(1);
-      end if;
-      if (to_integer(pathsright_read_words(0)(29 downto 24)) - pathsright_stay_value(2)) < 0 then
-        pathsright_step_choice(3) := to_integer(pathsright_read_words(0)(29 downto 24));
-      else
-        pathsright_step_choice(3) := pathsright_stay_value(2);
-      end if;
-      if (to_integer(pathsright_read_words(1)(5 downto 0)) - pathsright_stay_3_value_2) < 0 then
-        pathsright_step_choice(4) := to_integer(pathsright_read_words(1)(5 downto 0));
-      else
-        pathsright_step_choice(4) := pathsright_stay_3_value_2;
-      end if;
-      if (pathsright_stay_value(6) - to_integer(pathsright_read_words(0)(29 downto 24))) < 0 then
-        pathsright_step_choice(5) := pathsright_stay_value(6);
-      else
-        pathsright_step_choice(5) := to_integer(pathsright_read_words(0)(29 downto 24));
-      end if;
-      if (pathsright_lower_neighbour_value - to_integer(pathsright_read_words(1)(5 downto 0))) < 0 then
-        pathsright_step_choice(6) := pathsright_lower_neighbour_value;
-      else
-        pathsright_step_choice(6) := to_integer(pathsright_read_words(1)(5 downto 0));
-      end if;
-      if pathsleft_is_last then
-        pathsright_step_choice(7) := pathsright_stay_value(6);
-      else
-        pathsright_step_choice(7) := to_integer(pathsright_read_neighbour_0);
-      end if;
-      if (pathsright_step_choice(7) - pathsright_stay_value(6)) < 0 then
-        pathsright_step_7_choice_2 := pathsright_step_choice(7);
-      else
-        pathsright_step_7_choice_2 := pathsright_stay_value(6);
-      end if;
-      if line_comes(31) then
-        pathsright_low_0_choice := 63;
-      else
-        pathsright_low_0_choice := pathsright_low_0;
-      end if;
+      pathsright_stay_value(6, 1) := to_integer(pathsright_read_words(1)(11 downto 6));
+      pathsright_stay_choice(6) := choice((to_integer(pathsright_read_words(2)(29 downto 24)) -
+        pathsright_stay_value(6, 1)) < 0, to_integer(pathsright_read_words(2)(29 downto 24)), pathsright_stay_value(6,
+        1));
+      pathsright_stay_choice(7) := choice((to_integer(pathsright_read_words_3) - pathsright_lower_neighbour_value) < 0,
+        to_integer(pathsright_read_words_3), pathsright_lower_neighbour_value);
+      pathsright_step_choice(0, 1) := choice(line_starts_phases(26), pathsright_stay_value(1, 1),
+        pathsright_lower_neighbour);
+      pathsright_step_choice(0, 2) := choice((pathsright_stay_value(1, 1) - pathsright_step_choice(0, 1)) < 0,
+        pathsright_stay_value(1, 1), pathsright_step_choice(0, 1));
+      pathsright_step_choice(1, 1) := choice((pathsright_stay_value(2, 1) - to_integer(pathsright_read_words(0)(5
+        downto 0))) < 0, pathsright_stay_value(2, 1), to_integer(pathsright_read_words(0)(5 downto 0)));
+      pathsright_step_choice(2, 1) := choice((pathsright_stay_value(3, 2) - pathsright_stay_value(1, 1)) < 0,
+        pathsright_stay_value(3, 2), pathsright_stay_value(1, 1));
+      pathsright_step_choice(3, 1) := choice((to_integer(pathsright_read_words(0)(29 downto 24)) -
+        pathsright_stay_value(2, 1)) < 0, to_integer(pathsright_read_words(0)(29 downto 24)), pathsright_stay_value(2,
+        1));
+      pathsright_step_choice(4, 1) := choice((to_integer(pathsright_read_words(1)(5 downto 0)) -
+        pathsright_stay_value(3, 2)) < 0, to_integer(pathsright_read_words(1)(5 downto 0)), pathsright_stay_value(3,
+        2));
+      pathsright_step_choice(5, 1) := choice((pathsright_stay_value(6, 1) - to_integer(pathsright_read_words(0)(29
+        downto 24))) < 0, pathsright_stay_value(6, 1), to_integer(pathsright_read_words(0)(29 downto 24)));
+      pathsright_step_choice(6, 1) := choice((pathsright_lower_neighbour_value - to_integer(pathsright_read_words(1)(5
+        downto 0))) < 0, pathsright_lower_neighbour_value, to_integer(pathsright_read_words(1)(5 downto 0)));
+      pathsright_step_choice(7, 1) := choice(pathsleft_is_last, pathsright_stay_value(6, 1),
+        to_integer(pathsright_read_neighbour_0));
+      pathsright_step_choice(7, 2) := choice((pathsright_step_choice(7, 1) - pathsright_stay_value(6, 1)) < 0,
+        pathsright_step_choice(7, 1), pathsright_stay_value(6, 1));
+      pathsright_low_0_choice := choice(line_comes(31), 63, pathsright_low_0);
       pathsright_lost <= pathsright_lowest_0(5) = '1';
       pathsright_short_of <= ((to_integer(pathsright_lowest_0(4 downto 0)) + pathsright_room) / 32) = 1;
       pathsright_missing <= (to_integer(pathsright_lowest_0) + pathsright_room) mod 32;
@@ -4664,95 +3279,45 @@ begin
         pathsright_step_change(2 * i) <= ((pathsturn_cost_memory_ready_words(i) mod 16) - pathsright_g_less) mod 64;
         pathsright_step_change(2 * i + 1) <= ((pathsturn_cost_memory_ready_words(i) / 16) - pathsright_g_less) mod 64;
       end loop;
-      if (not pathsleft_first) and (not is_set(pathsright_stay_choice(0), 5)) then
-        pathsright_stay(0) <= pathsright_stay_choice(0);
-      else
-        pathsright_stay(0) <= 32;
-      end if;
+      pathsright_stay(0) <= choice((not pathsleft_first) and (not is_set(pathsright_stay_choice(0), 5)),
+        pathsright_stay_choice(0), 32);
       for i in 1 to 7 loop
-        if (not is_set(pathsright_stay_choice(i), 5)) and (not pathsleft_first) then
-          pathsright_stay(i) <= pathsright_stay_choice(i);
-        else
-          pathsright_stay(i) <= 32;
-        end if;
+        pathsright_stay(i) <= choice((not is_set(pathsright_stay_choice(i), 5)) and (not pathsleft_first),
+          pathsright_stay_choice(i), 32);
       end loop;
-      if pathsleft_first then
-        for i in 0 to 7 loop
-          pathsright_step(i) <= 32;
-        end loop;
-      else
-        pathsright_step(0) <= pathsright_step_0_choice_2;
-        for i in 1 to 6 loop
-          pathsright_step(i) <= pathsright_step_choice(i);
-        end loop;
-        pathsright_step(7) <= pathsright_step_7_choice_2;
-      end if;
+      pathsright_step(0) <= choice(pathsleft_first, 32, pathsright_step_choice(0, 2));
+      for i in 1 to 6 loop
+        pathsright_step(i) <= choice(pathsleft_first, 32, pathsright_step_choice(i, 1));
+      end loop;
+      pathsright_step(7) <= choice(pathsleft_first, 32, pathsright_step_choice(7, 2));
       for i in 0 to 3 loop
-        if (pathsright_cost(2 * i + 1) - pathsright_cost(2 * i)) < 0 then
-          pathsright_tree_smallest(i) <= pathsright_cost(2 * i + 1);
-        else
-          pathsright_tree_smallest(i) <= pathsright_cost(2 * i);
-        end if;
+        pathsright_tree_smallest(i) <= choice((pathsright_cost(2 * i + 1) - pathsright_cost(2 * i)) < 0,
+          pathsright_cost(2 * i + 1), pathsright_cost(2 * i));
       end loop;
-      for i in 0 to 1 loop
-        if (pathsright_tree_smallest(2 * i + 1) - pathsright_tree_smallest(2 * i)) < 0 then
-          pathsright_tree_next_smallest(i) <= pathsright_tree_smallest(2 * i + 1);
-        else
-          pathsright_tree_next_smallest(i) <= pathsright_tree_smallest(2 * i);
-        end if;
-      end loop;
-      if (pathsright_tree_next_smallest(1) - pathsright_tree_next_smallest(0)) < 0 then
-        pathsright_tree_next_next_smallest_0 <= pathsright_tree_next_smallest(1);
-      else
-        pathsright_tree_next_next_smallest_0 <= pathsright_tree_next_smallest(0);
-      end if;
-      if (pathsright_tree_next_next_smallest_0 - pathsright_low_0_choice) < 0 then
-        pathsright_low_0 <= pathsright_tree_next_next_smallest_0;
-      else
-        pathsright_low_0 <= pathsright_low_0_choice;
-      end if;
-      if pathsright_short_of then
-        pathsright_q_choice := pathsright_missing;
-      else
-        pathsright_q_choice := 0;
-      end if;
-      if pathsright_lost then
-        pathsright_q_choice_2 := pathsright_room;
-      else
-        pathsright_q_choice_2 := pathsright_q_choice;
-      end if;
-      if pathsright_short_of then
-        pathsright_room_left_choice := pathsright_below;
-      else
-        pathsright_room_left_choice := pathsright_room;
-      end if;
+      pathsright_tree_next_smallest(0) <= choice((pathsright_tree_smallest(1) - pathsright_tree_smallest(0)) < 0,
+        pathsright_tree_smallest(1), pathsright_tree_smallest(0));
+      pathsright_tree_next_smallest(1) <= choice((pathsright_tree_smallest(3) - pathsright_tree_smallest(2)) < 0,
+        pathsright_tree_smallest(3), pathsright_tree_smallest(2));
+      pathsright_tree_next_next_smallest_0 <= choice((pathsright_tree_next_smallest(1) -
+        pathsright_tree_next_smallest(0)) < 0, pathsright_tree_next_smallest(1), pathsright_tree_next_smallest(0));
+      pathsright_low_0 <= choice((pathsright_tree_next_next_smallest_0 - pathsright_low_0_choice) < 0,
+        pathsright_tree_next_next_smallest_0, pathsright_low_0_choice);
+      pathsright_q_choices(1) := choice(pathsright_short_of, pathsright_missing, 0);
+      pathsright_q_choices(2) := choice(pathsright_lost, pathsright_room, pathsright_q_choices(1));
+      pathsright_room_left_choice := choice(pathsright_short_of, pathsright_below, pathsright_room);
       if line_starts_phases(23) then
-        if line_places_first_column(1) then
-          pathsright_q <= 24;
-        else
-          pathsright_q <= pathsright_q_choice_2;
-        end if;
-        if pathsright_lost then
-          pathsright_room_left <= 0;
-        else
-          pathsright_room_left <= pathsright_room_left_choice;
-        end if;
+        pathsright_q <= choice(line_places_first_column(1), 24, pathsright_q_choices(2));
+        pathsright_room_left <= choice(pathsright_lost, 0, pathsright_room_left_choice);
       end if;
       if line_starts_phases(24) then
         pathsright_q_now <= pathsright_q;
         pathsright_q_less <= ((((pathsright_q / 4) + 15) mod 16) * 4) + (pathsright_q mod 4);
-        if line_places_first_column(1) then
-          pathsright_room <= 0;
-          for i in 1 to 9 loop
-            pathsright_start_cost(i) <= 0;
-          end loop;
-        else
-          pathsright_room <= (pathsright_room_left + pathsright_start_cost(9)) mod 32;
-          pathsright_start_cost(1) <= pathsright_q_now;
-          for i in 2 to 9 loop
-            pathsright_start_cost(i) <= pathsright_start_cost(i - 1);
-          end loop;
-        end if;
+        pathsright_room <= choice(line_places_first_column(1), 0, (pathsright_room_left + pathsright_start_cost(9)) mod
+          32);
+        pathsright_start_cost(1) <= choice(line_places_first_column(1), 0, pathsright_q_now);
+        for i in 2 to 9 loop
+          pathsright_start_cost(i) <= choice(line_places_first_column(1), 0, pathsright_start_cost(i - 1));
+        end loop;
       end if;
       if line_starts_phases(25) then
         pathsright_g <= pathsturn_ready_smallest_0 + pathsright_q_now;
@@ -4767,932 +3332,426 @@ begin
         end loop;
       end if;
       -- winnerswinner1
-      if is_set(paths_sum(0), 0) then
-        winnerswinner1_best_index_0_choice(0) := (not is_set(paths_sum(1), 1)) or (not is_set(paths_sum(1), 0));
-      else
-        winnerswinner1_best_index_0_choice(0) := not is_set(paths_sum(1), 1);
-      end if;
-      if is_set(paths_sum(0), 1) then
-        winnerswinner1_best_index_0_0_choices(2) := winnerswinner1_best_index_0_choice(0);
-      else
-        winnerswinner1_best_index_0_0_choices(2) := is_set(paths_sum(0), 0) and ((paths_sum(1) mod 4) = 0);
-      end if;
-      winnerswinner1_best_index_0_value(0) := is_set(paths_sum(1), 2);
-      if winnerswinner1_best_index_0_0_choices(2) then
-        winnerswinner1_best_index_0_0_choices(3) := (not is_set(paths_sum(0), 2)) and
-          winnerswinner1_best_index_0_value(0);
-      else
-        winnerswinner1_best_index_0_0_choices(3) := (not is_set(paths_sum(0), 2)) or
-          winnerswinner1_best_index_0_value(0);
-      end if;
+      winnerswinner1_best_index_0_choice(0, 1) := choice(is_set(paths_sum(0), 0), (not is_set(paths_sum(1), 1)) or (not
+        is_set(paths_sum(1), 0)), not is_set(paths_sum(1), 1));
+      winnerswinner1_best_index_0_choice(0, 2) := choice(is_set(paths_sum(0), 1), winnerswinner1_best_index_0_choice(0,
+        1), is_set(paths_sum(0), 0) and ((paths_sum(1) mod 4) = 0));
+      winnerswinner1_best_index_0_value(0, 1) := is_set(paths_sum(1), 2);
+      winnerswinner1_best_index_0_choice(0, 3) := inverted_carry(winnerswinner1_best_index_0_choice(0, 2), not
+        is_set(paths_sum(0), 2), winnerswinner1_best_index_0_value(0, 1));
       for i in 2 to 5 loop
-        winnerswinner1_best_index_0_values(0, i) := is_set(paths_sum(1), i + 1);
-        if winnerswinner1_best_index_0_0_choices(i + 1) then
-          winnerswinner1_best_index_0_0_choices(i + 2) := (not is_set(paths_sum(0), i + 1)) or
-            winnerswinner1_best_index_0_values(0, i);
-        else
-          winnerswinner1_best_index_0_0_choices(i + 2) := (not is_set(paths_sum(0), i + 1)) and
-            winnerswinner1_best_index_0_values(0, i);
-        end if;
+        winnerswinner1_best_index_0_value(0, i) := is_set(paths_sum(1), i + 1);
+        winnerswinner1_best_index_0_choice(0, i + 2) := carry(winnerswinner1_best_index_0_choice(0, i + 1), not
+          is_set(paths_sum(0), i + 1), winnerswinner1_best_index_0_value(0, i));
       end loop;
       for i in 1 to 3 loop
-        if is_set(paths_sum(2 * i), 0) then
-          winnerswinner1_best_index_0_choice(i) := (not is_set(paths_sum(2 * i + 1), 1)) or (not is_set(paths_sum(2 * i
-            + 1), 0));
-        else
-          winnerswinner1_best_index_0_choice(i) := not is_set(paths_sum(2 * i + 1), 1);
-        end if;
-        if is_set(paths_sum(2 * i), 1) then
-          winnerswinner1_best_index_0_choices(i, 2) := winnerswinner1_best_index_0_choice(i);
-        else
-          winnerswinner1_best_index_0_choices(i, 2) := is_set(paths_sum(2 * i), 0) and ((paths_sum(2 * i + 1) mod 4) =
-            0);
-        end if;
-        winnerswinner1_best_index_0_value(i) := is_set(paths_sum(2 * i + 1), 2);
-        if winnerswinner1_best_index_0_choices(i, 2) then
-          winnerswinner1_best_index_0_choices(i, 3) := (not is_set(paths_sum(2 * i), 2)) and
-            winnerswinner1_best_index_0_value(i);
-        else
-          winnerswinner1_best_index_0_choices(i, 3) := (not is_set(paths_sum(2 * i), 2)) or
-            winnerswinner1_best_index_0_value(i);
-        end if;
+        winnerswinner1_best_index_0_choice(i, 1) := choice(is_set(paths_sum(2 * i), 0), (not is_set(paths_sum(2 * i +
+          1), 1)) or (not is_set(paths_sum(2 * i + 1), 0)), not is_set(paths_sum(2 * i + 1), 1));
+        winnerswinner1_best_index_0_choice(i, 2) := choice(is_set(paths_sum(2 * i), 1),
+          winnerswinner1_best_index_0_choice(i, 1), is_set(paths_sum(2 * i), 0) and ((paths_sum(2 * i + 1) mod 4) = 0));
+        winnerswinner1_best_index_0_value(i, 1) := is_set(paths_sum(2 * i + 1), 2);
+        winnerswinner1_best_index_0_choice(i, 3) := inverted_carry(winnerswinner1_best_index_0_choice(i, 2), not
+          is_set(paths_sum(2 * i), 2), winnerswinner1_best_index_0_value(i, 1));
         for j in 2 to 5 loop
-          winnerswinner1_best_index_0_values(i, j) := is_set(paths_sum(2 * i + 1), j + 1);
-          if winnerswinner1_best_index_0_choices(i, j + 1) then
-            winnerswinner1_best_index_0_choices(i, j + 2) := (not is_set(paths_sum(2 * i), j + 1)) or
-              winnerswinner1_best_index_0_values(i, j);
-          else
-            winnerswinner1_best_index_0_choices(i, j + 2) := (not is_set(paths_sum(2 * i), j + 1)) and
-              winnerswinner1_best_index_0_values(i, j);
-          end if;
+          winnerswinner1_best_index_0_value(i, j) := is_set(paths_sum(2 * i + 1), j + 1);
+          winnerswinner1_best_index_0_choice(i, j + 2) := carry(winnerswinner1_best_index_0_choice(i, j + 1), not
+            is_set(paths_sum(2 * i), j + 1), winnerswinner1_best_index_0_value(i, j));
         end loop;
-        if winnerswinner1_best_index_0_choices(i, 7) then
-          winnerswinner1_best_index_0_choices(i, 8) := is_set(paths_sum(2 * i), 7) and (not is_set(paths_sum(2 * i +
-            1), 7));
-        else
-          winnerswinner1_best_index_0_choices(i, 8) := is_set(paths_sum(2 * i), 7) or (not is_set(paths_sum(2 * i + 1),
-            7));
-        end if;
+        winnerswinner1_best_index_0_choice(i, 8) := inverted_carry(winnerswinner1_best_index_0_choice(i, 7),
+          is_set(paths_sum(2 * i), 7), not is_set(paths_sum(2 * i + 1), 7));
       end loop;
       for i in 0 to 3 loop
-        if (paths_sum(2 * i + 1) - paths_sum(2 * i)) < 0 then
-          winnerswinner1_best_cost_0(i) <= paths_sum(2 * i + 1);
-        else
-          winnerswinner1_best_cost_0(i) <= paths_sum(2 * i);
-        end if;
+        winnerswinner1_best_cost_0(i) <= choice((paths_sum(2 * i + 1) - paths_sum(2 * i)) < 0, paths_sum(2 * i + 1),
+          paths_sum(2 * i));
       end loop;
-      if winnerswinner1_best_index_0_0_choices(7) then
-        winnerswinner1_best_index_0_0 <= is_set(paths_sum(0), 7) and (not is_set(paths_sum(1), 7));
-      else
-        winnerswinner1_best_index_0_0 <= is_set(paths_sum(0), 7) or (not is_set(paths_sum(1), 7));
-      end if;
-      if winnerswinner1_best_index_0_choices(1, 8) then
-        winnerswinner1_best_index_0_1 <= 3;
-      else
-        winnerswinner1_best_index_0_1 <= 2;
-      end if;
-      if winnerswinner1_best_index_0_choices(2, 8) then
-        winnerswinner1_best_index_0_2 <= 5;
-      else
-        winnerswinner1_best_index_0_2 <= 4;
-      end if;
-      if winnerswinner1_best_index_0_choices(3, 8) then
-        winnerswinner1_best_index_0_3 <= 7;
-      else
-        winnerswinner1_best_index_0_3 <= 6;
-      end if;
+      winnerswinner1_best_index_0_0 <= inverted_carry(winnerswinner1_best_index_0_choice(0, 7), is_set(paths_sum(0),
+        7), not is_set(paths_sum(1), 7));
+      winnerswinner1_best_index_0(1) <= choice(winnerswinner1_best_index_0_choice(1, 8), 3, 2);
+      winnerswinner1_best_index_0(2) <= choice(winnerswinner1_best_index_0_choice(2, 8), 5, 4);
+      winnerswinner1_best_index_0(3) <= choice(winnerswinner1_best_index_0_choice(3, 8), 7, 6);
       if in_valid then
-        if in_start_of_frame then
-          winnerswinner1_best_below_0 <= transform_counter_next_frame;
-        else
-          winnerswinner1_best_below_0 <= transform_counter_frame_joins;
-        end if;
+        winnerswinner1_best_below_0 <= choice(in_start_of_frame, transform_counter_next_frame,
+          transform_counter_frame_joins);
       end if;
       -- winnerswinner2
       for i in 0 to 1 loop
-        if is_set(winnerswinner1_best_cost_0(2 * i), 0) then
-          winnerswinner2_best_index_0_choice(i) := (not is_set(winnerswinner1_best_cost_0(2 * i + 1), 1)) or (not
-            is_set(winnerswinner1_best_cost_0(2 * i + 1), 0));
-        else
-          winnerswinner2_best_index_0_choice(i) := not is_set(winnerswinner1_best_cost_0(2 * i + 1), 1);
-        end if;
-        if is_set(winnerswinner1_best_cost_0(2 * i), 1) then
-          winnerswinner2_best_index_0_choices(i, 2) := winnerswinner2_best_index_0_choice(i);
-        else
-          winnerswinner2_best_index_0_choices(i, 2) := is_set(winnerswinner1_best_cost_0(2 * i), 0) and
-            ((winnerswinner1_best_cost_0(2 * i + 1) mod 4) = 0);
-        end if;
-        winnerswinner2_best_index_0_value(i) := is_set(winnerswinner1_best_cost_0(2 * i + 1), 2);
-        if winnerswinner2_best_index_0_choices(i, 2) then
-          winnerswinner2_best_index_0_choices(i, 3) := (not is_set(winnerswinner1_best_cost_0(2 * i), 2)) and
-            winnerswinner2_best_index_0_value(i);
-        else
-          winnerswinner2_best_index_0_choices(i, 3) := (not is_set(winnerswinner1_best_cost_0(2 * i), 2)) or
-            winnerswinner2_best_index_0_value(i);
-        end if;
+        winnerswinner2_best_index_0_choice(i, 1) := choice(is_set(winnerswinner1_best_cost_0(2 * i), 0), (not
+          is_set(winnerswinner1_best_cost_0(2 * i + 1), 1)) or (not is_set(winnerswinner1_best_cost_0(2 * i + 1), 0)),
+          not is_set(winnerswinner1_best_cost_0(2 * i + 1), 1));
+        winnerswinner2_best_index_0_choice(i, 2) := choice(is_set(winnerswinner1_best_cost_0(2 * i), 1),
+          winnerswinner2_best_index_0_choice(i, 1), is_set(winnerswinner1_best_cost_0(2 * i), 0) and
+          ((winnerswinner1_best_cost_0(2 * i + 1) mod 4) = 0));
+        winnerswinner2_best_index_0_value(i, 1) := is_set(winnerswinner1_best_cost_0(2 * i + 1), 2);
+        winnerswinner2_best_index_0_choice(i, 3) := inverted_carry(winnerswinner2_best_index_0_choice(i, 2), not
+          is_set(winnerswinner1_best_cost_0(2 * i), 2), winnerswinner2_best_index_0_value(i, 1));
         for j in 2 to 5 loop
-          winnerswinner2_best_index_0_values(i, j) := is_set(winnerswinner1_best_cost_0(2 * i + 1), j + 1);
-          if winnerswinner2_best_index_0_choices(i, j + 1) then
-            winnerswinner2_best_index_0_choices(i, j + 2) := (not is_set(winnerswinner1_best_cost_0(2 * i), j + 1)) or
-              winnerswinner2_best_index_0_values(i, j);
-          else
-            winnerswinner2_best_index_0_choices(i, j + 2) := (not is_set(winnerswinner1_best_cost_0(2 * i), j + 1)) and
-              winnerswinner2_best_index_0_values(i, j);
-          end if;
+          winnerswinner2_best_index_0_value(i, j) := is_set(winnerswinner1_best_cost_0(2 * i + 1), j + 1);
+          winnerswinner2_best_index_0_choice(i, j + 2) := carry(winnerswinner2_best_index_0_choice(i, j + 1), not
+            is_set(winnerswinner1_best_cost_0(2 * i), j + 1), winnerswinner2_best_index_0_value(i, j));
         end loop;
-        if winnerswinner2_best_index_0_choices(i, 7) then
-          winnerswinner2_best_index_0_choices(i, 8) := is_set(winnerswinner1_best_cost_0(2 * i), 7) and (not
-            is_set(winnerswinner1_best_cost_0(2 * i + 1), 7));
-        else
-          winnerswinner2_best_index_0_choices(i, 8) := is_set(winnerswinner1_best_cost_0(2 * i), 7) or (not
-            is_set(winnerswinner1_best_cost_0(2 * i + 1), 7));
-        end if;
+        winnerswinner2_best_index_0_choice(i, 8) := inverted_carry(winnerswinner2_best_index_0_choice(i, 7),
+          is_set(winnerswinner1_best_cost_0(2 * i), 7), not is_set(winnerswinner1_best_cost_0(2 * i + 1), 7));
       end loop;
-      for i in 0 to 1 loop
-        if (winnerswinner1_best_cost_0(2 * i + 1) - winnerswinner1_best_cost_0(2 * i)) < 0 then
-          winnerswinner2_best_cost_0(i) <= winnerswinner1_best_cost_0(2 * i + 1);
-        else
-          winnerswinner2_best_cost_0(i) <= winnerswinner1_best_cost_0(2 * i);
-        end if;
-      end loop;
-      if winnerswinner2_best_index_0_choices(0, 8) then
-        winnerswinner2_best_index_0_0 <= winnerswinner1_best_index_0_1;
-      else
-        winnerswinner2_best_index_0_0 <= as_number(winnerswinner1_best_index_0_0);
-      end if;
-      if winnerswinner2_best_index_0_choices(1, 8) then
-        winnerswinner2_best_index_0_1 <= winnerswinner1_best_index_0_3;
-      else
-        winnerswinner2_best_index_0_1 <= winnerswinner1_best_index_0_2;
-      end if;
+      winnerswinner2_best_cost_0(0) <= choice((winnerswinner1_best_cost_0(1) - winnerswinner1_best_cost_0(0)) < 0,
+        winnerswinner1_best_cost_0(1), winnerswinner1_best_cost_0(0));
+      winnerswinner2_best_cost_0(1) <= choice((winnerswinner1_best_cost_0(3) - winnerswinner1_best_cost_0(2)) < 0,
+        winnerswinner1_best_cost_0(3), winnerswinner1_best_cost_0(2));
+      winnerswinner2_best_index_0(0) <= choice(winnerswinner2_best_index_0_choice(0, 8),
+        winnerswinner1_best_index_0(1), as_number(winnerswinner1_best_index_0_0));
+      winnerswinner2_best_index_0(1) <= choice(winnerswinner2_best_index_0_choice(1, 8),
+        winnerswinner1_best_index_0(3), winnerswinner1_best_index_0(2));
       -- winnerswinner3
-      if is_set(winnerswinner2_best_cost_0(0), 0) then
-        winnerswinner3_best_index_0_0_choice := (not is_set(winnerswinner2_best_cost_0(1), 1)) or (not
-          is_set(winnerswinner2_best_cost_0(1), 0));
-      else
-        winnerswinner3_best_index_0_0_choice := not is_set(winnerswinner2_best_cost_0(1), 1);
-      end if;
-      if is_set(winnerswinner2_best_cost_0(0), 1) then
-        winnerswinner3_best_index_0_0_choices(2) := winnerswinner3_best_index_0_0_choice;
-      else
-        winnerswinner3_best_index_0_0_choices(2) := is_set(winnerswinner2_best_cost_0(0), 0) and
-          ((winnerswinner2_best_cost_0(1) mod 4) = 0);
-      end if;
-      winnerswinner3_best_index_0_0_value := is_set(winnerswinner2_best_cost_0(1), 2);
-      if winnerswinner3_best_index_0_0_choices(2) then
-        winnerswinner3_best_index_0_0_choices(3) := (not is_set(winnerswinner2_best_cost_0(0), 2)) and
-          winnerswinner3_best_index_0_0_value;
-      else
-        winnerswinner3_best_index_0_0_choices(3) := (not is_set(winnerswinner2_best_cost_0(0), 2)) or
-          winnerswinner3_best_index_0_0_value;
-      end if;
+      winnerswinner3_best_index_0_0_choices(1) := choice(is_set(winnerswinner2_best_cost_0(0), 0), (not
+        is_set(winnerswinner2_best_cost_0(1), 1)) or (not is_set(winnerswinner2_best_cost_0(1), 0)), not
+        is_set(winnerswinner2_best_cost_0(1), 1));
+      winnerswinner3_best_index_0_0_choices(2) := choice(is_set(winnerswinner2_best_cost_0(0), 1),
+        winnerswinner3_best_index_0_0_choices(1), is_set(winnerswinner2_best_cost_0(0), 0) and
+        ((winnerswinner2_best_cost_0(1) mod 4) = 0));
+      winnerswinner3_best_index_0_0_values(1) := is_set(winnerswinner2_best_cost_0(1), 2);
+      winnerswinner3_best_index_0_0_choices(3) := inverted_carry(winnerswinner3_best_index_0_0_choices(2), not
+        is_set(winnerswinner2_best_cost_0(0), 2), winnerswinner3_best_index_0_0_values(1));
       for i in 2 to 5 loop
         winnerswinner3_best_index_0_0_values(i) := is_set(winnerswinner2_best_cost_0(1), i + 1);
-        if winnerswinner3_best_index_0_0_choices(i + 1) then
-          winnerswinner3_best_index_0_0_choices(i + 2) := (not is_set(winnerswinner2_best_cost_0(0), i + 1)) or
-            winnerswinner3_best_index_0_0_values(i);
-        else
-          winnerswinner3_best_index_0_0_choices(i + 2) := (not is_set(winnerswinner2_best_cost_0(0), i + 1)) and
-            winnerswinner3_best_index_0_0_values(i);
-        end if;
+        winnerswinner3_best_index_0_0_choices(i + 2) := carry(winnerswinner3_best_index_0_0_choices(i + 1), not
+          is_set(winnerswinner2_best_cost_0(0), i + 1), winnerswinner3_best_index_0_0_values(i));
       end loop;
-      if winnerswinner3_best_index_0_0_choices(7) then
-        winnerswinner3_best_index_0_0_choices(8) := is_set(winnerswinner2_best_cost_0(0), 7) and (not
-          is_set(winnerswinner2_best_cost_0(1), 7));
-      else
-        winnerswinner3_best_index_0_0_choices(8) := is_set(winnerswinner2_best_cost_0(0), 7) or (not
-          is_set(winnerswinner2_best_cost_0(1), 7));
-      end if;
-      if (winnerswinner2_best_cost_0(1) - winnerswinner2_best_cost_0(0)) < 0 then
-        winnerswinner3_best_cost_0_0 <= winnerswinner2_best_cost_0(1);
-      else
-        winnerswinner3_best_cost_0_0 <= winnerswinner2_best_cost_0(0);
-      end if;
-      if winnerswinner3_best_index_0_0_choices(8) then
-        winnerswinner3_best_index_0_0 <= winnerswinner2_best_index_0_1;
-      else
-        winnerswinner3_best_index_0_0 <= winnerswinner2_best_index_0_0;
-      end if;
+      winnerswinner3_best_index_0_0_choices(8) := inverted_carry(winnerswinner3_best_index_0_0_choices(7),
+        is_set(winnerswinner2_best_cost_0(0), 7), not is_set(winnerswinner2_best_cost_0(1), 7));
+      winnerswinner3_best_cost_0_0 <= choice((winnerswinner2_best_cost_0(1) - winnerswinner2_best_cost_0(0)) < 0,
+        winnerswinner2_best_cost_0(1), winnerswinner2_best_cost_0(0));
+      winnerswinner3_best_index_0_0 <= choice(winnerswinner3_best_index_0_0_choices(8), winnerswinner2_best_index_0(1),
+        winnerswinner2_best_index_0(0));
       -- winners
-      if line_comes(32) then
-        winners_best_cost_0_0_choice := 255;
-      else
-        winners_best_cost_0_0_choice := winners_best_cost_0_0;
-      end if;
-      winners_best_index_0_0_value := is_set(winners_best_cost_0_0, 1);
-      if (not is_set(winnerswinner3_best_cost_0_0, 0)) and (is_set(winners_best_cost_0_0, 0) or line_comes(32)) then
-        winners_best_index_0_0_choice := (not is_set(winnerswinner3_best_cost_0_0, 1)) or winners_best_index_0_0_value
-          or line_comes(32);
-      else
-        winners_best_index_0_0_choice := (not is_set(winnerswinner3_best_cost_0_0, 1)) and
-          (winners_best_index_0_0_value or line_comes(32));
-      end if;
-      winners_best_index_0_0_values(2) := is_set(winners_best_cost_0_0, 2);
-      if winners_best_index_0_0_choice then
-        winners_best_index_0_0_choices(2) := (not is_set(winnerswinner3_best_cost_0_0, 2)) or
-          winners_best_index_0_0_values(2) or line_comes(32);
-      else
-        winners_best_index_0_0_choices(2) := (not is_set(winnerswinner3_best_cost_0_0, 2)) and
-          (winners_best_index_0_0_values(2) or line_comes(32));
-      end if;
-      for i in 3 to 6 loop
+      winners_best_cost_0_0_choice := choice(line_comes(32), 255, winners_best_cost_0_0);
+      winners_best_index_0_0_values(1) := is_set(winners_best_cost_0_0, 1);
+      winners_best_index_0_0_choices(1) := choice((not is_set(winnerswinner3_best_cost_0_0, 0)) and
+        (is_set(winners_best_cost_0_0, 0) or line_comes(32)), (not is_set(winnerswinner3_best_cost_0_0, 1)) or
+        winners_best_index_0_0_values(1) or line_comes(32), (not is_set(winnerswinner3_best_cost_0_0, 1)) and
+        (winners_best_index_0_0_values(1) or line_comes(32)));
+      for i in 2 to 6 loop
         winners_best_index_0_0_values(i) := is_set(winners_best_cost_0_0, i);
-        if winners_best_index_0_0_choices(i - 1) then
-          winners_best_index_0_0_choices(i) := (not is_set(winnerswinner3_best_cost_0_0, i)) or
-            winners_best_index_0_0_values(i) or line_comes(32);
-        else
-          winners_best_index_0_0_choices(i) := (not is_set(winnerswinner3_best_cost_0_0, i)) and
-            (winners_best_index_0_0_values(i) or line_comes(32));
-        end if;
+        winners_best_index_0_0_choices(i) := choice(winners_best_index_0_0_choices(i - 1), (not
+          is_set(winnerswinner3_best_cost_0_0, i)) or winners_best_index_0_0_values(i) or line_comes(32), (not
+          is_set(winnerswinner3_best_cost_0_0, i)) and (winners_best_index_0_0_values(i) or line_comes(32)));
       end loop;
-      if winners_best_index_0_0_choices(6) then
-        winners_best_index_0_0_choices(7) := (not is_set(winnerswinner3_best_cost_0_0, 7)) or
-          is_set(winners_best_cost_0_0, 7) or line_comes(32);
-      else
-        winners_best_index_0_0_choices(7) := (not is_set(winnerswinner3_best_cost_0_0, 7)) and
-          (is_set(winners_best_cost_0_0, 7) or line_comes(32));
-      end if;
-      winners_best_tag_valid <= line_comes(47);
-      winners_best_tag_map_column <= line_places_map_column(2);
-      winners_best_tag_output_column <= line_places_shown_output_column(2);
-      winners_best_tag_start_of_frame <= line_places_shown_start_of_frame(2);
-      winners_best_tag_end_of_line <= line_places_shown_end_of_line(2);
-      if (winnerswinner3_best_cost_0_0 - winners_best_cost_0_0_choice) < 0 then
-        winners_best_cost_0_0 <= winnerswinner3_best_cost_0_0;
-      else
-        winners_best_cost_0_0 <= winners_best_cost_0_0_choice;
-      end if;
-      if winners_best_index_0_0_choices(7) then
-        winners_best_index_0_0 <= winnerswinner3_best_index_0_0 + 120;
-      else
-        winners_best_index_0_0 <= ((((winners_best_index_0_0 / 8) + 31) mod 32) * 8) + (winners_best_index_0_0 mod 8);
-      end if;
+      winners_best_index_0_0_choices(7) := choice(winners_best_index_0_0_choices(6), (not
+        is_set(winnerswinner3_best_cost_0_0, 7)) or is_set(winners_best_cost_0_0, 7) or line_comes(32), (not
+        is_set(winnerswinner3_best_cost_0_0, 7)) and (is_set(winners_best_cost_0_0, 7) or line_comes(32)));
+      winners_best_tag.valid <= line_comes(47);
+      winners_best_tag.map_column <= line_places_map_column(2);
+      winners_best_tag.output_column <= line_places_shown_output_column(2);
+      winners_best_tag.start_of_frame <= line_places_shown_start_of_frame(2);
+      winners_best_tag.end_of_line <= line_places_shown_end_of_line(2);
+      winners_best_cost_0_0 <= choice((winnerswinner3_best_cost_0_0 - winners_best_cost_0_0_choice) < 0,
+        winnerswinner3_best_cost_0_0, winners_best_cost_0_0_choice);
+      winners_best_index_0_0 <= choice(winners_best_index_0_0_choices(7), winnerswinner3_best_index_0_0 + 120,
+        ((((winners_best_index_0_0 / 8) + 31) mod 32) * 8) + (winners_best_index_0_0 mod 8));
       -- turn
-      turn_order_address_any := turn_order_inside or (not winners_best_tag_map_column) or (not winners_best_tag_valid);
-      if turn_order_falls then
-        turn_order_address_choice := 1023;
-      else
-        turn_order_address_choice := 1;
+      turn_order_address_anys(1) := turn_order_inside or (not winners_best_tag.map_column) or (not
+        winners_best_tag.valid);
+      turn_order_address_choice := choice(turn_order_falls, 1023, 1);
+      turn_order_address_anys(2) := (not winners_best_tag.map_column) or (not winners_best_tag.valid);
+      if not turn_order_address_anys(2) then
+        turn_order_address <= choice(turn_order_address_anys(1), (turn_order_address_choice + turn_order_address) mod
+          1024, as_number((not turn_order_falls)) * 512);
       end if;
-      turn_order_address_any_2 := (not winners_best_tag_map_column) or (not winners_best_tag_valid);
-      if not turn_order_address_any_2 then
-        if turn_order_address_any then
-          turn_order_address <= (turn_order_address_choice + turn_order_address) mod 1024;
-        else
-          turn_order_address <= as_number((not turn_order_falls)) * 512;
-        end if;
-      end if;
-      turn_order_falls_all := (not turn_order_inside) and winners_best_tag_map_column and winners_best_tag_valid;
-      turn_order_complete_all := winners_best_tag_map_column and winners_best_tag_valid;
+      turn_order_falls_all := (not turn_order_inside) and winners_best_tag.map_column and winners_best_tag.valid;
+      turn_order_complete_all := winners_best_tag.map_column and winners_best_tag.valid;
       turn_ready_tag_row_start_differs := map_counter_group /= 481;
-      turn_ready_tag_row_start_is_equal := map_counter_column = 512;
-      if turn_ready_tag_row_start_is_equal then
-        turn_ready_tag_row_start_choice := turn_ready_tag_row_start and (map_counter_group /= 480);
-      else
-        turn_ready_tag_row_start_choice := turn_ready_tag_row_start;
-      end if;
-      if turn_ready_tag_row_start_differs then
-        turn_ready_tag_row_start_choices(2) := turn_ready_tag_row_start_choice;
-      else
-        turn_ready_tag_row_start_choices(2) := turn_ready_tag_row_start;
-      end if;
-      turn_ready_tag_row_start_is_equal_2 := map_counter_group = 479;
-      turn_ready_tag_row_start_all := turn_ready_tag_row_start_is_equal_2 and turn_ready_tag_row_start_is_equal;
-      if turn_ready_tag_row_start_choices(2) then
-        turn_ready_tag_row_start_choices(3) := (not turn_ready_tag_start_of_frame) or turn_ready_tag_row_start_all;
-      else
-        turn_ready_tag_row_start_choices(3) := turn_ready_tag_start_of_frame and turn_ready_tag_row_start_is_equal_2
-          and turn_ready_tag_row_start_is_equal;
-      end if;
-      turn_ready_tag_row_start_all_2 := turn_ready_tag_valid and turn_ready_tag_map_column;
-      turn_order_turned_valid <= winners_best_tag_valid;
-      turn_order_turned_map_column <= winners_best_tag_map_column;
-      turn_order_turned_start_of_frame <= (not turn_order_inside) and winners_best_tag_map_column and
-        winners_best_tag_valid and turn_order_first and turn_order_complete and turn_order_output;
-      turn_order_turned_end_of_line <= winners_best_tag_end_of_line;
+      turn_ready_tag_row_start_is_equals(1) := map_counter_column = 512;
+      turn_ready_tag_row_start_choices(1) := choice(turn_ready_tag_row_start_is_equals(1), turn_ready_tag.row_start and
+        (map_counter_group /= 480), turn_ready_tag.row_start);
+      turn_ready_tag_row_start_choices(2) := choice(turn_ready_tag_row_start_differs,
+        turn_ready_tag_row_start_choices(1), turn_ready_tag.row_start);
+      turn_ready_tag_row_start_is_equals(2) := map_counter_group = 479;
+      turn_ready_tag_row_start_alls(1) := turn_ready_tag_row_start_is_equals(2) and
+        turn_ready_tag_row_start_is_equals(1);
+      turn_ready_tag_row_start_choices(3) := choice(turn_ready_tag_row_start_choices(2), (not
+        turn_ready_tag.start_of_frame) or turn_ready_tag_row_start_alls(1), turn_ready_tag.start_of_frame and
+        turn_ready_tag_row_start_is_equals(2) and turn_ready_tag_row_start_is_equals(1));
+      turn_ready_tag_row_start_alls(2) := turn_ready_tag.valid and turn_ready_tag.map_column;
+      turn_order_turned_valid <= winners_best_tag.valid;
+      turn_order_turned_map_column <= winners_best_tag.map_column;
+      turn_order_turned_start_of_frame <= (not turn_order_inside) and winners_best_tag.map_column and
+        winners_best_tag.valid and turn_order_first and turn_order_complete and turn_order_output;
+      turn_order_turned_end_of_line <= winners_best_tag.end_of_line;
       turn_newest <= winners_best_index_0_0 + 256;
       turn_comes <= turn_order_complete_all;
-      turn_read_tag_valid <= turn_order_turned_valid;
-      turn_read_tag_map_column <= turn_order_turned_map_column;
-      turn_read_tag_start_of_frame <= turn_order_turned_start_of_frame;
-      turn_read_tag_end_of_line <= turn_order_turned_end_of_line;
+      turn_read_tag.valid <= turn_order_turned_valid;
+      turn_read_tag.map_column <= turn_order_turned_map_column;
+      turn_read_tag.start_of_frame <= turn_order_turned_start_of_frame;
+      turn_read_tag.end_of_line <= turn_order_turned_end_of_line;
       turn_ready <= to_integer(turn_read_words_0);
-      turn_ready_tag_valid <= turn_read_tag_valid;
-      turn_ready_tag_map_column <= turn_read_tag_map_column;
-      turn_ready_tag_start_of_frame <= turn_read_tag_start_of_frame;
-      turn_ready_tag_end_of_line <= turn_read_tag_end_of_line;
-      if turn_order_falls then
-        turn_order_falls <= turn_order_address_any;
-      else
-        turn_order_falls <= turn_order_falls_all;
-      end if;
-      if winners_best_tag_end_of_line then
-        turn_order_complete <= turn_order_complete or turn_order_complete_all;
-      else
-        turn_order_complete <= turn_order_complete and turn_order_address_any_2;
-      end if;
-      if turn_comes then
-        turn_write_place <= turn_order_address;
-      else
-        turn_write_place <= 513;
-      end if;
-      if turn_ready_tag_row_start_choices(3) then
-        turn_ready_tag_row_start <= turn_ready_tag_row_start or turn_ready_tag_row_start_all_2;
-      else
-        turn_ready_tag_row_start <= turn_ready_tag_row_start and ((not turn_ready_tag_valid) or (not
-          turn_ready_tag_map_column));
-      end if;
-      if winners_best_tag_valid then
-        turn_order_inside <= winners_best_tag_map_column;
+      turn_ready_tag.valid <= turn_read_tag.valid;
+      turn_ready_tag.map_column <= turn_read_tag.map_column;
+      turn_ready_tag.start_of_frame <= turn_read_tag.start_of_frame;
+      turn_ready_tag.end_of_line <= turn_read_tag.end_of_line;
+      turn_order_falls <= choice(turn_order_falls, turn_order_address_anys(1), turn_order_falls_all);
+      turn_order_complete <= choice(winners_best_tag.end_of_line, turn_order_complete or turn_order_complete_all,
+        turn_order_complete and turn_order_address_anys(2));
+      turn_write_place <= choice(turn_comes, turn_order_address, 513);
+      turn_ready_tag.row_start <= choice(turn_ready_tag_row_start_choices(3), turn_ready_tag.row_start or
+        turn_ready_tag_row_start_alls(2), turn_ready_tag.row_start and ((not turn_ready_tag.valid) or (not
+        turn_ready_tag.map_column)));
+      if winners_best_tag.valid then
+        turn_order_inside <= winners_best_tag.map_column;
       end if;
       if turn_order_falls_all then
-        turn_order_output <= winners_best_tag_output_column;
-        turn_order_first <= winners_best_tag_start_of_frame;
+        turn_order_output <= winners_best_tag.output_column;
+        turn_order_first <= winners_best_tag.start_of_frame;
       end if;
       if turn_comes then
         turn_write_words_0 <= turn_newest;
       end if;
       -- map
-      if turn_ready_tag_row_start_all_2 then
-        if turn_ready_tag_start_of_frame or turn_ready_tag_row_start_is_equal then
-          map_counter_column <= 0;
-        else
-          map_counter_column <= (map_counter_column + 1) mod 1024;
-        end if;
+      if turn_ready_tag_row_start_alls(2) then
+        map_counter_column <= choice(turn_ready_tag.start_of_frame or turn_ready_tag_row_start_is_equals(1), 0,
+          (map_counter_column + 1) mod 1024);
       end if;
-      if turn_ready_tag_row_start_all then
-        map_counter_group_choice := 15;
-      else
-        map_counter_group_choice := 0;
-      end if;
+      map_counter_group_choice := choice(turn_ready_tag_row_start_alls(1), 15, 0);
       map_counter_group_is_equal := map_counter_group = 480;
-      if turn_ready_tag_row_start and map_counter_group_is_equal then
-        map_counter_group_choices(2) := 1;
-      else
-        map_counter_group_choices(2) := (map_counter_group + 1) mod 512;
-      end if;
-      if turn_ready_tag_row_start_differs and turn_ready_tag_row_start_is_equal and turn_ready_tag_valid and
-        turn_ready_tag_map_column then
-        map_counter_group_choices(3) := map_counter_group_choices(2);
-      else
-        map_counter_group_choices(3) := map_counter_group;
-      end if;
-      if turn_ready_tag_valid then
-        map_line_ended_choice := turn_ready_tag_map_column;
-      else
-        map_line_ended_choice := map_line_ended;
-      end if;
+      map_counter_group_choices(2) := choice(turn_ready_tag.row_start and map_counter_group_is_equal, 1,
+        (map_counter_group + 1) mod 512);
+      map_counter_group_choices(3) := choice(turn_ready_tag_row_start_differs and turn_ready_tag_row_start_is_equals(1)
+        and turn_ready_tag.valid and turn_ready_tag.map_column, map_counter_group_choices(2), map_counter_group);
+      map_line_ended_choice := choice(turn_ready_tag.valid, turn_ready_tag.map_column, map_line_ended);
       map_at_arrives_value := other(1)(16) = '1';
-      map_of_column_0_b_below_a_value := is_set(map_column(1), 2);
-      if map_at_top then
-        map_of_column_0_b_below_a_choice := map_of_column_0_b_below_a_value;
-      else
-        map_of_column_0_b_below_a_choice := is_set(other_2, 2);
-      end if;
+      map_of_column_0_b_below_a_values(1) := is_set(map_column(1), 2);
+      map_of_column_0_b_below_a_choices(1) := choice(map_at_top, map_of_column_0_b_below_a_values(1), is_set(other_2,
+        2));
       map_of_column_0_b_below_a_values(2) := is_set(map_column(1), 1);
-      if map_at_top then
-        map_of_column_0_b_below_a_choices(2) := map_of_column_0_b_below_a_values(2);
-      else
-        map_of_column_0_b_below_a_choices(2) := is_set(other_2, 1);
-      end if;
-      if map_of_column_0_b_below_a_choices(2) then
-        map_of_column_0_b_below_a_choices(3) := (not map_of_column_0_b_below_a_value) or (not
-          map_of_column_0_b_below_a_values(2));
-      else
-        map_of_column_0_b_below_a_choices(3) := not map_of_column_0_b_below_a_value;
-      end if;
-      if map_of_column_0_b_below_a_choice then
-        map_of_column_0_b_below_a_choices(4) := map_of_column_0_b_below_a_choices(3);
-      else
-        map_of_column_0_b_below_a_choices(4) := map_of_column_0_b_below_a_choices(2) and (((map_column(1) / 2) mod 4) =
-          0);
-      end if;
+      map_of_column_0_b_below_a_choices(2) := choice(map_at_top, map_of_column_0_b_below_a_values(2), is_set(other_2,
+        1));
+      map_of_column_0_b_below_a_choices(3) := choice(map_of_column_0_b_below_a_choices(2), (not
+        map_of_column_0_b_below_a_values(1)) or (not map_of_column_0_b_below_a_values(2)), not
+        map_of_column_0_b_below_a_values(1));
+      map_of_column_0_b_below_a_choices(4) := choice(map_of_column_0_b_below_a_choices(1),
+        map_of_column_0_b_below_a_choices(3), map_of_column_0_b_below_a_choices(2) and (((map_column(1) / 2) mod 4) =
+        0));
       map_of_column_0_b_below_a_values(3) := is_set(map_column(1), 3);
       map_of_column_0_b_below_a_values(4) := is_set(other_2, 3);
-      if map_of_column_0_b_below_a_choices(4) then
-        map_of_column_0_b_below_a_choices(5) := map_of_column_0_b_below_a_values(3) and (not
-          map_of_column_0_b_below_a_values(4)) and (not map_at_top);
-      else
-        map_of_column_0_b_below_a_choices(5) := map_of_column_0_b_below_a_values(3) or (not
-          map_of_column_0_b_below_a_values(4)) or map_at_top;
-      end if;
+      map_of_column_0_b_below_a_choices(5) := choice(map_of_column_0_b_below_a_choices(4),
+        map_of_column_0_b_below_a_values(3) and (not map_of_column_0_b_below_a_values(4)) and (not map_at_top),
+        map_of_column_0_b_below_a_values(3) or (not map_of_column_0_b_below_a_values(4)) or map_at_top);
       for i in 4 to 7 loop
         map_of_column_0_b_below_a_values(2 * i - 3) := is_set(map_column(1), i);
         map_of_column_0_b_below_a_values(2 * i - 2) := is_set(other_2, i);
-        if map_of_column_0_b_below_a_choices(i + 1) then
-          map_of_column_0_b_below_a_choices(i + 2) := map_of_column_0_b_below_a_values(2 * i - 3) or (not
-            map_of_column_0_b_below_a_values(2 * i - 2)) or map_at_top;
-        else
-          map_of_column_0_b_below_a_choices(i + 2) := map_of_column_0_b_below_a_values(2 * i - 3) and (not
-            map_of_column_0_b_below_a_values(2 * i - 2)) and (not map_at_top);
-        end if;
+        map_of_column_0_b_below_a_choices(i + 2) := choice(map_of_column_0_b_below_a_choices(i + 1),
+          map_of_column_0_b_below_a_values(2 * i - 3) or (not map_of_column_0_b_below_a_values(2 * i - 2)) or
+          map_at_top, map_of_column_0_b_below_a_values(2 * i - 3) and (not map_of_column_0_b_below_a_values(2 * i - 2))
+          and (not map_at_top));
       end loop;
-      map_of_column_0_c_below_a_value := is_set(map_column(2), 2);
-      if map_counter_next_frame then
-        map_of_column_0_c_below_a_choice := map_of_column_0_b_below_a_value;
-      else
-        map_of_column_0_c_below_a_choice := map_of_column_0_c_below_a_value;
-      end if;
+      map_of_column_0_c_below_a_values(1) := is_set(map_column(2), 2);
+      map_of_column_0_c_below_a_choices(1) := choice(map_counter_next_frame, map_of_column_0_b_below_a_values(1),
+        map_of_column_0_c_below_a_values(1));
       map_of_column_0_c_below_a_values(2) := is_set(map_column(2), 1);
-      if map_of_column_0_c_below_a_values(2) then
-        map_of_column_0_c_below_a_choices(2) := (not map_of_column_0_b_below_a_values(2)) and map_counter_next_frame;
-      else
-        map_of_column_0_c_below_a_choices(2) := (not map_of_column_0_b_below_a_values(2)) or (not
-          map_counter_next_frame);
-      end if;
-      if map_of_column_0_c_below_a_choice then
-        map_of_column_0_c_below_a_choices(3) := map_of_column_0_b_below_a_choices(2) and
-          map_of_column_0_c_below_a_choices(2) and map_of_column_0_b_below_a_choice;
-      else
-        map_of_column_0_c_below_a_choices(3) := (map_of_column_0_b_below_a_choices(2) and
-          map_of_column_0_c_below_a_choices(2)) or map_of_column_0_b_below_a_choice;
-      end if;
+      map_of_column_0_c_below_a_choices(2) := choice(map_of_column_0_c_below_a_values(2), (not
+        map_of_column_0_b_below_a_values(2)) and map_counter_next_frame, (not map_of_column_0_b_below_a_values(2)) or
+        (not map_counter_next_frame));
+      map_of_column_0_c_below_a_choices(3) := choice(map_of_column_0_c_below_a_choices(1),
+        map_of_column_0_b_below_a_choices(2) and map_of_column_0_c_below_a_choices(2) and
+        map_of_column_0_b_below_a_choices(1), (map_of_column_0_b_below_a_choices(2) and
+        map_of_column_0_c_below_a_choices(2)) or map_of_column_0_b_below_a_choices(1));
       for i in 3 to 7 loop
         map_of_column_0_c_below_a_values(i) := is_set(map_column(2), i);
-        if map_counter_next_frame then
-          map_of_column_0_c_below_a_choices(3 * i - 5) := map_of_column_0_b_below_a_values(2 * i - 3);
-        else
-          map_of_column_0_c_below_a_choices(3 * i - 5) := map_of_column_0_c_below_a_values(i);
-        end if;
-        if map_at_top then
-          map_of_column_0_c_below_a_choices(3 * i - 4) := map_of_column_0_b_below_a_values(2 * i - 3);
-        else
-          map_of_column_0_c_below_a_choices(3 * i - 4) := map_of_column_0_b_below_a_values(2 * i - 2);
-        end if;
-        if map_of_column_0_c_below_a_choices(3 * i - 6) then
-          map_of_column_0_c_below_a_choices(3 * i - 3) := (not map_of_column_0_c_below_a_choices(3 * i - 5)) or
-            map_of_column_0_c_below_a_choices(3 * i - 4);
-        else
-          map_of_column_0_c_below_a_choices(3 * i - 3) := (not map_of_column_0_c_below_a_choices(3 * i - 5)) and
-            map_of_column_0_c_below_a_choices(3 * i - 4);
-        end if;
+        map_of_column_0_c_below_a_choices(3 * i - 5) := choice(map_counter_next_frame,
+          map_of_column_0_b_below_a_values(2 * i - 3), map_of_column_0_c_below_a_values(i));
+        map_of_column_0_c_below_a_choices(3 * i - 4) := choice(map_at_top, map_of_column_0_b_below_a_values(2 * i - 3),
+          map_of_column_0_b_below_a_values(2 * i - 2));
+        map_of_column_0_c_below_a_choices(3 * i - 3) := carry(map_of_column_0_c_below_a_choices(3 * i - 6), not
+          map_of_column_0_c_below_a_choices(3 * i - 5), map_of_column_0_c_below_a_choices(3 * i - 4));
       end loop;
-      if map_counter_next_frame then
-        map_of_column_0_c_below_a_choices(19) := is_set(map_column(1), 8);
-      else
-        map_of_column_0_c_below_a_choices(19) := is_set(map_column(2), 8);
-      end if;
-      if map_at_top then
-        map_of_column_0_c_below_a_choices(20) := is_set(map_column(1), 8);
-      else
-        map_of_column_0_c_below_a_choices(20) := is_set(other_2, 8);
-      end if;
-      if (not map_of_column_0_c_below_a_values(2)) and map_of_column_0_b_below_a_values(2) and (not
-        map_counter_next_frame) then
-        map_of_column_0_c_below_b_choice := map_of_column_0_c_below_a_value and (not map_of_column_0_b_below_a_value)
-          and (not map_counter_next_frame);
-      else
-        map_of_column_0_c_below_b_choice := map_of_column_0_c_below_a_value or (not map_of_column_0_b_below_a_value) or
-          map_counter_next_frame;
-      end if;
-      if map_of_column_0_c_below_b_choice then
-        map_of_column_0_c_below_b_choices(2) := map_of_column_0_c_below_a_values(3) or (not
-          map_of_column_0_b_below_a_values(3)) or map_counter_next_frame;
-      else
-        map_of_column_0_c_below_b_choices(2) := map_of_column_0_c_below_a_values(3) and (not
-          map_of_column_0_b_below_a_values(3)) and (not map_counter_next_frame);
-      end if;
-      for i in 2 to 5 loop
-        if map_of_column_0_c_below_b_choices(i) then
-          map_of_column_0_c_below_b_choices(i + 1) := map_of_column_0_c_below_a_values(i + 2) or (not
-            map_of_column_0_b_below_a_values(2 * i + 1)) or map_counter_next_frame;
-        else
-          map_of_column_0_c_below_b_choices(i + 1) := map_of_column_0_c_below_a_values(i + 2) and (not
-            map_of_column_0_b_below_a_values(2 * i + 1)) and (not map_counter_next_frame);
-        end if;
+      map_of_column_0_c_below_a_choices(19) := choice(map_counter_next_frame, is_set(map_column(1), 8),
+        is_set(map_column(2), 8));
+      map_of_column_0_c_below_a_choices(20) := choice(map_at_top, is_set(map_column(1), 8), is_set(other_2, 8));
+      map_of_column_0_c_below_b_choices(1) := choice((not map_of_column_0_c_below_a_values(2)) and
+        map_of_column_0_b_below_a_values(2) and (not map_counter_next_frame), map_of_column_0_c_below_a_values(1) and
+        (not map_of_column_0_b_below_a_values(1)) and (not map_counter_next_frame), map_of_column_0_c_below_a_values(1)
+        or (not map_of_column_0_b_below_a_values(1)) or map_counter_next_frame);
+      for i in 2 to 6 loop
+        map_of_column_0_c_below_b_choices(i) := choice(map_of_column_0_c_below_b_choices(i - 1),
+          map_of_column_0_c_below_a_values(i + 1) or (not map_of_column_0_b_below_a_values(2 * i - 1)) or
+          map_counter_next_frame, map_of_column_0_c_below_a_values(i + 1) and (not map_of_column_0_b_below_a_values(2 *
+          i - 1)) and (not map_counter_next_frame));
       end loop;
-      if map_of_column_0_c_below_b then
-        map_sorted_low_0_choice := map_of_column_0_c;
-      else
-        map_sorted_low_0_choice := map_of_column_0_b;
-      end if;
-      if map_of_column_0_c_below_a then
-        map_sorted_low_0_choice_2 := map_of_column_0_c;
-      else
-        map_sorted_low_0_choice_2 := map_of_column_0_a;
-      end if;
-      if map_of_column_0_c_below_b then
-        map_sorted_middle_0_choice := map_of_column_0_b;
-      else
-        map_sorted_middle_0_choice := map_sorted_low_0_choice_2;
-      end if;
-      if map_of_column_0_c_below_a then
-        map_sorted_middle_0_choice_2 := map_of_column_0_a;
-      else
-        map_sorted_middle_0_choice_2 := map_sorted_low_0_choice;
-      end if;
-      if map_of_column_0_c_below_a then
-        map_sorted_high_0_choice := map_of_column_0_a;
-      else
-        map_sorted_high_0_choice := map_of_column_0_c;
-      end if;
-      if map_of_column_0_c_below_b then
-        map_sorted_high_0_choice_2 := map_of_column_0_b;
-      else
-        map_sorted_high_0_choice_2 := map_of_column_0_c;
-      end if;
+      map_sorted_low_0_choices(1) := choice(map_of_column_0_c_below_b, map_of_column_0_c, map_of_column_0_b);
+      map_sorted_low_0_choices(2) := choice(map_of_column_0_c_below_a, map_of_column_0_c, map_of_column_0_a);
+      map_sorted_middle_0_choices(1) := choice(map_of_column_0_c_below_b, map_of_column_0_b,
+        map_sorted_low_0_choices(2));
+      map_sorted_middle_0_choices(2) := choice(map_of_column_0_c_below_a, map_of_column_0_a,
+        map_sorted_low_0_choices(1));
+      map_sorted_high_0_choices(1) := choice(map_of_column_0_c_below_a, map_of_column_0_a, map_of_column_0_c);
+      map_sorted_high_0_choices(2) := choice(map_of_column_0_c_below_b, map_of_column_0_b, map_of_column_0_c);
       map_window_complete_is_equal := map_sorted_column = 0;
-      if map_window_complete_is_equal then
-        map_window_complete_choice := map_sorted_behind;
-      else
-        map_window_complete_choice := map_sorted_arrives or map_sorted_behind;
-      end if;
-      map_of_low_0_b_below_a_value := is_set(map_low_0(0), 1);
-      if is_set(map_low_0(0), 0) then
-        map_of_low_0_b_below_a_choice := (not is_set(map_low_0(1), 1)) or (not is_set(map_low_0(1), 0));
-      else
-        map_of_low_0_b_below_a_choice := not is_set(map_low_0(1), 1);
-      end if;
+      map_window_complete_choice := choice(map_window_complete_is_equal, map_sorted_behind, map_sorted_arrives or
+        map_sorted_behind);
+      map_of_low_0_b_below_a_values(1) := is_set(map_low_0(0), 1);
+      map_of_low_0_b_below_a_choices(1) := choice(is_set(map_low_0(0), 0), (not is_set(map_low_0(1), 1)) or (not
+        is_set(map_low_0(1), 0)), not is_set(map_low_0(1), 1));
       map_of_low_0_b_below_a_is_equal := (map_low_0(1) mod 4) = 0;
-      if map_of_low_0_b_below_a_value then
-        map_of_low_0_b_below_a_choices(2) := map_of_low_0_b_below_a_choice;
-      else
-        map_of_low_0_b_below_a_choices(2) := is_set(map_low_0(0), 0) and map_of_low_0_b_below_a_is_equal;
-      end if;
+      map_of_low_0_b_below_a_choices(2) := choice(map_of_low_0_b_below_a_values(1), map_of_low_0_b_below_a_choices(1),
+        is_set(map_low_0(0), 0) and map_of_low_0_b_below_a_is_equal);
       map_of_low_0_b_below_a_values(2) := is_set(map_low_0(0), 2);
       map_of_low_0_b_below_a_values(3) := is_set(map_low_0(1), 2);
-      if map_of_low_0_b_below_a_choices(2) then
-        map_of_low_0_b_below_a_choices(3) := (not map_of_low_0_b_below_a_values(2)) and
-          map_of_low_0_b_below_a_values(3);
-      else
-        map_of_low_0_b_below_a_choices(3) := (not map_of_low_0_b_below_a_values(2)) or map_of_low_0_b_below_a_values(3);
-      end if;
+      map_of_low_0_b_below_a_choices(3) := inverted_carry(map_of_low_0_b_below_a_choices(2), not
+        map_of_low_0_b_below_a_values(2), map_of_low_0_b_below_a_values(3));
       for i in 3 to 6 loop
         map_of_low_0_b_below_a_values(2 * i - 2) := is_set(map_low_0(0), i);
         map_of_low_0_b_below_a_values(2 * i - 1) := is_set(map_low_0(1), i);
-        if map_of_low_0_b_below_a_choices(i) then
-          map_of_low_0_b_below_a_choices(i + 1) := (not map_of_low_0_b_below_a_values(2 * i - 2)) or
-            map_of_low_0_b_below_a_values(2 * i - 1);
-        else
-          map_of_low_0_b_below_a_choices(i + 1) := (not map_of_low_0_b_below_a_values(2 * i - 2)) and
-            map_of_low_0_b_below_a_values(2 * i - 1);
-        end if;
+        map_of_low_0_b_below_a_choices(i + 1) := carry(map_of_low_0_b_below_a_choices(i), not
+          map_of_low_0_b_below_a_values(2 * i - 2), map_of_low_0_b_below_a_values(2 * i - 1));
       end loop;
       map_of_low_0_c_below_a_value := is_set(map_low_0(2), 1);
-      if is_set(map_low_0(2), 0) then
-        map_of_low_0_c_below_a_choice := not map_of_low_0_b_below_a_value;
-      else
-        map_of_low_0_c_below_a_choice := (map_low_0(0) mod 4) = 0;
-      end if;
-      if map_of_low_0_c_below_a_value then
-        map_of_low_0_c_below_a_choices(2) := is_set(map_low_0(2), 0) or (not map_of_low_0_b_below_a_value) or (not
-          is_set(map_low_0(0), 0));
-      else
-        map_of_low_0_c_below_a_choices(2) := map_of_low_0_c_below_a_choice;
-      end if;
-      if map_of_low_0_c_below_a_choices(2) then
-        map_of_low_0_c_below_a_choices(3) := (not is_set(map_low_0(2), 2)) and map_of_low_0_b_below_a_values(2);
-      else
-        map_of_low_0_c_below_a_choices(3) := (not is_set(map_low_0(2), 2)) or map_of_low_0_b_below_a_values(2);
-      end if;
-      for i in 3 to 6 loop
-        if map_of_low_0_c_below_a_choices(i) then
-          map_of_low_0_c_below_a_choices(i + 1) := (not is_set(map_low_0(2), i)) or map_of_low_0_b_below_a_values(2 * i
-            - 2);
-        else
-          map_of_low_0_c_below_a_choices(i + 1) := (not is_set(map_low_0(2), i)) and map_of_low_0_b_below_a_values(2 *
-            i - 2);
-        end if;
+      map_of_low_0_c_below_a_choices(1) := choice(is_set(map_low_0(2), 0), not map_of_low_0_b_below_a_values(1),
+        (map_low_0(0) mod 4) = 0);
+      map_of_low_0_c_below_a_choices(2) := choice(map_of_low_0_c_below_a_value, is_set(map_low_0(2), 0) or (not
+        map_of_low_0_b_below_a_values(1)) or (not is_set(map_low_0(0), 0)), map_of_low_0_c_below_a_choices(1));
+      map_of_low_0_c_below_a_choices(3) := inverted_carry(map_of_low_0_c_below_a_choices(2), not is_set(map_low_0(2),
+        2), map_of_low_0_b_below_a_values(2));
+      for i in 4 to 7 loop
+        map_of_low_0_c_below_a_choices(i) := carry(map_of_low_0_c_below_a_choices(i - 1), not is_set(map_low_0(2), i -
+          1), map_of_low_0_b_below_a_values(2 * i - 4));
       end loop;
-      if is_set(map_low_0(2), 0) then
-        map_of_low_0_c_below_b_choice := not is_set(map_low_0(1), 1);
-      else
-        map_of_low_0_c_below_b_choice := map_of_low_0_b_below_a_is_equal;
-      end if;
-      if map_of_low_0_c_below_a_value then
-        map_of_low_0_c_below_b_choices(2) := is_set(map_low_0(2), 0) or (not is_set(map_low_0(1), 1)) or (not
-          is_set(map_low_0(1), 0));
-      else
-        map_of_low_0_c_below_b_choices(2) := map_of_low_0_c_below_b_choice;
-      end if;
-      if map_of_low_0_c_below_b_choices(2) then
-        map_of_low_0_c_below_b_choices(3) := (not is_set(map_low_0(2), 2)) and map_of_low_0_b_below_a_values(3);
-      else
-        map_of_low_0_c_below_b_choices(3) := (not is_set(map_low_0(2), 2)) or map_of_low_0_b_below_a_values(3);
-      end if;
-      for i in 3 to 6 loop
-        if map_of_low_0_c_below_b_choices(i) then
-          map_of_low_0_c_below_b_choices(i + 1) := (not is_set(map_low_0(2), i)) or map_of_low_0_b_below_a_values(2 * i
-            - 1);
-        else
-          map_of_low_0_c_below_b_choices(i + 1) := (not is_set(map_low_0(2), i)) and map_of_low_0_b_below_a_values(2 *
-            i - 1);
-        end if;
+      map_of_low_0_c_below_b_choices(1) := choice(is_set(map_low_0(2), 0), not is_set(map_low_0(1), 1),
+        map_of_low_0_b_below_a_is_equal);
+      map_of_low_0_c_below_b_choices(2) := choice(map_of_low_0_c_below_a_value, is_set(map_low_0(2), 0) or (not
+        is_set(map_low_0(1), 1)) or (not is_set(map_low_0(1), 0)), map_of_low_0_c_below_b_choices(1));
+      map_of_low_0_c_below_b_choices(3) := inverted_carry(map_of_low_0_c_below_b_choices(2), not is_set(map_low_0(2),
+        2), map_of_low_0_b_below_a_values(3));
+      for i in 4 to 7 loop
+        map_of_low_0_c_below_b_choices(i) := carry(map_of_low_0_c_below_b_choices(i - 1), not is_set(map_low_0(2), i -
+          1), map_of_low_0_b_below_a_values(2 * i - 3));
       end loop;
-      map_of_middle_0_b_below_a_value := is_set(map_middle_0(0), 1);
-      if is_set(map_middle_0(0), 0) then
-        map_of_middle_0_b_below_a_choice := (not is_set(map_middle_0(1), 1)) or (not is_set(map_middle_0(1), 0));
-      else
-        map_of_middle_0_b_below_a_choice := not is_set(map_middle_0(1), 1);
-      end if;
+      map_of_middle_0_b_below_a_values(1) := is_set(map_middle_0(0), 1);
+      map_of_middle_0_b_below_a_choices(1) := choice(is_set(map_middle_0(0), 0), (not is_set(map_middle_0(1), 1)) or
+        (not is_set(map_middle_0(1), 0)), not is_set(map_middle_0(1), 1));
       map_of_middle_0_b_below_a_is_equal := (map_middle_0(1) mod 4) = 0;
-      if map_of_middle_0_b_below_a_value then
-        map_of_middle_0_b_below_a_choices(2) := map_of_middle_0_b_below_a_choice;
-      else
-        map_of_middle_0_b_below_a_choices(2) := is_set(map_middle_0(0), 0) and map_of_middle_0_b_below_a_is_equal;
-      end if;
+      map_of_middle_0_b_below_a_choices(2) := choice(map_of_middle_0_b_below_a_values(1),
+        map_of_middle_0_b_below_a_choices(1), is_set(map_middle_0(0), 0) and map_of_middle_0_b_below_a_is_equal);
       map_of_middle_0_b_below_a_values(2) := is_set(map_middle_0(0), 2);
       map_of_middle_0_b_below_a_values(3) := is_set(map_middle_0(1), 2);
-      if map_of_middle_0_b_below_a_choices(2) then
-        map_of_middle_0_b_below_a_choices(3) := (not map_of_middle_0_b_below_a_values(2)) and
-          map_of_middle_0_b_below_a_values(3);
-      else
-        map_of_middle_0_b_below_a_choices(3) := (not map_of_middle_0_b_below_a_values(2)) or
-          map_of_middle_0_b_below_a_values(3);
-      end if;
+      map_of_middle_0_b_below_a_choices(3) := inverted_carry(map_of_middle_0_b_below_a_choices(2), not
+        map_of_middle_0_b_below_a_values(2), map_of_middle_0_b_below_a_values(3));
       for i in 3 to 6 loop
         map_of_middle_0_b_below_a_values(2 * i - 2) := is_set(map_middle_0(0), i);
         map_of_middle_0_b_below_a_values(2 * i - 1) := is_set(map_middle_0(1), i);
-        if map_of_middle_0_b_below_a_choices(i) then
-          map_of_middle_0_b_below_a_choices(i + 1) := (not map_of_middle_0_b_below_a_values(2 * i - 2)) or
-            map_of_middle_0_b_below_a_values(2 * i - 1);
-        else
-          map_of_middle_0_b_below_a_choices(i + 1) := (not map_of_middle_0_b_below_a_values(2 * i - 2)) and
-            map_of_middle_0_b_below_a_values(2 * i - 1);
-        end if;
+        map_of_middle_0_b_below_a_choices(i + 1) := carry(map_of_middle_0_b_below_a_choices(i), not
+          map_of_middle_0_b_below_a_values(2 * i - 2), map_of_middle_0_b_below_a_values(2 * i - 1));
       end loop;
       map_of_middle_0_c_below_a_value := is_set(map_middle_0(2), 1);
-      if is_set(map_middle_0(2), 0) then
-        map_of_middle_0_c_below_a_choice := not map_of_middle_0_b_below_a_value;
-      else
-        map_of_middle_0_c_below_a_choice := (map_middle_0(0) mod 4) = 0;
-      end if;
-      if map_of_middle_0_c_below_a_value then
-        map_of_middle_0_c_below_a_choices(2) := is_set(map_middle_0(2), 0) or (not map_of_middle_0_b_below_a_value) or
-          (not is_set(map_middle_0(0), 0));
-      else
-        map_of_middle_0_c_below_a_choices(2) := map_of_middle_0_c_below_a_choice;
-      end if;
-      if map_of_middle_0_c_below_a_choices(2) then
-        map_of_middle_0_c_below_a_choices(3) := (not is_set(map_middle_0(2), 2)) and
-          map_of_middle_0_b_below_a_values(2);
-      else
-        map_of_middle_0_c_below_a_choices(3) := (not is_set(map_middle_0(2), 2)) or map_of_middle_0_b_below_a_values(2);
-      end if;
-      for i in 3 to 6 loop
-        if map_of_middle_0_c_below_a_choices(i) then
-          map_of_middle_0_c_below_a_choices(i + 1) := (not is_set(map_middle_0(2), i)) or
-            map_of_middle_0_b_below_a_values(2 * i - 2);
-        else
-          map_of_middle_0_c_below_a_choices(i + 1) := (not is_set(map_middle_0(2), i)) and
-            map_of_middle_0_b_below_a_values(2 * i - 2);
-        end if;
+      map_of_middle_0_c_below_a_choices(1) := choice(is_set(map_middle_0(2), 0), not
+        map_of_middle_0_b_below_a_values(1), (map_middle_0(0) mod 4) = 0);
+      map_of_middle_0_c_below_a_choices(2) := choice(map_of_middle_0_c_below_a_value, is_set(map_middle_0(2), 0) or
+        (not map_of_middle_0_b_below_a_values(1)) or (not is_set(map_middle_0(0), 0)),
+        map_of_middle_0_c_below_a_choices(1));
+      map_of_middle_0_c_below_a_choices(3) := inverted_carry(map_of_middle_0_c_below_a_choices(2), not
+        is_set(map_middle_0(2), 2), map_of_middle_0_b_below_a_values(2));
+      for i in 4 to 7 loop
+        map_of_middle_0_c_below_a_choices(i) := carry(map_of_middle_0_c_below_a_choices(i - 1), not
+          is_set(map_middle_0(2), i - 1), map_of_middle_0_b_below_a_values(2 * i - 4));
       end loop;
-      if is_set(map_middle_0(2), 0) then
-        map_of_middle_0_c_below_b_choice := not is_set(map_middle_0(1), 1);
-      else
-        map_of_middle_0_c_below_b_choice := map_of_middle_0_b_below_a_is_equal;
-      end if;
-      if map_of_middle_0_c_below_a_value then
-        map_of_middle_0_c_below_b_choices(2) := is_set(map_middle_0(2), 0) or (not is_set(map_middle_0(1), 1)) or (not
-          is_set(map_middle_0(1), 0));
-      else
-        map_of_middle_0_c_below_b_choices(2) := map_of_middle_0_c_below_b_choice;
-      end if;
-      if map_of_middle_0_c_below_b_choices(2) then
-        map_of_middle_0_c_below_b_choices(3) := (not is_set(map_middle_0(2), 2)) and
-          map_of_middle_0_b_below_a_values(3);
-      else
-        map_of_middle_0_c_below_b_choices(3) := (not is_set(map_middle_0(2), 2)) or map_of_middle_0_b_below_a_values(3);
-      end if;
-      for i in 3 to 6 loop
-        if map_of_middle_0_c_below_b_choices(i) then
-          map_of_middle_0_c_below_b_choices(i + 1) := (not is_set(map_middle_0(2), i)) or
-            map_of_middle_0_b_below_a_values(2 * i - 1);
-        else
-          map_of_middle_0_c_below_b_choices(i + 1) := (not is_set(map_middle_0(2), i)) and
-            map_of_middle_0_b_below_a_values(2 * i - 1);
-        end if;
+      map_of_middle_0_c_below_b_choices(1) := choice(is_set(map_middle_0(2), 0), not is_set(map_middle_0(1), 1),
+        map_of_middle_0_b_below_a_is_equal);
+      map_of_middle_0_c_below_b_choices(2) := choice(map_of_middle_0_c_below_a_value, is_set(map_middle_0(2), 0) or
+        (not is_set(map_middle_0(1), 1)) or (not is_set(map_middle_0(1), 0)), map_of_middle_0_c_below_b_choices(1));
+      map_of_middle_0_c_below_b_choices(3) := inverted_carry(map_of_middle_0_c_below_b_choices(2), not
+        is_set(map_middle_0(2), 2), map_of_middle_0_b_below_a_values(3));
+      for i in 4 to 7 loop
+        map_of_middle_0_c_below_b_choices(i) := carry(map_of_middle_0_c_below_b_choices(i - 1), not
+          is_set(map_middle_0(2), i - 1), map_of_middle_0_b_below_a_values(2 * i - 3));
       end loop;
-      map_of_high_0_b_below_a_value := is_set(map_high_0(0), 1);
-      if is_set(map_high_0(0), 0) then
-        map_of_high_0_b_below_a_choice := (not is_set(map_high_0(1), 1)) or (not is_set(map_high_0(1), 0));
-      else
-        map_of_high_0_b_below_a_choice := not is_set(map_high_0(1), 1);
-      end if;
+      map_of_high_0_b_below_a_values(1) := is_set(map_high_0(0), 1);
+      map_of_high_0_b_below_a_choices(1) := choice(is_set(map_high_0(0), 0), (not is_set(map_high_0(1), 1)) or (not
+        is_set(map_high_0(1), 0)), not is_set(map_high_0(1), 1));
       map_of_high_0_b_below_a_is_equal := (map_high_0(1) mod 4) = 0;
-      if map_of_high_0_b_below_a_value then
-        map_of_high_0_b_below_a_choices(2) := map_of_high_0_b_below_a_choice;
-      else
-        map_of_high_0_b_below_a_choices(2) := is_set(map_high_0(0), 0) and map_of_high_0_b_below_a_is_equal;
-      end if;
+      map_of_high_0_b_below_a_choices(2) := choice(map_of_high_0_b_below_a_values(1),
+        map_of_high_0_b_below_a_choices(1), is_set(map_high_0(0), 0) and map_of_high_0_b_below_a_is_equal);
       map_of_high_0_b_below_a_values(2) := is_set(map_high_0(0), 2);
       map_of_high_0_b_below_a_values(3) := is_set(map_high_0(1), 2);
-      if map_of_high_0_b_below_a_choices(2) then
-        map_of_high_0_b_below_a_choices(3) := (not map_of_high_0_b_below_a_values(2)) and
-          map_of_high_0_b_below_a_values(3);
-      else
-        map_of_high_0_b_below_a_choices(3) := (not map_of_high_0_b_below_a_values(2)) or
-          map_of_high_0_b_below_a_values(3);
-      end if;
+      map_of_high_0_b_below_a_choices(3) := inverted_carry(map_of_high_0_b_below_a_choices(2), not
+        map_of_high_0_b_below_a_values(2), map_of_high_0_b_below_a_values(3));
       for i in 3 to 6 loop
         map_of_high_0_b_below_a_values(2 * i - 2) := is_set(map_high_0(0), i);
         map_of_high_0_b_below_a_values(2 * i - 1) := is_set(map_high_0(1), i);
-        if map_of_high_0_b_below_a_choices(i) then
-          map_of_high_0_b_below_a_choices(i + 1) := (not map_of_high_0_b_below_a_values(2 * i - 2)) or
-            map_of_high_0_b_below_a_values(2 * i - 1);
-        else
-          map_of_high_0_b_below_a_choices(i + 1) := (not map_of_high_0_b_below_a_values(2 * i - 2)) and
-            map_of_high_0_b_below_a_values(2 * i - 1);
-        end if;
+        map_of_high_0_b_below_a_choices(i + 1) := carry(map_of_high_0_b_below_a_choices(i), not
+          map_of_high_0_b_below_a_values(2 * i - 2), map_of_high_0_b_below_a_values(2 * i - 1));
       end loop;
       map_of_high_0_c_below_a_value := is_set(map_high_0(2), 1);
-      if is_set(map_high_0(2), 0) then
-        map_of_high_0_c_below_a_choice := not map_of_high_0_b_below_a_value;
-      else
-        map_of_high_0_c_below_a_choice := (map_high_0(0) mod 4) = 0;
-      end if;
-      if map_of_high_0_c_below_a_value then
-        map_of_high_0_c_below_a_choices(2) := is_set(map_high_0(2), 0) or (not map_of_high_0_b_below_a_value) or (not
-          is_set(map_high_0(0), 0));
-      else
-        map_of_high_0_c_below_a_choices(2) := map_of_high_0_c_below_a_choice;
-      end if;
-      if map_of_high_0_c_below_a_choices(2) then
-        map_of_high_0_c_below_a_choices(3) := (not is_set(map_high_0(2), 2)) and map_of_high_0_b_below_a_values(2);
-      else
-        map_of_high_0_c_below_a_choices(3) := (not is_set(map_high_0(2), 2)) or map_of_high_0_b_below_a_values(2);
-      end if;
-      for i in 3 to 6 loop
-        if map_of_high_0_c_below_a_choices(i) then
-          map_of_high_0_c_below_a_choices(i + 1) := (not is_set(map_high_0(2), i)) or map_of_high_0_b_below_a_values(2
-            * i - 2);
-        else
-          map_of_high_0_c_below_a_choices(i + 1) := (not is_set(map_high_0(2), i)) and map_of_high_0_b_below_a_values(2
-            * i - 2);
-        end if;
+      map_of_high_0_c_below_a_choices(1) := choice(is_set(map_high_0(2), 0), not map_of_high_0_b_below_a_values(1),
+        (map_high_0(0) mod 4) = 0);
+      map_of_high_0_c_below_a_choices(2) := choice(map_of_high_0_c_below_a_value, is_set(map_high_0(2), 0) or (not
+        map_of_high_0_b_below_a_values(1)) or (not is_set(map_high_0(0), 0)), map_of_high_0_c_below_a_choices(1));
+      map_of_high_0_c_below_a_choices(3) := inverted_carry(map_of_high_0_c_below_a_choices(2), not
+        is_set(map_high_0(2), 2), map_of_high_0_b_below_a_values(2));
+      for i in 4 to 7 loop
+        map_of_high_0_c_below_a_choices(i) := carry(map_of_high_0_c_below_a_choices(i - 1), not is_set(map_high_0(2), i
+          - 1), map_of_high_0_b_below_a_values(2 * i - 4));
       end loop;
-      if is_set(map_high_0(2), 0) then
-        map_of_high_0_c_below_b_choice := not is_set(map_high_0(1), 1);
-      else
-        map_of_high_0_c_below_b_choice := map_of_high_0_b_below_a_is_equal;
-      end if;
-      if map_of_high_0_c_below_a_value then
-        map_of_high_0_c_below_b_choices(2) := is_set(map_high_0(2), 0) or (not is_set(map_high_0(1), 1)) or (not
-          is_set(map_high_0(1), 0));
-      else
-        map_of_high_0_c_below_b_choices(2) := map_of_high_0_c_below_b_choice;
-      end if;
-      if map_of_high_0_c_below_b_choices(2) then
-        map_of_high_0_c_below_b_choices(3) := (not is_set(map_high_0(2), 2)) and map_of_high_0_b_below_a_values(3);
-      else
-        map_of_high_0_c_below_b_choices(3) := (not is_set(map_high_0(2), 2)) or map_of_high_0_b_below_a_values(3);
-      end if;
-      for i in 3 to 6 loop
-        if map_of_high_0_c_below_b_choices(i) then
-          map_of_high_0_c_below_b_choices(i + 1) := (not is_set(map_high_0(2), i)) or map_of_high_0_b_below_a_values(2
-            * i - 1);
-        else
-          map_of_high_0_c_below_b_choices(i + 1) := (not is_set(map_high_0(2), i)) and map_of_high_0_b_below_a_values(2
-            * i - 1);
-        end if;
+      map_of_high_0_c_below_b_choices(1) := choice(is_set(map_high_0(2), 0), not is_set(map_high_0(1), 1),
+        map_of_high_0_b_below_a_is_equal);
+      map_of_high_0_c_below_b_choices(2) := choice(map_of_high_0_c_below_a_value, is_set(map_high_0(2), 0) or (not
+        is_set(map_high_0(1), 1)) or (not is_set(map_high_0(1), 0)), map_of_high_0_c_below_b_choices(1));
+      map_of_high_0_c_below_b_choices(3) := inverted_carry(map_of_high_0_c_below_b_choices(2), not
+        is_set(map_high_0(2), 2), map_of_high_0_b_below_a_values(3));
+      for i in 4 to 7 loop
+        map_of_high_0_c_below_b_choices(i) := carry(map_of_high_0_c_below_b_choices(i - 1), not is_set(map_high_0(2), i
+          - 1), map_of_high_0_b_below_a_values(2 * i - 3));
       end loop;
-      if map_of_low_0_c_below_a then
-        map_largest_low_0_choice := map_of_low_0_a;
-      else
-        map_largest_low_0_choice := map_of_low_0_c;
-      end if;
-      if map_of_low_0_c_below_b then
-        map_largest_low_0_choice_2 := map_of_low_0_b;
-      else
-        map_largest_low_0_choice_2 := map_of_low_0_c;
-      end if;
-      if map_of_middle_0_c_below_a then
-        map_median_middle_0_choice := map_of_middle_0_c;
-      else
-        map_median_middle_0_choice := map_of_middle_0_a;
-      end if;
-      if map_of_middle_0_c_below_b then
-        map_median_middle_0_choices(2) := map_of_middle_0_b;
-      else
-        map_median_middle_0_choices(2) := map_median_middle_0_choice;
-      end if;
-      if map_of_middle_0_c_below_b then
-        map_median_middle_0_choices(3) := map_of_middle_0_c;
-      else
-        map_median_middle_0_choices(3) := map_of_middle_0_b;
-      end if;
-      if map_of_middle_0_c_below_a then
-        map_median_middle_0_choices(4) := map_of_middle_0_a;
-      else
-        map_median_middle_0_choices(4) := map_median_middle_0_choices(3);
-      end if;
-      if map_of_high_0_c_below_b then
-        map_smallest_high_0_choice := map_of_high_0_c;
-      else
-        map_smallest_high_0_choice := map_of_high_0_b;
-      end if;
-      if map_of_high_0_c_below_a then
-        map_smallest_high_0_choice_2 := map_of_high_0_c;
-      else
-        map_smallest_high_0_choice_2 := map_of_high_0_a;
-      end if;
-      map_of_all_0_b_below_a_value := is_set(map_largest_low_0, 1);
-      if is_set(map_largest_low_0, 0) then
-        map_of_all_0_b_below_a_choice := (not is_set(map_median_middle_0, 1)) or (not is_set(map_median_middle_0, 0));
-      else
-        map_of_all_0_b_below_a_choice := not is_set(map_median_middle_0, 1);
-      end if;
+      map_largest_low_0_choices(1) := choice(map_of_low_0_c_below_a, map_of_low_0_a, map_of_low_0_c);
+      map_largest_low_0_choices(2) := choice(map_of_low_0_c_below_b, map_of_low_0_b, map_of_low_0_c);
+      map_median_middle_0_choices(1) := choice(map_of_middle_0_c_below_a, map_of_middle_0_c, map_of_middle_0_a);
+      map_median_middle_0_choices(2) := choice(map_of_middle_0_c_below_b, map_of_middle_0_b,
+        map_median_middle_0_choices(1));
+      map_median_middle_0_choices(3) := choice(map_of_middle_0_c_below_b, map_of_middle_0_c, map_of_middle_0_b);
+      map_median_middle_0_choices(4) := choice(map_of_middle_0_c_below_a, map_of_middle_0_a,
+        map_median_middle_0_choices(3));
+      map_smallest_high_0_choices(1) := choice(map_of_high_0_c_below_b, map_of_high_0_c, map_of_high_0_b);
+      map_smallest_high_0_choices(2) := choice(map_of_high_0_c_below_a, map_of_high_0_c, map_of_high_0_a);
+      map_of_all_0_b_below_a_values(1) := is_set(map_largest_low_0, 1);
+      map_of_all_0_b_below_a_choices(1) := choice(is_set(map_largest_low_0, 0), (not is_set(map_median_middle_0, 1)) or
+        (not is_set(map_median_middle_0, 0)), not is_set(map_median_middle_0, 1));
       map_of_all_0_b_below_a_is_equal := (map_median_middle_0 mod 4) = 0;
-      if map_of_all_0_b_below_a_value then
-        map_of_all_0_b_below_a_choices(2) := map_of_all_0_b_below_a_choice;
-      else
-        map_of_all_0_b_below_a_choices(2) := is_set(map_largest_low_0, 0) and map_of_all_0_b_below_a_is_equal;
-      end if;
+      map_of_all_0_b_below_a_choices(2) := choice(map_of_all_0_b_below_a_values(1), map_of_all_0_b_below_a_choices(1),
+        is_set(map_largest_low_0, 0) and map_of_all_0_b_below_a_is_equal);
       map_of_all_0_b_below_a_values(2) := is_set(map_largest_low_0, 2);
       map_of_all_0_b_below_a_values(3) := is_set(map_median_middle_0, 2);
-      if map_of_all_0_b_below_a_choices(2) then
-        map_of_all_0_b_below_a_choices(3) := (not map_of_all_0_b_below_a_values(2)) and
-          map_of_all_0_b_below_a_values(3);
-      else
-        map_of_all_0_b_below_a_choices(3) := (not map_of_all_0_b_below_a_values(2)) or map_of_all_0_b_below_a_values(3);
-      end if;
+      map_of_all_0_b_below_a_choices(3) := inverted_carry(map_of_all_0_b_below_a_choices(2), not
+        map_of_all_0_b_below_a_values(2), map_of_all_0_b_below_a_values(3));
       for i in 3 to 6 loop
         map_of_all_0_b_below_a_values(2 * i - 2) := is_set(map_largest_low_0, i);
         map_of_all_0_b_below_a_values(2 * i - 1) := is_set(map_median_middle_0, i);
-        if map_of_all_0_b_below_a_choices(i) then
-          map_of_all_0_b_below_a_choices(i + 1) := (not map_of_all_0_b_below_a_values(2 * i - 2)) or
-            map_of_all_0_b_below_a_values(2 * i - 1);
-        else
-          map_of_all_0_b_below_a_choices(i + 1) := (not map_of_all_0_b_below_a_values(2 * i - 2)) and
-            map_of_all_0_b_below_a_values(2 * i - 1);
-        end if;
+        map_of_all_0_b_below_a_choices(i + 1) := carry(map_of_all_0_b_below_a_choices(i), not
+          map_of_all_0_b_below_a_values(2 * i - 2), map_of_all_0_b_below_a_values(2 * i - 1));
       end loop;
       map_of_all_0_c_below_a_value := is_set(map_smallest_high_0, 1);
-      if is_set(map_smallest_high_0, 0) then
-        map_of_all_0_c_below_a_choice := not map_of_all_0_b_below_a_value;
-      else
-        map_of_all_0_c_below_a_choice := (map_largest_low_0 mod 4) = 0;
-      end if;
-      if map_of_all_0_c_below_a_value then
-        map_of_all_0_c_below_a_choices(2) := is_set(map_smallest_high_0, 0) or (not map_of_all_0_b_below_a_value) or
-          (not is_set(map_largest_low_0, 0));
-      else
-        map_of_all_0_c_below_a_choices(2) := map_of_all_0_c_below_a_choice;
-      end if;
-      if map_of_all_0_c_below_a_choices(2) then
-        map_of_all_0_c_below_a_choices(3) := (not is_set(map_smallest_high_0, 2)) and map_of_all_0_b_below_a_values(2);
-      else
-        map_of_all_0_c_below_a_choices(3) := (not is_set(map_smallest_high_0, 2)) or map_of_all_0_b_below_a_values(2);
-      end if;
-      for i in 3 to 6 loop
-        if map_of_all_0_c_below_a_choices(i) then
-          map_of_all_0_c_below_a_choices(i + 1) := (not is_set(map_smallest_high_0, i)) or
-            map_of_all_0_b_below_a_values(2 * i - 2);
-        else
-          map_of_all_0_c_below_a_choices(i + 1) := (not is_set(map_smallest_high_0, i)) and
-            map_of_all_0_b_below_a_values(2 * i - 2);
-        end if;
+      map_of_all_0_c_below_a_choices(1) := choice(is_set(map_smallest_high_0, 0), not map_of_all_0_b_below_a_values(1),
+        (map_largest_low_0 mod 4) = 0);
+      map_of_all_0_c_below_a_choices(2) := choice(map_of_all_0_c_below_a_value, is_set(map_smallest_high_0, 0) or (not
+        map_of_all_0_b_below_a_values(1)) or (not is_set(map_largest_low_0, 0)), map_of_all_0_c_below_a_choices(1));
+      map_of_all_0_c_below_a_choices(3) := inverted_carry(map_of_all_0_c_below_a_choices(2), not
+        is_set(map_smallest_high_0, 2), map_of_all_0_b_below_a_values(2));
+      for i in 4 to 7 loop
+        map_of_all_0_c_below_a_choices(i) := carry(map_of_all_0_c_below_a_choices(i - 1), not
+          is_set(map_smallest_high_0, i - 1), map_of_all_0_b_below_a_values(2 * i - 4));
       end loop;
-      if is_set(map_smallest_high_0, 0) then
-        map_of_all_0_c_below_b_choice := not is_set(map_median_middle_0, 1);
-      else
-        map_of_all_0_c_below_b_choice := map_of_all_0_b_below_a_is_equal;
-      end if;
-      if map_of_all_0_c_below_a_value then
-        map_of_all_0_c_below_b_choices(2) := is_set(map_smallest_high_0, 0) or (not is_set(map_median_middle_0, 1)) or
-          (not is_set(map_median_middle_0, 0));
-      else
-        map_of_all_0_c_below_b_choices(2) := map_of_all_0_c_below_b_choice;
-      end if;
-      if map_of_all_0_c_below_b_choices(2) then
-        map_of_all_0_c_below_b_choices(3) := (not is_set(map_smallest_high_0, 2)) and map_of_all_0_b_below_a_values(3);
-      else
-        map_of_all_0_c_below_b_choices(3) := (not is_set(map_smallest_high_0, 2)) or map_of_all_0_b_below_a_values(3);
-      end if;
-      for i in 3 to 6 loop
-        if map_of_all_0_c_below_b_choices(i) then
-          map_of_all_0_c_below_b_choices(i + 1) := (not is_set(map_smallest_high_0, i)) or
-            map_of_all_0_b_below_a_values(2 * i - 1);
-        else
-          map_of_all_0_c_below_b_choices(i + 1) := (not is_set(map_smallest_high_0, i)) and
-            map_of_all_0_b_below_a_values(2 * i - 1);
-        end if;
+      map_of_all_0_c_below_b_choices(1) := choice(is_set(map_smallest_high_0, 0), not is_set(map_median_middle_0, 1),
+        map_of_all_0_b_below_a_is_equal);
+      map_of_all_0_c_below_b_choices(2) := choice(map_of_all_0_c_below_a_value, is_set(map_smallest_high_0, 0) or (not
+        is_set(map_median_middle_0, 1)) or (not is_set(map_median_middle_0, 0)), map_of_all_0_c_below_b_choices(1));
+      map_of_all_0_c_below_b_choices(3) := inverted_carry(map_of_all_0_c_below_b_choices(2), not
+        is_set(map_smallest_high_0, 2), map_of_all_0_b_below_a_values(3));
+      for i in 4 to 7 loop
+        map_of_all_0_c_below_b_choices(i) := carry(map_of_all_0_c_below_b_choices(i - 1), not
+          is_set(map_smallest_high_0, i - 1), map_of_all_0_b_below_a_values(2 * i - 3));
       end loop;
-      if map_of_all_0_c_below_a then
-        map_out_disparity_0_choice := map_of_all_0_c;
-      else
-        map_out_disparity_0_choice := map_of_all_0_a;
-      end if;
-      if map_of_all_0_c_below_b then
-        map_out_disparity_0_choices(2) := map_of_all_0_b;
-      else
-        map_out_disparity_0_choices(2) := map_out_disparity_0_choice;
-      end if;
-      if map_of_all_0_c_below_b then
-        map_out_disparity_0_choices(3) := map_of_all_0_c;
-      else
-        map_out_disparity_0_choices(3) := map_of_all_0_b;
-      end if;
-      if map_of_all_0_c_below_a then
-        map_out_disparity_0_choices(4) := map_of_all_0_a;
-      else
-        map_out_disparity_0_choices(4) := map_out_disparity_0_choices(3);
-      end if;
+      map_out_disparity_0_choices(1) := choice(map_of_all_0_c_below_a, map_of_all_0_c, map_of_all_0_a);
+      map_out_disparity_0_choices(2) := choice(map_of_all_0_c_below_b, map_of_all_0_b, map_out_disparity_0_choices(1));
+      map_out_disparity_0_choices(3) := choice(map_of_all_0_c_below_b, map_of_all_0_c, map_of_all_0_b);
+      map_out_disparity_0_choices(4) := choice(map_of_all_0_c_below_a, map_of_all_0_a, map_out_disparity_0_choices(3));
       map_counter_next_frame <= other(1)(40) = '1';
       map_newest_0 <= ((turn_ready mod 256) * 2) + (turn_ready / 256);
-      map_arrives <= turn_ready_tag_row_start_all_2;
-      map_behind <= map_line_ended and turn_ready_tag_valid;
+      map_arrives <= turn_ready_tag_row_start_alls(2);
+      map_behind <= map_line_ended and turn_ready_tag.valid;
       map_rows_read_newest_0 <= map_newest_0;
       map_rows_ready_words_0 <= to_integer(map_rows_read_words_0);
       map_rows_ready_newest_0 <= map_rows_read_newest_0;
@@ -5741,165 +3800,70 @@ begin
       map_waiting_first(2) <= map_waiting_first(1);
       map_waiting_last(2) <= map_waiting_last(1);
       map_waiting_passed_0(0) <= map_passed_0(1);
-      map_waiting_passed_0(1) <= map_waiting_passed_0(0);
-      map_waiting_passed_0(2) <= map_waiting_passed_0(1);
+      map_waiting_passed_0(1 to 2) <= map_waiting_passed_0(0 to 1);
       map_out_passed_0 <= map_waiting_passed_0(2);
       map_out_valid <= map_waiting_complete(2);
       map_out_start_of_frame <= map_waiting_first(2) and map_waiting_complete(2);
       map_out_end_of_line <= map_waiting_last(2) and map_waiting_complete(2);
-      if turn_ready_tag_start_of_frame and turn_ready_tag_valid and turn_ready_tag_map_column then
-        map_counter_group <= map_counter_group_choice * 32;
-      else
-        map_counter_group <= map_counter_group_choices(3);
-      end if;
-      if turn_ready_tag_end_of_line then
-        map_line_ended <= map_line_ended_choice;
-      else
-        map_line_ended <= map_line_ended and (not turn_ready_tag_valid);
-      end if;
-      if map_at_top then
-        map_of_column_0_a <= map_column(1) / 2;
-      else
-        map_of_column_0_a <= other_2 / 2;
-      end if;
-      if map_counter_next_frame then
-        map_of_column_0_c <= map_column(1) / 2;
-      else
-        map_of_column_0_c <= map_column(2) / 2;
-      end if;
-      if map_of_column_0_b_below_a_choices(9) then
-        map_of_column_0_b_below_a <= (not is_set(map_column(1), 8)) and is_set(other_2, 8) and (not map_at_top);
-      else
-        map_of_column_0_b_below_a <= (not is_set(map_column(1), 8)) or is_set(other_2, 8) or map_at_top;
-      end if;
-      if map_of_column_0_c_below_a_choices(18) then
-        map_of_column_0_c_below_a <= (not map_of_column_0_c_below_a_choices(19)) or
-          map_of_column_0_c_below_a_choices(20);
-      else
-        map_of_column_0_c_below_a <= (not map_of_column_0_c_below_a_choices(19)) and
-          map_of_column_0_c_below_a_choices(20);
-      end if;
-      if map_of_column_0_c_below_b_choices(6) then
-        map_of_column_0_c_below_b <= (not is_set(map_column(2), 8)) and is_set(map_column(1), 8) and (not
-          map_counter_next_frame);
-      else
-        map_of_column_0_c_below_b <= (not is_set(map_column(2), 8)) or is_set(map_column(1), 8) or
-          map_counter_next_frame;
-      end if;
-      if map_of_column_0_b_below_a then
-        map_sorted_low_0 <= map_sorted_low_0_choice;
-        map_sorted_middle_0 <= map_sorted_middle_0_choice;
-        map_sorted_high_0 <= map_sorted_high_0_choice;
-      else
-        map_sorted_low_0 <= map_sorted_low_0_choice_2;
-        map_sorted_middle_0 <= map_sorted_middle_0_choice_2;
-        map_sorted_high_0 <= map_sorted_high_0_choice_2;
-      end if;
-      if map_passed_0(0) then
-        map_passed_0(1) <= map_passed_0(1) or map_sorted_arrives or map_sorted_behind;
-      else
-        map_passed_0(1) <= map_passed_0(1) and (not map_sorted_arrives) and (not map_sorted_behind);
-      end if;
-      if map_of_low_0_b_below_a_choices(7) then
-        map_of_low_0_b_below_a <= is_set(map_low_0(0), 7) and (not is_set(map_low_0(1), 7));
-      else
-        map_of_low_0_b_below_a <= is_set(map_low_0(0), 7) or (not is_set(map_low_0(1), 7));
-      end if;
-      if map_of_low_0_c_below_a_choices(7) then
-        map_of_low_0_c_below_a <= (not is_set(map_low_0(2), 7)) or is_set(map_low_0(0), 7);
-      else
-        map_of_low_0_c_below_a <= (not is_set(map_low_0(2), 7)) and is_set(map_low_0(0), 7);
-      end if;
-      if map_of_low_0_c_below_b_choices(7) then
-        map_of_low_0_c_below_b <= (not is_set(map_low_0(2), 7)) or is_set(map_low_0(1), 7);
-      else
-        map_of_low_0_c_below_b <= (not is_set(map_low_0(2), 7)) and is_set(map_low_0(1), 7);
-      end if;
-      if map_of_middle_0_b_below_a_choices(7) then
-        map_of_middle_0_b_below_a <= is_set(map_middle_0(0), 7) and (not is_set(map_middle_0(1), 7));
-      else
-        map_of_middle_0_b_below_a <= is_set(map_middle_0(0), 7) or (not is_set(map_middle_0(1), 7));
-      end if;
-      if map_of_middle_0_c_below_a_choices(7) then
-        map_of_middle_0_c_below_a <= (not is_set(map_middle_0(2), 7)) or is_set(map_middle_0(0), 7);
-      else
-        map_of_middle_0_c_below_a <= (not is_set(map_middle_0(2), 7)) and is_set(map_middle_0(0), 7);
-      end if;
-      if map_of_middle_0_c_below_b_choices(7) then
-        map_of_middle_0_c_below_b <= (not is_set(map_middle_0(2), 7)) or is_set(map_middle_0(1), 7);
-      else
-        map_of_middle_0_c_below_b <= (not is_set(map_middle_0(2), 7)) and is_set(map_middle_0(1), 7);
-      end if;
-      if map_of_high_0_b_below_a_choices(7) then
-        map_of_high_0_b_below_a <= is_set(map_high_0(0), 7) and (not is_set(map_high_0(1), 7));
-      else
-        map_of_high_0_b_below_a <= is_set(map_high_0(0), 7) or (not is_set(map_high_0(1), 7));
-      end if;
-      if map_of_high_0_c_below_a_choices(7) then
-        map_of_high_0_c_below_a <= (not is_set(map_high_0(2), 7)) or is_set(map_high_0(0), 7);
-      else
-        map_of_high_0_c_below_a <= (not is_set(map_high_0(2), 7)) and is_set(map_high_0(0), 7);
-      end if;
-      if map_of_high_0_c_below_b_choices(7) then
-        map_of_high_0_c_below_b <= (not is_set(map_high_0(2), 7)) or is_set(map_high_0(1), 7);
-      else
-        map_of_high_0_c_below_b <= (not is_set(map_high_0(2), 7)) and is_set(map_high_0(1), 7);
-      end if;
-      if map_of_low_0_b_below_a then
-        map_largest_low_0 <= map_largest_low_0_choice;
-      else
-        map_largest_low_0 <= map_largest_low_0_choice_2;
-      end if;
-      if map_of_middle_0_b_below_a then
-        map_median_middle_0 <= map_median_middle_0_choices(2);
-      else
-        map_median_middle_0 <= map_median_middle_0_choices(4);
-      end if;
-      if map_of_high_0_b_below_a then
-        map_smallest_high_0 <= map_smallest_high_0_choice;
-      else
-        map_smallest_high_0 <= map_smallest_high_0_choice_2;
-      end if;
-      if map_of_all_0_b_below_a_choices(7) then
-        map_of_all_0_b_below_a <= is_set(map_largest_low_0, 7) and (not is_set(map_median_middle_0, 7));
-      else
-        map_of_all_0_b_below_a <= is_set(map_largest_low_0, 7) or (not is_set(map_median_middle_0, 7));
-      end if;
-      if map_of_all_0_c_below_a_choices(7) then
-        map_of_all_0_c_below_a <= (not is_set(map_smallest_high_0, 7)) or is_set(map_largest_low_0, 7);
-      else
-        map_of_all_0_c_below_a <= (not is_set(map_smallest_high_0, 7)) and is_set(map_largest_low_0, 7);
-      end if;
-      if map_of_all_0_c_below_b_choices(7) then
-        map_of_all_0_c_below_b <= (not is_set(map_smallest_high_0, 7)) or is_set(map_median_middle_0, 7);
-      else
-        map_of_all_0_c_below_b <= (not is_set(map_smallest_high_0, 7)) and is_set(map_median_middle_0, 7);
-      end if;
-      if map_of_all_0_b_below_a then
-        map_out_disparity_0 <= map_out_disparity_0_choices(2);
-      else
-        map_out_disparity_0 <= map_out_disparity_0_choices(4);
-      end if;
+      map_counter_group <= choice(turn_ready_tag.start_of_frame and turn_ready_tag.valid and turn_ready_tag.map_column,
+        map_counter_group_choice * 32, map_counter_group_choices(3));
+      map_line_ended <= choice(turn_ready_tag.end_of_line, map_line_ended_choice, map_line_ended and (not
+        turn_ready_tag.valid));
+      map_of_column_0_a <= choice(map_at_top, map_column(1) / 2, other_2 / 2);
+      map_of_column_0_c <= choice(map_counter_next_frame, map_column(1) / 2, map_column(2) / 2);
+      map_of_column_0_b_below_a <= choice(map_of_column_0_b_below_a_choices(9), (not is_set(map_column(1), 8)) and
+        is_set(other_2, 8) and (not map_at_top), (not is_set(map_column(1), 8)) or is_set(other_2, 8) or map_at_top);
+      map_of_column_0_c_below_a <= carry(map_of_column_0_c_below_a_choices(18), not
+        map_of_column_0_c_below_a_choices(19), map_of_column_0_c_below_a_choices(20));
+      map_of_column_0_c_below_b <= choice(map_of_column_0_c_below_b_choices(6), (not is_set(map_column(2), 8)) and
+        is_set(map_column(1), 8) and (not map_counter_next_frame), (not is_set(map_column(2), 8)) or
+        is_set(map_column(1), 8) or map_counter_next_frame);
+      map_sorted_low_0 <= choice(map_of_column_0_b_below_a, map_sorted_low_0_choices(1), map_sorted_low_0_choices(2));
+      map_sorted_middle_0 <= choice(map_of_column_0_b_below_a, map_sorted_middle_0_choices(1),
+        map_sorted_middle_0_choices(2));
+      map_sorted_high_0 <= choice(map_of_column_0_b_below_a, map_sorted_high_0_choices(1),
+        map_sorted_high_0_choices(2));
+      map_passed_0(1) <= choice(map_passed_0(0), map_passed_0(1) or map_sorted_arrives or map_sorted_behind,
+        map_passed_0(1) and (not map_sorted_arrives) and (not map_sorted_behind));
+      map_of_low_0_b_below_a <= inverted_carry(map_of_low_0_b_below_a_choices(7), is_set(map_low_0(0), 7), not
+        is_set(map_low_0(1), 7));
+      map_of_low_0_c_below_a <= carry(map_of_low_0_c_below_a_choices(7), not is_set(map_low_0(2), 7),
+        is_set(map_low_0(0), 7));
+      map_of_low_0_c_below_b <= carry(map_of_low_0_c_below_b_choices(7), not is_set(map_low_0(2), 7),
+        is_set(map_low_0(1), 7));
+      map_of_middle_0_b_below_a <= inverted_carry(map_of_middle_0_b_below_a_choices(7), is_set(map_middle_0(0), 7), not
+        is_set(map_middle_0(1), 7));
+      map_of_middle_0_c_below_a <= carry(map_of_middle_0_c_below_a_choices(7), not is_set(map_middle_0(2), 7),
+        is_set(map_middle_0(0), 7));
+      map_of_middle_0_c_below_b <= carry(map_of_middle_0_c_below_b_choices(7), not is_set(map_middle_0(2), 7),
+        is_set(map_middle_0(1), 7));
+      map_of_high_0_b_below_a <= inverted_carry(map_of_high_0_b_below_a_choices(7), is_set(map_high_0(0), 7), not
+        is_set(map_high_0(1), 7));
+      map_of_high_0_c_below_a <= carry(map_of_high_0_c_below_a_choices(7), not is_set(map_high_0(2), 7),
+        is_set(map_high_0(0), 7));
+      map_of_high_0_c_below_b <= carry(map_of_high_0_c_below_b_choices(7), not is_set(map_high_0(2), 7),
+        is_set(map_high_0(1), 7));
+      map_largest_low_0 <= choice(map_of_low_0_b_below_a, map_largest_low_0_choices(1), map_largest_low_0_choices(2));
+      map_median_middle_0 <= choice(map_of_middle_0_b_below_a, map_median_middle_0_choices(2),
+        map_median_middle_0_choices(4));
+      map_smallest_high_0 <= choice(map_of_high_0_b_below_a, map_smallest_high_0_choices(1),
+        map_smallest_high_0_choices(2));
+      map_of_all_0_b_below_a <= inverted_carry(map_of_all_0_b_below_a_choices(7), is_set(map_largest_low_0, 7), not
+        is_set(map_median_middle_0, 7));
+      map_of_all_0_c_below_a <= carry(map_of_all_0_c_below_a_choices(7), not is_set(map_smallest_high_0, 7),
+        is_set(map_largest_low_0, 7));
+      map_of_all_0_c_below_b <= carry(map_of_all_0_c_below_b_choices(7), not is_set(map_smallest_high_0, 7),
+        is_set(map_median_middle_0, 7));
+      map_out_disparity_0 <= choice(map_of_all_0_b_below_a, map_out_disparity_0_choices(2),
+        map_out_disparity_0_choices(4));
       if map_at_arrives_value then
         map_rows_write_words_0 <= (map_rows_ready_newest_0 * 512) + (map_rows_ready_words_0 / 512);
         map_write_column <= to_integer(other(1)(9 downto 0));
       end if;
-      if map_sorted_behind then
-        map_low_0_0_choice := map_low_0(0);
-      else
-        map_low_0_0_choice := map_sorted_low_0;
-      end if;
+      map_low_0_0_choice := choice(map_sorted_behind, map_low_0(0), map_sorted_low_0);
       map_low_0_all(1) := map_window_complete_is_equal and map_sorted_arrives;
-      if map_sorted_behind then
-        map_middle_0_0_choice := map_middle_0(0);
-      else
-        map_middle_0_0_choice := map_sorted_middle_0;
-      end if;
-      if map_sorted_behind then
-        map_high_0_0_choice := map_high_0(0);
-      else
-        map_high_0_0_choice := map_sorted_high_0;
-      end if;
+      map_middle_0_0_choice := choice(map_sorted_behind, map_middle_0(0), map_sorted_middle_0);
+      map_high_0_0_choice := choice(map_sorted_behind, map_high_0(0), map_sorted_high_0);
       map_low_0_all(0) := (not map_sorted_arrives) and (not map_sorted_behind);
       if not map_low_0_all(0) then
         map_low_0(0) <= map_low_0_0_choice;
@@ -5908,15 +3872,9 @@ begin
         map_middle_0(2) <= map_middle_0(1);
         map_high_0(0) <= map_high_0_0_choice;
         map_high_0(2) <= map_high_0(1);
-        if map_low_0_all(1) then
-          map_low_0(1) <= map_low_0_0_choice;
-          map_middle_0(1) <= map_middle_0_0_choice;
-          map_high_0(1) <= map_high_0_0_choice;
-        else
-          map_low_0(1) <= map_low_0(0);
-          map_middle_0(1) <= map_middle_0(0);
-          map_high_0(1) <= map_high_0(0);
-        end if;
+        map_low_0(1) <= choice(map_low_0_all(1), map_low_0_0_choice, map_low_0(0));
+        map_middle_0(1) <= choice(map_low_0_all(1), map_middle_0_0_choice, map_middle_0(0));
+        map_high_0(1) <= choice(map_low_0_all(1), map_high_0_0_choice, map_high_0(0));
       end if;
       if map_sorted_arrives then
         map_passed_0(0) <= map_column_passed_0(1);
@@ -5968,17 +3926,8 @@ begin
         raster_place_counts <= false;
         raster_place_column_after <= 1;
         raster_place_group_after <= 480;
-        delay_tag_valid <= false;
-        delay_tag_first_cost <= false;
-        delay_tag_map_column <= false;
-        delay_tag_output_column <= false;
-        delay_tag_start_of_frame <= false;
-        rows_tag_valid <= false;
-        rows_tag_first_cost <= false;
-        rows_tag_map_column <= false;
-        rows_tag_output_column <= false;
-        rows_tag_start_of_frame <= false;
-        rows_tag_end_of_line <= false;
+        delay_tag <= (others => false);
+        rows_tag <= (others => false);
         line_centre_map_column_0 <= false;
         line_centre_first_column_0 <= false;
         line_centre_end_of_line_0 <= false;
@@ -5992,15 +3941,9 @@ begin
         line_order_turned_valid <= false;
         line_order_turned_output_column <= false;
         line_order_turned_start_of_frame <= false;
-        for i in 1 to 47 loop
-          line_comes(i) <= false;
-        end loop;
-        for i in 1 to 25 loop
-          line_starts_phases(i) <= false;
-        end loop;
-        for i in 27 to 47 loop
-          line_starts_phases(i) <= false;
-        end loop;
+        line_comes <= (others => false);
+        line_starts_phases(1 to 25) <= (others => false);
+        line_starts_phases(27 to 47) <= (others => false);
         for i in 0 to 1 loop
           line_places_map_column(i) <= false;
           line_places_first_column(i) <= false;
@@ -6028,8 +3971,7 @@ begin
         pathsleft_low_write_address <= 0;
         pathsabove_memory_read_address_0 <= 0;
         pathsabove_memory_read_address_2 <= 0;
-        pathsabove_memory_write_address(0) <= 0;
-        pathsabove_memory_write_address(1) <= 0;
+        pathsabove_memory_write_address <= (others => 0);
         pathsabove_memory_write_address_2 <= 0;
         pathsabove_read_address_address <= 0;
         pathsabove_read_address_count_phase <= 15;
@@ -6038,13 +3980,11 @@ begin
         pathsabove_write_address_count_phase <= 15;
         pathsturn_sum_memory_read_address_0 <= 0;
         pathsturn_sum_memory_read_address_2 <= 0;
-        pathsturn_sum_memory_write_address(0) <= 0;
-        pathsturn_sum_memory_write_address(1) <= 0;
+        pathsturn_sum_memory_write_address <= (others => 0);
         pathsturn_sum_memory_write_address_2 <= 0;
         pathsturn_cost_memory_read_address_0 <= 0;
         pathsturn_cost_memory_read_address_2 <= 0;
-        pathsturn_cost_memory_write_address(0) <= 0;
-        pathsturn_cost_memory_write_address(1) <= 0;
+        pathsturn_cost_memory_write_address <= (others => 0);
         pathsturn_cost_memory_write_address_2 <= 0;
         pathsturn_smallest_address <= 0;
         pathsturn_read_address_address <= 0;
@@ -6054,16 +3994,10 @@ begin
         pathsturn_write_address_address <= 0;
         pathsturn_write_address_is_here <= false;
         pathsturn_write_address_count_phase <= 15;
-        pathsturn_sum_write_address(0) <= 0;
-        pathsturn_sum_write_address(1) <= 0;
-        pathsturn_writes_sums(0) <= false;
-        pathsturn_writes_sums(1) <= false;
+        pathsturn_sum_write_address <= (others => 0);
+        pathsturn_writes_sums <= (others => false);
         winnerswinner1_best_below_0 <= false;
-        winners_best_tag_valid <= false;
-        winners_best_tag_map_column <= false;
-        winners_best_tag_output_column <= false;
-        winners_best_tag_start_of_frame <= false;
-        winners_best_tag_end_of_line <= false;
+        winners_best_tag <= (others => false);
         turn_order_address <= 0;
         turn_order_falls <= false;
         turn_order_inside <= false;
@@ -6075,16 +4009,9 @@ begin
         turn_order_turned_start_of_frame <= false;
         turn_order_turned_end_of_line <= false;
         turn_comes <= false;
-        turn_read_tag_valid <= false;
-        turn_read_tag_map_column <= false;
-        turn_read_tag_start_of_frame <= false;
-        turn_read_tag_end_of_line <= false;
+        turn_read_tag <= (others => false);
         turn_write_place <= 0;
-        turn_ready_tag_valid <= false;
-        turn_ready_tag_row_start <= false;
-        turn_ready_tag_map_column <= false;
-        turn_ready_tag_start_of_frame <= false;
-        turn_ready_tag_end_of_line <= false;
+        turn_ready_tag <= (others => false);
         map_counter_column <= 0;
         map_counter_group <= 481;
         map_arrives <= false;

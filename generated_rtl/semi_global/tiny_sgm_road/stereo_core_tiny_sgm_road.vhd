@@ -94,10 +94,46 @@ architecture rtl of stereo_core_tiny_sgm_road is
     return (value / 2 ** place) mod 2 = 1;
   end function;
 
+  -- the majority: a comparison or a sum as a chain of its bits
+  function carry(before : boolean; a : boolean; b : boolean) return boolean is
+  begin
+    if before then
+      return a or b;
+    end if;
+    return a and b;
+  end function;
+
+  function inverted_carry(before : boolean; a : boolean; b : boolean) return boolean is
+  begin
+    if before then
+      return a and b;
+    end if;
+    return a or b;
+  end function;
+
+  function choice(test : boolean; yes : boolean; no : boolean) return boolean is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
+  function choice(test : boolean; yes : integer; no : integer) return integer is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
   type boolean_1d is array (natural range <>) of boolean;
   type boolean_2d is array (natural range <>, natural range <>) of boolean;
+  type boolean_3d is array (natural range <>, natural range <>, natural range <>) of boolean;
+  type natural_11_1d is array (natural range <>) of natural range 0 to 11;
   type natural_126_1d is array (natural range <>) of natural range 0 to 126;
   type natural_127_1d is array (natural range <>) of natural range 0 to 127;
+  type natural_127_2d is array (natural range <>, natural range <>) of natural range 0 to 127;
   type natural_14_1d is array (natural range <>) of natural range 0 to 14;
   type natural_14_2d is array (natural range <>, natural range <>) of natural range 0 to 14;
   type natural_15_1d is array (natural range <>) of natural range 0 to 15;
@@ -120,6 +156,21 @@ architecture rtl of stereo_core_tiny_sgm_road is
   type natural_84_1d is array (natural range <>) of natural range 0 to 84;
   type unsigned_30_1d is array (natural range <>) of unsigned(29 downto 0);
   type unsigned_32_1d is array (natural range <>) of unsigned(31 downto 0);
+  type tag_7 is record
+    valid, border_column, first_cost, map_column, output_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_6 is record
+    valid, map_column, output_column, first_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_4 is record
+    valid, map_column, first_column, end_of_line : boolean;
+  end record;
+  type tag_5 is record
+    valid, map_column, output_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_4_b is record
+    valid, output_column, start_of_frame, end_of_line : boolean;
+  end record;
   signal in_valid, in_start_of_frame : boolean;
   signal in_right_pixel, in_left_pixel : natural range 0 to 255;
   -- transform
@@ -168,47 +219,27 @@ architecture rtl of stereo_core_tiny_sgm_road is
   signal delay_delayed_0 : unsigned(13 downto 0);
   signal delay_column : natural range 0 to 63;
   signal delay_row_inside : boolean_1d(0 to 2);
-  signal delay_tag_valid, delay_tag_border_column, delay_tag_first_cost, delay_tag_map_column : boolean;
-  signal delay_tag_output_column, delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
+  signal delay_tag : tag_7;
   -- rows
   signal rows_search_rows_read_words_0, rows_reference_rows_read_words_0 : unsigned(27 downto 0);
   signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 16383;
   signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0 : natural range 0 to 16383;
-  signal rows_search : natural_16383_1d(0 to 2);
-  signal rows_reference : natural_16383_1d(0 to 2);
+  signal rows_search, rows_reference : natural_16383_1d(0 to 2);
   signal rows_search_rows_ready_words_0, rows_search_rows_write_words_0 : natural range 0 to 268435455;
   signal rows_reference_rows_ready_words_0, rows_reference_rows_write_words_0 : natural range 0 to 268435455;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 63;
   signal rows_read_inside : boolean_1d(0 to 2);
-  signal rows_read_tag_valid, rows_read_tag_border_column, rows_read_tag_first_cost, rows_read_tag_map_column : boolean;
-  signal rows_read_tag_output_column, rows_read_tag_start_of_frame, rows_read_tag_end_of_line : boolean;
+  signal rows_read_tag : tag_7;
   signal rows_ready_inside : boolean_1d(0 to 2);
-  signal rows_ready_tag_valid, rows_ready_tag_border_column, rows_ready_tag_first_cost : boolean;
-  signal rows_ready_tag_map_column, rows_ready_tag_output_column, rows_ready_tag_start_of_frame : boolean;
-  signal rows_ready_tag_end_of_line, rows_tag_valid, rows_tag_border_column, rows_tag_first_cost : boolean;
-  signal rows_tag_map_column, rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  signal rows_ready_tag, rows_tag : tag_7;
   -- slice0shift
   signal slice0shift_search : natural_16383_2d(0 to 2, 0 to 4);
-  signal slice0shift_reference : natural_16383_1d(0 to 2);
-  signal slice0shift_search_out : natural_16383_1d(0 to 2);
-  signal slice0shift_tag_valid, slice0shift_tag_border_column, slice0shift_tag_first_cost : boolean;
-  signal slice0shift_tag_map_column, slice0shift_tag_output_column, slice0shift_tag_start_of_frame : boolean;
-  signal slice0shift_tag_end_of_line : boolean;
+  signal slice0shift_reference, slice0shift_search_out : natural_16383_1d(0 to 2);
+  signal slice0shift_tag : tag_7;
   -- slice0cost
   signal slice0cost_pixels_first_count : natural_3_3d(0 to 2, 0 to 4, 0 to 3);  -- slice0cost_pixels_first_#_#_count_#
   signal slice0cost_pixels_first_count_4 : natural_2_2d(0 to 2, 0 to 4);  -- slice0cost_pixels_first_#_#_count_4
-  signal slice0cost_pixels_first_tag_valid, slice0cost_pixels_first_tag_border_column : boolean;
-  signal slice0cost_pixels_first_tag_first_cost, slice0cost_pixels_first_tag_map_column : boolean;
-  signal slice0cost_pixels_first_tag_output_column, slice0cost_pixels_first_tag_start_of_frame : boolean;
-  signal slice0cost_pixels_first_tag_end_of_line, slice0cost_pixels_tag_valid : boolean;
-  signal slice0cost_pixels_tag_border_column, slice0cost_pixels_tag_first_cost : boolean;
-  signal slice0cost_pixels_tag_map_column, slice0cost_pixels_tag_output_column : boolean;
-  signal slice0cost_pixels_tag_start_of_frame, slice0cost_pixels_tag_end_of_line, slice0cost_pair_tag_valid : boolean;
-  signal slice0cost_pair_tag_border_column, slice0cost_pair_tag_first_cost, slice0cost_pair_tag_map_column : boolean;
-  signal slice0cost_pair_tag_output_column, slice0cost_pair_tag_start_of_frame : boolean;
-  signal slice0cost_pair_tag_end_of_line, slice0cost_tag_valid, slice0cost_tag_border_column : boolean;
-  signal slice0cost_tag_first_cost, slice0cost_tag_map_column, slice0cost_tag_output_column : boolean;
-  signal slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pixels_first_tag, slice0cost_pixels_tag, slice0cost_pair_tag, slice0cost_tag : tag_7;
   signal slice0cost_pixels_cost : natural_14_2d(0 to 2, 0 to 4);
   signal slice0cost_single_0 : natural_14_1d(0 to 4);
   signal slice0cost_pair_0 : natural_28_1d(0 to 4);
@@ -218,9 +249,8 @@ architecture rtl of stereo_core_tiny_sgm_road is
   signal slice0window_partial_0_1 : natural_84_1d(0 to 4);
   signal slice0window_centre_map_column_0, slice0window_centre_output_column_0 : boolean;
   signal slice0window_centre_first_column_0, slice0window_centre_start_of_frame_0 : boolean;
-  signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_map_column : boolean;
-  signal slice0window_tag_output_column, slice0window_tag_first_column, slice0window_tag_start_of_frame : boolean;
-  signal slice0window_tag_end_of_line : boolean;
+  signal slice0window_centre_end_of_line_0 : boolean;
+  signal slice0window_tag : tag_6;
   signal slice0window_sum_0 : natural_126_1d(0 to 4);
   -- slice0
   signal slice0_held : natural_15_2d(0 to 2, 0 to 4);
@@ -232,8 +262,7 @@ architecture rtl of stereo_core_tiny_sgm_road is
   signal slice0_tag_end_of_line : boolean_1d(0 to 2);  -- slice0_tag_#_end_of_line
   -- slice1shift
   signal slice1shift_search : natural_16383_2d(0 to 2, 0 to 4);
-  signal slice1shift_reference : natural_16383_1d(0 to 2);
-  signal slice1shift_search_out : natural_16383_1d(0 to 2);
+  signal slice1shift_reference, slice1shift_search_out : natural_16383_1d(0 to 2);
   -- slice1cost
   signal slice1cost_pixels_first_count : natural_3_3d(0 to 2, 0 to 4, 0 to 3);  -- slice1cost_pixels_first_#_#_count_#
   signal slice1cost_pixels_first_count_4 : natural_2_2d(0 to 2, 0 to 4);  -- slice1cost_pixels_first_#_#_count_4
@@ -252,8 +281,7 @@ architecture rtl of stereo_core_tiny_sgm_road is
   signal slice2shift_search : natural_16383_2d(0 to 2, 0 to 1);
   signal slice2shift_reference : natural_16383_1d(0 to 2);
   -- slice2cost
-  signal slice2cost_pixels_first_count : natural_3_3d(0 to 2, 0 to 1, 0 to 3);  -- slice2cost_pixels_first_#_#_count_#
-  signal slice2cost_pixels_first_count_4 : natural_2_2d(0 to 2, 0 to 1);  -- slice2cost_pixels_first_#_#_count_4
+  signal slice2cost_pixels_first_count : natural_3_3d(0 to 2, 0 to 1, 0 to 4);  -- slice2cost_pixels_first_#_#_count_# up to 3 x 4, 2, 3 x 4, 2, 3 x 4, 2, 3 x 4, 2, 3 x 4, 2, 3 x 4, 2
   signal slice2cost_pixels_cost : natural_14_2d(0 to 2, 0 to 1);
   signal slice2cost_single_0 : natural_14_1d(0 to 1);
   signal slice2cost_pair_0 : natural_28_1d(0 to 1);
@@ -265,14 +293,13 @@ architecture rtl of stereo_core_tiny_sgm_road is
   -- slice2
   signal slice2_held_0 : natural_15_1d(0 to 1);
   -- entry
-  signal entry_next_cost : natural_15_1d(0 to 11);
-  signal entry_cost : natural_15_1d(0 to 11);
-  signal entry_next_tag_valid, entry_next_tag_map_column, entry_next_tag_first_column : boolean;
-  signal entry_next_tag_end_of_line, entry_next_top, entry_order_falls, entry_order_inside : boolean;
-  signal entry_order_complete, entry_order_output, entry_order_first, entry_order_held_output : boolean;
-  signal entry_order_turned_output_column, entry_order_turned_first_column, entry_order_turned_start_of_frame : boolean;
-  signal entry_tag_valid, entry_tag_map_column, entry_tag_first_column, entry_tag_end_of_line, entry_top : boolean;
-  signal entry_turned_output_column, entry_turned_first_column, entry_turned_start_of_frame : boolean;
+  signal entry_next_cost, entry_cost : natural_15_1d(0 to 11);
+  signal entry_next_tag : tag_4;
+  signal entry_next_top, entry_order_falls, entry_order_inside, entry_order_complete, entry_order_output : boolean;
+  signal entry_order_first, entry_order_held_output, entry_order_turned_output_column : boolean;
+  signal entry_order_turned_first_column, entry_order_turned_start_of_frame : boolean;
+  signal entry_tag : tag_4;
+  signal entry_top, entry_turned_output_column, entry_turned_first_column, entry_turned_start_of_frame : boolean;
   signal entry_next_column, entry_order_address, entry_column, entry_place : natural range 0 to 31;
   -- forward
   signal forward_smallest_smallest : natural_15_1d(0 to 5);
@@ -285,9 +312,7 @@ architecture rtl of stereo_core_tiny_sgm_road is
   signal forward_above_delay_ring_read_address, forward_above_delay_ring_write_address : natural range 0 to 7;
   signal forward_cost : natural_7_2d(0 to 3, 0 to 11);
   signal forward_cost_delay_held_0 : unsigned(31 downto 0);
-  signal forward_above_read_words : unsigned_32_1d(0 to 1);
-  signal forward_above_ready_words : unsigned_32_1d(0 to 1);
-  signal forward_above_write_words : unsigned_32_1d(0 to 1);
+  signal forward_above_read_words, forward_above_ready_words, forward_above_write_words : unsigned_32_1d(0 to 1);
   signal forward_cost_delay_held_1 : unsigned(7 downto 0);
   signal forward_left_pair : natural_127_1d(0 to 5);
   signal forward_left_tree_smallest : natural_127_1d(0 to 2);
@@ -295,9 +320,7 @@ architecture rtl of stereo_core_tiny_sgm_road is
   signal forward_left_tree_next_next_smallest_0, forward_left_smallest : natural range 0 to 127;
   signal forward_left_smallest_less, forward_left_relief_leaves, forward_left_g_copy_0 : natural range 0 to 127;
   signal forward_left_g_less_copy_0 : natural range 0 to 127;
-  signal forward_left_stay_change : natural_127_1d(0 to 11);
-  signal forward_left_step_change : natural_127_1d(0 to 11);
-  signal forward_left_cost : natural_127_1d(0 to 11);
+  signal forward_left_stay_change, forward_left_step_change, forward_left_cost : natural_127_1d(0 to 11);
   signal forward_left_arrived : natural_127_1d(0 to 11);
   signal forward_left_start_cost : natural_63_1d(0 to 6);
   signal forward_left_room, forward_left_relief_next_0 : natural range 0 to 63;
@@ -305,8 +328,7 @@ architecture rtl of stereo_core_tiny_sgm_road is
   signal forward_left_relief_pairs : natural_63_1d(0 to 1);
   signal forward_left_relief_fours_0, forward_left_relief_older, forward_left_relief_recent : natural range 0 to 63;
   signal forward_left_relief_largest, forward_left_relief_beyond : natural range 0 to 63;
-  signal forward_above_cost : natural_63_1d(0 to 11);
-  signal forward_above_beside : natural_63_1d(0 to 11);
+  signal forward_above_cost, forward_above_beside : natural_63_1d(0 to 11);
   signal forward_above_own_0 : natural range 0 to 63;
   signal forward_above_own : natural_63_1d(2 to 9);
   signal forward_above_own_11 : natural range 0 to 63;
@@ -331,10 +353,7 @@ architecture rtl of stereo_core_tiny_sgm_road is
   signal forward_above_column : natural_31_1d(0 to 9);
   signal forward_above_write_column : natural range 0 to 31;
   -- sums
-  signal sums_turn_read_sums : unsigned_32_1d(0 to 2);
-  signal sums_turn_ready_sums : unsigned_32_1d(0 to 2);
-  signal sums_turn_write_sums : unsigned_32_1d(0 to 2);
-  signal sums_sum_delay_held : unsigned_32_1d(0 to 2);
+  signal sums_turn_read_sums, sums_turn_ready_sums, sums_turn_write_sums, sums_sum_delay_held : unsigned_32_1d(0 to 2);
   signal sums_turn_read_costs_0 : unsigned(29 downto 0);
   signal sums_turn_read_costs_1 : unsigned(5 downto 0);
   signal sums_turn_read_smallest_0 : unsigned(8 downto 0);
@@ -349,8 +368,7 @@ architecture rtl of stereo_core_tiny_sgm_road is
   signal sums_turn_ready_smallest_0, sums_turn_write_smallest_0 : natural range 0 to 511;
   signal sums_turn_ready_first, sums_turn_writes_copy_0 : boolean;
   signal sums_right_first : boolean_1d(0 to 2);
-  signal sums_tag_valid, sums_tag_map_column, sums_tag_output_column, sums_tag_start_of_frame : boolean;
-  signal sums_tag_end_of_line : boolean;
+  signal sums_tag : tag_5;
   signal sums_tags_held_output_column : boolean_1d(0 to 4);  -- sums_tags_held_#_output_column
   signal sums_tags_held_start_of_frame : boolean_1d(0 to 4);  -- sums_tags_held_#_start_of_frame
   signal sums_tags_held_end_of_line : boolean_1d(0 to 4);  -- sums_tags_held_#_end_of_line
@@ -363,58 +381,34 @@ architecture rtl of stereo_core_tiny_sgm_road is
   signal sums_right_tree_next_smallest : natural_127_1d(0 to 1);
   signal sums_right_tree_next_next_smallest_0, sums_right_smallest, sums_right_smallest_less : natural range 0 to 127;
   signal sums_right_relief_leaves, sums_right_g_copy_0, sums_right_g_less_copy_0 : natural range 0 to 127;
-  signal sums_right_stay_change : natural_127_1d(0 to 11);
-  signal sums_right_step_change : natural_127_1d(0 to 11);
-  signal sums_right_cost : natural_127_1d(0 to 11);
-  signal sums_right_arrived : natural_127_1d(0 to 11);
+  signal sums_right_stay_change, sums_right_step_change, sums_right_cost, sums_right_arrived : natural_127_1d(0 to 11);
   signal sums_right_relief_reach_of_best : natural range 0 to 255;
   signal sums_sum_0 : natural_255_1d(0 to 11);
   signal sums_right_relief_room_of_best : natural range 0 to 190;
   signal sums_right_relief_reach_again : natural range 0 to 254;
   signal sums_sum_delay_ring_read_address, sums_sum_delay_ring_write_address : natural range 0 to 3;
   -- winnerswinner1
-  signal winnerswinner1_of_pair_0 : natural_255_1d(0 to 11);
-  signal winnerswinner1_of_four_0 : natural_255_1d(0 to 11);
+  signal winnerswinner1_of_pair_0, winnerswinner1_of_four_0 : natural_255_1d(0 to 11);
   signal winnerswinner1_best_cost_0 : natural_255_1d(0 to 2);
-  signal winnerswinner1_pair_index_0_0, winnerswinner1_pair_tag_valid, winnerswinner1_pair_tag_map_column : boolean;
-  signal winnerswinner1_pair_tag_output_column, winnerswinner1_pair_tag_start_of_frame : boolean;
-  signal winnerswinner1_pair_tag_end_of_line, winnerswinner1_four_tag_valid : boolean;
-  signal winnerswinner1_four_tag_map_column, winnerswinner1_four_tag_output_column : boolean;
-  signal winnerswinner1_four_tag_start_of_frame, winnerswinner1_four_tag_end_of_line : boolean;
-  signal winnerswinner1_tag_valid, winnerswinner1_tag_map_column, winnerswinner1_tag_output_column : boolean;
-  signal winnerswinner1_tag_start_of_frame, winnerswinner1_tag_end_of_line : boolean;
-  signal winnerswinner1_pair_index_0_1, winnerswinner1_four_index_0_0 : natural range 0 to 3;
-  signal winnerswinner1_best_index_0_0 : natural range 0 to 3;
-  signal winnerswinner1_pair_index_0_2 : natural range 0 to 5;
-  signal winnerswinner1_pair_index_0_3, winnerswinner1_four_index_0_1 : natural range 0 to 7;
-  signal winnerswinner1_best_index_0_1 : natural range 0 to 7;
-  signal winnerswinner1_pair_index_0_4 : natural range 0 to 9;
-  signal winnerswinner1_pair_index_0_5, winnerswinner1_four_index_0_2 : natural range 0 to 11;
-  signal winnerswinner1_best_index_0_2 : natural range 0 to 11;
+  signal winnerswinner1_pair_index_0_0 : boolean;
+  signal winnerswinner1_pair_tag, winnerswinner1_four_tag, winnerswinner1_tag : tag_5;
+  signal winnerswinner1_pair_index_0 : natural_11_1d(1 to 5);  -- winnerswinner1_pair_index_0_# up to 3, 5 .. 11
+  signal winnerswinner1_four_index_0 : natural_11_1d(0 to 2);  -- winnerswinner1_four_index_0_# up to 3, 7, 11
+  signal winnerswinner1_best_index_0 : natural_11_1d(0 to 2);  -- winnerswinner1_best_index_0_# up to 3, 7, 11
   -- winnerswinner2
   signal winnerswinner2_of_pair_0 : natural_255_1d(0 to 2);
-  signal winnerswinner2_pair_index_0_0 : natural range 0 to 7;
-  signal winnerswinner2_pair_index_0_1, winnerswinner2_four_index_0_0 : natural range 0 to 11;
-  signal winnerswinner2_best_index_0_0 : natural range 0 to 11;
-  signal winnerswinner2_pair_tag_valid, winnerswinner2_pair_tag_map_column : boolean;
-  signal winnerswinner2_pair_tag_output_column, winnerswinner2_pair_tag_start_of_frame : boolean;
-  signal winnerswinner2_pair_tag_end_of_line, winnerswinner2_four_tag_valid : boolean;
-  signal winnerswinner2_four_tag_map_column, winnerswinner2_four_tag_output_column : boolean;
-  signal winnerswinner2_four_tag_start_of_frame, winnerswinner2_four_tag_end_of_line : boolean;
-  signal winnerswinner2_tag_valid, winnerswinner2_tag_map_column, winnerswinner2_tag_output_column : boolean;
-  signal winnerswinner2_tag_start_of_frame, winnerswinner2_tag_end_of_line : boolean;
+  signal winnerswinner2_pair_index_0 : natural_11_1d(0 to 1);  -- winnerswinner2_pair_index_0_# up to 7, 11
+  signal winnerswinner2_four_index_0_0, winnerswinner2_best_index_0_0 : natural range 0 to 11;
+  signal winnerswinner2_pair_tag, winnerswinner2_four_tag, winnerswinner2_tag : tag_5;
   -- winners
   signal winners_best_index_0_0 : natural range 0 to 11;
-  signal winners_best_tag_valid, winners_best_tag_map_column, winners_best_tag_output_column : boolean;
-  signal winners_best_tag_start_of_frame, winners_best_tag_end_of_line : boolean;
+  signal winners_best_tag : tag_5;
   -- turn
   signal turn_order_address, turn_write_place : natural range 0 to 31;
   signal turn_order_falls, turn_order_inside, turn_order_complete, turn_order_output, turn_order_first : boolean;
   signal turn_order_held_output, turn_order_turned_valid, turn_order_turned_output_column : boolean;
-  signal turn_order_turned_start_of_frame, turn_order_turned_end_of_line, turn_comes, turn_read_tag_valid : boolean;
-  signal turn_read_tag_output_column, turn_read_tag_start_of_frame, turn_read_tag_end_of_line : boolean;
-  signal turn_ready_tag_valid, turn_ready_tag_output_column, turn_ready_tag_start_of_frame : boolean;
-  signal turn_ready_tag_end_of_line : boolean;
+  signal turn_order_turned_start_of_frame, turn_order_turned_end_of_line, turn_comes : boolean;
+  signal turn_read_tag, turn_ready_tag : tag_4_b;
   signal turn_newest, turn_write_words_0 : natural range 0 to 267;
   signal turn_read_words_0 : unsigned(8 downto 0);
   signal turn_ready : natural range 0 to 511;
@@ -428,91 +422,6 @@ architecture rtl of stereo_core_tiny_sgm_road is
   signal relief_delayed_0, relief_rows_read_words_0 : unsigned(5 downto 0);
   -- other
   signal other : unsigned_32_1d(0 to 2);
-  signal transform_left_rows_read_words_0_memory_read_enable : boolean;
-  signal transform_left_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal transform_right_rows_read_words_0_memory_read_enable : boolean;
-  signal transform_right_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal turn_read_words_0_memory_read_enable : boolean;
-  signal turn_read_words_0_memory_read_address, turn_read_words_0_memory_write_address : unsigned(4 downto 0);
-  signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
-  signal sums_sum_delay_held_2_memory_read_enable : boolean;
-  signal sums_sum_delay_held_2_memory_read_address, sums_sum_delay_held_2_memory_write_address : unsigned(1 downto 0);
-  signal sums_sum_delay_held_2_memory_write_data : unsigned(31 downto 0);
-  signal sums_sum_delay_held_1_memory_read_enable : boolean;
-  signal sums_sum_delay_held_1_memory_read_address, sums_sum_delay_held_1_memory_write_address : unsigned(1 downto 0);
-  signal sums_sum_delay_held_1_memory_write_data : unsigned(31 downto 0);
-  signal sums_sum_delay_held_0_memory_read_enable : boolean;
-  signal sums_sum_delay_held_0_memory_read_address, sums_sum_delay_held_0_memory_write_address : unsigned(1 downto 0);
-  signal sums_sum_delay_held_0_memory_write_data : unsigned(31 downto 0);
-  signal sums_turn_read_sums_2_memory_read_enable : boolean;
-  signal sums_turn_read_sums_2_memory_read_address, sums_turn_read_sums_2_memory_write_address : unsigned(4 downto 0);
-  signal sums_turn_read_sums_2_memory_write_data : unsigned(31 downto 0);
-  signal sums_turn_read_sums_1_memory_read_enable : boolean;
-  signal sums_turn_read_sums_1_memory_read_address, sums_turn_read_sums_1_memory_write_address : unsigned(4 downto 0);
-  signal sums_turn_read_sums_1_memory_write_data : unsigned(31 downto 0);
-  signal sums_turn_read_sums_0_memory_read_enable : boolean;
-  signal sums_turn_read_sums_0_memory_read_address, sums_turn_read_sums_0_memory_write_address : unsigned(4 downto 0);
-  signal sums_turn_read_sums_0_memory_write_data : unsigned(31 downto 0);
-  signal sums_turn_read_costs_1_memory_read_enable : boolean;
-  signal sums_turn_read_costs_1_memory_read_address, sums_turn_read_costs_1_memory_write_address : unsigned(4 downto 0);
-  signal sums_turn_read_costs_1_memory_write_data : unsigned(5 downto 0);
-  signal sums_turn_read_costs_0_memory_read_enable : boolean;
-  signal sums_turn_read_costs_0_memory_read_address, sums_turn_read_costs_0_memory_write_address : unsigned(4 downto 0);
-  signal sums_turn_read_costs_0_memory_write_data : unsigned(29 downto 0);
-  signal sums_turn_read_smallest_0_memory_read_enable : boolean;
-  signal sums_turn_read_smallest_0_memory_read_address : unsigned(4 downto 0);
-  signal sums_turn_read_smallest_0_memory_write_address : unsigned(4 downto 0);
-  signal sums_turn_read_smallest_0_memory_write_data : unsigned(8 downto 0);
-  signal forward_above_read_words_1_memory_read_enable : boolean;
-  signal forward_above_read_words_1_memory_read_address : unsigned(4 downto 0);
-  signal forward_above_read_words_1_memory_write_address : unsigned(4 downto 0);
-  signal forward_above_read_words_1_memory_write_data : unsigned(31 downto 0);
-  signal forward_above_read_words_0_memory_read_enable : boolean;
-  signal forward_above_read_words_0_memory_read_address : unsigned(4 downto 0);
-  signal forward_above_read_words_0_memory_write_address : unsigned(4 downto 0);
-  signal forward_above_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal forward_above_delay_held_2_memory_read_enable : boolean;
-  signal forward_above_delay_held_2_memory_read_address : unsigned(2 downto 0);
-  signal forward_above_delay_held_2_memory_write_address : unsigned(2 downto 0);
-  signal forward_above_delay_held_2_memory_write_data : unsigned(11 downto 0);
-  signal forward_above_delay_held_1_memory_read_enable : boolean;
-  signal forward_above_delay_held_1_memory_read_address : unsigned(2 downto 0);
-  signal forward_above_delay_held_1_memory_write_address : unsigned(2 downto 0);
-  signal forward_above_delay_held_1_memory_write_data : unsigned(29 downto 0);
-  signal forward_above_delay_held_0_memory_read_enable : boolean;
-  signal forward_above_delay_held_0_memory_read_address : unsigned(2 downto 0);
-  signal forward_above_delay_held_0_memory_write_address : unsigned(2 downto 0);
-  signal forward_above_delay_held_0_memory_write_data : unsigned(29 downto 0);
-  signal forward_cost_delay_held_1_memory_read_enable : boolean;
-  signal forward_cost_delay_held_1_memory_read_address : unsigned(2 downto 0);
-  signal forward_cost_delay_held_1_memory_write_address : unsigned(2 downto 0);
-  signal forward_cost_delay_held_1_memory_write_data : unsigned(7 downto 0);
-  signal forward_cost_delay_held_0_memory_read_enable : boolean;
-  signal forward_cost_delay_held_0_memory_read_address : unsigned(2 downto 0);
-  signal forward_cost_delay_held_0_memory_write_address : unsigned(2 downto 0);
-  signal forward_cost_delay_held_0_memory_write_data : unsigned(31 downto 0);
-  signal relief_rows_read_words_0_memory_read_enable : boolean;
-  signal relief_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
-  signal relief_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
-  signal relief_rows_read_words_0_memory_write_data : unsigned(5 downto 0);
-  signal relief_delayed_0_memory_read_enable : boolean;
-  signal relief_delayed_0_memory_read_address, relief_delayed_0_memory_write_address : unsigned(3 downto 0);
-  signal relief_delayed_0_memory_write_data : unsigned(5 downto 0);
-  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_data : unsigned(27 downto 0);
-  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(27 downto 0);
-  signal delay_delayed_0_memory_read_enable : boolean;
-  signal delay_delayed_0_memory_read_address, delay_delayed_0_memory_write_address : unsigned(3 downto 0);
-  signal delay_delayed_0_memory_write_data : unsigned(13 downto 0);
 
 begin
   in_valid <= valid = '1';
@@ -521,369 +430,287 @@ begin
   in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
   disparity <= std_logic_vector(to_unsigned((turn_ready mod 16), 8));
   pixel_valid <= std_logic_vector(to_unsigned((turn_ready / 256), 1));
-  disparity_valid <= as_bit(turn_ready_tag_valid and turn_ready_tag_output_column);
-  disparity_start_of_frame <= as_bit(turn_ready_tag_start_of_frame and turn_ready_tag_valid and turn_ready_tag_output_column);
-  disparity_end_of_line <= as_bit(turn_ready_tag_end_of_line and turn_ready_tag_valid and turn_ready_tag_output_column);
+  disparity_valid <= as_bit(turn_ready_tag.valid and turn_ready_tag.output_column);
+  disparity_start_of_frame <= as_bit(turn_ready_tag.start_of_frame and turn_ready_tag.valid and turn_ready_tag.output_column);
+  disparity_end_of_line <= as_bit(turn_ready_tag.end_of_line and turn_ready_tag.valid and turn_ready_tag.output_column);
 
-  transform_left_rows_read_words_0_memory_read_enable <= true;
-  transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 6);
-  transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 6);
-  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
-  transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32, address_bits => 6)
-    port map (
-      clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
-      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words_0,
-      write_address => transform_left_rows_read_words_0_memory_write_address, write_data => transform_left_rows_read_words_0_memory_write_data);
+  transform_left_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(5 downto 0);
+  begin
+    read_address <= to_unsigned(transform_counter_column, 6);
+    write_address <= to_unsigned(transform_write_column, 6);
+    cell : entity work.line_memory
+      generic map (depth => 40, width => 32, address_bits => 6)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        transform_left_rows_read_words_0, write_address => write_address, write_data =>
+        transform_left_rows_write_words_0);
+  end block;
 
-  transform_right_rows_read_words_0_memory_read_enable <= true;
-  transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 6);
-  transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 6);
-  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
-  transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32, address_bits => 6)
-    port map (
-      clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
-      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words_0,
-      write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
+  transform_right_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(5 downto 0);
+  begin
+    read_address <= to_unsigned(transform_counter_column, 6);
+    write_address <= to_unsigned(transform_write_column, 6);
+    cell : entity work.line_memory
+      generic map (depth => 40, width => 32, address_bits => 6)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        transform_right_rows_read_words_0, write_address => write_address, write_data =>
+        transform_right_rows_write_words_0);
+  end block;
 
-  turn_read_words_0_memory_read_enable <= true;
-  turn_read_words_0_memory_read_address <= to_unsigned(turn_order_address, 5);
-  turn_read_words_0_memory_write_address <= to_unsigned(turn_write_place, 5);
-  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 9);
-  turn_read_words_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 9, address_bits => 5)
-    port map (
-      clock => clock, read_enable => turn_read_words_0_memory_read_enable,
-      read_address => turn_read_words_0_memory_read_address, read_data => turn_read_words_0,
-      write_address => turn_read_words_0_memory_write_address, write_data => turn_read_words_0_memory_write_data);
+  turn_read_words_0_memory : block
+    signal read_address, write_address : unsigned(4 downto 0);
+    signal write_data : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(turn_order_address, 5);
+    write_address <= to_unsigned(turn_write_place, 5);
+    write_data <= to_unsigned(turn_write_words_0, 9);
+    cell : entity work.line_memory
+      generic map (depth => 29, width => 9, address_bits => 5)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => turn_read_words_0,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  sums_sum_delay_held_2_memory_read_enable <= entry_tag_valid;
-  sums_sum_delay_held_2_memory_read_address <= to_unsigned(sums_sum_delay_ring_read_address, 2);
-  sums_sum_delay_held_2_memory_write_address <= to_unsigned(sums_sum_delay_ring_write_address, 2);
-  sums_sum_delay_held_2_memory_write_data <= sums_turn_ready_sums(2);
-  sums_sum_delay_held_2_memory : entity work.line_memory
-    generic map (depth => 4, width => 32, address_bits => 2)
-    port map (
-      clock => clock, read_enable => sums_sum_delay_held_2_memory_read_enable,
-      read_address => sums_sum_delay_held_2_memory_read_address, read_data => sums_sum_delay_held(2),
-      write_address => sums_sum_delay_held_2_memory_write_address, write_data => sums_sum_delay_held_2_memory_write_data);
+  sums_sum_delay_held_memory : for i in 2 downto 0 generate
+    signal read_address, write_address : unsigned(1 downto 0);
+  begin
+    read_address <= to_unsigned(sums_sum_delay_ring_read_address, 2);
+    write_address <= to_unsigned(sums_sum_delay_ring_write_address, 2);
+    cell : entity work.line_memory
+      generic map (depth => 4, width => 32, address_bits => 2)
+      port map (clock => clock, read_enable => entry_tag.valid, read_address => read_address, read_data =>
+        sums_sum_delay_held(i), write_address => write_address, write_data => sums_turn_ready_sums(i));
+  end generate;
 
-  sums_sum_delay_held_1_memory_read_enable <= entry_tag_valid;
-  sums_sum_delay_held_1_memory_read_address <= to_unsigned(sums_sum_delay_ring_read_address, 2);
-  sums_sum_delay_held_1_memory_write_address <= to_unsigned(sums_sum_delay_ring_write_address, 2);
-  sums_sum_delay_held_1_memory_write_data <= sums_turn_ready_sums(1);
-  sums_sum_delay_held_1_memory : entity work.line_memory
-    generic map (depth => 4, width => 32, address_bits => 2)
-    port map (
-      clock => clock, read_enable => sums_sum_delay_held_1_memory_read_enable,
-      read_address => sums_sum_delay_held_1_memory_read_address, read_data => sums_sum_delay_held(1),
-      write_address => sums_sum_delay_held_1_memory_write_address, write_data => sums_sum_delay_held_1_memory_write_data);
+  sums_turn_read_sums_memory : for i in 2 downto 0 generate
+    signal read_address, write_address : unsigned(4 downto 0);
+  begin
+    read_address <= to_unsigned(entry_order_address, 5);
+    write_address <= to_unsigned(sums_turn_write_place, 5);
+    cell : entity work.line_memory
+      generic map (depth => 29, width => 32, address_bits => 5)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => sums_turn_read_sums(i),
+        write_address => write_address, write_data => sums_turn_write_sums(i));
+  end generate;
 
-  sums_sum_delay_held_0_memory_read_enable <= entry_tag_valid;
-  sums_sum_delay_held_0_memory_read_address <= to_unsigned(sums_sum_delay_ring_read_address, 2);
-  sums_sum_delay_held_0_memory_write_address <= to_unsigned(sums_sum_delay_ring_write_address, 2);
-  sums_sum_delay_held_0_memory_write_data <= sums_turn_ready_sums(0);
-  sums_sum_delay_held_0_memory : entity work.line_memory
-    generic map (depth => 4, width => 32, address_bits => 2)
-    port map (
-      clock => clock, read_enable => sums_sum_delay_held_0_memory_read_enable,
-      read_address => sums_sum_delay_held_0_memory_read_address, read_data => sums_sum_delay_held(0),
-      write_address => sums_sum_delay_held_0_memory_write_address, write_data => sums_sum_delay_held_0_memory_write_data);
+  sums_turn_read_costs_1_memory : block
+    signal read_address, write_address : unsigned(4 downto 0);
+    signal write_data : unsigned(5 downto 0);
+  begin
+    read_address <= to_unsigned(entry_order_address, 5);
+    write_address <= to_unsigned(sums_turn_write_place, 5);
+    write_data <= to_unsigned(sums_turn_write_costs_1, 6);
+    cell : entity work.line_memory
+      generic map (depth => 29, width => 6, address_bits => 5)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => sums_turn_read_costs_1,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  sums_turn_read_sums_2_memory_read_enable <= true;
-  sums_turn_read_sums_2_memory_read_address <= to_unsigned(entry_order_address, 5);
-  sums_turn_read_sums_2_memory_write_address <= to_unsigned(sums_turn_write_place, 5);
-  sums_turn_read_sums_2_memory_write_data <= sums_turn_write_sums(2);
-  sums_turn_read_sums_2_memory : entity work.line_memory
-    generic map (depth => 29, width => 32, address_bits => 5)
-    port map (
-      clock => clock, read_enable => sums_turn_read_sums_2_memory_read_enable,
-      read_address => sums_turn_read_sums_2_memory_read_address, read_data => sums_turn_read_sums(2),
-      write_address => sums_turn_read_sums_2_memory_write_address, write_data => sums_turn_read_sums_2_memory_write_data);
+  sums_turn_read_costs_0_memory : block
+    signal read_address, write_address : unsigned(4 downto 0);
+    signal write_data : unsigned(29 downto 0);
+  begin
+    read_address <= to_unsigned(entry_order_address, 5);
+    write_address <= to_unsigned(sums_turn_write_place, 5);
+    write_data <= to_unsigned(sums_turn_write_costs_0, 30);
+    cell : entity work.line_memory
+      generic map (depth => 29, width => 30, address_bits => 5)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => sums_turn_read_costs_0,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  sums_turn_read_sums_1_memory_read_enable <= true;
-  sums_turn_read_sums_1_memory_read_address <= to_unsigned(entry_order_address, 5);
-  sums_turn_read_sums_1_memory_write_address <= to_unsigned(sums_turn_write_place, 5);
-  sums_turn_read_sums_1_memory_write_data <= sums_turn_write_sums(1);
-  sums_turn_read_sums_1_memory : entity work.line_memory
-    generic map (depth => 29, width => 32, address_bits => 5)
-    port map (
-      clock => clock, read_enable => sums_turn_read_sums_1_memory_read_enable,
-      read_address => sums_turn_read_sums_1_memory_read_address, read_data => sums_turn_read_sums(1),
-      write_address => sums_turn_read_sums_1_memory_write_address, write_data => sums_turn_read_sums_1_memory_write_data);
+  sums_turn_read_smallest_0_memory : block
+    signal read_address, write_address : unsigned(4 downto 0);
+    signal write_data : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(entry_order_address, 5);
+    write_address <= to_unsigned(sums_turn_write_place, 5);
+    write_data <= to_unsigned(sums_turn_write_smallest_0, 9);
+    cell : entity work.line_memory
+      generic map (depth => 29, width => 9, address_bits => 5)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        sums_turn_read_smallest_0, write_address => write_address, write_data => write_data);
+  end block;
 
-  sums_turn_read_sums_0_memory_read_enable <= true;
-  sums_turn_read_sums_0_memory_read_address <= to_unsigned(entry_order_address, 5);
-  sums_turn_read_sums_0_memory_write_address <= to_unsigned(sums_turn_write_place, 5);
-  sums_turn_read_sums_0_memory_write_data <= sums_turn_write_sums(0);
-  sums_turn_read_sums_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 32, address_bits => 5)
-    port map (
-      clock => clock, read_enable => sums_turn_read_sums_0_memory_read_enable,
-      read_address => sums_turn_read_sums_0_memory_read_address, read_data => sums_turn_read_sums(0),
-      write_address => sums_turn_read_sums_0_memory_write_address, write_data => sums_turn_read_sums_0_memory_write_data);
+  forward_above_read_words_memory : for i in 1 downto 0 generate
+    signal read_address, write_address : unsigned(4 downto 0);
+  begin
+    read_address <= to_unsigned(entry_next_column, 5);
+    write_address <= to_unsigned(forward_above_write_column, 5);
+    cell : entity work.line_memory
+      generic map (depth => 29, width => 32, address_bits => 5)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        forward_above_read_words(i), write_address => write_address, write_data => forward_above_write_words(i));
+  end generate;
 
-  sums_turn_read_costs_1_memory_read_enable <= true;
-  sums_turn_read_costs_1_memory_read_address <= to_unsigned(entry_order_address, 5);
-  sums_turn_read_costs_1_memory_write_address <= to_unsigned(sums_turn_write_place, 5);
-  sums_turn_read_costs_1_memory_write_data <= to_unsigned(sums_turn_write_costs_1, 6);
-  sums_turn_read_costs_1_memory : entity work.line_memory
-    generic map (depth => 29, width => 6, address_bits => 5)
-    port map (
-      clock => clock, read_enable => sums_turn_read_costs_1_memory_read_enable,
-      read_address => sums_turn_read_costs_1_memory_read_address, read_data => sums_turn_read_costs_1,
-      write_address => sums_turn_read_costs_1_memory_write_address, write_data => sums_turn_read_costs_1_memory_write_data);
+  forward_above_delay_held_2_memory : block
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(11 downto 0);
+  begin
+    read_address <= to_unsigned(forward_cost_delay_ring_read_address, 3);
+    write_address <= to_unsigned(forward_cost_delay_ring_write_address, 3);
+    write_data <= to_unsigned(forward_above_total(11), 6) & to_unsigned(forward_above_total(10), 6);
+    cell : entity work.line_memory
+      generic map (depth => 5, width => 12, address_bits => 3)
+      port map (clock => clock, read_enable => entry_tag.valid, read_address => read_address, read_data =>
+        forward_above_delay_held_2, write_address => write_address, write_data => write_data);
+  end block;
 
-  sums_turn_read_costs_0_memory_read_enable <= true;
-  sums_turn_read_costs_0_memory_read_address <= to_unsigned(entry_order_address, 5);
-  sums_turn_read_costs_0_memory_write_address <= to_unsigned(sums_turn_write_place, 5);
-  sums_turn_read_costs_0_memory_write_data <= to_unsigned(sums_turn_write_costs_0, 30);
-  sums_turn_read_costs_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 30, address_bits => 5)
-    port map (
-      clock => clock, read_enable => sums_turn_read_costs_0_memory_read_enable,
-      read_address => sums_turn_read_costs_0_memory_read_address, read_data => sums_turn_read_costs_0,
-      write_address => sums_turn_read_costs_0_memory_write_address, write_data => sums_turn_read_costs_0_memory_write_data);
+  forward_above_delay_held_memory : for i in 1 downto 0 generate
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(29 downto 0);
+  begin
+    read_address <= to_unsigned(forward_cost_delay_ring_read_address, 3);
+    write_address <= to_unsigned(forward_cost_delay_ring_write_address, 3);
+    write_data <= to_unsigned(forward_above_total(5 * i + 4), 6) & to_unsigned(forward_above_total(5 * i + 3), 6) &
+      to_unsigned(forward_above_total(5 * i + 2), 6) & to_unsigned(forward_above_total(5 * i + 1), 6) &
+      to_unsigned(forward_above_total(5 * i), 6);
+    cell : entity work.line_memory
+      generic map (depth => 5, width => 30, address_bits => 3)
+      port map (clock => clock, read_enable => entry_tag.valid, read_address => read_address, read_data =>
+        forward_above_delay_held(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  sums_turn_read_smallest_0_memory_read_enable <= true;
-  sums_turn_read_smallest_0_memory_read_address <= to_unsigned(entry_order_address, 5);
-  sums_turn_read_smallest_0_memory_write_address <= to_unsigned(sums_turn_write_place, 5);
-  sums_turn_read_smallest_0_memory_write_data <= to_unsigned(sums_turn_write_smallest_0, 9);
-  sums_turn_read_smallest_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 9, address_bits => 5)
-    port map (
-      clock => clock, read_enable => sums_turn_read_smallest_0_memory_read_enable,
-      read_address => sums_turn_read_smallest_0_memory_read_address, read_data => sums_turn_read_smallest_0,
-      write_address => sums_turn_read_smallest_0_memory_write_address, write_data => sums_turn_read_smallest_0_memory_write_data);
+  forward_cost_delay_held_1_memory : block
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(7 downto 0);
+  begin
+    read_address <= to_unsigned(forward_above_delay_ring_read_address, 3);
+    write_address <= to_unsigned(forward_above_delay_ring_write_address, 3);
+    write_data <= ((to_unsigned(entry_cost(11), 5) & to_unsigned(0, 3)) or (to_unsigned(entry_cost(10), 8)));
+    cell : entity work.line_memory
+      generic map (depth => 5, width => 8, address_bits => 3)
+      port map (clock => clock, read_enable => entry_tag.valid, read_address => read_address, read_data =>
+        forward_cost_delay_held_1, write_address => write_address, write_data => write_data);
+  end block;
 
-  forward_above_read_words_1_memory_read_enable <= true;
-  forward_above_read_words_1_memory_read_address <= to_unsigned(entry_next_column, 5);
-  forward_above_read_words_1_memory_write_address <= to_unsigned(forward_above_write_column, 5);
-  forward_above_read_words_1_memory_write_data <= forward_above_write_words(1);
-  forward_above_read_words_1_memory : entity work.line_memory
-    generic map (depth => 29, width => 32, address_bits => 5)
-    port map (
-      clock => clock, read_enable => forward_above_read_words_1_memory_read_enable,
-      read_address => forward_above_read_words_1_memory_read_address, read_data => forward_above_read_words(1),
-      write_address => forward_above_read_words_1_memory_write_address, write_data => forward_above_read_words_1_memory_write_data);
+  forward_cost_delay_held_0_memory : block
+    signal read_address, write_address : unsigned(2 downto 0);
+    signal write_data : unsigned(31 downto 0);
+  begin
+    read_address <= to_unsigned(forward_above_delay_ring_read_address, 3);
+    write_address <= to_unsigned(forward_above_delay_ring_write_address, 3);
+    write_data <= ((((((((((((((((((to_unsigned(entry_cost(8), 8) & to_unsigned(0, 24)) or (to_unsigned(entry_cost(9),
+      5) & to_unsigned(0, 27)))) or (to_unsigned(entry_cost(7), 11) & to_unsigned(0, 21)))) or
+      (to_unsigned(entry_cost(6), 14) & to_unsigned(0, 18)))) or (to_unsigned(entry_cost(5), 17) & to_unsigned(0,
+      15)))) or (to_unsigned(entry_cost(4), 20) & to_unsigned(0, 12)))) or (to_unsigned(entry_cost(3), 23) &
+      to_unsigned(0, 9)))) or (to_unsigned(entry_cost(2), 26) & to_unsigned(0, 6)))) or (to_unsigned(entry_cost(0),
+      32)))) or (to_unsigned(entry_cost(1), 29) & to_unsigned(0, 3)));
+    cell : entity work.line_memory
+      generic map (depth => 5, width => 32, address_bits => 3)
+      port map (clock => clock, read_enable => entry_tag.valid, read_address => read_address, read_data =>
+        forward_cost_delay_held_0, write_address => write_address, write_data => write_data);
+  end block;
 
-  forward_above_read_words_0_memory_read_enable <= true;
-  forward_above_read_words_0_memory_read_address <= to_unsigned(entry_next_column, 5);
-  forward_above_read_words_0_memory_write_address <= to_unsigned(forward_above_write_column, 5);
-  forward_above_read_words_0_memory_write_data <= forward_above_write_words(0);
-  forward_above_read_words_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 32, address_bits => 5)
-    port map (
-      clock => clock, read_enable => forward_above_read_words_0_memory_read_enable,
-      read_address => forward_above_read_words_0_memory_read_address, read_data => forward_above_read_words(0),
-      write_address => forward_above_read_words_0_memory_write_address, write_data => forward_above_read_words_0_memory_write_data);
+  relief_rows_read_words_0_memory : block
+    signal read_address, write_address, write_data : unsigned(5 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 6);
+    write_address <= to_unsigned(rows_write_column, 6);
+    write_data <= to_unsigned(relief_rows_write_words_0, 6);
+    cell : entity work.line_memory
+      generic map (depth => 40, width => 6, address_bits => 6)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        relief_rows_read_words_0, write_address => write_address, write_data => write_data);
+  end block;
 
-  forward_above_delay_held_2_memory_read_enable <= entry_tag_valid;
-  forward_above_delay_held_2_memory_read_address <= to_unsigned(forward_cost_delay_ring_read_address, 3);
-  forward_above_delay_held_2_memory_write_address <= to_unsigned(forward_cost_delay_ring_write_address, 3);
-  forward_above_delay_held_2_memory_write_data <= to_unsigned(forward_above_total(11), 6) & to_unsigned(forward_above_total(10), 6);
-  forward_above_delay_held_2_memory : entity work.line_memory
-    generic map (depth => 5, width => 12, address_bits => 3)
-    port map (
-      clock => clock, read_enable => forward_above_delay_held_2_memory_read_enable,
-      read_address => forward_above_delay_held_2_memory_read_address, read_data => forward_above_delay_held_2,
-      write_address => forward_above_delay_held_2_memory_write_address, write_data => forward_above_delay_held_2_memory_write_data);
+  relief_delayed_0_memory : block
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(5 downto 0);
+  begin
+    read_address <= to_unsigned(delay_ring_read_address, 4);
+    write_address <= to_unsigned(delay_ring_write_address, 4);
+    write_data <= to_unsigned(relief_newest, 6);
+    cell : entity work.line_memory
+      generic map (depth => 12, width => 6, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => relief_delayed_0,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  forward_above_delay_held_1_memory_read_enable <= entry_tag_valid;
-  forward_above_delay_held_1_memory_read_address <= to_unsigned(forward_cost_delay_ring_read_address, 3);
-  forward_above_delay_held_1_memory_write_address <= to_unsigned(forward_cost_delay_ring_write_address, 3);
-  forward_above_delay_held_1_memory_write_data <= to_unsigned(forward_above_total(9), 6) & to_unsigned(forward_above_total(8), 6) & to_unsigned(forward_above_total(7), 6) & to_unsigned(forward_above_total(6), 6) & to_unsigned(forward_above_total(5), 6);
-  forward_above_delay_held_1_memory : entity work.line_memory
-    generic map (depth => 5, width => 30, address_bits => 3)
-    port map (
-      clock => clock, read_enable => forward_above_delay_held_1_memory_read_enable,
-      read_address => forward_above_delay_held_1_memory_read_address, read_data => forward_above_delay_held(1),
-      write_address => forward_above_delay_held_1_memory_write_address, write_data => forward_above_delay_held_1_memory_write_data);
+  rows_search_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(5 downto 0);
+    signal write_data : unsigned(27 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 6);
+    write_address <= to_unsigned(rows_write_column, 6);
+    write_data <= to_unsigned(rows_search_rows_write_words_0, 28);
+    cell : entity work.line_memory
+      generic map (depth => 40, width => 28, address_bits => 6)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_search_rows_read_words_0, write_address => write_address, write_data => write_data);
+  end block;
 
-  forward_above_delay_held_0_memory_read_enable <= entry_tag_valid;
-  forward_above_delay_held_0_memory_read_address <= to_unsigned(forward_cost_delay_ring_read_address, 3);
-  forward_above_delay_held_0_memory_write_address <= to_unsigned(forward_cost_delay_ring_write_address, 3);
-  forward_above_delay_held_0_memory_write_data <= to_unsigned(forward_above_total(4), 6) & to_unsigned(forward_above_total(3), 6) & to_unsigned(forward_above_total(2), 6) & to_unsigned(forward_above_total(1), 6) & to_unsigned(forward_above_total(0), 6);
-  forward_above_delay_held_0_memory : entity work.line_memory
-    generic map (depth => 5, width => 30, address_bits => 3)
-    port map (
-      clock => clock, read_enable => forward_above_delay_held_0_memory_read_enable,
-      read_address => forward_above_delay_held_0_memory_read_address, read_data => forward_above_delay_held(0),
-      write_address => forward_above_delay_held_0_memory_write_address, write_data => forward_above_delay_held_0_memory_write_data);
+  rows_reference_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(5 downto 0);
+    signal write_data : unsigned(27 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 6);
+    write_address <= to_unsigned(rows_write_column, 6);
+    write_data <= to_unsigned(rows_reference_rows_write_words_0, 28);
+    cell : entity work.line_memory
+      generic map (depth => 40, width => 28, address_bits => 6)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_reference_rows_read_words_0, write_address => write_address, write_data => write_data);
+  end block;
 
-  forward_cost_delay_held_1_memory_read_enable <= entry_tag_valid;
-  forward_cost_delay_held_1_memory_read_address <= to_unsigned(forward_above_delay_ring_read_address, 3);
-  forward_cost_delay_held_1_memory_write_address <= to_unsigned(forward_above_delay_ring_write_address, 3);
-  forward_cost_delay_held_1_memory_write_data <= ((to_unsigned(entry_cost(11), 5) & to_unsigned(0, 3)) or (to_unsigned(entry_cost(10), 8)));
-  forward_cost_delay_held_1_memory : entity work.line_memory
-    generic map (depth => 5, width => 8, address_bits => 3)
-    port map (
-      clock => clock, read_enable => forward_cost_delay_held_1_memory_read_enable,
-      read_address => forward_cost_delay_held_1_memory_read_address, read_data => forward_cost_delay_held_1,
-      write_address => forward_cost_delay_held_1_memory_write_address, write_data => forward_cost_delay_held_1_memory_write_data);
-
-  forward_cost_delay_held_0_memory_read_enable <= entry_tag_valid;
-  forward_cost_delay_held_0_memory_read_address <= to_unsigned(forward_above_delay_ring_read_address, 3);
-  forward_cost_delay_held_0_memory_write_address <= to_unsigned(forward_above_delay_ring_write_address, 3);
-  forward_cost_delay_held_0_memory_write_data <= ((((((((((((((((((to_unsigned(entry_cost(8), 8) & to_unsigned(0, 24)) or (to_unsigned(entry_cost(9), 5) & to_unsigned(0, 27)))) or (to_unsigned(entry_cost(7), 11) & to_unsigned(0, 21)))) or (to_unsigned(entry_cost(6), 14) & to_unsigned(0, 18)))) or (to_unsigned(entry_cost(5), 17) & to_unsigned(0, 15)))) or (to_unsigned(entry_cost(4), 20) & to_unsigned(0, 12)))) or (to_unsigned(entry_cost(3), 23) & to_unsigned(0, 9)))) or (to_unsigned(entry_cost(2), 26) & to_unsigned(0, 6)))) or (to_unsigned(entry_cost(0), 32)))) or (to_unsigned(entry_cost(1), 29) & to_unsigned(0, 3)));
-  forward_cost_delay_held_0_memory : entity work.line_memory
-    generic map (depth => 5, width => 32, address_bits => 3)
-    port map (
-      clock => clock, read_enable => forward_cost_delay_held_0_memory_read_enable,
-      read_address => forward_cost_delay_held_0_memory_read_address, read_data => forward_cost_delay_held_0,
-      write_address => forward_cost_delay_held_0_memory_write_address, write_data => forward_cost_delay_held_0_memory_write_data);
-
-  relief_rows_read_words_0_memory_read_enable <= true;
-  relief_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 6);
-  relief_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 6);
-  relief_rows_read_words_0_memory_write_data <= to_unsigned(relief_rows_write_words_0, 6);
-  relief_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 6, address_bits => 6)
-    port map (
-      clock => clock, read_enable => relief_rows_read_words_0_memory_read_enable,
-      read_address => relief_rows_read_words_0_memory_read_address, read_data => relief_rows_read_words_0,
-      write_address => relief_rows_read_words_0_memory_write_address, write_data => relief_rows_read_words_0_memory_write_data);
-
-  relief_delayed_0_memory_read_enable <= true;
-  relief_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 4);
-  relief_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 4);
-  relief_delayed_0_memory_write_data <= to_unsigned(relief_newest, 6);
-  relief_delayed_0_memory : entity work.line_memory
-    generic map (depth => 12, width => 6, address_bits => 4)
-    port map (
-      clock => clock, read_enable => relief_delayed_0_memory_read_enable,
-      read_address => relief_delayed_0_memory_read_address, read_data => relief_delayed_0,
-      write_address => relief_delayed_0_memory_write_address, write_data => relief_delayed_0_memory_write_data);
-
-  rows_search_rows_read_words_0_memory_read_enable <= true;
-  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 6);
-  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 6);
-  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 28);
-  rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 28, address_bits => 6)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
-      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
-      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
-
-  rows_reference_rows_read_words_0_memory_read_enable <= true;
-  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 6);
-  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 6);
-  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 28);
-  rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 28, address_bits => 6)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
-      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
-
-  delay_delayed_0_memory_read_enable <= true;
-  delay_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 4);
-  delay_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 4);
-  delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 14);
-  delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 12, width => 14, address_bits => 4)
-    port map (
-      clock => clock, read_enable => delay_delayed_0_memory_read_enable,
-      read_address => delay_delayed_0_memory_read_address, read_data => delay_delayed_0,
-      write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
+  delay_delayed_0_memory : block
+    signal read_address, write_address : unsigned(3 downto 0);
+    signal write_data : unsigned(13 downto 0);
+  begin
+    read_address <= to_unsigned(delay_ring_read_address, 4);
+    write_address <= to_unsigned(delay_ring_write_address, 4);
+    write_data <= to_unsigned(raster_features_reference_0, 14);
+    cell : entity work.line_memory
+      generic map (depth => 12, width => 14, address_bits => 4)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => delay_delayed_0,
+        write_address => write_address, write_data => write_data);
+  end block;
 
   process (clock)
-    variable transform_counter_group_is_equal : boolean;
-    variable transform_counter_group_is_equals : boolean_1d(2 to 3);  -- transform_counter_group_is_equal_#
-    variable transform_counter_group_all, transform_read_column_inside_0_value : boolean;
-    variable transform_read_column_inside_0_values : boolean_1d(2 to 3);  -- transform_read_column_inside_0_value_#
+    variable transform_counter_group_is_equals : boolean_1d(1 to 3);  -- transform_counter_group_is_equal_#
+    variable transform_counter_group_all : boolean;
+    variable transform_read_column_inside_0_values : boolean_1d(1 to 3);  -- transform_read_column_inside_0_value_#
     variable transform_read_column_inside_2_is_equal, transform_read_column_inside_2_differs : boolean;
-    variable transform_read_column_inside_6_choice, transform_left_filter_feature_0_value : boolean;
-    variable transform_left_filter_feature_0_any, transform_left_filter_feature_0_choice : boolean;
+    variable transform_read_column_inside_6_choice : boolean;
+    variable transform_left_filter_feature_0_values : boolean_1d(1 to 11);  -- transform_left_filter_feature_0_value_#
+    variable transform_left_filter_feature_0_any : boolean;
+    variable transform_left_filter_feature_0_choices : boolean_1d(1 to 121);  -- transform_left_filter_feature_0_choice_#
     variable transform_left_filter_feature_0_is_equal : boolean;
-    variable transform_left_filter_feature_0_choices : boolean_1d(2 to 16);  -- transform_left_filter_feature_0_choice_#
-    variable transform_left_filter_feature_0_values : boolean_1d(2 to 11);  -- transform_left_filter_feature_0_value_#
-    variable transform_left_filter_feature_0_choices_from_18 : boolean_1d(18 to 121);  -- transform_left_filter_feature_0_choice_#
-    variable transform_left_filter_feature_0_all : boolean;
-    variable transform_left_filter_feature_0_alls : boolean_1d(2 to 4);  -- transform_left_filter_feature_0_all_#
-    variable transform_right_filter_feature_0_value, transform_right_filter_feature_0_any : boolean;
-    variable transform_right_filter_feature_0_choice, transform_right_filter_feature_0_is_equal : boolean;
-    variable transform_right_filter_feature_0_choices : boolean_1d(2 to 16);  -- transform_right_filter_feature_0_choice_#
-    variable transform_right_filter_feature_0_values : boolean_1d(2 to 11);  -- transform_right_filter_feature_0_value_#
-    variable transform_right_filter_feature_0_choices_from_18 : boolean_1d(18 to 125);  -- transform_right_filter_feature_0_choice_#
-    variable transform_right_filter_feature_0_all : boolean;
-    variable transform_right_filter_feature_0_alls : boolean_1d(2 to 4);  -- transform_right_filter_feature_0_all_#
-    variable transform_counter_next_frame_choice, raster_place_group_is_equal : boolean;
-    variable raster_place_group_is_equals : boolean_1d(2 to 3);  -- raster_place_group_is_equal_#
-    variable raster_place_group_all, raster_place_group_choice_2, raster_place_next_frame_choice : boolean;
-    variable raster_place_next_frame_choice_2, delay_row_inside_1_is_not_less, delay_row_inside_1_is_less : boolean;
-    variable delay_tag_first_cost_is_equal, delay_tag_map_column_is_not_less, delay_tag_map_column_is_less : boolean;
-    variable slice0cost_pixels_first_0_count_value : boolean_2d(0 to 2, 0 to 4);  -- slice0cost_pixels_first_#_0_count_#_value
-    variable slice0cost_pixels_first_0_count_value_2 : boolean_2d(0 to 2, 0 to 3);  -- slice0cost_pixels_first_#_0_count_#_value_2
-    variable slice0cost_pixels_first_0_count_1_value_3 : boolean_1d(0 to 2);  -- slice0cost_pixels_first_#_0_count_1_value_3
-    variable slice0cost_pixels_first_0_count_3_value_3 : boolean_1d(0 to 2);  -- slice0cost_pixels_first_#_0_count_3_value_3
-    variable slice1cost_pixels_first_0_count_value : boolean_2d(0 to 2, 0 to 4);  -- slice1cost_pixels_first_#_0_count_#_value
-    variable slice1cost_pixels_first_0_count_value_2 : boolean_2d(0 to 2, 0 to 3);  -- slice1cost_pixels_first_#_0_count_#_value_2
-    variable slice1cost_pixels_first_0_count_1_value_3 : boolean_1d(0 to 2);  -- slice1cost_pixels_first_#_0_count_1_value_3
-    variable slice1cost_pixels_first_0_count_3_value_3 : boolean_1d(0 to 2);  -- slice1cost_pixels_first_#_0_count_3_value_3
-    variable slice2cost_pixels_first_0_count_value : boolean_2d(0 to 2, 0 to 4);  -- slice2cost_pixels_first_#_0_count_#_value
-    variable slice2cost_pixels_first_0_count_value_2 : boolean_2d(0 to 2, 0 to 3);  -- slice2cost_pixels_first_#_0_count_#_value_2
-    variable slice2cost_pixels_first_0_count_1_value_3 : boolean_1d(0 to 2);  -- slice2cost_pixels_first_#_0_count_1_value_3
-    variable slice2cost_pixels_first_0_count_3_value_3 : boolean_1d(0 to 2);  -- slice2cost_pixels_first_#_0_count_3_value_3
+    variable transform_left_filter_feature_0_alls : boolean_1d(1 to 4);  -- transform_left_filter_feature_0_all_#
+    variable transform_right_filter_feature_0_values : boolean_1d(1 to 11);  -- transform_right_filter_feature_0_value_#
+    variable transform_right_filter_feature_0_any : boolean;
+    variable transform_right_filter_feature_0_choices : boolean_1d(1 to 125);  -- transform_right_filter_feature_0_choice_#
+    variable transform_right_filter_feature_0_is_equal : boolean;
+    variable transform_right_filter_feature_0_alls : boolean_1d(1 to 4);  -- transform_right_filter_feature_0_all_#
+    variable transform_counter_next_frame_choice : boolean;
+    variable raster_place_group_is_equals : boolean_1d(1 to 3);  -- raster_place_group_is_equal_#
+    variable raster_place_group_all, raster_place_group_choice_2 : boolean;
+    variable raster_place_next_frame_choices : boolean_1d(1 to 2);  -- raster_place_next_frame_choice_#
+    variable delay_row_inside_1_is_not_less, delay_row_inside_1_is_less, delay_tag_first_cost_is_equal : boolean;
+    variable delay_tag_map_column_is_not_less, delay_tag_map_column_is_less : boolean;
+    variable slice0cost_pixels_first_0_count_value : boolean_3d(0 to 2, 0 to 4, 1 to 3);  -- slice0cost_pixels_first_#_0_count_#_value_#
+    variable slice1cost_pixels_first_0_count_value : boolean_3d(0 to 2, 0 to 4, 1 to 3);  -- slice1cost_pixels_first_#_0_count_#_value_#
+    variable slice2cost_pixels_first_0_count_value : boolean_3d(0 to 2, 0 to 4, 1 to 3);  -- slice2cost_pixels_first_#_0_count_#_value_#
     variable entry_order_falls_any, entry_order_falls_all, entry_order_complete_all, entry_order_complete_any : boolean;
     variable entry_order_turned_output_column_choice, forward_left_start_cost_0_any : boolean;
-    variable forward_left_start_cost_0_choice : boolean;
-    variable forward_left_start_cost_0_choices : boolean_1d(2 to 6);  -- forward_left_start_cost_0_choice_#
-    variable forward_left_start_cost_0_value : boolean;
-    variable forward_left_start_cost_0_values : boolean_1d(2 to 3);  -- forward_left_start_cost_0_value_#
-    variable forward_left_start_cost_0_is_less, sums_right_start_cost_0_any, sums_right_start_cost_0_choice : boolean;
-    variable sums_right_start_cost_0_choices : boolean_1d(2 to 6);  -- sums_right_start_cost_0_choice_#
-    variable sums_right_start_cost_0_value : boolean;
-    variable sums_right_start_cost_0_values : boolean_1d(2 to 3);  -- sums_right_start_cost_0_value_#
+    variable forward_left_start_cost_0_choices : boolean_1d(1 to 6);  -- forward_left_start_cost_0_choice_#
+    variable forward_left_start_cost_0_values : boolean_1d(1 to 3);  -- forward_left_start_cost_0_value_#
+    variable forward_left_start_cost_0_is_less, sums_right_start_cost_0_any : boolean;
+    variable sums_right_start_cost_0_choices : boolean_1d(1 to 6);  -- sums_right_start_cost_0_choice_#
+    variable sums_right_start_cost_0_values : boolean_1d(1 to 3);  -- sums_right_start_cost_0_value_#
     variable sums_right_start_cost_0_is_less, sums_turn_writes_copy_0_choice : boolean;
-    variable winnerswinner1_of_pair_0_0_choice : boolean;
-    variable winnerswinner1_of_pair_0_0_choices : boolean_1d(2 to 8);  -- winnerswinner1_of_pair_0_0_choice_#
-    variable winnerswinner1_of_pair_0_0_value : boolean;
-    variable winnerswinner1_of_pair_0_0_values : boolean_1d(2 to 5);  -- winnerswinner1_of_pair_0_0_value_#
-    variable winnerswinner1_of_pair_0_2_choice : boolean;
-    variable winnerswinner1_of_pair_0_2_choices : boolean_1d(2 to 8);  -- winnerswinner1_of_pair_0_2_choice_#
-    variable winnerswinner1_of_pair_0_2_value : boolean;
-    variable winnerswinner1_of_pair_0_2_values : boolean_1d(2 to 5);  -- winnerswinner1_of_pair_0_2_value_#
-    variable winnerswinner1_of_pair_0_4_choice : boolean;
-    variable winnerswinner1_of_pair_0_4_choices : boolean_1d(2 to 8);  -- winnerswinner1_of_pair_0_4_choice_#
-    variable winnerswinner1_of_pair_0_4_value : boolean;
-    variable winnerswinner1_of_pair_0_4_values : boolean_1d(2 to 5);  -- winnerswinner1_of_pair_0_4_value_#
-    variable winnerswinner1_of_pair_0_6_choice : boolean;
-    variable winnerswinner1_of_pair_0_6_choices : boolean_1d(2 to 8);  -- winnerswinner1_of_pair_0_6_choice_#
-    variable winnerswinner1_of_pair_0_6_value : boolean;
-    variable winnerswinner1_of_pair_0_6_values : boolean_1d(2 to 5);  -- winnerswinner1_of_pair_0_6_value_#
-    variable winnerswinner1_of_pair_0_8_choice : boolean;
-    variable winnerswinner1_of_pair_0_8_choices : boolean_1d(2 to 8);  -- winnerswinner1_of_pair_0_8_choice_#
-    variable winnerswinner1_of_pair_0_8_value : boolean;
-    variable winnerswinner1_of_pair_0_8_values : boolean_1d(2 to 5);  -- winnerswinner1_of_pair_0_8_value_#
-    variable winnerswinner1_of_pair_0_10_choice : boolean;
-    variable winnerswinner1_of_pair_0_10_choices : boolean_1d(2 to 8);  -- winnerswinner1_of_pair_0_10_choice_#
-    variable winnerswinner1_of_pair_0_10_value : boolean;
-    variable winnerswinner1_of_pair_0_10_values : boolean_1d(2 to 5);  -- winnerswinner1_of_pair_0_10_value_#
-    variable winnerswinner1_of_four_0_0_choice, winnerswinner1_of_four_0_0_value : boolean;
-    variable winnerswinner1_of_four_0_0_values : boolean_1d(2 to 12);  -- winnerswinner1_of_four_0_0_value_#
-    variable winnerswinner1_of_four_0_0_choices : boolean_1d(2 to 8);  -- winnerswinner1_of_four_0_0_choice_#
-    variable winnerswinner1_of_four_0_4_choice, winnerswinner1_of_four_0_4_value : boolean;
-    variable winnerswinner1_of_four_0_4_values : boolean_1d(2 to 12);  -- winnerswinner1_of_four_0_4_value_#
-    variable winnerswinner1_of_four_0_4_choices : boolean_1d(2 to 8);  -- winnerswinner1_of_four_0_4_choice_#
-    variable winnerswinner1_of_four_0_8_choice, winnerswinner1_of_four_0_8_value : boolean;
-    variable winnerswinner1_of_four_0_8_values : boolean_1d(2 to 12);  -- winnerswinner1_of_four_0_8_value_#
-    variable winnerswinner1_of_four_0_8_choices : boolean_1d(2 to 8);  -- winnerswinner1_of_four_0_8_choice_#
-    variable winnerswinner2_of_pair_0_0_choice : boolean;
-    variable winnerswinner2_of_pair_0_0_choices : boolean_1d(2 to 8);  -- winnerswinner2_of_pair_0_0_choice_#
-    variable winnerswinner2_of_pair_0_0_value : boolean;
-    variable winnerswinner2_of_pair_0_0_values : boolean_1d(2 to 5);  -- winnerswinner2_of_pair_0_0_value_#
-    variable winnerswinner2_four_index_0_0_value : boolean;
-    variable winnerswinner2_four_index_0_0_values : boolean_1d(2 to 12);  -- winnerswinner2_four_index_0_0_value_#
-    variable winnerswinner2_four_index_0_0_choice : boolean;
-    variable winnerswinner2_four_index_0_0_choices : boolean_1d(2 to 7);  -- winnerswinner2_four_index_0_0_choice_#
-    variable turn_order_address_any, turn_order_address_any_2, turn_order_falls_all, turn_order_complete_all : boolean;
-    variable turn_order_turned_output_column_choice, relief_newest_choice : boolean;
-    variable relief_newest_choices : boolean_1d(2 to 16);  -- relief_newest_choice_#
-    variable relief_newest_value : boolean;
-    variable relief_newest_values : boolean_1d(2 to 5);  -- relief_newest_value_#
+    variable winnerswinner1_of_pair_0_choice : boolean_2d(0 to 10, 1 to 8);  -- winnerswinner1_of_pair_0_#_choice_#
+    variable winnerswinner1_of_pair_0_value : boolean_2d(0 to 10, 1 to 5);  -- winnerswinner1_of_pair_0_#_value_#
+    variable winnerswinner1_of_four_0_choice : boolean_2d(0 to 8, 1 to 8);  -- winnerswinner1_of_four_0_#_choice_#
+    variable winnerswinner1_of_four_0_value : boolean_2d(0 to 8, 1 to 12);  -- winnerswinner1_of_four_0_#_value_#
+    variable winnerswinner2_of_pair_0_0_choices : boolean_1d(1 to 8);  -- winnerswinner2_of_pair_0_0_choice_#
+    variable winnerswinner2_of_pair_0_0_values : boolean_1d(1 to 5);  -- winnerswinner2_of_pair_0_0_value_#
+    variable winnerswinner2_four_index_0_0_values : boolean_1d(1 to 12);  -- winnerswinner2_four_index_0_0_value_#
+    variable winnerswinner2_four_index_0_0_choices : boolean_1d(1 to 7);  -- winnerswinner2_four_index_0_0_choice_#
+    variable turn_order_address_anys : boolean_1d(1 to 2);  -- turn_order_address_any_#
+    variable turn_order_falls_all, turn_order_complete_all, turn_order_turned_output_column_choice : boolean;
+    variable relief_newest_choices : boolean_1d(1 to 16);  -- relief_newest_choice_#
+    variable relief_newest_values : boolean_1d(1 to 5);  -- relief_newest_value_#
     variable transform_counter_group_choice, transform_left_filter_feature_0_choice_17 : natural range 0 to 3;
     variable transform_right_filter_feature_0_choice_17, raster_place_group_choice : natural range 0 to 3;
     variable transform_counter_group_choices : natural_15_1d(2 to 3);  -- transform_counter_group_choice_#
@@ -891,25 +718,19 @@ begin
     variable entry_order_address_choice, turn_order_address_choice : natural range 1 to 31;
     variable entry_order_address_choice_2, turn_order_address_choice_2 : natural range 0 to 7;
     variable forward_left_pair_choice : natural_127_1d(0 to 5);  -- forward_left_pair_#_choice
-    variable forward_left_cost_choice : natural_127_1d(0 to 11);  -- forward_left_cost_#_choice
-    variable forward_left_cost_choice_2 : natural_127_1d(0 to 11);  -- forward_left_cost_#_choice_2
-    variable forward_left_arrived_choice : natural_127_1d(0 to 11);  -- forward_left_arrived_#_choice
-    variable forward_left_arrived_choice_2 : natural_127_1d(3 to 4);  -- forward_left_arrived_#_choice_2
-    variable forward_left_arrived_choice_2s : natural_127_1d(7 to 8);  -- forward_left_arrived_#_choice_2
+    variable forward_left_cost_choice : natural_127_2d(0 to 11, 1 to 2);  -- forward_left_cost_#_choice_#
+    variable forward_left_arrived_choice : natural_127_2d(0 to 11, 1 to 2);  -- forward_left_arrived_#_choice_#
     variable sums_right_pair_choice : natural_127_1d(0 to 5);  -- sums_right_pair_#_choice
-    variable sums_right_cost_choice : natural_127_1d(0 to 11);  -- sums_right_cost_#_choice
-    variable sums_right_cost_choice_2 : natural_127_1d(0 to 11);  -- sums_right_cost_#_choice_2
-    variable sums_right_arrived_choice : natural_127_1d(0 to 11);  -- sums_right_arrived_#_choice
-    variable sums_right_arrived_choice_2 : natural_127_1d(3 to 4);  -- sums_right_arrived_#_choice_2
-    variable sums_right_arrived_choice_2s : natural_127_1d(7 to 8);  -- sums_right_arrived_#_choice_2
+    variable sums_right_cost_choice : natural_127_2d(0 to 11, 1 to 2);  -- sums_right_cost_#_choice_#
+    variable sums_right_arrived_choice : natural_127_2d(0 to 11, 1 to 2);  -- sums_right_arrived_#_choice_#
     variable forward_left_start_cost_0_choices_from_7 : natural_63_1d(7 to 9);  -- forward_left_start_cost_0_choice_#
-    variable forward_left_room_value, forward_left_room_choice : natural range 0 to 63;
-    variable forward_left_room_choices : natural_63_1d(2 to 3);  -- forward_left_room_choice_#
+    variable forward_left_room_value : natural range 0 to 63;
+    variable forward_left_room_choices : natural_63_1d(1 to 3);  -- forward_left_room_choice_#
     variable forward_left_smallest_choice, forward_left_relief_pairs_0_choice : natural range 0 to 63;
     variable forward_left_relief_recent_choice, forward_left_relief_largest_choice : natural range 0 to 63;
     variable sums_right_start_cost_0_choices_from_7 : natural_63_1d(7 to 9);  -- sums_right_start_cost_0_choice_#
-    variable sums_right_room_value, sums_right_room_choice : natural range 0 to 63;
-    variable sums_right_room_choices : natural_63_1d(2 to 3);  -- sums_right_room_choice_#
+    variable sums_right_room_value : natural range 0 to 63;
+    variable sums_right_room_choices : natural_63_1d(1 to 3);  -- sums_right_room_choice_#
     variable sums_right_smallest_choice, sums_right_relief_pairs_0_choice : natural range 0 to 63;
     variable sums_right_relief_recent_choice, sums_right_relief_largest_choice : natural range 0 to 63;
     variable relief_newest_choice_17 : natural range 0 to 63;
@@ -920,1122 +741,513 @@ begin
     variable forward_left_relief_reach_of_best_choices : natural_255_1d(2 to 3);  -- forward_left_relief_reach_of_best_choice_#
     variable sums_right_relief_reach_of_best_choices : natural_255_1d(2 to 3);  -- sums_right_relief_reach_of_best_choice_#
     variable relief_newest_values_from_6 : natural_255_1d(6 to 7);  -- relief_newest_value_#
-    variable other_choices : natural_255_1d(0 to 2);  -- other_#_choice
-    variable other_choice : natural_255_2d(0 to 2, 2 to 3);  -- other_#_choice_#
+    variable other_choice : natural_255_2d(0 to 2, 1 to 3);  -- other_#_choice_#
     variable forward_left_relief_leaves_choice, sums_right_relief_leaves_choice : natural range 64 to 127;
     variable forward_above_total_choice : natural_31_1d(0 to 11);  -- forward_above_total_#_choice
-    variable forward_above_write_words_choice : natural_68_1d(0 to 1);  -- forward_above_write_words_#_choice
-    variable forward_above_write_words_choices : natural_68_2d(0 to 1, 2 to 6);  -- forward_above_write_words_#_choice_#
+    variable forward_above_write_words_choice : natural_68_2d(0 to 1, 1 to 6);  -- forward_above_write_words_#_choice_#
     variable sums_right_smallest_difference : integer range -63 to 63;
   begin
     if rising_edge(clock) then
+      -- no bit without a value, where an array has places for more
+      transform_left_filter_feature_0_choices := (others => false);
+      transform_right_filter_feature_0_choices := (others => false);
+      slice0cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice1cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice2cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      winnerswinner1_of_pair_0_choice := (others => (others => false));
+      winnerswinner1_of_pair_0_value := (others => (others => false));
+      winnerswinner1_of_four_0_choice := (others => (others => false));
+      winnerswinner1_of_four_0_value := (others => (others => false));
+      forward_left_arrived_choice := (others => (others => 0));
+      sums_right_arrived_choice := (others => (others => 0));
       -- transform
-      transform_counter_group_is_equal := transform_counter_column = 39;
+      transform_counter_group_is_equals(1) := transform_counter_column = 39;
       transform_counter_group_is_equals(2) := transform_counter_group = 11;
-      transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equals(2);
-      if transform_counter_group_all then
-        transform_counter_group_choice := 3;
-      else
-        transform_counter_group_choice := 0;
-      end if;
+      transform_counter_group_all := transform_counter_group_is_equals(1) and transform_counter_group_is_equals(2);
+      transform_counter_group_choice := choice(transform_counter_group_all, 3, 0);
       transform_counter_group_is_equals(3) := transform_counter_group = 13;
-      if transform_counter_next_frame and transform_counter_group_is_equals(3) then
-        transform_counter_group_choices(2) := 2;
-      else
-        transform_counter_group_choices(2) := (transform_counter_group + 1) mod 16;
-      end if;
-      if (transform_counter_group /= 14) and transform_counter_group_is_equal and in_valid then
-        transform_counter_group_choices(3) := transform_counter_group_choices(2);
-      else
-        transform_counter_group_choices(3) := transform_counter_group;
-      end if;
-      transform_read_column_inside_0_value := is_set(transform_counter_column, 4);
+      transform_counter_group_choices(2) := choice(transform_counter_next_frame and
+        transform_counter_group_is_equals(3), 2, (transform_counter_group + 1) mod 16);
+      transform_counter_group_choices(3) := choice((transform_counter_group /= 14) and
+        transform_counter_group_is_equals(1) and in_valid, transform_counter_group_choices(2), transform_counter_group);
+      transform_read_column_inside_0_values(1) := is_set(transform_counter_column, 4);
       transform_read_column_inside_0_values(2) := is_set(transform_counter_column, 3);
       transform_read_column_inside_0_values(3) := is_set(transform_counter_column, 2);
       transform_read_column_inside_2_is_equal := (transform_counter_column / 4) = 0;
       transform_read_column_inside_2_differs := (transform_counter_column / 4) /= 0;
-      if is_set(transform_counter_column, 1) then
-        transform_read_column_inside_6_choice := (not is_set(transform_counter_column, 5)) and (not
-          transform_read_column_inside_0_value) and (not transform_read_column_inside_0_values(3));
-      else
-        transform_read_column_inside_6_choice := (transform_counter_column / 16) = 0;
-      end if;
-      transform_left_filter_feature_0_value := is_set(transform_left_filter_column_2(4), 1);
-      transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_value) or (not
+      transform_read_column_inside_6_choice := choice(is_set(transform_counter_column, 1), (not
+        is_set(transform_counter_column, 5)) and (not transform_read_column_inside_0_values(1)) and (not
+        transform_read_column_inside_0_values(3)), (transform_counter_column / 16) = 0);
+      transform_left_filter_feature_0_values(1) := is_set(transform_left_filter_column_2(4), 1);
+      transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_values(1)) or (not
         is_set(transform_left_filter_column_2(4), 0));
-      if is_set(transform_left_filter_column_0(4), 0) then
-        transform_left_filter_feature_0_choice := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice := not transform_left_filter_feature_0_value;
-      end if;
+      transform_left_filter_feature_0_choices(1) := choice(is_set(transform_left_filter_column_0(4), 0),
+        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
       transform_left_filter_feature_0_is_equal := (transform_left_filter_column_2(4) mod 4) = 0;
-      if is_set(transform_left_filter_column_0(4), 1) then
-        transform_left_filter_feature_0_choices(2) := transform_left_filter_feature_0_choice;
-      else
-        transform_left_filter_feature_0_choices(2) := is_set(transform_left_filter_column_0(4), 0) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
+      transform_left_filter_feature_0_choices(2) := choice(is_set(transform_left_filter_column_0(4), 1),
+        transform_left_filter_feature_0_choices(1), is_set(transform_left_filter_column_0(4), 0) and
+        transform_left_filter_feature_0_is_equal);
       transform_left_filter_feature_0_values(2) := is_set(transform_left_filter_column_2(4), 2);
-      if transform_left_filter_feature_0_choices(2) then
-        transform_left_filter_feature_0_choices(3) := (not is_set(transform_left_filter_column_0(4), 2)) and
-          transform_left_filter_feature_0_values(2);
-      else
-        transform_left_filter_feature_0_choices(3) := (not is_set(transform_left_filter_column_0(4), 2)) or
-          transform_left_filter_feature_0_values(2);
-      end if;
+      transform_left_filter_feature_0_choices(3) := inverted_carry(transform_left_filter_feature_0_choices(2), not
+        is_set(transform_left_filter_column_0(4), 2), transform_left_filter_feature_0_values(2));
       for i in 3 to 6 loop
         transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column_2(4), i);
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_0(4), i)) or
-            transform_left_filter_feature_0_values(i);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_0(4), i)) and
-            transform_left_filter_feature_0_values(i);
-        end if;
+        transform_left_filter_feature_0_choices(i + 1) := carry(transform_left_filter_feature_0_choices(i), not
+          is_set(transform_left_filter_column_0(4), i), transform_left_filter_feature_0_values(i));
       end loop;
-      if transform_left_filter_feature_0_choices(7) then
-        transform_left_filter_feature_0_choices(8) := is_set(transform_left_filter_column_0(4), 7) and (not
-          is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices(8) := is_set(transform_left_filter_column_0(4), 7) or (not
-          is_set(transform_left_filter_column_2(4), 7));
-      end if;
-      if is_set(transform_left_filter_column_4(4), 0) then
-        transform_left_filter_feature_0_choices(9) := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choices(9) := not transform_left_filter_feature_0_value;
-      end if;
-      if is_set(transform_left_filter_column_4(4), 1) then
-        transform_left_filter_feature_0_choices(10) := transform_left_filter_feature_0_choices(9);
-      else
-        transform_left_filter_feature_0_choices(10) := is_set(transform_left_filter_column_4(4), 0) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choices(10) then
-        transform_left_filter_feature_0_choices(11) := (not is_set(transform_left_filter_column_4(4), 2)) and
-          transform_left_filter_feature_0_values(2);
-      else
-        transform_left_filter_feature_0_choices(11) := (not is_set(transform_left_filter_column_4(4), 2)) or
-          transform_left_filter_feature_0_values(2);
-      end if;
-      for i in 11 to 14 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_4(4), i - 8)) or
-            transform_left_filter_feature_0_values(i - 8);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column_4(4), i - 8)) and
-            transform_left_filter_feature_0_values(i - 8);
-        end if;
+      transform_left_filter_feature_0_choices(8) := inverted_carry(transform_left_filter_feature_0_choices(7),
+        is_set(transform_left_filter_column_0(4), 7), not is_set(transform_left_filter_column_2(4), 7));
+      transform_left_filter_feature_0_choices(9) := choice(is_set(transform_left_filter_column_4(4), 0),
+        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(10) := choice(is_set(transform_left_filter_column_4(4), 1),
+        transform_left_filter_feature_0_choices(9), is_set(transform_left_filter_column_4(4), 0) and
+        transform_left_filter_feature_0_is_equal);
+      transform_left_filter_feature_0_choices(11) := inverted_carry(transform_left_filter_feature_0_choices(10), not
+        is_set(transform_left_filter_column_4(4), 2), transform_left_filter_feature_0_values(2));
+      for i in 12 to 15 loop
+        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
+          is_set(transform_left_filter_column_4(4), i - 9), transform_left_filter_feature_0_values(i - 9));
       end loop;
-      if transform_left_filter_feature_0_choices(15) then
-        transform_left_filter_feature_0_choices(16) := is_set(transform_left_filter_column_4(4), 7) and (not
-          is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices(16) := is_set(transform_left_filter_column_4(4), 7) or (not
-          is_set(transform_left_filter_column_2(4), 7));
-      end if;
-      if transform_filtering_0_column_inside_4 then
-        transform_left_filter_feature_0_choice_17 := as_number(transform_left_filter_feature_0_choices(8)) +
-          (as_number(transform_left_filter_feature_0_choices(16)) * 2);
-      else
-        transform_left_filter_feature_0_choice_17 := 0;
-      end if;
-      if is_set(transform_left_filter_column_2(0), 0) then
-        transform_left_filter_feature_0_choices_from_18(18) := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choices_from_18(18) := not transform_left_filter_feature_0_value;
-      end if;
-      if is_set(transform_left_filter_column_2(0), 1) then
-        transform_left_filter_feature_0_choices_from_18(19) := transform_left_filter_feature_0_choices_from_18(18);
-      else
-        transform_left_filter_feature_0_choices_from_18(19) := is_set(transform_left_filter_column_2(0), 0) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choices_from_18(19) then
-        transform_left_filter_feature_0_choices_from_18(20) := (not is_set(transform_left_filter_column_2(0), 2)) and
-          transform_left_filter_feature_0_values(2);
-      else
-        transform_left_filter_feature_0_choices_from_18(20) := (not is_set(transform_left_filter_column_2(0), 2)) or
-          transform_left_filter_feature_0_values(2);
-      end if;
-      for i in 20 to 23 loop
-        if transform_left_filter_feature_0_choices_from_18(i) then
-          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_2(0), i -
-            17)) or transform_left_filter_feature_0_values(i - 17);
-        else
-          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_2(0), i -
-            17)) and transform_left_filter_feature_0_values(i - 17);
-        end if;
+      transform_left_filter_feature_0_choices(16) := inverted_carry(transform_left_filter_feature_0_choices(15),
+        is_set(transform_left_filter_column_4(4), 7), not is_set(transform_left_filter_column_2(4), 7));
+      transform_left_filter_feature_0_choice_17 := choice(transform_filtering_0_column_inside_4,
+        as_number(transform_left_filter_feature_0_choices(8)) + (as_number(transform_left_filter_feature_0_choices(16))
+        * 2), 0);
+      transform_left_filter_feature_0_choices(18) := choice(is_set(transform_left_filter_column_2(0), 0),
+        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(19) := choice(is_set(transform_left_filter_column_2(0), 1),
+        transform_left_filter_feature_0_choices(18), is_set(transform_left_filter_column_2(0), 0) and
+        transform_left_filter_feature_0_is_equal);
+      transform_left_filter_feature_0_choices(20) := inverted_carry(transform_left_filter_feature_0_choices(19), not
+        is_set(transform_left_filter_column_2(0), 2), transform_left_filter_feature_0_values(2));
+      for i in 21 to 24 loop
+        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
+          is_set(transform_left_filter_column_2(0), i - 18), transform_left_filter_feature_0_values(i - 18));
       end loop;
-      transform_left_filter_feature_0_all := transform_filtering_0_column_inside_0 and (not
+      transform_left_filter_feature_0_alls(1) := transform_filtering_0_column_inside_0 and (not
         is_set(transform_left_filter_column_2(4), 7));
-      if is_set(transform_left_filter_column_2(0), 7) then
-        transform_left_filter_feature_0_choices_from_18(25) := transform_filtering_0_column_inside_0;
-      else
-        transform_left_filter_feature_0_choices_from_18(25) := transform_left_filter_feature_0_all;
-      end if;
-      if transform_left_filter_feature_0_choices_from_18(24) then
-        transform_left_filter_feature_0_choices_from_18(26) := is_set(transform_left_filter_column_2(0), 7) and
-          transform_filtering_0_column_inside_0 and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices_from_18(26) := transform_left_filter_feature_0_choices_from_18(25);
-      end if;
-      if is_set(transform_left_filter_column_0(0), 0) then
-        transform_left_filter_feature_0_choices_from_18(27) := (transform_left_filter_column_2(4) mod 4) = 3;
-      else
-        transform_left_filter_feature_0_choices_from_18(27) := transform_left_filter_feature_0_value;
-      end if;
-      if is_set(transform_left_filter_column_0(0), 1) then
-        transform_left_filter_feature_0_choices_from_18(28) := transform_left_filter_feature_0_choices_from_18(27);
-      else
-        transform_left_filter_feature_0_choices_from_18(28) := (not is_set(transform_left_filter_column_0(0), 0)) or
-          transform_left_filter_feature_0_value or is_set(transform_left_filter_column_2(4), 0);
-      end if;
+      transform_left_filter_feature_0_choices(25) := choice(is_set(transform_left_filter_column_2(0), 7),
+        transform_filtering_0_column_inside_0, transform_left_filter_feature_0_alls(1));
+      transform_left_filter_feature_0_choices(26) := choice(transform_left_filter_feature_0_choices(24),
+        is_set(transform_left_filter_column_2(0), 7) and transform_filtering_0_column_inside_0 and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(25));
+      transform_left_filter_feature_0_choices(27) := choice(is_set(transform_left_filter_column_0(0), 0),
+        (transform_left_filter_column_2(4) mod 4) = 3, transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(28) := choice(is_set(transform_left_filter_column_0(0), 1),
+        transform_left_filter_feature_0_choices(27), (not is_set(transform_left_filter_column_0(0), 0)) or
+        transform_left_filter_feature_0_values(1) or is_set(transform_left_filter_column_2(4), 0));
       transform_left_filter_feature_0_values(7) := is_set(transform_left_filter_column_0(0), 2);
-      if transform_left_filter_feature_0_choices_from_18(28) then
-        transform_left_filter_feature_0_choices_from_18(29) := transform_left_filter_feature_0_values(7) and (not
-          transform_left_filter_feature_0_values(2));
-      else
-        transform_left_filter_feature_0_choices_from_18(29) := transform_left_filter_feature_0_values(7) or (not
-          transform_left_filter_feature_0_values(2));
-      end if;
+      transform_left_filter_feature_0_choices(29) := inverted_carry(transform_left_filter_feature_0_choices(28),
+        transform_left_filter_feature_0_values(7), not transform_left_filter_feature_0_values(2));
       for i in 8 to 11 loop
         transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column_0(0), i - 5);
-        if transform_left_filter_feature_0_choices_from_18(i + 21) then
-          transform_left_filter_feature_0_choices_from_18(i + 22) := transform_left_filter_feature_0_values(i) or (not
-            transform_left_filter_feature_0_values(i - 5));
-        else
-          transform_left_filter_feature_0_choices_from_18(i + 22) := transform_left_filter_feature_0_values(i) and (not
-            transform_left_filter_feature_0_values(i - 5));
-        end if;
+        transform_left_filter_feature_0_choices(i + 22) := carry(transform_left_filter_feature_0_choices(i + 21),
+          transform_left_filter_feature_0_values(i), not transform_left_filter_feature_0_values(i - 5));
       end loop;
-      if is_set(transform_left_filter_column_0(0), 7) then
-        transform_left_filter_feature_0_choices_from_18(34) := transform_filtering_0_column_inside_0;
-      else
-        transform_left_filter_feature_0_choices_from_18(34) := transform_left_filter_feature_0_all;
-      end if;
-      if transform_left_filter_feature_0_choices_from_18(33) then
-        transform_left_filter_feature_0_choices_from_18(35) := transform_left_filter_feature_0_choices_from_18(34);
-      else
-        transform_left_filter_feature_0_choices_from_18(35) := is_set(transform_left_filter_column_0(0), 7) and
-          transform_filtering_0_column_inside_0 and (not is_set(transform_left_filter_column_2(4), 7));
-      end if;
-      if is_set(transform_left_filter_column_4(0), 0) then
-        transform_left_filter_feature_0_choices_from_18(36) := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choices_from_18(36) := not transform_left_filter_feature_0_value;
-      end if;
-      if is_set(transform_left_filter_column_4(0), 1) then
-        transform_left_filter_feature_0_choices_from_18(37) := transform_left_filter_feature_0_choices_from_18(36);
-      else
-        transform_left_filter_feature_0_choices_from_18(37) := is_set(transform_left_filter_column_4(0), 0) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choices_from_18(37) then
-        transform_left_filter_feature_0_choices_from_18(38) := (not is_set(transform_left_filter_column_4(0), 2)) and
-          transform_left_filter_feature_0_values(2);
-      else
-        transform_left_filter_feature_0_choices_from_18(38) := (not is_set(transform_left_filter_column_4(0), 2)) or
-          transform_left_filter_feature_0_values(2);
-      end if;
-      for i in 38 to 41 loop
-        if transform_left_filter_feature_0_choices_from_18(i) then
-          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_4(0), i -
-            35)) or transform_left_filter_feature_0_values(i - 35);
-        else
-          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_4(0), i -
-            35)) and transform_left_filter_feature_0_values(i - 35);
-        end if;
+      transform_left_filter_feature_0_choices(34) := choice(is_set(transform_left_filter_column_0(0), 7),
+        transform_filtering_0_column_inside_0, transform_left_filter_feature_0_alls(1));
+      transform_left_filter_feature_0_choices(35) := choice(transform_left_filter_feature_0_choices(33),
+        transform_left_filter_feature_0_choices(34), is_set(transform_left_filter_column_0(0), 7) and
+        transform_filtering_0_column_inside_0 and (not is_set(transform_left_filter_column_2(4), 7)));
+      transform_left_filter_feature_0_choices(36) := choice(is_set(transform_left_filter_column_4(0), 0),
+        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(37) := choice(is_set(transform_left_filter_column_4(0), 1),
+        transform_left_filter_feature_0_choices(36), is_set(transform_left_filter_column_4(0), 0) and
+        transform_left_filter_feature_0_is_equal);
+      transform_left_filter_feature_0_choices(38) := inverted_carry(transform_left_filter_feature_0_choices(37), not
+        is_set(transform_left_filter_column_4(0), 2), transform_left_filter_feature_0_values(2));
+      for i in 39 to 42 loop
+        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
+          is_set(transform_left_filter_column_4(0), i - 36), transform_left_filter_feature_0_values(i - 36));
       end loop;
-      if transform_left_filter_feature_0_choices_from_18(42) then
-        transform_left_filter_feature_0_choices_from_18(43) := transform_filtering_0_column_inside_0 and
-          is_set(transform_left_filter_column_4(0), 7) and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices_from_18(43) := transform_filtering_0_column_inside_0 and
-          (is_set(transform_left_filter_column_4(0), 7) or (not is_set(transform_left_filter_column_2(4), 7)));
-      end if;
-      if is_set(transform_left_filter_column_2(2), 0) then
-        transform_left_filter_feature_0_choices_from_18(44) := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choices_from_18(44) := not transform_left_filter_feature_0_value;
-      end if;
-      if is_set(transform_left_filter_column_2(2), 1) then
-        transform_left_filter_feature_0_choices_from_18(45) := transform_left_filter_feature_0_choices_from_18(44);
-      else
-        transform_left_filter_feature_0_choices_from_18(45) := is_set(transform_left_filter_column_2(2), 0) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choices_from_18(45) then
-        transform_left_filter_feature_0_choices_from_18(46) := (not is_set(transform_left_filter_column_2(2), 2)) and
-          transform_left_filter_feature_0_values(2);
-      else
-        transform_left_filter_feature_0_choices_from_18(46) := (not is_set(transform_left_filter_column_2(2), 2)) or
-          transform_left_filter_feature_0_values(2);
-      end if;
-      for i in 46 to 49 loop
-        if transform_left_filter_feature_0_choices_from_18(i) then
-          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_2(2), i -
-            43)) or transform_left_filter_feature_0_values(i - 43);
-        else
-          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_2(2), i -
-            43)) and transform_left_filter_feature_0_values(i - 43);
-        end if;
+      transform_left_filter_feature_0_choices(43) := choice(transform_left_filter_feature_0_choices(42),
+        transform_filtering_0_column_inside_0 and is_set(transform_left_filter_column_4(0), 7) and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_0 and
+        (is_set(transform_left_filter_column_4(0), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
+      transform_left_filter_feature_0_choices(44) := choice(is_set(transform_left_filter_column_2(2), 0),
+        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(45) := choice(is_set(transform_left_filter_column_2(2), 1),
+        transform_left_filter_feature_0_choices(44), is_set(transform_left_filter_column_2(2), 0) and
+        transform_left_filter_feature_0_is_equal);
+      transform_left_filter_feature_0_choices(46) := inverted_carry(transform_left_filter_feature_0_choices(45), not
+        is_set(transform_left_filter_column_2(2), 2), transform_left_filter_feature_0_values(2));
+      for i in 47 to 50 loop
+        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
+          is_set(transform_left_filter_column_2(2), i - 44), transform_left_filter_feature_0_values(i - 44));
       end loop;
       transform_left_filter_feature_0_alls(2) := transform_filtering_0_column_inside_2 and (not
         is_set(transform_left_filter_column_2(4), 7));
-      if is_set(transform_left_filter_column_2(2), 7) then
-        transform_left_filter_feature_0_choices_from_18(51) := transform_filtering_0_column_inside_2;
-      else
-        transform_left_filter_feature_0_choices_from_18(51) := transform_left_filter_feature_0_alls(2);
-      end if;
-      if transform_left_filter_feature_0_choices_from_18(50) then
-        transform_left_filter_feature_0_choices_from_18(52) := is_set(transform_left_filter_column_2(2), 7) and
-          transform_filtering_0_column_inside_2 and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices_from_18(52) := transform_left_filter_feature_0_choices_from_18(51);
-      end if;
-      if is_set(transform_left_filter_column_0(2), 0) then
-        transform_left_filter_feature_0_choices_from_18(53) := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choices_from_18(53) := not transform_left_filter_feature_0_value;
-      end if;
-      if is_set(transform_left_filter_column_0(2), 1) then
-        transform_left_filter_feature_0_choices_from_18(54) := transform_left_filter_feature_0_choices_from_18(53);
-      else
-        transform_left_filter_feature_0_choices_from_18(54) := is_set(transform_left_filter_column_0(2), 0) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choices_from_18(54) then
-        transform_left_filter_feature_0_choices_from_18(55) := (not is_set(transform_left_filter_column_0(2), 2)) and
-          transform_left_filter_feature_0_values(2);
-      else
-        transform_left_filter_feature_0_choices_from_18(55) := (not is_set(transform_left_filter_column_0(2), 2)) or
-          transform_left_filter_feature_0_values(2);
-      end if;
-      for i in 55 to 58 loop
-        if transform_left_filter_feature_0_choices_from_18(i) then
-          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_0(2), i -
-            52)) or transform_left_filter_feature_0_values(i - 52);
-        else
-          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_0(2), i -
-            52)) and transform_left_filter_feature_0_values(i - 52);
-        end if;
+      transform_left_filter_feature_0_choices(51) := choice(is_set(transform_left_filter_column_2(2), 7),
+        transform_filtering_0_column_inside_2, transform_left_filter_feature_0_alls(2));
+      transform_left_filter_feature_0_choices(52) := choice(transform_left_filter_feature_0_choices(50),
+        is_set(transform_left_filter_column_2(2), 7) and transform_filtering_0_column_inside_2 and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(51));
+      transform_left_filter_feature_0_choices(53) := choice(is_set(transform_left_filter_column_0(2), 0),
+        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(54) := choice(is_set(transform_left_filter_column_0(2), 1),
+        transform_left_filter_feature_0_choices(53), is_set(transform_left_filter_column_0(2), 0) and
+        transform_left_filter_feature_0_is_equal);
+      transform_left_filter_feature_0_choices(55) := inverted_carry(transform_left_filter_feature_0_choices(54), not
+        is_set(transform_left_filter_column_0(2), 2), transform_left_filter_feature_0_values(2));
+      for i in 56 to 59 loop
+        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
+          is_set(transform_left_filter_column_0(2), i - 53), transform_left_filter_feature_0_values(i - 53));
       end loop;
-      if is_set(transform_left_filter_column_0(2), 7) then
-        transform_left_filter_feature_0_choices_from_18(60) := transform_filtering_0_column_inside_2;
-      else
-        transform_left_filter_feature_0_choices_from_18(60) := transform_left_filter_feature_0_alls(2);
-      end if;
-      if transform_left_filter_feature_0_choices_from_18(59) then
-        transform_left_filter_feature_0_choices_from_18(61) := is_set(transform_left_filter_column_0(2), 7) and
-          transform_filtering_0_column_inside_2 and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices_from_18(61) := transform_left_filter_feature_0_choices_from_18(60);
-      end if;
-      if is_set(transform_left_filter_column_4(2), 0) then
-        transform_left_filter_feature_0_choices_from_18(62) := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choices_from_18(62) := not transform_left_filter_feature_0_value;
-      end if;
-      if is_set(transform_left_filter_column_4(2), 1) then
-        transform_left_filter_feature_0_choices_from_18(63) := transform_left_filter_feature_0_choices_from_18(62);
-      else
-        transform_left_filter_feature_0_choices_from_18(63) := is_set(transform_left_filter_column_4(2), 0) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choices_from_18(63) then
-        transform_left_filter_feature_0_choices_from_18(64) := (not is_set(transform_left_filter_column_4(2), 2)) and
-          transform_left_filter_feature_0_values(2);
-      else
-        transform_left_filter_feature_0_choices_from_18(64) := (not is_set(transform_left_filter_column_4(2), 2)) or
-          transform_left_filter_feature_0_values(2);
-      end if;
-      for i in 64 to 67 loop
-        if transform_left_filter_feature_0_choices_from_18(i) then
-          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_4(2), i -
-            61)) or transform_left_filter_feature_0_values(i - 61);
-        else
-          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_4(2), i -
-            61)) and transform_left_filter_feature_0_values(i - 61);
-        end if;
+      transform_left_filter_feature_0_choices(60) := choice(is_set(transform_left_filter_column_0(2), 7),
+        transform_filtering_0_column_inside_2, transform_left_filter_feature_0_alls(2));
+      transform_left_filter_feature_0_choices(61) := choice(transform_left_filter_feature_0_choices(59),
+        is_set(transform_left_filter_column_0(2), 7) and transform_filtering_0_column_inside_2 and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(60));
+      transform_left_filter_feature_0_choices(62) := choice(is_set(transform_left_filter_column_4(2), 0),
+        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(63) := choice(is_set(transform_left_filter_column_4(2), 1),
+        transform_left_filter_feature_0_choices(62), is_set(transform_left_filter_column_4(2), 0) and
+        transform_left_filter_feature_0_is_equal);
+      transform_left_filter_feature_0_choices(64) := inverted_carry(transform_left_filter_feature_0_choices(63), not
+        is_set(transform_left_filter_column_4(2), 2), transform_left_filter_feature_0_values(2));
+      for i in 65 to 68 loop
+        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
+          is_set(transform_left_filter_column_4(2), i - 62), transform_left_filter_feature_0_values(i - 62));
       end loop;
-      if transform_left_filter_feature_0_choices_from_18(68) then
-        transform_left_filter_feature_0_choices_from_18(69) := transform_filtering_0_column_inside_2 and
-          is_set(transform_left_filter_column_4(2), 7) and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices_from_18(69) := transform_filtering_0_column_inside_2 and
-          (is_set(transform_left_filter_column_4(2), 7) or (not is_set(transform_left_filter_column_2(4), 7)));
-      end if;
-      if is_set(transform_left_filter_column_2(6), 0) then
-        transform_left_filter_feature_0_choices_from_18(70) := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choices_from_18(70) := not transform_left_filter_feature_0_value;
-      end if;
-      if is_set(transform_left_filter_column_2(6), 1) then
-        transform_left_filter_feature_0_choices_from_18(71) := transform_left_filter_feature_0_choices_from_18(70);
-      else
-        transform_left_filter_feature_0_choices_from_18(71) := is_set(transform_left_filter_column_2(6), 0) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choices_from_18(71) then
-        transform_left_filter_feature_0_choices_from_18(72) := (not is_set(transform_left_filter_column_2(6), 2)) and
-          transform_left_filter_feature_0_values(2);
-      else
-        transform_left_filter_feature_0_choices_from_18(72) := (not is_set(transform_left_filter_column_2(6), 2)) or
-          transform_left_filter_feature_0_values(2);
-      end if;
-      for i in 72 to 75 loop
-        if transform_left_filter_feature_0_choices_from_18(i) then
-          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_2(6), i -
-            69)) or transform_left_filter_feature_0_values(i - 69);
-        else
-          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_2(6), i -
-            69)) and transform_left_filter_feature_0_values(i - 69);
-        end if;
+      transform_left_filter_feature_0_choices(69) := choice(transform_left_filter_feature_0_choices(68),
+        transform_filtering_0_column_inside_2 and is_set(transform_left_filter_column_4(2), 7) and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_2 and
+        (is_set(transform_left_filter_column_4(2), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
+      transform_left_filter_feature_0_choices(70) := choice(is_set(transform_left_filter_column_2(6), 0),
+        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(71) := choice(is_set(transform_left_filter_column_2(6), 1),
+        transform_left_filter_feature_0_choices(70), is_set(transform_left_filter_column_2(6), 0) and
+        transform_left_filter_feature_0_is_equal);
+      transform_left_filter_feature_0_choices(72) := inverted_carry(transform_left_filter_feature_0_choices(71), not
+        is_set(transform_left_filter_column_2(6), 2), transform_left_filter_feature_0_values(2));
+      for i in 73 to 76 loop
+        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
+          is_set(transform_left_filter_column_2(6), i - 70), transform_left_filter_feature_0_values(i - 70));
       end loop;
       transform_left_filter_feature_0_alls(3) := transform_filtering_0_column_inside_6 and (not
         is_set(transform_left_filter_column_2(4), 7));
-      if is_set(transform_left_filter_column_2(6), 7) then
-        transform_left_filter_feature_0_choices_from_18(77) := transform_filtering_0_column_inside_6;
-      else
-        transform_left_filter_feature_0_choices_from_18(77) := transform_left_filter_feature_0_alls(3);
-      end if;
-      if transform_left_filter_feature_0_choices_from_18(76) then
-        transform_left_filter_feature_0_choices_from_18(78) := is_set(transform_left_filter_column_2(6), 7) and
-          transform_filtering_0_column_inside_6 and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices_from_18(78) := transform_left_filter_feature_0_choices_from_18(77);
-      end if;
-      if is_set(transform_left_filter_column_0(6), 0) then
-        transform_left_filter_feature_0_choices_from_18(79) := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choices_from_18(79) := not transform_left_filter_feature_0_value;
-      end if;
-      if is_set(transform_left_filter_column_0(6), 1) then
-        transform_left_filter_feature_0_choices_from_18(80) := transform_left_filter_feature_0_choices_from_18(79);
-      else
-        transform_left_filter_feature_0_choices_from_18(80) := is_set(transform_left_filter_column_0(6), 0) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choices_from_18(80) then
-        transform_left_filter_feature_0_choices_from_18(81) := (not is_set(transform_left_filter_column_0(6), 2)) and
-          transform_left_filter_feature_0_values(2);
-      else
-        transform_left_filter_feature_0_choices_from_18(81) := (not is_set(transform_left_filter_column_0(6), 2)) or
-          transform_left_filter_feature_0_values(2);
-      end if;
-      for i in 81 to 84 loop
-        if transform_left_filter_feature_0_choices_from_18(i) then
-          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_0(6), i -
-            78)) or transform_left_filter_feature_0_values(i - 78);
-        else
-          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_0(6), i -
-            78)) and transform_left_filter_feature_0_values(i - 78);
-        end if;
+      transform_left_filter_feature_0_choices(77) := choice(is_set(transform_left_filter_column_2(6), 7),
+        transform_filtering_0_column_inside_6, transform_left_filter_feature_0_alls(3));
+      transform_left_filter_feature_0_choices(78) := choice(transform_left_filter_feature_0_choices(76),
+        is_set(transform_left_filter_column_2(6), 7) and transform_filtering_0_column_inside_6 and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(77));
+      transform_left_filter_feature_0_choices(79) := choice(is_set(transform_left_filter_column_0(6), 0),
+        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(80) := choice(is_set(transform_left_filter_column_0(6), 1),
+        transform_left_filter_feature_0_choices(79), is_set(transform_left_filter_column_0(6), 0) and
+        transform_left_filter_feature_0_is_equal);
+      transform_left_filter_feature_0_choices(81) := inverted_carry(transform_left_filter_feature_0_choices(80), not
+        is_set(transform_left_filter_column_0(6), 2), transform_left_filter_feature_0_values(2));
+      for i in 82 to 85 loop
+        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
+          is_set(transform_left_filter_column_0(6), i - 79), transform_left_filter_feature_0_values(i - 79));
       end loop;
-      if is_set(transform_left_filter_column_0(6), 7) then
-        transform_left_filter_feature_0_choices_from_18(86) := transform_filtering_0_column_inside_6;
-      else
-        transform_left_filter_feature_0_choices_from_18(86) := transform_left_filter_feature_0_alls(3);
-      end if;
-      if transform_left_filter_feature_0_choices_from_18(85) then
-        transform_left_filter_feature_0_choices_from_18(87) := is_set(transform_left_filter_column_0(6), 7) and
-          transform_filtering_0_column_inside_6 and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices_from_18(87) := transform_left_filter_feature_0_choices_from_18(86);
-      end if;
-      if is_set(transform_left_filter_column_4(6), 0) then
-        transform_left_filter_feature_0_choices_from_18(88) := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choices_from_18(88) := not transform_left_filter_feature_0_value;
-      end if;
-      if is_set(transform_left_filter_column_4(6), 1) then
-        transform_left_filter_feature_0_choices_from_18(89) := transform_left_filter_feature_0_choices_from_18(88);
-      else
-        transform_left_filter_feature_0_choices_from_18(89) := is_set(transform_left_filter_column_4(6), 0) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choices_from_18(89) then
-        transform_left_filter_feature_0_choices_from_18(90) := (not is_set(transform_left_filter_column_4(6), 2)) and
-          transform_left_filter_feature_0_values(2);
-      else
-        transform_left_filter_feature_0_choices_from_18(90) := (not is_set(transform_left_filter_column_4(6), 2)) or
-          transform_left_filter_feature_0_values(2);
-      end if;
-      for i in 90 to 93 loop
-        if transform_left_filter_feature_0_choices_from_18(i) then
-          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_4(6), i -
-            87)) or transform_left_filter_feature_0_values(i - 87);
-        else
-          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_4(6), i -
-            87)) and transform_left_filter_feature_0_values(i - 87);
-        end if;
+      transform_left_filter_feature_0_choices(86) := choice(is_set(transform_left_filter_column_0(6), 7),
+        transform_filtering_0_column_inside_6, transform_left_filter_feature_0_alls(3));
+      transform_left_filter_feature_0_choices(87) := choice(transform_left_filter_feature_0_choices(85),
+        is_set(transform_left_filter_column_0(6), 7) and transform_filtering_0_column_inside_6 and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(86));
+      transform_left_filter_feature_0_choices(88) := choice(is_set(transform_left_filter_column_4(6), 0),
+        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(89) := choice(is_set(transform_left_filter_column_4(6), 1),
+        transform_left_filter_feature_0_choices(88), is_set(transform_left_filter_column_4(6), 0) and
+        transform_left_filter_feature_0_is_equal);
+      transform_left_filter_feature_0_choices(90) := inverted_carry(transform_left_filter_feature_0_choices(89), not
+        is_set(transform_left_filter_column_4(6), 2), transform_left_filter_feature_0_values(2));
+      for i in 91 to 94 loop
+        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
+          is_set(transform_left_filter_column_4(6), i - 88), transform_left_filter_feature_0_values(i - 88));
       end loop;
-      if transform_left_filter_feature_0_choices_from_18(94) then
-        transform_left_filter_feature_0_choices_from_18(95) := transform_filtering_0_column_inside_6 and
-          is_set(transform_left_filter_column_4(6), 7) and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices_from_18(95) := transform_filtering_0_column_inside_6 and
-          (is_set(transform_left_filter_column_4(6), 7) or (not is_set(transform_left_filter_column_2(4), 7)));
-      end if;
-      if is_set(transform_left_filter_column_2(8), 0) then
-        transform_left_filter_feature_0_choices_from_18(96) := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choices_from_18(96) := not transform_left_filter_feature_0_value;
-      end if;
-      if is_set(transform_left_filter_column_2(8), 1) then
-        transform_left_filter_feature_0_choices_from_18(97) := transform_left_filter_feature_0_choices_from_18(96);
-      else
-        transform_left_filter_feature_0_choices_from_18(97) := is_set(transform_left_filter_column_2(8), 0) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choices_from_18(97) then
-        transform_left_filter_feature_0_choices_from_18(98) := (not is_set(transform_left_filter_column_2(8), 2)) and
-          transform_left_filter_feature_0_values(2);
-      else
-        transform_left_filter_feature_0_choices_from_18(98) := (not is_set(transform_left_filter_column_2(8), 2)) or
-          transform_left_filter_feature_0_values(2);
-      end if;
-      for i in 98 to 101 loop
-        if transform_left_filter_feature_0_choices_from_18(i) then
-          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_2(8), i -
-            95)) or transform_left_filter_feature_0_values(i - 95);
-        else
-          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_2(8), i -
-            95)) and transform_left_filter_feature_0_values(i - 95);
-        end if;
+      transform_left_filter_feature_0_choices(95) := choice(transform_left_filter_feature_0_choices(94),
+        transform_filtering_0_column_inside_6 and is_set(transform_left_filter_column_4(6), 7) and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_6 and
+        (is_set(transform_left_filter_column_4(6), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
+      transform_left_filter_feature_0_choices(96) := choice(is_set(transform_left_filter_column_2(8), 0),
+        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(97) := choice(is_set(transform_left_filter_column_2(8), 1),
+        transform_left_filter_feature_0_choices(96), is_set(transform_left_filter_column_2(8), 0) and
+        transform_left_filter_feature_0_is_equal);
+      transform_left_filter_feature_0_choices(98) := inverted_carry(transform_left_filter_feature_0_choices(97), not
+        is_set(transform_left_filter_column_2(8), 2), transform_left_filter_feature_0_values(2));
+      for i in 99 to 102 loop
+        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
+          is_set(transform_left_filter_column_2(8), i - 96), transform_left_filter_feature_0_values(i - 96));
       end loop;
       transform_left_filter_feature_0_alls(4) := transform_filtering_0_column_inside_8 and (not
         is_set(transform_left_filter_column_2(4), 7));
-      if is_set(transform_left_filter_column_2(8), 7) then
-        transform_left_filter_feature_0_choices_from_18(103) := transform_filtering_0_column_inside_8;
-      else
-        transform_left_filter_feature_0_choices_from_18(103) := transform_left_filter_feature_0_alls(4);
-      end if;
-      if transform_left_filter_feature_0_choices_from_18(102) then
-        transform_left_filter_feature_0_choices_from_18(104) := is_set(transform_left_filter_column_2(8), 7) and
-          transform_filtering_0_column_inside_8 and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices_from_18(104) := transform_left_filter_feature_0_choices_from_18(103);
-      end if;
-      if is_set(transform_left_filter_column_0(8), 0) then
-        transform_left_filter_feature_0_choices_from_18(105) := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choices_from_18(105) := not transform_left_filter_feature_0_value;
-      end if;
-      if is_set(transform_left_filter_column_0(8), 1) then
-        transform_left_filter_feature_0_choices_from_18(106) := transform_left_filter_feature_0_choices_from_18(105);
-      else
-        transform_left_filter_feature_0_choices_from_18(106) := is_set(transform_left_filter_column_0(8), 0) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choices_from_18(106) then
-        transform_left_filter_feature_0_choices_from_18(107) := (not is_set(transform_left_filter_column_0(8), 2)) and
-          transform_left_filter_feature_0_values(2);
-      else
-        transform_left_filter_feature_0_choices_from_18(107) := (not is_set(transform_left_filter_column_0(8), 2)) or
-          transform_left_filter_feature_0_values(2);
-      end if;
-      for i in 107 to 110 loop
-        if transform_left_filter_feature_0_choices_from_18(i) then
-          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_0(8), i -
-            104)) or transform_left_filter_feature_0_values(i - 104);
-        else
-          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_0(8), i -
-            104)) and transform_left_filter_feature_0_values(i - 104);
-        end if;
+      transform_left_filter_feature_0_choices(103) := choice(is_set(transform_left_filter_column_2(8), 7),
+        transform_filtering_0_column_inside_8, transform_left_filter_feature_0_alls(4));
+      transform_left_filter_feature_0_choices(104) := choice(transform_left_filter_feature_0_choices(102),
+        is_set(transform_left_filter_column_2(8), 7) and transform_filtering_0_column_inside_8 and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(103));
+      transform_left_filter_feature_0_choices(105) := choice(is_set(transform_left_filter_column_0(8), 0),
+        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(106) := choice(is_set(transform_left_filter_column_0(8), 1),
+        transform_left_filter_feature_0_choices(105), is_set(transform_left_filter_column_0(8), 0) and
+        transform_left_filter_feature_0_is_equal);
+      transform_left_filter_feature_0_choices(107) := inverted_carry(transform_left_filter_feature_0_choices(106), not
+        is_set(transform_left_filter_column_0(8), 2), transform_left_filter_feature_0_values(2));
+      for i in 108 to 111 loop
+        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
+          is_set(transform_left_filter_column_0(8), i - 105), transform_left_filter_feature_0_values(i - 105));
       end loop;
-      if is_set(transform_left_filter_column_0(8), 7) then
-        transform_left_filter_feature_0_choices_from_18(112) := transform_filtering_0_column_inside_8;
-      else
-        transform_left_filter_feature_0_choices_from_18(112) := transform_left_filter_feature_0_alls(4);
-      end if;
-      if transform_left_filter_feature_0_choices_from_18(111) then
-        transform_left_filter_feature_0_choices_from_18(113) := is_set(transform_left_filter_column_0(8), 7) and
-          transform_filtering_0_column_inside_8 and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices_from_18(113) := transform_left_filter_feature_0_choices_from_18(112);
-      end if;
-      if is_set(transform_left_filter_column_4(8), 0) then
-        transform_left_filter_feature_0_choices_from_18(114) := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choices_from_18(114) := not transform_left_filter_feature_0_value;
-      end if;
-      if is_set(transform_left_filter_column_4(8), 1) then
-        transform_left_filter_feature_0_choices_from_18(115) := transform_left_filter_feature_0_choices_from_18(114);
-      else
-        transform_left_filter_feature_0_choices_from_18(115) := is_set(transform_left_filter_column_4(8), 0) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choices_from_18(115) then
-        transform_left_filter_feature_0_choices_from_18(116) := (not is_set(transform_left_filter_column_4(8), 2)) and
-          transform_left_filter_feature_0_values(2);
-      else
-        transform_left_filter_feature_0_choices_from_18(116) := (not is_set(transform_left_filter_column_4(8), 2)) or
-          transform_left_filter_feature_0_values(2);
-      end if;
-      for i in 116 to 119 loop
-        if transform_left_filter_feature_0_choices_from_18(i) then
-          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_4(8), i -
-            113)) or transform_left_filter_feature_0_values(i - 113);
-        else
-          transform_left_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_left_filter_column_4(8), i -
-            113)) and transform_left_filter_feature_0_values(i - 113);
-        end if;
+      transform_left_filter_feature_0_choices(112) := choice(is_set(transform_left_filter_column_0(8), 7),
+        transform_filtering_0_column_inside_8, transform_left_filter_feature_0_alls(4));
+      transform_left_filter_feature_0_choices(113) := choice(transform_left_filter_feature_0_choices(111),
+        is_set(transform_left_filter_column_0(8), 7) and transform_filtering_0_column_inside_8 and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(112));
+      transform_left_filter_feature_0_choices(114) := choice(is_set(transform_left_filter_column_4(8), 0),
+        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(115) := choice(is_set(transform_left_filter_column_4(8), 1),
+        transform_left_filter_feature_0_choices(114), is_set(transform_left_filter_column_4(8), 0) and
+        transform_left_filter_feature_0_is_equal);
+      transform_left_filter_feature_0_choices(116) := inverted_carry(transform_left_filter_feature_0_choices(115), not
+        is_set(transform_left_filter_column_4(8), 2), transform_left_filter_feature_0_values(2));
+      for i in 117 to 120 loop
+        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
+          is_set(transform_left_filter_column_4(8), i - 114), transform_left_filter_feature_0_values(i - 114));
       end loop;
-      if transform_left_filter_feature_0_choices_from_18(120) then
-        transform_left_filter_feature_0_choices_from_18(121) := transform_filtering_0_column_inside_8 and
-          is_set(transform_left_filter_column_4(8), 7) and (not is_set(transform_left_filter_column_2(4), 7));
-      else
-        transform_left_filter_feature_0_choices_from_18(121) := transform_filtering_0_column_inside_8 and
-          (is_set(transform_left_filter_column_4(8), 7) or (not is_set(transform_left_filter_column_2(4), 7)));
-      end if;
-      transform_right_filter_feature_0_value := is_set(transform_right_filter_column_2(4), 1);
-      transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_value) or (not
+      transform_left_filter_feature_0_choices(121) := choice(transform_left_filter_feature_0_choices(120),
+        transform_filtering_0_column_inside_8 and is_set(transform_left_filter_column_4(8), 7) and (not
+        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_8 and
+        (is_set(transform_left_filter_column_4(8), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
+      transform_right_filter_feature_0_values(1) := is_set(transform_right_filter_column_2(4), 1);
+      transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_values(1)) or (not
         is_set(transform_right_filter_column_2(4), 0));
-      if is_set(transform_right_filter_column_0(4), 0) then
-        transform_right_filter_feature_0_choice := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice := not transform_right_filter_feature_0_value;
-      end if;
+      transform_right_filter_feature_0_choices(1) := choice(is_set(transform_right_filter_column_0(4), 0),
+        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
       transform_right_filter_feature_0_is_equal := (transform_right_filter_column_2(4) mod 4) = 0;
-      if is_set(transform_right_filter_column_0(4), 1) then
-        transform_right_filter_feature_0_choices(2) := transform_right_filter_feature_0_choice;
-      else
-        transform_right_filter_feature_0_choices(2) := is_set(transform_right_filter_column_0(4), 0) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
+      transform_right_filter_feature_0_choices(2) := choice(is_set(transform_right_filter_column_0(4), 1),
+        transform_right_filter_feature_0_choices(1), is_set(transform_right_filter_column_0(4), 0) and
+        transform_right_filter_feature_0_is_equal);
       transform_right_filter_feature_0_values(2) := is_set(transform_right_filter_column_2(4), 2);
-      if transform_right_filter_feature_0_choices(2) then
-        transform_right_filter_feature_0_choices(3) := (not is_set(transform_right_filter_column_0(4), 2)) and
-          transform_right_filter_feature_0_values(2);
-      else
-        transform_right_filter_feature_0_choices(3) := (not is_set(transform_right_filter_column_0(4), 2)) or
-          transform_right_filter_feature_0_values(2);
-      end if;
+      transform_right_filter_feature_0_choices(3) := inverted_carry(transform_right_filter_feature_0_choices(2), not
+        is_set(transform_right_filter_column_0(4), 2), transform_right_filter_feature_0_values(2));
       for i in 3 to 6 loop
         transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column_2(4), i);
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_0(4), i)) or
-            transform_right_filter_feature_0_values(i);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_0(4), i)) and
-            transform_right_filter_feature_0_values(i);
-        end if;
+        transform_right_filter_feature_0_choices(i + 1) := carry(transform_right_filter_feature_0_choices(i), not
+          is_set(transform_right_filter_column_0(4), i), transform_right_filter_feature_0_values(i));
       end loop;
-      if transform_right_filter_feature_0_choices(7) then
-        transform_right_filter_feature_0_choices(8) := is_set(transform_right_filter_column_0(4), 7) and (not
-          is_set(transform_right_filter_column_2(4), 7));
-      else
-        transform_right_filter_feature_0_choices(8) := is_set(transform_right_filter_column_0(4), 7) or (not
-          is_set(transform_right_filter_column_2(4), 7));
-      end if;
-      if is_set(transform_right_filter_column_4(4), 0) then
-        transform_right_filter_feature_0_choices(9) := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choices(9) := not transform_right_filter_feature_0_value;
-      end if;
-      if is_set(transform_right_filter_column_4(4), 1) then
-        transform_right_filter_feature_0_choices(10) := transform_right_filter_feature_0_choices(9);
-      else
-        transform_right_filter_feature_0_choices(10) := is_set(transform_right_filter_column_4(4), 0) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choices(10) then
-        transform_right_filter_feature_0_choices(11) := (not is_set(transform_right_filter_column_4(4), 2)) and
-          transform_right_filter_feature_0_values(2);
-      else
-        transform_right_filter_feature_0_choices(11) := (not is_set(transform_right_filter_column_4(4), 2)) or
-          transform_right_filter_feature_0_values(2);
-      end if;
-      for i in 11 to 14 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_4(4), i - 8)) or
-            transform_right_filter_feature_0_values(i - 8);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column_4(4), i - 8))
-            and transform_right_filter_feature_0_values(i - 8);
-        end if;
+      transform_right_filter_feature_0_choices(8) := inverted_carry(transform_right_filter_feature_0_choices(7),
+        is_set(transform_right_filter_column_0(4), 7), not is_set(transform_right_filter_column_2(4), 7));
+      transform_right_filter_feature_0_choices(9) := choice(is_set(transform_right_filter_column_4(4), 0),
+        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(10) := choice(is_set(transform_right_filter_column_4(4), 1),
+        transform_right_filter_feature_0_choices(9), is_set(transform_right_filter_column_4(4), 0) and
+        transform_right_filter_feature_0_is_equal);
+      transform_right_filter_feature_0_choices(11) := inverted_carry(transform_right_filter_feature_0_choices(10), not
+        is_set(transform_right_filter_column_4(4), 2), transform_right_filter_feature_0_values(2));
+      for i in 12 to 15 loop
+        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
+          is_set(transform_right_filter_column_4(4), i - 9), transform_right_filter_feature_0_values(i - 9));
       end loop;
-      if transform_right_filter_feature_0_choices(15) then
-        transform_right_filter_feature_0_choices(16) := is_set(transform_right_filter_column_4(4), 7) and (not
-          is_set(transform_right_filter_column_2(4), 7));
-      else
-        transform_right_filter_feature_0_choices(16) := is_set(transform_right_filter_column_4(4), 7) or (not
-          is_set(transform_right_filter_column_2(4), 7));
-      end if;
-      if transform_filtering_0_column_inside_4 then
-        transform_right_filter_feature_0_choice_17 := as_number(transform_right_filter_feature_0_choices(8)) +
-          (as_number(transform_right_filter_feature_0_choices(16)) * 2);
-      else
-        transform_right_filter_feature_0_choice_17 := 0;
-      end if;
-      if is_set(transform_right_filter_column_2(0), 0) then
-        transform_right_filter_feature_0_choices_from_18(18) := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choices_from_18(18) := not transform_right_filter_feature_0_value;
-      end if;
-      if is_set(transform_right_filter_column_2(0), 1) then
-        transform_right_filter_feature_0_choices_from_18(19) := transform_right_filter_feature_0_choices_from_18(18);
-      else
-        transform_right_filter_feature_0_choices_from_18(19) := is_set(transform_right_filter_column_2(0), 0) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choices_from_18(19) then
-        transform_right_filter_feature_0_choices_from_18(20) := (not is_set(transform_right_filter_column_2(0), 2)) and
-          transform_right_filter_feature_0_values(2);
-      else
-        transform_right_filter_feature_0_choices_from_18(20) := (not is_set(transform_right_filter_column_2(0), 2)) or
-          transform_right_filter_feature_0_values(2);
-      end if;
-      for i in 20 to 23 loop
-        if transform_right_filter_feature_0_choices_from_18(i) then
-          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_2(0), i
-            - 17)) or transform_right_filter_feature_0_values(i - 17);
-        else
-          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_2(0), i
-            - 17)) and transform_right_filter_feature_0_values(i - 17);
-        end if;
+      transform_right_filter_feature_0_choices(16) := inverted_carry(transform_right_filter_feature_0_choices(15),
+        is_set(transform_right_filter_column_4(4), 7), not is_set(transform_right_filter_column_2(4), 7));
+      transform_right_filter_feature_0_choice_17 := choice(transform_filtering_0_column_inside_4,
+        as_number(transform_right_filter_feature_0_choices(8)) +
+        (as_number(transform_right_filter_feature_0_choices(16)) * 2), 0);
+      transform_right_filter_feature_0_choices(18) := choice(is_set(transform_right_filter_column_2(0), 0),
+        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(19) := choice(is_set(transform_right_filter_column_2(0), 1),
+        transform_right_filter_feature_0_choices(18), is_set(transform_right_filter_column_2(0), 0) and
+        transform_right_filter_feature_0_is_equal);
+      transform_right_filter_feature_0_choices(20) := inverted_carry(transform_right_filter_feature_0_choices(19), not
+        is_set(transform_right_filter_column_2(0), 2), transform_right_filter_feature_0_values(2));
+      for i in 21 to 24 loop
+        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
+          is_set(transform_right_filter_column_2(0), i - 18), transform_right_filter_feature_0_values(i - 18));
       end loop;
-      transform_right_filter_feature_0_all := transform_filtering_0_column_inside_0 and (not
+      transform_right_filter_feature_0_alls(1) := transform_filtering_0_column_inside_0 and (not
         is_set(transform_right_filter_column_2(4), 7));
-      if is_set(transform_right_filter_column_2(0), 7) then
-        transform_right_filter_feature_0_choices_from_18(25) := transform_filtering_0_column_inside_0;
-      else
-        transform_right_filter_feature_0_choices_from_18(25) := transform_right_filter_feature_0_all;
-      end if;
-      if transform_right_filter_feature_0_choices_from_18(24) then
-        transform_right_filter_feature_0_choices_from_18(26) := is_set(transform_right_filter_column_2(0), 7) and
-          transform_filtering_0_column_inside_0 and (not is_set(transform_right_filter_column_2(4), 7));
-      else
-        transform_right_filter_feature_0_choices_from_18(26) := transform_right_filter_feature_0_choices_from_18(25);
-      end if;
-      if is_set(transform_right_filter_column_0(0), 0) then
-        transform_right_filter_feature_0_choices_from_18(27) := (transform_right_filter_column_2(4) mod 4) = 3;
-      else
-        transform_right_filter_feature_0_choices_from_18(27) := transform_right_filter_feature_0_value;
-      end if;
-      if is_set(transform_right_filter_column_0(0), 1) then
-        transform_right_filter_feature_0_choices_from_18(28) := transform_right_filter_feature_0_choices_from_18(27);
-      else
-        transform_right_filter_feature_0_choices_from_18(28) := (not is_set(transform_right_filter_column_0(0), 0)) or
-          transform_right_filter_feature_0_value or is_set(transform_right_filter_column_2(4), 0);
-      end if;
+      transform_right_filter_feature_0_choices(25) := choice(is_set(transform_right_filter_column_2(0), 7),
+        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_alls(1));
+      transform_right_filter_feature_0_choices(26) := choice(transform_right_filter_feature_0_choices(24),
+        is_set(transform_right_filter_column_2(0), 7) and transform_filtering_0_column_inside_0 and (not
+        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(25));
+      transform_right_filter_feature_0_choices(27) := choice(is_set(transform_right_filter_column_0(0), 0),
+        (transform_right_filter_column_2(4) mod 4) = 3, transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(28) := choice(is_set(transform_right_filter_column_0(0), 1),
+        transform_right_filter_feature_0_choices(27), (not is_set(transform_right_filter_column_0(0), 0)) or
+        transform_right_filter_feature_0_values(1) or is_set(transform_right_filter_column_2(4), 0));
       transform_right_filter_feature_0_values(7) := is_set(transform_right_filter_column_0(0), 2);
-      if transform_right_filter_feature_0_choices_from_18(28) then
-        transform_right_filter_feature_0_choices_from_18(29) := transform_right_filter_feature_0_values(7) and (not
-          transform_right_filter_feature_0_values(2));
-      else
-        transform_right_filter_feature_0_choices_from_18(29) := transform_right_filter_feature_0_values(7) or (not
-          transform_right_filter_feature_0_values(2));
-      end if;
+      transform_right_filter_feature_0_choices(29) := inverted_carry(transform_right_filter_feature_0_choices(28),
+        transform_right_filter_feature_0_values(7), not transform_right_filter_feature_0_values(2));
       for i in 8 to 11 loop
         transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column_0(0), i - 5);
-        if transform_right_filter_feature_0_choices_from_18(i + 21) then
-          transform_right_filter_feature_0_choices_from_18(i + 22) := transform_right_filter_feature_0_values(i) or
-            (not transform_right_filter_feature_0_values(i - 5));
-        else
-          transform_right_filter_feature_0_choices_from_18(i + 22) := transform_right_filter_feature_0_values(i) and
-            (not transform_right_filter_feature_0_values(i - 5));
-        end if;
+        transform_right_filter_feature_0_choices(i + 22) := carry(transform_right_filter_feature_0_choices(i + 21),
+          transform_right_filter_feature_0_values(i), not transform_right_filter_feature_0_values(i - 5));
       end loop;
-      if is_set(transform_right_filter_column_0(0), 7) then
-        transform_right_filter_feature_0_choices_from_18(34) := transform_filtering_0_column_inside_0;
-      else
-        transform_right_filter_feature_0_choices_from_18(34) := transform_right_filter_feature_0_all;
-      end if;
-      if transform_right_filter_feature_0_choices_from_18(33) then
-        transform_right_filter_feature_0_choices_from_18(35) := transform_right_filter_feature_0_choices_from_18(34);
-      else
-        transform_right_filter_feature_0_choices_from_18(35) := is_set(transform_right_filter_column_0(0), 7) and
-          transform_filtering_0_column_inside_0 and (not is_set(transform_right_filter_column_2(4), 7));
-      end if;
-      if is_set(transform_right_filter_column_4(0), 0) then
-        transform_right_filter_feature_0_choices_from_18(36) := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choices_from_18(36) := not transform_right_filter_feature_0_value;
-      end if;
-      if is_set(transform_right_filter_column_4(0), 1) then
-        transform_right_filter_feature_0_choices_from_18(37) := transform_right_filter_feature_0_choices_from_18(36);
-      else
-        transform_right_filter_feature_0_choices_from_18(37) := is_set(transform_right_filter_column_4(0), 0) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choices_from_18(37) then
-        transform_right_filter_feature_0_choices_from_18(38) := (not is_set(transform_right_filter_column_4(0), 2)) and
-          transform_right_filter_feature_0_values(2);
-      else
-        transform_right_filter_feature_0_choices_from_18(38) := (not is_set(transform_right_filter_column_4(0), 2)) or
-          transform_right_filter_feature_0_values(2);
-      end if;
-      for i in 38 to 41 loop
-        if transform_right_filter_feature_0_choices_from_18(i) then
-          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_4(0), i
-            - 35)) or transform_right_filter_feature_0_values(i - 35);
-        else
-          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_4(0), i
-            - 35)) and transform_right_filter_feature_0_values(i - 35);
-        end if;
+      transform_right_filter_feature_0_choices(34) := choice(is_set(transform_right_filter_column_0(0), 7),
+        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_alls(1));
+      transform_right_filter_feature_0_choices(35) := choice(transform_right_filter_feature_0_choices(33),
+        transform_right_filter_feature_0_choices(34), is_set(transform_right_filter_column_0(0), 7) and
+        transform_filtering_0_column_inside_0 and (not is_set(transform_right_filter_column_2(4), 7)));
+      transform_right_filter_feature_0_choices(36) := choice(is_set(transform_right_filter_column_4(0), 0),
+        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(37) := choice(is_set(transform_right_filter_column_4(0), 1),
+        transform_right_filter_feature_0_choices(36), is_set(transform_right_filter_column_4(0), 0) and
+        transform_right_filter_feature_0_is_equal);
+      transform_right_filter_feature_0_choices(38) := inverted_carry(transform_right_filter_feature_0_choices(37), not
+        is_set(transform_right_filter_column_4(0), 2), transform_right_filter_feature_0_values(2));
+      for i in 39 to 42 loop
+        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
+          is_set(transform_right_filter_column_4(0), i - 36), transform_right_filter_feature_0_values(i - 36));
       end loop;
-      if is_set(transform_right_filter_column_4(0), 7) then
-        transform_right_filter_feature_0_choices_from_18(43) := transform_filtering_0_column_inside_0;
-      else
-        transform_right_filter_feature_0_choices_from_18(43) := transform_right_filter_feature_0_all;
-      end if;
-      if transform_right_filter_feature_0_choices_from_18(42) then
-        transform_right_filter_feature_0_choices_from_18(44) := is_set(transform_right_filter_column_4(0), 7) and
-          transform_filtering_0_column_inside_0 and (not is_set(transform_right_filter_column_2(4), 7));
-      else
-        transform_right_filter_feature_0_choices_from_18(44) := transform_right_filter_feature_0_choices_from_18(43);
-      end if;
-      if is_set(transform_right_filter_column_2(2), 0) then
-        transform_right_filter_feature_0_choices_from_18(45) := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choices_from_18(45) := not transform_right_filter_feature_0_value;
-      end if;
-      if is_set(transform_right_filter_column_2(2), 1) then
-        transform_right_filter_feature_0_choices_from_18(46) := transform_right_filter_feature_0_choices_from_18(45);
-      else
-        transform_right_filter_feature_0_choices_from_18(46) := is_set(transform_right_filter_column_2(2), 0) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choices_from_18(46) then
-        transform_right_filter_feature_0_choices_from_18(47) := (not is_set(transform_right_filter_column_2(2), 2)) and
-          transform_right_filter_feature_0_values(2);
-      else
-        transform_right_filter_feature_0_choices_from_18(47) := (not is_set(transform_right_filter_column_2(2), 2)) or
-          transform_right_filter_feature_0_values(2);
-      end if;
-      for i in 47 to 50 loop
-        if transform_right_filter_feature_0_choices_from_18(i) then
-          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_2(2), i
-            - 44)) or transform_right_filter_feature_0_values(i - 44);
-        else
-          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_2(2), i
-            - 44)) and transform_right_filter_feature_0_values(i - 44);
-        end if;
+      transform_right_filter_feature_0_choices(43) := choice(is_set(transform_right_filter_column_4(0), 7),
+        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_alls(1));
+      transform_right_filter_feature_0_choices(44) := choice(transform_right_filter_feature_0_choices(42),
+        is_set(transform_right_filter_column_4(0), 7) and transform_filtering_0_column_inside_0 and (not
+        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(43));
+      transform_right_filter_feature_0_choices(45) := choice(is_set(transform_right_filter_column_2(2), 0),
+        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(46) := choice(is_set(transform_right_filter_column_2(2), 1),
+        transform_right_filter_feature_0_choices(45), is_set(transform_right_filter_column_2(2), 0) and
+        transform_right_filter_feature_0_is_equal);
+      transform_right_filter_feature_0_choices(47) := inverted_carry(transform_right_filter_feature_0_choices(46), not
+        is_set(transform_right_filter_column_2(2), 2), transform_right_filter_feature_0_values(2));
+      for i in 48 to 51 loop
+        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
+          is_set(transform_right_filter_column_2(2), i - 45), transform_right_filter_feature_0_values(i - 45));
       end loop;
       transform_right_filter_feature_0_alls(2) := transform_filtering_0_column_inside_2 and (not
         is_set(transform_right_filter_column_2(4), 7));
-      if is_set(transform_right_filter_column_2(2), 7) then
-        transform_right_filter_feature_0_choices_from_18(52) := transform_filtering_0_column_inside_2;
-      else
-        transform_right_filter_feature_0_choices_from_18(52) := transform_right_filter_feature_0_alls(2);
-      end if;
-      if transform_right_filter_feature_0_choices_from_18(51) then
-        transform_right_filter_feature_0_choices_from_18(53) := is_set(transform_right_filter_column_2(2), 7) and
-          transform_filtering_0_column_inside_2 and (not is_set(transform_right_filter_column_2(4), 7));
-      else
-        transform_right_filter_feature_0_choices_from_18(53) := transform_right_filter_feature_0_choices_from_18(52);
-      end if;
-      if is_set(transform_right_filter_column_0(2), 0) then
-        transform_right_filter_feature_0_choices_from_18(54) := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choices_from_18(54) := not transform_right_filter_feature_0_value;
-      end if;
-      if is_set(transform_right_filter_column_0(2), 1) then
-        transform_right_filter_feature_0_choices_from_18(55) := transform_right_filter_feature_0_choices_from_18(54);
-      else
-        transform_right_filter_feature_0_choices_from_18(55) := is_set(transform_right_filter_column_0(2), 0) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choices_from_18(55) then
-        transform_right_filter_feature_0_choices_from_18(56) := (not is_set(transform_right_filter_column_0(2), 2)) and
-          transform_right_filter_feature_0_values(2);
-      else
-        transform_right_filter_feature_0_choices_from_18(56) := (not is_set(transform_right_filter_column_0(2), 2)) or
-          transform_right_filter_feature_0_values(2);
-      end if;
-      for i in 56 to 59 loop
-        if transform_right_filter_feature_0_choices_from_18(i) then
-          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_0(2), i
-            - 53)) or transform_right_filter_feature_0_values(i - 53);
-        else
-          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_0(2), i
-            - 53)) and transform_right_filter_feature_0_values(i - 53);
-        end if;
+      transform_right_filter_feature_0_choices(52) := choice(is_set(transform_right_filter_column_2(2), 7),
+        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_alls(2));
+      transform_right_filter_feature_0_choices(53) := choice(transform_right_filter_feature_0_choices(51),
+        is_set(transform_right_filter_column_2(2), 7) and transform_filtering_0_column_inside_2 and (not
+        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(52));
+      transform_right_filter_feature_0_choices(54) := choice(is_set(transform_right_filter_column_0(2), 0),
+        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(55) := choice(is_set(transform_right_filter_column_0(2), 1),
+        transform_right_filter_feature_0_choices(54), is_set(transform_right_filter_column_0(2), 0) and
+        transform_right_filter_feature_0_is_equal);
+      transform_right_filter_feature_0_choices(56) := inverted_carry(transform_right_filter_feature_0_choices(55), not
+        is_set(transform_right_filter_column_0(2), 2), transform_right_filter_feature_0_values(2));
+      for i in 57 to 60 loop
+        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
+          is_set(transform_right_filter_column_0(2), i - 54), transform_right_filter_feature_0_values(i - 54));
       end loop;
-      if is_set(transform_right_filter_column_0(2), 7) then
-        transform_right_filter_feature_0_choices_from_18(61) := transform_filtering_0_column_inside_2;
-      else
-        transform_right_filter_feature_0_choices_from_18(61) := transform_right_filter_feature_0_alls(2);
-      end if;
-      if transform_right_filter_feature_0_choices_from_18(60) then
-        transform_right_filter_feature_0_choices_from_18(62) := is_set(transform_right_filter_column_0(2), 7) and
-          transform_filtering_0_column_inside_2 and (not is_set(transform_right_filter_column_2(4), 7));
-      else
-        transform_right_filter_feature_0_choices_from_18(62) := transform_right_filter_feature_0_choices_from_18(61);
-      end if;
-      if is_set(transform_right_filter_column_4(2), 0) then
-        transform_right_filter_feature_0_choices_from_18(63) := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choices_from_18(63) := not transform_right_filter_feature_0_value;
-      end if;
-      if is_set(transform_right_filter_column_4(2), 1) then
-        transform_right_filter_feature_0_choices_from_18(64) := transform_right_filter_feature_0_choices_from_18(63);
-      else
-        transform_right_filter_feature_0_choices_from_18(64) := is_set(transform_right_filter_column_4(2), 0) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choices_from_18(64) then
-        transform_right_filter_feature_0_choices_from_18(65) := (not is_set(transform_right_filter_column_4(2), 2)) and
-          transform_right_filter_feature_0_values(2);
-      else
-        transform_right_filter_feature_0_choices_from_18(65) := (not is_set(transform_right_filter_column_4(2), 2)) or
-          transform_right_filter_feature_0_values(2);
-      end if;
-      for i in 65 to 68 loop
-        if transform_right_filter_feature_0_choices_from_18(i) then
-          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_4(2), i
-            - 62)) or transform_right_filter_feature_0_values(i - 62);
-        else
-          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_4(2), i
-            - 62)) and transform_right_filter_feature_0_values(i - 62);
-        end if;
+      transform_right_filter_feature_0_choices(61) := choice(is_set(transform_right_filter_column_0(2), 7),
+        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_alls(2));
+      transform_right_filter_feature_0_choices(62) := choice(transform_right_filter_feature_0_choices(60),
+        is_set(transform_right_filter_column_0(2), 7) and transform_filtering_0_column_inside_2 and (not
+        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(61));
+      transform_right_filter_feature_0_choices(63) := choice(is_set(transform_right_filter_column_4(2), 0),
+        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(64) := choice(is_set(transform_right_filter_column_4(2), 1),
+        transform_right_filter_feature_0_choices(63), is_set(transform_right_filter_column_4(2), 0) and
+        transform_right_filter_feature_0_is_equal);
+      transform_right_filter_feature_0_choices(65) := inverted_carry(transform_right_filter_feature_0_choices(64), not
+        is_set(transform_right_filter_column_4(2), 2), transform_right_filter_feature_0_values(2));
+      for i in 66 to 69 loop
+        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
+          is_set(transform_right_filter_column_4(2), i - 63), transform_right_filter_feature_0_values(i - 63));
       end loop;
-      if is_set(transform_right_filter_column_4(2), 7) then
-        transform_right_filter_feature_0_choices_from_18(70) := transform_filtering_0_column_inside_2;
-      else
-        transform_right_filter_feature_0_choices_from_18(70) := transform_right_filter_feature_0_alls(2);
-      end if;
-      if transform_right_filter_feature_0_choices_from_18(69) then
-        transform_right_filter_feature_0_choices_from_18(71) := is_set(transform_right_filter_column_4(2), 7) and
-          transform_filtering_0_column_inside_2 and (not is_set(transform_right_filter_column_2(4), 7));
-      else
-        transform_right_filter_feature_0_choices_from_18(71) := transform_right_filter_feature_0_choices_from_18(70);
-      end if;
-      if is_set(transform_right_filter_column_2(6), 0) then
-        transform_right_filter_feature_0_choices_from_18(72) := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choices_from_18(72) := not transform_right_filter_feature_0_value;
-      end if;
-      if is_set(transform_right_filter_column_2(6), 1) then
-        transform_right_filter_feature_0_choices_from_18(73) := transform_right_filter_feature_0_choices_from_18(72);
-      else
-        transform_right_filter_feature_0_choices_from_18(73) := is_set(transform_right_filter_column_2(6), 0) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choices_from_18(73) then
-        transform_right_filter_feature_0_choices_from_18(74) := (not is_set(transform_right_filter_column_2(6), 2)) and
-          transform_right_filter_feature_0_values(2);
-      else
-        transform_right_filter_feature_0_choices_from_18(74) := (not is_set(transform_right_filter_column_2(6), 2)) or
-          transform_right_filter_feature_0_values(2);
-      end if;
-      for i in 74 to 77 loop
-        if transform_right_filter_feature_0_choices_from_18(i) then
-          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_2(6), i
-            - 71)) or transform_right_filter_feature_0_values(i - 71);
-        else
-          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_2(6), i
-            - 71)) and transform_right_filter_feature_0_values(i - 71);
-        end if;
+      transform_right_filter_feature_0_choices(70) := choice(is_set(transform_right_filter_column_4(2), 7),
+        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_alls(2));
+      transform_right_filter_feature_0_choices(71) := choice(transform_right_filter_feature_0_choices(69),
+        is_set(transform_right_filter_column_4(2), 7) and transform_filtering_0_column_inside_2 and (not
+        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(70));
+      transform_right_filter_feature_0_choices(72) := choice(is_set(transform_right_filter_column_2(6), 0),
+        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(73) := choice(is_set(transform_right_filter_column_2(6), 1),
+        transform_right_filter_feature_0_choices(72), is_set(transform_right_filter_column_2(6), 0) and
+        transform_right_filter_feature_0_is_equal);
+      transform_right_filter_feature_0_choices(74) := inverted_carry(transform_right_filter_feature_0_choices(73), not
+        is_set(transform_right_filter_column_2(6), 2), transform_right_filter_feature_0_values(2));
+      for i in 75 to 78 loop
+        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
+          is_set(transform_right_filter_column_2(6), i - 72), transform_right_filter_feature_0_values(i - 72));
       end loop;
       transform_right_filter_feature_0_alls(3) := transform_filtering_0_column_inside_6 and (not
         is_set(transform_right_filter_column_2(4), 7));
-      if is_set(transform_right_filter_column_2(6), 7) then
-        transform_right_filter_feature_0_choices_from_18(79) := transform_filtering_0_column_inside_6;
-      else
-        transform_right_filter_feature_0_choices_from_18(79) := transform_right_filter_feature_0_alls(3);
-      end if;
-      if transform_right_filter_feature_0_choices_from_18(78) then
-        transform_right_filter_feature_0_choices_from_18(80) := is_set(transform_right_filter_column_2(6), 7) and
-          transform_filtering_0_column_inside_6 and (not is_set(transform_right_filter_column_2(4), 7));
-      else
-        transform_right_filter_feature_0_choices_from_18(80) := transform_right_filter_feature_0_choices_from_18(79);
-      end if;
-      if is_set(transform_right_filter_column_0(6), 0) then
-        transform_right_filter_feature_0_choices_from_18(81) := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choices_from_18(81) := not transform_right_filter_feature_0_value;
-      end if;
-      if is_set(transform_right_filter_column_0(6), 1) then
-        transform_right_filter_feature_0_choices_from_18(82) := transform_right_filter_feature_0_choices_from_18(81);
-      else
-        transform_right_filter_feature_0_choices_from_18(82) := is_set(transform_right_filter_column_0(6), 0) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choices_from_18(82) then
-        transform_right_filter_feature_0_choices_from_18(83) := (not is_set(transform_right_filter_column_0(6), 2)) and
-          transform_right_filter_feature_0_values(2);
-      else
-        transform_right_filter_feature_0_choices_from_18(83) := (not is_set(transform_right_filter_column_0(6), 2)) or
-          transform_right_filter_feature_0_values(2);
-      end if;
-      for i in 83 to 86 loop
-        if transform_right_filter_feature_0_choices_from_18(i) then
-          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_0(6), i
-            - 80)) or transform_right_filter_feature_0_values(i - 80);
-        else
-          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_0(6), i
-            - 80)) and transform_right_filter_feature_0_values(i - 80);
-        end if;
+      transform_right_filter_feature_0_choices(79) := choice(is_set(transform_right_filter_column_2(6), 7),
+        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_alls(3));
+      transform_right_filter_feature_0_choices(80) := choice(transform_right_filter_feature_0_choices(78),
+        is_set(transform_right_filter_column_2(6), 7) and transform_filtering_0_column_inside_6 and (not
+        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(79));
+      transform_right_filter_feature_0_choices(81) := choice(is_set(transform_right_filter_column_0(6), 0),
+        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(82) := choice(is_set(transform_right_filter_column_0(6), 1),
+        transform_right_filter_feature_0_choices(81), is_set(transform_right_filter_column_0(6), 0) and
+        transform_right_filter_feature_0_is_equal);
+      transform_right_filter_feature_0_choices(83) := inverted_carry(transform_right_filter_feature_0_choices(82), not
+        is_set(transform_right_filter_column_0(6), 2), transform_right_filter_feature_0_values(2));
+      for i in 84 to 87 loop
+        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
+          is_set(transform_right_filter_column_0(6), i - 81), transform_right_filter_feature_0_values(i - 81));
       end loop;
-      if is_set(transform_right_filter_column_0(6), 7) then
-        transform_right_filter_feature_0_choices_from_18(88) := transform_filtering_0_column_inside_6;
-      else
-        transform_right_filter_feature_0_choices_from_18(88) := transform_right_filter_feature_0_alls(3);
-      end if;
-      if transform_right_filter_feature_0_choices_from_18(87) then
-        transform_right_filter_feature_0_choices_from_18(89) := is_set(transform_right_filter_column_0(6), 7) and
-          transform_filtering_0_column_inside_6 and (not is_set(transform_right_filter_column_2(4), 7));
-      else
-        transform_right_filter_feature_0_choices_from_18(89) := transform_right_filter_feature_0_choices_from_18(88);
-      end if;
-      if is_set(transform_right_filter_column_4(6), 0) then
-        transform_right_filter_feature_0_choices_from_18(90) := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choices_from_18(90) := not transform_right_filter_feature_0_value;
-      end if;
-      if is_set(transform_right_filter_column_4(6), 1) then
-        transform_right_filter_feature_0_choices_from_18(91) := transform_right_filter_feature_0_choices_from_18(90);
-      else
-        transform_right_filter_feature_0_choices_from_18(91) := is_set(transform_right_filter_column_4(6), 0) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choices_from_18(91) then
-        transform_right_filter_feature_0_choices_from_18(92) := (not is_set(transform_right_filter_column_4(6), 2)) and
-          transform_right_filter_feature_0_values(2);
-      else
-        transform_right_filter_feature_0_choices_from_18(92) := (not is_set(transform_right_filter_column_4(6), 2)) or
-          transform_right_filter_feature_0_values(2);
-      end if;
-      for i in 92 to 95 loop
-        if transform_right_filter_feature_0_choices_from_18(i) then
-          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_4(6), i
-            - 89)) or transform_right_filter_feature_0_values(i - 89);
-        else
-          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_4(6), i
-            - 89)) and transform_right_filter_feature_0_values(i - 89);
-        end if;
+      transform_right_filter_feature_0_choices(88) := choice(is_set(transform_right_filter_column_0(6), 7),
+        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_alls(3));
+      transform_right_filter_feature_0_choices(89) := choice(transform_right_filter_feature_0_choices(87),
+        is_set(transform_right_filter_column_0(6), 7) and transform_filtering_0_column_inside_6 and (not
+        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(88));
+      transform_right_filter_feature_0_choices(90) := choice(is_set(transform_right_filter_column_4(6), 0),
+        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(91) := choice(is_set(transform_right_filter_column_4(6), 1),
+        transform_right_filter_feature_0_choices(90), is_set(transform_right_filter_column_4(6), 0) and
+        transform_right_filter_feature_0_is_equal);
+      transform_right_filter_feature_0_choices(92) := inverted_carry(transform_right_filter_feature_0_choices(91), not
+        is_set(transform_right_filter_column_4(6), 2), transform_right_filter_feature_0_values(2));
+      for i in 93 to 96 loop
+        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
+          is_set(transform_right_filter_column_4(6), i - 90), transform_right_filter_feature_0_values(i - 90));
       end loop;
-      if is_set(transform_right_filter_column_4(6), 7) then
-        transform_right_filter_feature_0_choices_from_18(97) := transform_filtering_0_column_inside_6;
-      else
-        transform_right_filter_feature_0_choices_from_18(97) := transform_right_filter_feature_0_alls(3);
-      end if;
-      if transform_right_filter_feature_0_choices_from_18(96) then
-        transform_right_filter_feature_0_choices_from_18(98) := is_set(transform_right_filter_column_4(6), 7) and
-          transform_filtering_0_column_inside_6 and (not is_set(transform_right_filter_column_2(4), 7));
-      else
-        transform_right_filter_feature_0_choices_from_18(98) := transform_right_filter_feature_0_choices_from_18(97);
-      end if;
-      if is_set(transform_right_filter_column_2(8), 0) then
-        transform_right_filter_feature_0_choices_from_18(99) := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choices_from_18(99) := not transform_right_filter_feature_0_value;
-      end if;
-      if is_set(transform_right_filter_column_2(8), 1) then
-        transform_right_filter_feature_0_choices_from_18(100) := transform_right_filter_feature_0_choices_from_18(99);
-      else
-        transform_right_filter_feature_0_choices_from_18(100) := is_set(transform_right_filter_column_2(8), 0) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choices_from_18(100) then
-        transform_right_filter_feature_0_choices_from_18(101) := (not is_set(transform_right_filter_column_2(8), 2))
-          and transform_right_filter_feature_0_values(2);
-      else
-        transform_right_filter_feature_0_choices_from_18(101) := (not is_set(transform_right_filter_column_2(8), 2)) or
-          transform_right_filter_feature_0_values(2);
-      end if;
-      for i in 101 to 104 loop
-        if transform_right_filter_feature_0_choices_from_18(i) then
-          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_2(8), i
-            - 98)) or transform_right_filter_feature_0_values(i - 98);
-        else
-          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_2(8), i
-            - 98)) and transform_right_filter_feature_0_values(i - 98);
-        end if;
+      transform_right_filter_feature_0_choices(97) := choice(is_set(transform_right_filter_column_4(6), 7),
+        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_alls(3));
+      transform_right_filter_feature_0_choices(98) := choice(transform_right_filter_feature_0_choices(96),
+        is_set(transform_right_filter_column_4(6), 7) and transform_filtering_0_column_inside_6 and (not
+        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(97));
+      transform_right_filter_feature_0_choices(99) := choice(is_set(transform_right_filter_column_2(8), 0),
+        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(100) := choice(is_set(transform_right_filter_column_2(8), 1),
+        transform_right_filter_feature_0_choices(99), is_set(transform_right_filter_column_2(8), 0) and
+        transform_right_filter_feature_0_is_equal);
+      transform_right_filter_feature_0_choices(101) := inverted_carry(transform_right_filter_feature_0_choices(100),
+        not is_set(transform_right_filter_column_2(8), 2), transform_right_filter_feature_0_values(2));
+      for i in 102 to 105 loop
+        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
+          is_set(transform_right_filter_column_2(8), i - 99), transform_right_filter_feature_0_values(i - 99));
       end loop;
       transform_right_filter_feature_0_alls(4) := transform_filtering_0_column_inside_8 and (not
         is_set(transform_right_filter_column_2(4), 7));
-      if is_set(transform_right_filter_column_2(8), 7) then
-        transform_right_filter_feature_0_choices_from_18(106) := transform_filtering_0_column_inside_8;
-      else
-        transform_right_filter_feature_0_choices_from_18(106) := transform_right_filter_feature_0_alls(4);
-      end if;
-      if transform_right_filter_feature_0_choices_from_18(105) then
-        transform_right_filter_feature_0_choices_from_18(107) := is_set(transform_right_filter_column_2(8), 7) and
-          transform_filtering_0_column_inside_8 and (not is_set(transform_right_filter_column_2(4), 7));
-      else
-        transform_right_filter_feature_0_choices_from_18(107) := transform_right_filter_feature_0_choices_from_18(106);
-      end if;
-      if is_set(transform_right_filter_column_0(8), 0) then
-        transform_right_filter_feature_0_choices_from_18(108) := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choices_from_18(108) := not transform_right_filter_feature_0_value;
-      end if;
-      if is_set(transform_right_filter_column_0(8), 1) then
-        transform_right_filter_feature_0_choices_from_18(109) := transform_right_filter_feature_0_choices_from_18(108);
-      else
-        transform_right_filter_feature_0_choices_from_18(109) := is_set(transform_right_filter_column_0(8), 0) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choices_from_18(109) then
-        transform_right_filter_feature_0_choices_from_18(110) := (not is_set(transform_right_filter_column_0(8), 2))
-          and transform_right_filter_feature_0_values(2);
-      else
-        transform_right_filter_feature_0_choices_from_18(110) := (not is_set(transform_right_filter_column_0(8), 2)) or
-          transform_right_filter_feature_0_values(2);
-      end if;
-      for i in 110 to 113 loop
-        if transform_right_filter_feature_0_choices_from_18(i) then
-          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_0(8), i
-            - 107)) or transform_right_filter_feature_0_values(i - 107);
-        else
-          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_0(8), i
-            - 107)) and transform_right_filter_feature_0_values(i - 107);
-        end if;
+      transform_right_filter_feature_0_choices(106) := choice(is_set(transform_right_filter_column_2(8), 7),
+        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_alls(4));
+      transform_right_filter_feature_0_choices(107) := choice(transform_right_filter_feature_0_choices(105),
+        is_set(transform_right_filter_column_2(8), 7) and transform_filtering_0_column_inside_8 and (not
+        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(106));
+      transform_right_filter_feature_0_choices(108) := choice(is_set(transform_right_filter_column_0(8), 0),
+        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(109) := choice(is_set(transform_right_filter_column_0(8), 1),
+        transform_right_filter_feature_0_choices(108), is_set(transform_right_filter_column_0(8), 0) and
+        transform_right_filter_feature_0_is_equal);
+      transform_right_filter_feature_0_choices(110) := inverted_carry(transform_right_filter_feature_0_choices(109),
+        not is_set(transform_right_filter_column_0(8), 2), transform_right_filter_feature_0_values(2));
+      for i in 111 to 114 loop
+        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
+          is_set(transform_right_filter_column_0(8), i - 108), transform_right_filter_feature_0_values(i - 108));
       end loop;
-      if is_set(transform_right_filter_column_0(8), 7) then
-        transform_right_filter_feature_0_choices_from_18(115) := transform_filtering_0_column_inside_8;
-      else
-        transform_right_filter_feature_0_choices_from_18(115) := transform_right_filter_feature_0_alls(4);
-      end if;
-      if transform_right_filter_feature_0_choices_from_18(114) then
-        transform_right_filter_feature_0_choices_from_18(116) := is_set(transform_right_filter_column_0(8), 7) and
-          transform_filtering_0_column_inside_8 and (not is_set(transform_right_filter_column_2(4), 7));
-      else
-        transform_right_filter_feature_0_choices_from_18(116) := transform_right_filter_feature_0_choices_from_18(115);
-      end if;
-      if is_set(transform_right_filter_column_4(8), 0) then
-        transform_right_filter_feature_0_choices_from_18(117) := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choices_from_18(117) := not transform_right_filter_feature_0_value;
-      end if;
-      if is_set(transform_right_filter_column_4(8), 1) then
-        transform_right_filter_feature_0_choices_from_18(118) := transform_right_filter_feature_0_choices_from_18(117);
-      else
-        transform_right_filter_feature_0_choices_from_18(118) := is_set(transform_right_filter_column_4(8), 0) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choices_from_18(118) then
-        transform_right_filter_feature_0_choices_from_18(119) := (not is_set(transform_right_filter_column_4(8), 2))
-          and transform_right_filter_feature_0_values(2);
-      else
-        transform_right_filter_feature_0_choices_from_18(119) := (not is_set(transform_right_filter_column_4(8), 2)) or
-          transform_right_filter_feature_0_values(2);
-      end if;
-      for i in 119 to 122 loop
-        if transform_right_filter_feature_0_choices_from_18(i) then
-          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_4(8), i
-            - 116)) or transform_right_filter_feature_0_values(i - 116);
-        else
-          transform_right_filter_feature_0_choices_from_18(i + 1) := (not is_set(transform_right_filter_column_4(8), i
-            - 116)) and transform_right_filter_feature_0_values(i - 116);
-        end if;
+      transform_right_filter_feature_0_choices(115) := choice(is_set(transform_right_filter_column_0(8), 7),
+        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_alls(4));
+      transform_right_filter_feature_0_choices(116) := choice(transform_right_filter_feature_0_choices(114),
+        is_set(transform_right_filter_column_0(8), 7) and transform_filtering_0_column_inside_8 and (not
+        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(115));
+      transform_right_filter_feature_0_choices(117) := choice(is_set(transform_right_filter_column_4(8), 0),
+        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(118) := choice(is_set(transform_right_filter_column_4(8), 1),
+        transform_right_filter_feature_0_choices(117), is_set(transform_right_filter_column_4(8), 0) and
+        transform_right_filter_feature_0_is_equal);
+      transform_right_filter_feature_0_choices(119) := inverted_carry(transform_right_filter_feature_0_choices(118),
+        not is_set(transform_right_filter_column_4(8), 2), transform_right_filter_feature_0_values(2));
+      for i in 120 to 123 loop
+        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
+          is_set(transform_right_filter_column_4(8), i - 117), transform_right_filter_feature_0_values(i - 117));
       end loop;
-      if is_set(transform_right_filter_column_4(8), 7) then
-        transform_right_filter_feature_0_choices_from_18(124) := transform_filtering_0_column_inside_8;
-      else
-        transform_right_filter_feature_0_choices_from_18(124) := transform_right_filter_feature_0_alls(4);
-      end if;
-      if transform_right_filter_feature_0_choices_from_18(123) then
-        transform_right_filter_feature_0_choices_from_18(125) := is_set(transform_right_filter_column_4(8), 7) and
-          transform_filtering_0_column_inside_8 and (not is_set(transform_right_filter_column_2(4), 7));
-      else
-        transform_right_filter_feature_0_choices_from_18(125) := transform_right_filter_feature_0_choices_from_18(124);
-      end if;
+      transform_right_filter_feature_0_choices(124) := choice(is_set(transform_right_filter_column_4(8), 7),
+        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_alls(4));
+      transform_right_filter_feature_0_choices(125) := choice(transform_right_filter_feature_0_choices(123),
+        is_set(transform_right_filter_column_4(8), 7) and transform_filtering_0_column_inside_8 and (not
+        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(124));
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
@@ -2052,11 +1264,11 @@ begin
         (transform_counter_group mod 2)) < 12;
       transform_read_row_inside_4 <= (not is_set(transform_counter_group, 3)) or (not is_set(transform_counter_group,
         2));
-      transform_read_column_inside_0 <= is_set(transform_counter_column, 5) or transform_read_column_inside_0_value or
-        transform_read_column_inside_0_values(2) or transform_read_column_inside_0_values(3);
+      transform_read_column_inside_0 <= is_set(transform_counter_column, 5) or transform_read_column_inside_0_values(1)
+        or transform_read_column_inside_0_values(2) or transform_read_column_inside_0_values(3);
       transform_read_column_inside_4 <= true;
-      transform_read_column_inside_8 <= is_set(transform_counter_column, 5) or transform_read_column_inside_0_value or
-        transform_read_column_inside_0_values(2) or (not transform_read_column_inside_0_values(3));
+      transform_read_column_inside_8 <= is_set(transform_counter_column, 5) or transform_read_column_inside_0_values(1)
+        or transform_read_column_inside_0_values(2) or (not transform_read_column_inside_0_values(3));
       transform_read_start_of_frame <= (transform_counter_column = 4) and (transform_counter_group = 2);
       transform_read_valid <= transform_valid;
       transform_ready_column <= transform_read_column;
@@ -2087,31 +1299,31 @@ begin
       transform_columns_start_of_frame <= transform_ready_start_of_frame;
       transform_columns_valid <= transform_ready_valid;
       transform_left_filter_feature_0 <= (transform_left_filter_feature_0_choice_17 * 64) +
-        (as_number(transform_left_filter_feature_0_choices_from_18(26)) * 2) +
-        as_number(transform_left_filter_feature_0_choices_from_18(35)) +
-        (as_number(transform_left_filter_feature_0_choices_from_18(43)) * 4) +
-        (as_number(transform_left_filter_feature_0_choices_from_18(52)) * 16) +
-        (as_number(transform_left_filter_feature_0_choices_from_18(61)) * 8) +
-        (as_number(transform_left_filter_feature_0_choices_from_18(69)) * 32) +
-        (as_number(transform_left_filter_feature_0_choices_from_18(78)) * 512) +
-        (as_number(transform_left_filter_feature_0_choices_from_18(87)) * 256) +
-        (as_number(transform_left_filter_feature_0_choices_from_18(95)) * 1024) +
-        (as_number(transform_left_filter_feature_0_choices_from_18(104)) * 4096) +
-        (as_number(transform_left_filter_feature_0_choices_from_18(113)) * 2048) +
-        (as_number(transform_left_filter_feature_0_choices_from_18(121)) * 8192);
+        (as_number(transform_left_filter_feature_0_choices(26)) * 2) +
+        as_number(transform_left_filter_feature_0_choices(35)) +
+        (as_number(transform_left_filter_feature_0_choices(43)) * 4) +
+        (as_number(transform_left_filter_feature_0_choices(52)) * 16) +
+        (as_number(transform_left_filter_feature_0_choices(61)) * 8) +
+        (as_number(transform_left_filter_feature_0_choices(69)) * 32) +
+        (as_number(transform_left_filter_feature_0_choices(78)) * 512) +
+        (as_number(transform_left_filter_feature_0_choices(87)) * 256) +
+        (as_number(transform_left_filter_feature_0_choices(95)) * 1024) +
+        (as_number(transform_left_filter_feature_0_choices(104)) * 4096) +
+        (as_number(transform_left_filter_feature_0_choices(113)) * 2048) +
+        (as_number(transform_left_filter_feature_0_choices(121)) * 8192);
       transform_right_filter_feature_0 <= (transform_right_filter_feature_0_choice_17 * 64) +
-        (as_number(transform_right_filter_feature_0_choices_from_18(26)) * 2) +
-        as_number(transform_right_filter_feature_0_choices_from_18(35)) +
-        (as_number(transform_right_filter_feature_0_choices_from_18(44)) * 4) +
-        (as_number(transform_right_filter_feature_0_choices_from_18(53)) * 16) +
-        (as_number(transform_right_filter_feature_0_choices_from_18(62)) * 8) +
-        (as_number(transform_right_filter_feature_0_choices_from_18(71)) * 32) +
-        (as_number(transform_right_filter_feature_0_choices_from_18(80)) * 512) +
-        (as_number(transform_right_filter_feature_0_choices_from_18(89)) * 256) +
-        (as_number(transform_right_filter_feature_0_choices_from_18(98)) * 1024) +
-        (as_number(transform_right_filter_feature_0_choices_from_18(107)) * 4096) +
-        (as_number(transform_right_filter_feature_0_choices_from_18(116)) * 2048) +
-        (as_number(transform_right_filter_feature_0_choices_from_18(125)) * 8192);
+        (as_number(transform_right_filter_feature_0_choices(26)) * 2) +
+        as_number(transform_right_filter_feature_0_choices(35)) +
+        (as_number(transform_right_filter_feature_0_choices(44)) * 4) +
+        (as_number(transform_right_filter_feature_0_choices(53)) * 16) +
+        (as_number(transform_right_filter_feature_0_choices(62)) * 8) +
+        (as_number(transform_right_filter_feature_0_choices(71)) * 32) +
+        (as_number(transform_right_filter_feature_0_choices(80)) * 512) +
+        (as_number(transform_right_filter_feature_0_choices(89)) * 256) +
+        (as_number(transform_right_filter_feature_0_choices(98)) * 1024) +
+        (as_number(transform_right_filter_feature_0_choices(107)) * 4096) +
+        (as_number(transform_right_filter_feature_0_choices(116)) * 2048) +
+        (as_number(transform_right_filter_feature_0_choices(125)) * 8192);
       transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
       transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
       transform_filtering_0_column_inside_4 <= transform_columns_column_inside_4;
@@ -2121,40 +1333,22 @@ begin
       transform_filtering_valid(0) <= transform_columns_valid;
       transform_filtering_start_of_frame(1) <= transform_filtering_start_of_frame(0);
       transform_filtering_valid(1) <= transform_filtering_valid(0);
-      if in_valid and in_start_of_frame then
-        transform_counter_group <= transform_counter_group_choice * 4;
-      else
-        transform_counter_group <= transform_counter_group_choices(3);
-      end if;
-      if ((transform_counter_column / 2) mod 16) = 0 then
-        transform_read_column_inside_2 <= transform_read_column_inside_2_is_equal /= is_set(transform_counter_column,
-          5);
-      else
-        transform_read_column_inside_2 <= transform_read_column_inside_2_differs;
-      end if;
-      if transform_read_column_inside_6_choice then
-        transform_read_column_inside_6 <= transform_read_column_inside_2_is_equal /=
-          transform_read_column_inside_0_values(2);
-      else
-        transform_read_column_inside_6 <= transform_read_column_inside_2_differs;
-      end if;
-      if in_start_of_frame then
-        transform_counter_next_frame_choice := transform_counter_group_all;
-      else
-        transform_counter_next_frame_choice := transform_counter_next_frame;
-      end if;
+      transform_counter_group <= choice(in_valid and in_start_of_frame, transform_counter_group_choice * 4,
+        transform_counter_group_choices(3));
+      transform_read_column_inside_2 <= choice(((transform_counter_column / 2) mod 16) = 0,
+        transform_read_column_inside_2_is_equal /= is_set(transform_counter_column, 5),
+        transform_read_column_inside_2_differs);
+      transform_read_column_inside_6 <= choice(transform_read_column_inside_6_choice,
+        transform_read_column_inside_2_is_equal /= transform_read_column_inside_0_values(2),
+        transform_read_column_inside_2_differs);
+      transform_counter_next_frame_choice := choice(in_start_of_frame, transform_counter_group_all,
+        transform_counter_next_frame);
       if in_valid then
-        if transform_counter_group_is_equal or in_start_of_frame then
-          transform_counter_column <= 0;
-        else
-          transform_counter_column <= (transform_counter_column + 1) mod 64;
-        end if;
-        if transform_counter_group_is_equal and transform_counter_group_is_equals(3) then
-          transform_counter_next_frame <= transform_counter_group_is_equal and transform_counter_group_is_equals(2) and
-            in_start_of_frame;
-        else
-          transform_counter_next_frame <= transform_counter_next_frame_choice;
-        end if;
+        transform_counter_column <= choice(transform_counter_group_is_equals(1) or in_start_of_frame, 0,
+          (transform_counter_column + 1) mod 64);
+        transform_counter_next_frame <= choice(transform_counter_group_is_equals(1) and
+          transform_counter_group_is_equals(3), transform_counter_group_is_equals(1) and
+          transform_counter_group_is_equals(2) and in_start_of_frame, transform_counter_next_frame_choice);
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= to_unsigned(transform_left_rows_ready_newest_0, 8) &
@@ -2174,93 +1368,46 @@ begin
           transform_right_filter_column_2(i) <= transform_right_filter_column_2(i - 1);
           transform_right_filter_column_4(i) <= transform_right_filter_column_4(i - 1);
         end loop;
-        if transform_columns_row_inside_0 then
-          transform_left_filter_column_0(0) <= transform_left_column_0;
-          transform_right_filter_column_0(0) <= transform_right_column_0;
-        else
-          transform_left_filter_column_0(0) <= 0;
-          transform_right_filter_column_0(0) <= 0;
-        end if;
-        if transform_columns_row_inside_2 then
-          transform_left_filter_column_2(0) <= transform_left_column_2;
-          transform_right_filter_column_2(0) <= transform_right_column_2;
-        else
-          transform_left_filter_column_2(0) <= 0;
-          transform_right_filter_column_2(0) <= 0;
-        end if;
-        if transform_columns_row_inside_4 then
-          transform_left_filter_column_4(0) <= transform_left_column_4;
-          transform_right_filter_column_4(0) <= transform_right_column_4;
-        else
-          transform_left_filter_column_4(0) <= 0;
-          transform_right_filter_column_4(0) <= 0;
-        end if;
+        transform_left_filter_column_0(0) <= choice(transform_columns_row_inside_0, transform_left_column_0, 0);
+        transform_right_filter_column_0(0) <= choice(transform_columns_row_inside_0, transform_right_column_0, 0);
+        transform_left_filter_column_2(0) <= choice(transform_columns_row_inside_2, transform_left_column_2, 0);
+        transform_right_filter_column_2(0) <= choice(transform_columns_row_inside_2, transform_right_column_2, 0);
+        transform_left_filter_column_4(0) <= choice(transform_columns_row_inside_4, transform_left_column_4, 0);
+        transform_right_filter_column_4(0) <= choice(transform_columns_row_inside_4, transform_right_column_4, 0);
       end if;
       -- raster
-      raster_place_group_is_equal := raster_place_group = 11;
+      raster_place_group_is_equals(1) := raster_place_group = 11;
       raster_place_group_is_equals(2) := raster_place_column = 39;
-      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equals(2);
-      if raster_place_group_all then
-        raster_place_group_choice := 3;
-      else
-        raster_place_group_choice := 0;
-      end if;
+      raster_place_group_all := raster_place_group_is_equals(1) and raster_place_group_is_equals(2);
+      raster_place_group_choice := choice(raster_place_group_all, 3, 0);
       raster_place_group_is_equals(3) := (raster_place_group / 2) = 6;
-      if raster_place_group_is_equals(3) then
-        raster_place_group_choice_2 := raster_place_group_is_equals(2) and (not is_set(raster_place_group, 0)) and
-          transform_filtering_valid(1);
-      else
-        raster_place_group_choice_2 := raster_place_group_is_equals(2) and transform_filtering_valid(1);
-      end if;
-      if raster_place_next_frame and (raster_place_group = 12) then
-        raster_place_group_choices(3) := 1;
-      else
-        raster_place_group_choices(3) := (raster_place_group + 1) mod 16;
-      end if;
-      if raster_place_group_choice_2 then
-        raster_place_group_choices(4) := raster_place_group_choices(3);
-      else
-        raster_place_group_choices(4) := raster_place_group;
-      end if;
+      raster_place_group_choice_2 := choice(raster_place_group_is_equals(3), raster_place_group_is_equals(2) and (not
+        is_set(raster_place_group, 0)) and transform_filtering_valid(1), raster_place_group_is_equals(2) and
+        transform_filtering_valid(1));
+      raster_place_group_choices(3) := choice(raster_place_next_frame and (raster_place_group = 12), 1,
+        (raster_place_group + 1) mod 16);
+      raster_place_group_choices(4) := choice(raster_place_group_choice_2, raster_place_group_choices(3),
+        raster_place_group);
       raster_features_search_0 <= transform_left_filter_feature_0;
       raster_features_reference_0 <= transform_right_filter_feature_0;
       raster_features_valid <= transform_filtering_valid(1);
-      if transform_filtering_start_of_frame(1) and transform_filtering_valid(1) then
-        raster_place_group <= raster_place_group_choice * 4;
-      else
-        raster_place_group <= raster_place_group_choices(4);
-      end if;
-      if raster_place_group_is_equals(2) then
-        raster_place_next_frame_choice := raster_place_next_frame and is_set(raster_place_group, 0);
-      else
-        raster_place_next_frame_choice := raster_place_next_frame;
-      end if;
-      if raster_place_group_is_equals(3) then
-        raster_place_next_frame_choice_2 := raster_place_next_frame_choice;
-      else
-        raster_place_next_frame_choice_2 := raster_place_next_frame;
-      end if;
+      raster_place_group <= choice(transform_filtering_start_of_frame(1) and transform_filtering_valid(1),
+        raster_place_group_choice * 4, raster_place_group_choices(4));
+      raster_place_next_frame_choices(1) := choice(raster_place_group_is_equals(2), raster_place_next_frame and
+        is_set(raster_place_group, 0), raster_place_next_frame);
+      raster_place_next_frame_choices(2) := choice(raster_place_group_is_equals(3), raster_place_next_frame_choices(1),
+        raster_place_next_frame);
       if transform_filtering_valid(1) then
-        if raster_place_group_is_equals(2) or transform_filtering_start_of_frame(1) then
-          raster_place_column <= 0;
-        else
-          raster_place_column <= (raster_place_column + 1) mod 64;
-        end if;
-        if raster_place_next_frame_choice_2 then
-          raster_place_next_frame <= raster_place_group_all or (not transform_filtering_start_of_frame(1));
-        else
-          raster_place_next_frame <= raster_place_group_is_equal and raster_place_group_is_equals(2) and
-            transform_filtering_start_of_frame(1);
-        end if;
+        raster_place_column <= choice(raster_place_group_is_equals(2) or transform_filtering_start_of_frame(1), 0,
+          (raster_place_column + 1) mod 64);
+        raster_place_next_frame <= choice(raster_place_next_frame_choices(2), raster_place_group_all or (not
+          transform_filtering_start_of_frame(1)), raster_place_group_is_equals(1) and raster_place_group_is_equals(2)
+          and transform_filtering_start_of_frame(1));
       end if;
       -- delay
       if raster_features_valid then
         delay_ring_write_address <= delay_ring_read_address;
-        if delay_ring_read_address = 11 then
-          delay_ring_read_address <= 0;
-        else
-          delay_ring_read_address <= (delay_ring_read_address + 1) mod 16;
-        end if;
+        delay_ring_read_address <= choice(delay_ring_read_address = 11, 0, (delay_ring_read_address + 1) mod 16);
       end if;
       delay_row_inside_1_is_not_less := raster_place_group >= 1;
       delay_row_inside_1_is_less := raster_place_group < 13;
@@ -2272,15 +1419,15 @@ begin
       delay_row_inside(0) <= (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2)) < 12;
       delay_row_inside(1) <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
       delay_row_inside(2) <= (not is_set(raster_place_group, 3)) or (not is_set(raster_place_group, 2));
-      delay_tag_valid <= raster_features_valid;
-      delay_tag_border_column <= (not (is_set(raster_place_column, 3) and (is_set(raster_place_column, 2) or
+      delay_tag.valid <= raster_features_valid;
+      delay_tag.border_column <= (not (is_set(raster_place_column, 3) and (is_set(raster_place_column, 2) or
         ((raster_place_column mod 4) = 3)))) and ((raster_place_column / 16) = 0);
-      delay_tag_first_cost <= delay_tag_first_cost_is_equal;
-      delay_tag_map_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
-      delay_tag_output_column <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less and
+      delay_tag.first_cost <= delay_tag_first_cost_is_equal;
+      delay_tag.map_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
+      delay_tag.output_column <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less and
         delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
-      delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 1);
-      delay_tag_end_of_line <= raster_place_group_is_equals(2);
+      delay_tag.start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 1);
+      delay_tag.end_of_line <= raster_place_group_is_equals(2);
       -- rows
       rows_search_rows_read_newest_0 <= delay_ahead_0;
       rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
@@ -2289,56 +1436,19 @@ begin
       rows_reference_rows_ready_words_0 <= to_integer(rows_reference_rows_read_words_0);
       rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
       rows_read_column <= delay_column;
-      rows_read_inside(0) <= delay_row_inside(0);
-      rows_read_inside(1) <= delay_row_inside(1);
-      rows_read_inside(2) <= delay_row_inside(2);
-      rows_read_tag_valid <= delay_tag_valid;
-      rows_read_tag_border_column <= delay_tag_border_column;
-      rows_read_tag_first_cost <= delay_tag_first_cost;
-      rows_read_tag_map_column <= delay_tag_map_column;
-      rows_read_tag_output_column <= delay_tag_output_column;
-      rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
-      rows_read_tag_end_of_line <= delay_tag_end_of_line;
+      rows_read_inside <= delay_row_inside;
+      rows_read_tag <= delay_tag;
       rows_ready_column <= rows_read_column;
-      rows_ready_inside(0) <= rows_read_inside(0);
-      rows_ready_inside(1) <= rows_read_inside(1);
-      rows_ready_inside(2) <= rows_read_inside(2);
-      rows_ready_tag_valid <= rows_read_tag_valid;
-      rows_ready_tag_border_column <= rows_read_tag_border_column;
-      rows_ready_tag_first_cost <= rows_read_tag_first_cost;
-      rows_ready_tag_map_column <= rows_read_tag_map_column;
-      rows_ready_tag_output_column <= rows_read_tag_output_column;
-      rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
-      rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_tag_valid <= rows_ready_tag_valid;
-      rows_tag_border_column <= rows_ready_tag_border_column;
-      rows_tag_first_cost <= rows_ready_tag_first_cost;
-      rows_tag_map_column <= rows_ready_tag_map_column;
-      rows_tag_output_column <= rows_ready_tag_output_column;
-      rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
-      rows_tag_end_of_line <= rows_ready_tag_end_of_line;
-      if rows_ready_inside(0) then
-        rows_search(0) <= rows_search_rows_ready_words_0 mod 16384;
-        rows_reference(0) <= rows_reference_rows_ready_words_0 mod 16384;
-      else
-        rows_search(0) <= 0;
-        rows_reference(0) <= 0;
-      end if;
-      if rows_ready_inside(1) then
-        rows_search(1) <= rows_search_rows_ready_words_0 / 16384;
-        rows_reference(1) <= rows_reference_rows_ready_words_0 / 16384;
-      else
-        rows_search(1) <= 0;
-        rows_reference(1) <= 0;
-      end if;
-      if rows_ready_inside(2) then
-        rows_search(2) <= rows_search_rows_ready_newest_0;
-        rows_reference(2) <= rows_reference_rows_ready_newest_0;
-      else
-        rows_search(2) <= 0;
-        rows_reference(2) <= 0;
-      end if;
-      if rows_ready_tag_valid then
+      rows_ready_inside <= rows_read_inside;
+      rows_ready_tag <= rows_read_tag;
+      rows_tag <= rows_ready_tag;
+      rows_search(0) <= choice(rows_ready_inside(0), rows_search_rows_ready_words_0 mod 16384, 0);
+      rows_reference(0) <= choice(rows_ready_inside(0), rows_reference_rows_ready_words_0 mod 16384, 0);
+      rows_search(1) <= choice(rows_ready_inside(1), rows_search_rows_ready_words_0 / 16384, 0);
+      rows_reference(1) <= choice(rows_ready_inside(1), rows_reference_rows_ready_words_0 / 16384, 0);
+      rows_search(2) <= choice(rows_ready_inside(2), rows_search_rows_ready_newest_0, 0);
+      rows_reference(2) <= choice(rows_ready_inside(2), rows_reference_rows_ready_newest_0, 0);
+      if rows_ready_tag.valid then
         rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 16384) + (rows_search_rows_ready_newest_0 *
           16384);
         rows_reference_rows_write_words_0 <= (rows_reference_rows_ready_words_0 / 16384) +
@@ -2346,7 +1456,7 @@ begin
         rows_write_column <= rows_ready_column;
       end if;
       -- slice0shift
-      if rows_tag_valid then
+      if rows_tag.valid then
         for i in 0 to 2 loop
           slice0shift_search(i, 0) <= slice0shift_search(i, 1);
           slice0shift_search(i, 1) <= slice0shift_search(i, 2);
@@ -2355,82 +1465,68 @@ begin
           slice0shift_search(i, 4) <= rows_search(i);
         end loop;
       end if;
-      slice0shift_reference(0) <= rows_reference(0);
-      slice0shift_reference(1) <= rows_reference(1);
-      slice0shift_reference(2) <= rows_reference(2);
+      slice0shift_reference <= rows_reference;
       slice0shift_search_out(0) <= slice0shift_search(0, 0);
       slice0shift_search_out(1) <= slice0shift_search(1, 0);
       slice0shift_search_out(2) <= slice0shift_search(2, 0);
-      slice0shift_tag_valid <= rows_tag_valid;
-      slice0shift_tag_border_column <= rows_tag_border_column;
-      slice0shift_tag_first_cost <= rows_tag_first_cost;
-      slice0shift_tag_map_column <= rows_tag_map_column;
-      slice0shift_tag_output_column <= rows_tag_output_column;
-      slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
-      slice0shift_tag_end_of_line <= rows_tag_end_of_line;
+      slice0shift_tag <= rows_tag;
       -- slice0cost
       for i in 0 to 2 loop
-        slice0cost_pixels_first_0_count_value(i, 0) := is_set(slice0shift_reference(i), 2);
-        slice0cost_pixels_first_0_count_value_2(i, 0) := is_set(slice0shift_reference(i), 1);
-        slice0cost_pixels_first_0_count_value(i, 1) := is_set(slice0shift_reference(i), 3);
-        slice0cost_pixels_first_0_count_value_2(i, 1) := is_set(slice0shift_reference(i), 5);
-        slice0cost_pixels_first_0_count_1_value_3(i) := is_set(slice0shift_reference(i), 4);
-        slice0cost_pixels_first_0_count_value(i, 2) := is_set(slice0shift_reference(i), 8);
-        slice0cost_pixels_first_0_count_value_2(i, 2) := is_set(slice0shift_reference(i), 6);
-        slice0cost_pixels_first_0_count_value(i, 3) := is_set(slice0shift_reference(i), 9);
-        slice0cost_pixels_first_0_count_value_2(i, 3) := is_set(slice0shift_reference(i), 11);
-        slice0cost_pixels_first_0_count_3_value_3(i) := is_set(slice0shift_reference(i), 10);
-        slice0cost_pixels_first_0_count_value(i, 4) := is_set(slice0shift_reference(i), 12);
+        slice0cost_pixels_first_0_count_value(i, 0, 1) := is_set(slice0shift_reference(i), 2);
+        slice0cost_pixels_first_0_count_value(i, 0, 2) := is_set(slice0shift_reference(i), 1);
+        slice0cost_pixels_first_0_count_value(i, 1, 1) := is_set(slice0shift_reference(i), 3);
+        slice0cost_pixels_first_0_count_value(i, 1, 2) := is_set(slice0shift_reference(i), 5);
+        slice0cost_pixels_first_0_count_value(i, 1, 3) := is_set(slice0shift_reference(i), 4);
+        slice0cost_pixels_first_0_count_value(i, 2, 1) := is_set(slice0shift_reference(i), 8);
+        slice0cost_pixels_first_0_count_value(i, 2, 2) := is_set(slice0shift_reference(i), 6);
+        slice0cost_pixels_first_0_count_value(i, 3, 1) := is_set(slice0shift_reference(i), 9);
+        slice0cost_pixels_first_0_count_value(i, 3, 2) := is_set(slice0shift_reference(i), 11);
+        slice0cost_pixels_first_0_count_value(i, 3, 3) := is_set(slice0shift_reference(i), 10);
+        slice0cost_pixels_first_0_count_value(i, 4, 1) := is_set(slice0shift_reference(i), 12);
       end loop;
       for i in 0 to 2 loop
         slice0cost_pixels_first_count(i, 0, 0) <= as_number((is_set(slice0shift_search(i, 0), 0) /=
-          is_set(slice0shift_reference(i), 0))) + as_number((slice0cost_pixels_first_0_count_value(i, 0) /=
-          is_set(slice0shift_search(i, 0), 2))) + as_number((slice0cost_pixels_first_0_count_value_2(i, 0) /=
+          is_set(slice0shift_reference(i), 0))) + as_number((slice0cost_pixels_first_0_count_value(i, 0, 1) /=
+          is_set(slice0shift_search(i, 0), 2))) + as_number((slice0cost_pixels_first_0_count_value(i, 0, 2) /=
           is_set(slice0shift_search(i, 0), 1)));
-        slice0cost_pixels_first_count(i, 0, 1) <= as_number((slice0cost_pixels_first_0_count_value(i, 1) /=
-          is_set(slice0shift_search(i, 0), 3))) + as_number((slice0cost_pixels_first_0_count_value_2(i, 1) /=
-          is_set(slice0shift_search(i, 0), 5))) + as_number((slice0cost_pixels_first_0_count_1_value_3(i) /=
+        slice0cost_pixels_first_count(i, 0, 1) <= as_number((slice0cost_pixels_first_0_count_value(i, 1, 1) /=
+          is_set(slice0shift_search(i, 0), 3))) + as_number((slice0cost_pixels_first_0_count_value(i, 1, 2) /=
+          is_set(slice0shift_search(i, 0), 5))) + as_number((slice0cost_pixels_first_0_count_value(i, 1, 3) /=
           is_set(slice0shift_search(i, 0), 4)));
         slice0cost_pixels_first_count(i, 0, 2) <= (to_integer(((to_unsigned((slice0shift_search(i, 0) mod 256), 8)) xor
           (to_unsigned((slice0shift_reference(i) mod 256), 8)))) / 128) +
-          as_number((slice0cost_pixels_first_0_count_value(i, 2) /= is_set(slice0shift_search(i, 0), 8))) +
-          as_number((slice0cost_pixels_first_0_count_value_2(i, 2) /= is_set(slice0shift_search(i, 0), 6)));
-        slice0cost_pixels_first_count(i, 0, 3) <= as_number((slice0cost_pixels_first_0_count_value(i, 3) /=
-          is_set(slice0shift_search(i, 0), 9))) + as_number((slice0cost_pixels_first_0_count_value_2(i, 3) /=
-          is_set(slice0shift_search(i, 0), 11))) + as_number((slice0cost_pixels_first_0_count_3_value_3(i) /=
+          as_number((slice0cost_pixels_first_0_count_value(i, 2, 1) /= is_set(slice0shift_search(i, 0), 8))) +
+          as_number((slice0cost_pixels_first_0_count_value(i, 2, 2) /= is_set(slice0shift_search(i, 0), 6)));
+        slice0cost_pixels_first_count(i, 0, 3) <= as_number((slice0cost_pixels_first_0_count_value(i, 3, 1) /=
+          is_set(slice0shift_search(i, 0), 9))) + as_number((slice0cost_pixels_first_0_count_value(i, 3, 2) /=
+          is_set(slice0shift_search(i, 0), 11))) + as_number((slice0cost_pixels_first_0_count_value(i, 3, 3) /=
           is_set(slice0shift_search(i, 0), 10)));
         slice0cost_pixels_first_count_4(i, 0) <= as_number((is_set(slice0shift_reference(i), 13) /=
-          is_set(slice0shift_search(i, 0), 13))) + as_number((slice0cost_pixels_first_0_count_value(i, 4) /=
+          is_set(slice0shift_search(i, 0), 13))) + as_number((slice0cost_pixels_first_0_count_value(i, 4, 1) /=
           is_set(slice0shift_search(i, 0), 12)));
         for j in 1 to 4 loop
           slice0cost_pixels_first_count(i, j, 0) <= as_number((is_set(slice0shift_search(i, j), 0) /=
             is_set(slice0shift_reference(i), 0))) + as_number((is_set(slice0shift_search(i, j), 2) /=
-            slice0cost_pixels_first_0_count_value(i, 0))) + as_number((is_set(slice0shift_search(i, j), 1) /=
-            slice0cost_pixels_first_0_count_value_2(i, 0)));
+            slice0cost_pixels_first_0_count_value(i, 0, 1))) + as_number((is_set(slice0shift_search(i, j), 1) /=
+            slice0cost_pixels_first_0_count_value(i, 0, 2)));
           slice0cost_pixels_first_count(i, j, 1) <= as_number((is_set(slice0shift_search(i, j), 3) /=
-            slice0cost_pixels_first_0_count_value(i, 1))) + as_number((is_set(slice0shift_search(i, j), 5) /=
-            slice0cost_pixels_first_0_count_value_2(i, 1))) + as_number((is_set(slice0shift_search(i, j), 4) /=
-            slice0cost_pixels_first_0_count_1_value_3(i)));
+            slice0cost_pixels_first_0_count_value(i, 1, 1))) + as_number((is_set(slice0shift_search(i, j), 5) /=
+            slice0cost_pixels_first_0_count_value(i, 1, 2))) + as_number((is_set(slice0shift_search(i, j), 4) /=
+            slice0cost_pixels_first_0_count_value(i, 1, 3)));
           slice0cost_pixels_first_count(i, j, 2) <= (to_integer(((to_unsigned((slice0shift_search(i, j) mod 256), 8))
             xor (to_unsigned((slice0shift_reference(i) mod 256), 8)))) / 128) + as_number((is_set(slice0shift_search(i,
-            j), 8) /= slice0cost_pixels_first_0_count_value(i, 2))) + as_number((is_set(slice0shift_search(i, j), 6) /=
-            slice0cost_pixels_first_0_count_value_2(i, 2)));
+            j), 8) /= slice0cost_pixels_first_0_count_value(i, 2, 1))) + as_number((is_set(slice0shift_search(i, j), 6)
+            /= slice0cost_pixels_first_0_count_value(i, 2, 2)));
           slice0cost_pixels_first_count(i, j, 3) <= as_number((is_set(slice0shift_search(i, j), 9) /=
-            slice0cost_pixels_first_0_count_value(i, 3))) + as_number((is_set(slice0shift_search(i, j), 11) /=
-            slice0cost_pixels_first_0_count_value_2(i, 3))) + as_number((is_set(slice0shift_search(i, j), 10) /=
-            slice0cost_pixels_first_0_count_3_value_3(i)));
+            slice0cost_pixels_first_0_count_value(i, 3, 1))) + as_number((is_set(slice0shift_search(i, j), 11) /=
+            slice0cost_pixels_first_0_count_value(i, 3, 2))) + as_number((is_set(slice0shift_search(i, j), 10) /=
+            slice0cost_pixels_first_0_count_value(i, 3, 3)));
           slice0cost_pixels_first_count_4(i, j) <= as_number((is_set(slice0shift_search(i, j), 13) /=
             is_set(slice0shift_reference(i), 13))) + as_number((is_set(slice0shift_search(i, j), 12) /=
-            slice0cost_pixels_first_0_count_value(i, 4)));
+            slice0cost_pixels_first_0_count_value(i, 4, 1)));
         end loop;
       end loop;
-      slice0cost_pixels_first_tag_valid <= slice0shift_tag_valid;
-      slice0cost_pixels_first_tag_border_column <= slice0shift_tag_border_column;
-      slice0cost_pixels_first_tag_first_cost <= slice0shift_tag_first_cost;
-      slice0cost_pixels_first_tag_map_column <= slice0shift_tag_map_column;
-      slice0cost_pixels_first_tag_output_column <= slice0shift_tag_output_column;
-      slice0cost_pixels_first_tag_start_of_frame <= slice0shift_tag_start_of_frame;
-      slice0cost_pixels_first_tag_end_of_line <= slice0shift_tag_end_of_line;
+      slice0cost_pixels_first_tag <= slice0shift_tag;
       for i in 0 to 2 loop
         for j in 0 to 4 loop
           slice0cost_pixels_cost(i, j) <= slice0cost_pixels_first_count(i, j, 3) + slice0cost_pixels_first_count(i, j,
@@ -2438,65 +1534,40 @@ begin
             slice0cost_pixels_first_count(i, j, 2);
         end loop;
       end loop;
-      slice0cost_pixels_tag_valid <= slice0cost_pixels_first_tag_valid;
-      slice0cost_pixels_tag_border_column <= slice0cost_pixels_first_tag_border_column;
-      slice0cost_pixels_tag_first_cost <= slice0cost_pixels_first_tag_first_cost;
-      slice0cost_pixels_tag_map_column <= slice0cost_pixels_first_tag_map_column;
-      slice0cost_pixels_tag_output_column <= slice0cost_pixels_first_tag_output_column;
-      slice0cost_pixels_tag_start_of_frame <= slice0cost_pixels_first_tag_start_of_frame;
-      slice0cost_pixels_tag_end_of_line <= slice0cost_pixels_first_tag_end_of_line;
+      slice0cost_pixels_tag <= slice0cost_pixels_first_tag;
       for i in 0 to 4 loop
         slice0cost_pair_0(i) <= slice0cost_pixels_cost(1, i) + slice0cost_pixels_cost(2, i);
       end loop;
       for i in 0 to 4 loop
         slice0cost_single_0(i) <= slice0cost_pixels_cost(0, i);
       end loop;
-      slice0cost_pair_tag_valid <= slice0cost_pixels_tag_valid;
-      slice0cost_pair_tag_border_column <= slice0cost_pixels_tag_border_column;
-      slice0cost_pair_tag_first_cost <= slice0cost_pixels_tag_first_cost;
-      slice0cost_pair_tag_map_column <= slice0cost_pixels_tag_map_column;
-      slice0cost_pair_tag_output_column <= slice0cost_pixels_tag_output_column;
-      slice0cost_pair_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
-      slice0cost_pair_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
-      slice0cost_tag_valid <= slice0cost_pair_tag_valid;
-      slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
-      slice0cost_tag_first_cost <= slice0cost_pair_tag_first_cost;
-      slice0cost_tag_map_column <= slice0cost_pair_tag_map_column;
-      slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
-      slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
-      slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
-      if slice0cost_pair_tag_border_column then
-        for i in 0 to 4 loop
-          slice0cost_column_0(i) <= 0;
-        end loop;
-      else
-        for i in 0 to 4 loop
-          slice0cost_column_0(i) <= slice0cost_pair_0(i) + slice0cost_single_0(i);
-        end loop;
-      end if;
+      slice0cost_pair_tag <= slice0cost_pixels_tag;
+      slice0cost_tag <= slice0cost_pair_tag;
+      for i in 0 to 4 loop
+        slice0cost_column_0(i) <= choice(slice0cost_pair_tag.border_column, 0, slice0cost_pair_0(i) +
+          slice0cost_single_0(i));
+      end loop;
       -- slice0window
-      if slice0cost_tag_valid then
-        for i in 0 to 4 loop
-          slice0window_partial_0_0(i) <= slice0cost_column_0(i);
-        end loop;
+      if slice0cost_tag.valid then
+        slice0window_partial_0_0 <= slice0cost_column_0;
         for i in 0 to 4 loop
           slice0window_partial_0_1(i) <= slice0cost_column_0(i) + slice0window_partial_0_0(i);
         end loop;
-        slice0window_centre_map_column_0 <= slice0cost_tag_map_column;
-        slice0window_centre_output_column_0 <= slice0cost_tag_output_column;
-        slice0window_centre_first_column_0 <= slice0cost_tag_first_cost;
-        slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
-        slice0window_centre_end_of_line_0 <= slice0cost_tag_end_of_line;
+        slice0window_centre_map_column_0 <= slice0cost_tag.map_column;
+        slice0window_centre_output_column_0 <= slice0cost_tag.output_column;
+        slice0window_centre_first_column_0 <= slice0cost_tag.first_cost;
+        slice0window_centre_start_of_frame_0 <= slice0cost_tag.start_of_frame;
+        slice0window_centre_end_of_line_0 <= slice0cost_tag.end_of_line;
       end if;
       for i in 0 to 4 loop
         slice0window_sum_0(i) <= slice0cost_column_0(i) + slice0window_partial_0_1(i);
       end loop;
-      slice0window_tag_valid <= slice0cost_tag_valid;
-      slice0window_tag_map_column <= slice0window_centre_map_column_0;
-      slice0window_tag_output_column <= slice0window_centre_output_column_0;
-      slice0window_tag_first_column <= slice0window_centre_first_column_0;
-      slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
-      slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
+      slice0window_tag.valid <= slice0cost_tag.valid;
+      slice0window_tag.map_column <= slice0window_centre_map_column_0;
+      slice0window_tag.output_column <= slice0window_centre_output_column_0;
+      slice0window_tag.first_column <= slice0window_centre_first_column_0;
+      slice0window_tag.start_of_frame <= slice0window_centre_start_of_frame_0;
+      slice0window_tag.end_of_line <= slice0window_centre_end_of_line_0;
       -- slice0
       for i in 0 to 4 loop
         slice0_held(1, i) <= slice0_held(0, i);
@@ -2504,12 +1575,12 @@ begin
       for i in 0 to 4 loop
         slice0_held(2, i) <= slice0_held(1, i);
       end loop;
-      slice0_tag_valid(0) <= slice0window_tag_valid;
-      slice0_tag_map_column(0) <= slice0window_tag_map_column;
-      slice0_tag_output_column(0) <= slice0window_tag_output_column;
-      slice0_tag_first_column(0) <= slice0window_tag_first_column;
-      slice0_tag_start_of_frame(0) <= slice0window_tag_start_of_frame;
-      slice0_tag_end_of_line(0) <= slice0window_tag_end_of_line;
+      slice0_tag_valid(0) <= slice0window_tag.valid;
+      slice0_tag_map_column(0) <= slice0window_tag.map_column;
+      slice0_tag_output_column(0) <= slice0window_tag.output_column;
+      slice0_tag_first_column(0) <= slice0window_tag.first_column;
+      slice0_tag_start_of_frame(0) <= slice0window_tag.start_of_frame;
+      slice0_tag_end_of_line(0) <= slice0window_tag.end_of_line;
       for i in 1 to 2 loop
         slice0_tag_valid(i) <= slice0_tag_valid(i - 1);
         slice0_tag_map_column(i) <= slice0_tag_map_column(i - 1);
@@ -2519,14 +1590,11 @@ begin
         slice0_tag_end_of_line(i) <= slice0_tag_end_of_line(i - 1);
       end loop;
       for i in 0 to 4 loop
-        if is_set(slice0window_sum_0(i), 6) or (((slice0window_sum_0(i) / 16) mod 4) = 3) then
-          slice0_held(0, i) <= 5;
-        else
-          slice0_held(0, i) <= slice0window_sum_0(i) / 8;
-        end if;
+        slice0_held(0, i) <= choice(is_set(slice0window_sum_0(i), 6) or (((slice0window_sum_0(i) / 16) mod 4) = 3), 5,
+          slice0window_sum_0(i) / 8);
       end loop;
       -- slice1shift
-      if slice0shift_tag_valid then
+      if slice0shift_tag.valid then
         for i in 0 to 2 loop
           slice1shift_search(i, 0) <= slice1shift_search(i, 1);
           slice1shift_search(i, 1) <= slice1shift_search(i, 2);
@@ -2535,66 +1603,64 @@ begin
           slice1shift_search(i, 4) <= slice0shift_search_out(i);
         end loop;
       end if;
-      slice1shift_reference(0) <= slice0shift_reference(0);
-      slice1shift_reference(1) <= slice0shift_reference(1);
-      slice1shift_reference(2) <= slice0shift_reference(2);
+      slice1shift_reference <= slice0shift_reference;
       slice1shift_search_out(0) <= slice1shift_search(0, 0);
       slice1shift_search_out(1) <= slice1shift_search(1, 0);
       slice1shift_search_out(2) <= slice1shift_search(2, 0);
       -- slice1cost
       for i in 0 to 2 loop
-        slice1cost_pixels_first_0_count_value(i, 0) := is_set(slice1shift_reference(i), 2);
-        slice1cost_pixels_first_0_count_value_2(i, 0) := is_set(slice1shift_reference(i), 1);
-        slice1cost_pixels_first_0_count_value(i, 1) := is_set(slice1shift_reference(i), 3);
-        slice1cost_pixels_first_0_count_value_2(i, 1) := is_set(slice1shift_reference(i), 5);
-        slice1cost_pixels_first_0_count_1_value_3(i) := is_set(slice1shift_reference(i), 4);
-        slice1cost_pixels_first_0_count_value(i, 2) := is_set(slice1shift_reference(i), 8);
-        slice1cost_pixels_first_0_count_value_2(i, 2) := is_set(slice1shift_reference(i), 6);
-        slice1cost_pixels_first_0_count_value(i, 3) := is_set(slice1shift_reference(i), 9);
-        slice1cost_pixels_first_0_count_value_2(i, 3) := is_set(slice1shift_reference(i), 11);
-        slice1cost_pixels_first_0_count_3_value_3(i) := is_set(slice1shift_reference(i), 10);
-        slice1cost_pixels_first_0_count_value(i, 4) := is_set(slice1shift_reference(i), 12);
+        slice1cost_pixels_first_0_count_value(i, 0, 1) := is_set(slice1shift_reference(i), 2);
+        slice1cost_pixels_first_0_count_value(i, 0, 2) := is_set(slice1shift_reference(i), 1);
+        slice1cost_pixels_first_0_count_value(i, 1, 1) := is_set(slice1shift_reference(i), 3);
+        slice1cost_pixels_first_0_count_value(i, 1, 2) := is_set(slice1shift_reference(i), 5);
+        slice1cost_pixels_first_0_count_value(i, 1, 3) := is_set(slice1shift_reference(i), 4);
+        slice1cost_pixels_first_0_count_value(i, 2, 1) := is_set(slice1shift_reference(i), 8);
+        slice1cost_pixels_first_0_count_value(i, 2, 2) := is_set(slice1shift_reference(i), 6);
+        slice1cost_pixels_first_0_count_value(i, 3, 1) := is_set(slice1shift_reference(i), 9);
+        slice1cost_pixels_first_0_count_value(i, 3, 2) := is_set(slice1shift_reference(i), 11);
+        slice1cost_pixels_first_0_count_value(i, 3, 3) := is_set(slice1shift_reference(i), 10);
+        slice1cost_pixels_first_0_count_value(i, 4, 1) := is_set(slice1shift_reference(i), 12);
       end loop;
       for i in 0 to 2 loop
         slice1cost_pixels_first_count(i, 0, 0) <= as_number((is_set(slice1shift_search(i, 0), 0) /=
-          is_set(slice1shift_reference(i), 0))) + as_number((slice1cost_pixels_first_0_count_value(i, 0) /=
-          is_set(slice1shift_search(i, 0), 2))) + as_number((slice1cost_pixels_first_0_count_value_2(i, 0) /=
+          is_set(slice1shift_reference(i), 0))) + as_number((slice1cost_pixels_first_0_count_value(i, 0, 1) /=
+          is_set(slice1shift_search(i, 0), 2))) + as_number((slice1cost_pixels_first_0_count_value(i, 0, 2) /=
           is_set(slice1shift_search(i, 0), 1)));
-        slice1cost_pixels_first_count(i, 0, 1) <= as_number((slice1cost_pixels_first_0_count_value(i, 1) /=
-          is_set(slice1shift_search(i, 0), 3))) + as_number((slice1cost_pixels_first_0_count_value_2(i, 1) /=
-          is_set(slice1shift_search(i, 0), 5))) + as_number((slice1cost_pixels_first_0_count_1_value_3(i) /=
+        slice1cost_pixels_first_count(i, 0, 1) <= as_number((slice1cost_pixels_first_0_count_value(i, 1, 1) /=
+          is_set(slice1shift_search(i, 0), 3))) + as_number((slice1cost_pixels_first_0_count_value(i, 1, 2) /=
+          is_set(slice1shift_search(i, 0), 5))) + as_number((slice1cost_pixels_first_0_count_value(i, 1, 3) /=
           is_set(slice1shift_search(i, 0), 4)));
         slice1cost_pixels_first_count(i, 0, 2) <= (to_integer(((to_unsigned((slice1shift_search(i, 0) mod 256), 8)) xor
           (to_unsigned((slice1shift_reference(i) mod 256), 8)))) / 128) +
-          as_number((slice1cost_pixels_first_0_count_value(i, 2) /= is_set(slice1shift_search(i, 0), 8))) +
-          as_number((slice1cost_pixels_first_0_count_value_2(i, 2) /= is_set(slice1shift_search(i, 0), 6)));
-        slice1cost_pixels_first_count(i, 0, 3) <= as_number((slice1cost_pixels_first_0_count_value(i, 3) /=
-          is_set(slice1shift_search(i, 0), 9))) + as_number((slice1cost_pixels_first_0_count_value_2(i, 3) /=
-          is_set(slice1shift_search(i, 0), 11))) + as_number((slice1cost_pixels_first_0_count_3_value_3(i) /=
+          as_number((slice1cost_pixels_first_0_count_value(i, 2, 1) /= is_set(slice1shift_search(i, 0), 8))) +
+          as_number((slice1cost_pixels_first_0_count_value(i, 2, 2) /= is_set(slice1shift_search(i, 0), 6)));
+        slice1cost_pixels_first_count(i, 0, 3) <= as_number((slice1cost_pixels_first_0_count_value(i, 3, 1) /=
+          is_set(slice1shift_search(i, 0), 9))) + as_number((slice1cost_pixels_first_0_count_value(i, 3, 2) /=
+          is_set(slice1shift_search(i, 0), 11))) + as_number((slice1cost_pixels_first_0_count_value(i, 3, 3) /=
           is_set(slice1shift_search(i, 0), 10)));
         slice1cost_pixels_first_count_4(i, 0) <= as_number((is_set(slice1shift_reference(i), 13) /=
-          is_set(slice1shift_search(i, 0), 13))) + as_number((slice1cost_pixels_first_0_count_value(i, 4) /=
+          is_set(slice1shift_search(i, 0), 13))) + as_number((slice1cost_pixels_first_0_count_value(i, 4, 1) /=
           is_set(slice1shift_search(i, 0), 12)));
         for j in 1 to 4 loop
           slice1cost_pixels_first_count(i, j, 0) <= as_number((is_set(slice1shift_search(i, j), 0) /=
             is_set(slice1shift_reference(i), 0))) + as_number((is_set(slice1shift_search(i, j), 2) /=
-            slice1cost_pixels_first_0_count_value(i, 0))) + as_number((is_set(slice1shift_search(i, j), 1) /=
-            slice1cost_pixels_first_0_count_value_2(i, 0)));
+            slice1cost_pixels_first_0_count_value(i, 0, 1))) + as_number((is_set(slice1shift_search(i, j), 1) /=
+            slice1cost_pixels_first_0_count_value(i, 0, 2)));
           slice1cost_pixels_first_count(i, j, 1) <= as_number((is_set(slice1shift_search(i, j), 3) /=
-            slice1cost_pixels_first_0_count_value(i, 1))) + as_number((is_set(slice1shift_search(i, j), 5) /=
-            slice1cost_pixels_first_0_count_value_2(i, 1))) + as_number((is_set(slice1shift_search(i, j), 4) /=
-            slice1cost_pixels_first_0_count_1_value_3(i)));
+            slice1cost_pixels_first_0_count_value(i, 1, 1))) + as_number((is_set(slice1shift_search(i, j), 5) /=
+            slice1cost_pixels_first_0_count_value(i, 1, 2))) + as_number((is_set(slice1shift_search(i, j), 4) /=
+            slice1cost_pixels_first_0_count_value(i, 1, 3)));
           slice1cost_pixels_first_count(i, j, 2) <= (to_integer(((to_unsigned((slice1shift_search(i, j) mod 256), 8))
             xor (to_unsigned((slice1shift_reference(i) mod 256), 8)))) / 128) + as_number((is_set(slice1shift_search(i,
-            j), 8) /= slice1cost_pixels_first_0_count_value(i, 2))) + as_number((is_set(slice1shift_search(i, j), 6) /=
-            slice1cost_pixels_first_0_count_value_2(i, 2)));
+            j), 8) /= slice1cost_pixels_first_0_count_value(i, 2, 1))) + as_number((is_set(slice1shift_search(i, j), 6)
+            /= slice1cost_pixels_first_0_count_value(i, 2, 2)));
           slice1cost_pixels_first_count(i, j, 3) <= as_number((is_set(slice1shift_search(i, j), 9) /=
-            slice1cost_pixels_first_0_count_value(i, 3))) + as_number((is_set(slice1shift_search(i, j), 11) /=
-            slice1cost_pixels_first_0_count_value_2(i, 3))) + as_number((is_set(slice1shift_search(i, j), 10) /=
-            slice1cost_pixels_first_0_count_3_value_3(i)));
+            slice1cost_pixels_first_0_count_value(i, 3, 1))) + as_number((is_set(slice1shift_search(i, j), 11) /=
+            slice1cost_pixels_first_0_count_value(i, 3, 2))) + as_number((is_set(slice1shift_search(i, j), 10) /=
+            slice1cost_pixels_first_0_count_value(i, 3, 3)));
           slice1cost_pixels_first_count_4(i, j) <= as_number((is_set(slice1shift_search(i, j), 13) /=
             is_set(slice1shift_reference(i), 13))) + as_number((is_set(slice1shift_search(i, j), 12) /=
-            slice1cost_pixels_first_0_count_value(i, 4)));
+            slice1cost_pixels_first_0_count_value(i, 4, 1)));
         end loop;
       end loop;
       for i in 0 to 2 loop
@@ -2610,21 +1676,14 @@ begin
       for i in 0 to 4 loop
         slice1cost_single_0(i) <= slice1cost_pixels_cost(0, i);
       end loop;
-      slice1cost_tag_border_column <= slice0cost_tag_border_column;
-      if slice0cost_tag_border_column then
-        for i in 0 to 4 loop
-          slice1cost_column_0(i) <= 0;
-        end loop;
-      else
-        for i in 0 to 4 loop
-          slice1cost_column_0(i) <= slice1cost_pair_0(i) + slice1cost_single_0(i);
-        end loop;
-      end if;
+      slice1cost_tag_border_column <= slice0cost_tag.border_column;
+      for i in 0 to 4 loop
+        slice1cost_column_0(i) <= choice(slice0cost_tag.border_column, 0, slice1cost_pair_0(i) +
+          slice1cost_single_0(i));
+      end loop;
       -- slice1window
-      if slice0window_tag_valid then
-        for i in 0 to 4 loop
-          slice1window_partial_0_0(i) <= slice1cost_column_0(i);
-        end loop;
+      if slice0window_tag.valid then
+        slice1window_partial_0_0 <= slice1cost_column_0;
         for i in 0 to 4 loop
           slice1window_partial_0_1(i) <= slice1cost_column_0(i) + slice1window_partial_0_0(i);
         end loop;
@@ -2637,122 +1696,105 @@ begin
         slice1_held(1, i) <= slice1_held(0, i);
       end loop;
       for i in 0 to 4 loop
-        if is_set(slice1window_sum_0(i), 6) or (((slice1window_sum_0(i) / 16) mod 4) = 3) then
-          slice1_held(0, i) <= 5;
-        else
-          slice1_held(0, i) <= slice1window_sum_0(i) / 8;
-        end if;
+        slice1_held(0, i) <= choice(is_set(slice1window_sum_0(i), 6) or (((slice1window_sum_0(i) / 16) mod 4) = 3), 5,
+          slice1window_sum_0(i) / 8);
       end loop;
       -- slice2shift
-      if slice0cost_pixels_first_tag_valid then
+      if slice0cost_pixels_first_tag.valid then
         for i in 0 to 2 loop
           slice2shift_search(i, 0) <= slice2shift_search(i, 1);
           slice2shift_search(i, 1) <= slice1shift_search_out(i);
         end loop;
       end if;
-      slice2shift_reference(0) <= slice1shift_reference(0);
-      slice2shift_reference(1) <= slice1shift_reference(1);
-      slice2shift_reference(2) <= slice1shift_reference(2);
+      slice2shift_reference <= slice1shift_reference;
       -- slice2cost
       for i in 0 to 2 loop
-        slice2cost_pixels_first_0_count_value(i, 0) := is_set(slice2shift_reference(i), 2);
-        slice2cost_pixels_first_0_count_value_2(i, 0) := is_set(slice2shift_reference(i), 1);
-        slice2cost_pixels_first_0_count_value(i, 1) := is_set(slice2shift_reference(i), 3);
-        slice2cost_pixels_first_0_count_value_2(i, 1) := is_set(slice2shift_reference(i), 5);
-        slice2cost_pixels_first_0_count_1_value_3(i) := is_set(slice2shift_reference(i), 4);
-        slice2cost_pixels_first_0_count_value(i, 2) := is_set(slice2shift_reference(i), 8);
-        slice2cost_pixels_first_0_count_value_2(i, 2) := is_set(slice2shift_reference(i), 6);
-        slice2cost_pixels_first_0_count_value(i, 3) := is_set(slice2shift_reference(i), 9);
-        slice2cost_pixels_first_0_count_value_2(i, 3) := is_set(slice2shift_reference(i), 11);
-        slice2cost_pixels_first_0_count_3_value_3(i) := is_set(slice2shift_reference(i), 10);
-        slice2cost_pixels_first_0_count_value(i, 4) := is_set(slice2shift_reference(i), 12);
+        slice2cost_pixels_first_0_count_value(i, 0, 1) := is_set(slice2shift_reference(i), 2);
+        slice2cost_pixels_first_0_count_value(i, 0, 2) := is_set(slice2shift_reference(i), 1);
+        slice2cost_pixels_first_0_count_value(i, 1, 1) := is_set(slice2shift_reference(i), 3);
+        slice2cost_pixels_first_0_count_value(i, 1, 2) := is_set(slice2shift_reference(i), 5);
+        slice2cost_pixels_first_0_count_value(i, 1, 3) := is_set(slice2shift_reference(i), 4);
+        slice2cost_pixels_first_0_count_value(i, 2, 1) := is_set(slice2shift_reference(i), 8);
+        slice2cost_pixels_first_0_count_value(i, 2, 2) := is_set(slice2shift_reference(i), 6);
+        slice2cost_pixels_first_0_count_value(i, 3, 1) := is_set(slice2shift_reference(i), 9);
+        slice2cost_pixels_first_0_count_value(i, 3, 2) := is_set(slice2shift_reference(i), 11);
+        slice2cost_pixels_first_0_count_value(i, 3, 3) := is_set(slice2shift_reference(i), 10);
+        slice2cost_pixels_first_0_count_value(i, 4, 1) := is_set(slice2shift_reference(i), 12);
       end loop;
       for i in 0 to 2 loop
         slice2cost_pixels_first_count(i, 0, 0) <= as_number((is_set(slice2shift_search(i, 0), 0) /=
-          is_set(slice2shift_reference(i), 0))) + as_number((slice2cost_pixels_first_0_count_value(i, 0) /=
-          is_set(slice2shift_search(i, 0), 2))) + as_number((slice2cost_pixels_first_0_count_value_2(i, 0) /=
+          is_set(slice2shift_reference(i), 0))) + as_number((slice2cost_pixels_first_0_count_value(i, 0, 1) /=
+          is_set(slice2shift_search(i, 0), 2))) + as_number((slice2cost_pixels_first_0_count_value(i, 0, 2) /=
           is_set(slice2shift_search(i, 0), 1)));
-        slice2cost_pixels_first_count(i, 0, 1) <= as_number((slice2cost_pixels_first_0_count_value(i, 1) /=
-          is_set(slice2shift_search(i, 0), 3))) + as_number((slice2cost_pixels_first_0_count_value_2(i, 1) /=
-          is_set(slice2shift_search(i, 0), 5))) + as_number((slice2cost_pixels_first_0_count_1_value_3(i) /=
+        slice2cost_pixels_first_count(i, 0, 1) <= as_number((slice2cost_pixels_first_0_count_value(i, 1, 1) /=
+          is_set(slice2shift_search(i, 0), 3))) + as_number((slice2cost_pixels_first_0_count_value(i, 1, 2) /=
+          is_set(slice2shift_search(i, 0), 5))) + as_number((slice2cost_pixels_first_0_count_value(i, 1, 3) /=
           is_set(slice2shift_search(i, 0), 4)));
         slice2cost_pixels_first_count(i, 0, 2) <= (to_integer(((to_unsigned((slice2shift_search(i, 0) mod 256), 8)) xor
           (to_unsigned((slice2shift_reference(i) mod 256), 8)))) / 128) +
-          as_number((slice2cost_pixels_first_0_count_value(i, 2) /= is_set(slice2shift_search(i, 0), 8))) +
-          as_number((slice2cost_pixels_first_0_count_value_2(i, 2) /= is_set(slice2shift_search(i, 0), 6)));
-        slice2cost_pixels_first_count(i, 0, 3) <= as_number((slice2cost_pixels_first_0_count_value(i, 3) /=
-          is_set(slice2shift_search(i, 0), 9))) + as_number((slice2cost_pixels_first_0_count_value_2(i, 3) /=
-          is_set(slice2shift_search(i, 0), 11))) + as_number((slice2cost_pixels_first_0_count_3_value_3(i) /=
+          as_number((slice2cost_pixels_first_0_count_value(i, 2, 1) /= is_set(slice2shift_search(i, 0), 8))) +
+          as_number((slice2cost_pixels_first_0_count_value(i, 2, 2) /= is_set(slice2shift_search(i, 0), 6)));
+        slice2cost_pixels_first_count(i, 0, 3) <= as_number((slice2cost_pixels_first_0_count_value(i, 3, 1) /=
+          is_set(slice2shift_search(i, 0), 9))) + as_number((slice2cost_pixels_first_0_count_value(i, 3, 2) /=
+          is_set(slice2shift_search(i, 0), 11))) + as_number((slice2cost_pixels_first_0_count_value(i, 3, 3) /=
           is_set(slice2shift_search(i, 0), 10)));
-        slice2cost_pixels_first_count_4(i, 0) <= as_number((is_set(slice2shift_reference(i), 13) /=
-          is_set(slice2shift_search(i, 0), 13))) + as_number((slice2cost_pixels_first_0_count_value(i, 4) /=
+        slice2cost_pixels_first_count(i, 0, 4) <= as_number((is_set(slice2shift_reference(i), 13) /=
+          is_set(slice2shift_search(i, 0), 13))) + as_number((slice2cost_pixels_first_0_count_value(i, 4, 1) /=
           is_set(slice2shift_search(i, 0), 12)));
         slice2cost_pixels_first_count(i, 1, 0) <= as_number((is_set(slice2shift_search(i, 1), 0) /=
           is_set(slice2shift_reference(i), 0))) + as_number((is_set(slice2shift_search(i, 1), 2) /=
-          slice2cost_pixels_first_0_count_value(i, 0))) + as_number((is_set(slice2shift_search(i, 1), 1) /=
-          slice2cost_pixels_first_0_count_value_2(i, 0)));
+          slice2cost_pixels_first_0_count_value(i, 0, 1))) + as_number((is_set(slice2shift_search(i, 1), 1) /=
+          slice2cost_pixels_first_0_count_value(i, 0, 2)));
         slice2cost_pixels_first_count(i, 1, 1) <= as_number((is_set(slice2shift_search(i, 1), 3) /=
-          slice2cost_pixels_first_0_count_value(i, 1))) + as_number((is_set(slice2shift_search(i, 1), 5) /=
-          slice2cost_pixels_first_0_count_value_2(i, 1))) + as_number((is_set(slice2shift_search(i, 1), 4) /=
-          slice2cost_pixels_first_0_count_1_value_3(i)));
+          slice2cost_pixels_first_0_count_value(i, 1, 1))) + as_number((is_set(slice2shift_search(i, 1), 5) /=
+          slice2cost_pixels_first_0_count_value(i, 1, 2))) + as_number((is_set(slice2shift_search(i, 1), 4) /=
+          slice2cost_pixels_first_0_count_value(i, 1, 3)));
         slice2cost_pixels_first_count(i, 1, 2) <= (to_integer(((to_unsigned((slice2shift_search(i, 1) mod 256), 8)) xor
           (to_unsigned((slice2shift_reference(i) mod 256), 8)))) / 128) + as_number((is_set(slice2shift_search(i, 1),
-          8) /= slice2cost_pixels_first_0_count_value(i, 2))) + as_number((is_set(slice2shift_search(i, 1), 6) /=
-          slice2cost_pixels_first_0_count_value_2(i, 2)));
+          8) /= slice2cost_pixels_first_0_count_value(i, 2, 1))) + as_number((is_set(slice2shift_search(i, 1), 6) /=
+          slice2cost_pixels_first_0_count_value(i, 2, 2)));
         slice2cost_pixels_first_count(i, 1, 3) <= as_number((is_set(slice2shift_search(i, 1), 9) /=
-          slice2cost_pixels_first_0_count_value(i, 3))) + as_number((is_set(slice2shift_search(i, 1), 11) /=
-          slice2cost_pixels_first_0_count_value_2(i, 3))) + as_number((is_set(slice2shift_search(i, 1), 10) /=
-          slice2cost_pixels_first_0_count_3_value_3(i)));
-        slice2cost_pixels_first_count_4(i, 1) <= as_number((is_set(slice2shift_search(i, 1), 13) /=
+          slice2cost_pixels_first_0_count_value(i, 3, 1))) + as_number((is_set(slice2shift_search(i, 1), 11) /=
+          slice2cost_pixels_first_0_count_value(i, 3, 2))) + as_number((is_set(slice2shift_search(i, 1), 10) /=
+          slice2cost_pixels_first_0_count_value(i, 3, 3)));
+        slice2cost_pixels_first_count(i, 1, 4) <= as_number((is_set(slice2shift_search(i, 1), 13) /=
           is_set(slice2shift_reference(i), 13))) + as_number((is_set(slice2shift_search(i, 1), 12) /=
-          slice2cost_pixels_first_0_count_value(i, 4)));
+          slice2cost_pixels_first_0_count_value(i, 4, 1)));
       end loop;
       for i in 0 to 2 loop
         slice2cost_pixels_cost(i, 0) <= slice2cost_pixels_first_count(i, 0, 3) + slice2cost_pixels_first_count(i, 0, 0)
-          + slice2cost_pixels_first_count(i, 0, 1) + slice2cost_pixels_first_count_4(i, 0) +
+          + slice2cost_pixels_first_count(i, 0, 1) + slice2cost_pixels_first_count(i, 0, 4) +
           slice2cost_pixels_first_count(i, 0, 2);
         slice2cost_pixels_cost(i, 1) <= slice2cost_pixels_first_count(i, 1, 3) + slice2cost_pixels_first_count(i, 1, 0)
-          + slice2cost_pixels_first_count(i, 1, 1) + slice2cost_pixels_first_count_4(i, 1) +
+          + slice2cost_pixels_first_count(i, 1, 1) + slice2cost_pixels_first_count(i, 1, 4) +
           slice2cost_pixels_first_count(i, 1, 2);
       end loop;
       slice2cost_pair_0(0) <= slice2cost_pixels_cost(1, 0) + slice2cost_pixels_cost(2, 0);
       slice2cost_pair_0(1) <= slice2cost_pixels_cost(1, 1) + slice2cost_pixels_cost(2, 1);
       slice2cost_single_0(0) <= slice2cost_pixels_cost(0, 0);
       slice2cost_single_0(1) <= slice2cost_pixels_cost(0, 1);
-      if slice1cost_tag_border_column then
-        slice2cost_column_0(0) <= 0;
-        slice2cost_column_0(1) <= 0;
-      else
-        slice2cost_column_0(0) <= slice2cost_pair_0(0) + slice2cost_single_0(0);
-        slice2cost_column_0(1) <= slice2cost_pair_0(1) + slice2cost_single_0(1);
-      end if;
+      slice2cost_column_0(0) <= choice(slice1cost_tag_border_column, 0, slice2cost_pair_0(0) + slice2cost_single_0(0));
+      slice2cost_column_0(1) <= choice(slice1cost_tag_border_column, 0, slice2cost_pair_0(1) + slice2cost_single_0(1));
       -- slice2window
       if slice0_tag_valid(0) then
-        slice2window_partial_0_0(0) <= slice2cost_column_0(0);
-        slice2window_partial_0_0(1) <= slice2cost_column_0(1);
+        slice2window_partial_0_0 <= slice2cost_column_0;
         slice2window_partial_0_1(0) <= slice2cost_column_0(0) + slice2window_partial_0_0(0);
         slice2window_partial_0_1(1) <= slice2cost_column_0(1) + slice2window_partial_0_0(1);
       end if;
       slice2window_sum_0(0) <= slice2cost_column_0(0) + slice2window_partial_0_1(0);
       slice2window_sum_0(1) <= slice2cost_column_0(1) + slice2window_partial_0_1(1);
       -- slice2
-      for i in 0 to 1 loop
-        if is_set(slice2window_sum_0(i), 6) or (((slice2window_sum_0(i) / 16) mod 4) = 3) then
-          slice2_held_0(i) <= 5;
-        else
-          slice2_held_0(i) <= slice2window_sum_0(i) / 8;
-        end if;
-      end loop;
+      slice2_held_0(0) <= choice(is_set(slice2window_sum_0(0), 6) or (((slice2window_sum_0(0) / 16) mod 4) = 3), 5,
+        slice2window_sum_0(0) / 8);
+      slice2_held_0(1) <= choice(is_set(slice2window_sum_0(1), 6) or (((slice2window_sum_0(1) / 16) mod 4) = 3), 5,
+        slice2window_sum_0(1) / 8);
       -- entry
       entry_order_falls_any := entry_order_inside or (not slice0_tag_map_column(2)) or (not slice0_tag_valid(2));
       entry_order_falls_all := (not entry_order_inside) and slice0_tag_map_column(2) and slice0_tag_valid(2);
       entry_order_complete_all := slice0_tag_map_column(2) and slice0_tag_valid(2);
       entry_order_complete_any := (not slice0_tag_map_column(2)) or (not slice0_tag_valid(2));
-      if entry_order_falls_all then
-        entry_order_turned_output_column_choice := entry_order_output and entry_order_complete;
-      else
-        entry_order_turned_output_column_choice := entry_order_held_output;
-      end if;
+      entry_order_turned_output_column_choice := choice(entry_order_falls_all, entry_order_output and
+        entry_order_complete, entry_order_held_output);
       entry_next_cost(0) <= slice2_held_0(0);
       entry_next_cost(1) <= slice2_held_0(1);
       for i in 2 to 6 loop
@@ -2761,62 +1803,34 @@ begin
       for i in 7 to 11 loop
         entry_next_cost(i) <= slice0_held(2, i - 7);
       end loop;
-      entry_next_tag_valid <= slice0_tag_valid(2);
-      entry_next_tag_map_column <= slice0_tag_map_column(2);
-      entry_next_tag_first_column <= slice0_tag_first_column(2);
-      entry_next_tag_end_of_line <= slice0_tag_end_of_line(2);
+      entry_next_tag.valid <= slice0_tag_valid(2);
+      entry_next_tag.map_column <= slice0_tag_map_column(2);
+      entry_next_tag.first_column <= slice0_tag_first_column(2);
+      entry_next_tag.end_of_line <= slice0_tag_end_of_line(2);
       entry_order_turned_output_column <= entry_order_turned_output_column_choice and slice0_tag_map_column(2);
       entry_order_turned_first_column <= entry_order_falls_all;
       entry_order_turned_start_of_frame <= (not entry_order_inside) and slice0_tag_map_column(2) and
         slice0_tag_valid(2) and entry_order_first and entry_order_output and entry_order_complete;
-      for i in 0 to 11 loop
-        entry_cost(i) <= entry_next_cost(i);
-      end loop;
-      entry_tag_valid <= entry_next_tag_valid;
-      entry_tag_map_column <= entry_next_tag_map_column;
-      entry_tag_first_column <= entry_next_tag_first_column;
-      entry_tag_end_of_line <= entry_next_tag_end_of_line;
+      entry_cost <= entry_next_cost;
+      entry_tag <= entry_next_tag;
       entry_column <= entry_next_column;
       entry_top <= entry_next_top;
       entry_place <= entry_order_address;
       entry_turned_output_column <= entry_order_turned_output_column;
       entry_turned_first_column <= entry_order_turned_first_column;
       entry_turned_start_of_frame <= entry_order_turned_start_of_frame;
-      if entry_order_falls then
-        entry_order_falls <= entry_order_falls_any;
-      else
-        entry_order_falls <= entry_order_falls_all;
-      end if;
-      if slice0_tag_end_of_line(2) then
-        entry_order_complete <= entry_order_complete or entry_order_complete_all;
-      else
-        entry_order_complete <= entry_order_complete and entry_order_complete_any;
-      end if;
+      entry_order_falls <= choice(entry_order_falls, entry_order_falls_any, entry_order_falls_all);
+      entry_order_complete <= choice(slice0_tag_end_of_line(2), entry_order_complete or entry_order_complete_all,
+        entry_order_complete and entry_order_complete_any);
       if entry_order_complete_all then
-        if slice0_tag_first_column(2) then
-          entry_next_column <= 0;
-          entry_next_top <= slice0_tag_start_of_frame(2);
-        else
-          entry_next_column <= (entry_next_column + 1) mod 32;
-          entry_next_top <= entry_next_top;
-        end if;
+        entry_next_column <= choice(slice0_tag_first_column(2), 0, (entry_next_column + 1) mod 32);
+        entry_next_top <= choice(slice0_tag_first_column(2), slice0_tag_start_of_frame(2), entry_next_top);
       end if;
-      if entry_order_falls then
-        entry_order_address_choice := 31;
-      else
-        entry_order_address_choice := 1;
-      end if;
-      if entry_order_falls then
-        entry_order_address_choice_2 := 0;
-      else
-        entry_order_address_choice_2 := 7;
-      end if;
+      entry_order_address_choice := choice(entry_order_falls, 31, 1);
+      entry_order_address_choice_2 := choice(entry_order_falls, 0, 7);
       if not entry_order_complete_any then
-        if entry_order_falls_any then
-          entry_order_address <= (entry_order_address_choice + entry_order_address) mod 32;
-        else
-          entry_order_address <= entry_order_address_choice_2 * 4;
-        end if;
+        entry_order_address <= choice(entry_order_falls_any, (entry_order_address_choice + entry_order_address) mod 32,
+          entry_order_address_choice_2 * 4);
       end if;
       if slice0_tag_valid(2) then
         entry_order_inside <= slice0_tag_map_column(2);
@@ -2828,224 +1842,103 @@ begin
       end if;
       -- forward
       for i in 0 to 2 loop
-        for j in 2 to 3 loop
-          if (forward_left_cost(4 * i + j) - forward_left_cost(4 * i + j - 2)) < 0 then
-            forward_left_pair_choice(2 * i + j - 2) := forward_left_cost(4 * i + j);
-          else
-            forward_left_pair_choice(2 * i + j - 2) := forward_left_cost(4 * i + j - 2);
-          end if;
-        end loop;
+        forward_left_pair_choice(2 * i) := choice((forward_left_cost(4 * i + 2) - forward_left_cost(4 * i)) < 0,
+          forward_left_cost(4 * i + 2), forward_left_cost(4 * i));
+        forward_left_pair_choice(2 * i + 1) := choice((forward_left_cost(4 * i + 3) - forward_left_cost(4 * i + 1)) <
+          0, forward_left_cost(4 * i + 3), forward_left_cost(4 * i + 1));
       end loop;
       forward_left_start_cost_0_any := ((((forward_left_tree_next_next_smallest_0 mod 64) + forward_left_relief_beyond)
         / 64) = 1) or is_set(forward_left_tree_next_next_smallest_0, 6);
-      if is_set(forward_left_relief_largest, 0) then
-        forward_left_start_cost_0_choice := (not is_set(forward_left_room, 1)) or (not is_set(forward_left_room, 0));
-      else
-        forward_left_start_cost_0_choice := not is_set(forward_left_room, 1);
-      end if;
-      if is_set(forward_left_relief_largest, 1) then
-        forward_left_start_cost_0_choices(2) := forward_left_start_cost_0_choice;
-      else
-        forward_left_start_cost_0_choices(2) := is_set(forward_left_relief_largest, 0) and ((forward_left_room mod 4) =
-          0);
-      end if;
-      forward_left_start_cost_0_value := is_set(forward_left_room, 2);
-      if forward_left_start_cost_0_choices(2) then
-        forward_left_start_cost_0_choices(3) := (not is_set(forward_left_relief_largest, 2)) and
-          forward_left_start_cost_0_value;
-      else
-        forward_left_start_cost_0_choices(3) := (not is_set(forward_left_relief_largest, 2)) or
-          forward_left_start_cost_0_value;
-      end if;
-      for i in 2 to 3 loop
-        forward_left_start_cost_0_values(i) := is_set(forward_left_room, i + 1);
-        if forward_left_start_cost_0_choices(i + 1) then
-          forward_left_start_cost_0_choices(i + 2) := (not is_set(forward_left_relief_largest, i + 1)) or
-            forward_left_start_cost_0_values(i);
-        else
-          forward_left_start_cost_0_choices(i + 2) := (not is_set(forward_left_relief_largest, i + 1)) and
-            forward_left_start_cost_0_values(i);
-        end if;
-      end loop;
-      if forward_left_start_cost_0_choices(5) then
-        forward_left_start_cost_0_choices(6) := is_set(forward_left_relief_largest, 5) and (not
-          is_set(forward_left_room, 5));
-      else
-        forward_left_start_cost_0_choices(6) := is_set(forward_left_relief_largest, 5) or (not
-          is_set(forward_left_room, 5));
-      end if;
-      if forward_left_start_cost_0_choices(6) then
-        forward_left_start_cost_0_choices_from_7(7) := 0;
-      else
-        forward_left_start_cost_0_choices_from_7(7) := (forward_left_room - forward_left_relief_largest) mod 64;
-      end if;
+      forward_left_start_cost_0_choices(1) := choice(is_set(forward_left_relief_largest, 0), (not
+        is_set(forward_left_room, 1)) or (not is_set(forward_left_room, 0)), not is_set(forward_left_room, 1));
+      forward_left_start_cost_0_choices(2) := choice(is_set(forward_left_relief_largest, 1),
+        forward_left_start_cost_0_choices(1), is_set(forward_left_relief_largest, 0) and ((forward_left_room mod 4) =
+        0));
+      forward_left_start_cost_0_values(1) := is_set(forward_left_room, 2);
+      forward_left_start_cost_0_choices(3) := inverted_carry(forward_left_start_cost_0_choices(2), not
+        is_set(forward_left_relief_largest, 2), forward_left_start_cost_0_values(1));
+      forward_left_start_cost_0_values(2) := is_set(forward_left_room, 3);
+      forward_left_start_cost_0_choices(4) := carry(forward_left_start_cost_0_choices(3), not
+        is_set(forward_left_relief_largest, 3), forward_left_start_cost_0_values(2));
+      forward_left_start_cost_0_values(3) := is_set(forward_left_room, 4);
+      forward_left_start_cost_0_choices(5) := carry(forward_left_start_cost_0_choices(4), not
+        is_set(forward_left_relief_largest, 4), forward_left_start_cost_0_values(3));
+      forward_left_start_cost_0_choices(6) := inverted_carry(forward_left_start_cost_0_choices(5),
+        is_set(forward_left_relief_largest, 5), not is_set(forward_left_room, 5));
+      forward_left_start_cost_0_choices_from_7(7) := choice(forward_left_start_cost_0_choices(6), 0, (forward_left_room
+        - forward_left_relief_largest) mod 64);
       forward_left_start_cost_0_is_less := 127 < ((forward_left_tree_next_next_smallest_0 mod 64) +
         forward_left_relief_reach_of_best);
-      if forward_left_start_cost_0_is_less then
-        forward_left_start_cost_0_choices_from_7(8) := (forward_left_tree_next_next_smallest_0 +
-          forward_left_relief_reach_of_best) mod 64;
-      else
-        forward_left_start_cost_0_choices_from_7(8) := 0;
-      end if;
-      if forward_left_start_cost_0_any then
-        forward_left_start_cost_0_choices_from_7(9) := forward_left_start_cost_0_choices_from_7(7);
-      else
-        forward_left_start_cost_0_choices_from_7(9) := forward_left_start_cost_0_choices_from_7(8);
-      end if;
+      forward_left_start_cost_0_choices_from_7(8) := choice(forward_left_start_cost_0_is_less,
+        (forward_left_tree_next_next_smallest_0 + forward_left_relief_reach_of_best) mod 64, 0);
+      forward_left_start_cost_0_choices_from_7(9) := choice(forward_left_start_cost_0_any,
+        forward_left_start_cost_0_choices_from_7(7), forward_left_start_cost_0_choices_from_7(8));
       forward_left_room_value := (forward_left_start_cost(6) + forward_left_room) mod 64;
-      if forward_left_start_cost_0_choices(6) then
-        forward_left_room_choice := forward_left_room_value;
-      else
-        forward_left_room_choice := (forward_left_start_cost(6) + forward_left_relief_largest) mod 64;
-      end if;
-      if forward_left_start_cost_0_is_less then
-        forward_left_room_choices(2) := (forward_left_relief_room_of_best - forward_left_tree_next_next_smallest_0) mod
-          64;
-      else
-        forward_left_room_choices(2) := forward_left_room_value;
-      end if;
-      if forward_left_start_cost_0_any then
-        forward_left_room_choices(3) := forward_left_room_choice;
-      else
-        forward_left_room_choices(3) := forward_left_room_choices(2);
-      end if;
-      if sums_right_first(2) then
-        forward_left_smallest_choice := 0;
-      else
-        forward_left_smallest_choice := forward_reliefs_moved(3);
-      end if;
+      forward_left_room_choices(1) := choice(forward_left_start_cost_0_choices(6), forward_left_room_value,
+        (forward_left_start_cost(6) + forward_left_relief_largest) mod 64);
+      forward_left_room_choices(2) := choice(forward_left_start_cost_0_is_less, (forward_left_relief_room_of_best -
+        forward_left_tree_next_next_smallest_0) mod 64, forward_left_room_value);
+      forward_left_room_choices(3) := choice(forward_left_start_cost_0_any, forward_left_room_choices(1),
+        forward_left_room_choices(2));
+      forward_left_smallest_choice := choice(sums_right_first(2), 0, forward_reliefs_moved(3));
       forward_left_smallest_difference := (forward_smallest_next_next_next_smallest_0 + forward_left_smallest_choice) -
         forward_reliefs_moved(2);
-      if (forward_left_smallest_choice - forward_left_relief_past(0)) < 0 then
-        forward_left_relief_pairs_0_choice := forward_left_relief_past(0);
-      else
-        forward_left_relief_pairs_0_choice := forward_left_smallest_choice;
-      end if;
-      if (forward_reliefs_moved(2) - forward_left_smallest_choice) < 0 then
-        forward_left_relief_recent_choice := forward_left_smallest_choice;
-      else
-        forward_left_relief_recent_choice := forward_reliefs_moved(2);
-      end if;
-      if (forward_reliefs_moved(2) - forward_left_relief_recent) < 0 then
-        forward_left_relief_largest_choice := forward_left_relief_recent;
-      else
-        forward_left_relief_largest_choice := forward_reliefs_moved(2);
-      end if;
+      forward_left_relief_pairs_0_choice := choice((forward_left_smallest_choice - forward_left_relief_past(0)) < 0,
+        forward_left_relief_past(0), forward_left_smallest_choice);
+      forward_left_relief_recent_choice := choice((forward_reliefs_moved(2) - forward_left_smallest_choice) < 0,
+        forward_left_smallest_choice, forward_reliefs_moved(2));
+      forward_left_relief_largest_choice := choice((forward_reliefs_moved(2) - forward_left_relief_recent) < 0,
+        forward_left_relief_recent, forward_reliefs_moved(2));
       forward_left_relief_reach_of_best_sum := forward_left_room + forward_left_relief_leaves;
-      if forward_left_start_cost_0_choices(6) then
-        forward_left_relief_reach_of_best_choice := forward_left_relief_reach_of_best_sum;
-      else
-        forward_left_relief_reach_of_best_choice := forward_left_relief_largest + forward_left_relief_leaves;
-      end if;
-      if forward_left_start_cost_0_is_less then
-        forward_left_relief_reach_of_best_choices(2) := (forward_left_relief_reach_again -
-          (forward_left_tree_next_next_smallest_0 mod 64)) mod 256;
-      else
-        forward_left_relief_reach_of_best_choices(2) := forward_left_relief_reach_of_best_sum;
-      end if;
-      if forward_left_start_cost_0_any then
-        forward_left_relief_reach_of_best_choices(3) := forward_left_relief_reach_of_best_choice;
-      else
-        forward_left_relief_reach_of_best_choices(3) := forward_left_relief_reach_of_best_choices(2);
-      end if;
-      if sums_right_first(2) then
-        forward_left_relief_leaves_choice := 64;
-      else
-        forward_left_relief_leaves_choice := forward_left_start_cost(5) + 64;
-      end if;
+      forward_left_relief_reach_of_best_choice := choice(forward_left_start_cost_0_choices(6),
+        forward_left_relief_reach_of_best_sum, forward_left_relief_largest + forward_left_relief_leaves);
+      forward_left_relief_reach_of_best_choices(2) := choice(forward_left_start_cost_0_is_less,
+        (forward_left_relief_reach_again - (forward_left_tree_next_next_smallest_0 mod 64)) mod 256,
+        forward_left_relief_reach_of_best_sum);
+      forward_left_relief_reach_of_best_choices(3) := choice(forward_left_start_cost_0_any,
+        forward_left_relief_reach_of_best_choice, forward_left_relief_reach_of_best_choices(2));
+      forward_left_relief_leaves_choice := choice(sums_right_first(2), 64, forward_left_start_cost(5) + 64);
       for i in 0 to 11 loop
-        if (forward_left_arrived(i) - forward_left_cost(i)) < 0 then
-          forward_left_cost_choice(i) := forward_left_arrived(i);
-        else
-          forward_left_cost_choice(i) := forward_left_cost(i);
-        end if;
-        if is_set(forward_left_cost_choice(i), 6) or forward_left_first(2) then
-          forward_left_cost_choice_2(i) := 64;
-        else
-          forward_left_cost_choice_2(i) := forward_left_cost_choice(i);
-        end if;
+        forward_left_cost_choice(i, 1) := choice((forward_left_arrived(i) - forward_left_cost(i)) < 0,
+          forward_left_arrived(i), forward_left_cost(i));
+        forward_left_cost_choice(i, 2) := choice(is_set(forward_left_cost_choice(i, 1), 6) or forward_left_first(2),
+          64, forward_left_cost_choice(i, 1));
       end loop;
-      if forward_left_first(2) then
-        forward_left_arrived_choice(0) := 64;
-      else
-        forward_left_arrived_choice(0) := forward_left_cost(1);
-      end if;
-      for i in 1 to 2 loop
-        if forward_left_first(2) then
-          forward_left_arrived_choice(i) := 64;
-        else
-          forward_left_arrived_choice(i) := forward_left_pair_choice(i - 1);
-        end if;
+      forward_left_arrived_choice(0, 1) := choice(forward_left_first(2), 64, forward_left_cost(1));
+      for i in 0 to 1 loop
+        forward_left_arrived_choice(4 * i + 1, 1) := choice(forward_left_first(2), 64, forward_left_pair_choice(2 * i));
+        forward_left_arrived_choice(4 * i + 2, 1) := choice(forward_left_first(2), 64, forward_left_pair_choice(2 * i +
+          1));
+        forward_left_arrived_choice(4 * i + 3, 1) := choice((forward_left_cost(4 * i + 4) - forward_left_cost(4 * i +
+          2)) < 0, forward_left_cost(4 * i + 4), forward_left_cost(4 * i + 2));
+        forward_left_arrived_choice(4 * i + 3, 2) := choice(forward_left_first(2), 64, forward_left_arrived_choice(4 *
+          i + 3, 1));
+        forward_left_arrived_choice(4 * i + 4, 1) := choice((forward_left_cost(4 * i + 5) - forward_left_cost(4 * i +
+          3)) < 0, forward_left_cost(4 * i + 5), forward_left_cost(4 * i + 3));
+        forward_left_arrived_choice(4 * i + 4, 2) := choice(forward_left_first(2), 64, forward_left_arrived_choice(4 *
+          i + 4, 1));
       end loop;
-      for i in 4 to 5 loop
-        if (forward_left_cost(i) - forward_left_cost(i - 2)) < 0 then
-          forward_left_arrived_choice(i - 1) := forward_left_cost(i);
-        else
-          forward_left_arrived_choice(i - 1) := forward_left_cost(i - 2);
-        end if;
-        if forward_left_first(2) then
-          forward_left_arrived_choice_2(i - 1) := 64;
-        else
-          forward_left_arrived_choice_2(i - 1) := forward_left_arrived_choice(i - 1);
-        end if;
-      end loop;
-      for i in 5 to 6 loop
-        if forward_left_first(2) then
-          forward_left_arrived_choice(i) := 64;
-        else
-          forward_left_arrived_choice(i) := forward_left_pair_choice(i - 3);
-        end if;
-      end loop;
-      for i in 8 to 9 loop
-        if (forward_left_cost(i) - forward_left_cost(i - 2)) < 0 then
-          forward_left_arrived_choice(i - 1) := forward_left_cost(i);
-        else
-          forward_left_arrived_choice(i - 1) := forward_left_cost(i - 2);
-        end if;
-        if forward_left_first(2) then
-          forward_left_arrived_choice_2s(i - 1) := 64;
-        else
-          forward_left_arrived_choice_2s(i - 1) := forward_left_arrived_choice(i - 1);
-        end if;
-      end loop;
-      for i in 9 to 10 loop
-        if forward_left_first(2) then
-          forward_left_arrived_choice(i) := 64;
-        else
-          forward_left_arrived_choice(i) := forward_left_pair_choice(i - 5);
-        end if;
-      end loop;
-      if forward_left_first(2) then
-        forward_left_arrived_choice(11) := 64;
-      else
-        forward_left_arrived_choice(11) := forward_left_cost(10);
-      end if;
+      forward_left_arrived_choice(9, 1) := choice(forward_left_first(2), 64, forward_left_pair_choice(4));
+      forward_left_arrived_choice(10, 1) := choice(forward_left_first(2), 64, forward_left_pair_choice(5));
+      forward_left_arrived_choice(11, 1) := choice(forward_left_first(2), 64, forward_left_cost(10));
       for i in 0 to 1 loop
         for j in 0 to 5 loop
-          if forward_above_ready_top then
-            forward_above_total_choice(6 * i + j) := 31;
-          else
-            forward_above_total_choice(6 * i + j) := to_integer(forward_above_ready_words(i)(5 * j + 4 downto 5 * j));
-          end if;
+          forward_above_total_choice(6 * i + j) := choice(forward_above_ready_top, 31,
+            to_integer(forward_above_ready_words(i)(5 * j + 4 downto 5 * j)));
         end loop;
       end loop;
-      if entry_tag_valid then
+      if entry_tag.valid then
         forward_smallest_next_next_smallest(1) <= forward_smallest_next_smallest(2);
         forward_cost_delay_ring_write_address <= forward_cost_delay_ring_read_address;
-        for i in 0 to 5 loop
-          forward_left_pair(i) <= forward_left_pair_choice(i);
-        end loop;
+        forward_left_pair <= forward_left_pair_choice;
         forward_left_tree_next_smallest(1) <= forward_left_tree_smallest(2);
         forward_left_smallest <= forward_left_smallest_difference mod 128;
         forward_left_smallest_less <= (forward_left_smallest_difference + 121) mod 128;
         forward_left_first(0) <= sums_right_first(2);
-        forward_left_first(1) <= forward_left_first(0);
-        forward_left_first(2) <= forward_left_first(1);
+        forward_left_first(1 to 2) <= forward_left_first(0 to 1);
         forward_left_relief_next_0 <= forward_reliefs_moved(2);
         forward_left_relief_past(0) <= forward_left_smallest_choice;
-        for i in 1 to 5 loop
-          forward_left_relief_past(i) <= forward_left_relief_past(i - 1);
-        end loop;
+        forward_left_relief_past(1 to 5) <= forward_left_relief_past(0 to 4);
         forward_left_relief_pairs(0) <= forward_left_relief_pairs_0_choice;
         forward_left_relief_pairs(1) <= forward_left_relief_pairs(0);
         forward_left_relief_largest <= forward_left_relief_largest_choice;
@@ -3063,25 +1956,24 @@ begin
           forward_left_step_change(i) <= (forward_cost(0, i) - forward_left_g_less_copy_0) mod 128;
         end loop;
         for i in 0 to 11 loop
-          forward_left_cost(i) <= (forward_left_cost_choice_2(i) + forward_left_stay_change(i)) mod 128;
+          forward_left_cost(i) <= (forward_left_cost_choice(i, 2) + forward_left_stay_change(i)) mod 128;
         end loop;
         for i in 0 to 2 loop
-          forward_left_arrived(i) <= (forward_left_arrived_choice(i) + forward_left_step_change(i)) mod 128;
+          forward_left_arrived(i) <= (forward_left_arrived_choice(i, 1) + forward_left_step_change(i)) mod 128;
         end loop;
-        forward_left_arrived(3) <= (forward_left_arrived_choice_2(3) + forward_left_step_change(3)) mod 128;
-        forward_left_arrived(4) <= (forward_left_arrived_choice_2(4) + forward_left_step_change(4)) mod 128;
-        forward_left_arrived(5) <= (forward_left_arrived_choice(5) + forward_left_step_change(5)) mod 128;
-        forward_left_arrived(6) <= (forward_left_arrived_choice(6) + forward_left_step_change(6)) mod 128;
-        forward_left_arrived(7) <= (forward_left_arrived_choice_2s(7) + forward_left_step_change(7)) mod 128;
-        forward_left_arrived(8) <= (forward_left_arrived_choice_2s(8) + forward_left_step_change(8)) mod 128;
+        for i in 1 to 2 loop
+          forward_left_arrived(3 * i) <= (forward_left_arrived_choice(3 * i, 3 - i) + forward_left_step_change(3 * i))
+            mod 128;
+          forward_left_arrived(3 * i + 1) <= (forward_left_arrived_choice(3 * i + 1, 2) + forward_left_step_change(3 *
+            i + 1)) mod 128;
+          forward_left_arrived(3 * i + 2) <= (forward_left_arrived_choice(3 * i + 2, i) + forward_left_step_change(3 *
+            i + 2)) mod 128;
+        end loop;
         for i in 9 to 11 loop
-          forward_left_arrived(i) <= (forward_left_arrived_choice(i) + forward_left_step_change(i)) mod 128;
+          forward_left_arrived(i) <= (forward_left_arrived_choice(i, 1) + forward_left_step_change(i)) mod 128;
         end loop;
-        forward_above_ready_words(0) <= forward_above_read_words(0);
-        forward_above_ready_words(1) <= forward_above_read_words(1);
-        for i in 0 to 11 loop
-          forward_above_ready_cost(i) <= entry_cost(i);
-        end loop;
+        forward_above_ready_words <= forward_above_read_words;
+        forward_above_ready_cost <= entry_cost;
         forward_above_ready_top <= entry_top;
         for i in 0 to 11 loop
           forward_above_total(i) <= forward_above_total_choice(i) + forward_above_ready_cost(i);
@@ -3106,34 +1998,21 @@ begin
         forward_above_beside(0) <= forward_above_cost(1);
         forward_above_beside(11) <= forward_above_cost(10);
         forward_above_own_0 <= forward_above_cost(0);
-        for i in 2 to 9 loop
-          forward_above_own(i) <= forward_above_cost(i);
-        end loop;
+        forward_above_own <= forward_above_cost(2 to 9);
         forward_above_own_11 <= forward_above_cost(11);
         for i in 0 to 11 loop
           forward_above_step(i) <= forward_above_beside(i) + 5;
         end loop;
-        forward_above_comes(0) <= entry_tag_map_column;
-        for i in 1 to 9 loop
-          forward_above_comes(i) <= forward_above_comes(i - 1);
-        end loop;
+        forward_above_comes(0) <= entry_tag.map_column;
+        forward_above_comes(1 to 9) <= forward_above_comes(0 to 8);
         forward_above_column(0) <= entry_column;
-        for i in 1 to 9 loop
-          forward_above_column(i) <= forward_above_column(i - 1);
-        end loop;
+        forward_above_column(1 to 9) <= forward_above_column(0 to 8);
         forward_first(0) <= entry_turned_first_column;
-        forward_first(1) <= forward_first(0);
-        forward_first(2) <= forward_first(1);
-        forward_first(3) <= forward_first(2);
+        forward_first(1 to 3) <= forward_first(0 to 2);
         forward_reliefs_moved(0) <= relief_entered;
-        forward_reliefs_moved(1) <= forward_reliefs_moved(0);
-        forward_reliefs_moved(2) <= forward_reliefs_moved(1);
-        forward_reliefs_moved(3) <= forward_reliefs_moved(2);
+        forward_reliefs_moved(1 to 3) <= forward_reliefs_moved(0 to 2);
         forward_reliefs_moved(4) <= forward_left_relief_next_0;
-        forward_reliefs_moved(5) <= forward_reliefs_moved(4);
-        forward_reliefs_moved(6) <= forward_reliefs_moved(5);
-        forward_reliefs_moved(7) <= forward_reliefs_moved(6);
-        forward_reliefs_moved(8) <= forward_reliefs_moved(7);
+        forward_reliefs_moved(5 to 8) <= forward_reliefs_moved(4 to 7);
         forward_cost(0, 0) <= to_integer(forward_cost_delay_held_0(2 downto 0));
         forward_cost(0, 1) <= to_integer(forward_cost_delay_held_0(5 downto 0)) / 8;
         for i in 2 to 9 loop
@@ -3147,393 +2026,187 @@ begin
           end loop;
         end loop;
         forward_smallest_cost(0) <= forward_smallest_next_next_next_smallest_0;
-        forward_smallest_cost(1) <= forward_smallest_cost(0);
-        forward_smallest_cost(2) <= forward_smallest_cost(1);
-        forward_smallest_cost(3) <= forward_smallest_cost(2);
-        forward_smallest_cost(4) <= forward_smallest_cost(3);
+        forward_smallest_cost(1 to 4) <= forward_smallest_cost(0 to 3);
         for i in 0 to 5 loop
-          if (entry_cost(2 * i + 1) - entry_cost(2 * i)) < 0 then
-            forward_smallest_smallest(i) <= entry_cost(2 * i + 1);
-          else
-            forward_smallest_smallest(i) <= entry_cost(2 * i);
-          end if;
+          forward_smallest_smallest(i) <= choice((entry_cost(2 * i + 1) - entry_cost(2 * i)) < 0, entry_cost(2 * i +
+            1), entry_cost(2 * i));
         end loop;
         for i in 0 to 2 loop
-          if (forward_smallest_smallest(2 * i + 1) - forward_smallest_smallest(2 * i)) < 0 then
-            forward_smallest_next_smallest(i) <= forward_smallest_smallest(2 * i + 1);
-          else
-            forward_smallest_next_smallest(i) <= forward_smallest_smallest(2 * i);
-          end if;
+          forward_smallest_next_smallest(i) <= choice((forward_smallest_smallest(2 * i + 1) -
+            forward_smallest_smallest(2 * i)) < 0, forward_smallest_smallest(2 * i + 1), forward_smallest_smallest(2 *
+            i));
         end loop;
-        if (forward_smallest_next_smallest(1) - forward_smallest_next_smallest(0)) < 0 then
-          forward_smallest_next_next_smallest(0) <= forward_smallest_next_smallest(1);
-        else
-          forward_smallest_next_next_smallest(0) <= forward_smallest_next_smallest(0);
-        end if;
-        if (forward_smallest_next_next_smallest(1) - forward_smallest_next_next_smallest(0)) < 0 then
-          forward_smallest_next_next_next_smallest_0 <= forward_smallest_next_next_smallest(1);
-        else
-          forward_smallest_next_next_next_smallest_0 <= forward_smallest_next_next_smallest(0);
-        end if;
-        if forward_cost_delay_ring_read_address = 4 then
-          forward_cost_delay_ring_read_address <= 0;
-        else
-          forward_cost_delay_ring_read_address <= (forward_cost_delay_ring_read_address + 1) mod 8;
-        end if;
+        forward_smallest_next_next_smallest(0) <= choice((forward_smallest_next_smallest(1) -
+          forward_smallest_next_smallest(0)) < 0, forward_smallest_next_smallest(1), forward_smallest_next_smallest(0));
+        forward_smallest_next_next_next_smallest_0 <= choice((forward_smallest_next_next_smallest(1) -
+          forward_smallest_next_next_smallest(0)) < 0, forward_smallest_next_next_smallest(1),
+          forward_smallest_next_next_smallest(0));
+        forward_cost_delay_ring_read_address <= choice(forward_cost_delay_ring_read_address = 4, 0,
+          (forward_cost_delay_ring_read_address + 1) mod 8);
         for i in 0 to 2 loop
-          if (forward_left_pair(2 * i + 1) - forward_left_pair(2 * i)) < 0 then
-            forward_left_tree_smallest(i) <= forward_left_pair(2 * i + 1);
-          else
-            forward_left_tree_smallest(i) <= forward_left_pair(2 * i);
-          end if;
+          forward_left_tree_smallest(i) <= choice((forward_left_pair(2 * i + 1) - forward_left_pair(2 * i)) < 0,
+            forward_left_pair(2 * i + 1), forward_left_pair(2 * i));
         end loop;
-        if (forward_left_tree_smallest(1) - forward_left_tree_smallest(0)) < 0 then
-          forward_left_tree_next_smallest(0) <= forward_left_tree_smallest(1);
-        else
-          forward_left_tree_next_smallest(0) <= forward_left_tree_smallest(0);
-        end if;
-        if (forward_left_tree_next_smallest(1) - forward_left_tree_next_smallest(0)) < 0 then
-          forward_left_tree_next_next_smallest_0 <= forward_left_tree_next_smallest(1);
-        else
-          forward_left_tree_next_next_smallest_0 <= forward_left_tree_next_smallest(0);
-        end if;
-        if sums_right_first(2) then
-          forward_left_start_cost(0) <= 60;
-          for i in 1 to 6 loop
-            forward_left_start_cost(i) <= 0;
-          end loop;
-          forward_left_room <= 0;
-          forward_left_relief_reach_of_best <= 0;
-        else
-          forward_left_start_cost(0) <= forward_left_start_cost_0_choices_from_7(9);
-          for i in 1 to 6 loop
-            forward_left_start_cost(i) <= forward_left_start_cost(i - 1);
-          end loop;
-          forward_left_room <= forward_left_room_choices(3);
-          forward_left_relief_reach_of_best <= forward_left_relief_reach_of_best_choices(3);
-        end if;
-        if (forward_left_relief_pairs_0_choice - forward_left_relief_pairs(1)) < 0 then
-          forward_left_relief_fours_0 <= forward_left_relief_pairs(1);
-        else
-          forward_left_relief_fours_0 <= forward_left_relief_pairs_0_choice;
-        end if;
-        if (forward_left_smallest_choice - forward_left_relief_fours_0) < 0 then
-          forward_left_relief_older <= forward_left_relief_fours_0;
-        else
-          forward_left_relief_older <= forward_left_smallest_choice;
-        end if;
-        if (forward_left_relief_recent_choice - forward_left_relief_older) < 0 then
-          forward_left_relief_recent <= forward_left_relief_older;
-        else
-          forward_left_relief_recent <= forward_left_relief_recent_choice;
-        end if;
+        forward_left_tree_next_smallest(0) <= choice((forward_left_tree_smallest(1) - forward_left_tree_smallest(0)) <
+          0, forward_left_tree_smallest(1), forward_left_tree_smallest(0));
+        forward_left_tree_next_next_smallest_0 <= choice((forward_left_tree_next_smallest(1) -
+          forward_left_tree_next_smallest(0)) < 0, forward_left_tree_next_smallest(1),
+          forward_left_tree_next_smallest(0));
+        forward_left_start_cost(0) <= choice(sums_right_first(2), 60, forward_left_start_cost_0_choices_from_7(9));
+        for i in 1 to 6 loop
+          forward_left_start_cost(i) <= choice(sums_right_first(2), 0, forward_left_start_cost(i - 1));
+        end loop;
+        forward_left_room <= choice(sums_right_first(2), 0, forward_left_room_choices(3));
+        forward_left_relief_reach_of_best <= choice(sums_right_first(2), 0,
+          forward_left_relief_reach_of_best_choices(3));
+        forward_left_relief_fours_0 <= choice((forward_left_relief_pairs_0_choice - forward_left_relief_pairs(1)) < 0,
+          forward_left_relief_pairs(1), forward_left_relief_pairs_0_choice);
+        forward_left_relief_older <= choice((forward_left_smallest_choice - forward_left_relief_fours_0) < 0,
+          forward_left_relief_fours_0, forward_left_smallest_choice);
+        forward_left_relief_recent <= choice((forward_left_relief_recent_choice - forward_left_relief_older) < 0,
+          forward_left_relief_older, forward_left_relief_recent_choice);
         for i in 0 to 5 loop
-          if (forward_above_total(2 * i + 1) - forward_above_total(2 * i)) < 0 then
-            forward_above_tree_smallest(i) <= forward_above_total(2 * i + 1);
-          else
-            forward_above_tree_smallest(i) <= forward_above_total(2 * i);
-          end if;
+          forward_above_tree_smallest(i) <= choice((forward_above_total(2 * i + 1) - forward_above_total(2 * i)) < 0,
+            forward_above_total(2 * i + 1), forward_above_total(2 * i));
         end loop;
         for i in 0 to 2 loop
-          if (forward_above_tree_smallest(2 * i + 1) - forward_above_tree_smallest(2 * i)) < 0 then
-            forward_above_tree_next_smallest(i) <= forward_above_tree_smallest(2 * i + 1);
-          else
-            forward_above_tree_next_smallest(i) <= forward_above_tree_smallest(2 * i);
-          end if;
+          forward_above_tree_next_smallest(i) <= choice((forward_above_tree_smallest(2 * i + 1) -
+            forward_above_tree_smallest(2 * i)) < 0, forward_above_tree_smallest(2 * i + 1),
+            forward_above_tree_smallest(2 * i));
         end loop;
-        if (forward_above_tree_next_smallest(1) - forward_above_tree_next_smallest(0)) < 0 then
-          forward_above_tree_next_next_smallest(0) <= forward_above_tree_next_smallest(1);
-        else
-          forward_above_tree_next_next_smallest(0) <= forward_above_tree_next_smallest(0);
-        end if;
-        if (forward_above_tree_next_next_smallest(1) - forward_above_tree_next_next_smallest(0)) < 0 then
-          forward_above_tree_next_next_next_smallest_0 <= forward_above_tree_next_next_smallest(1);
-        else
-          forward_above_tree_next_next_next_smallest_0 <= forward_above_tree_next_next_smallest(0);
-        end if;
-        if forward_above_delay_ring_read_address = 4 then
-          forward_above_delay_ring_read_address <= 0;
-        else
-          forward_above_delay_ring_read_address <= (forward_above_delay_ring_read_address + 1) mod 8;
-        end if;
-        for i in 2 to 11 loop
-          if (forward_above_cost(i) - forward_above_cost(i - 2)) < 0 then
-            forward_above_beside(i - 1) <= forward_above_cost(i);
-          else
-            forward_above_beside(i - 1) <= forward_above_cost(i - 2);
-          end if;
+        forward_above_tree_next_next_smallest(0) <= choice((forward_above_tree_next_smallest(1) -
+          forward_above_tree_next_smallest(0)) < 0, forward_above_tree_next_smallest(1),
+          forward_above_tree_next_smallest(0));
+        forward_above_tree_next_next_next_smallest_0 <= choice((forward_above_tree_next_next_smallest(1) -
+          forward_above_tree_next_next_smallest(0)) < 0, forward_above_tree_next_next_smallest(1),
+          forward_above_tree_next_next_smallest(0));
+        forward_above_delay_ring_read_address <= choice(forward_above_delay_ring_read_address = 4, 0,
+          (forward_above_delay_ring_read_address + 1) mod 8);
+        for i in 1 to 10 loop
+          forward_above_beside(i) <= choice((forward_above_cost(i + 1) - forward_above_cost(i - 1)) < 0,
+            forward_above_cost(i + 1), forward_above_cost(i - 1));
         end loop;
-        if forward_above_own_0 < 31 then
-          forward_above_stay(0) <= forward_above_own_0 mod 32;
-        else
-          forward_above_stay(0) <= 31;
-        end if;
-        if forward_above_beside(0) < 31 then
-          forward_above_stay(1) <= forward_above_beside(0) mod 32;
-        else
-          forward_above_stay(1) <= 31;
-        end if;
+        forward_above_stay(0) <= choice(forward_above_own_0 < 31, forward_above_own_0 mod 32, 31);
+        forward_above_stay(1) <= choice(forward_above_beside(0) < 31, forward_above_beside(0) mod 32, 31);
         for i in 2 to 9 loop
-          if forward_above_own(i) < 31 then
-            forward_above_stay(i) <= forward_above_own(i) mod 32;
-          else
-            forward_above_stay(i) <= 31;
-          end if;
+          forward_above_stay(i) <= choice(forward_above_own(i) < 31, forward_above_own(i) mod 32, 31);
         end loop;
-        if forward_above_beside(11) < 31 then
-          forward_above_stay(10) <= forward_above_beside(11) mod 32;
-        else
-          forward_above_stay(10) <= 31;
-        end if;
-        if forward_above_own_11 < 31 then
-          forward_above_stay(11) <= forward_above_own_11 mod 32;
-        else
-          forward_above_stay(11) <= 31;
-        end if;
+        forward_above_stay(10) <= choice(forward_above_beside(11) < 31, forward_above_beside(11) mod 32, 31);
+        forward_above_stay(11) <= choice(forward_above_own_11 < 31, forward_above_own_11 mod 32, 31);
       end if;
-      if forward_above_comes(9) then
-        forward_above_writes_copy_0 <= entry_next_tag_valid and (forward_above_comes(8) or (not entry_tag_valid));
-      else
-        forward_above_writes_copy_0 <= entry_next_tag_valid and forward_above_comes(8) and entry_tag_valid;
-      end if;
+      forward_above_writes_copy_0 <= choice(forward_above_comes(9), entry_next_tag.valid and (forward_above_comes(8) or
+        (not entry_tag.valid)), entry_next_tag.valid and forward_above_comes(8) and entry_tag.valid);
       for i in 0 to 1 loop
-        if (forward_above_step(6 * i + 4) - forward_above_stay(6 * i + 4)) < 0 then
-          forward_above_write_words_choice(i) := forward_above_step(6 * i + 4);
-        else
-          forward_above_write_words_choice(i) := forward_above_stay(6 * i + 4);
-        end if;
-        for j in 2 to 3 loop
-          if (forward_above_step(6 * i + 9 - 2 * j) - forward_above_stay(6 * i + 9 - 2 * j)) < 0 then
-            forward_above_write_words_choices(i, j) := forward_above_step(6 * i + 9 - 2 * j);
-          else
-            forward_above_write_words_choices(i, j) := forward_above_stay(6 * i + 9 - 2 * j);
-          end if;
-        end loop;
-        for j in 4 to 5 loop
-          if (forward_above_step(6 * i + 10 - 2 * j) - forward_above_stay(6 * i + 10 - 2 * j)) < 0 then
-            forward_above_write_words_choices(i, j) := forward_above_step(6 * i + 10 - 2 * j);
-          else
-            forward_above_write_words_choices(i, j) := forward_above_stay(6 * i + 10 - 2 * j);
-          end if;
-        end loop;
-        if (forward_above_step(6 * i + 1) - forward_above_stay(6 * i + 1)) < 0 then
-          forward_above_write_words_choices(i, 6) := forward_above_step(6 * i + 1);
-        else
-          forward_above_write_words_choices(i, 6) := forward_above_stay(6 * i + 1);
-        end if;
+        forward_above_write_words_choice(i, 1) := choice((forward_above_step(6 * i + 4) - forward_above_stay(6 * i +
+          4)) < 0, forward_above_step(6 * i + 4), forward_above_stay(6 * i + 4));
+        forward_above_write_words_choice(i, 2) := choice((forward_above_step(6 * i + 5) - forward_above_stay(6 * i +
+          5)) < 0, forward_above_step(6 * i + 5), forward_above_stay(6 * i + 5));
+        forward_above_write_words_choice(i, 3) := choice((forward_above_step(6 * i + 3) - forward_above_stay(6 * i +
+          3)) < 0, forward_above_step(6 * i + 3), forward_above_stay(6 * i + 3));
+        forward_above_write_words_choice(i, 4) := choice((forward_above_step(6 * i + 2) - forward_above_stay(6 * i +
+          2)) < 0, forward_above_step(6 * i + 2), forward_above_stay(6 * i + 2));
+        forward_above_write_words_choice(i, 5) := choice((forward_above_step(6 * i) - forward_above_stay(6 * i)) < 0,
+          forward_above_step(6 * i), forward_above_stay(6 * i));
+        forward_above_write_words_choice(i, 6) := choice((forward_above_step(6 * i + 1) - forward_above_stay(6 * i +
+          1)) < 0, forward_above_step(6 * i + 1), forward_above_stay(6 * i + 1));
       end loop;
       if forward_above_writes_copy_0 then
         for i in 0 to 1 loop
-          forward_above_write_words(i) <= ((((((((((to_unsigned(forward_above_write_words_choice(i), 12) &
-            to_unsigned(0, 20)) or (to_unsigned(forward_above_write_words_choices(i, 2), 7) & to_unsigned(0, 25)))) or
-            (to_unsigned(forward_above_write_words_choices(i, 3), 17) & to_unsigned(0, 15)))) or
-            (to_unsigned(forward_above_write_words_choices(i, 4), 22) & to_unsigned(0, 10)))) or
-            (to_unsigned(forward_above_write_words_choices(i, 5), 32)))) or
-            (to_unsigned(forward_above_write_words_choices(i, 6), 27) & to_unsigned(0, 5)));
+          forward_above_write_words(i) <= ((((((((((to_unsigned(forward_above_write_words_choice(i, 1), 12) &
+            to_unsigned(0, 20)) or (to_unsigned(forward_above_write_words_choice(i, 2), 7) & to_unsigned(0, 25)))) or
+            (to_unsigned(forward_above_write_words_choice(i, 3), 17) & to_unsigned(0, 15)))) or
+            (to_unsigned(forward_above_write_words_choice(i, 4), 22) & to_unsigned(0, 10)))) or
+            (to_unsigned(forward_above_write_words_choice(i, 5), 32)))) or
+            (to_unsigned(forward_above_write_words_choice(i, 6), 27) & to_unsigned(0, 5)));
         end loop;
         forward_above_write_column <= forward_above_column(9);
       end if;
       -- sums
       for i in 0 to 2 loop
-        for j in 2 to 3 loop
-          if (sums_right_cost(4 * i + j) - sums_right_cost(4 * i + j - 2)) < 0 then
-            sums_right_pair_choice(2 * i + j - 2) := sums_right_cost(4 * i + j);
-          else
-            sums_right_pair_choice(2 * i + j - 2) := sums_right_cost(4 * i + j - 2);
-          end if;
-        end loop;
+        sums_right_pair_choice(2 * i) := choice((sums_right_cost(4 * i + 2) - sums_right_cost(4 * i)) < 0,
+          sums_right_cost(4 * i + 2), sums_right_cost(4 * i));
+        sums_right_pair_choice(2 * i + 1) := choice((sums_right_cost(4 * i + 3) - sums_right_cost(4 * i + 1)) < 0,
+          sums_right_cost(4 * i + 3), sums_right_cost(4 * i + 1));
       end loop;
       sums_right_start_cost_0_any := ((((sums_right_tree_next_next_smallest_0 mod 64) + sums_right_relief_beyond) / 64)
         = 1) or is_set(sums_right_tree_next_next_smallest_0, 6);
-      if is_set(sums_right_relief_largest, 0) then
-        sums_right_start_cost_0_choice := (not is_set(sums_right_room, 1)) or (not is_set(sums_right_room, 0));
-      else
-        sums_right_start_cost_0_choice := not is_set(sums_right_room, 1);
-      end if;
-      if is_set(sums_right_relief_largest, 1) then
-        sums_right_start_cost_0_choices(2) := sums_right_start_cost_0_choice;
-      else
-        sums_right_start_cost_0_choices(2) := is_set(sums_right_relief_largest, 0) and ((sums_right_room mod 4) = 0);
-      end if;
-      sums_right_start_cost_0_value := is_set(sums_right_room, 2);
-      if sums_right_start_cost_0_choices(2) then
-        sums_right_start_cost_0_choices(3) := (not is_set(sums_right_relief_largest, 2)) and
-          sums_right_start_cost_0_value;
-      else
-        sums_right_start_cost_0_choices(3) := (not is_set(sums_right_relief_largest, 2)) or
-          sums_right_start_cost_0_value;
-      end if;
-      for i in 2 to 3 loop
-        sums_right_start_cost_0_values(i) := is_set(sums_right_room, i + 1);
-        if sums_right_start_cost_0_choices(i + 1) then
-          sums_right_start_cost_0_choices(i + 2) := (not is_set(sums_right_relief_largest, i + 1)) or
-            sums_right_start_cost_0_values(i);
-        else
-          sums_right_start_cost_0_choices(i + 2) := (not is_set(sums_right_relief_largest, i + 1)) and
-            sums_right_start_cost_0_values(i);
-        end if;
-      end loop;
-      if sums_right_start_cost_0_choices(5) then
-        sums_right_start_cost_0_choices(6) := is_set(sums_right_relief_largest, 5) and (not is_set(sums_right_room, 5));
-      else
-        sums_right_start_cost_0_choices(6) := is_set(sums_right_relief_largest, 5) or (not is_set(sums_right_room, 5));
-      end if;
-      if sums_right_start_cost_0_choices(6) then
-        sums_right_start_cost_0_choices_from_7(7) := 0;
-      else
-        sums_right_start_cost_0_choices_from_7(7) := (sums_right_room - sums_right_relief_largest) mod 64;
-      end if;
+      sums_right_start_cost_0_choices(1) := choice(is_set(sums_right_relief_largest, 0), (not is_set(sums_right_room,
+        1)) or (not is_set(sums_right_room, 0)), not is_set(sums_right_room, 1));
+      sums_right_start_cost_0_choices(2) := choice(is_set(sums_right_relief_largest, 1),
+        sums_right_start_cost_0_choices(1), is_set(sums_right_relief_largest, 0) and ((sums_right_room mod 4) = 0));
+      sums_right_start_cost_0_values(1) := is_set(sums_right_room, 2);
+      sums_right_start_cost_0_choices(3) := inverted_carry(sums_right_start_cost_0_choices(2), not
+        is_set(sums_right_relief_largest, 2), sums_right_start_cost_0_values(1));
+      sums_right_start_cost_0_values(2) := is_set(sums_right_room, 3);
+      sums_right_start_cost_0_choices(4) := carry(sums_right_start_cost_0_choices(3), not
+        is_set(sums_right_relief_largest, 3), sums_right_start_cost_0_values(2));
+      sums_right_start_cost_0_values(3) := is_set(sums_right_room, 4);
+      sums_right_start_cost_0_choices(5) := carry(sums_right_start_cost_0_choices(4), not
+        is_set(sums_right_relief_largest, 4), sums_right_start_cost_0_values(3));
+      sums_right_start_cost_0_choices(6) := inverted_carry(sums_right_start_cost_0_choices(5),
+        is_set(sums_right_relief_largest, 5), not is_set(sums_right_room, 5));
+      sums_right_start_cost_0_choices_from_7(7) := choice(sums_right_start_cost_0_choices(6), 0, (sums_right_room -
+        sums_right_relief_largest) mod 64);
       sums_right_start_cost_0_is_less := 127 < ((sums_right_tree_next_next_smallest_0 mod 64) +
         sums_right_relief_reach_of_best);
-      if sums_right_start_cost_0_is_less then
-        sums_right_start_cost_0_choices_from_7(8) := (sums_right_tree_next_next_smallest_0 +
-          sums_right_relief_reach_of_best) mod 64;
-      else
-        sums_right_start_cost_0_choices_from_7(8) := 0;
-      end if;
-      if sums_right_start_cost_0_any then
-        sums_right_start_cost_0_choices_from_7(9) := sums_right_start_cost_0_choices_from_7(7);
-      else
-        sums_right_start_cost_0_choices_from_7(9) := sums_right_start_cost_0_choices_from_7(8);
-      end if;
+      sums_right_start_cost_0_choices_from_7(8) := choice(sums_right_start_cost_0_is_less,
+        (sums_right_tree_next_next_smallest_0 + sums_right_relief_reach_of_best) mod 64, 0);
+      sums_right_start_cost_0_choices_from_7(9) := choice(sums_right_start_cost_0_any,
+        sums_right_start_cost_0_choices_from_7(7), sums_right_start_cost_0_choices_from_7(8));
       sums_right_room_value := (sums_right_start_cost(6) + sums_right_room) mod 64;
-      if sums_right_start_cost_0_choices(6) then
-        sums_right_room_choice := sums_right_room_value;
-      else
-        sums_right_room_choice := (sums_right_start_cost(6) + sums_right_relief_largest) mod 64;
-      end if;
-      if sums_right_start_cost_0_is_less then
-        sums_right_room_choices(2) := (sums_right_relief_room_of_best - sums_right_tree_next_next_smallest_0) mod 64;
-      else
-        sums_right_room_choices(2) := sums_right_room_value;
-      end if;
-      if sums_right_start_cost_0_any then
-        sums_right_room_choices(3) := sums_right_room_choice;
-      else
-        sums_right_room_choices(3) := sums_right_room_choices(2);
-      end if;
-      if forward_first(0) then
-        sums_right_smallest_choice := 0;
-      else
-        sums_right_smallest_choice := sums_right_relief_next_0;
-      end if;
+      sums_right_room_choices(1) := choice(sums_right_start_cost_0_choices(6), sums_right_room_value,
+        (sums_right_start_cost(6) + sums_right_relief_largest) mod 64);
+      sums_right_room_choices(2) := choice(sums_right_start_cost_0_is_less, (sums_right_relief_room_of_best -
+        sums_right_tree_next_next_smallest_0) mod 64, sums_right_room_value);
+      sums_right_room_choices(3) := choice(sums_right_start_cost_0_any, sums_right_room_choices(1),
+        sums_right_room_choices(2));
+      sums_right_smallest_choice := choice(forward_first(0), 0, sums_right_relief_next_0);
       sums_right_smallest_difference := sums_right_smallest_choice - (sums_turn_ready_smallest_0 / 8);
-      if (sums_right_smallest_choice - sums_right_relief_past(0)) < 0 then
-        sums_right_relief_pairs_0_choice := sums_right_relief_past(0);
-      else
-        sums_right_relief_pairs_0_choice := sums_right_smallest_choice;
-      end if;
-      if ((sums_turn_ready_smallest_0 / 8) - sums_right_smallest_choice) < 0 then
-        sums_right_relief_recent_choice := sums_right_smallest_choice;
-      else
-        sums_right_relief_recent_choice := sums_turn_ready_smallest_0 / 8;
-      end if;
-      if ((sums_turn_ready_smallest_0 / 8) - sums_right_relief_recent) < 0 then
-        sums_right_relief_largest_choice := sums_right_relief_recent;
-      else
-        sums_right_relief_largest_choice := sums_turn_ready_smallest_0 / 8;
-      end if;
+      sums_right_relief_pairs_0_choice := choice((sums_right_smallest_choice - sums_right_relief_past(0)) < 0,
+        sums_right_relief_past(0), sums_right_smallest_choice);
+      sums_right_relief_recent_choice := choice(((sums_turn_ready_smallest_0 / 8) - sums_right_smallest_choice) < 0,
+        sums_right_smallest_choice, sums_turn_ready_smallest_0 / 8);
+      sums_right_relief_largest_choice := choice(((sums_turn_ready_smallest_0 / 8) - sums_right_relief_recent) < 0,
+        sums_right_relief_recent, sums_turn_ready_smallest_0 / 8);
       sums_right_relief_reach_of_best_sum := sums_right_room + sums_right_relief_leaves;
-      if sums_right_start_cost_0_choices(6) then
-        sums_right_relief_reach_of_best_choice := sums_right_relief_reach_of_best_sum;
-      else
-        sums_right_relief_reach_of_best_choice := sums_right_relief_largest + sums_right_relief_leaves;
-      end if;
-      if sums_right_start_cost_0_is_less then
-        sums_right_relief_reach_of_best_choices(2) := (sums_right_relief_reach_again -
-          (sums_right_tree_next_next_smallest_0 mod 64)) mod 256;
-      else
-        sums_right_relief_reach_of_best_choices(2) := sums_right_relief_reach_of_best_sum;
-      end if;
-      if sums_right_start_cost_0_any then
-        sums_right_relief_reach_of_best_choices(3) := sums_right_relief_reach_of_best_choice;
-      else
-        sums_right_relief_reach_of_best_choices(3) := sums_right_relief_reach_of_best_choices(2);
-      end if;
-      if forward_first(0) then
-        sums_right_relief_leaves_choice := 64;
-      else
-        sums_right_relief_leaves_choice := sums_right_start_cost(5) + 64;
-      end if;
+      sums_right_relief_reach_of_best_choice := choice(sums_right_start_cost_0_choices(6),
+        sums_right_relief_reach_of_best_sum, sums_right_relief_largest + sums_right_relief_leaves);
+      sums_right_relief_reach_of_best_choices(2) := choice(sums_right_start_cost_0_is_less,
+        (sums_right_relief_reach_again - (sums_right_tree_next_next_smallest_0 mod 64)) mod 256,
+        sums_right_relief_reach_of_best_sum);
+      sums_right_relief_reach_of_best_choices(3) := choice(sums_right_start_cost_0_any,
+        sums_right_relief_reach_of_best_choice, sums_right_relief_reach_of_best_choices(2));
+      sums_right_relief_leaves_choice := choice(forward_first(0), 64, sums_right_start_cost(5) + 64);
       for i in 0 to 11 loop
-        if (sums_right_arrived(i) - sums_right_cost(i)) < 0 then
-          sums_right_cost_choice(i) := sums_right_arrived(i);
-        else
-          sums_right_cost_choice(i) := sums_right_cost(i);
-        end if;
-        if is_set(sums_right_cost_choice(i), 6) or forward_first(3) then
-          sums_right_cost_choice_2(i) := 64;
-        else
-          sums_right_cost_choice_2(i) := sums_right_cost_choice(i);
-        end if;
+        sums_right_cost_choice(i, 1) := choice((sums_right_arrived(i) - sums_right_cost(i)) < 0, sums_right_arrived(i),
+          sums_right_cost(i));
+        sums_right_cost_choice(i, 2) := choice(is_set(sums_right_cost_choice(i, 1), 6) or forward_first(3), 64,
+          sums_right_cost_choice(i, 1));
       end loop;
-      if forward_first(3) then
-        sums_right_arrived_choice(0) := 64;
-      else
-        sums_right_arrived_choice(0) := sums_right_cost(1);
-      end if;
-      for i in 1 to 2 loop
-        if forward_first(3) then
-          sums_right_arrived_choice(i) := 64;
-        else
-          sums_right_arrived_choice(i) := sums_right_pair_choice(i - 1);
-        end if;
+      sums_right_arrived_choice(0, 1) := choice(forward_first(3), 64, sums_right_cost(1));
+      for i in 0 to 1 loop
+        sums_right_arrived_choice(4 * i + 1, 1) := choice(forward_first(3), 64, sums_right_pair_choice(2 * i));
+        sums_right_arrived_choice(4 * i + 2, 1) := choice(forward_first(3), 64, sums_right_pair_choice(2 * i + 1));
+        sums_right_arrived_choice(4 * i + 3, 1) := choice((sums_right_cost(4 * i + 4) - sums_right_cost(4 * i + 2)) <
+          0, sums_right_cost(4 * i + 4), sums_right_cost(4 * i + 2));
+        sums_right_arrived_choice(4 * i + 3, 2) := choice(forward_first(3), 64, sums_right_arrived_choice(4 * i + 3,
+          1));
+        sums_right_arrived_choice(4 * i + 4, 1) := choice((sums_right_cost(4 * i + 5) - sums_right_cost(4 * i + 3)) <
+          0, sums_right_cost(4 * i + 5), sums_right_cost(4 * i + 3));
+        sums_right_arrived_choice(4 * i + 4, 2) := choice(forward_first(3), 64, sums_right_arrived_choice(4 * i + 4,
+          1));
       end loop;
-      for i in 4 to 5 loop
-        if (sums_right_cost(i) - sums_right_cost(i - 2)) < 0 then
-          sums_right_arrived_choice(i - 1) := sums_right_cost(i);
-        else
-          sums_right_arrived_choice(i - 1) := sums_right_cost(i - 2);
-        end if;
-        if forward_first(3) then
-          sums_right_arrived_choice_2(i - 1) := 64;
-        else
-          sums_right_arrived_choice_2(i - 1) := sums_right_arrived_choice(i - 1);
-        end if;
-      end loop;
-      for i in 5 to 6 loop
-        if forward_first(3) then
-          sums_right_arrived_choice(i) := 64;
-        else
-          sums_right_arrived_choice(i) := sums_right_pair_choice(i - 3);
-        end if;
-      end loop;
-      for i in 8 to 9 loop
-        if (sums_right_cost(i) - sums_right_cost(i - 2)) < 0 then
-          sums_right_arrived_choice(i - 1) := sums_right_cost(i);
-        else
-          sums_right_arrived_choice(i - 1) := sums_right_cost(i - 2);
-        end if;
-        if forward_first(3) then
-          sums_right_arrived_choice_2s(i - 1) := 64;
-        else
-          sums_right_arrived_choice_2s(i - 1) := sums_right_arrived_choice(i - 1);
-        end if;
-      end loop;
-      for i in 9 to 10 loop
-        if forward_first(3) then
-          sums_right_arrived_choice(i) := 64;
-        else
-          sums_right_arrived_choice(i) := sums_right_pair_choice(i - 5);
-        end if;
-      end loop;
-      if forward_first(3) then
-        sums_right_arrived_choice(11) := 64;
-      else
-        sums_right_arrived_choice(11) := sums_right_cost(10);
-      end if;
-      if entry_tag_valid then
-        sums_turn_ready_sums(0) <= sums_turn_read_sums(0);
-        sums_turn_ready_sums(1) <= sums_turn_read_sums(1);
-        sums_turn_ready_sums(2) <= sums_turn_read_sums(2);
+      sums_right_arrived_choice(9, 1) := choice(forward_first(3), 64, sums_right_pair_choice(4));
+      sums_right_arrived_choice(10, 1) := choice(forward_first(3), 64, sums_right_pair_choice(5));
+      sums_right_arrived_choice(11, 1) := choice(forward_first(3), 64, sums_right_cost(10));
+      if entry_tag.valid then
+        sums_turn_ready_sums <= sums_turn_read_sums;
         sums_turn_ready_costs_0 <= to_integer(sums_turn_read_costs_0);
         sums_turn_ready_costs_1 <= to_integer(sums_turn_read_costs_1);
         sums_turn_ready_smallest_0 <= to_integer(sums_turn_read_smallest_0);
-        sums_turn_ready_first <= entry_tag_first_column;
+        sums_turn_ready_first <= entry_tag.first_column;
         sums_turn_place(0) <= entry_place;
-        for i in 1 to 8 loop
-          sums_turn_place(i) <= sums_turn_place(i - 1);
-        end loop;
+        sums_turn_place(1 to 8) <= sums_turn_place(0 to 7);
         sums_cost(0, 0) <= sums_turn_ready_costs_0 mod 8;
         sums_cost(0, 1) <= (sums_turn_ready_costs_0 mod 64) / 8;
         sums_cost(0, 2) <= (sums_turn_ready_costs_0 / 64) mod 8;
@@ -3549,20 +2222,15 @@ begin
         for i in 0 to 11 loop
           sums_cost(1, i) <= sums_cost(0, i);
         end loop;
-        for i in 0 to 5 loop
-          sums_right_pair(i) <= sums_right_pair_choice(i);
-        end loop;
+        sums_right_pair <= sums_right_pair_choice;
         sums_right_tree_next_smallest(1) <= sums_right_tree_smallest(2);
         sums_right_smallest <= (sums_right_smallest_difference + (sums_turn_ready_smallest_0 mod 8)) mod 128;
         sums_right_smallest_less <= (sums_right_smallest_difference + (sums_turn_ready_smallest_0 mod 8) + 121) mod 128;
         sums_right_first(0) <= sums_turn_ready_first;
-        sums_right_first(1) <= sums_right_first(0);
-        sums_right_first(2) <= sums_right_first(1);
+        sums_right_first(1 to 2) <= sums_right_first(0 to 1);
         sums_right_relief_next_0 <= sums_turn_ready_smallest_0 / 8;
         sums_right_relief_past(0) <= sums_right_smallest_choice;
-        for i in 1 to 5 loop
-          sums_right_relief_past(i) <= sums_right_relief_past(i - 1);
-        end loop;
+        sums_right_relief_past(1 to 5) <= sums_right_relief_past(0 to 4);
         sums_right_relief_pairs(0) <= sums_right_relief_pairs_0_choice;
         sums_right_relief_pairs(1) <= sums_right_relief_pairs(0);
         sums_right_relief_largest <= sums_right_relief_largest_choice;
@@ -3580,88 +2248,56 @@ begin
           sums_right_step_change(i) <= (sums_cost(1, i) - sums_right_g_less_copy_0) mod 128;
         end loop;
         for i in 0 to 11 loop
-          sums_right_cost(i) <= (sums_right_cost_choice_2(i) + sums_right_stay_change(i)) mod 128;
+          sums_right_cost(i) <= (sums_right_cost_choice(i, 2) + sums_right_stay_change(i)) mod 128;
         end loop;
-        sums_right_arrived(0) <= (sums_right_arrived_choice(0) + sums_right_step_change(0)) mod 128;
-        sums_right_arrived(1) <= (sums_right_arrived_choice(1) + sums_right_step_change(1)) mod 128;
-        sums_right_arrived(2) <= (sums_right_arrived_choice(2) + sums_right_step_change(2)) mod 128;
-        sums_right_arrived(3) <= (sums_right_arrived_choice_2(3) + sums_right_step_change(3)) mod 128;
-        sums_right_arrived(4) <= (sums_right_arrived_choice_2(4) + sums_right_step_change(4)) mod 128;
-        sums_right_arrived(5) <= (sums_right_arrived_choice(5) + sums_right_step_change(5)) mod 128;
-        sums_right_arrived(6) <= (sums_right_arrived_choice(6) + sums_right_step_change(6)) mod 128;
-        sums_right_arrived(7) <= (sums_right_arrived_choice_2s(7) + sums_right_step_change(7)) mod 128;
-        sums_right_arrived(8) <= (sums_right_arrived_choice_2s(8) + sums_right_step_change(8)) mod 128;
-        sums_right_arrived(9) <= (sums_right_arrived_choice(9) + sums_right_step_change(9)) mod 128;
-        sums_right_arrived(10) <= (sums_right_arrived_choice(10) + sums_right_step_change(10)) mod 128;
-        sums_right_arrived(11) <= (sums_right_arrived_choice(11) + sums_right_step_change(11)) mod 128;
+        for i in 1 to 2 loop
+          sums_right_arrived(6 * i - 6) <= (sums_right_arrived_choice(6 * i - 6, 1) + sums_right_step_change(6 * i -
+            6)) mod 128;
+          sums_right_arrived(6 * i - 5) <= (sums_right_arrived_choice(6 * i - 5, i) + sums_right_step_change(6 * i -
+            5)) mod 128;
+          sums_right_arrived(6 * i - 4) <= (sums_right_arrived_choice(6 * i - 4, i) + sums_right_step_change(6 * i -
+            4)) mod 128;
+          sums_right_arrived(6 * i - 3) <= (sums_right_arrived_choice(6 * i - 3, 3 - i) + sums_right_step_change(6 * i
+            - 3)) mod 128;
+          sums_right_arrived(6 * i - 2) <= (sums_right_arrived_choice(6 * i - 2, 3 - i) + sums_right_step_change(6 * i
+            - 2)) mod 128;
+          sums_right_arrived(6 * i - 1) <= (sums_right_arrived_choice(6 * i - 1, 1) + sums_right_step_change(6 * i -
+            1)) mod 128;
+        end loop;
         sums_sum_delay_ring_write_address <= sums_sum_delay_ring_read_address;
         sums_tags_held_output_column(0) <= entry_turned_output_column;
         sums_tags_held_start_of_frame(0) <= entry_turned_start_of_frame;
-        sums_tags_held_end_of_line(0) <= entry_tag_end_of_line;
+        sums_tags_held_end_of_line(0) <= entry_tag.end_of_line;
         for i in 1 to 4 loop
           sums_tags_held_output_column(i) <= sums_tags_held_output_column(i - 1);
           sums_tags_held_start_of_frame(i) <= sums_tags_held_start_of_frame(i - 1);
           sums_tags_held_end_of_line(i) <= sums_tags_held_end_of_line(i - 1);
         end loop;
         for i in 0 to 2 loop
-          if (sums_right_pair(2 * i + 1) - sums_right_pair(2 * i)) < 0 then
-            sums_right_tree_smallest(i) <= sums_right_pair(2 * i + 1);
-          else
-            sums_right_tree_smallest(i) <= sums_right_pair(2 * i);
-          end if;
+          sums_right_tree_smallest(i) <= choice((sums_right_pair(2 * i + 1) - sums_right_pair(2 * i)) < 0,
+            sums_right_pair(2 * i + 1), sums_right_pair(2 * i));
         end loop;
-        if (sums_right_tree_smallest(1) - sums_right_tree_smallest(0)) < 0 then
-          sums_right_tree_next_smallest(0) <= sums_right_tree_smallest(1);
-        else
-          sums_right_tree_next_smallest(0) <= sums_right_tree_smallest(0);
-        end if;
-        if (sums_right_tree_next_smallest(1) - sums_right_tree_next_smallest(0)) < 0 then
-          sums_right_tree_next_next_smallest_0 <= sums_right_tree_next_smallest(1);
-        else
-          sums_right_tree_next_next_smallest_0 <= sums_right_tree_next_smallest(0);
-        end if;
-        if forward_first(0) then
-          sums_right_start_cost(0) <= 60;
-          for i in 1 to 6 loop
-            sums_right_start_cost(i) <= 0;
-          end loop;
-          sums_right_room <= 0;
-          sums_right_relief_reach_of_best <= 0;
-        else
-          sums_right_start_cost(0) <= sums_right_start_cost_0_choices_from_7(9);
-          for i in 1 to 6 loop
-            sums_right_start_cost(i) <= sums_right_start_cost(i - 1);
-          end loop;
-          sums_right_room <= sums_right_room_choices(3);
-          sums_right_relief_reach_of_best <= sums_right_relief_reach_of_best_choices(3);
-        end if;
-        if (sums_right_relief_pairs_0_choice - sums_right_relief_pairs(1)) < 0 then
-          sums_right_relief_fours_0 <= sums_right_relief_pairs(1);
-        else
-          sums_right_relief_fours_0 <= sums_right_relief_pairs_0_choice;
-        end if;
-        if (sums_right_smallest_choice - sums_right_relief_fours_0) < 0 then
-          sums_right_relief_older <= sums_right_relief_fours_0;
-        else
-          sums_right_relief_older <= sums_right_smallest_choice;
-        end if;
-        if (sums_right_relief_recent_choice - sums_right_relief_older) < 0 then
-          sums_right_relief_recent <= sums_right_relief_older;
-        else
-          sums_right_relief_recent <= sums_right_relief_recent_choice;
-        end if;
-        if sums_sum_delay_ring_read_address = 3 then
-          sums_sum_delay_ring_read_address <= 0;
-        else
-          sums_sum_delay_ring_read_address <= (sums_sum_delay_ring_read_address + 1) mod 4;
-        end if;
+        sums_right_tree_next_smallest(0) <= choice((sums_right_tree_smallest(1) - sums_right_tree_smallest(0)) < 0,
+          sums_right_tree_smallest(1), sums_right_tree_smallest(0));
+        sums_right_tree_next_next_smallest_0 <= choice((sums_right_tree_next_smallest(1) -
+          sums_right_tree_next_smallest(0)) < 0, sums_right_tree_next_smallest(1), sums_right_tree_next_smallest(0));
+        sums_right_start_cost(0) <= choice(forward_first(0), 60, sums_right_start_cost_0_choices_from_7(9));
+        for i in 1 to 6 loop
+          sums_right_start_cost(i) <= choice(forward_first(0), 0, sums_right_start_cost(i - 1));
+        end loop;
+        sums_right_room <= choice(forward_first(0), 0, sums_right_room_choices(3));
+        sums_right_relief_reach_of_best <= choice(forward_first(0), 0, sums_right_relief_reach_of_best_choices(3));
+        sums_right_relief_fours_0 <= choice((sums_right_relief_pairs_0_choice - sums_right_relief_pairs(1)) < 0,
+          sums_right_relief_pairs(1), sums_right_relief_pairs_0_choice);
+        sums_right_relief_older <= choice((sums_right_smallest_choice - sums_right_relief_fours_0) < 0,
+          sums_right_relief_fours_0, sums_right_smallest_choice);
+        sums_right_relief_recent <= choice((sums_right_relief_recent_choice - sums_right_relief_older) < 0,
+          sums_right_relief_older, sums_right_relief_recent_choice);
+        sums_sum_delay_ring_read_address <= choice(sums_sum_delay_ring_read_address = 3, 0,
+          (sums_sum_delay_ring_read_address + 1) mod 4);
       end if;
-      if entry_tag_valid then
-        sums_turn_writes_copy_0_choice := forward_above_comes(7);
-      else
-        sums_turn_writes_copy_0_choice := forward_above_comes(8);
-      end if;
-      sums_turn_writes_copy_0 <= entry_next_tag_valid and sums_turn_writes_copy_0_choice;
+      sums_turn_writes_copy_0_choice := choice(entry_tag.valid, forward_above_comes(7), forward_above_comes(8));
+      sums_turn_writes_copy_0 <= entry_next_tag.valid and sums_turn_writes_copy_0_choice;
       for i in 0 to 2 loop
         sums_sum_0(4 * i) <= (sums_right_cost(4 * i) + to_integer(sums_sum_delay_held(i)(7 downto 0))) mod 256;
         sums_sum_0(4 * i + 1) <= (sums_right_cost(4 * i + 1) + to_integer(sums_sum_delay_held(i)(31 downto 8))) mod 256;
@@ -3670,12 +2306,12 @@ begin
         sums_sum_0(4 * i + 3) <= (sums_right_cost(4 * i + 3) + to_integer(sums_sum_delay_held(i)(31 downto 24))) mod
           256;
       end loop;
-      sums_tag_valid <= sums_tags_moved;
-      sums_tag_map_column <= forward_above_comes(4);
-      sums_tag_output_column <= sums_tags_held_output_column(4);
-      sums_tag_start_of_frame <= sums_tags_held_start_of_frame(4);
-      sums_tag_end_of_line <= sums_tags_held_end_of_line(4);
-      sums_tags_moved <= entry_tag_valid;
+      sums_tag.valid <= sums_tags_moved;
+      sums_tag.map_column <= forward_above_comes(4);
+      sums_tag.output_column <= sums_tags_held_output_column(4);
+      sums_tag.start_of_frame <= sums_tags_held_start_of_frame(4);
+      sums_tag.end_of_line <= sums_tags_held_end_of_line(4);
+      sums_tags_moved <= entry_tag.valid;
       if sums_turn_writes_copy_0 then
         sums_turn_write_sums(0) <= other(2);
         sums_turn_write_sums(1) <= other(1);
@@ -3690,627 +2326,181 @@ begin
         sums_turn_write_place <= sums_turn_place(8);
       end if;
       -- winnerswinner1
-      if is_set(sums_sum_0(0), 0) then
-        winnerswinner1_of_pair_0_0_choice := (not is_set(sums_sum_0(1), 1)) or (not is_set(sums_sum_0(1), 0));
-      else
-        winnerswinner1_of_pair_0_0_choice := not is_set(sums_sum_0(1), 1);
-      end if;
-      if is_set(sums_sum_0(0), 1) then
-        winnerswinner1_of_pair_0_0_choices(2) := winnerswinner1_of_pair_0_0_choice;
-      else
-        winnerswinner1_of_pair_0_0_choices(2) := is_set(sums_sum_0(0), 0) and ((sums_sum_0(1) mod 4) = 0);
-      end if;
-      winnerswinner1_of_pair_0_0_value := is_set(sums_sum_0(1), 2);
-      if winnerswinner1_of_pair_0_0_choices(2) then
-        winnerswinner1_of_pair_0_0_choices(3) := (not is_set(sums_sum_0(0), 2)) and winnerswinner1_of_pair_0_0_value;
-      else
-        winnerswinner1_of_pair_0_0_choices(3) := (not is_set(sums_sum_0(0), 2)) or winnerswinner1_of_pair_0_0_value;
-      end if;
-      for i in 2 to 5 loop
-        winnerswinner1_of_pair_0_0_values(i) := is_set(sums_sum_0(1), i + 1);
-        if winnerswinner1_of_pair_0_0_choices(i + 1) then
-          winnerswinner1_of_pair_0_0_choices(i + 2) := (not is_set(sums_sum_0(0), i + 1)) or
-            winnerswinner1_of_pair_0_0_values(i);
-        else
-          winnerswinner1_of_pair_0_0_choices(i + 2) := (not is_set(sums_sum_0(0), i + 1)) and
-            winnerswinner1_of_pair_0_0_values(i);
-        end if;
+      for i in 0 to 5 loop
+        winnerswinner1_of_pair_0_choice(2 * i, 1) := choice(is_set(sums_sum_0(2 * i), 0), (not is_set(sums_sum_0(2 * i
+          + 1), 1)) or (not is_set(sums_sum_0(2 * i + 1), 0)), not is_set(sums_sum_0(2 * i + 1), 1));
+        winnerswinner1_of_pair_0_choice(2 * i, 2) := choice(is_set(sums_sum_0(2 * i), 1),
+          winnerswinner1_of_pair_0_choice(2 * i, 1), is_set(sums_sum_0(2 * i), 0) and ((sums_sum_0(2 * i + 1) mod 4) =
+          0));
+        winnerswinner1_of_pair_0_value(2 * i, 1) := is_set(sums_sum_0(2 * i + 1), 2);
+        winnerswinner1_of_pair_0_choice(2 * i, 3) := inverted_carry(winnerswinner1_of_pair_0_choice(2 * i, 2), not
+          is_set(sums_sum_0(2 * i), 2), winnerswinner1_of_pair_0_value(2 * i, 1));
+        for j in 2 to 5 loop
+          winnerswinner1_of_pair_0_value(2 * i, j) := is_set(sums_sum_0(2 * i + 1), j + 1);
+          winnerswinner1_of_pair_0_choice(2 * i, j + 2) := carry(winnerswinner1_of_pair_0_choice(2 * i, j + 1), not
+            is_set(sums_sum_0(2 * i), j + 1), winnerswinner1_of_pair_0_value(2 * i, j));
+        end loop;
+        winnerswinner1_of_pair_0_choice(2 * i, 8) := inverted_carry(winnerswinner1_of_pair_0_choice(2 * i, 7),
+          is_set(sums_sum_0(2 * i), 7), not is_set(sums_sum_0(2 * i + 1), 7));
       end loop;
-      if winnerswinner1_of_pair_0_0_choices(7) then
-        winnerswinner1_of_pair_0_0_choices(8) := is_set(sums_sum_0(0), 7) and (not is_set(sums_sum_0(1), 7));
-      else
-        winnerswinner1_of_pair_0_0_choices(8) := is_set(sums_sum_0(0), 7) or (not is_set(sums_sum_0(1), 7));
-      end if;
-      if is_set(sums_sum_0(2), 0) then
-        winnerswinner1_of_pair_0_2_choice := (not is_set(sums_sum_0(3), 1)) or (not is_set(sums_sum_0(3), 0));
-      else
-        winnerswinner1_of_pair_0_2_choice := not is_set(sums_sum_0(3), 1);
-      end if;
-      if is_set(sums_sum_0(2), 1) then
-        winnerswinner1_of_pair_0_2_choices(2) := winnerswinner1_of_pair_0_2_choice;
-      else
-        winnerswinner1_of_pair_0_2_choices(2) := is_set(sums_sum_0(2), 0) and ((sums_sum_0(3) mod 4) = 0);
-      end if;
-      winnerswinner1_of_pair_0_2_value := is_set(sums_sum_0(3), 2);
-      if winnerswinner1_of_pair_0_2_choices(2) then
-        winnerswinner1_of_pair_0_2_choices(3) := (not is_set(sums_sum_0(2), 2)) and winnerswinner1_of_pair_0_2_value;
-      else
-        winnerswinner1_of_pair_0_2_choices(3) := (not is_set(sums_sum_0(2), 2)) or winnerswinner1_of_pair_0_2_value;
-      end if;
-      for i in 2 to 5 loop
-        winnerswinner1_of_pair_0_2_values(i) := is_set(sums_sum_0(3), i + 1);
-        if winnerswinner1_of_pair_0_2_choices(i + 1) then
-          winnerswinner1_of_pair_0_2_choices(i + 2) := (not is_set(sums_sum_0(2), i + 1)) or
-            winnerswinner1_of_pair_0_2_values(i);
-        else
-          winnerswinner1_of_pair_0_2_choices(i + 2) := (not is_set(sums_sum_0(2), i + 1)) and
-            winnerswinner1_of_pair_0_2_values(i);
-        end if;
+      for i in 0 to 2 loop
+        winnerswinner1_of_four_0_choice(4 * i, 1) := choice(is_set(winnerswinner1_of_pair_0(4 * i + 1), 0), (not
+          is_set(winnerswinner1_of_pair_0(4 * i + 3), 0)) and (not is_set(winnerswinner1_of_pair_0(4 * i + 2), 0)),
+          is_set(winnerswinner1_of_pair_0(4 * i), 0) and (not is_set(winnerswinner1_of_pair_0(4 * i + 3), 0)) and (not
+          is_set(winnerswinner1_of_pair_0(4 * i + 2), 0)));
+        winnerswinner1_of_four_0_value(4 * i, 1) := is_set(winnerswinner1_of_pair_0(4 * i + 1), 1);
+        winnerswinner1_of_four_0_value(4 * i, 2) := is_set(winnerswinner1_of_pair_0(4 * i), 1);
+        winnerswinner1_of_four_0_choice(4 * i, 2) := choice((not is_set(winnerswinner1_of_pair_0(4 * i + 3), 1)) and
+          (not is_set(winnerswinner1_of_pair_0(4 * i + 2), 1)), winnerswinner1_of_four_0_choice(4 * i, 1) or
+          winnerswinner1_of_four_0_value(4 * i, 1) or winnerswinner1_of_four_0_value(4 * i, 2),
+          winnerswinner1_of_four_0_choice(4 * i, 1) and (winnerswinner1_of_four_0_value(4 * i, 1) or
+          winnerswinner1_of_four_0_value(4 * i, 2)));
+        winnerswinner1_of_four_0_value(4 * i, 3) := is_set(winnerswinner1_of_pair_0(4 * i + 3), 2);
+        winnerswinner1_of_four_0_value(4 * i, 4) := is_set(winnerswinner1_of_pair_0(4 * i + 2), 2);
+        winnerswinner1_of_four_0_choice(4 * i, 3) := choice(winnerswinner1_of_four_0_choice(4 * i, 2), (not
+          is_set(winnerswinner1_of_pair_0(4 * i + 1), 2)) and (not is_set(winnerswinner1_of_pair_0(4 * i), 2)) and
+          (winnerswinner1_of_four_0_value(4 * i, 3) or winnerswinner1_of_four_0_value(4 * i, 4)), ((not
+          is_set(winnerswinner1_of_pair_0(4 * i + 1), 2)) and (not is_set(winnerswinner1_of_pair_0(4 * i), 2))) or
+          winnerswinner1_of_four_0_value(4 * i, 3) or winnerswinner1_of_four_0_value(4 * i, 4));
+        for j in 3 to 6 loop
+          winnerswinner1_of_four_0_value(4 * i, 2 * j - 1) := is_set(winnerswinner1_of_pair_0(4 * i + 3), j);
+          winnerswinner1_of_four_0_value(4 * i, 2 * j) := is_set(winnerswinner1_of_pair_0(4 * i + 2), j);
+          winnerswinner1_of_four_0_choice(4 * i, j + 1) := choice(winnerswinner1_of_four_0_choice(4 * i, j), ((not
+            is_set(winnerswinner1_of_pair_0(4 * i + 1), j)) and (not is_set(winnerswinner1_of_pair_0(4 * i), j))) or
+            winnerswinner1_of_four_0_value(4 * i, 2 * j - 1) or winnerswinner1_of_four_0_value(4 * i, 2 * j), (not
+            is_set(winnerswinner1_of_pair_0(4 * i + 1), j)) and (not is_set(winnerswinner1_of_pair_0(4 * i), j)) and
+            (winnerswinner1_of_four_0_value(4 * i, 2 * j - 1) or winnerswinner1_of_four_0_value(4 * i, 2 * j)));
+        end loop;
+        winnerswinner1_of_four_0_choice(4 * i, 8) := choice(winnerswinner1_of_four_0_choice(4 * i, 7), (not ((not
+          is_set(winnerswinner1_of_pair_0(4 * i + 1), 7)) and (not is_set(winnerswinner1_of_pair_0(4 * i), 7)))) and
+          (not is_set(winnerswinner1_of_pair_0(4 * i + 3), 7)) and (not is_set(winnerswinner1_of_pair_0(4 * i + 2),
+          7)), (not ((not is_set(winnerswinner1_of_pair_0(4 * i + 1), 7)) and (not is_set(winnerswinner1_of_pair_0(4 *
+          i), 7)))) or ((not is_set(winnerswinner1_of_pair_0(4 * i + 3), 7)) and (not is_set(winnerswinner1_of_pair_0(4
+          * i + 2), 7))));
       end loop;
-      if winnerswinner1_of_pair_0_2_choices(7) then
-        winnerswinner1_of_pair_0_2_choices(8) := is_set(sums_sum_0(2), 7) and (not is_set(sums_sum_0(3), 7));
-      else
-        winnerswinner1_of_pair_0_2_choices(8) := is_set(sums_sum_0(2), 7) or (not is_set(sums_sum_0(3), 7));
-      end if;
-      if is_set(sums_sum_0(4), 0) then
-        winnerswinner1_of_pair_0_4_choice := (not is_set(sums_sum_0(5), 1)) or (not is_set(sums_sum_0(5), 0));
-      else
-        winnerswinner1_of_pair_0_4_choice := not is_set(sums_sum_0(5), 1);
-      end if;
-      if is_set(sums_sum_0(4), 1) then
-        winnerswinner1_of_pair_0_4_choices(2) := winnerswinner1_of_pair_0_4_choice;
-      else
-        winnerswinner1_of_pair_0_4_choices(2) := is_set(sums_sum_0(4), 0) and ((sums_sum_0(5) mod 4) = 0);
-      end if;
-      winnerswinner1_of_pair_0_4_value := is_set(sums_sum_0(5), 2);
-      if winnerswinner1_of_pair_0_4_choices(2) then
-        winnerswinner1_of_pair_0_4_choices(3) := (not is_set(sums_sum_0(4), 2)) and winnerswinner1_of_pair_0_4_value;
-      else
-        winnerswinner1_of_pair_0_4_choices(3) := (not is_set(sums_sum_0(4), 2)) or winnerswinner1_of_pair_0_4_value;
-      end if;
-      for i in 2 to 5 loop
-        winnerswinner1_of_pair_0_4_values(i) := is_set(sums_sum_0(5), i + 1);
-        if winnerswinner1_of_pair_0_4_choices(i + 1) then
-          winnerswinner1_of_pair_0_4_choices(i + 2) := (not is_set(sums_sum_0(4), i + 1)) or
-            winnerswinner1_of_pair_0_4_values(i);
-        else
-          winnerswinner1_of_pair_0_4_choices(i + 2) := (not is_set(sums_sum_0(4), i + 1)) and
-            winnerswinner1_of_pair_0_4_values(i);
-        end if;
-      end loop;
-      if winnerswinner1_of_pair_0_4_choices(7) then
-        winnerswinner1_of_pair_0_4_choices(8) := is_set(sums_sum_0(4), 7) and (not is_set(sums_sum_0(5), 7));
-      else
-        winnerswinner1_of_pair_0_4_choices(8) := is_set(sums_sum_0(4), 7) or (not is_set(sums_sum_0(5), 7));
-      end if;
-      if is_set(sums_sum_0(6), 0) then
-        winnerswinner1_of_pair_0_6_choice := (not is_set(sums_sum_0(7), 1)) or (not is_set(sums_sum_0(7), 0));
-      else
-        winnerswinner1_of_pair_0_6_choice := not is_set(sums_sum_0(7), 1);
-      end if;
-      if is_set(sums_sum_0(6), 1) then
-        winnerswinner1_of_pair_0_6_choices(2) := winnerswinner1_of_pair_0_6_choice;
-      else
-        winnerswinner1_of_pair_0_6_choices(2) := is_set(sums_sum_0(6), 0) and ((sums_sum_0(7) mod 4) = 0);
-      end if;
-      winnerswinner1_of_pair_0_6_value := is_set(sums_sum_0(7), 2);
-      if winnerswinner1_of_pair_0_6_choices(2) then
-        winnerswinner1_of_pair_0_6_choices(3) := (not is_set(sums_sum_0(6), 2)) and winnerswinner1_of_pair_0_6_value;
-      else
-        winnerswinner1_of_pair_0_6_choices(3) := (not is_set(sums_sum_0(6), 2)) or winnerswinner1_of_pair_0_6_value;
-      end if;
-      for i in 2 to 5 loop
-        winnerswinner1_of_pair_0_6_values(i) := is_set(sums_sum_0(7), i + 1);
-        if winnerswinner1_of_pair_0_6_choices(i + 1) then
-          winnerswinner1_of_pair_0_6_choices(i + 2) := (not is_set(sums_sum_0(6), i + 1)) or
-            winnerswinner1_of_pair_0_6_values(i);
-        else
-          winnerswinner1_of_pair_0_6_choices(i + 2) := (not is_set(sums_sum_0(6), i + 1)) and
-            winnerswinner1_of_pair_0_6_values(i);
-        end if;
-      end loop;
-      if winnerswinner1_of_pair_0_6_choices(7) then
-        winnerswinner1_of_pair_0_6_choices(8) := is_set(sums_sum_0(6), 7) and (not is_set(sums_sum_0(7), 7));
-      else
-        winnerswinner1_of_pair_0_6_choices(8) := is_set(sums_sum_0(6), 7) or (not is_set(sums_sum_0(7), 7));
-      end if;
-      if is_set(sums_sum_0(8), 0) then
-        winnerswinner1_of_pair_0_8_choice := (not is_set(sums_sum_0(9), 1)) or (not is_set(sums_sum_0(9), 0));
-      else
-        winnerswinner1_of_pair_0_8_choice := not is_set(sums_sum_0(9), 1);
-      end if;
-      if is_set(sums_sum_0(8), 1) then
-        winnerswinner1_of_pair_0_8_choices(2) := winnerswinner1_of_pair_0_8_choice;
-      else
-        winnerswinner1_of_pair_0_8_choices(2) := is_set(sums_sum_0(8), 0) and ((sums_sum_0(9) mod 4) = 0);
-      end if;
-      winnerswinner1_of_pair_0_8_value := is_set(sums_sum_0(9), 2);
-      if winnerswinner1_of_pair_0_8_choices(2) then
-        winnerswinner1_of_pair_0_8_choices(3) := (not is_set(sums_sum_0(8), 2)) and winnerswinner1_of_pair_0_8_value;
-      else
-        winnerswinner1_of_pair_0_8_choices(3) := (not is_set(sums_sum_0(8), 2)) or winnerswinner1_of_pair_0_8_value;
-      end if;
-      for i in 2 to 5 loop
-        winnerswinner1_of_pair_0_8_values(i) := is_set(sums_sum_0(9), i + 1);
-        if winnerswinner1_of_pair_0_8_choices(i + 1) then
-          winnerswinner1_of_pair_0_8_choices(i + 2) := (not is_set(sums_sum_0(8), i + 1)) or
-            winnerswinner1_of_pair_0_8_values(i);
-        else
-          winnerswinner1_of_pair_0_8_choices(i + 2) := (not is_set(sums_sum_0(8), i + 1)) and
-            winnerswinner1_of_pair_0_8_values(i);
-        end if;
-      end loop;
-      if winnerswinner1_of_pair_0_8_choices(7) then
-        winnerswinner1_of_pair_0_8_choices(8) := is_set(sums_sum_0(8), 7) and (not is_set(sums_sum_0(9), 7));
-      else
-        winnerswinner1_of_pair_0_8_choices(8) := is_set(sums_sum_0(8), 7) or (not is_set(sums_sum_0(9), 7));
-      end if;
-      if is_set(sums_sum_0(10), 0) then
-        winnerswinner1_of_pair_0_10_choice := (not is_set(sums_sum_0(11), 1)) or (not is_set(sums_sum_0(11), 0));
-      else
-        winnerswinner1_of_pair_0_10_choice := not is_set(sums_sum_0(11), 1);
-      end if;
-      if is_set(sums_sum_0(10), 1) then
-        winnerswinner1_of_pair_0_10_choices(2) := winnerswinner1_of_pair_0_10_choice;
-      else
-        winnerswinner1_of_pair_0_10_choices(2) := is_set(sums_sum_0(10), 0) and ((sums_sum_0(11) mod 4) = 0);
-      end if;
-      winnerswinner1_of_pair_0_10_value := is_set(sums_sum_0(11), 2);
-      if winnerswinner1_of_pair_0_10_choices(2) then
-        winnerswinner1_of_pair_0_10_choices(3) := (not is_set(sums_sum_0(10), 2)) and winnerswinner1_of_pair_0_10_value;
-      else
-        winnerswinner1_of_pair_0_10_choices(3) := (not is_set(sums_sum_0(10), 2)) or winnerswinner1_of_pair_0_10_value;
-      end if;
-      for i in 2 to 5 loop
-        winnerswinner1_of_pair_0_10_values(i) := is_set(sums_sum_0(11), i + 1);
-        if winnerswinner1_of_pair_0_10_choices(i + 1) then
-          winnerswinner1_of_pair_0_10_choices(i + 2) := (not is_set(sums_sum_0(10), i + 1)) or
-            winnerswinner1_of_pair_0_10_values(i);
-        else
-          winnerswinner1_of_pair_0_10_choices(i + 2) := (not is_set(sums_sum_0(10), i + 1)) and
-            winnerswinner1_of_pair_0_10_values(i);
-        end if;
-      end loop;
-      if winnerswinner1_of_pair_0_10_choices(7) then
-        winnerswinner1_of_pair_0_10_choices(8) := is_set(sums_sum_0(10), 7) and (not is_set(sums_sum_0(11), 7));
-      else
-        winnerswinner1_of_pair_0_10_choices(8) := is_set(sums_sum_0(10), 7) or (not is_set(sums_sum_0(11), 7));
-      end if;
-      if is_set(winnerswinner1_of_pair_0(1), 0) then
-        winnerswinner1_of_four_0_0_choice := (not is_set(winnerswinner1_of_pair_0(3), 0)) and (not
-          is_set(winnerswinner1_of_pair_0(2), 0));
-      else
-        winnerswinner1_of_four_0_0_choice := is_set(winnerswinner1_of_pair_0(0), 0) and (not
-          is_set(winnerswinner1_of_pair_0(3), 0)) and (not is_set(winnerswinner1_of_pair_0(2), 0));
-      end if;
-      winnerswinner1_of_four_0_0_value := is_set(winnerswinner1_of_pair_0(1), 1);
-      winnerswinner1_of_four_0_0_values(2) := is_set(winnerswinner1_of_pair_0(0), 1);
-      if (not is_set(winnerswinner1_of_pair_0(3), 1)) and (not is_set(winnerswinner1_of_pair_0(2), 1)) then
-        winnerswinner1_of_four_0_0_choices(2) := winnerswinner1_of_four_0_0_choice or winnerswinner1_of_four_0_0_value
-          or winnerswinner1_of_four_0_0_values(2);
-      else
-        winnerswinner1_of_four_0_0_choices(2) := winnerswinner1_of_four_0_0_choice and
-          (winnerswinner1_of_four_0_0_value or winnerswinner1_of_four_0_0_values(2));
-      end if;
-      winnerswinner1_of_four_0_0_values(3) := is_set(winnerswinner1_of_pair_0(3), 2);
-      winnerswinner1_of_four_0_0_values(4) := is_set(winnerswinner1_of_pair_0(2), 2);
-      if winnerswinner1_of_four_0_0_choices(2) then
-        winnerswinner1_of_four_0_0_choices(3) := (not is_set(winnerswinner1_of_pair_0(1), 2)) and (not
-          is_set(winnerswinner1_of_pair_0(0), 2)) and (winnerswinner1_of_four_0_0_values(3) or
-          winnerswinner1_of_four_0_0_values(4));
-      else
-        winnerswinner1_of_four_0_0_choices(3) := ((not is_set(winnerswinner1_of_pair_0(1), 2)) and (not
-          is_set(winnerswinner1_of_pair_0(0), 2))) or winnerswinner1_of_four_0_0_values(3) or
-          winnerswinner1_of_four_0_0_values(4);
-      end if;
-      for i in 3 to 6 loop
-        winnerswinner1_of_four_0_0_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(3), i);
-        winnerswinner1_of_four_0_0_values(2 * i) := is_set(winnerswinner1_of_pair_0(2), i);
-        if winnerswinner1_of_four_0_0_choices(i) then
-          winnerswinner1_of_four_0_0_choices(i + 1) := ((not is_set(winnerswinner1_of_pair_0(1), i)) and (not
-            is_set(winnerswinner1_of_pair_0(0), i))) or winnerswinner1_of_four_0_0_values(2 * i - 1) or
-            winnerswinner1_of_four_0_0_values(2 * i);
-        else
-          winnerswinner1_of_four_0_0_choices(i + 1) := (not is_set(winnerswinner1_of_pair_0(1), i)) and (not
-            is_set(winnerswinner1_of_pair_0(0), i)) and (winnerswinner1_of_four_0_0_values(2 * i - 1) or
-            winnerswinner1_of_four_0_0_values(2 * i));
-        end if;
-      end loop;
-      if winnerswinner1_of_four_0_0_choices(7) then
-        winnerswinner1_of_four_0_0_choices(8) := (not ((not is_set(winnerswinner1_of_pair_0(1), 7)) and (not
-          is_set(winnerswinner1_of_pair_0(0), 7)))) and (not is_set(winnerswinner1_of_pair_0(3), 7)) and (not
-          is_set(winnerswinner1_of_pair_0(2), 7));
-      else
-        winnerswinner1_of_four_0_0_choices(8) := (not ((not is_set(winnerswinner1_of_pair_0(1), 7)) and (not
-          is_set(winnerswinner1_of_pair_0(0), 7)))) or ((not is_set(winnerswinner1_of_pair_0(3), 7)) and (not
-          is_set(winnerswinner1_of_pair_0(2), 7)));
-      end if;
-      if is_set(winnerswinner1_of_pair_0(5), 0) then
-        winnerswinner1_of_four_0_4_choice := (not is_set(winnerswinner1_of_pair_0(7), 0)) and (not
-          is_set(winnerswinner1_of_pair_0(6), 0));
-      else
-        winnerswinner1_of_four_0_4_choice := is_set(winnerswinner1_of_pair_0(4), 0) and (not
-          is_set(winnerswinner1_of_pair_0(7), 0)) and (not is_set(winnerswinner1_of_pair_0(6), 0));
-      end if;
-      winnerswinner1_of_four_0_4_value := is_set(winnerswinner1_of_pair_0(5), 1);
-      winnerswinner1_of_four_0_4_values(2) := is_set(winnerswinner1_of_pair_0(4), 1);
-      if (not is_set(winnerswinner1_of_pair_0(7), 1)) and (not is_set(winnerswinner1_of_pair_0(6), 1)) then
-        winnerswinner1_of_four_0_4_choices(2) := winnerswinner1_of_four_0_4_choice or winnerswinner1_of_four_0_4_value
-          or winnerswinner1_of_four_0_4_values(2);
-      else
-        winnerswinner1_of_four_0_4_choices(2) := winnerswinner1_of_four_0_4_choice and
-          (winnerswinner1_of_four_0_4_value or winnerswinner1_of_four_0_4_values(2));
-      end if;
-      winnerswinner1_of_four_0_4_values(3) := is_set(winnerswinner1_of_pair_0(7), 2);
-      winnerswinner1_of_four_0_4_values(4) := is_set(winnerswinner1_of_pair_0(6), 2);
-      if winnerswinner1_of_four_0_4_choices(2) then
-        winnerswinner1_of_four_0_4_choices(3) := (not is_set(winnerswinner1_of_pair_0(5), 2)) and (not
-          is_set(winnerswinner1_of_pair_0(4), 2)) and (winnerswinner1_of_four_0_4_values(3) or
-          winnerswinner1_of_four_0_4_values(4));
-      else
-        winnerswinner1_of_four_0_4_choices(3) := ((not is_set(winnerswinner1_of_pair_0(5), 2)) and (not
-          is_set(winnerswinner1_of_pair_0(4), 2))) or winnerswinner1_of_four_0_4_values(3) or
-          winnerswinner1_of_four_0_4_values(4);
-      end if;
-      for i in 3 to 6 loop
-        winnerswinner1_of_four_0_4_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(7), i);
-        winnerswinner1_of_four_0_4_values(2 * i) := is_set(winnerswinner1_of_pair_0(6), i);
-        if winnerswinner1_of_four_0_4_choices(i) then
-          winnerswinner1_of_four_0_4_choices(i + 1) := ((not is_set(winnerswinner1_of_pair_0(5), i)) and (not
-            is_set(winnerswinner1_of_pair_0(4), i))) or winnerswinner1_of_four_0_4_values(2 * i - 1) or
-            winnerswinner1_of_four_0_4_values(2 * i);
-        else
-          winnerswinner1_of_four_0_4_choices(i + 1) := (not is_set(winnerswinner1_of_pair_0(5), i)) and (not
-            is_set(winnerswinner1_of_pair_0(4), i)) and (winnerswinner1_of_four_0_4_values(2 * i - 1) or
-            winnerswinner1_of_four_0_4_values(2 * i));
-        end if;
-      end loop;
-      if winnerswinner1_of_four_0_4_choices(7) then
-        winnerswinner1_of_four_0_4_choices(8) := (not ((not is_set(winnerswinner1_of_pair_0(5), 7)) and (not
-          is_set(winnerswinner1_of_pair_0(4), 7)))) and (not is_set(winnerswinner1_of_pair_0(7), 7)) and (not
-          is_set(winnerswinner1_of_pair_0(6), 7));
-      else
-        winnerswinner1_of_four_0_4_choices(8) := (not ((not is_set(winnerswinner1_of_pair_0(5), 7)) and (not
-          is_set(winnerswinner1_of_pair_0(4), 7)))) or ((not is_set(winnerswinner1_of_pair_0(7), 7)) and (not
-          is_set(winnerswinner1_of_pair_0(6), 7)));
-      end if;
-      if is_set(winnerswinner1_of_pair_0(9), 0) then
-        winnerswinner1_of_four_0_8_choice := (not is_set(winnerswinner1_of_pair_0(11), 0)) and (not
-          is_set(winnerswinner1_of_pair_0(10), 0));
-      else
-        winnerswinner1_of_four_0_8_choice := is_set(winnerswinner1_of_pair_0(8), 0) and (not
-          is_set(winnerswinner1_of_pair_0(11), 0)) and (not is_set(winnerswinner1_of_pair_0(10), 0));
-      end if;
-      winnerswinner1_of_four_0_8_value := is_set(winnerswinner1_of_pair_0(9), 1);
-      winnerswinner1_of_four_0_8_values(2) := is_set(winnerswinner1_of_pair_0(8), 1);
-      if (not is_set(winnerswinner1_of_pair_0(11), 1)) and (not is_set(winnerswinner1_of_pair_0(10), 1)) then
-        winnerswinner1_of_four_0_8_choices(2) := winnerswinner1_of_four_0_8_choice or winnerswinner1_of_four_0_8_value
-          or winnerswinner1_of_four_0_8_values(2);
-      else
-        winnerswinner1_of_four_0_8_choices(2) := winnerswinner1_of_four_0_8_choice and
-          (winnerswinner1_of_four_0_8_value or winnerswinner1_of_four_0_8_values(2));
-      end if;
-      winnerswinner1_of_four_0_8_values(3) := is_set(winnerswinner1_of_pair_0(11), 2);
-      winnerswinner1_of_four_0_8_values(4) := is_set(winnerswinner1_of_pair_0(10), 2);
-      if winnerswinner1_of_four_0_8_choices(2) then
-        winnerswinner1_of_four_0_8_choices(3) := (not is_set(winnerswinner1_of_pair_0(9), 2)) and (not
-          is_set(winnerswinner1_of_pair_0(8), 2)) and (winnerswinner1_of_four_0_8_values(3) or
-          winnerswinner1_of_four_0_8_values(4));
-      else
-        winnerswinner1_of_four_0_8_choices(3) := ((not is_set(winnerswinner1_of_pair_0(9), 2)) and (not
-          is_set(winnerswinner1_of_pair_0(8), 2))) or winnerswinner1_of_four_0_8_values(3) or
-          winnerswinner1_of_four_0_8_values(4);
-      end if;
-      for i in 3 to 6 loop
-        winnerswinner1_of_four_0_8_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(11), i);
-        winnerswinner1_of_four_0_8_values(2 * i) := is_set(winnerswinner1_of_pair_0(10), i);
-        if winnerswinner1_of_four_0_8_choices(i) then
-          winnerswinner1_of_four_0_8_choices(i + 1) := ((not is_set(winnerswinner1_of_pair_0(9), i)) and (not
-            is_set(winnerswinner1_of_pair_0(8), i))) or winnerswinner1_of_four_0_8_values(2 * i - 1) or
-            winnerswinner1_of_four_0_8_values(2 * i);
-        else
-          winnerswinner1_of_four_0_8_choices(i + 1) := (not is_set(winnerswinner1_of_pair_0(9), i)) and (not
-            is_set(winnerswinner1_of_pair_0(8), i)) and (winnerswinner1_of_four_0_8_values(2 * i - 1) or
-            winnerswinner1_of_four_0_8_values(2 * i));
-        end if;
-      end loop;
-      if winnerswinner1_of_four_0_8_choices(7) then
-        winnerswinner1_of_four_0_8_choices(8) := (not ((not is_set(winnerswinner1_of_pair_0(9), 7)) and (not
-          is_set(winnerswinner1_of_pair_0(8), 7)))) and (not is_set(winnerswinner1_of_pair_0(11), 7)) and (not
-          is_set(winnerswinner1_of_pair_0(10), 7));
-      else
-        winnerswinner1_of_four_0_8_choices(8) := (not ((not is_set(winnerswinner1_of_pair_0(9), 7)) and (not
-          is_set(winnerswinner1_of_pair_0(8), 7)))) or ((not is_set(winnerswinner1_of_pair_0(11), 7)) and (not
-          is_set(winnerswinner1_of_pair_0(10), 7)));
-      end if;
-      winnerswinner1_pair_index_0_0 <= winnerswinner1_of_pair_0_0_choices(8);
-      winnerswinner1_pair_tag_valid <= sums_tag_valid;
-      winnerswinner1_pair_tag_map_column <= sums_tag_map_column;
-      winnerswinner1_pair_tag_output_column <= sums_tag_output_column;
-      winnerswinner1_pair_tag_start_of_frame <= sums_tag_start_of_frame;
-      winnerswinner1_pair_tag_end_of_line <= sums_tag_end_of_line;
-      winnerswinner1_four_tag_valid <= winnerswinner1_pair_tag_valid;
-      winnerswinner1_four_tag_map_column <= winnerswinner1_pair_tag_map_column;
-      winnerswinner1_four_tag_output_column <= winnerswinner1_pair_tag_output_column;
-      winnerswinner1_four_tag_start_of_frame <= winnerswinner1_pair_tag_start_of_frame;
-      winnerswinner1_four_tag_end_of_line <= winnerswinner1_pair_tag_end_of_line;
+      winnerswinner1_pair_index_0_0 <= winnerswinner1_of_pair_0_choice(0, 8);
+      winnerswinner1_pair_tag <= sums_tag;
+      winnerswinner1_four_tag <= winnerswinner1_pair_tag;
       for i in 0 to 2 loop
         winnerswinner1_best_cost_0(i) <= to_integer(((((((to_unsigned(winnerswinner1_of_four_0(4 * i + 2), 8)) or
           (to_unsigned(winnerswinner1_of_four_0(4 * i + 3), 8)))) or (to_unsigned(winnerswinner1_of_four_0(4 * i + 1),
           8)))) or (to_unsigned(winnerswinner1_of_four_0(4 * i), 8))));
       end loop;
-      winnerswinner1_best_index_0_0 <= winnerswinner1_four_index_0_0;
-      winnerswinner1_best_index_0_1 <= winnerswinner1_four_index_0_1;
-      winnerswinner1_best_index_0_2 <= winnerswinner1_four_index_0_2;
-      winnerswinner1_tag_valid <= winnerswinner1_four_tag_valid;
-      winnerswinner1_tag_map_column <= winnerswinner1_four_tag_map_column;
-      winnerswinner1_tag_output_column <= winnerswinner1_four_tag_output_column;
-      winnerswinner1_tag_start_of_frame <= winnerswinner1_four_tag_start_of_frame;
-      winnerswinner1_tag_end_of_line <= winnerswinner1_four_tag_end_of_line;
-      if winnerswinner1_of_pair_0_0_choices(8) then
-        winnerswinner1_of_pair_0(0) <= 0;
-        winnerswinner1_of_pair_0(1) <= sums_sum_0(1);
-      else
-        winnerswinner1_of_pair_0(0) <= sums_sum_0(0);
-        winnerswinner1_of_pair_0(1) <= 0;
-      end if;
-      if winnerswinner1_of_pair_0_2_choices(8) then
-        winnerswinner1_of_pair_0(2) <= 0;
-        winnerswinner1_of_pair_0(3) <= sums_sum_0(3);
-        winnerswinner1_pair_index_0_1 <= 3;
-      else
-        winnerswinner1_of_pair_0(2) <= sums_sum_0(2);
-        winnerswinner1_of_pair_0(3) <= 0;
-        winnerswinner1_pair_index_0_1 <= 2;
-      end if;
-      if winnerswinner1_of_pair_0_4_choices(8) then
-        winnerswinner1_of_pair_0(4) <= 0;
-        winnerswinner1_of_pair_0(5) <= sums_sum_0(5);
-        winnerswinner1_pair_index_0_2 <= 5;
-      else
-        winnerswinner1_of_pair_0(4) <= sums_sum_0(4);
-        winnerswinner1_of_pair_0(5) <= 0;
-        winnerswinner1_pair_index_0_2 <= 4;
-      end if;
-      if winnerswinner1_of_pair_0_6_choices(8) then
-        winnerswinner1_of_pair_0(6) <= 0;
-        winnerswinner1_of_pair_0(7) <= sums_sum_0(7);
-        winnerswinner1_pair_index_0_3 <= 7;
-      else
-        winnerswinner1_of_pair_0(6) <= sums_sum_0(6);
-        winnerswinner1_of_pair_0(7) <= 0;
-        winnerswinner1_pair_index_0_3 <= 6;
-      end if;
-      if winnerswinner1_of_pair_0_8_choices(8) then
-        winnerswinner1_of_pair_0(8) <= 0;
-        winnerswinner1_of_pair_0(9) <= sums_sum_0(9);
-        winnerswinner1_pair_index_0_4 <= 9;
-      else
-        winnerswinner1_of_pair_0(8) <= sums_sum_0(8);
-        winnerswinner1_of_pair_0(9) <= 0;
-        winnerswinner1_pair_index_0_4 <= 8;
-      end if;
-      if winnerswinner1_of_pair_0_10_choices(8) then
-        winnerswinner1_of_pair_0(10) <= 0;
-        winnerswinner1_of_pair_0(11) <= sums_sum_0(11);
-        winnerswinner1_pair_index_0_5 <= 11;
-      else
-        winnerswinner1_of_pair_0(10) <= sums_sum_0(10);
-        winnerswinner1_of_pair_0(11) <= 0;
-        winnerswinner1_pair_index_0_5 <= 10;
-      end if;
-      if winnerswinner1_of_four_0_0_choices(8) then
-        winnerswinner1_of_four_0(0) <= 0;
-        winnerswinner1_of_four_0(1) <= 0;
-        winnerswinner1_of_four_0(2) <= winnerswinner1_of_pair_0(2);
-        winnerswinner1_of_four_0(3) <= winnerswinner1_of_pair_0(3);
-        winnerswinner1_four_index_0_0 <= winnerswinner1_pair_index_0_1;
-      else
-        winnerswinner1_of_four_0(0) <= winnerswinner1_of_pair_0(0);
-        winnerswinner1_of_four_0(1) <= winnerswinner1_of_pair_0(1);
-        winnerswinner1_of_four_0(2) <= 0;
-        winnerswinner1_of_four_0(3) <= 0;
-        winnerswinner1_four_index_0_0 <= as_number(winnerswinner1_pair_index_0_0);
-      end if;
-      if winnerswinner1_of_four_0_4_choices(8) then
-        winnerswinner1_of_four_0(4) <= 0;
-        winnerswinner1_of_four_0(5) <= 0;
-        winnerswinner1_of_four_0(6) <= winnerswinner1_of_pair_0(6);
-        winnerswinner1_of_four_0(7) <= winnerswinner1_of_pair_0(7);
-        winnerswinner1_four_index_0_1 <= winnerswinner1_pair_index_0_3;
-      else
-        winnerswinner1_of_four_0(4) <= winnerswinner1_of_pair_0(4);
-        winnerswinner1_of_four_0(5) <= winnerswinner1_of_pair_0(5);
-        winnerswinner1_of_four_0(6) <= 0;
-        winnerswinner1_of_four_0(7) <= 0;
-        winnerswinner1_four_index_0_1 <= winnerswinner1_pair_index_0_2;
-      end if;
-      if winnerswinner1_of_four_0_8_choices(8) then
-        winnerswinner1_of_four_0(8) <= 0;
-        winnerswinner1_of_four_0(9) <= 0;
-        winnerswinner1_of_four_0(10) <= winnerswinner1_of_pair_0(10);
-        winnerswinner1_of_four_0(11) <= winnerswinner1_of_pair_0(11);
-        winnerswinner1_four_index_0_2 <= winnerswinner1_pair_index_0_5;
-      else
-        winnerswinner1_of_four_0(8) <= winnerswinner1_of_pair_0(8);
-        winnerswinner1_of_four_0(9) <= winnerswinner1_of_pair_0(9);
-        winnerswinner1_of_four_0(10) <= 0;
-        winnerswinner1_of_four_0(11) <= 0;
-        winnerswinner1_four_index_0_2 <= winnerswinner1_pair_index_0_4;
-      end if;
+      winnerswinner1_best_index_0 <= winnerswinner1_four_index_0;
+      winnerswinner1_tag <= winnerswinner1_four_tag;
+      winnerswinner1_of_pair_0(0) <= choice(winnerswinner1_of_pair_0_choice(0, 8), 0, sums_sum_0(0));
+      winnerswinner1_of_pair_0(1) <= choice(winnerswinner1_of_pair_0_choice(0, 8), sums_sum_0(1), 0);
+      for i in 1 to 5 loop
+        winnerswinner1_of_pair_0(2 * i) <= choice(winnerswinner1_of_pair_0_choice(2 * i, 8), 0, sums_sum_0(2 * i));
+        winnerswinner1_of_pair_0(2 * i + 1) <= choice(winnerswinner1_of_pair_0_choice(2 * i, 8), sums_sum_0(2 * i + 1),
+          0);
+        winnerswinner1_pair_index_0(i) <= choice(winnerswinner1_of_pair_0_choice(2 * i, 8), 2 * i + 1, 2 * i);
+      end loop;
+      winnerswinner1_of_four_0(0) <= choice(winnerswinner1_of_four_0_choice(0, 8), 0, winnerswinner1_of_pair_0(0));
+      winnerswinner1_of_four_0(1) <= choice(winnerswinner1_of_four_0_choice(0, 8), 0, winnerswinner1_of_pair_0(1));
+      winnerswinner1_of_four_0(2) <= choice(winnerswinner1_of_four_0_choice(0, 8), winnerswinner1_of_pair_0(2), 0);
+      winnerswinner1_of_four_0(3) <= choice(winnerswinner1_of_four_0_choice(0, 8), winnerswinner1_of_pair_0(3), 0);
+      winnerswinner1_four_index_0(0) <= choice(winnerswinner1_of_four_0_choice(0, 8), winnerswinner1_pair_index_0(1),
+        as_number(winnerswinner1_pair_index_0_0));
+      for i in 1 to 2 loop
+        winnerswinner1_of_four_0(4 * i) <= choice(winnerswinner1_of_four_0_choice(4 * i, 8), 0,
+          winnerswinner1_of_pair_0(4 * i));
+        winnerswinner1_of_four_0(4 * i + 1) <= choice(winnerswinner1_of_four_0_choice(4 * i, 8), 0,
+          winnerswinner1_of_pair_0(4 * i + 1));
+        winnerswinner1_of_four_0(4 * i + 2) <= choice(winnerswinner1_of_four_0_choice(4 * i, 8),
+          winnerswinner1_of_pair_0(4 * i + 2), 0);
+        winnerswinner1_of_four_0(4 * i + 3) <= choice(winnerswinner1_of_four_0_choice(4 * i, 8),
+          winnerswinner1_of_pair_0(4 * i + 3), 0);
+        winnerswinner1_four_index_0(i) <= choice(winnerswinner1_of_four_0_choice(4 * i, 8),
+          winnerswinner1_pair_index_0(2 * i + 1), winnerswinner1_pair_index_0(2 * i));
+      end loop;
       -- winnerswinner2
-      if is_set(winnerswinner1_best_cost_0(0), 0) then
-        winnerswinner2_of_pair_0_0_choice := (not is_set(winnerswinner1_best_cost_0(1), 1)) or (not
-          is_set(winnerswinner1_best_cost_0(1), 0));
-      else
-        winnerswinner2_of_pair_0_0_choice := not is_set(winnerswinner1_best_cost_0(1), 1);
-      end if;
-      if is_set(winnerswinner1_best_cost_0(0), 1) then
-        winnerswinner2_of_pair_0_0_choices(2) := winnerswinner2_of_pair_0_0_choice;
-      else
-        winnerswinner2_of_pair_0_0_choices(2) := is_set(winnerswinner1_best_cost_0(0), 0) and
-          ((winnerswinner1_best_cost_0(1) mod 4) = 0);
-      end if;
-      winnerswinner2_of_pair_0_0_value := is_set(winnerswinner1_best_cost_0(1), 2);
-      if winnerswinner2_of_pair_0_0_choices(2) then
-        winnerswinner2_of_pair_0_0_choices(3) := (not is_set(winnerswinner1_best_cost_0(0), 2)) and
-          winnerswinner2_of_pair_0_0_value;
-      else
-        winnerswinner2_of_pair_0_0_choices(3) := (not is_set(winnerswinner1_best_cost_0(0), 2)) or
-          winnerswinner2_of_pair_0_0_value;
-      end if;
+      winnerswinner2_of_pair_0_0_choices(1) := choice(is_set(winnerswinner1_best_cost_0(0), 0), (not
+        is_set(winnerswinner1_best_cost_0(1), 1)) or (not is_set(winnerswinner1_best_cost_0(1), 0)), not
+        is_set(winnerswinner1_best_cost_0(1), 1));
+      winnerswinner2_of_pair_0_0_choices(2) := choice(is_set(winnerswinner1_best_cost_0(0), 1),
+        winnerswinner2_of_pair_0_0_choices(1), is_set(winnerswinner1_best_cost_0(0), 0) and
+        ((winnerswinner1_best_cost_0(1) mod 4) = 0));
+      winnerswinner2_of_pair_0_0_values(1) := is_set(winnerswinner1_best_cost_0(1), 2);
+      winnerswinner2_of_pair_0_0_choices(3) := inverted_carry(winnerswinner2_of_pair_0_0_choices(2), not
+        is_set(winnerswinner1_best_cost_0(0), 2), winnerswinner2_of_pair_0_0_values(1));
       for i in 2 to 5 loop
         winnerswinner2_of_pair_0_0_values(i) := is_set(winnerswinner1_best_cost_0(1), i + 1);
-        if winnerswinner2_of_pair_0_0_choices(i + 1) then
-          winnerswinner2_of_pair_0_0_choices(i + 2) := (not is_set(winnerswinner1_best_cost_0(0), i + 1)) or
-            winnerswinner2_of_pair_0_0_values(i);
-        else
-          winnerswinner2_of_pair_0_0_choices(i + 2) := (not is_set(winnerswinner1_best_cost_0(0), i + 1)) and
-            winnerswinner2_of_pair_0_0_values(i);
-        end if;
+        winnerswinner2_of_pair_0_0_choices(i + 2) := carry(winnerswinner2_of_pair_0_0_choices(i + 1), not
+          is_set(winnerswinner1_best_cost_0(0), i + 1), winnerswinner2_of_pair_0_0_values(i));
       end loop;
-      if winnerswinner2_of_pair_0_0_choices(7) then
-        winnerswinner2_of_pair_0_0_choices(8) := is_set(winnerswinner1_best_cost_0(0), 7) and (not
-          is_set(winnerswinner1_best_cost_0(1), 7));
-      else
-        winnerswinner2_of_pair_0_0_choices(8) := is_set(winnerswinner1_best_cost_0(0), 7) or (not
-          is_set(winnerswinner1_best_cost_0(1), 7));
-      end if;
-      winnerswinner2_four_index_0_0_value := is_set(winnerswinner2_of_pair_0(1), 1);
+      winnerswinner2_of_pair_0_0_choices(8) := inverted_carry(winnerswinner2_of_pair_0_0_choices(7),
+        is_set(winnerswinner1_best_cost_0(0), 7), not is_set(winnerswinner1_best_cost_0(1), 7));
+      winnerswinner2_four_index_0_0_values(1) := is_set(winnerswinner2_of_pair_0(1), 1);
       winnerswinner2_four_index_0_0_values(2) := is_set(winnerswinner2_of_pair_0(0), 1);
-      if (not is_set(winnerswinner2_of_pair_0(2), 0)) and (is_set(winnerswinner2_of_pair_0(1), 0) or
-        is_set(winnerswinner2_of_pair_0(0), 0)) then
-        winnerswinner2_four_index_0_0_choice := (not is_set(winnerswinner2_of_pair_0(2), 1)) or
-          winnerswinner2_four_index_0_0_value or winnerswinner2_four_index_0_0_values(2);
-      else
-        winnerswinner2_four_index_0_0_choice := (not is_set(winnerswinner2_of_pair_0(2), 1)) and
-          (winnerswinner2_four_index_0_0_value or winnerswinner2_four_index_0_0_values(2));
-      end if;
-      winnerswinner2_four_index_0_0_values(3) := is_set(winnerswinner2_of_pair_0(1), 2);
-      winnerswinner2_four_index_0_0_values(4) := is_set(winnerswinner2_of_pair_0(0), 2);
-      if winnerswinner2_four_index_0_0_choice then
-        winnerswinner2_four_index_0_0_choices(2) := (not is_set(winnerswinner2_of_pair_0(2), 2)) or
-          winnerswinner2_four_index_0_0_values(3) or winnerswinner2_four_index_0_0_values(4);
-      else
-        winnerswinner2_four_index_0_0_choices(2) := (not is_set(winnerswinner2_of_pair_0(2), 2)) and
-          (winnerswinner2_four_index_0_0_values(3) or winnerswinner2_four_index_0_0_values(4));
-      end if;
-      for i in 3 to 6 loop
+      winnerswinner2_four_index_0_0_choices(1) := choice((not is_set(winnerswinner2_of_pair_0(2), 0)) and
+        (is_set(winnerswinner2_of_pair_0(1), 0) or is_set(winnerswinner2_of_pair_0(0), 0)), (not
+        is_set(winnerswinner2_of_pair_0(2), 1)) or winnerswinner2_four_index_0_0_values(1) or
+        winnerswinner2_four_index_0_0_values(2), (not is_set(winnerswinner2_of_pair_0(2), 1)) and
+        (winnerswinner2_four_index_0_0_values(1) or winnerswinner2_four_index_0_0_values(2)));
+      for i in 2 to 6 loop
         winnerswinner2_four_index_0_0_values(2 * i - 1) := is_set(winnerswinner2_of_pair_0(1), i);
         winnerswinner2_four_index_0_0_values(2 * i) := is_set(winnerswinner2_of_pair_0(0), i);
-        if winnerswinner2_four_index_0_0_choices(i - 1) then
-          winnerswinner2_four_index_0_0_choices(i) := (not is_set(winnerswinner2_of_pair_0(2), i)) or
-            winnerswinner2_four_index_0_0_values(2 * i - 1) or winnerswinner2_four_index_0_0_values(2 * i);
-        else
-          winnerswinner2_four_index_0_0_choices(i) := (not is_set(winnerswinner2_of_pair_0(2), i)) and
-            (winnerswinner2_four_index_0_0_values(2 * i - 1) or winnerswinner2_four_index_0_0_values(2 * i));
-        end if;
+        winnerswinner2_four_index_0_0_choices(i) := choice(winnerswinner2_four_index_0_0_choices(i - 1), (not
+          is_set(winnerswinner2_of_pair_0(2), i)) or winnerswinner2_four_index_0_0_values(2 * i - 1) or
+          winnerswinner2_four_index_0_0_values(2 * i), (not is_set(winnerswinner2_of_pair_0(2), i)) and
+          (winnerswinner2_four_index_0_0_values(2 * i - 1) or winnerswinner2_four_index_0_0_values(2 * i)));
       end loop;
-      if winnerswinner2_four_index_0_0_choices(6) then
-        winnerswinner2_four_index_0_0_choices(7) := (not is_set(winnerswinner2_of_pair_0(2), 7)) or
-          is_set(winnerswinner2_of_pair_0(1), 7) or is_set(winnerswinner2_of_pair_0(0), 7);
-      else
-        winnerswinner2_four_index_0_0_choices(7) := (not is_set(winnerswinner2_of_pair_0(2), 7)) and
-          (is_set(winnerswinner2_of_pair_0(1), 7) or is_set(winnerswinner2_of_pair_0(0), 7));
-      end if;
+      winnerswinner2_four_index_0_0_choices(7) := choice(winnerswinner2_four_index_0_0_choices(6), (not
+        is_set(winnerswinner2_of_pair_0(2), 7)) or is_set(winnerswinner2_of_pair_0(1), 7) or
+        is_set(winnerswinner2_of_pair_0(0), 7), (not is_set(winnerswinner2_of_pair_0(2), 7)) and
+        (is_set(winnerswinner2_of_pair_0(1), 7) or is_set(winnerswinner2_of_pair_0(0), 7)));
       winnerswinner2_of_pair_0(2) <= winnerswinner1_best_cost_0(2);
-      winnerswinner2_pair_index_0_1 <= winnerswinner1_best_index_0_2;
-      winnerswinner2_pair_tag_valid <= winnerswinner1_tag_valid;
-      winnerswinner2_pair_tag_map_column <= winnerswinner1_tag_map_column;
-      winnerswinner2_pair_tag_output_column <= winnerswinner1_tag_output_column;
-      winnerswinner2_pair_tag_start_of_frame <= winnerswinner1_tag_start_of_frame;
-      winnerswinner2_pair_tag_end_of_line <= winnerswinner1_tag_end_of_line;
-      winnerswinner2_four_tag_valid <= winnerswinner2_pair_tag_valid;
-      winnerswinner2_four_tag_map_column <= winnerswinner2_pair_tag_map_column;
-      winnerswinner2_four_tag_output_column <= winnerswinner2_pair_tag_output_column;
-      winnerswinner2_four_tag_start_of_frame <= winnerswinner2_pair_tag_start_of_frame;
-      winnerswinner2_four_tag_end_of_line <= winnerswinner2_pair_tag_end_of_line;
+      winnerswinner2_pair_index_0(1) <= winnerswinner1_best_index_0(2);
+      winnerswinner2_pair_tag <= winnerswinner1_tag;
+      winnerswinner2_four_tag <= winnerswinner2_pair_tag;
       winnerswinner2_best_index_0_0 <= winnerswinner2_four_index_0_0;
-      winnerswinner2_tag_valid <= winnerswinner2_four_tag_valid;
-      winnerswinner2_tag_map_column <= winnerswinner2_four_tag_map_column;
-      winnerswinner2_tag_output_column <= winnerswinner2_four_tag_output_column;
-      winnerswinner2_tag_start_of_frame <= winnerswinner2_four_tag_start_of_frame;
-      winnerswinner2_tag_end_of_line <= winnerswinner2_four_tag_end_of_line;
-      if winnerswinner2_of_pair_0_0_choices(8) then
-        winnerswinner2_of_pair_0(0) <= 0;
-        winnerswinner2_of_pair_0(1) <= winnerswinner1_best_cost_0(1);
-        winnerswinner2_pair_index_0_0 <= winnerswinner1_best_index_0_1;
-      else
-        winnerswinner2_of_pair_0(0) <= winnerswinner1_best_cost_0(0);
-        winnerswinner2_of_pair_0(1) <= 0;
-        winnerswinner2_pair_index_0_0 <= winnerswinner1_best_index_0_0;
-      end if;
-      if winnerswinner2_four_index_0_0_choices(7) then
-        winnerswinner2_four_index_0_0 <= winnerswinner2_pair_index_0_1;
-      else
-        winnerswinner2_four_index_0_0 <= winnerswinner2_pair_index_0_0;
-      end if;
+      winnerswinner2_tag <= winnerswinner2_four_tag;
+      winnerswinner2_of_pair_0(0) <= choice(winnerswinner2_of_pair_0_0_choices(8), 0, winnerswinner1_best_cost_0(0));
+      winnerswinner2_of_pair_0(1) <= choice(winnerswinner2_of_pair_0_0_choices(8), winnerswinner1_best_cost_0(1), 0);
+      winnerswinner2_pair_index_0(0) <= choice(winnerswinner2_of_pair_0_0_choices(8), winnerswinner1_best_index_0(1),
+        winnerswinner1_best_index_0(0));
+      winnerswinner2_four_index_0_0 <= choice(winnerswinner2_four_index_0_0_choices(7), winnerswinner2_pair_index_0(1),
+        winnerswinner2_pair_index_0(0));
       -- winners
       winners_best_index_0_0 <= winnerswinner2_best_index_0_0;
-      winners_best_tag_valid <= winnerswinner2_tag_valid;
-      winners_best_tag_map_column <= winnerswinner2_tag_map_column;
-      winners_best_tag_output_column <= winnerswinner2_tag_output_column;
-      winners_best_tag_start_of_frame <= winnerswinner2_tag_start_of_frame;
-      winners_best_tag_end_of_line <= winnerswinner2_tag_end_of_line;
+      winners_best_tag <= winnerswinner2_tag;
       -- turn
-      turn_order_address_any := turn_order_inside or (not winners_best_tag_map_column) or (not winners_best_tag_valid);
-      if turn_order_falls then
-        turn_order_address_choice := 31;
-      else
-        turn_order_address_choice := 1;
+      turn_order_address_anys(1) := turn_order_inside or (not winners_best_tag.map_column) or (not
+        winners_best_tag.valid);
+      turn_order_address_choice := choice(turn_order_falls, 31, 1);
+      turn_order_address_choice_2 := choice(turn_order_falls, 0, 7);
+      turn_order_address_anys(2) := (not winners_best_tag.map_column) or (not winners_best_tag.valid);
+      if not turn_order_address_anys(2) then
+        turn_order_address <= choice(turn_order_address_anys(1), (turn_order_address_choice + turn_order_address) mod
+          32, turn_order_address_choice_2 * 4);
       end if;
-      if turn_order_falls then
-        turn_order_address_choice_2 := 0;
-      else
-        turn_order_address_choice_2 := 7;
-      end if;
-      turn_order_address_any_2 := (not winners_best_tag_map_column) or (not winners_best_tag_valid);
-      if not turn_order_address_any_2 then
-        if turn_order_address_any then
-          turn_order_address <= (turn_order_address_choice + turn_order_address) mod 32;
-        else
-          turn_order_address <= turn_order_address_choice_2 * 4;
-        end if;
-      end if;
-      turn_order_falls_all := (not turn_order_inside) and winners_best_tag_map_column and winners_best_tag_valid;
-      turn_order_complete_all := winners_best_tag_map_column and winners_best_tag_valid;
-      if turn_order_falls_all then
-        turn_order_turned_output_column_choice := turn_order_output and turn_order_complete;
-      else
-        turn_order_turned_output_column_choice := turn_order_held_output;
-      end if;
-      turn_order_turned_valid <= winners_best_tag_valid;
-      turn_order_turned_output_column <= turn_order_turned_output_column_choice and winners_best_tag_map_column;
-      turn_order_turned_start_of_frame <= (not turn_order_inside) and winners_best_tag_map_column and
-        winners_best_tag_valid and turn_order_first and turn_order_output and turn_order_complete;
-      turn_order_turned_end_of_line <= winners_best_tag_end_of_line;
+      turn_order_falls_all := (not turn_order_inside) and winners_best_tag.map_column and winners_best_tag.valid;
+      turn_order_complete_all := winners_best_tag.map_column and winners_best_tag.valid;
+      turn_order_turned_output_column_choice := choice(turn_order_falls_all, turn_order_output and turn_order_complete,
+        turn_order_held_output);
+      turn_order_turned_valid <= winners_best_tag.valid;
+      turn_order_turned_output_column <= turn_order_turned_output_column_choice and winners_best_tag.map_column;
+      turn_order_turned_start_of_frame <= (not turn_order_inside) and winners_best_tag.map_column and
+        winners_best_tag.valid and turn_order_first and turn_order_output and turn_order_complete;
+      turn_order_turned_end_of_line <= winners_best_tag.end_of_line;
       turn_newest <= winners_best_index_0_0 + 256;
       turn_comes <= turn_order_complete_all;
-      turn_read_tag_valid <= turn_order_turned_valid;
-      turn_read_tag_output_column <= turn_order_turned_output_column;
-      turn_read_tag_start_of_frame <= turn_order_turned_start_of_frame;
-      turn_read_tag_end_of_line <= turn_order_turned_end_of_line;
+      turn_read_tag.valid <= turn_order_turned_valid;
+      turn_read_tag.output_column <= turn_order_turned_output_column;
+      turn_read_tag.start_of_frame <= turn_order_turned_start_of_frame;
+      turn_read_tag.end_of_line <= turn_order_turned_end_of_line;
       turn_ready <= to_integer(turn_read_words_0);
-      turn_ready_tag_valid <= turn_read_tag_valid;
-      turn_ready_tag_output_column <= turn_read_tag_output_column;
-      turn_ready_tag_start_of_frame <= turn_read_tag_start_of_frame;
-      turn_ready_tag_end_of_line <= turn_read_tag_end_of_line;
-      if turn_order_falls then
-        turn_order_falls <= turn_order_address_any;
-      else
-        turn_order_falls <= turn_order_falls_all;
-      end if;
-      if winners_best_tag_end_of_line then
-        turn_order_complete <= turn_order_complete or turn_order_complete_all;
-      else
-        turn_order_complete <= turn_order_complete and turn_order_address_any_2;
-      end if;
-      if winners_best_tag_valid then
-        turn_order_inside <= winners_best_tag_map_column;
+      turn_ready_tag <= turn_read_tag;
+      turn_order_falls <= choice(turn_order_falls, turn_order_address_anys(1), turn_order_falls_all);
+      turn_order_complete <= choice(winners_best_tag.end_of_line, turn_order_complete or turn_order_complete_all,
+        turn_order_complete and turn_order_address_anys(2));
+      if winners_best_tag.valid then
+        turn_order_inside <= winners_best_tag.map_column;
       end if;
       if turn_order_falls_all then
-        turn_order_output <= winners_best_tag_output_column;
-        turn_order_first <= winners_best_tag_start_of_frame;
+        turn_order_output <= winners_best_tag.output_column;
+        turn_order_first <= winners_best_tag.start_of_frame;
         turn_order_held_output <= turn_order_output and turn_order_complete;
       end if;
       if turn_comes then
@@ -4320,135 +2510,75 @@ begin
       -- relief
       if transform_columns_valid then
         relief_centre_column(0) <= transform_right_column_2;
-        relief_centre_column(1) <= relief_centre_column(0);
-        relief_centre_column(2) <= relief_centre_column(1);
-        relief_centre_column(3) <= relief_centre_column(2);
-        relief_centre_column(4) <= relief_centre_column(3);
+        relief_centre_column(1 to 4) <= relief_centre_column(0 to 3);
       end if;
-      if is_set(relief_centre_grey_0, 0) then
-        relief_newest_choice := (not is_set(relief_before, 1)) or (not is_set(relief_before, 0));
-      else
-        relief_newest_choice := not is_set(relief_before, 1);
-      end if;
-      if is_set(relief_centre_grey_0, 1) then
-        relief_newest_choices(2) := relief_newest_choice;
-      else
-        relief_newest_choices(2) := is_set(relief_centre_grey_0, 0) and ((relief_before mod 4) = 0);
-      end if;
-      relief_newest_value := is_set(relief_before, 2);
-      if relief_newest_choices(2) then
-        relief_newest_choices(3) := (not is_set(relief_centre_grey_0, 2)) and relief_newest_value;
-      else
-        relief_newest_choices(3) := (not is_set(relief_centre_grey_0, 2)) or relief_newest_value;
-      end if;
+      relief_newest_choices(1) := choice(is_set(relief_centre_grey_0, 0), (not is_set(relief_before, 1)) or (not
+        is_set(relief_before, 0)), not is_set(relief_before, 1));
+      relief_newest_choices(2) := choice(is_set(relief_centre_grey_0, 1), relief_newest_choices(1),
+        is_set(relief_centre_grey_0, 0) and ((relief_before mod 4) = 0));
+      relief_newest_values(1) := is_set(relief_before, 2);
+      relief_newest_choices(3) := inverted_carry(relief_newest_choices(2), not is_set(relief_centre_grey_0, 2),
+        relief_newest_values(1));
       for i in 2 to 5 loop
         relief_newest_values(i) := is_set(relief_before, i + 1);
-        if relief_newest_choices(i + 1) then
-          relief_newest_choices(i + 2) := (not is_set(relief_centre_grey_0, i + 1)) or relief_newest_values(i);
-        else
-          relief_newest_choices(i + 2) := (not is_set(relief_centre_grey_0, i + 1)) and relief_newest_values(i);
-        end if;
+        relief_newest_choices(i + 2) := carry(relief_newest_choices(i + 1), not is_set(relief_centre_grey_0, i + 1),
+          relief_newest_values(i));
       end loop;
-      if relief_newest_choices(7) then
-        relief_newest_choices(8) := (not is_set(relief_centre_grey_0, 7)) or is_set(relief_before, 7);
-      else
-        relief_newest_choices(8) := (not is_set(relief_centre_grey_0, 7)) and is_set(relief_before, 7);
-      end if;
+      relief_newest_choices(8) := carry(relief_newest_choices(7), not is_set(relief_centre_grey_0, 7),
+        is_set(relief_before, 7));
       relief_newest_values_from_6(6) := (relief_before - relief_centre_grey_0) mod 256;
       relief_newest_values_from_6(7) := (relief_centre_grey_0 - relief_before) mod 256;
-      if relief_newest_choices(8) then
-        relief_newest_choices(9) := is_set(relief_newest_values_from_6(6), 2);
-      else
-        relief_newest_choices(9) := is_set(relief_newest_values_from_6(7), 2);
-      end if;
-      for i in 10 to 11 loop
-        if relief_newest_choices(8) then
-          relief_newest_choices(i) := not is_set(relief_newest_values_from_6(6), 23 - 2 * i);
-        else
-          relief_newest_choices(i) := not is_set(relief_newest_values_from_6(7), 23 - 2 * i);
-        end if;
+      relief_newest_choices(9) := choice(relief_newest_choices(8), is_set(relief_newest_values_from_6(6), 2),
+        is_set(relief_newest_values_from_6(7), 2));
+      relief_newest_choices(10) := choice(relief_newest_choices(8), not is_set(relief_newest_values_from_6(6), 3), not
+        is_set(relief_newest_values_from_6(7), 3));
+      for i in 0 to 1 loop
+        relief_newest_choices(2 * i + 11) := choice(relief_newest_choices(8), not
+          is_set(relief_newest_values_from_6(6), 4 * i + 1), not is_set(relief_newest_values_from_6(7), 4 * i + 1));
+        relief_newest_choices(2 * i + 12) := choice(relief_newest_choices(8), is_set(relief_newest_values_from_6(6), 2
+          * i + 4), is_set(relief_newest_values_from_6(7), 2 * i + 4));
       end loop;
-      if relief_newest_choices(8) then
-        relief_newest_choices(12) := is_set(relief_newest_values_from_6(6), 4);
-      else
-        relief_newest_choices(12) := is_set(relief_newest_values_from_6(7), 4);
-      end if;
-      if relief_newest_choices(8) then
-        relief_newest_choices(13) := not is_set(relief_newest_values_from_6(6), 5);
-      else
-        relief_newest_choices(13) := not is_set(relief_newest_values_from_6(7), 5);
-      end if;
-      for i in 14 to 15 loop
-        if relief_newest_choices(8) then
-          relief_newest_choices(i) := is_set(relief_newest_values_from_6(6), i - 8);
-        else
-          relief_newest_choices(i) := is_set(relief_newest_values_from_6(7), i - 8);
-        end if;
-      end loop;
-      if relief_newest_choices(7) then
-        relief_newest_choices(16) := is_set(relief_centre_grey_0, 7) and (not is_set(relief_before, 7));
-      else
-        relief_newest_choices(16) := is_set(relief_centre_grey_0, 7) or (not is_set(relief_before, 7));
-      end if;
-      if relief_newest_choices(16) then
-        relief_newest_choice_17 := (relief_newest_values_from_6(7) / 2) mod 64;
-      else
-        relief_newest_choice_17 := (relief_newest_values_from_6(6) / 2) mod 64;
-      end if;
+      relief_newest_choices(15) := choice(relief_newest_choices(8), is_set(relief_newest_values_from_6(6), 7),
+        is_set(relief_newest_values_from_6(7), 7));
+      relief_newest_choices(16) := inverted_carry(relief_newest_choices(7), is_set(relief_centre_grey_0, 7), not
+        is_set(relief_before, 7));
+      relief_newest_choice_17 := choice(relief_newest_choices(16), (relief_newest_values_from_6(7) / 2) mod 64,
+        (relief_newest_values_from_6(6) / 2) mod 64);
       relief_centre_grey_0 <= relief_centre_column(4);
       relief_rows_read_newest_0 <= to_integer(relief_delayed_0);
       relief_rows_ready_words_0 <= to_integer(relief_rows_read_words_0);
       relief_rows_ready_newest_0 <= relief_rows_read_newest_0;
       relief_shown_0 <= relief_rows_ready_words_0;
       relief_waiting(0) <= relief_column_0;
-      for i in 1 to 8 loop
-        relief_waiting(i) <= relief_waiting(i - 1);
-      end loop;
+      relief_waiting(1 to 8) <= relief_waiting(0 to 7);
       relief_entered <= relief_entering;
-      if ((not ((not ((not ((not relief_newest_choices(9)) and relief_newest_choices(10) and
+      relief_newest <= choice(((not ((not ((not ((not relief_newest_choices(9)) and relief_newest_choices(10) and
         relief_newest_choices(11))) and relief_newest_choices(12))) and relief_newest_choices(13))) and
-        relief_newest_choices(14)) or relief_newest_choices(15) then
-        relief_newest <= 40;
-      else
-        relief_newest <= relief_newest_choice_17;
-      end if;
-      if relief_waiting(8) < 40 then
-        relief_entering <= relief_waiting(8);
-      else
-        relief_entering <= 40;
-      end if;
+        relief_newest_choices(14)) or relief_newest_choices(15), 40, relief_newest_choice_17);
+      relief_entering <= choice(relief_waiting(8) < 40, relief_waiting(8), 40);
       if transform_filtering_valid(1) then
         relief_before <= relief_centre_grey_0;
       end if;
-      if rows_ready_tag_valid then
+      if rows_ready_tag.valid then
         relief_rows_write_words_0 <= relief_rows_ready_newest_0;
       end if;
-      if rows_tag_valid then
+      if rows_tag.valid then
         relief_column_0 <= relief_shown_0;
       end if;
       -- other
       for i in 0 to 2 loop
-        if entry_tag_valid then
-          other_choices(i) := forward_left_cost(9 - 4 * i) + forward_above_cost(9 - 4 * i);
-        else
-          other_choices(i) := to_integer(other(i)(15 downto 8));
-        end if;
-        for j in 2 to 3 loop
-          if entry_tag_valid then
-            other_choice(i, j) := forward_left_cost(2 * j + 4 - 4 * i) + forward_above_cost(2 * j + 4 - 4 * i);
-          else
-            other_choice(i, j) := to_integer(other(i)(16 * j - 25 downto 16 * j - 32));
-          end if;
-        end loop;
-        if entry_tag_valid then
-          other_choice_4(i) := forward_left_cost(11 - 4 * i) + forward_above_cost(11 - 4 * i);
-        else
-          other_choice_4(i) := to_integer(other(i)(31 downto 24));
-        end if;
+        other_choice(i, 1) := choice(entry_tag.valid, forward_left_cost(9 - 4 * i) + forward_above_cost(9 - 4 * i),
+          to_integer(other(i)(15 downto 8)));
+        other_choice(i, 2) := choice(entry_tag.valid, forward_left_cost(8 - 4 * i) + forward_above_cost(8 - 4 * i),
+          to_integer(other(i)(7 downto 0)));
+        other_choice(i, 3) := choice(entry_tag.valid, forward_left_cost(10 - 4 * i) + forward_above_cost(10 - 4 * i),
+          to_integer(other(i)(23 downto 16)));
+        other_choice_4(i) := choice(entry_tag.valid, forward_left_cost(11 - 4 * i) + forward_above_cost(11 - 4 * i),
+          to_integer(other(i)(31 downto 24)));
       end loop;
       for i in 0 to 2 loop
         other(i) <= to_unsigned(other_choice_4(i), 8) & to_unsigned(other_choice(i, 3), 8) &
-          to_unsigned(other_choices(i), 8) & to_unsigned(other_choice(i, 2), 8);
+          to_unsigned(other_choice(i, 1), 8) & to_unsigned(other_choice(i, 2), 8);
       end loop;
       if reset = '1' then
         transform_valid <= false;
@@ -4475,74 +2605,69 @@ begin
         delay_ring_read_address <= 1;
         delay_ring_write_address <= 0;
         delay_column <= 0;
-        delay_tag_valid <= false;
-        delay_tag_first_cost <= false;
-        delay_tag_map_column <= false;
-        delay_tag_output_column <= false;
-        delay_tag_start_of_frame <= false;
-        delay_tag_end_of_line <= false;
+        delay_tag.valid <= false;
+        delay_tag.first_cost <= false;
+        delay_tag.map_column <= false;
+        delay_tag.output_column <= false;
+        delay_tag.start_of_frame <= false;
+        delay_tag.end_of_line <= false;
         rows_read_column <= 0;
-        rows_read_tag_valid <= false;
-        rows_read_tag_first_cost <= false;
-        rows_read_tag_map_column <= false;
-        rows_read_tag_output_column <= false;
-        rows_read_tag_start_of_frame <= false;
-        rows_read_tag_end_of_line <= false;
+        rows_read_tag.valid <= false;
+        rows_read_tag.first_cost <= false;
+        rows_read_tag.map_column <= false;
+        rows_read_tag.output_column <= false;
+        rows_read_tag.start_of_frame <= false;
+        rows_read_tag.end_of_line <= false;
         rows_ready_column <= 0;
-        rows_ready_tag_valid <= false;
-        rows_ready_tag_first_cost <= false;
-        rows_ready_tag_map_column <= false;
-        rows_ready_tag_output_column <= false;
-        rows_ready_tag_start_of_frame <= false;
-        rows_ready_tag_end_of_line <= false;
+        rows_ready_tag.valid <= false;
+        rows_ready_tag.first_cost <= false;
+        rows_ready_tag.map_column <= false;
+        rows_ready_tag.output_column <= false;
+        rows_ready_tag.start_of_frame <= false;
+        rows_ready_tag.end_of_line <= false;
         rows_write_column <= 0;
-        rows_tag_valid <= false;
-        rows_tag_first_cost <= false;
-        rows_tag_map_column <= false;
-        rows_tag_output_column <= false;
-        rows_tag_start_of_frame <= false;
-        rows_tag_end_of_line <= false;
-        slice0shift_tag_valid <= false;
-        slice0shift_tag_first_cost <= false;
-        slice0shift_tag_map_column <= false;
-        slice0shift_tag_output_column <= false;
-        slice0shift_tag_start_of_frame <= false;
-        slice0shift_tag_end_of_line <= false;
-        slice0cost_pixels_first_tag_valid <= false;
-        slice0cost_pixels_first_tag_first_cost <= false;
-        slice0cost_pixels_first_tag_map_column <= false;
-        slice0cost_pixels_first_tag_output_column <= false;
-        slice0cost_pixels_first_tag_start_of_frame <= false;
-        slice0cost_pixels_first_tag_end_of_line <= false;
-        slice0cost_pixels_tag_valid <= false;
-        slice0cost_pixels_tag_first_cost <= false;
-        slice0cost_pixels_tag_map_column <= false;
-        slice0cost_pixels_tag_output_column <= false;
-        slice0cost_pixels_tag_start_of_frame <= false;
-        slice0cost_pixels_tag_end_of_line <= false;
-        slice0cost_pair_tag_valid <= false;
-        slice0cost_pair_tag_first_cost <= false;
-        slice0cost_pair_tag_map_column <= false;
-        slice0cost_pair_tag_output_column <= false;
-        slice0cost_pair_tag_start_of_frame <= false;
-        slice0cost_pair_tag_end_of_line <= false;
-        slice0cost_tag_valid <= false;
-        slice0cost_tag_first_cost <= false;
-        slice0cost_tag_map_column <= false;
-        slice0cost_tag_output_column <= false;
-        slice0cost_tag_start_of_frame <= false;
-        slice0cost_tag_end_of_line <= false;
+        rows_tag.valid <= false;
+        rows_tag.first_cost <= false;
+        rows_tag.map_column <= false;
+        rows_tag.output_column <= false;
+        rows_tag.start_of_frame <= false;
+        rows_tag.end_of_line <= false;
+        slice0shift_tag.valid <= false;
+        slice0shift_tag.first_cost <= false;
+        slice0shift_tag.map_column <= false;
+        slice0shift_tag.output_column <= false;
+        slice0shift_tag.start_of_frame <= false;
+        slice0shift_tag.end_of_line <= false;
+        slice0cost_pixels_first_tag.valid <= false;
+        slice0cost_pixels_first_tag.first_cost <= false;
+        slice0cost_pixels_first_tag.map_column <= false;
+        slice0cost_pixels_first_tag.output_column <= false;
+        slice0cost_pixels_first_tag.start_of_frame <= false;
+        slice0cost_pixels_first_tag.end_of_line <= false;
+        slice0cost_pixels_tag.valid <= false;
+        slice0cost_pixels_tag.first_cost <= false;
+        slice0cost_pixels_tag.map_column <= false;
+        slice0cost_pixels_tag.output_column <= false;
+        slice0cost_pixels_tag.start_of_frame <= false;
+        slice0cost_pixels_tag.end_of_line <= false;
+        slice0cost_pair_tag.valid <= false;
+        slice0cost_pair_tag.first_cost <= false;
+        slice0cost_pair_tag.map_column <= false;
+        slice0cost_pair_tag.output_column <= false;
+        slice0cost_pair_tag.start_of_frame <= false;
+        slice0cost_pair_tag.end_of_line <= false;
+        slice0cost_tag.valid <= false;
+        slice0cost_tag.first_cost <= false;
+        slice0cost_tag.map_column <= false;
+        slice0cost_tag.output_column <= false;
+        slice0cost_tag.start_of_frame <= false;
+        slice0cost_tag.end_of_line <= false;
         slice0window_centre_map_column_0 <= false;
         slice0window_centre_output_column_0 <= false;
         slice0window_centre_first_column_0 <= false;
         slice0window_centre_start_of_frame_0 <= false;
         slice0window_centre_end_of_line_0 <= false;
-        slice0window_tag_valid <= false;
-        slice0window_tag_map_column <= false;
-        slice0window_tag_output_column <= false;
-        slice0window_tag_first_column <= false;
-        slice0window_tag_start_of_frame <= false;
-        slice0window_tag_end_of_line <= false;
+        slice0window_tag <= (others => false);
         for i in 0 to 2 loop
           slice0_tag_valid(i) <= false;
           slice0_tag_map_column(i) <= false;
@@ -4551,9 +2676,9 @@ begin
           slice0_tag_start_of_frame(i) <= false;
           slice0_tag_end_of_line(i) <= false;
         end loop;
-        entry_next_tag_valid <= false;
-        entry_next_tag_map_column <= false;
-        entry_next_tag_end_of_line <= false;
+        entry_next_tag.valid <= false;
+        entry_next_tag.map_column <= false;
+        entry_next_tag.end_of_line <= false;
         entry_next_column <= 0;
         entry_order_address <= 0;
         entry_order_falls <= false;
@@ -4564,9 +2689,9 @@ begin
         entry_order_held_output <= false;
         entry_order_turned_output_column <= false;
         entry_order_turned_start_of_frame <= false;
-        entry_tag_valid <= false;
-        entry_tag_map_column <= false;
-        entry_tag_end_of_line <= false;
+        entry_tag.valid <= false;
+        entry_tag.map_column <= false;
+        entry_tag.end_of_line <= false;
         entry_column <= 0;
         entry_place <= 0;
         entry_turned_output_column <= false;
@@ -4575,67 +2700,29 @@ begin
         forward_cost_delay_ring_write_address <= 0;
         forward_above_delay_ring_read_address <= 1;
         forward_above_delay_ring_write_address <= 0;
-        for i in 0 to 9 loop
-          forward_above_comes(i) <= false;
-        end loop;
-        for i in 0 to 9 loop
-          forward_above_column(i) <= 0;
-        end loop;
+        forward_above_comes <= (others => false);
+        forward_above_column <= (others => 0);
         forward_above_writes_copy_0 <= false;
         forward_above_write_column <= 0;
-        for i in 0 to 8 loop
-          sums_turn_place(i) <= 0;
-        end loop;
+        sums_turn_place <= (others => 0);
         sums_turn_writes_copy_0 <= false;
         sums_turn_write_place <= 0;
         sums_sum_delay_ring_read_address <= 1;
         sums_sum_delay_ring_write_address <= 0;
-        sums_tag_valid <= false;
-        sums_tag_map_column <= false;
-        sums_tag_output_column <= false;
-        sums_tag_start_of_frame <= false;
-        sums_tag_end_of_line <= false;
+        sums_tag <= (others => false);
         for i in 0 to 4 loop
           sums_tags_held_output_column(i) <= false;
           sums_tags_held_start_of_frame(i) <= false;
           sums_tags_held_end_of_line(i) <= false;
         end loop;
         sums_tags_moved <= false;
-        winnerswinner1_pair_tag_valid <= false;
-        winnerswinner1_pair_tag_map_column <= false;
-        winnerswinner1_pair_tag_output_column <= false;
-        winnerswinner1_pair_tag_start_of_frame <= false;
-        winnerswinner1_pair_tag_end_of_line <= false;
-        winnerswinner1_four_tag_valid <= false;
-        winnerswinner1_four_tag_map_column <= false;
-        winnerswinner1_four_tag_output_column <= false;
-        winnerswinner1_four_tag_start_of_frame <= false;
-        winnerswinner1_four_tag_end_of_line <= false;
-        winnerswinner1_tag_valid <= false;
-        winnerswinner1_tag_map_column <= false;
-        winnerswinner1_tag_output_column <= false;
-        winnerswinner1_tag_start_of_frame <= false;
-        winnerswinner1_tag_end_of_line <= false;
-        winnerswinner2_pair_tag_valid <= false;
-        winnerswinner2_pair_tag_map_column <= false;
-        winnerswinner2_pair_tag_output_column <= false;
-        winnerswinner2_pair_tag_start_of_frame <= false;
-        winnerswinner2_pair_tag_end_of_line <= false;
-        winnerswinner2_four_tag_valid <= false;
-        winnerswinner2_four_tag_map_column <= false;
-        winnerswinner2_four_tag_output_column <= false;
-        winnerswinner2_four_tag_start_of_frame <= false;
-        winnerswinner2_four_tag_end_of_line <= false;
-        winnerswinner2_tag_valid <= false;
-        winnerswinner2_tag_map_column <= false;
-        winnerswinner2_tag_output_column <= false;
-        winnerswinner2_tag_start_of_frame <= false;
-        winnerswinner2_tag_end_of_line <= false;
-        winners_best_tag_valid <= false;
-        winners_best_tag_map_column <= false;
-        winners_best_tag_output_column <= false;
-        winners_best_tag_start_of_frame <= false;
-        winners_best_tag_end_of_line <= false;
+        winnerswinner1_pair_tag <= (others => false);
+        winnerswinner1_four_tag <= (others => false);
+        winnerswinner1_tag <= (others => false);
+        winnerswinner2_pair_tag <= (others => false);
+        winnerswinner2_four_tag <= (others => false);
+        winnerswinner2_tag <= (others => false);
+        winners_best_tag <= (others => false);
         turn_order_address <= 0;
         turn_order_falls <= false;
         turn_order_inside <= false;
@@ -4648,15 +2735,9 @@ begin
         turn_order_turned_start_of_frame <= false;
         turn_order_turned_end_of_line <= false;
         turn_comes <= false;
-        turn_read_tag_valid <= false;
-        turn_read_tag_output_column <= false;
-        turn_read_tag_start_of_frame <= false;
-        turn_read_tag_end_of_line <= false;
+        turn_read_tag <= (others => false);
         turn_write_place <= 0;
-        turn_ready_tag_valid <= false;
-        turn_ready_tag_output_column <= false;
-        turn_ready_tag_start_of_frame <= false;
-        turn_ready_tag_end_of_line <= false;
+        turn_ready_tag <= (others => false);
       end if;
     end if;
   end process;

@@ -93,8 +93,43 @@ architecture rtl of stereo_core_tiny_trellis is
     return (value / 2 ** place) mod 2 = 1;
   end function;
 
+  -- the majority: a comparison or a sum as a chain of its bits
+  function carry(before : boolean; a : boolean; b : boolean) return boolean is
+  begin
+    if before then
+      return a or b;
+    end if;
+    return a and b;
+  end function;
+
+  function inverted_carry(before : boolean; a : boolean; b : boolean) return boolean is
+  begin
+    if before then
+      return a and b;
+    end if;
+    return a or b;
+  end function;
+
+  function choice(test : boolean; yes : boolean; no : boolean) return boolean is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
+  function choice(test : boolean; yes : integer; no : integer) return integer is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
   type boolean_1d is array (natural range <>) of boolean;
   type boolean_2d is array (natural range <>, natural range <>) of boolean;
+  type boolean_3d is array (natural range <>, natural range <>, natural range <>) of boolean;
+  type natural_11_1d is array (natural range <>) of natural range 0 to 11;
   type natural_13_1d is array (natural range <>) of natural range 0 to 13;
   type natural_13_2d is array (natural range <>, natural range <>) of natural range 0 to 13;
   type natural_144_1d is array (natural range <>) of natural range 0 to 144;
@@ -118,25 +153,38 @@ architecture rtl of stereo_core_tiny_trellis is
   type natural_511_2d is array (natural range <>, natural range <>) of natural range 0 to 511;
   type natural_72_1d is array (natural range <>) of natural range 0 to 72;
   type unsigned_24_1d is array (natural range <>) of unsigned(23 downto 0);
+  type tag_7 is record
+    valid, border_column, first_cost, map_column, output_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_6 is record
+    valid, map_column, output_column, first_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_4 is record
+    valid, map_column, first_column, end_of_line : boolean;
+  end record;
+  type tag_3 is record
+    valid, map_column, end_of_line : boolean;
+  end record;
+  type tag_4_b is record
+    map_column, output_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_3_b is record
+    map_column, output_column, first_column : boolean;
+  end record;
   signal in_valid, in_start_of_frame : boolean;
   signal in_right_pixel, in_left_pixel : natural range 0 to 255;
   -- transform
   signal transform_left_0, transform_right_0, transform_left_rows_read_newest_0 : natural range 0 to 255;
   signal transform_left_rows_ready_newest_0, transform_right_rows_read_newest_0 : natural range 0 to 255;
   signal transform_right_rows_ready_newest_0 : natural range 0 to 255;
-  signal transform_left_column : natural_255_1d(0 to 4);
-  signal transform_right_column : natural_255_1d(0 to 4);
-  signal transform_left_filter_column : natural_255_2d(0 to 4, 0 to 4);
-  signal transform_right_filter_column : natural_255_2d(0 to 4, 0 to 4);
+  signal transform_left_column, transform_right_column : natural_255_1d(0 to 4);
+  signal transform_left_filter_column, transform_right_filter_column : natural_255_2d(0 to 4, 0 to 4);
   signal transform_valid, transform_counter_next_frame : boolean;
-  signal transform_read_row_inside : boolean_1d(0 to 4);
-  signal transform_read_column_inside : boolean_1d(0 to 4);
+  signal transform_read_row_inside, transform_read_column_inside : boolean_1d(0 to 4);
   signal transform_read_start_of_frame, transform_read_valid : boolean;
-  signal transform_ready_row_inside : boolean_1d(0 to 4);
-  signal transform_ready_column_inside : boolean_1d(0 to 4);
+  signal transform_ready_row_inside, transform_ready_column_inside : boolean_1d(0 to 4);
   signal transform_ready_start_of_frame, transform_ready_valid : boolean;
-  signal transform_columns_row_inside : boolean_1d(0 to 4);
-  signal transform_columns_column_inside : boolean_1d(0 to 4);
+  signal transform_columns_row_inside, transform_columns_column_inside : boolean_1d(0 to 4);
   signal transform_columns_start_of_frame, transform_columns_valid : boolean;
   signal transform_filtering_0_column_inside : boolean_1d(0 to 4);
   signal transform_filtering_start_of_frame : boolean_1d(0 to 1);  -- transform_filtering_#_start_of_frame
@@ -157,11 +205,9 @@ architecture rtl of stereo_core_tiny_trellis is
   signal delay_ahead_0, delay_delayed_0 : natural range 0 to 16777215;
   signal delay_column : natural range 0 to 63;
   signal delay_row_inside : boolean_1d(0 to 2);
-  signal delay_tag_valid, delay_tag_border_column, delay_tag_first_cost, delay_tag_map_column : boolean;
-  signal delay_tag_output_column, delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
+  signal delay_tag : tag_7;
   -- rows
-  signal rows_search_rows_read_words : unsigned_24_1d(0 to 1);
-  signal rows_reference_rows_read_words : unsigned_24_1d(0 to 1);
+  signal rows_search_rows_read_words, rows_reference_rows_read_words : unsigned_24_1d(0 to 1);
   signal rows_search_rows_read_newest_0 : natural range 0 to 16777215;
   signal rows_search_rows_ready_words : natural_16777215_1d(0 to 1);
   signal rows_search_rows_ready_newest_0 : natural range 0 to 16777215;
@@ -170,38 +216,19 @@ architecture rtl of stereo_core_tiny_trellis is
   signal rows_reference_rows_ready_words : natural_16777215_1d(0 to 1);
   signal rows_reference_rows_ready_newest_0 : natural range 0 to 16777215;
   signal rows_reference_rows_write_words : natural_16777215_1d(0 to 1);
-  signal rows_search : natural_16777215_1d(0 to 2);
-  signal rows_reference : natural_16777215_1d(0 to 2);
+  signal rows_search, rows_reference : natural_16777215_1d(0 to 2);
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 63;
   signal rows_read_inside : boolean_1d(0 to 2);
-  signal rows_read_tag_valid, rows_read_tag_border_column, rows_read_tag_first_cost, rows_read_tag_map_column : boolean;
-  signal rows_read_tag_output_column, rows_read_tag_start_of_frame, rows_read_tag_end_of_line : boolean;
+  signal rows_read_tag : tag_7;
   signal rows_ready_inside : boolean_1d(0 to 2);
-  signal rows_ready_tag_valid, rows_ready_tag_border_column, rows_ready_tag_first_cost : boolean;
-  signal rows_ready_tag_map_column, rows_ready_tag_output_column, rows_ready_tag_start_of_frame : boolean;
-  signal rows_ready_tag_end_of_line, rows_tag_valid, rows_tag_border_column, rows_tag_first_cost : boolean;
-  signal rows_tag_map_column, rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  signal rows_ready_tag, rows_tag : tag_7;
   -- slice0shift
   signal slice0shift_search : natural_16777215_2d(0 to 2, 0 to 4);
-  signal slice0shift_reference : natural_16777215_1d(0 to 2);
-  signal slice0shift_search_out : natural_16777215_1d(0 to 2);
-  signal slice0shift_tag_valid, slice0shift_tag_border_column, slice0shift_tag_first_cost : boolean;
-  signal slice0shift_tag_map_column, slice0shift_tag_output_column, slice0shift_tag_start_of_frame : boolean;
-  signal slice0shift_tag_end_of_line : boolean;
+  signal slice0shift_reference, slice0shift_search_out : natural_16777215_1d(0 to 2);
+  signal slice0shift_tag : tag_7;
   -- slice0cost
   signal slice0cost_pixels_first_count : natural_3_3d(0 to 2, 0 to 4, 0 to 7);  -- slice0cost_pixels_first_#_#_count_#
-  signal slice0cost_pixels_first_tag_valid, slice0cost_pixels_first_tag_border_column : boolean;
-  signal slice0cost_pixels_first_tag_first_cost, slice0cost_pixels_first_tag_map_column : boolean;
-  signal slice0cost_pixels_first_tag_output_column, slice0cost_pixels_first_tag_start_of_frame : boolean;
-  signal slice0cost_pixels_first_tag_end_of_line, slice0cost_pixels_tag_valid : boolean;
-  signal slice0cost_pixels_tag_border_column, slice0cost_pixels_tag_first_cost : boolean;
-  signal slice0cost_pixels_tag_map_column, slice0cost_pixels_tag_output_column : boolean;
-  signal slice0cost_pixels_tag_start_of_frame, slice0cost_pixels_tag_end_of_line, slice0cost_pair_tag_valid : boolean;
-  signal slice0cost_pair_tag_border_column, slice0cost_pair_tag_first_cost, slice0cost_pair_tag_map_column : boolean;
-  signal slice0cost_pair_tag_output_column, slice0cost_pair_tag_start_of_frame : boolean;
-  signal slice0cost_pair_tag_end_of_line, slice0cost_tag_valid, slice0cost_tag_border_column : boolean;
-  signal slice0cost_tag_first_cost, slice0cost_tag_map_column, slice0cost_tag_output_column : boolean;
-  signal slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pixels_first_tag, slice0cost_pixels_tag, slice0cost_pair_tag, slice0cost_tag : tag_7;
   signal slice0cost_pixels_cost : natural_24_2d(0 to 2, 0 to 4);
   signal slice0cost_single_0 : natural_24_1d(0 to 4);
   signal slice0cost_pair_0 : natural_48_1d(0 to 4);
@@ -211,9 +238,8 @@ architecture rtl of stereo_core_tiny_trellis is
   signal slice0window_partial_0_1 : natural_144_1d(0 to 4);
   signal slice0window_centre_map_column_0, slice0window_centre_output_column_0 : boolean;
   signal slice0window_centre_first_column_0, slice0window_centre_start_of_frame_0 : boolean;
-  signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_map_column : boolean;
-  signal slice0window_tag_output_column, slice0window_tag_first_column, slice0window_tag_start_of_frame : boolean;
-  signal slice0window_tag_end_of_line : boolean;
+  signal slice0window_centre_end_of_line_0 : boolean;
+  signal slice0window_tag : tag_6;
   signal slice0window_sum_0 : natural_216_1d(0 to 4);
   -- slice0
   signal slice0_held : natural_13_2d(0 to 2, 0 to 4);
@@ -225,8 +251,7 @@ architecture rtl of stereo_core_tiny_trellis is
   signal slice0_tag_end_of_line : boolean_1d(0 to 2);  -- slice0_tag_#_end_of_line
   -- slice1shift
   signal slice1shift_search : natural_16777215_2d(0 to 2, 0 to 4);
-  signal slice1shift_reference : natural_16777215_1d(0 to 2);
-  signal slice1shift_search_out : natural_16777215_1d(0 to 2);
+  signal slice1shift_reference, slice1shift_search_out : natural_16777215_1d(0 to 2);
   -- slice1cost
   signal slice1cost_pixels_first_count : natural_3_3d(0 to 2, 0 to 4, 0 to 7);  -- slice1cost_pixels_first_#_#_count_#
   signal slice1cost_pixels_cost : natural_24_2d(0 to 2, 0 to 4);
@@ -256,25 +281,22 @@ architecture rtl of stereo_core_tiny_trellis is
   -- slice2
   signal slice2_held_0 : natural_13_1d(0 to 1);
   -- entry
-  signal entry_next_cost : natural_13_1d(0 to 11);
-  signal entry_cost : natural_13_1d(0 to 11);
-  signal entry_next_tag_valid, entry_next_tag_map_column, entry_next_tag_first_column : boolean;
-  signal entry_next_tag_end_of_line, entry_next_top, entry_order_falls, entry_order_inside : boolean;
-  signal entry_order_complete, entry_order_output, entry_order_held_output, entry_order_turned_output_column : boolean;
-  signal entry_order_turned_start_of_frame, entry_tag_valid, entry_tag_map_column, entry_tag_first_column : boolean;
-  signal entry_tag_end_of_line, entry_turned_output_column, entry_turned_start_of_frame : boolean;
+  signal entry_next_cost, entry_cost : natural_13_1d(0 to 11);
+  signal entry_next_tag : tag_4;
+  signal entry_next_top, entry_order_falls, entry_order_inside, entry_order_complete, entry_order_output : boolean;
+  signal entry_order_held_output, entry_order_turned_output_column, entry_order_turned_start_of_frame : boolean;
+  signal entry_tag : tag_4;
+  signal entry_turned_output_column, entry_turned_start_of_frame : boolean;
   signal entry_order_address, entry_place : natural range 0 to 31;
   -- forward
   signal forward_next_cost : natural_13_1d(0 to 11);
   signal forward_next_first : boolean;
   signal forward_far : boolean_1d(0 to 5);
   signal forward_pair_cost : natural_31_1d(0 to 11);
-  signal forward_path : natural_511_1d(0 to 11);
-  signal forward_stayed : natural_511_1d(0 to 11);
+  signal forward_path, forward_stayed : natural_511_1d(0 to 11);
   signal forward_occluding : natural_511_1d(0 to 10);
   signal forward_dropped : natural_511_1d(0 to 11);
-  signal forward_decision_0 : natural range 0 to 2;
-  signal forward_decision : natural_3_1d(1 to 11);
+  signal forward_decision : natural_3_1d(0 to 11);  -- forward_decision_# up to 2, 3 x 11
   -- decisions
   signal decisions_read_words_0 : unsigned(23 downto 0);
   signal decisions_ready_decision : natural_3_1d(0 to 11);
@@ -286,47 +308,39 @@ architecture rtl of stereo_core_tiny_trellis is
   -- last
   signal last_tags_held_end_of_line : boolean_1d(0 to 2);  -- last_tags_held_#_end_of_line
   signal last_tags_held_map_column : boolean_1d(1 to 2);  -- last_tags_held_#_map_column
-  signal last_tags_moved, last_tag_valid, last_tag_map_column, last_tag_end_of_line : boolean;
-  signal last_path_0_0 : natural range 0 to 256;
-  signal last_path_0 : natural_511_1d(1 to 11);
+  signal last_tags_moved : boolean;
+  signal last_tag : tag_3;
+  signal last_path_0 : natural_511_1d(0 to 11);  -- last_path_0_# up to 256, 511 x 11
   signal last_state : natural range 0 to 11;
   -- lastwinner1
   signal lastwinner1_best_cost_0 : natural_511_1d(0 to 5);
-  signal lastwinner1_best_index_0_0, lastwinner1_tag_valid, lastwinner1_tag_map_column : boolean;
-  signal lastwinner1_tag_end_of_line : boolean;
-  signal lastwinner1_best_index_0_1 : natural range 0 to 3;
-  signal lastwinner1_best_index_0_2 : natural range 0 to 5;
-  signal lastwinner1_best_index_0_3 : natural range 0 to 7;
-  signal lastwinner1_best_index_0_4 : natural range 0 to 9;
-  signal lastwinner1_best_index_0_5 : natural range 0 to 11;
+  signal lastwinner1_best_index_0_0 : boolean;
+  signal lastwinner1_tag : tag_3;
+  signal lastwinner1_best_index_0 : natural_11_1d(1 to 5);  -- lastwinner1_best_index_0_# up to 3, 5 .. 11
   -- lastwinner2
   signal lastwinner2_best_cost_0 : natural_511_1d(0 to 2);
-  signal lastwinner2_best_index_0_0 : natural range 0 to 3;
-  signal lastwinner2_best_index_0_1 : natural range 0 to 7;
-  signal lastwinner2_best_index_0_2 : natural range 0 to 11;
-  signal lastwinner2_tag_valid, lastwinner2_tag_map_column, lastwinner2_tag_end_of_line : boolean;
+  signal lastwinner2_best_index_0 : natural_11_1d(0 to 2);  -- lastwinner2_best_index_0_# up to 3, 7, 11
+  signal lastwinner2_tag : tag_3;
   -- lastwinner3
   signal lastwinner3_best_cost_0 : natural_511_1d(0 to 1);
-  signal lastwinner3_best_index_0_0 : natural range 0 to 7;
-  signal lastwinner3_best_index_0_1 : natural range 0 to 11;
-  signal lastwinner3_tag_valid, lastwinner3_tag_map_column, lastwinner3_tag_end_of_line : boolean;
+  signal lastwinner3_best_index_0 : natural_11_1d(0 to 1);  -- lastwinner3_best_index_0_# up to 7, 11
+  signal lastwinner3_tag : tag_3;
   -- lastwinner4
   signal lastwinner4_best_index_0_0 : natural range 0 to 11;
-  signal lastwinner4_tag_valid, lastwinner4_tag_map_column, lastwinner4_tag_end_of_line : boolean;
+  signal lastwinner4_tag : tag_3;
   -- traceback
   signal traceback_state, traceback_out_disparity_0 : natural range 0 to 255;
   signal traceback_decision, traceback_falling : natural range 0 to 3;
   signal traceback_tags_held_output_column : boolean_1d(0 to 1);  -- traceback_tags_held_#_output_column
   signal traceback_tags_held_start_of_frame : boolean_1d(0 to 1);  -- traceback_tags_held_#_start_of_frame
-  signal traceback_out_passed_0, traceback_out_tag_map_column, traceback_out_tag_output_column : boolean;
-  signal traceback_out_tag_start_of_frame, traceback_out_tag_end_of_line : boolean;
+  signal traceback_out_passed_0 : boolean;
+  signal traceback_out_tag : tag_4_b;
   -- turn
   signal turn_order_address, turn_write_place : natural range 0 to 31;
   signal turn_order_falls, turn_order_inside, turn_order_complete, turn_order_output, turn_order_first : boolean;
   signal turn_order_held_output, turn_order_turned_map_column, turn_order_turned_output_column : boolean;
-  signal turn_order_turned_first_column, turn_comes, turn_read_tag_map_column, turn_read_tag_output_column : boolean;
-  signal turn_read_tag_first_column, turn_ready_tag_map_column, turn_ready_tag_output_column : boolean;
-  signal turn_ready_tag_first_column : boolean;
+  signal turn_order_turned_first_column, turn_comes : boolean;
+  signal turn_read_tag, turn_ready_tag : tag_3_b;
   signal turn_newest, turn_write_words_0, turn_ready : natural range 0 to 511;
   signal turn_read_words_0 : unsigned(8 downto 0);
   -- fill
@@ -334,36 +348,6 @@ architecture rtl of stereo_core_tiny_trellis is
   signal fill_out_passed_0, fill_out_tag_output_column : boolean;
   -- other
   signal other : natural_257_1d(0 to 3);
-  signal transform_left_rows_read_words_0_memory_read_enable : boolean;
-  signal transform_left_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal transform_right_rows_read_words_0_memory_read_enable : boolean;
-  signal transform_right_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal turn_read_words_0_memory_read_enable : boolean;
-  signal turn_read_words_0_memory_read_address, turn_read_words_0_memory_write_address : unsigned(4 downto 0);
-  signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
-  signal decisions_read_words_0_memory_read_enable : boolean;
-  signal decisions_read_words_0_memory_read_address, decisions_read_words_0_memory_write_address : unsigned(4 downto 0);
-  signal decisions_read_words_0_memory_write_data : unsigned(23 downto 0);
-  signal rows_search_rows_read_words_1_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_1_memory_read_address : unsigned(5 downto 0);
-  signal rows_search_rows_read_words_1_memory_write_address : unsigned(5 downto 0);
-  signal rows_search_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
-  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
-  signal rows_reference_rows_read_words_1_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_1_memory_read_address : unsigned(5 downto 0);
-  signal rows_reference_rows_read_words_1_memory_write_address : unsigned(5 downto 0);
-  signal rows_reference_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
-  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
 
 begin
   in_valid <= valid = '1';
@@ -372,131 +356,108 @@ begin
   in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
   disparity <= std_logic_vector(to_unsigned(fill_out_disparity_0, 8));
   pixel_valid <= std_logic_vector(to_unsigned(as_number(fill_out_passed_0), 1));
-  disparity_valid <= as_bit(lastwinner4_tag_valid and fill_out_tag_output_column);
-  disparity_start_of_frame <= as_bit(((other(1) mod 2) = 1) and lastwinner4_tag_valid and fill_out_tag_output_column);
-  disparity_end_of_line <= as_bit(((other(1) / 256) = 1) and lastwinner4_tag_valid and fill_out_tag_output_column);
+  disparity_valid <= as_bit(lastwinner4_tag.valid and fill_out_tag_output_column);
+  disparity_start_of_frame <= as_bit(((other(1) mod 2) = 1) and lastwinner4_tag.valid and fill_out_tag_output_column);
+  disparity_end_of_line <= as_bit(((other(1) / 256) = 1) and lastwinner4_tag.valid and fill_out_tag_output_column);
 
-  transform_left_rows_read_words_0_memory_read_enable <= true;
-  transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 6);
-  transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 6);
-  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
-  transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32, address_bits => 6)
-    port map (
-      clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
-      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words_0,
-      write_address => transform_left_rows_read_words_0_memory_write_address, write_data => transform_left_rows_read_words_0_memory_write_data);
+  transform_left_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(5 downto 0);
+  begin
+    read_address <= to_unsigned(transform_counter_column, 6);
+    write_address <= to_unsigned(transform_write_column, 6);
+    cell : entity work.line_memory
+      generic map (depth => 40, width => 32, address_bits => 6)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        transform_left_rows_read_words_0, write_address => write_address, write_data =>
+        transform_left_rows_write_words_0);
+  end block;
 
-  transform_right_rows_read_words_0_memory_read_enable <= true;
-  transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 6);
-  transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 6);
-  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
-  transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32, address_bits => 6)
-    port map (
-      clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
-      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words_0,
-      write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
+  transform_right_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(5 downto 0);
+  begin
+    read_address <= to_unsigned(transform_counter_column, 6);
+    write_address <= to_unsigned(transform_write_column, 6);
+    cell : entity work.line_memory
+      generic map (depth => 40, width => 32, address_bits => 6)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        transform_right_rows_read_words_0, write_address => write_address, write_data =>
+        transform_right_rows_write_words_0);
+  end block;
 
-  turn_read_words_0_memory_read_enable <= true;
-  turn_read_words_0_memory_read_address <= to_unsigned(turn_order_address, 5);
-  turn_read_words_0_memory_write_address <= to_unsigned(turn_write_place, 5);
-  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 9);
-  turn_read_words_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 9, address_bits => 5)
-    port map (
-      clock => clock, read_enable => turn_read_words_0_memory_read_enable,
-      read_address => turn_read_words_0_memory_read_address, read_data => turn_read_words_0,
-      write_address => turn_read_words_0_memory_write_address, write_data => turn_read_words_0_memory_write_data);
+  turn_read_words_0_memory : block
+    signal read_address, write_address : unsigned(4 downto 0);
+    signal write_data : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(turn_order_address, 5);
+    write_address <= to_unsigned(turn_write_place, 5);
+    write_data <= to_unsigned(turn_write_words_0, 9);
+    cell : entity work.line_memory
+      generic map (depth => 29, width => 9, address_bits => 5)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => turn_read_words_0,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  decisions_read_words_0_memory_read_enable <= true;
-  decisions_read_words_0_memory_read_address <= to_unsigned(entry_order_address, 5);
-  decisions_read_words_0_memory_write_address <= to_unsigned(decisions_write_place, 5);
-  decisions_read_words_0_memory_write_data <= to_unsigned(decisions_write_words_0, 24);
-  decisions_read_words_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 24, address_bits => 5)
-    port map (
-      clock => clock, read_enable => decisions_read_words_0_memory_read_enable,
-      read_address => decisions_read_words_0_memory_read_address, read_data => decisions_read_words_0,
-      write_address => decisions_read_words_0_memory_write_address, write_data => decisions_read_words_0_memory_write_data);
+  decisions_read_words_0_memory : block
+    signal read_address, write_address : unsigned(4 downto 0);
+    signal write_data : unsigned(23 downto 0);
+  begin
+    read_address <= to_unsigned(entry_order_address, 5);
+    write_address <= to_unsigned(decisions_write_place, 5);
+    write_data <= to_unsigned(decisions_write_words_0, 24);
+    cell : entity work.line_memory
+      generic map (depth => 29, width => 24, address_bits => 5)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => decisions_read_words_0,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  rows_search_rows_read_words_1_memory_read_enable <= true;
-  rows_search_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 6);
-  rows_search_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 6);
-  rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words(1), 24);
-  rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 40, width => 24, address_bits => 6)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_1_memory_read_enable,
-      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words(1),
-      write_address => rows_search_rows_read_words_1_memory_write_address, write_data => rows_search_rows_read_words_1_memory_write_data);
+  rows_search_rows_read_words_memory : for i in 1 downto 0 generate
+    signal read_address, write_address : unsigned(5 downto 0);
+    signal write_data : unsigned(23 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 6);
+    write_address <= to_unsigned(rows_write_column, 6);
+    write_data <= to_unsigned(rows_search_rows_write_words(i), 24);
+    cell : entity work.line_memory
+      generic map (depth => 40, width => 24, address_bits => 6)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_search_rows_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  rows_search_rows_read_words_0_memory_read_enable <= true;
-  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 6);
-  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 6);
-  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words(0), 24);
-  rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 24, address_bits => 6)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
-      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words(0),
-      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
-
-  rows_reference_rows_read_words_1_memory_read_enable <= true;
-  rows_reference_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 6);
-  rows_reference_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 6);
-  rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words(1), 24);
-  rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 40, width => 24, address_bits => 6)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_1_memory_read_enable,
-      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words(1),
-      write_address => rows_reference_rows_read_words_1_memory_write_address, write_data => rows_reference_rows_read_words_1_memory_write_data);
-
-  rows_reference_rows_read_words_0_memory_read_enable <= true;
-  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 6);
-  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 6);
-  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words(0), 24);
-  rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 24, address_bits => 6)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
-      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words(0),
-      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
+  rows_reference_rows_read_words_memory : for i in 1 downto 0 generate
+    signal read_address, write_address : unsigned(5 downto 0);
+    signal write_data : unsigned(23 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 6);
+    write_address <= to_unsigned(rows_write_column, 6);
+    write_data <= to_unsigned(rows_reference_rows_write_words(i), 24);
+    cell : entity work.line_memory
+      generic map (depth => 40, width => 24, address_bits => 6)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_reference_rows_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
 
   process (clock)
-    variable transform_counter_group_is_equal : boolean;
-    variable transform_counter_group_is_equals : boolean_1d(2 to 3);  -- transform_counter_group_is_equal_#
-    variable transform_counter_group_all, transform_read_column_inside_1_is_equal : boolean;
-    variable transform_read_column_inside_1_is_equal_2, transform_read_column_inside_1_choice : boolean;
-    variable transform_read_column_inside_1_differs, transform_read_column_inside_3_choice : boolean;
-    variable transform_read_column_inside_3_choice_2, transform_left_filter_feature_0_value : boolean;
-    variable transform_left_filter_feature_0_any, transform_left_filter_feature_0_choice : boolean;
+    variable transform_counter_group_is_equals : boolean_1d(1 to 3);  -- transform_counter_group_is_equal_#
+    variable transform_counter_group_all : boolean;
+    variable transform_read_column_inside_1_is_equals : boolean_1d(1 to 2);  -- transform_read_column_inside_1_is_equal_#
+    variable transform_read_column_inside_choice : boolean_2d(1 to 3, 1 to 2);  -- transform_read_column_inside_#_choice_#
+    variable transform_read_column_inside_1_differs : boolean;
+    variable transform_left_filter_feature_0_values : boolean_1d(1 to 11);  -- transform_left_filter_feature_0_value_#
+    variable transform_left_filter_feature_0_any : boolean;
+    variable transform_left_filter_feature_0_choices : boolean_1d(1 to 192);  -- transform_left_filter_feature_0_choice_#
     variable transform_left_filter_feature_0_is_equal : boolean;
-    variable transform_left_filter_feature_0_choices : boolean_1d(2 to 192);  -- transform_left_filter_feature_0_choice_#
-    variable transform_left_filter_feature_0_values : boolean_1d(2 to 11);  -- transform_left_filter_feature_0_value_#
-    variable transform_right_filter_feature_0_value, transform_right_filter_feature_0_any : boolean;
-    variable transform_right_filter_feature_0_choice, transform_right_filter_feature_0_is_equal : boolean;
-    variable transform_right_filter_feature_0_choices : boolean_1d(2 to 192);  -- transform_right_filter_feature_0_choice_#
-    variable transform_right_filter_feature_0_values : boolean_1d(2 to 11);  -- transform_right_filter_feature_0_value_#
-    variable transform_counter_next_frame_choice, raster_place_group_is_equal : boolean;
-    variable raster_place_group_is_equals : boolean_1d(2 to 3);  -- raster_place_group_is_equal_#
-    variable raster_place_group_all, raster_place_group_choice_2, raster_place_next_frame_choice : boolean;
-    variable raster_place_next_frame_choices : boolean_1d(2 to 4);  -- raster_place_next_frame_choice_#
+    variable transform_right_filter_feature_0_values : boolean_1d(1 to 11);  -- transform_right_filter_feature_0_value_#
+    variable transform_right_filter_feature_0_any : boolean;
+    variable transform_right_filter_feature_0_choices : boolean_1d(1 to 192);  -- transform_right_filter_feature_0_choice_#
+    variable transform_right_filter_feature_0_is_equal, transform_counter_next_frame_choice : boolean;
+    variable raster_place_group_is_equals : boolean_1d(1 to 3);  -- raster_place_group_is_equal_#
+    variable raster_place_group_all, raster_place_group_choice_2 : boolean;
+    variable raster_place_next_frame_choices : boolean_1d(1 to 4);  -- raster_place_next_frame_choice_#
     variable delay_row_inside_1_is_not_less, delay_row_inside_1_is_less, delay_tag_first_cost_is_equal : boolean;
     variable delay_tag_map_column_is_not_less, delay_tag_map_column_is_less : boolean;
-    variable slice0cost_pixels_first_0_count_value : boolean_2d(0 to 2, 0 to 7);  -- slice0cost_pixels_first_#_0_count_#_value
-    variable slice0cost_pixels_first_0_count_value_2 : boolean_2d(0 to 2, 0 to 7);  -- slice0cost_pixels_first_#_0_count_#_value_2
-    variable slice0cost_pixels_first_0_count_1_value_3 : boolean_1d(0 to 2);  -- slice0cost_pixels_first_#_0_count_1_value_3
-    variable slice0cost_pixels_first_0_count_value_3 : boolean_2d(0 to 2, 3 to 6);  -- slice0cost_pixels_first_#_0_count_#_value_3
-    variable slice1cost_pixels_first_0_count_value : boolean_2d(0 to 2, 0 to 7);  -- slice1cost_pixels_first_#_0_count_#_value
-    variable slice1cost_pixels_first_0_count_value_2 : boolean_2d(0 to 2, 0 to 7);  -- slice1cost_pixels_first_#_0_count_#_value_2
-    variable slice1cost_pixels_first_0_count_1_value_3 : boolean_1d(0 to 2);  -- slice1cost_pixels_first_#_0_count_1_value_3
-    variable slice1cost_pixels_first_0_count_value_3 : boolean_2d(0 to 2, 3 to 6);  -- slice1cost_pixels_first_#_0_count_#_value_3
-    variable slice2cost_pixels_first_0_count_value : boolean_2d(0 to 2, 0 to 7);  -- slice2cost_pixels_first_#_0_count_#_value
-    variable slice2cost_pixels_first_0_count_value_2 : boolean_2d(0 to 2, 0 to 7);  -- slice2cost_pixels_first_#_0_count_#_value_2
-    variable slice2cost_pixels_first_0_count_1_value_3 : boolean_1d(0 to 2);  -- slice2cost_pixels_first_#_0_count_1_value_3
-    variable slice2cost_pixels_first_0_count_value_3 : boolean_2d(0 to 2, 3 to 6);  -- slice2cost_pixels_first_#_0_count_#_value_3
+    variable slice0cost_pixels_first_0_count_value : boolean_3d(0 to 2, 0 to 7, 1 to 3);  -- slice0cost_pixels_first_#_0_count_#_value_#
+    variable slice1cost_pixels_first_0_count_value : boolean_3d(0 to 2, 0 to 7, 1 to 3);  -- slice1cost_pixels_first_#_0_count_#_value_#
+    variable slice2cost_pixels_first_0_count_value : boolean_3d(0 to 2, 0 to 7, 1 to 3);  -- slice2cost_pixels_first_#_0_count_#_value_#
     variable entry_order_falls_any, entry_order_falls_all, entry_order_complete_any : boolean;
     variable entry_order_turned_output_column_choice : boolean;
     variable forward_path_value : boolean_1d(0 to 11);  -- forward_path_#_value
@@ -507,15 +468,14 @@ begin
     variable decisions_write_words_0_all : boolean;
     variable lastwinner1_best_cost_0_is_less : boolean_1d(0 to 5);  -- lastwinner1_best_cost_0_#_is_less
     variable lastwinner2_best_cost_0_is_less : boolean_1d(0 to 2);  -- lastwinner2_best_cost_0_#_is_less
-    variable lastwinner3_best_cost_0_0_is_less, traceback_state_is_equal : boolean;
-    variable traceback_state_is_equals : boolean_1d(2 to 3);  -- traceback_state_is_equal_#
-    variable traceback_state_all, traceback_decision_value : boolean;
-    variable traceback_decision_values : boolean_1d(2 to 3);  -- traceback_decision_value_#
-    variable turn_order_address_any, turn_order_address_any_2, turn_order_falls_all, turn_order_complete_all : boolean;
-    variable turn_order_turned_output_column_choice : boolean;
+    variable lastwinner3_best_cost_0_0_is_less : boolean;
+    variable traceback_state_is_equals : boolean_1d(1 to 3);  -- traceback_state_is_equal_#
+    variable traceback_state_all : boolean;
+    variable traceback_decision_values : boolean_1d(1 to 3);  -- traceback_decision_value_#
+    variable turn_order_address_anys : boolean_1d(1 to 2);  -- turn_order_address_any_#
+    variable turn_order_falls_all, turn_order_complete_all, turn_order_turned_output_column_choice : boolean;
     variable transform_counter_group_choice, raster_place_group_choice : natural range 0 to 3;
-    variable traceback_decision_choice : natural range 0 to 3;
-    variable traceback_decision_choices : natural_3_1d(2 to 41);  -- traceback_decision_choice_#
+    variable traceback_decision_choices : natural_3_1d(1 to 41);  -- traceback_decision_choice_#
     variable transform_counter_group_choices : natural_15_1d(2 to 3);  -- transform_counter_group_choice_#
     variable raster_place_group_choices : natural_15_1d(3 to 4);  -- raster_place_group_choice_#
     variable transform_left_filter_feature_0_choice_193 : natural range 0 to 31;
@@ -529,1008 +489,460 @@ begin
     variable entry_order_address_choice, turn_order_address_choice : natural range 1 to 31;
     variable entry_order_address_choice_2, turn_order_address_choice_2 : natural range 0 to 7;
     variable forward_pair_cost_sum : natural_26_1d(0 to 11);  -- forward_pair_cost_#_sum
-    variable forward_path_choice : natural_511_1d(0 to 11);  -- forward_path_#_choice
-    variable forward_path_0_choice_2 : natural range 0 to 511;
-    variable forward_path_choices : natural_511_2d(1 to 11, 2 to 3);  -- forward_path_#_choice_#
+    variable forward_path_choice : natural_511_2d(0 to 11, 1 to 3);  -- forward_path_#_choice_#
     variable forward_dropped_choice : natural_511_1d(0 to 5);  -- forward_dropped_#_choice
-    variable forward_decision_choice : natural_1_to_2_1d(0 to 5);  -- forward_decision_#_choice
+    variable forward_decision_0_choice, forward_decision_1_choice, forward_decision_2_choice : natural range 1 to 2;
+    variable forward_decision_3_choice, forward_decision_4_choice, forward_decision_5_choice : natural range 1 to 2;
     variable forward_decision_choice_2 : natural_2_1d(1 to 5);  -- forward_decision_#_choice_2
     variable last_path_0_2_difference : integer range -255 to 256;
     variable traceback_state_sum : natural range 1 to 256;
     variable traceback_state_sum_2 : natural range 3 to 130;
     variable traceback_state_sum_3 : natural range 255 to 510;
-    variable traceback_state_choice : natural range 0 to 255;
-    variable traceback_state_choices : natural_255_1d(2 to 3);  -- traceback_state_choice_#
+    variable traceback_state_choices : natural_255_1d(1 to 3);  -- traceback_state_choice_#
     variable fill_out_disparity_0_choice : natural range 0 to 255;
   begin
     if rising_edge(clock) then
+      -- no bit without a value, where an array has places for more
+      transform_read_column_inside_choice := (others => (others => false));
+      slice0cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice1cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice2cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      forward_path_choice := (others => (others => 0));
       -- transform
-      transform_counter_group_is_equal := transform_counter_column = 39;
+      transform_counter_group_is_equals(1) := transform_counter_column = 39;
       transform_counter_group_is_equals(2) := transform_counter_group = 11;
-      transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equals(2);
-      if transform_counter_group_all then
-        transform_counter_group_choice := 3;
-      else
-        transform_counter_group_choice := 0;
-      end if;
+      transform_counter_group_all := transform_counter_group_is_equals(1) and transform_counter_group_is_equals(2);
+      transform_counter_group_choice := choice(transform_counter_group_all, 3, 0);
       transform_counter_group_is_equals(3) := transform_counter_group = 13;
-      if transform_counter_next_frame and transform_counter_group_is_equals(3) then
-        transform_counter_group_choices(2) := 2;
-      else
-        transform_counter_group_choices(2) := (transform_counter_group + 1) mod 16;
-      end if;
-      if (transform_counter_group /= 14) and transform_counter_group_is_equal and in_valid then
-        transform_counter_group_choices(3) := transform_counter_group_choices(2);
-      else
-        transform_counter_group_choices(3) := transform_counter_group;
-      end if;
-      transform_read_column_inside_1_is_equal := (transform_counter_column / 4) = 0;
-      transform_read_column_inside_1_is_equal_2 := (transform_counter_column / 2) = 0;
-      if transform_read_column_inside_1_is_equal_2 then
-        transform_read_column_inside_1_choice := (transform_counter_column mod 4) = 0;
-      else
-        transform_read_column_inside_1_choice := is_set(transform_counter_column, 0) or
-          is_set(transform_counter_column, 1);
-      end if;
+      transform_counter_group_choices(2) := choice(transform_counter_next_frame and
+        transform_counter_group_is_equals(3), 2, (transform_counter_group + 1) mod 16);
+      transform_counter_group_choices(3) := choice((transform_counter_group /= 14) and
+        transform_counter_group_is_equals(1) and in_valid, transform_counter_group_choices(2), transform_counter_group);
+      transform_read_column_inside_1_is_equals(1) := (transform_counter_column / 4) = 0;
+      transform_read_column_inside_1_is_equals(2) := (transform_counter_column / 2) = 0;
+      transform_read_column_inside_choice(1, 1) := choice(transform_read_column_inside_1_is_equals(2),
+        (transform_counter_column mod 4) = 0, is_set(transform_counter_column, 0) or is_set(transform_counter_column,
+        1));
       transform_read_column_inside_1_differs := (transform_counter_column / 2) /= 0;
-      if is_set(transform_counter_column, 0) then
-        transform_read_column_inside_3_choice := ((transform_counter_column / 2) mod 8) = 0;
-      else
-        transform_read_column_inside_3_choice := ((transform_counter_column / 4) mod 4) = 0;
-      end if;
-      if transform_read_column_inside_1_is_equal_2 then
-        transform_read_column_inside_3_choice_2 := (transform_counter_column / 16) = 0;
-      else
-        transform_read_column_inside_3_choice_2 := is_set(transform_counter_column, 5) or
-          is_set(transform_counter_column, 4);
-      end if;
-      transform_left_filter_feature_0_value := is_set(transform_left_filter_column(2, 2), 1);
-      transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_value) or (not
+      transform_read_column_inside_choice(3, 1) := choice(is_set(transform_counter_column, 0),
+        ((transform_counter_column / 2) mod 8) = 0, ((transform_counter_column / 4) mod 4) = 0);
+      transform_read_column_inside_choice(3, 2) := choice(transform_read_column_inside_1_is_equals(2),
+        (transform_counter_column / 16) = 0, is_set(transform_counter_column, 5) or is_set(transform_counter_column,
+        4));
+      transform_left_filter_feature_0_values(1) := is_set(transform_left_filter_column(2, 2), 1);
+      transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_values(1)) or (not
         is_set(transform_left_filter_column(2, 2), 0));
-      if is_set(transform_left_filter_column(4, 0), 0) then
-        transform_left_filter_feature_0_choice := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice := not transform_left_filter_feature_0_value;
-      end if;
+      transform_left_filter_feature_0_choices(1) := choice(is_set(transform_left_filter_column(4, 0), 0),
+        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
       transform_left_filter_feature_0_is_equal := (transform_left_filter_column(2, 2) mod 4) = 0;
-      if is_set(transform_left_filter_column(4, 0), 1) then
-        transform_left_filter_feature_0_choices(2) := transform_left_filter_feature_0_choice;
-      else
-        transform_left_filter_feature_0_choices(2) := is_set(transform_left_filter_column(4, 0), 0) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
+      transform_left_filter_feature_0_choices(2) := choice(is_set(transform_left_filter_column(4, 0), 1),
+        transform_left_filter_feature_0_choices(1), is_set(transform_left_filter_column(4, 0), 0) and
+        transform_left_filter_feature_0_is_equal);
       transform_left_filter_feature_0_values(2) := is_set(transform_left_filter_column(2, 2), 2);
-      if transform_left_filter_feature_0_choices(2) then
-        transform_left_filter_feature_0_choices(3) := (not is_set(transform_left_filter_column(4, 0), 2)) and
-          transform_left_filter_feature_0_values(2);
-      else
-        transform_left_filter_feature_0_choices(3) := (not is_set(transform_left_filter_column(4, 0), 2)) or
-          transform_left_filter_feature_0_values(2);
-      end if;
+      transform_left_filter_feature_0_choices(3) := inverted_carry(transform_left_filter_feature_0_choices(2), not
+        is_set(transform_left_filter_column(4, 0), 2), transform_left_filter_feature_0_values(2));
       for i in 3 to 6 loop
         transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(2, 2), i);
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(4, 0), i)) or
-            transform_left_filter_feature_0_values(i);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(4, 0), i)) and
-            transform_left_filter_feature_0_values(i);
-        end if;
+        transform_left_filter_feature_0_choices(i + 1) := carry(transform_left_filter_feature_0_choices(i), not
+          is_set(transform_left_filter_column(4, 0), i), transform_left_filter_feature_0_values(i));
       end loop;
       for i in 0 to 3 loop
-        if transform_left_filter_feature_0_choices(8 * i + 7) then
-          transform_left_filter_feature_0_choices(8 * i + 8) := is_set(transform_left_filter_column(4, i), 7) and (not
-            is_set(transform_left_filter_column(2, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 8) := is_set(transform_left_filter_column(4, i), 7) or (not
-            is_set(transform_left_filter_column(2, 2), 7));
-        end if;
-        if is_set(transform_left_filter_column(4, i + 1), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 9) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 9) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(4, i + 1), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 10) := transform_left_filter_feature_0_choices(8 * i + 9);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 10) := is_set(transform_left_filter_column(4, i + 1), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 10) then
-          transform_left_filter_feature_0_choices(8 * i + 11) := (not is_set(transform_left_filter_column(4, i + 1),
-            2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 11) := (not is_set(transform_left_filter_column(4, i + 1),
-            2)) or transform_left_filter_feature_0_values(2);
-        end if;
+        transform_left_filter_feature_0_choices(8 * i + 8) := inverted_carry(transform_left_filter_feature_0_choices(8
+          * i + 7), is_set(transform_left_filter_column(4, i), 7), not is_set(transform_left_filter_column(2, 2), 7));
+        transform_left_filter_feature_0_choices(8 * i + 9) := choice(is_set(transform_left_filter_column(4, i + 1), 0),
+          transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(8 * i + 10) := choice(is_set(transform_left_filter_column(4, i + 1),
+          1), transform_left_filter_feature_0_choices(8 * i + 9), is_set(transform_left_filter_column(4, i + 1), 0) and
+          transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(8 * i + 11) := inverted_carry(transform_left_filter_feature_0_choices(8
+          * i + 10), not is_set(transform_left_filter_column(4, i + 1), 2), transform_left_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 8) then
-            transform_left_filter_feature_0_choices(8 * i + j + 9) := (not is_set(transform_left_filter_column(4, i +
-              1), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 9) := (not is_set(transform_left_filter_column(4, i +
-              1), j)) and transform_left_filter_feature_0_values(j);
-          end if;
+          transform_left_filter_feature_0_choices(8 * i + j + 9) := carry(transform_left_filter_feature_0_choices(8 * i
+            + j + 8), not is_set(transform_left_filter_column(4, i + 1), j), transform_left_filter_feature_0_values(j));
         end loop;
+      end loop;
+      transform_left_filter_feature_0_choices(40) := inverted_carry(transform_left_filter_feature_0_choices(39),
+        is_set(transform_left_filter_column(4, 4), 7), not is_set(transform_left_filter_column(2, 2), 7));
+      for i in 0 to 4 loop
+        transform_left_filter_feature_0_choices(8 * i + 41) := choice(is_set(transform_left_filter_column(3, i), 0),
+          transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(8 * i + 42) := choice(is_set(transform_left_filter_column(3, i), 1),
+          transform_left_filter_feature_0_choices(8 * i + 41), is_set(transform_left_filter_column(3, i), 0) and
+          transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(8 * i + 43) := inverted_carry(transform_left_filter_feature_0_choices(8
+          * i + 42), not is_set(transform_left_filter_column(3, i), 2), transform_left_filter_feature_0_values(2));
+        for j in 3 to 6 loop
+          transform_left_filter_feature_0_choices(8 * i + j + 41) := carry(transform_left_filter_feature_0_choices(8 *
+            i + j + 40), not is_set(transform_left_filter_column(3, i), j), transform_left_filter_feature_0_values(j));
+        end loop;
+        transform_left_filter_feature_0_choices(8 * i + 48) := inverted_carry(transform_left_filter_feature_0_choices(8
+          * i + 47), is_set(transform_left_filter_column(3, i), 7), not is_set(transform_left_filter_column(2, 2), 7));
+      end loop;
+      transform_left_filter_feature_0_choices(81) := choice(is_set(transform_left_filter_column(2, 4), 0),
+        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(82) := choice(is_set(transform_left_filter_column(2, 4), 1),
+        transform_left_filter_feature_0_choices(81), is_set(transform_left_filter_column(2, 4), 0) and
+        transform_left_filter_feature_0_is_equal);
+      transform_left_filter_feature_0_choices(83) := inverted_carry(transform_left_filter_feature_0_choices(82), not
+        is_set(transform_left_filter_column(2, 4), 2), transform_left_filter_feature_0_values(2));
+      for i in 84 to 87 loop
+        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
+          is_set(transform_left_filter_column(2, 4), i - 81), transform_left_filter_feature_0_values(i - 81));
+      end loop;
+      transform_left_filter_feature_0_choices(88) := choice(transform_left_filter_feature_0_choices(87),
+        transform_filtering_0_column_inside(2) and is_set(transform_left_filter_column(2, 4), 7) and (not
+        is_set(transform_left_filter_column(2, 2), 7)), transform_filtering_0_column_inside(2) and
+        (is_set(transform_left_filter_column(2, 4), 7) or (not is_set(transform_left_filter_column(2, 2), 7))));
+      for i in 0 to 1 loop
+        transform_left_filter_feature_0_choices(16 * i + 89) := choice(is_set(transform_left_filter_column(2, 1 - i),
+          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(16 * i + 90) := choice(is_set(transform_left_filter_column(2, 1 - i),
+          1), transform_left_filter_feature_0_choices(16 * i + 89), is_set(transform_left_filter_column(2, 1 - i), 0)
+          and transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(16 * i + 91) :=
+          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 90), not
+          is_set(transform_left_filter_column(2, 1 - i), 2), transform_left_filter_feature_0_values(2));
+        for j in 3 to 6 loop
+          transform_left_filter_feature_0_choices(16 * i + j + 89) := carry(transform_left_filter_feature_0_choices(16
+            * i + j + 88), not is_set(transform_left_filter_column(2, 1 - i), j),
+            transform_left_filter_feature_0_values(j));
+        end loop;
+        transform_left_filter_feature_0_choices(16 * i + 96) :=
+          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 95), is_set(transform_left_filter_column(2, 1
+          - i), 7), not is_set(transform_left_filter_column(2, 2), 7));
+        transform_left_filter_feature_0_choices(16 * i + 97) := choice(is_set(transform_left_filter_column(2 - i, 3),
+          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(16 * i + 98) := choice(is_set(transform_left_filter_column(2 - i, 3),
+          1), transform_left_filter_feature_0_choices(16 * i + 97), is_set(transform_left_filter_column(2 - i, 3), 0)
+          and transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(16 * i + 99) :=
+          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 98), not
+          is_set(transform_left_filter_column(2 - i, 3), 2), transform_left_filter_feature_0_values(2));
+        for j in 3 to 6 loop
+          transform_left_filter_feature_0_choices(16 * i + j + 97) := carry(transform_left_filter_feature_0_choices(16
+            * i + j + 96), not is_set(transform_left_filter_column(2 - i, 3), j),
+            transform_left_filter_feature_0_values(j));
+        end loop;
+        transform_left_filter_feature_0_choices(16 * i + 104) :=
+          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 103), is_set(transform_left_filter_column(2 -
+          i, 3), 7), not is_set(transform_left_filter_column(2, 2), 7));
+      end loop;
+      transform_left_filter_feature_0_choices(121) := choice(is_set(transform_left_filter_column(1, 4), 0),
+        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(122) := choice(is_set(transform_left_filter_column(1, 4), 1),
+        transform_left_filter_feature_0_choices(121), is_set(transform_left_filter_column(1, 4), 0) and
+        transform_left_filter_feature_0_is_equal);
+      transform_left_filter_feature_0_choices(123) := inverted_carry(transform_left_filter_feature_0_choices(122), not
+        is_set(transform_left_filter_column(1, 4), 2), transform_left_filter_feature_0_values(2));
+      for i in 124 to 127 loop
+        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
+          is_set(transform_left_filter_column(1, 4), i - 121), transform_left_filter_feature_0_values(i - 121));
+      end loop;
+      transform_left_filter_feature_0_choices(128) := inverted_carry(transform_left_filter_feature_0_choices(127),
+        is_set(transform_left_filter_column(1, 4), 7), not is_set(transform_left_filter_column(2, 2), 7));
+      for i in 0 to 2 loop
+        transform_left_filter_feature_0_choices(8 * i + 129) := choice(is_set(transform_left_filter_column(1, 2 - i),
+          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(8 * i + 130) := choice(is_set(transform_left_filter_column(1, 2 - i),
+          1), transform_left_filter_feature_0_choices(8 * i + 129), is_set(transform_left_filter_column(1, 2 - i), 0)
+          and transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(8 * i + 131) :=
+          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 130), not
+          is_set(transform_left_filter_column(1, 2 - i), 2), transform_left_filter_feature_0_values(2));
+        for j in 3 to 6 loop
+          transform_left_filter_feature_0_choices(8 * i + j + 129) := carry(transform_left_filter_feature_0_choices(8 *
+            i + j + 128), not is_set(transform_left_filter_column(1, 2 - i), j),
+            transform_left_filter_feature_0_values(j));
+        end loop;
+        transform_left_filter_feature_0_choices(8 * i + 136) :=
+          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 135), is_set(transform_left_filter_column(1, 2
+          - i), 7), not is_set(transform_left_filter_column(2, 2), 7));
       end loop;
       for i in 0 to 1 loop
-        if transform_left_filter_feature_0_choices(8 * i + 39) then
-          transform_left_filter_feature_0_choices(8 * i + 40) := is_set(transform_left_filter_column(4 - i, 4 - 4 * i),
-            7) and (not is_set(transform_left_filter_column(2, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 40) := is_set(transform_left_filter_column(4 - i, 4 - 4 * i),
-            7) or (not is_set(transform_left_filter_column(2, 2), 7));
-        end if;
-        if is_set(transform_left_filter_column(3, i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 41) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 41) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(3, i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 42) := transform_left_filter_feature_0_choices(8 * i + 41);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 42) := is_set(transform_left_filter_column(3, i), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 42) then
-          transform_left_filter_feature_0_choices(8 * i + 43) := (not is_set(transform_left_filter_column(3, i), 2))
-            and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 43) := (not is_set(transform_left_filter_column(3, i), 2)) or
-            transform_left_filter_feature_0_values(2);
-        end if;
+        transform_left_filter_feature_0_choices(16 * i + 153) := choice(is_set(transform_left_filter_column(0, 3 - i),
+          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(16 * i + 154) := choice(is_set(transform_left_filter_column(0, 3 - i),
+          1), transform_left_filter_feature_0_choices(16 * i + 153), is_set(transform_left_filter_column(0, 3 - i), 0)
+          and transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(16 * i + 155) :=
+          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 154), not
+          is_set(transform_left_filter_column(0, 3 - i), 2), transform_left_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 40) then
-            transform_left_filter_feature_0_choices(8 * i + j + 41) := (not is_set(transform_left_filter_column(3, i),
-              j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 41) := (not is_set(transform_left_filter_column(3, i),
-              j)) and transform_left_filter_feature_0_values(j);
-          end if;
+          transform_left_filter_feature_0_choices(16 * i + j + 153) := carry(transform_left_filter_feature_0_choices(16
+            * i + j + 152), not is_set(transform_left_filter_column(0, 3 - i), j),
+            transform_left_filter_feature_0_values(j));
         end loop;
-      end loop;
-      for i in 1 to 3 loop
-        if transform_left_filter_feature_0_choices(8 * i + 47) then
-          transform_left_filter_feature_0_choices(8 * i + 48) := is_set(transform_left_filter_column(3, i), 7) and (not
-            is_set(transform_left_filter_column(2, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 48) := is_set(transform_left_filter_column(3, i), 7) or (not
-            is_set(transform_left_filter_column(2, 2), 7));
-        end if;
-        if is_set(transform_left_filter_column(3, i + 1), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 49) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 49) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(3, i + 1), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 50) := transform_left_filter_feature_0_choices(8 * i + 49);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 50) := is_set(transform_left_filter_column(3, i + 1), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 50) then
-          transform_left_filter_feature_0_choices(8 * i + 51) := (not is_set(transform_left_filter_column(3, i + 1),
-            2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 51) := (not is_set(transform_left_filter_column(3, i + 1),
-            2)) or transform_left_filter_feature_0_values(2);
-        end if;
+        transform_left_filter_feature_0_choices(16 * i + 160) :=
+          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 159), is_set(transform_left_filter_column(0,
+          3 - i), 7), not is_set(transform_left_filter_column(2, 2), 7));
+        transform_left_filter_feature_0_choices(16 * i + 161) := choice(is_set(transform_left_filter_column(0, 4 - 3 *
+          i), 0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(16 * i + 162) := choice(is_set(transform_left_filter_column(0, 4 - 3 *
+          i), 1), transform_left_filter_feature_0_choices(16 * i + 161), is_set(transform_left_filter_column(0, 4 - 3 *
+          i), 0) and transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(16 * i + 163) :=
+          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 162), not
+          is_set(transform_left_filter_column(0, 4 - 3 * i), 2), transform_left_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 48) then
-            transform_left_filter_feature_0_choices(8 * i + j + 49) := (not is_set(transform_left_filter_column(3, i +
-              1), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 49) := (not is_set(transform_left_filter_column(3, i +
-              1), j)) and transform_left_filter_feature_0_values(j);
-          end if;
+          transform_left_filter_feature_0_choices(16 * i + j + 161) := carry(transform_left_filter_feature_0_choices(16
+            * i + j + 160), not is_set(transform_left_filter_column(0, 4 - 3 * i), j),
+            transform_left_filter_feature_0_values(j));
         end loop;
+        transform_left_filter_feature_0_choices(16 * i + 168) :=
+          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 167), is_set(transform_left_filter_column(0,
+          4 - 3 * i), 7), not is_set(transform_left_filter_column(2, 2), 7));
       end loop;
-      if transform_left_filter_feature_0_choices(79) then
-        transform_left_filter_feature_0_choices(80) := is_set(transform_left_filter_column(3, 4), 7) and (not
-          is_set(transform_left_filter_column(2, 2), 7));
-      else
-        transform_left_filter_feature_0_choices(80) := is_set(transform_left_filter_column(3, 4), 7) or (not
-          is_set(transform_left_filter_column(2, 2), 7));
-      end if;
-      if is_set(transform_left_filter_column(2, 4), 0) then
-        transform_left_filter_feature_0_choices(81) := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choices(81) := not transform_left_filter_feature_0_value;
-      end if;
-      if is_set(transform_left_filter_column(2, 4), 1) then
-        transform_left_filter_feature_0_choices(82) := transform_left_filter_feature_0_choices(81);
-      else
-        transform_left_filter_feature_0_choices(82) := is_set(transform_left_filter_column(2, 4), 0) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choices(82) then
-        transform_left_filter_feature_0_choices(83) := (not is_set(transform_left_filter_column(2, 4), 2)) and
-          transform_left_filter_feature_0_values(2);
-      else
-        transform_left_filter_feature_0_choices(83) := (not is_set(transform_left_filter_column(2, 4), 2)) or
-          transform_left_filter_feature_0_values(2);
-      end if;
-      for i in 83 to 86 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(2, 4), i - 80)) or
-            transform_left_filter_feature_0_values(i - 80);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(2, 4), i - 80))
-            and transform_left_filter_feature_0_values(i - 80);
-        end if;
-      end loop;
-      if transform_left_filter_feature_0_choices(87) then
-        transform_left_filter_feature_0_choices(88) := transform_filtering_0_column_inside(2) and
-          is_set(transform_left_filter_column(2, 4), 7) and (not is_set(transform_left_filter_column(2, 2), 7));
-      else
-        transform_left_filter_feature_0_choices(88) := transform_filtering_0_column_inside(2) and
-          (is_set(transform_left_filter_column(2, 4), 7) or (not is_set(transform_left_filter_column(2, 2), 7)));
-      end if;
-      for i in 0 to 1 loop
-        if is_set(transform_left_filter_column(2, 2 * i + 1), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 89) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 89) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(2, 2 * i + 1), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 90) := transform_left_filter_feature_0_choices(8 * i + 89);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 90) := is_set(transform_left_filter_column(2, 2 * i + 1), 0)
-            and transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 90) then
-          transform_left_filter_feature_0_choices(8 * i + 91) := (not is_set(transform_left_filter_column(2, 2 * i +
-            1), 2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 91) := (not is_set(transform_left_filter_column(2, 2 * i +
-            1), 2)) or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 88) then
-            transform_left_filter_feature_0_choices(8 * i + j + 89) := (not is_set(transform_left_filter_column(2, 2 *
-              i + 1), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 89) := (not is_set(transform_left_filter_column(2, 2 *
-              i + 1), j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 95) then
-          transform_left_filter_feature_0_choices(8 * i + 96) := is_set(transform_left_filter_column(2, 2 * i + 1), 7)
-            and (not is_set(transform_left_filter_column(2, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 96) := is_set(transform_left_filter_column(2, 2 * i + 1), 7)
-            or (not is_set(transform_left_filter_column(2, 2), 7));
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_left_filter_column(2 - i, 3 * i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 105) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 105) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(2 - i, 3 * i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 106) := transform_left_filter_feature_0_choices(8 * i + 105);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 106) := is_set(transform_left_filter_column(2 - i, 3 * i), 0)
-            and transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 106) then
-          transform_left_filter_feature_0_choices(8 * i + 107) := (not is_set(transform_left_filter_column(2 - i, 3 *
-            i), 2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 107) := (not is_set(transform_left_filter_column(2 - i, 3 *
-            i), 2)) or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 104) then
-            transform_left_filter_feature_0_choices(8 * i + j + 105) := (not is_set(transform_left_filter_column(2 - i,
-              3 * i), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 105) := (not is_set(transform_left_filter_column(2 - i,
-              3 * i), j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 111) then
-          transform_left_filter_feature_0_choices(8 * i + 112) := is_set(transform_left_filter_column(2 - i, 3 * i), 7)
-            and (not is_set(transform_left_filter_column(2, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 112) := is_set(transform_left_filter_column(2 - i, 3 * i), 7)
-            or (not is_set(transform_left_filter_column(2, 2), 7));
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_left_filter_column(1, 4 - 2 * i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 121) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 121) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(1, 4 - 2 * i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 122) := transform_left_filter_feature_0_choices(8 * i + 121);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 122) := is_set(transform_left_filter_column(1, 4 - 2 * i), 0)
-            and transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 122) then
-          transform_left_filter_feature_0_choices(8 * i + 123) := (not is_set(transform_left_filter_column(1, 4 - 2 *
-            i), 2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 123) := (not is_set(transform_left_filter_column(1, 4 - 2 *
-            i), 2)) or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 120) then
-            transform_left_filter_feature_0_choices(8 * i + j + 121) := (not is_set(transform_left_filter_column(1, 4 -
-              2 * i), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 121) := (not is_set(transform_left_filter_column(1, 4 -
-              2 * i), j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 127) then
-          transform_left_filter_feature_0_choices(8 * i + 128) := is_set(transform_left_filter_column(1, 4 - 2 * i), 7)
-            and (not is_set(transform_left_filter_column(2, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 128) := is_set(transform_left_filter_column(1, 4 - 2 * i), 7)
-            or (not is_set(transform_left_filter_column(2, 2), 7));
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_left_filter_column(1, 1 - i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 137) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 137) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(1, 1 - i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 138) := transform_left_filter_feature_0_choices(8 * i + 137);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 138) := is_set(transform_left_filter_column(1, 1 - i), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 138) then
-          transform_left_filter_feature_0_choices(8 * i + 139) := (not is_set(transform_left_filter_column(1, 1 - i),
-            2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 139) := (not is_set(transform_left_filter_column(1, 1 - i),
-            2)) or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 136) then
-            transform_left_filter_feature_0_choices(8 * i + j + 137) := (not is_set(transform_left_filter_column(1, 1 -
-              i), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 137) := (not is_set(transform_left_filter_column(1, 1 -
-              i), j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 143) then
-          transform_left_filter_feature_0_choices(8 * i + 144) := is_set(transform_left_filter_column(1, 1 - i), 7) and
-            (not is_set(transform_left_filter_column(2, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 144) := is_set(transform_left_filter_column(1, 1 - i), 7) or
-            (not is_set(transform_left_filter_column(2, 2), 7));
-        end if;
-      end loop;
-      for i in 3 to 4 loop
-        if is_set(transform_left_filter_column(0, i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 129) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 129) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(0, i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 130) := transform_left_filter_feature_0_choices(8 * i + 129);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 130) := is_set(transform_left_filter_column(0, i), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 130) then
-          transform_left_filter_feature_0_choices(8 * i + 131) := (not is_set(transform_left_filter_column(0, i), 2))
-            and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 131) := (not is_set(transform_left_filter_column(0, i), 2))
-            or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 128) then
-            transform_left_filter_feature_0_choices(8 * i + j + 129) := (not is_set(transform_left_filter_column(0, i),
-              j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 129) := (not is_set(transform_left_filter_column(0, i),
-              j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 135) then
-          transform_left_filter_feature_0_choices(8 * i + 136) := is_set(transform_left_filter_column(0, i), 7) and
-            (not is_set(transform_left_filter_column(2, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 136) := is_set(transform_left_filter_column(0, i), 7) or (not
-            is_set(transform_left_filter_column(2, 2), 7));
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_left_filter_column(0, 2 - i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 169) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 169) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(0, 2 - i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 170) := transform_left_filter_feature_0_choices(8 * i + 169);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 170) := is_set(transform_left_filter_column(0, 2 - i), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 170) then
-          transform_left_filter_feature_0_choices(8 * i + 171) := (not is_set(transform_left_filter_column(0, 2 - i),
-            2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 171) := (not is_set(transform_left_filter_column(0, 2 - i),
-            2)) or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 168) then
-            transform_left_filter_feature_0_choices(8 * i + j + 169) := (not is_set(transform_left_filter_column(0, 2 -
-              i), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 169) := (not is_set(transform_left_filter_column(0, 2 -
-              i), j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 175) then
-          transform_left_filter_feature_0_choices(8 * i + 176) := is_set(transform_left_filter_column(0, 2 - i), 7) and
-            (not is_set(transform_left_filter_column(2, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 176) := is_set(transform_left_filter_column(0, 2 - i), 7) or
-            (not is_set(transform_left_filter_column(2, 2), 7));
-        end if;
-      end loop;
-      if is_set(transform_left_filter_column(2, 2), 0) then
-        transform_left_filter_feature_0_choices(185) := not is_set(transform_left_filter_column(0, 0), 1);
-      else
-        transform_left_filter_feature_0_choices(185) := (transform_left_filter_column(0, 0) mod 4) = 0;
-      end if;
-      if transform_left_filter_feature_0_value then
-        transform_left_filter_feature_0_choices(186) := is_set(transform_left_filter_column(2, 2), 0) or (not
-          is_set(transform_left_filter_column(0, 0), 1)) or (not is_set(transform_left_filter_column(0, 0), 0));
-      else
-        transform_left_filter_feature_0_choices(186) := transform_left_filter_feature_0_choices(185);
-      end if;
+      transform_left_filter_feature_0_choices(185) := choice(is_set(transform_left_filter_column(2, 2), 0), not
+        is_set(transform_left_filter_column(0, 0), 1), (transform_left_filter_column(0, 0) mod 4) = 0);
+      transform_left_filter_feature_0_choices(186) := choice(transform_left_filter_feature_0_values(1),
+        is_set(transform_left_filter_column(2, 2), 0) or (not is_set(transform_left_filter_column(0, 0), 1)) or (not
+        is_set(transform_left_filter_column(0, 0), 0)), transform_left_filter_feature_0_choices(185));
       transform_left_filter_feature_0_values(7) := is_set(transform_left_filter_column(0, 0), 2);
-      if transform_left_filter_feature_0_choices(186) then
-        transform_left_filter_feature_0_choices(187) := (not transform_left_filter_feature_0_values(2)) and
-          transform_left_filter_feature_0_values(7);
-      else
-        transform_left_filter_feature_0_choices(187) := (not transform_left_filter_feature_0_values(2)) or
-          transform_left_filter_feature_0_values(7);
-      end if;
+      transform_left_filter_feature_0_choices(187) := inverted_carry(transform_left_filter_feature_0_choices(186), not
+        transform_left_filter_feature_0_values(2), transform_left_filter_feature_0_values(7));
       for i in 8 to 11 loop
         transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(0, 0), i - 5);
-        if transform_left_filter_feature_0_choices(i + 179) then
-          transform_left_filter_feature_0_choices(i + 180) := (not transform_left_filter_feature_0_values(i - 5)) or
-            transform_left_filter_feature_0_values(i);
-        else
-          transform_left_filter_feature_0_choices(i + 180) := (not transform_left_filter_feature_0_values(i - 5)) and
-            transform_left_filter_feature_0_values(i);
-        end if;
+        transform_left_filter_feature_0_choices(i + 180) := carry(transform_left_filter_feature_0_choices(i + 179), not
+          transform_left_filter_feature_0_values(i - 5), transform_left_filter_feature_0_values(i));
       end loop;
-      if transform_left_filter_feature_0_choices(191) then
-        transform_left_filter_feature_0_choices(192) := (not is_set(transform_left_filter_column(2, 2), 7)) or
-          is_set(transform_left_filter_column(0, 0), 7);
-      else
-        transform_left_filter_feature_0_choices(192) := (not is_set(transform_left_filter_column(2, 2), 7)) and
-          is_set(transform_left_filter_column(0, 0), 7);
-      end if;
-      if transform_filtering_0_column_inside(0) then
-        transform_left_filter_feature_0_choice_193 := (as_number(transform_left_filter_feature_0_choices(160)) * 8) +
-          (as_number(transform_left_filter_feature_0_choices(168)) * 16) +
-          (as_number(transform_left_filter_feature_0_choices(176)) * 4) +
-          (as_number(transform_left_filter_feature_0_choices(184)) * 2) +
-          as_number(transform_left_filter_feature_0_choices(192));
-      else
-        transform_left_filter_feature_0_choice_193 := 0;
-      end if;
-      if transform_filtering_0_column_inside(1) then
-        transform_left_filter_feature_0_choice_194 := (as_number(transform_left_filter_feature_0_choices(120)) * 256) +
-          (as_number(transform_left_filter_feature_0_choices(128)) * 512) +
-          (as_number(transform_left_filter_feature_0_choices(136)) * 128) +
-          (as_number(transform_left_filter_feature_0_choices(144)) * 64) +
-          (as_number(transform_left_filter_feature_0_choices(152)) * 32) + transform_left_filter_feature_0_choice_193;
-      else
-        transform_left_filter_feature_0_choice_194 := transform_left_filter_feature_0_choice_193;
-      end if;
-      if transform_filtering_0_column_inside(2) then
-        transform_left_filter_feature_0_choice_195 := (as_number(transform_left_filter_feature_0_choices(96)) * 2048) +
-          (as_number(transform_left_filter_feature_0_choices(104)) * 4096) +
-          (as_number(transform_left_filter_feature_0_choices(112)) * 1024) + transform_left_filter_feature_0_choice_194;
-      else
-        transform_left_filter_feature_0_choice_195 := transform_left_filter_feature_0_choice_194;
-      end if;
-      if transform_filtering_0_column_inside(3) then
-        transform_left_filter_feature_0_choice_196 := (as_number(transform_left_filter_feature_0_choices(48)) * 16384)
-          + (as_number(transform_left_filter_feature_0_choices(56)) * 32768) +
-          (as_number(transform_left_filter_feature_0_choices(64)) * 65536) +
-          (as_number(transform_left_filter_feature_0_choices(72)) * 131072) +
-          (as_number(transform_left_filter_feature_0_choices(80)) * 262144) +
-          (as_number(transform_left_filter_feature_0_choices(88)) * 8192) + transform_left_filter_feature_0_choice_195;
-      else
-        transform_left_filter_feature_0_choice_196 := (as_number(transform_left_filter_feature_0_choices(88)) * 8192) +
-          transform_left_filter_feature_0_choice_195;
-      end if;
-      transform_right_filter_feature_0_value := is_set(transform_right_filter_column(2, 2), 1);
-      transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_value) or (not
+      transform_left_filter_feature_0_choices(192) := carry(transform_left_filter_feature_0_choices(191), not
+        is_set(transform_left_filter_column(2, 2), 7), is_set(transform_left_filter_column(0, 0), 7));
+      transform_left_filter_feature_0_choice_193 := choice(transform_filtering_0_column_inside(0),
+        (as_number(transform_left_filter_feature_0_choices(160)) * 8) +
+        (as_number(transform_left_filter_feature_0_choices(168)) * 16) +
+        (as_number(transform_left_filter_feature_0_choices(176)) * 4) +
+        (as_number(transform_left_filter_feature_0_choices(184)) * 2) +
+        as_number(transform_left_filter_feature_0_choices(192)), 0);
+      transform_left_filter_feature_0_choice_194 := choice(transform_filtering_0_column_inside(1),
+        (as_number(transform_left_filter_feature_0_choices(120)) * 256) +
+        (as_number(transform_left_filter_feature_0_choices(128)) * 512) +
+        (as_number(transform_left_filter_feature_0_choices(136)) * 128) +
+        (as_number(transform_left_filter_feature_0_choices(144)) * 64) +
+        (as_number(transform_left_filter_feature_0_choices(152)) * 32) + transform_left_filter_feature_0_choice_193,
+        transform_left_filter_feature_0_choice_193);
+      transform_left_filter_feature_0_choice_195 := choice(transform_filtering_0_column_inside(2),
+        (as_number(transform_left_filter_feature_0_choices(96)) * 2048) +
+        (as_number(transform_left_filter_feature_0_choices(104)) * 4096) +
+        (as_number(transform_left_filter_feature_0_choices(112)) * 1024) + transform_left_filter_feature_0_choice_194,
+        transform_left_filter_feature_0_choice_194);
+      transform_left_filter_feature_0_choice_196 := choice(transform_filtering_0_column_inside(3),
+        (as_number(transform_left_filter_feature_0_choices(48)) * 16384) +
+        (as_number(transform_left_filter_feature_0_choices(56)) * 32768) +
+        (as_number(transform_left_filter_feature_0_choices(64)) * 65536) +
+        (as_number(transform_left_filter_feature_0_choices(72)) * 131072) +
+        (as_number(transform_left_filter_feature_0_choices(80)) * 262144) +
+        (as_number(transform_left_filter_feature_0_choices(88)) * 8192) + transform_left_filter_feature_0_choice_195,
+        (as_number(transform_left_filter_feature_0_choices(88)) * 8192) + transform_left_filter_feature_0_choice_195);
+      transform_right_filter_feature_0_values(1) := is_set(transform_right_filter_column(2, 2), 1);
+      transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_values(1)) or (not
         is_set(transform_right_filter_column(2, 2), 0));
-      if is_set(transform_right_filter_column(4, 0), 0) then
-        transform_right_filter_feature_0_choice := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice := not transform_right_filter_feature_0_value;
-      end if;
+      transform_right_filter_feature_0_choices(1) := choice(is_set(transform_right_filter_column(4, 0), 0),
+        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
       transform_right_filter_feature_0_is_equal := (transform_right_filter_column(2, 2) mod 4) = 0;
-      if is_set(transform_right_filter_column(4, 0), 1) then
-        transform_right_filter_feature_0_choices(2) := transform_right_filter_feature_0_choice;
-      else
-        transform_right_filter_feature_0_choices(2) := is_set(transform_right_filter_column(4, 0), 0) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
+      transform_right_filter_feature_0_choices(2) := choice(is_set(transform_right_filter_column(4, 0), 1),
+        transform_right_filter_feature_0_choices(1), is_set(transform_right_filter_column(4, 0), 0) and
+        transform_right_filter_feature_0_is_equal);
       transform_right_filter_feature_0_values(2) := is_set(transform_right_filter_column(2, 2), 2);
-      if transform_right_filter_feature_0_choices(2) then
-        transform_right_filter_feature_0_choices(3) := (not is_set(transform_right_filter_column(4, 0), 2)) and
-          transform_right_filter_feature_0_values(2);
-      else
-        transform_right_filter_feature_0_choices(3) := (not is_set(transform_right_filter_column(4, 0), 2)) or
-          transform_right_filter_feature_0_values(2);
-      end if;
+      transform_right_filter_feature_0_choices(3) := inverted_carry(transform_right_filter_feature_0_choices(2), not
+        is_set(transform_right_filter_column(4, 0), 2), transform_right_filter_feature_0_values(2));
       for i in 3 to 6 loop
         transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(2, 2), i);
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(4, 0), i)) or
-            transform_right_filter_feature_0_values(i);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(4, 0), i)) and
-            transform_right_filter_feature_0_values(i);
-        end if;
+        transform_right_filter_feature_0_choices(i + 1) := carry(transform_right_filter_feature_0_choices(i), not
+          is_set(transform_right_filter_column(4, 0), i), transform_right_filter_feature_0_values(i));
       end loop;
       for i in 0 to 3 loop
-        if transform_right_filter_feature_0_choices(8 * i + 7) then
-          transform_right_filter_feature_0_choices(8 * i + 8) := is_set(transform_right_filter_column(4, i), 7) and
-            (not is_set(transform_right_filter_column(2, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 8) := is_set(transform_right_filter_column(4, i), 7) or (not
-            is_set(transform_right_filter_column(2, 2), 7));
-        end if;
-        if is_set(transform_right_filter_column(4, i + 1), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 9) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 9) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(4, i + 1), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 10) := transform_right_filter_feature_0_choices(8 * i + 9);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 10) := is_set(transform_right_filter_column(4, i + 1), 0)
-            and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 10) then
-          transform_right_filter_feature_0_choices(8 * i + 11) := (not is_set(transform_right_filter_column(4, i + 1),
-            2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 11) := (not is_set(transform_right_filter_column(4, i + 1),
-            2)) or transform_right_filter_feature_0_values(2);
-        end if;
+        transform_right_filter_feature_0_choices(8 * i + 8) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 7), is_set(transform_right_filter_column(4,
+          i), 7), not is_set(transform_right_filter_column(2, 2), 7));
+        transform_right_filter_feature_0_choices(8 * i + 9) := choice(is_set(transform_right_filter_column(4, i + 1),
+          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(8 * i + 10) := choice(is_set(transform_right_filter_column(4, i + 1),
+          1), transform_right_filter_feature_0_choices(8 * i + 9), is_set(transform_right_filter_column(4, i + 1), 0)
+          and transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(8 * i + 11) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 10), not
+          is_set(transform_right_filter_column(4, i + 1), 2), transform_right_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 8) then
-            transform_right_filter_feature_0_choices(8 * i + j + 9) := (not is_set(transform_right_filter_column(4, i +
-              1), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 9) := (not is_set(transform_right_filter_column(4, i +
-              1), j)) and transform_right_filter_feature_0_values(j);
-          end if;
+          transform_right_filter_feature_0_choices(8 * i + j + 9) := carry(transform_right_filter_feature_0_choices(8 *
+            i + j + 8), not is_set(transform_right_filter_column(4, i + 1), j),
+            transform_right_filter_feature_0_values(j));
         end loop;
+      end loop;
+      transform_right_filter_feature_0_choices(40) := inverted_carry(transform_right_filter_feature_0_choices(39),
+        is_set(transform_right_filter_column(4, 4), 7), not is_set(transform_right_filter_column(2, 2), 7));
+      for i in 0 to 4 loop
+        transform_right_filter_feature_0_choices(8 * i + 41) := choice(is_set(transform_right_filter_column(3, i), 0),
+          transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(8 * i + 42) := choice(is_set(transform_right_filter_column(3, i), 1),
+          transform_right_filter_feature_0_choices(8 * i + 41), is_set(transform_right_filter_column(3, i), 0) and
+          transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(8 * i + 43) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 42), not
+          is_set(transform_right_filter_column(3, i), 2), transform_right_filter_feature_0_values(2));
+        for j in 3 to 6 loop
+          transform_right_filter_feature_0_choices(8 * i + j + 41) := carry(transform_right_filter_feature_0_choices(8
+            * i + j + 40), not is_set(transform_right_filter_column(3, i), j),
+            transform_right_filter_feature_0_values(j));
+        end loop;
+        transform_right_filter_feature_0_choices(8 * i + 48) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 47), is_set(transform_right_filter_column(3,
+          i), 7), not is_set(transform_right_filter_column(2, 2), 7));
+      end loop;
+      transform_right_filter_feature_0_choices(81) := choice(is_set(transform_right_filter_column(2, 4), 0),
+        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(82) := choice(is_set(transform_right_filter_column(2, 4), 1),
+        transform_right_filter_feature_0_choices(81), is_set(transform_right_filter_column(2, 4), 0) and
+        transform_right_filter_feature_0_is_equal);
+      transform_right_filter_feature_0_choices(83) := inverted_carry(transform_right_filter_feature_0_choices(82), not
+        is_set(transform_right_filter_column(2, 4), 2), transform_right_filter_feature_0_values(2));
+      for i in 84 to 87 loop
+        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
+          is_set(transform_right_filter_column(2, 4), i - 81), transform_right_filter_feature_0_values(i - 81));
+      end loop;
+      transform_right_filter_feature_0_choices(88) := choice(transform_right_filter_feature_0_choices(87),
+        transform_filtering_0_column_inside(2) and is_set(transform_right_filter_column(2, 4), 7) and (not
+        is_set(transform_right_filter_column(2, 2), 7)), transform_filtering_0_column_inside(2) and
+        (is_set(transform_right_filter_column(2, 4), 7) or (not is_set(transform_right_filter_column(2, 2), 7))));
+      for i in 0 to 1 loop
+        transform_right_filter_feature_0_choices(16 * i + 89) := choice(is_set(transform_right_filter_column(2, 1 - i),
+          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(16 * i + 90) := choice(is_set(transform_right_filter_column(2, 1 - i),
+          1), transform_right_filter_feature_0_choices(16 * i + 89), is_set(transform_right_filter_column(2, 1 - i), 0)
+          and transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(16 * i + 91) :=
+          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 90), not
+          is_set(transform_right_filter_column(2, 1 - i), 2), transform_right_filter_feature_0_values(2));
+        for j in 3 to 6 loop
+          transform_right_filter_feature_0_choices(16 * i + j + 89) :=
+            carry(transform_right_filter_feature_0_choices(16 * i + j + 88), not
+            is_set(transform_right_filter_column(2, 1 - i), j), transform_right_filter_feature_0_values(j));
+        end loop;
+        transform_right_filter_feature_0_choices(16 * i + 96) :=
+          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 95), is_set(transform_right_filter_column(2,
+          1 - i), 7), not is_set(transform_right_filter_column(2, 2), 7));
+        transform_right_filter_feature_0_choices(16 * i + 97) := choice(is_set(transform_right_filter_column(2 - i, 3),
+          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(16 * i + 98) := choice(is_set(transform_right_filter_column(2 - i, 3),
+          1), transform_right_filter_feature_0_choices(16 * i + 97), is_set(transform_right_filter_column(2 - i, 3), 0)
+          and transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(16 * i + 99) :=
+          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 98), not
+          is_set(transform_right_filter_column(2 - i, 3), 2), transform_right_filter_feature_0_values(2));
+        for j in 3 to 6 loop
+          transform_right_filter_feature_0_choices(16 * i + j + 97) :=
+            carry(transform_right_filter_feature_0_choices(16 * i + j + 96), not is_set(transform_right_filter_column(2
+            - i, 3), j), transform_right_filter_feature_0_values(j));
+        end loop;
+        transform_right_filter_feature_0_choices(16 * i + 104) :=
+          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 103), is_set(transform_right_filter_column(2
+          - i, 3), 7), not is_set(transform_right_filter_column(2, 2), 7));
+      end loop;
+      transform_right_filter_feature_0_choices(121) := choice(is_set(transform_right_filter_column(1, 4), 0),
+        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(122) := choice(is_set(transform_right_filter_column(1, 4), 1),
+        transform_right_filter_feature_0_choices(121), is_set(transform_right_filter_column(1, 4), 0) and
+        transform_right_filter_feature_0_is_equal);
+      transform_right_filter_feature_0_choices(123) := inverted_carry(transform_right_filter_feature_0_choices(122),
+        not is_set(transform_right_filter_column(1, 4), 2), transform_right_filter_feature_0_values(2));
+      for i in 124 to 127 loop
+        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
+          is_set(transform_right_filter_column(1, 4), i - 121), transform_right_filter_feature_0_values(i - 121));
+      end loop;
+      transform_right_filter_feature_0_choices(128) := inverted_carry(transform_right_filter_feature_0_choices(127),
+        is_set(transform_right_filter_column(1, 4), 7), not is_set(transform_right_filter_column(2, 2), 7));
+      for i in 0 to 2 loop
+        transform_right_filter_feature_0_choices(8 * i + 129) := choice(is_set(transform_right_filter_column(1, 2 - i),
+          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(8 * i + 130) := choice(is_set(transform_right_filter_column(1, 2 - i),
+          1), transform_right_filter_feature_0_choices(8 * i + 129), is_set(transform_right_filter_column(1, 2 - i), 0)
+          and transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(8 * i + 131) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 130), not
+          is_set(transform_right_filter_column(1, 2 - i), 2), transform_right_filter_feature_0_values(2));
+        for j in 3 to 6 loop
+          transform_right_filter_feature_0_choices(8 * i + j + 129) := carry(transform_right_filter_feature_0_choices(8
+            * i + j + 128), not is_set(transform_right_filter_column(1, 2 - i), j),
+            transform_right_filter_feature_0_values(j));
+        end loop;
+        transform_right_filter_feature_0_choices(8 * i + 136) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 135), is_set(transform_right_filter_column(1,
+          2 - i), 7), not is_set(transform_right_filter_column(2, 2), 7));
       end loop;
       for i in 0 to 1 loop
-        if transform_right_filter_feature_0_choices(8 * i + 39) then
-          transform_right_filter_feature_0_choices(8 * i + 40) := is_set(transform_right_filter_column(4 - i, 4 - 4 *
-            i), 7) and (not is_set(transform_right_filter_column(2, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 40) := is_set(transform_right_filter_column(4 - i, 4 - 4 *
-            i), 7) or (not is_set(transform_right_filter_column(2, 2), 7));
-        end if;
-        if is_set(transform_right_filter_column(3, i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 41) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 41) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(3, i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 42) := transform_right_filter_feature_0_choices(8 * i + 41);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 42) := is_set(transform_right_filter_column(3, i), 0) and
-            transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 42) then
-          transform_right_filter_feature_0_choices(8 * i + 43) := (not is_set(transform_right_filter_column(3, i), 2))
-            and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 43) := (not is_set(transform_right_filter_column(3, i), 2))
-            or transform_right_filter_feature_0_values(2);
-        end if;
+        transform_right_filter_feature_0_choices(16 * i + 153) := choice(is_set(transform_right_filter_column(0, 3 -
+          i), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(16 * i + 154) := choice(is_set(transform_right_filter_column(0, 3 -
+          i), 1), transform_right_filter_feature_0_choices(16 * i + 153), is_set(transform_right_filter_column(0, 3 -
+          i), 0) and transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(16 * i + 155) :=
+          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 154), not
+          is_set(transform_right_filter_column(0, 3 - i), 2), transform_right_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 40) then
-            transform_right_filter_feature_0_choices(8 * i + j + 41) := (not is_set(transform_right_filter_column(3,
-              i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 41) := (not is_set(transform_right_filter_column(3,
-              i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
+          transform_right_filter_feature_0_choices(16 * i + j + 153) :=
+            carry(transform_right_filter_feature_0_choices(16 * i + j + 152), not
+            is_set(transform_right_filter_column(0, 3 - i), j), transform_right_filter_feature_0_values(j));
         end loop;
-      end loop;
-      for i in 1 to 3 loop
-        if transform_right_filter_feature_0_choices(8 * i + 47) then
-          transform_right_filter_feature_0_choices(8 * i + 48) := is_set(transform_right_filter_column(3, i), 7) and
-            (not is_set(transform_right_filter_column(2, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 48) := is_set(transform_right_filter_column(3, i), 7) or
-            (not is_set(transform_right_filter_column(2, 2), 7));
-        end if;
-        if is_set(transform_right_filter_column(3, i + 1), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 49) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 49) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(3, i + 1), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 50) := transform_right_filter_feature_0_choices(8 * i + 49);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 50) := is_set(transform_right_filter_column(3, i + 1), 0)
-            and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 50) then
-          transform_right_filter_feature_0_choices(8 * i + 51) := (not is_set(transform_right_filter_column(3, i + 1),
-            2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 51) := (not is_set(transform_right_filter_column(3, i + 1),
-            2)) or transform_right_filter_feature_0_values(2);
-        end if;
+        transform_right_filter_feature_0_choices(16 * i + 160) :=
+          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 159),
+          is_set(transform_right_filter_column(0, 3 - i), 7), not is_set(transform_right_filter_column(2, 2), 7));
+        transform_right_filter_feature_0_choices(16 * i + 161) := choice(is_set(transform_right_filter_column(0, 4 - 3
+          * i), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(16 * i + 162) := choice(is_set(transform_right_filter_column(0, 4 - 3
+          * i), 1), transform_right_filter_feature_0_choices(16 * i + 161), is_set(transform_right_filter_column(0, 4 -
+          3 * i), 0) and transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(16 * i + 163) :=
+          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 162), not
+          is_set(transform_right_filter_column(0, 4 - 3 * i), 2), transform_right_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 48) then
-            transform_right_filter_feature_0_choices(8 * i + j + 49) := (not is_set(transform_right_filter_column(3, i
-              + 1), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 49) := (not is_set(transform_right_filter_column(3, i
-              + 1), j)) and transform_right_filter_feature_0_values(j);
-          end if;
+          transform_right_filter_feature_0_choices(16 * i + j + 161) :=
+            carry(transform_right_filter_feature_0_choices(16 * i + j + 160), not
+            is_set(transform_right_filter_column(0, 4 - 3 * i), j), transform_right_filter_feature_0_values(j));
         end loop;
+        transform_right_filter_feature_0_choices(16 * i + 168) :=
+          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 167),
+          is_set(transform_right_filter_column(0, 4 - 3 * i), 7), not is_set(transform_right_filter_column(2, 2), 7));
       end loop;
-      if transform_right_filter_feature_0_choices(79) then
-        transform_right_filter_feature_0_choices(80) := is_set(transform_right_filter_column(3, 4), 7) and (not
-          is_set(transform_right_filter_column(2, 2), 7));
-      else
-        transform_right_filter_feature_0_choices(80) := is_set(transform_right_filter_column(3, 4), 7) or (not
-          is_set(transform_right_filter_column(2, 2), 7));
-      end if;
-      if is_set(transform_right_filter_column(2, 4), 0) then
-        transform_right_filter_feature_0_choices(81) := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choices(81) := not transform_right_filter_feature_0_value;
-      end if;
-      if is_set(transform_right_filter_column(2, 4), 1) then
-        transform_right_filter_feature_0_choices(82) := transform_right_filter_feature_0_choices(81);
-      else
-        transform_right_filter_feature_0_choices(82) := is_set(transform_right_filter_column(2, 4), 0) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choices(82) then
-        transform_right_filter_feature_0_choices(83) := (not is_set(transform_right_filter_column(2, 4), 2)) and
-          transform_right_filter_feature_0_values(2);
-      else
-        transform_right_filter_feature_0_choices(83) := (not is_set(transform_right_filter_column(2, 4), 2)) or
-          transform_right_filter_feature_0_values(2);
-      end if;
-      for i in 83 to 86 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(2, 4), i - 80))
-            or transform_right_filter_feature_0_values(i - 80);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(2, 4), i - 80))
-            and transform_right_filter_feature_0_values(i - 80);
-        end if;
-      end loop;
-      if transform_right_filter_feature_0_choices(87) then
-        transform_right_filter_feature_0_choices(88) := transform_filtering_0_column_inside(2) and
-          is_set(transform_right_filter_column(2, 4), 7) and (not is_set(transform_right_filter_column(2, 2), 7));
-      else
-        transform_right_filter_feature_0_choices(88) := transform_filtering_0_column_inside(2) and
-          (is_set(transform_right_filter_column(2, 4), 7) or (not is_set(transform_right_filter_column(2, 2), 7)));
-      end if;
-      for i in 0 to 1 loop
-        if is_set(transform_right_filter_column(2, 2 * i + 1), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 89) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 89) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(2, 2 * i + 1), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 90) := transform_right_filter_feature_0_choices(8 * i + 89);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 90) := is_set(transform_right_filter_column(2, 2 * i + 1),
-            0) and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 90) then
-          transform_right_filter_feature_0_choices(8 * i + 91) := (not is_set(transform_right_filter_column(2, 2 * i +
-            1), 2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 91) := (not is_set(transform_right_filter_column(2, 2 * i +
-            1), 2)) or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 88) then
-            transform_right_filter_feature_0_choices(8 * i + j + 89) := (not is_set(transform_right_filter_column(2, 2
-              * i + 1), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 89) := (not is_set(transform_right_filter_column(2, 2
-              * i + 1), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 95) then
-          transform_right_filter_feature_0_choices(8 * i + 96) := is_set(transform_right_filter_column(2, 2 * i + 1),
-            7) and (not is_set(transform_right_filter_column(2, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 96) := is_set(transform_right_filter_column(2, 2 * i + 1),
-            7) or (not is_set(transform_right_filter_column(2, 2), 7));
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_right_filter_column(2 - i, 3 * i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 105) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 105) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(2 - i, 3 * i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 106) := transform_right_filter_feature_0_choices(8 * i +
-            105);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 106) := is_set(transform_right_filter_column(2 - i, 3 * i),
-            0) and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 106) then
-          transform_right_filter_feature_0_choices(8 * i + 107) := (not is_set(transform_right_filter_column(2 - i, 3 *
-            i), 2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 107) := (not is_set(transform_right_filter_column(2 - i, 3 *
-            i), 2)) or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 104) then
-            transform_right_filter_feature_0_choices(8 * i + j + 105) := (not is_set(transform_right_filter_column(2 -
-              i, 3 * i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 105) := (not is_set(transform_right_filter_column(2 -
-              i, 3 * i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 111) then
-          transform_right_filter_feature_0_choices(8 * i + 112) := is_set(transform_right_filter_column(2 - i, 3 * i),
-            7) and (not is_set(transform_right_filter_column(2, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 112) := is_set(transform_right_filter_column(2 - i, 3 * i),
-            7) or (not is_set(transform_right_filter_column(2, 2), 7));
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_right_filter_column(1, 4 - 2 * i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 121) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 121) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(1, 4 - 2 * i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 122) := transform_right_filter_feature_0_choices(8 * i +
-            121);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 122) := is_set(transform_right_filter_column(1, 4 - 2 * i),
-            0) and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 122) then
-          transform_right_filter_feature_0_choices(8 * i + 123) := (not is_set(transform_right_filter_column(1, 4 - 2 *
-            i), 2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 123) := (not is_set(transform_right_filter_column(1, 4 - 2 *
-            i), 2)) or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 120) then
-            transform_right_filter_feature_0_choices(8 * i + j + 121) := (not is_set(transform_right_filter_column(1, 4
-              - 2 * i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 121) := (not is_set(transform_right_filter_column(1, 4
-              - 2 * i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 127) then
-          transform_right_filter_feature_0_choices(8 * i + 128) := is_set(transform_right_filter_column(1, 4 - 2 * i),
-            7) and (not is_set(transform_right_filter_column(2, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 128) := is_set(transform_right_filter_column(1, 4 - 2 * i),
-            7) or (not is_set(transform_right_filter_column(2, 2), 7));
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_right_filter_column(1, 1 - i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 137) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 137) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(1, 1 - i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 138) := transform_right_filter_feature_0_choices(8 * i +
-            137);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 138) := is_set(transform_right_filter_column(1, 1 - i), 0)
-            and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 138) then
-          transform_right_filter_feature_0_choices(8 * i + 139) := (not is_set(transform_right_filter_column(1, 1 - i),
-            2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 139) := (not is_set(transform_right_filter_column(1, 1 - i),
-            2)) or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 136) then
-            transform_right_filter_feature_0_choices(8 * i + j + 137) := (not is_set(transform_right_filter_column(1, 1
-              - i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 137) := (not is_set(transform_right_filter_column(1, 1
-              - i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 143) then
-          transform_right_filter_feature_0_choices(8 * i + 144) := is_set(transform_right_filter_column(1, 1 - i), 7)
-            and (not is_set(transform_right_filter_column(2, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 144) := is_set(transform_right_filter_column(1, 1 - i), 7)
-            or (not is_set(transform_right_filter_column(2, 2), 7));
-        end if;
-      end loop;
-      for i in 3 to 4 loop
-        if is_set(transform_right_filter_column(0, i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 129) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 129) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(0, i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 130) := transform_right_filter_feature_0_choices(8 * i +
-            129);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 130) := is_set(transform_right_filter_column(0, i), 0) and
-            transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 130) then
-          transform_right_filter_feature_0_choices(8 * i + 131) := (not is_set(transform_right_filter_column(0, i), 2))
-            and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 131) := (not is_set(transform_right_filter_column(0, i), 2))
-            or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 128) then
-            transform_right_filter_feature_0_choices(8 * i + j + 129) := (not is_set(transform_right_filter_column(0,
-              i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 129) := (not is_set(transform_right_filter_column(0,
-              i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 135) then
-          transform_right_filter_feature_0_choices(8 * i + 136) := is_set(transform_right_filter_column(0, i), 7) and
-            (not is_set(transform_right_filter_column(2, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 136) := is_set(transform_right_filter_column(0, i), 7) or
-            (not is_set(transform_right_filter_column(2, 2), 7));
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_right_filter_column(0, 2 - i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 169) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 169) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(0, 2 - i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 170) := transform_right_filter_feature_0_choices(8 * i +
-            169);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 170) := is_set(transform_right_filter_column(0, 2 - i), 0)
-            and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 170) then
-          transform_right_filter_feature_0_choices(8 * i + 171) := (not is_set(transform_right_filter_column(0, 2 - i),
-            2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 171) := (not is_set(transform_right_filter_column(0, 2 - i),
-            2)) or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 168) then
-            transform_right_filter_feature_0_choices(8 * i + j + 169) := (not is_set(transform_right_filter_column(0, 2
-              - i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 169) := (not is_set(transform_right_filter_column(0, 2
-              - i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 175) then
-          transform_right_filter_feature_0_choices(8 * i + 176) := is_set(transform_right_filter_column(0, 2 - i), 7)
-            and (not is_set(transform_right_filter_column(2, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 176) := is_set(transform_right_filter_column(0, 2 - i), 7)
-            or (not is_set(transform_right_filter_column(2, 2), 7));
-        end if;
-      end loop;
-      if is_set(transform_right_filter_column(2, 2), 0) then
-        transform_right_filter_feature_0_choices(185) := not is_set(transform_right_filter_column(0, 0), 1);
-      else
-        transform_right_filter_feature_0_choices(185) := (transform_right_filter_column(0, 0) mod 4) = 0;
-      end if;
-      if transform_right_filter_feature_0_value then
-        transform_right_filter_feature_0_choices(186) := is_set(transform_right_filter_column(2, 2), 0) or (not
-          is_set(transform_right_filter_column(0, 0), 1)) or (not is_set(transform_right_filter_column(0, 0), 0));
-      else
-        transform_right_filter_feature_0_choices(186) := transform_right_filter_feature_0_choices(185);
-      end if;
+      transform_right_filter_feature_0_choices(185) := choice(is_set(transform_right_filter_column(2, 2), 0), not
+        is_set(transform_right_filter_column(0, 0), 1), (transform_right_filter_column(0, 0) mod 4) = 0);
+      transform_right_filter_feature_0_choices(186) := choice(transform_right_filter_feature_0_values(1),
+        is_set(transform_right_filter_column(2, 2), 0) or (not is_set(transform_right_filter_column(0, 0), 1)) or (not
+        is_set(transform_right_filter_column(0, 0), 0)), transform_right_filter_feature_0_choices(185));
       transform_right_filter_feature_0_values(7) := is_set(transform_right_filter_column(0, 0), 2);
-      if transform_right_filter_feature_0_choices(186) then
-        transform_right_filter_feature_0_choices(187) := (not transform_right_filter_feature_0_values(2)) and
-          transform_right_filter_feature_0_values(7);
-      else
-        transform_right_filter_feature_0_choices(187) := (not transform_right_filter_feature_0_values(2)) or
-          transform_right_filter_feature_0_values(7);
-      end if;
+      transform_right_filter_feature_0_choices(187) := inverted_carry(transform_right_filter_feature_0_choices(186),
+        not transform_right_filter_feature_0_values(2), transform_right_filter_feature_0_values(7));
       for i in 8 to 11 loop
         transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(0, 0), i - 5);
-        if transform_right_filter_feature_0_choices(i + 179) then
-          transform_right_filter_feature_0_choices(i + 180) := (not transform_right_filter_feature_0_values(i - 5)) or
-            transform_right_filter_feature_0_values(i);
-        else
-          transform_right_filter_feature_0_choices(i + 180) := (not transform_right_filter_feature_0_values(i - 5)) and
-            transform_right_filter_feature_0_values(i);
-        end if;
+        transform_right_filter_feature_0_choices(i + 180) := carry(transform_right_filter_feature_0_choices(i + 179),
+          not transform_right_filter_feature_0_values(i - 5), transform_right_filter_feature_0_values(i));
       end loop;
-      if transform_right_filter_feature_0_choices(191) then
-        transform_right_filter_feature_0_choices(192) := (not is_set(transform_right_filter_column(2, 2), 7)) or
-          is_set(transform_right_filter_column(0, 0), 7);
-      else
-        transform_right_filter_feature_0_choices(192) := (not is_set(transform_right_filter_column(2, 2), 7)) and
-          is_set(transform_right_filter_column(0, 0), 7);
-      end if;
-      if transform_filtering_0_column_inside(0) then
-        transform_right_filter_feature_0_choice_193 := (as_number(transform_right_filter_feature_0_choices(160)) * 8) +
-          (as_number(transform_right_filter_feature_0_choices(168)) * 16) +
-          (as_number(transform_right_filter_feature_0_choices(176)) * 4) +
-          (as_number(transform_right_filter_feature_0_choices(184)) * 2) +
-          as_number(transform_right_filter_feature_0_choices(192));
-      else
-        transform_right_filter_feature_0_choice_193 := 0;
-      end if;
-      if transform_filtering_0_column_inside(1) then
-        transform_right_filter_feature_0_choice_194 := (as_number(transform_right_filter_feature_0_choices(120)) * 256)
-          + (as_number(transform_right_filter_feature_0_choices(128)) * 512) +
-          (as_number(transform_right_filter_feature_0_choices(136)) * 128) +
-          (as_number(transform_right_filter_feature_0_choices(144)) * 64) +
-          (as_number(transform_right_filter_feature_0_choices(152)) * 32) + transform_right_filter_feature_0_choice_193;
-      else
-        transform_right_filter_feature_0_choice_194 := transform_right_filter_feature_0_choice_193;
-      end if;
-      if transform_filtering_0_column_inside(2) then
-        transform_right_filter_feature_0_choice_195 := (as_number(transform_right_filter_feature_0_choices(96)) * 2048)
-          + (as_number(transform_right_filter_feature_0_choices(104)) * 4096) +
-          (as_number(transform_right_filter_feature_0_choices(112)) * 1024) +
-          transform_right_filter_feature_0_choice_194;
-      else
-        transform_right_filter_feature_0_choice_195 := transform_right_filter_feature_0_choice_194;
-      end if;
-      if transform_filtering_0_column_inside(3) then
-        transform_right_filter_feature_0_choice_196 := (as_number(transform_right_filter_feature_0_choices(48)) *
-          16384) + (as_number(transform_right_filter_feature_0_choices(56)) * 32768) +
-          (as_number(transform_right_filter_feature_0_choices(64)) * 65536) +
-          (as_number(transform_right_filter_feature_0_choices(72)) * 131072) +
-          (as_number(transform_right_filter_feature_0_choices(80)) * 262144) +
-          (as_number(transform_right_filter_feature_0_choices(88)) * 8192) +
-          transform_right_filter_feature_0_choice_195;
-      else
-        transform_right_filter_feature_0_choice_196 := (as_number(transform_right_filter_feature_0_choices(88)) * 8192)
-          + transform_right_filter_feature_0_choice_195;
-      end if;
+      transform_right_filter_feature_0_choices(192) := carry(transform_right_filter_feature_0_choices(191), not
+        is_set(transform_right_filter_column(2, 2), 7), is_set(transform_right_filter_column(0, 0), 7));
+      transform_right_filter_feature_0_choice_193 := choice(transform_filtering_0_column_inside(0),
+        (as_number(transform_right_filter_feature_0_choices(160)) * 8) +
+        (as_number(transform_right_filter_feature_0_choices(168)) * 16) +
+        (as_number(transform_right_filter_feature_0_choices(176)) * 4) +
+        (as_number(transform_right_filter_feature_0_choices(184)) * 2) +
+        as_number(transform_right_filter_feature_0_choices(192)), 0);
+      transform_right_filter_feature_0_choice_194 := choice(transform_filtering_0_column_inside(1),
+        (as_number(transform_right_filter_feature_0_choices(120)) * 256) +
+        (as_number(transform_right_filter_feature_0_choices(128)) * 512) +
+        (as_number(transform_right_filter_feature_0_choices(136)) * 128) +
+        (as_number(transform_right_filter_feature_0_choices(144)) * 64) +
+        (as_number(transform_right_filter_feature_0_choices(152)) * 32) + transform_right_filter_feature_0_choice_193,
+        transform_right_filter_feature_0_choice_193);
+      transform_right_filter_feature_0_choice_195 := choice(transform_filtering_0_column_inside(2),
+        (as_number(transform_right_filter_feature_0_choices(96)) * 2048) +
+        (as_number(transform_right_filter_feature_0_choices(104)) * 4096) +
+        (as_number(transform_right_filter_feature_0_choices(112)) * 1024) +
+        transform_right_filter_feature_0_choice_194, transform_right_filter_feature_0_choice_194);
+      transform_right_filter_feature_0_choice_196 := choice(transform_filtering_0_column_inside(3),
+        (as_number(transform_right_filter_feature_0_choices(48)) * 16384) +
+        (as_number(transform_right_filter_feature_0_choices(56)) * 32768) +
+        (as_number(transform_right_filter_feature_0_choices(64)) * 65536) +
+        (as_number(transform_right_filter_feature_0_choices(72)) * 131072) +
+        (as_number(transform_right_filter_feature_0_choices(80)) * 262144) +
+        (as_number(transform_right_filter_feature_0_choices(88)) * 8192) + transform_right_filter_feature_0_choice_195,
+        (as_number(transform_right_filter_feature_0_choices(88)) * 8192) + transform_right_filter_feature_0_choice_195);
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
@@ -1552,17 +964,13 @@ begin
       transform_read_column_inside(0) <= (((transform_counter_column / 2) mod 16) /= 0) or
         is_set(transform_counter_column, 5);
       transform_read_column_inside(2) <= true;
-      transform_read_column_inside(4) <= transform_read_column_inside_1_is_equal /=
+      transform_read_column_inside(4) <= transform_read_column_inside_1_is_equals(1) /=
         transform_read_column_inside_1_differs;
       transform_read_start_of_frame <= (transform_counter_column = 2) and (transform_counter_group = 2);
       transform_read_valid <= transform_valid;
       transform_ready_column <= transform_read_column;
-      for i in 0 to 4 loop
-        transform_ready_row_inside(i) <= transform_read_row_inside(i);
-      end loop;
-      for i in 0 to 4 loop
-        transform_ready_column_inside(i) <= transform_read_column_inside(i);
-      end loop;
+      transform_ready_row_inside <= transform_read_row_inside;
+      transform_ready_column_inside <= transform_read_column_inside;
       transform_ready_start_of_frame <= transform_read_start_of_frame;
       transform_ready_valid <= transform_read_valid;
       transform_left_column(0) <= to_integer(transform_left_rows_ready_words_0(7 downto 0));
@@ -1575,70 +983,43 @@ begin
       transform_right_column(2) <= to_integer(transform_right_rows_ready_words_0(23 downto 16));
       transform_right_column(3) <= to_integer(transform_right_rows_ready_words_0(31 downto 24));
       transform_right_column(4) <= transform_right_rows_ready_newest_0;
-      for i in 0 to 4 loop
-        transform_columns_row_inside(i) <= transform_ready_row_inside(i);
-      end loop;
-      for i in 0 to 4 loop
-        transform_columns_column_inside(i) <= transform_ready_column_inside(i);
-      end loop;
+      transform_columns_row_inside <= transform_ready_row_inside;
+      transform_columns_column_inside <= transform_ready_column_inside;
       transform_columns_start_of_frame <= transform_ready_start_of_frame;
       transform_columns_valid <= transform_ready_valid;
-      for i in 0 to 4 loop
-        transform_filtering_0_column_inside(i) <= transform_columns_column_inside(i);
-      end loop;
+      transform_filtering_0_column_inside <= transform_columns_column_inside;
       transform_filtering_start_of_frame(0) <= transform_columns_start_of_frame;
       transform_filtering_valid(0) <= transform_columns_valid;
       transform_filtering_start_of_frame(1) <= transform_filtering_start_of_frame(0);
       transform_filtering_valid(1) <= transform_filtering_valid(0);
-      if in_valid and in_start_of_frame then
-        transform_counter_group <= transform_counter_group_choice * 4;
-      else
-        transform_counter_group <= transform_counter_group_choices(3);
-      end if;
-      if transform_read_column_inside_1_is_equal then
-        transform_read_column_inside(1) <= transform_read_column_inside_1_choice;
-      else
-        transform_read_column_inside(1) <= transform_read_column_inside_1_differs;
-      end if;
-      if transform_read_column_inside_3_choice then
-        transform_read_column_inside(3) <= transform_read_column_inside_3_choice_2;
-      else
-        transform_read_column_inside(3) <= transform_read_column_inside_1_differs;
-      end if;
-      if transform_filtering_0_column_inside(4) then
-        transform_left_filter_feature_0 <= (as_number(transform_left_filter_feature_0_choices(8)) * 524288) +
-          (as_number(transform_left_filter_feature_0_choices(16)) * 1048576) +
-          (as_number(transform_left_filter_feature_0_choices(24)) * 2097152) +
-          (as_number(transform_left_filter_feature_0_choices(32)) * 4194304) +
-          (as_number(transform_left_filter_feature_0_choices(40)) * 8388608) +
-          transform_left_filter_feature_0_choice_196;
-        transform_right_filter_feature_0 <= (as_number(transform_right_filter_feature_0_choices(8)) * 524288) +
-          (as_number(transform_right_filter_feature_0_choices(16)) * 1048576) +
-          (as_number(transform_right_filter_feature_0_choices(24)) * 2097152) +
-          (as_number(transform_right_filter_feature_0_choices(32)) * 4194304) +
-          (as_number(transform_right_filter_feature_0_choices(40)) * 8388608) +
-          transform_right_filter_feature_0_choice_196;
-      else
-        transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_196;
-        transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_196;
-      end if;
-      if in_start_of_frame then
-        transform_counter_next_frame_choice := transform_counter_group_all;
-      else
-        transform_counter_next_frame_choice := transform_counter_next_frame;
-      end if;
+      transform_counter_group <= choice(in_valid and in_start_of_frame, transform_counter_group_choice * 4,
+        transform_counter_group_choices(3));
+      transform_read_column_inside(1) <= choice(transform_read_column_inside_1_is_equals(1),
+        transform_read_column_inside_choice(1, 1), transform_read_column_inside_1_differs);
+      transform_read_column_inside(3) <= choice(transform_read_column_inside_choice(3, 1),
+        transform_read_column_inside_choice(3, 2), transform_read_column_inside_1_differs);
+      transform_left_filter_feature_0 <= choice(transform_filtering_0_column_inside(4),
+        (as_number(transform_left_filter_feature_0_choices(8)) * 524288) +
+        (as_number(transform_left_filter_feature_0_choices(16)) * 1048576) +
+        (as_number(transform_left_filter_feature_0_choices(24)) * 2097152) +
+        (as_number(transform_left_filter_feature_0_choices(32)) * 4194304) +
+        (as_number(transform_left_filter_feature_0_choices(40)) * 8388608) +
+        transform_left_filter_feature_0_choice_196, transform_left_filter_feature_0_choice_196);
+      transform_right_filter_feature_0 <= choice(transform_filtering_0_column_inside(4),
+        (as_number(transform_right_filter_feature_0_choices(8)) * 524288) +
+        (as_number(transform_right_filter_feature_0_choices(16)) * 1048576) +
+        (as_number(transform_right_filter_feature_0_choices(24)) * 2097152) +
+        (as_number(transform_right_filter_feature_0_choices(32)) * 4194304) +
+        (as_number(transform_right_filter_feature_0_choices(40)) * 8388608) +
+        transform_right_filter_feature_0_choice_196, transform_right_filter_feature_0_choice_196);
+      transform_counter_next_frame_choice := choice(in_start_of_frame, transform_counter_group_all,
+        transform_counter_next_frame);
       if in_valid then
-        if transform_counter_group_is_equal or in_start_of_frame then
-          transform_counter_column <= 0;
-        else
-          transform_counter_column <= (transform_counter_column + 1) mod 64;
-        end if;
-        if transform_counter_group_is_equal and transform_counter_group_is_equals(3) then
-          transform_counter_next_frame <= transform_counter_group_is_equal and transform_counter_group_is_equals(2) and
-            in_start_of_frame;
-        else
-          transform_counter_next_frame <= transform_counter_next_frame_choice;
-        end if;
+        transform_counter_column <= choice(transform_counter_group_is_equals(1) or in_start_of_frame, 0,
+          (transform_counter_column + 1) mod 64);
+        transform_counter_next_frame <= choice(transform_counter_group_is_equals(1) and
+          transform_counter_group_is_equals(3), transform_counter_group_is_equals(1) and
+          transform_counter_group_is_equals(2) and in_start_of_frame, transform_counter_next_frame_choice);
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= to_unsigned(transform_left_rows_ready_newest_0, 8) &
@@ -1648,96 +1029,53 @@ begin
         transform_write_column <= transform_ready_column;
       end if;
       if transform_columns_valid then
-        for i in 0 to 1 loop
+        for i in 1 to 4 loop
           for j in 0 to 4 loop
-            transform_left_filter_column(2 * i + 1, j) <= transform_left_filter_column(2 * i, j);
-          end loop;
-          for j in 0 to 4 loop
-            transform_left_filter_column(2 * i + 2, j) <= transform_left_filter_column(2 * i + 1, j);
+            transform_left_filter_column(i, j) <= transform_left_filter_column(i - 1, j);
           end loop;
         end loop;
-        for i in 0 to 1 loop
+        for i in 1 to 4 loop
           for j in 0 to 4 loop
-            transform_right_filter_column(2 * i + 1, j) <= transform_right_filter_column(2 * i, j);
-          end loop;
-          for j in 0 to 4 loop
-            transform_right_filter_column(2 * i + 2, j) <= transform_right_filter_column(2 * i + 1, j);
+            transform_right_filter_column(i, j) <= transform_right_filter_column(i - 1, j);
           end loop;
         end loop;
         for i in 0 to 4 loop
-          if transform_columns_row_inside(i) then
-            transform_left_filter_column(0, i) <= transform_left_column(i);
-            transform_right_filter_column(0, i) <= transform_right_column(i);
-          else
-            transform_left_filter_column(0, i) <= 0;
-            transform_right_filter_column(0, i) <= 0;
-          end if;
+          transform_left_filter_column(0, i) <= choice(transform_columns_row_inside(i), transform_left_column(i), 0);
+          transform_right_filter_column(0, i) <= choice(transform_columns_row_inside(i), transform_right_column(i), 0);
         end loop;
       end if;
       -- raster
-      raster_place_group_is_equal := raster_place_group = 11;
+      raster_place_group_is_equals(1) := raster_place_group = 11;
       raster_place_group_is_equals(2) := raster_place_column = 39;
-      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equals(2);
-      if raster_place_group_all then
-        raster_place_group_choice := 3;
-      else
-        raster_place_group_choice := 0;
-      end if;
+      raster_place_group_all := raster_place_group_is_equals(1) and raster_place_group_is_equals(2);
+      raster_place_group_choice := choice(raster_place_group_all, 3, 0);
       raster_place_group_is_equals(3) := (raster_place_group / 2) = 6;
-      if raster_place_group_is_equals(3) then
-        raster_place_group_choice_2 := raster_place_group_is_equals(2) and transform_filtering_valid(1) and (not
-          is_set(raster_place_group, 0));
-      else
-        raster_place_group_choice_2 := raster_place_group_is_equals(2) and transform_filtering_valid(1);
-      end if;
-      if raster_place_next_frame and (raster_place_group = 12) then
-        raster_place_group_choices(3) := 1;
-      else
-        raster_place_group_choices(3) := (raster_place_group + 1) mod 16;
-      end if;
-      if raster_place_group_choice_2 then
-        raster_place_group_choices(4) := raster_place_group_choices(3);
-      else
-        raster_place_group_choices(4) := raster_place_group;
-      end if;
-      if raster_place_group_is_equals(2) then
-        raster_place_next_frame_choice := raster_place_next_frame and is_set(raster_place_group, 0);
-      else
-        raster_place_next_frame_choice := raster_place_next_frame;
-      end if;
-      if raster_place_group_is_equals(3) then
-        raster_place_next_frame_choices(2) := raster_place_next_frame_choice;
-      else
-        raster_place_next_frame_choices(2) := raster_place_next_frame;
-      end if;
-      if raster_place_group_all then
-        raster_place_next_frame_choices(3) := transform_filtering_valid(1);
-      else
-        raster_place_next_frame_choices(3) := transform_filtering_valid(1) and (not
-          transform_filtering_start_of_frame(1));
-      end if;
-      if raster_place_next_frame_choices(2) then
-        raster_place_next_frame_choices(4) := raster_place_next_frame_choices(3);
-      else
-        raster_place_next_frame_choices(4) := raster_place_group_is_equal and raster_place_group_is_equals(2) and
-          transform_filtering_valid(1) and transform_filtering_start_of_frame(1);
-      end if;
+      raster_place_group_choice_2 := choice(raster_place_group_is_equals(3), raster_place_group_is_equals(2) and
+        transform_filtering_valid(1) and (not is_set(raster_place_group, 0)), raster_place_group_is_equals(2) and
+        transform_filtering_valid(1));
+      raster_place_group_choices(3) := choice(raster_place_next_frame and (raster_place_group = 12), 1,
+        (raster_place_group + 1) mod 16);
+      raster_place_group_choices(4) := choice(raster_place_group_choice_2, raster_place_group_choices(3),
+        raster_place_group);
+      raster_place_next_frame_choices(1) := choice(raster_place_group_is_equals(2), raster_place_next_frame and
+        is_set(raster_place_group, 0), raster_place_next_frame);
+      raster_place_next_frame_choices(2) := choice(raster_place_group_is_equals(3), raster_place_next_frame_choices(1),
+        raster_place_next_frame);
+      raster_place_next_frame_choices(3) := choice(raster_place_group_all, transform_filtering_valid(1),
+        transform_filtering_valid(1) and (not transform_filtering_start_of_frame(1)));
+      raster_place_next_frame_choices(4) := choice(raster_place_next_frame_choices(2),
+        raster_place_next_frame_choices(3), raster_place_group_is_equals(1) and raster_place_group_is_equals(2) and
+        transform_filtering_valid(1) and transform_filtering_start_of_frame(1));
       raster_features_search_0 <= transform_right_filter_feature_0;
       raster_features_reference_0 <= transform_left_filter_feature_0;
       raster_features_valid <= transform_filtering_valid(1);
       raster_place_next_frame <= raster_place_next_frame_choices(4) or ((not transform_filtering_valid(1)) and
         raster_place_next_frame);
-      if transform_filtering_valid(1) and transform_filtering_start_of_frame(1) then
-        raster_place_group <= raster_place_group_choice * 4;
-      else
-        raster_place_group <= raster_place_group_choices(4);
-      end if;
+      raster_place_group <= choice(transform_filtering_valid(1) and transform_filtering_start_of_frame(1),
+        raster_place_group_choice * 4, raster_place_group_choices(4));
       if transform_filtering_valid(1) then
-        if raster_place_group_is_equals(2) or transform_filtering_start_of_frame(1) then
-          raster_place_column <= 0;
-        else
-          raster_place_column <= (raster_place_column + 1) mod 64;
-        end if;
+        raster_place_column <= choice(raster_place_group_is_equals(2) or transform_filtering_start_of_frame(1), 0,
+          (raster_place_column + 1) mod 64);
       end if;
       -- delay
       delay_row_inside_1_is_not_less := raster_place_group >= 1;
@@ -1751,15 +1089,15 @@ begin
       delay_row_inside(0) <= (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2)) < 12;
       delay_row_inside(1) <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
       delay_row_inside(2) <= (not is_set(raster_place_group, 3)) or (not is_set(raster_place_group, 2));
-      delay_tag_valid <= raster_features_valid;
-      delay_tag_border_column <= (not (is_set(raster_place_column, 3) and (is_set(raster_place_column, 2) or
+      delay_tag.valid <= raster_features_valid;
+      delay_tag.border_column <= (not (is_set(raster_place_column, 3) and (is_set(raster_place_column, 2) or
         ((raster_place_column mod 4) = 3)))) and ((raster_place_column / 16) = 0);
-      delay_tag_first_cost <= delay_tag_first_cost_is_equal;
-      delay_tag_map_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
-      delay_tag_output_column <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less and
+      delay_tag.first_cost <= delay_tag_first_cost_is_equal;
+      delay_tag.map_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
+      delay_tag.output_column <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less and
         delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
-      delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 1);
-      delay_tag_end_of_line <= raster_place_group_is_equals(2);
+      delay_tag.start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 1);
+      delay_tag.end_of_line <= raster_place_group_is_equals(2);
       -- rows
       rows_search_rows_read_newest_0 <= delay_delayed_0;
       rows_search_rows_ready_words(0) <= to_integer(rows_search_rows_read_words(0));
@@ -1770,51 +1108,19 @@ begin
       rows_reference_rows_ready_words(1) <= to_integer(rows_reference_rows_read_words(1));
       rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
       rows_read_column <= delay_column;
-      rows_read_inside(0) <= delay_row_inside(0);
-      rows_read_inside(1) <= delay_row_inside(1);
-      rows_read_inside(2) <= delay_row_inside(2);
-      rows_read_tag_valid <= delay_tag_valid;
-      rows_read_tag_border_column <= delay_tag_border_column;
-      rows_read_tag_first_cost <= delay_tag_first_cost;
-      rows_read_tag_map_column <= delay_tag_map_column;
-      rows_read_tag_output_column <= delay_tag_output_column;
-      rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
-      rows_read_tag_end_of_line <= delay_tag_end_of_line;
+      rows_read_inside <= delay_row_inside;
+      rows_read_tag <= delay_tag;
       rows_ready_column <= rows_read_column;
-      rows_ready_inside(0) <= rows_read_inside(0);
-      rows_ready_inside(1) <= rows_read_inside(1);
-      rows_ready_inside(2) <= rows_read_inside(2);
-      rows_ready_tag_valid <= rows_read_tag_valid;
-      rows_ready_tag_border_column <= rows_read_tag_border_column;
-      rows_ready_tag_first_cost <= rows_read_tag_first_cost;
-      rows_ready_tag_map_column <= rows_read_tag_map_column;
-      rows_ready_tag_output_column <= rows_read_tag_output_column;
-      rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
-      rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_tag_valid <= rows_ready_tag_valid;
-      rows_tag_border_column <= rows_ready_tag_border_column;
-      rows_tag_first_cost <= rows_ready_tag_first_cost;
-      rows_tag_map_column <= rows_ready_tag_map_column;
-      rows_tag_output_column <= rows_ready_tag_output_column;
-      rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
-      rows_tag_end_of_line <= rows_ready_tag_end_of_line;
-      for i in 0 to 1 loop
-        if rows_ready_inside(i) then
-          rows_search(i) <= rows_search_rows_ready_words(i);
-          rows_reference(i) <= rows_reference_rows_ready_words(i);
-        else
-          rows_search(i) <= 0;
-          rows_reference(i) <= 0;
-        end if;
-      end loop;
-      if rows_ready_inside(2) then
-        rows_search(2) <= rows_search_rows_ready_newest_0;
-        rows_reference(2) <= rows_reference_rows_ready_newest_0;
-      else
-        rows_search(2) <= 0;
-        rows_reference(2) <= 0;
-      end if;
-      if rows_ready_tag_valid then
+      rows_ready_inside <= rows_read_inside;
+      rows_ready_tag <= rows_read_tag;
+      rows_tag <= rows_ready_tag;
+      rows_search(0) <= choice(rows_ready_inside(0), rows_search_rows_ready_words(0), 0);
+      rows_reference(0) <= choice(rows_ready_inside(0), rows_reference_rows_ready_words(0), 0);
+      rows_search(1) <= choice(rows_ready_inside(1), rows_search_rows_ready_words(1), 0);
+      rows_reference(1) <= choice(rows_ready_inside(1), rows_reference_rows_ready_words(1), 0);
+      rows_search(2) <= choice(rows_ready_inside(2), rows_search_rows_ready_newest_0, 0);
+      rows_reference(2) <= choice(rows_ready_inside(2), rows_reference_rows_ready_newest_0, 0);
+      if rows_ready_tag.valid then
         rows_search_rows_write_words(0) <= rows_search_rows_ready_words(1);
         rows_search_rows_write_words(1) <= rows_search_rows_ready_newest_0;
         rows_reference_rows_write_words(0) <= rows_reference_rows_ready_words(1);
@@ -1822,7 +1128,7 @@ begin
         rows_write_column <= rows_ready_column;
       end if;
       -- slice0shift
-      if rows_tag_valid then
+      if rows_tag.valid then
         for i in 0 to 2 loop
           slice0shift_search(i, 0) <= rows_search(i);
           slice0shift_search(i, 1) <= slice0shift_search(i, 0);
@@ -1831,91 +1137,77 @@ begin
           slice0shift_search(i, 4) <= slice0shift_search(i, 3);
         end loop;
       end if;
-      slice0shift_reference(0) <= rows_reference(0);
-      slice0shift_reference(1) <= rows_reference(1);
-      slice0shift_reference(2) <= rows_reference(2);
+      slice0shift_reference <= rows_reference;
       slice0shift_search_out(0) <= slice0shift_search(0, 4);
       slice0shift_search_out(1) <= slice0shift_search(1, 4);
       slice0shift_search_out(2) <= slice0shift_search(2, 4);
-      slice0shift_tag_valid <= rows_tag_valid;
-      slice0shift_tag_border_column <= rows_tag_border_column;
-      slice0shift_tag_first_cost <= rows_tag_first_cost;
-      slice0shift_tag_map_column <= rows_tag_map_column;
-      slice0shift_tag_output_column <= rows_tag_output_column;
-      slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
-      slice0shift_tag_end_of_line <= rows_tag_end_of_line;
+      slice0shift_tag <= rows_tag;
       -- slice0cost
       for i in 0 to 2 loop
-        slice0cost_pixels_first_0_count_value(i, 0) := is_set(slice0shift_reference(i), 2);
-        slice0cost_pixels_first_0_count_value_2(i, 0) := is_set(slice0shift_reference(i), 1);
-        slice0cost_pixels_first_0_count_value(i, 1) := is_set(slice0shift_reference(i), 3);
-        slice0cost_pixels_first_0_count_value_2(i, 1) := is_set(slice0shift_reference(i), 5);
-        slice0cost_pixels_first_0_count_1_value_3(i) := is_set(slice0shift_reference(i), 4);
-        slice0cost_pixels_first_0_count_value(i, 2) := is_set(slice0shift_reference(i), 8);
-        slice0cost_pixels_first_0_count_value_2(i, 2) := is_set(slice0shift_reference(i), 6);
+        slice0cost_pixels_first_0_count_value(i, 0, 1) := is_set(slice0shift_reference(i), 2);
+        slice0cost_pixels_first_0_count_value(i, 0, 2) := is_set(slice0shift_reference(i), 1);
+        slice0cost_pixels_first_0_count_value(i, 1, 1) := is_set(slice0shift_reference(i), 3);
+        slice0cost_pixels_first_0_count_value(i, 1, 2) := is_set(slice0shift_reference(i), 5);
+        slice0cost_pixels_first_0_count_value(i, 1, 3) := is_set(slice0shift_reference(i), 4);
+        slice0cost_pixels_first_0_count_value(i, 2, 1) := is_set(slice0shift_reference(i), 8);
+        slice0cost_pixels_first_0_count_value(i, 2, 2) := is_set(slice0shift_reference(i), 6);
         for j in 3 to 6 loop
-          slice0cost_pixels_first_0_count_value(i, j) := is_set(slice0shift_reference(i), 3 * j);
-          slice0cost_pixels_first_0_count_value_2(i, j) := is_set(slice0shift_reference(i), 3 * j + 2);
-          slice0cost_pixels_first_0_count_value_3(i, j) := is_set(slice0shift_reference(i), 3 * j + 1);
+          slice0cost_pixels_first_0_count_value(i, j, 1) := is_set(slice0shift_reference(i), 3 * j);
+          slice0cost_pixels_first_0_count_value(i, j, 2) := is_set(slice0shift_reference(i), 3 * j + 2);
+          slice0cost_pixels_first_0_count_value(i, j, 3) := is_set(slice0shift_reference(i), 3 * j + 1);
         end loop;
-        slice0cost_pixels_first_0_count_value(i, 7) := is_set(slice0shift_reference(i), 21);
-        slice0cost_pixels_first_0_count_value_2(i, 7) := is_set(slice0shift_reference(i), 22);
+        slice0cost_pixels_first_0_count_value(i, 7, 1) := is_set(slice0shift_reference(i), 21);
+        slice0cost_pixels_first_0_count_value(i, 7, 2) := is_set(slice0shift_reference(i), 22);
       end loop;
       for i in 0 to 2 loop
         slice0cost_pixels_first_count(i, 0, 0) <= as_number((is_set(slice0shift_search(i, 0), 0) /=
-          is_set(slice0shift_reference(i), 0))) + as_number((slice0cost_pixels_first_0_count_value(i, 0) /=
-          is_set(slice0shift_search(i, 0), 2))) + as_number((slice0cost_pixels_first_0_count_value_2(i, 0) /=
+          is_set(slice0shift_reference(i), 0))) + as_number((slice0cost_pixels_first_0_count_value(i, 0, 1) /=
+          is_set(slice0shift_search(i, 0), 2))) + as_number((slice0cost_pixels_first_0_count_value(i, 0, 2) /=
           is_set(slice0shift_search(i, 0), 1)));
-        slice0cost_pixels_first_count(i, 0, 1) <= as_number((slice0cost_pixels_first_0_count_value(i, 1) /=
-          is_set(slice0shift_search(i, 0), 3))) + as_number((slice0cost_pixels_first_0_count_value_2(i, 1) /=
-          is_set(slice0shift_search(i, 0), 5))) + as_number((slice0cost_pixels_first_0_count_1_value_3(i) /=
+        slice0cost_pixels_first_count(i, 0, 1) <= as_number((slice0cost_pixels_first_0_count_value(i, 1, 1) /=
+          is_set(slice0shift_search(i, 0), 3))) + as_number((slice0cost_pixels_first_0_count_value(i, 1, 2) /=
+          is_set(slice0shift_search(i, 0), 5))) + as_number((slice0cost_pixels_first_0_count_value(i, 1, 3) /=
           is_set(slice0shift_search(i, 0), 4)));
         slice0cost_pixels_first_count(i, 0, 2) <= (to_integer(((to_unsigned((slice0shift_search(i, 0) mod 256), 8)) xor
           (to_unsigned((slice0shift_reference(i) mod 256), 8)))) / 128) +
-          as_number((slice0cost_pixels_first_0_count_value(i, 2) /= is_set(slice0shift_search(i, 0), 8))) +
-          as_number((slice0cost_pixels_first_0_count_value_2(i, 2) /= is_set(slice0shift_search(i, 0), 6)));
+          as_number((slice0cost_pixels_first_0_count_value(i, 2, 1) /= is_set(slice0shift_search(i, 0), 8))) +
+          as_number((slice0cost_pixels_first_0_count_value(i, 2, 2) /= is_set(slice0shift_search(i, 0), 6)));
         for j in 3 to 6 loop
-          slice0cost_pixels_first_count(i, 0, j) <= as_number((slice0cost_pixels_first_0_count_value(i, j) /=
-            is_set(slice0shift_search(i, 0), 3 * j))) + as_number((slice0cost_pixels_first_0_count_value_2(i, j) /=
-            is_set(slice0shift_search(i, 0), 3 * j + 2))) + as_number((slice0cost_pixels_first_0_count_value_3(i, j) /=
-            is_set(slice0shift_search(i, 0), 3 * j + 1)));
+          slice0cost_pixels_first_count(i, 0, j) <= as_number((slice0cost_pixels_first_0_count_value(i, j, 1) /=
+            is_set(slice0shift_search(i, 0), 3 * j))) + as_number((slice0cost_pixels_first_0_count_value(i, j, 2) /=
+            is_set(slice0shift_search(i, 0), 3 * j + 2))) + as_number((slice0cost_pixels_first_0_count_value(i, j, 3)
+            /= is_set(slice0shift_search(i, 0), 3 * j + 1)));
         end loop;
-        slice0cost_pixels_first_count(i, 0, 7) <= as_number((slice0cost_pixels_first_0_count_value(i, 7) /=
+        slice0cost_pixels_first_count(i, 0, 7) <= as_number((slice0cost_pixels_first_0_count_value(i, 7, 1) /=
           is_set(slice0shift_search(i, 0), 21))) + as_number((is_set(slice0shift_reference(i), 23) /=
-          is_set(slice0shift_search(i, 0), 23))) + as_number((slice0cost_pixels_first_0_count_value_2(i, 7) /=
+          is_set(slice0shift_search(i, 0), 23))) + as_number((slice0cost_pixels_first_0_count_value(i, 7, 2) /=
           is_set(slice0shift_search(i, 0), 22)));
         for j in 1 to 4 loop
           slice0cost_pixels_first_count(i, j, 0) <= as_number((is_set(slice0shift_search(i, j), 0) /=
             is_set(slice0shift_reference(i), 0))) + as_number((is_set(slice0shift_search(i, j), 2) /=
-            slice0cost_pixels_first_0_count_value(i, 0))) + as_number((is_set(slice0shift_search(i, j), 1) /=
-            slice0cost_pixels_first_0_count_value_2(i, 0)));
+            slice0cost_pixels_first_0_count_value(i, 0, 1))) + as_number((is_set(slice0shift_search(i, j), 1) /=
+            slice0cost_pixels_first_0_count_value(i, 0, 2)));
           slice0cost_pixels_first_count(i, j, 1) <= as_number((is_set(slice0shift_search(i, j), 3) /=
-            slice0cost_pixels_first_0_count_value(i, 1))) + as_number((is_set(slice0shift_search(i, j), 5) /=
-            slice0cost_pixels_first_0_count_value_2(i, 1))) + as_number((is_set(slice0shift_search(i, j), 4) /=
-            slice0cost_pixels_first_0_count_1_value_3(i)));
+            slice0cost_pixels_first_0_count_value(i, 1, 1))) + as_number((is_set(slice0shift_search(i, j), 5) /=
+            slice0cost_pixels_first_0_count_value(i, 1, 2))) + as_number((is_set(slice0shift_search(i, j), 4) /=
+            slice0cost_pixels_first_0_count_value(i, 1, 3)));
           slice0cost_pixels_first_count(i, j, 2) <= (to_integer(((to_unsigned((slice0shift_search(i, j) mod 256), 8))
             xor (to_unsigned((slice0shift_reference(i) mod 256), 8)))) / 128) + as_number((is_set(slice0shift_search(i,
-            j), 8) /= slice0cost_pixels_first_0_count_value(i, 2))) + as_number((is_set(slice0shift_search(i, j), 6) /=
-            slice0cost_pixels_first_0_count_value_2(i, 2)));
+            j), 8) /= slice0cost_pixels_first_0_count_value(i, 2, 1))) + as_number((is_set(slice0shift_search(i, j), 6)
+            /= slice0cost_pixels_first_0_count_value(i, 2, 2)));
           for k in 3 to 6 loop
             slice0cost_pixels_first_count(i, j, k) <= as_number((is_set(slice0shift_search(i, j), 3 * k) /=
-              slice0cost_pixels_first_0_count_value(i, k))) + as_number((is_set(slice0shift_search(i, j), 3 * k + 2) /=
-              slice0cost_pixels_first_0_count_value_2(i, k))) + as_number((is_set(slice0shift_search(i, j), 3 * k + 1)
-              /= slice0cost_pixels_first_0_count_value_3(i, k)));
+              slice0cost_pixels_first_0_count_value(i, k, 1))) + as_number((is_set(slice0shift_search(i, j), 3 * k + 2)
+              /= slice0cost_pixels_first_0_count_value(i, k, 2))) + as_number((is_set(slice0shift_search(i, j), 3 * k +
+              1) /= slice0cost_pixels_first_0_count_value(i, k, 3)));
           end loop;
           slice0cost_pixels_first_count(i, j, 7) <= as_number((is_set(slice0shift_search(i, j), 21) /=
-            slice0cost_pixels_first_0_count_value(i, 7))) + as_number((is_set(slice0shift_search(i, j), 23) /=
+            slice0cost_pixels_first_0_count_value(i, 7, 1))) + as_number((is_set(slice0shift_search(i, j), 23) /=
             is_set(slice0shift_reference(i), 23))) + as_number((is_set(slice0shift_search(i, j), 22) /=
-            slice0cost_pixels_first_0_count_value_2(i, 7)));
+            slice0cost_pixels_first_0_count_value(i, 7, 2)));
         end loop;
       end loop;
-      slice0cost_pixels_first_tag_valid <= slice0shift_tag_valid;
-      slice0cost_pixels_first_tag_border_column <= slice0shift_tag_border_column;
-      slice0cost_pixels_first_tag_first_cost <= slice0shift_tag_first_cost;
-      slice0cost_pixels_first_tag_map_column <= slice0shift_tag_map_column;
-      slice0cost_pixels_first_tag_output_column <= slice0shift_tag_output_column;
-      slice0cost_pixels_first_tag_start_of_frame <= slice0shift_tag_start_of_frame;
-      slice0cost_pixels_first_tag_end_of_line <= slice0shift_tag_end_of_line;
+      slice0cost_pixels_first_tag <= slice0shift_tag;
       for i in 0 to 2 loop
         for j in 0 to 4 loop
           slice0cost_pixels_cost(i, j) <= slice0cost_pixels_first_count(i, j, 0) + slice0cost_pixels_first_count(i, j,
@@ -1924,65 +1216,40 @@ begin
             slice0cost_pixels_first_count(i, j, 7) + slice0cost_pixels_first_count(i, j, 1);
         end loop;
       end loop;
-      slice0cost_pixels_tag_valid <= slice0cost_pixels_first_tag_valid;
-      slice0cost_pixels_tag_border_column <= slice0cost_pixels_first_tag_border_column;
-      slice0cost_pixels_tag_first_cost <= slice0cost_pixels_first_tag_first_cost;
-      slice0cost_pixels_tag_map_column <= slice0cost_pixels_first_tag_map_column;
-      slice0cost_pixels_tag_output_column <= slice0cost_pixels_first_tag_output_column;
-      slice0cost_pixels_tag_start_of_frame <= slice0cost_pixels_first_tag_start_of_frame;
-      slice0cost_pixels_tag_end_of_line <= slice0cost_pixels_first_tag_end_of_line;
+      slice0cost_pixels_tag <= slice0cost_pixels_first_tag;
       for i in 0 to 4 loop
         slice0cost_pair_0(i) <= slice0cost_pixels_cost(1, i) + slice0cost_pixels_cost(2, i);
       end loop;
       for i in 0 to 4 loop
         slice0cost_single_0(i) <= slice0cost_pixels_cost(0, i);
       end loop;
-      slice0cost_pair_tag_valid <= slice0cost_pixels_tag_valid;
-      slice0cost_pair_tag_border_column <= slice0cost_pixels_tag_border_column;
-      slice0cost_pair_tag_first_cost <= slice0cost_pixels_tag_first_cost;
-      slice0cost_pair_tag_map_column <= slice0cost_pixels_tag_map_column;
-      slice0cost_pair_tag_output_column <= slice0cost_pixels_tag_output_column;
-      slice0cost_pair_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
-      slice0cost_pair_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
-      slice0cost_tag_valid <= slice0cost_pair_tag_valid;
-      slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
-      slice0cost_tag_first_cost <= slice0cost_pair_tag_first_cost;
-      slice0cost_tag_map_column <= slice0cost_pair_tag_map_column;
-      slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
-      slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
-      slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
-      if slice0cost_pair_tag_border_column then
-        for i in 0 to 4 loop
-          slice0cost_column_0(i) <= 0;
-        end loop;
-      else
-        for i in 0 to 4 loop
-          slice0cost_column_0(i) <= slice0cost_pair_0(i) + slice0cost_single_0(i);
-        end loop;
-      end if;
+      slice0cost_pair_tag <= slice0cost_pixels_tag;
+      slice0cost_tag <= slice0cost_pair_tag;
+      for i in 0 to 4 loop
+        slice0cost_column_0(i) <= choice(slice0cost_pair_tag.border_column, 0, slice0cost_pair_0(i) +
+          slice0cost_single_0(i));
+      end loop;
       -- slice0window
-      if slice0cost_tag_valid then
-        for i in 0 to 4 loop
-          slice0window_partial_0_0(i) <= slice0cost_column_0(i);
-        end loop;
+      if slice0cost_tag.valid then
+        slice0window_partial_0_0 <= slice0cost_column_0;
         for i in 0 to 4 loop
           slice0window_partial_0_1(i) <= slice0cost_column_0(i) + slice0window_partial_0_0(i);
         end loop;
-        slice0window_centre_map_column_0 <= slice0cost_tag_map_column;
-        slice0window_centre_output_column_0 <= slice0cost_tag_output_column;
-        slice0window_centre_first_column_0 <= slice0cost_tag_first_cost;
-        slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
-        slice0window_centre_end_of_line_0 <= slice0cost_tag_end_of_line;
+        slice0window_centre_map_column_0 <= slice0cost_tag.map_column;
+        slice0window_centre_output_column_0 <= slice0cost_tag.output_column;
+        slice0window_centre_first_column_0 <= slice0cost_tag.first_cost;
+        slice0window_centre_start_of_frame_0 <= slice0cost_tag.start_of_frame;
+        slice0window_centre_end_of_line_0 <= slice0cost_tag.end_of_line;
       end if;
       for i in 0 to 4 loop
         slice0window_sum_0(i) <= slice0cost_column_0(i) + slice0window_partial_0_1(i);
       end loop;
-      slice0window_tag_valid <= slice0cost_tag_valid;
-      slice0window_tag_map_column <= slice0window_centre_map_column_0;
-      slice0window_tag_output_column <= slice0window_centre_output_column_0;
-      slice0window_tag_first_column <= slice0window_centre_first_column_0;
-      slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
-      slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
+      slice0window_tag.valid <= slice0cost_tag.valid;
+      slice0window_tag.map_column <= slice0window_centre_map_column_0;
+      slice0window_tag.output_column <= slice0window_centre_output_column_0;
+      slice0window_tag.first_column <= slice0window_centre_first_column_0;
+      slice0window_tag.start_of_frame <= slice0window_centre_start_of_frame_0;
+      slice0window_tag.end_of_line <= slice0window_centre_end_of_line_0;
       -- slice0
       for i in 0 to 4 loop
         slice0_held(0, i) <= slice0window_sum_0(i) / 16;
@@ -1993,12 +1260,12 @@ begin
       for i in 0 to 4 loop
         slice0_held(2, i) <= slice0_held(1, i);
       end loop;
-      slice0_tag_valid(0) <= slice0window_tag_valid;
-      slice0_tag_map_column(0) <= slice0window_tag_map_column;
-      slice0_tag_output_column(0) <= slice0window_tag_output_column;
-      slice0_tag_first_column(0) <= slice0window_tag_first_column;
-      slice0_tag_start_of_frame(0) <= slice0window_tag_start_of_frame;
-      slice0_tag_end_of_line(0) <= slice0window_tag_end_of_line;
+      slice0_tag_valid(0) <= slice0window_tag.valid;
+      slice0_tag_map_column(0) <= slice0window_tag.map_column;
+      slice0_tag_output_column(0) <= slice0window_tag.output_column;
+      slice0_tag_first_column(0) <= slice0window_tag.first_column;
+      slice0_tag_start_of_frame(0) <= slice0window_tag.start_of_frame;
+      slice0_tag_end_of_line(0) <= slice0window_tag.end_of_line;
       for i in 1 to 2 loop
         slice0_tag_valid(i) <= slice0_tag_valid(i - 1);
         slice0_tag_map_column(i) <= slice0_tag_map_column(i - 1);
@@ -2008,7 +1275,7 @@ begin
         slice0_tag_end_of_line(i) <= slice0_tag_end_of_line(i - 1);
       end loop;
       -- slice1shift
-      if slice0shift_tag_valid then
+      if slice0shift_tag.valid then
         for i in 0 to 2 loop
           slice1shift_search(i, 0) <= slice0shift_search_out(i);
           slice1shift_search(i, 1) <= slice1shift_search(i, 0);
@@ -2017,75 +1284,73 @@ begin
           slice1shift_search(i, 4) <= slice1shift_search(i, 3);
         end loop;
       end if;
-      slice1shift_reference(0) <= slice0shift_reference(0);
-      slice1shift_reference(1) <= slice0shift_reference(1);
-      slice1shift_reference(2) <= slice0shift_reference(2);
+      slice1shift_reference <= slice0shift_reference;
       slice1shift_search_out(0) <= slice1shift_search(0, 4);
       slice1shift_search_out(1) <= slice1shift_search(1, 4);
       slice1shift_search_out(2) <= slice1shift_search(2, 4);
       -- slice1cost
       for i in 0 to 2 loop
-        slice1cost_pixels_first_0_count_value(i, 0) := is_set(slice1shift_reference(i), 2);
-        slice1cost_pixels_first_0_count_value_2(i, 0) := is_set(slice1shift_reference(i), 1);
-        slice1cost_pixels_first_0_count_value(i, 1) := is_set(slice1shift_reference(i), 3);
-        slice1cost_pixels_first_0_count_value_2(i, 1) := is_set(slice1shift_reference(i), 5);
-        slice1cost_pixels_first_0_count_1_value_3(i) := is_set(slice1shift_reference(i), 4);
-        slice1cost_pixels_first_0_count_value(i, 2) := is_set(slice1shift_reference(i), 8);
-        slice1cost_pixels_first_0_count_value_2(i, 2) := is_set(slice1shift_reference(i), 6);
+        slice1cost_pixels_first_0_count_value(i, 0, 1) := is_set(slice1shift_reference(i), 2);
+        slice1cost_pixels_first_0_count_value(i, 0, 2) := is_set(slice1shift_reference(i), 1);
+        slice1cost_pixels_first_0_count_value(i, 1, 1) := is_set(slice1shift_reference(i), 3);
+        slice1cost_pixels_first_0_count_value(i, 1, 2) := is_set(slice1shift_reference(i), 5);
+        slice1cost_pixels_first_0_count_value(i, 1, 3) := is_set(slice1shift_reference(i), 4);
+        slice1cost_pixels_first_0_count_value(i, 2, 1) := is_set(slice1shift_reference(i), 8);
+        slice1cost_pixels_first_0_count_value(i, 2, 2) := is_set(slice1shift_reference(i), 6);
         for j in 3 to 6 loop
-          slice1cost_pixels_first_0_count_value(i, j) := is_set(slice1shift_reference(i), 3 * j);
-          slice1cost_pixels_first_0_count_value_2(i, j) := is_set(slice1shift_reference(i), 3 * j + 2);
-          slice1cost_pixels_first_0_count_value_3(i, j) := is_set(slice1shift_reference(i), 3 * j + 1);
+          slice1cost_pixels_first_0_count_value(i, j, 1) := is_set(slice1shift_reference(i), 3 * j);
+          slice1cost_pixels_first_0_count_value(i, j, 2) := is_set(slice1shift_reference(i), 3 * j + 2);
+          slice1cost_pixels_first_0_count_value(i, j, 3) := is_set(slice1shift_reference(i), 3 * j + 1);
         end loop;
-        slice1cost_pixels_first_0_count_value(i, 7) := is_set(slice1shift_reference(i), 21);
-        slice1cost_pixels_first_0_count_value_2(i, 7) := is_set(slice1shift_reference(i), 22);
+        slice1cost_pixels_first_0_count_value(i, 7, 1) := is_set(slice1shift_reference(i), 21);
+        slice1cost_pixels_first_0_count_value(i, 7, 2) := is_set(slice1shift_reference(i), 22);
       end loop;
       for i in 0 to 2 loop
         slice1cost_pixels_first_count(i, 0, 0) <= as_number((is_set(slice1shift_search(i, 0), 0) /=
-          is_set(slice1shift_reference(i), 0))) + as_number((slice1cost_pixels_first_0_count_value(i, 0) /=
-          is_set(slice1shift_search(i, 0), 2))) + as_number((slice1cost_pixels_first_0_count_value_2(i, 0) /=
+          is_set(slice1shift_reference(i), 0))) + as_number((slice1cost_pixels_first_0_count_value(i, 0, 1) /=
+          is_set(slice1shift_search(i, 0), 2))) + as_number((slice1cost_pixels_first_0_count_value(i, 0, 2) /=
           is_set(slice1shift_search(i, 0), 1)));
-        slice1cost_pixels_first_count(i, 0, 1) <= as_number((slice1cost_pixels_first_0_count_value(i, 1) /=
-          is_set(slice1shift_search(i, 0), 3))) + as_number((slice1cost_pixels_first_0_count_value_2(i, 1) /=
-          is_set(slice1shift_search(i, 0), 5))) + as_number((slice1cost_pixels_first_0_count_1_value_3(i) /=
+        slice1cost_pixels_first_count(i, 0, 1) <= as_number((slice1cost_pixels_first_0_count_value(i, 1, 1) /=
+          is_set(slice1shift_search(i, 0), 3))) + as_number((slice1cost_pixels_first_0_count_value(i, 1, 2) /=
+          is_set(slice1shift_search(i, 0), 5))) + as_number((slice1cost_pixels_first_0_count_value(i, 1, 3) /=
           is_set(slice1shift_search(i, 0), 4)));
         slice1cost_pixels_first_count(i, 0, 2) <= (to_integer(((to_unsigned((slice1shift_search(i, 0) mod 256), 8)) xor
           (to_unsigned((slice1shift_reference(i) mod 256), 8)))) / 128) +
-          as_number((slice1cost_pixels_first_0_count_value(i, 2) /= is_set(slice1shift_search(i, 0), 8))) +
-          as_number((slice1cost_pixels_first_0_count_value_2(i, 2) /= is_set(slice1shift_search(i, 0), 6)));
+          as_number((slice1cost_pixels_first_0_count_value(i, 2, 1) /= is_set(slice1shift_search(i, 0), 8))) +
+          as_number((slice1cost_pixels_first_0_count_value(i, 2, 2) /= is_set(slice1shift_search(i, 0), 6)));
         for j in 3 to 6 loop
-          slice1cost_pixels_first_count(i, 0, j) <= as_number((slice1cost_pixels_first_0_count_value(i, j) /=
-            is_set(slice1shift_search(i, 0), 3 * j))) + as_number((slice1cost_pixels_first_0_count_value_2(i, j) /=
-            is_set(slice1shift_search(i, 0), 3 * j + 2))) + as_number((slice1cost_pixels_first_0_count_value_3(i, j) /=
-            is_set(slice1shift_search(i, 0), 3 * j + 1)));
+          slice1cost_pixels_first_count(i, 0, j) <= as_number((slice1cost_pixels_first_0_count_value(i, j, 1) /=
+            is_set(slice1shift_search(i, 0), 3 * j))) + as_number((slice1cost_pixels_first_0_count_value(i, j, 2) /=
+            is_set(slice1shift_search(i, 0), 3 * j + 2))) + as_number((slice1cost_pixels_first_0_count_value(i, j, 3)
+            /= is_set(slice1shift_search(i, 0), 3 * j + 1)));
         end loop;
-        slice1cost_pixels_first_count(i, 0, 7) <= as_number((slice1cost_pixels_first_0_count_value(i, 7) /=
+        slice1cost_pixels_first_count(i, 0, 7) <= as_number((slice1cost_pixels_first_0_count_value(i, 7, 1) /=
           is_set(slice1shift_search(i, 0), 21))) + as_number((is_set(slice1shift_reference(i), 23) /=
-          is_set(slice1shift_search(i, 0), 23))) + as_number((slice1cost_pixels_first_0_count_value_2(i, 7) /=
+          is_set(slice1shift_search(i, 0), 23))) + as_number((slice1cost_pixels_first_0_count_value(i, 7, 2) /=
           is_set(slice1shift_search(i, 0), 22)));
         for j in 1 to 4 loop
           slice1cost_pixels_first_count(i, j, 0) <= as_number((is_set(slice1shift_search(i, j), 0) /=
             is_set(slice1shift_reference(i), 0))) + as_number((is_set(slice1shift_search(i, j), 2) /=
-            slice1cost_pixels_first_0_count_value(i, 0))) + as_number((is_set(slice1shift_search(i, j), 1) /=
-            slice1cost_pixels_first_0_count_value_2(i, 0)));
+            slice1cost_pixels_first_0_count_value(i, 0, 1))) + as_number((is_set(slice1shift_search(i, j), 1) /=
+            slice1cost_pixels_first_0_count_value(i, 0, 2)));
           slice1cost_pixels_first_count(i, j, 1) <= as_number((is_set(slice1shift_search(i, j), 3) /=
-            slice1cost_pixels_first_0_count_value(i, 1))) + as_number((is_set(slice1shift_search(i, j), 5) /=
-            slice1cost_pixels_first_0_count_value_2(i, 1))) + as_number((is_set(slice1shift_search(i, j), 4) /=
-            slice1cost_pixels_first_0_count_1_value_3(i)));
+            slice1cost_pixels_first_0_count_value(i, 1, 1))) + as_number((is_set(slice1shift_search(i, j), 5) /=
+            slice1cost_pixels_first_0_count_value(i, 1, 2))) + as_number((is_set(slice1shift_search(i, j), 4) /=
+            slice1cost_pixels_first_0_count_value(i, 1, 3)));
           slice1cost_pixels_first_count(i, j, 2) <= (to_integer(((to_unsigned((slice1shift_search(i, j) mod 256), 8))
             xor (to_unsigned((slice1shift_reference(i) mod 256), 8)))) / 128) + as_number((is_set(slice1shift_search(i,
-            j), 8) /= slice1cost_pixels_first_0_count_value(i, 2))) + as_number((is_set(slice1shift_search(i, j), 6) /=
-            slice1cost_pixels_first_0_count_value_2(i, 2)));
+            j), 8) /= slice1cost_pixels_first_0_count_value(i, 2, 1))) + as_number((is_set(slice1shift_search(i, j), 6)
+            /= slice1cost_pixels_first_0_count_value(i, 2, 2)));
           for k in 3 to 6 loop
             slice1cost_pixels_first_count(i, j, k) <= as_number((is_set(slice1shift_search(i, j), 3 * k) /=
-              slice1cost_pixels_first_0_count_value(i, k))) + as_number((is_set(slice1shift_search(i, j), 3 * k + 2) /=
-              slice1cost_pixels_first_0_count_value_2(i, k))) + as_number((is_set(slice1shift_search(i, j), 3 * k + 1)
-              /= slice1cost_pixels_first_0_count_value_3(i, k)));
+              slice1cost_pixels_first_0_count_value(i, k, 1))) + as_number((is_set(slice1shift_search(i, j), 3 * k + 2)
+              /= slice1cost_pixels_first_0_count_value(i, k, 2))) + as_number((is_set(slice1shift_search(i, j), 3 * k +
+              1) /= slice1cost_pixels_first_0_count_value(i, k, 3)));
           end loop;
           slice1cost_pixels_first_count(i, j, 7) <= as_number((is_set(slice1shift_search(i, j), 21) /=
-            slice1cost_pixels_first_0_count_value(i, 7))) + as_number((is_set(slice1shift_search(i, j), 23) /=
+            slice1cost_pixels_first_0_count_value(i, 7, 1))) + as_number((is_set(slice1shift_search(i, j), 23) /=
             is_set(slice1shift_reference(i), 23))) + as_number((is_set(slice1shift_search(i, j), 22) /=
-            slice1cost_pixels_first_0_count_value_2(i, 7)));
+            slice1cost_pixels_first_0_count_value(i, 7, 2)));
         end loop;
       end loop;
       for i in 0 to 2 loop
@@ -2102,21 +1367,14 @@ begin
       for i in 0 to 4 loop
         slice1cost_single_0(i) <= slice1cost_pixels_cost(0, i);
       end loop;
-      slice1cost_tag_border_column <= slice0cost_tag_border_column;
-      if slice0cost_tag_border_column then
-        for i in 0 to 4 loop
-          slice1cost_column_0(i) <= 0;
-        end loop;
-      else
-        for i in 0 to 4 loop
-          slice1cost_column_0(i) <= slice1cost_pair_0(i) + slice1cost_single_0(i);
-        end loop;
-      end if;
+      slice1cost_tag_border_column <= slice0cost_tag.border_column;
+      for i in 0 to 4 loop
+        slice1cost_column_0(i) <= choice(slice0cost_tag.border_column, 0, slice1cost_pair_0(i) +
+          slice1cost_single_0(i));
+      end loop;
       -- slice1window
-      if slice0window_tag_valid then
-        for i in 0 to 4 loop
-          slice1window_partial_0_0(i) <= slice1cost_column_0(i);
-        end loop;
+      if slice0window_tag.valid then
+        slice1window_partial_0_0 <= slice1cost_column_0;
         for i in 0 to 4 loop
           slice1window_partial_0_1(i) <= slice1cost_column_0(i) + slice1window_partial_0_0(i);
         end loop;
@@ -2132,101 +1390,95 @@ begin
         slice1_held(1, i) <= slice1_held(0, i);
       end loop;
       -- slice2shift
-      if slice0cost_pixels_first_tag_valid then
+      if slice0cost_pixels_first_tag.valid then
         for i in 0 to 2 loop
           slice2shift_search(i, 0) <= slice1shift_search_out(i);
           slice2shift_search(i, 1) <= slice2shift_search(i, 0);
         end loop;
       end if;
-      slice2shift_reference(0) <= slice1shift_reference(0);
-      slice2shift_reference(1) <= slice1shift_reference(1);
-      slice2shift_reference(2) <= slice1shift_reference(2);
+      slice2shift_reference <= slice1shift_reference;
       -- slice2cost
       for i in 0 to 2 loop
-        slice2cost_pixels_first_0_count_value(i, 0) := is_set(slice2shift_reference(i), 2);
-        slice2cost_pixels_first_0_count_value_2(i, 0) := is_set(slice2shift_reference(i), 1);
-        slice2cost_pixels_first_0_count_value(i, 1) := is_set(slice2shift_reference(i), 3);
-        slice2cost_pixels_first_0_count_value_2(i, 1) := is_set(slice2shift_reference(i), 5);
-        slice2cost_pixels_first_0_count_1_value_3(i) := is_set(slice2shift_reference(i), 4);
-        slice2cost_pixels_first_0_count_value(i, 2) := is_set(slice2shift_reference(i), 8);
-        slice2cost_pixels_first_0_count_value_2(i, 2) := is_set(slice2shift_reference(i), 6);
+        slice2cost_pixels_first_0_count_value(i, 0, 1) := is_set(slice2shift_reference(i), 2);
+        slice2cost_pixels_first_0_count_value(i, 0, 2) := is_set(slice2shift_reference(i), 1);
+        slice2cost_pixels_first_0_count_value(i, 1, 1) := is_set(slice2shift_reference(i), 3);
+        slice2cost_pixels_first_0_count_value(i, 1, 2) := is_set(slice2shift_reference(i), 5);
+        slice2cost_pixels_first_0_count_value(i, 1, 3) := is_set(slice2shift_reference(i), 4);
+        slice2cost_pixels_first_0_count_value(i, 2, 1) := is_set(slice2shift_reference(i), 8);
+        slice2cost_pixels_first_0_count_value(i, 2, 2) := is_set(slice2shift_reference(i), 6);
         for j in 3 to 6 loop
-          slice2cost_pixels_first_0_count_value(i, j) := is_set(slice2shift_reference(i), 3 * j);
-          slice2cost_pixels_first_0_count_value_2(i, j) := is_set(slice2shift_reference(i), 3 * j + 2);
-          slice2cost_pixels_first_0_count_value_3(i, j) := is_set(slice2shift_reference(i), 3 * j + 1);
+          slice2cost_pixels_first_0_count_value(i, j, 1) := is_set(slice2shift_reference(i), 3 * j);
+          slice2cost_pixels_first_0_count_value(i, j, 2) := is_set(slice2shift_reference(i), 3 * j + 2);
+          slice2cost_pixels_first_0_count_value(i, j, 3) := is_set(slice2shift_reference(i), 3 * j + 1);
         end loop;
-        slice2cost_pixels_first_0_count_value(i, 7) := is_set(slice2shift_reference(i), 21);
-        slice2cost_pixels_first_0_count_value_2(i, 7) := is_set(slice2shift_reference(i), 22);
+        slice2cost_pixels_first_0_count_value(i, 7, 1) := is_set(slice2shift_reference(i), 21);
+        slice2cost_pixels_first_0_count_value(i, 7, 2) := is_set(slice2shift_reference(i), 22);
       end loop;
       for i in 0 to 2 loop
         slice2cost_pixels_first_count(i, 0, 0) <= as_number((is_set(slice2shift_search(i, 0), 0) /=
-          is_set(slice2shift_reference(i), 0))) + as_number((slice2cost_pixels_first_0_count_value(i, 0) /=
-          is_set(slice2shift_search(i, 0), 2))) + as_number((slice2cost_pixels_first_0_count_value_2(i, 0) /=
+          is_set(slice2shift_reference(i), 0))) + as_number((slice2cost_pixels_first_0_count_value(i, 0, 1) /=
+          is_set(slice2shift_search(i, 0), 2))) + as_number((slice2cost_pixels_first_0_count_value(i, 0, 2) /=
           is_set(slice2shift_search(i, 0), 1)));
-        slice2cost_pixels_first_count(i, 0, 1) <= as_number((slice2cost_pixels_first_0_count_value(i, 1) /=
-          is_set(slice2shift_search(i, 0), 3))) + as_number((slice2cost_pixels_first_0_count_value_2(i, 1) /=
-          is_set(slice2shift_search(i, 0), 5))) + as_number((slice2cost_pixels_first_0_count_1_value_3(i) /=
+        slice2cost_pixels_first_count(i, 0, 1) <= as_number((slice2cost_pixels_first_0_count_value(i, 1, 1) /=
+          is_set(slice2shift_search(i, 0), 3))) + as_number((slice2cost_pixels_first_0_count_value(i, 1, 2) /=
+          is_set(slice2shift_search(i, 0), 5))) + as_number((slice2cost_pixels_first_0_count_value(i, 1, 3) /=
           is_set(slice2shift_search(i, 0), 4)));
         slice2cost_pixels_first_count(i, 0, 2) <= (to_integer(((to_unsigned((slice2shift_search(i, 0) mod 256), 8)) xor
           (to_unsigned((slice2shift_reference(i) mod 256), 8)))) / 128) +
-          as_number((slice2cost_pixels_first_0_count_value(i, 2) /= is_set(slice2shift_search(i, 0), 8))) +
-          as_number((slice2cost_pixels_first_0_count_value_2(i, 2) /= is_set(slice2shift_search(i, 0), 6)));
+          as_number((slice2cost_pixels_first_0_count_value(i, 2, 1) /= is_set(slice2shift_search(i, 0), 8))) +
+          as_number((slice2cost_pixels_first_0_count_value(i, 2, 2) /= is_set(slice2shift_search(i, 0), 6)));
         for j in 3 to 6 loop
-          slice2cost_pixels_first_count(i, 0, j) <= as_number((slice2cost_pixels_first_0_count_value(i, j) /=
-            is_set(slice2shift_search(i, 0), 3 * j))) + as_number((slice2cost_pixels_first_0_count_value_2(i, j) /=
-            is_set(slice2shift_search(i, 0), 3 * j + 2))) + as_number((slice2cost_pixels_first_0_count_value_3(i, j) /=
-            is_set(slice2shift_search(i, 0), 3 * j + 1)));
+          slice2cost_pixels_first_count(i, 0, j) <= as_number((slice2cost_pixels_first_0_count_value(i, j, 1) /=
+            is_set(slice2shift_search(i, 0), 3 * j))) + as_number((slice2cost_pixels_first_0_count_value(i, j, 2) /=
+            is_set(slice2shift_search(i, 0), 3 * j + 2))) + as_number((slice2cost_pixels_first_0_count_value(i, j, 3)
+            /= is_set(slice2shift_search(i, 0), 3 * j + 1)));
         end loop;
-        slice2cost_pixels_first_count(i, 0, 7) <= as_number((slice2cost_pixels_first_0_count_value(i, 7) /=
+        slice2cost_pixels_first_count(i, 0, 7) <= as_number((slice2cost_pixels_first_0_count_value(i, 7, 1) /=
           is_set(slice2shift_search(i, 0), 21))) + as_number((is_set(slice2shift_reference(i), 23) /=
-          is_set(slice2shift_search(i, 0), 23))) + as_number((slice2cost_pixels_first_0_count_value_2(i, 7) /=
+          is_set(slice2shift_search(i, 0), 23))) + as_number((slice2cost_pixels_first_0_count_value(i, 7, 2) /=
           is_set(slice2shift_search(i, 0), 22)));
         slice2cost_pixels_first_count(i, 1, 0) <= as_number((is_set(slice2shift_search(i, 1), 0) /=
           is_set(slice2shift_reference(i), 0))) + as_number((is_set(slice2shift_search(i, 1), 2) /=
-          slice2cost_pixels_first_0_count_value(i, 0))) + as_number((is_set(slice2shift_search(i, 1), 1) /=
-          slice2cost_pixels_first_0_count_value_2(i, 0)));
+          slice2cost_pixels_first_0_count_value(i, 0, 1))) + as_number((is_set(slice2shift_search(i, 1), 1) /=
+          slice2cost_pixels_first_0_count_value(i, 0, 2)));
         slice2cost_pixels_first_count(i, 1, 1) <= as_number((is_set(slice2shift_search(i, 1), 3) /=
-          slice2cost_pixels_first_0_count_value(i, 1))) + as_number((is_set(slice2shift_search(i, 1), 5) /=
-          slice2cost_pixels_first_0_count_value_2(i, 1))) + as_number((is_set(slice2shift_search(i, 1), 4) /=
-          slice2cost_pixels_first_0_count_1_value_3(i)));
+          slice2cost_pixels_first_0_count_value(i, 1, 1))) + as_number((is_set(slice2shift_search(i, 1), 5) /=
+          slice2cost_pixels_first_0_count_value(i, 1, 2))) + as_number((is_set(slice2shift_search(i, 1), 4) /=
+          slice2cost_pixels_first_0_count_value(i, 1, 3)));
         slice2cost_pixels_first_count(i, 1, 2) <= (to_integer(((to_unsigned((slice2shift_search(i, 1) mod 256), 8)) xor
           (to_unsigned((slice2shift_reference(i) mod 256), 8)))) / 128) + as_number((is_set(slice2shift_search(i, 1),
-          8) /= slice2cost_pixels_first_0_count_value(i, 2))) + as_number((is_set(slice2shift_search(i, 1), 6) /=
-          slice2cost_pixels_first_0_count_value_2(i, 2)));
+          8) /= slice2cost_pixels_first_0_count_value(i, 2, 1))) + as_number((is_set(slice2shift_search(i, 1), 6) /=
+          slice2cost_pixels_first_0_count_value(i, 2, 2)));
         for j in 3 to 6 loop
           slice2cost_pixels_first_count(i, 1, j) <= as_number((is_set(slice2shift_search(i, 1), 3 * j) /=
-            slice2cost_pixels_first_0_count_value(i, j))) + as_number((is_set(slice2shift_search(i, 1), 3 * j + 2) /=
-            slice2cost_pixels_first_0_count_value_2(i, j))) + as_number((is_set(slice2shift_search(i, 1), 3 * j + 1) /=
-            slice2cost_pixels_first_0_count_value_3(i, j)));
+            slice2cost_pixels_first_0_count_value(i, j, 1))) + as_number((is_set(slice2shift_search(i, 1), 3 * j + 2)
+            /= slice2cost_pixels_first_0_count_value(i, j, 2))) + as_number((is_set(slice2shift_search(i, 1), 3 * j +
+            1) /= slice2cost_pixels_first_0_count_value(i, j, 3)));
         end loop;
         slice2cost_pixels_first_count(i, 1, 7) <= as_number((is_set(slice2shift_search(i, 1), 21) /=
-          slice2cost_pixels_first_0_count_value(i, 7))) + as_number((is_set(slice2shift_search(i, 1), 23) /=
+          slice2cost_pixels_first_0_count_value(i, 7, 1))) + as_number((is_set(slice2shift_search(i, 1), 23) /=
           is_set(slice2shift_reference(i), 23))) + as_number((is_set(slice2shift_search(i, 1), 22) /=
-          slice2cost_pixels_first_0_count_value_2(i, 7)));
+          slice2cost_pixels_first_0_count_value(i, 7, 2)));
       end loop;
       for i in 0 to 2 loop
-        for j in 0 to 1 loop
-          slice2cost_pixels_cost(i, j) <= slice2cost_pixels_first_count(i, j, 0) + slice2cost_pixels_first_count(i, j,
-            2) + slice2cost_pixels_first_count(i, j, 3) + slice2cost_pixels_first_count(i, j, 5) +
-            slice2cost_pixels_first_count(i, j, 6) + slice2cost_pixels_first_count(i, j, 4) +
-            slice2cost_pixels_first_count(i, j, 7) + slice2cost_pixels_first_count(i, j, 1);
-        end loop;
+        slice2cost_pixels_cost(i, 0) <= slice2cost_pixels_first_count(i, 0, 0) + slice2cost_pixels_first_count(i, 0, 2)
+          + slice2cost_pixels_first_count(i, 0, 3) + slice2cost_pixels_first_count(i, 0, 5) +
+          slice2cost_pixels_first_count(i, 0, 6) + slice2cost_pixels_first_count(i, 0, 4) +
+          slice2cost_pixels_first_count(i, 0, 7) + slice2cost_pixels_first_count(i, 0, 1);
+        slice2cost_pixels_cost(i, 1) <= slice2cost_pixels_first_count(i, 1, 0) + slice2cost_pixels_first_count(i, 1, 2)
+          + slice2cost_pixels_first_count(i, 1, 3) + slice2cost_pixels_first_count(i, 1, 5) +
+          slice2cost_pixels_first_count(i, 1, 6) + slice2cost_pixels_first_count(i, 1, 4) +
+          slice2cost_pixels_first_count(i, 1, 7) + slice2cost_pixels_first_count(i, 1, 1);
       end loop;
       slice2cost_pair_0(0) <= slice2cost_pixels_cost(1, 0) + slice2cost_pixels_cost(2, 0);
       slice2cost_pair_0(1) <= slice2cost_pixels_cost(1, 1) + slice2cost_pixels_cost(2, 1);
       slice2cost_single_0(0) <= slice2cost_pixels_cost(0, 0);
       slice2cost_single_0(1) <= slice2cost_pixels_cost(0, 1);
-      if slice1cost_tag_border_column then
-        slice2cost_column_0(0) <= 0;
-        slice2cost_column_0(1) <= 0;
-      else
-        slice2cost_column_0(0) <= slice2cost_pair_0(0) + slice2cost_single_0(0);
-        slice2cost_column_0(1) <= slice2cost_pair_0(1) + slice2cost_single_0(1);
-      end if;
+      slice2cost_column_0(0) <= choice(slice1cost_tag_border_column, 0, slice2cost_pair_0(0) + slice2cost_single_0(0));
+      slice2cost_column_0(1) <= choice(slice1cost_tag_border_column, 0, slice2cost_pair_0(1) + slice2cost_single_0(1));
       -- slice2window
       if slice0_tag_valid(0) then
-        slice2window_partial_0_0(0) <= slice2cost_column_0(0);
-        slice2window_partial_0_0(1) <= slice2cost_column_0(1);
+        slice2window_partial_0_0 <= slice2cost_column_0;
         slice2window_partial_0_1(0) <= slice2cost_column_0(0) + slice2window_partial_0_0(0);
         slice2window_partial_0_1(1) <= slice2cost_column_0(1) + slice2window_partial_0_0(1);
       end if;
@@ -2239,11 +1491,8 @@ begin
       entry_order_falls_any := (not slice0_tag_valid(2)) or (not slice0_tag_map_column(2)) or entry_order_inside;
       entry_order_falls_all := slice0_tag_valid(2) and slice0_tag_map_column(2) and (not entry_order_inside);
       entry_order_complete_any := (not slice0_tag_valid(2)) or (not slice0_tag_map_column(2));
-      if entry_order_falls_all then
-        entry_order_turned_output_column_choice := entry_order_output and entry_order_complete;
-      else
-        entry_order_turned_output_column_choice := entry_order_held_output;
-      end if;
+      entry_order_turned_output_column_choice := choice(entry_order_falls_all, entry_order_output and
+        entry_order_complete, entry_order_held_output);
       for i in 0 to 4 loop
         entry_next_cost(i) <= slice0_held(2, i);
       end loop;
@@ -2252,54 +1501,31 @@ begin
       end loop;
       entry_next_cost(10) <= slice2_held_0(0);
       entry_next_cost(11) <= slice2_held_0(1);
-      entry_next_tag_valid <= slice0_tag_valid(2);
-      entry_next_tag_map_column <= slice0_tag_map_column(2);
-      entry_next_tag_first_column <= slice0_tag_first_column(2);
-      entry_next_tag_end_of_line <= slice0_tag_end_of_line(2);
+      entry_next_tag.valid <= slice0_tag_valid(2);
+      entry_next_tag.map_column <= slice0_tag_map_column(2);
+      entry_next_tag.first_column <= slice0_tag_first_column(2);
+      entry_next_tag.end_of_line <= slice0_tag_end_of_line(2);
       entry_order_turned_output_column <= entry_order_turned_output_column_choice and slice0_tag_map_column(2);
       entry_order_turned_start_of_frame <= slice0_tag_valid(2) and slice0_tag_map_column(2) and (not
         entry_order_inside) and entry_next_top and entry_order_output and entry_order_complete;
-      for i in 0 to 11 loop
-        entry_cost(i) <= entry_next_cost(i);
-      end loop;
-      entry_tag_valid <= entry_next_tag_valid;
-      entry_tag_map_column <= entry_next_tag_map_column;
-      entry_tag_first_column <= entry_next_tag_first_column;
-      entry_tag_end_of_line <= entry_next_tag_end_of_line;
+      entry_cost <= entry_next_cost;
+      entry_tag <= entry_next_tag;
       entry_place <= entry_order_address;
       entry_turned_output_column <= entry_order_turned_output_column;
       entry_turned_start_of_frame <= entry_order_turned_start_of_frame;
-      if entry_order_falls then
-        entry_order_falls <= entry_order_falls_any;
-      else
-        entry_order_falls <= entry_order_falls_all;
-      end if;
-      if slice0_tag_end_of_line(2) then
-        entry_order_complete <= entry_order_complete or (slice0_tag_valid(2) and slice0_tag_map_column(2));
-      else
-        entry_order_complete <= entry_order_complete and entry_order_complete_any;
-      end if;
+      entry_order_falls <= choice(entry_order_falls, entry_order_falls_any, entry_order_falls_all);
+      entry_order_complete <= choice(slice0_tag_end_of_line(2), entry_order_complete or (slice0_tag_valid(2) and
+        slice0_tag_map_column(2)), entry_order_complete and entry_order_complete_any);
       if entry_order_falls_all then
         entry_next_top <= slice0_tag_start_of_frame(2);
         entry_order_output <= slice0_tag_output_column(2);
         entry_order_held_output <= entry_order_output and entry_order_complete;
       end if;
-      if entry_order_falls then
-        entry_order_address_choice := 31;
-      else
-        entry_order_address_choice := 1;
-      end if;
-      if entry_order_falls then
-        entry_order_address_choice_2 := 0;
-      else
-        entry_order_address_choice_2 := 7;
-      end if;
+      entry_order_address_choice := choice(entry_order_falls, 31, 1);
+      entry_order_address_choice_2 := choice(entry_order_falls, 0, 7);
       if not entry_order_complete_any then
-        if entry_order_falls_any then
-          entry_order_address <= (entry_order_address_choice + entry_order_address) mod 32;
-        else
-          entry_order_address <= entry_order_address_choice_2 * 4;
-        end if;
+        entry_order_address <= choice(entry_order_falls_any, (entry_order_address_choice + entry_order_address) mod 32,
+          entry_order_address_choice_2 * 4);
       end if;
       if slice0_tag_valid(2) then
         entry_order_inside <= slice0_tag_map_column(2);
@@ -2309,142 +1535,76 @@ begin
         forward_pair_cost_sum(i) := entry_cost(i) + forward_next_cost(i);
       end loop;
       forward_path_value(0) := (((forward_dropped(0) - forward_stayed(0)) mod 512) / 256) = 1;
-      if forward_path_value(0) then
-        forward_path_choice(0) := forward_dropped(0);
-      else
-        forward_path_choice(0) := forward_stayed(0);
-      end if;
-      if forward_next_first then
-        forward_path_0_choice_2 := 0;
-      else
-        forward_path_0_choice_2 := forward_path_choice(0);
-      end if;
+      forward_path_choice(0, 1) := choice(forward_path_value(0), forward_dropped(0), forward_stayed(0));
+      forward_path_choice(0, 2) := choice(forward_next_first, 0, forward_path_choice(0, 1));
       for i in 1 to 11 loop
         forward_path_any(i) := (not ((((forward_occluding(i - 1) - forward_stayed(i)) mod 512) / 256) = 1)) or (not
           ((((forward_occluding(i - 1) - forward_dropped(i)) mod 512) / 256) = 1));
         forward_path_value(i) := (((forward_dropped(i) - forward_stayed(i)) mod 512) / 256) = 1;
-        if forward_path_value(i) then
-          forward_path_choice(i) := forward_dropped(i);
-        else
-          forward_path_choice(i) := forward_stayed(i);
-        end if;
-        if forward_path_any(i) then
-          forward_path_choices(i, 2) := forward_path_choice(i);
-        else
-          forward_path_choices(i, 2) := forward_occluding(i - 1);
-        end if;
-        if forward_next_first then
-          forward_path_choices(i, 3) := 0;
-        else
-          forward_path_choices(i, 3) := forward_path_choices(i, 2);
-        end if;
+        forward_path_choice(i, 1) := choice(forward_path_value(i), forward_dropped(i), forward_stayed(i));
+        forward_path_choice(i, 2) := choice(forward_path_any(i), forward_path_choice(i, 1), forward_occluding(i - 1));
+        forward_path_choice(i, 3) := choice(forward_next_first, 0, forward_path_choice(i, 2));
       end loop;
       for i in 0 to 5 loop
         forward_dropped_value(i) := (((forward_path(i + 6) - forward_path(i + 1)) mod 512) / 256) = 1;
-        if forward_dropped_value(i) then
-          forward_dropped_choice(i) := forward_path(i + 6);
-        else
-          forward_dropped_choice(i) := forward_path(i + 1);
-        end if;
+        forward_dropped_choice(i) := choice(forward_dropped_value(i), forward_path(i + 6), forward_path(i + 1));
       end loop;
-      for i in 0 to 1 loop
-        if forward_far(i) then
-          forward_decision_choice(i) := 2;
-        else
-          forward_decision_choice(i) := 1;
-        end if;
-      end loop;
-      for i in 1 to 4 loop
-        if forward_path_value(i) then
-          forward_decision_choice_2(i) := forward_decision_choice(i);
-        else
-          forward_decision_choice_2(i) := 0;
-        end if;
-        if forward_far(i + 1) then
-          forward_decision_choice(i + 1) := 2;
-        else
-          forward_decision_choice(i + 1) := 1;
-        end if;
-      end loop;
-      if forward_path_value(5) then
-        forward_decision_choice_2(5) := forward_decision_choice(5);
-      else
-        forward_decision_choice_2(5) := 0;
-      end if;
-      if entry_tag_valid then
-        for i in 0 to 11 loop
-          forward_next_cost(i) <= entry_cost(i);
-        end loop;
-        forward_next_first <= entry_tag_first_column;
+      forward_decision_0_choice := choice(forward_far(0), 2, 1);
+      forward_decision_1_choice := choice(forward_far(1), 2, 1);
+      forward_decision_choice_2(1) := choice(forward_path_value(1), forward_decision_1_choice, 0);
+      forward_decision_2_choice := choice(forward_far(2), 2, 1);
+      forward_decision_choice_2(2) := choice(forward_path_value(2), forward_decision_2_choice, 0);
+      forward_decision_3_choice := choice(forward_far(3), 2, 1);
+      forward_decision_choice_2(3) := choice(forward_path_value(3), forward_decision_3_choice, 0);
+      forward_decision_4_choice := choice(forward_far(4), 2, 1);
+      forward_decision_choice_2(4) := choice(forward_path_value(4), forward_decision_4_choice, 0);
+      forward_decision_5_choice := choice(forward_far(5), 2, 1);
+      forward_decision_choice_2(5) := choice(forward_path_value(5), forward_decision_5_choice, 0);
+      if entry_tag.valid then
+        forward_next_cost <= entry_cost;
+        forward_next_first <= entry_tag.first_column;
         for i in 0 to 11 loop
           forward_pair_cost(i) <= (((forward_pair_cost_sum(i) / 4) + 1) * 4) + (forward_pair_cost_sum(i) mod 4);
         end loop;
-        forward_path(0) <= forward_path_0_choice_2;
+        forward_path(0) <= forward_path_choice(0, 2);
         for i in 1 to 11 loop
-          forward_path(i) <= forward_path_choices(i, 3);
+          forward_path(i) <= forward_path_choice(i, 3);
         end loop;
-        forward_stayed(0) <= (forward_path_0_choice_2 + forward_next_cost(0)) mod 512;
+        forward_stayed(0) <= (forward_path_choice(0, 2) + forward_next_cost(0)) mod 512;
         for i in 1 to 11 loop
-          forward_stayed(i) <= (forward_path_choices(i, 3) + forward_next_cost(i)) mod 512;
+          forward_stayed(i) <= (forward_path_choice(i, 3) + forward_next_cost(i)) mod 512;
         end loop;
         forward_far(0) <= forward_dropped_value(0) and (not forward_next_first);
-        if forward_next_first then
-          for i in 0 to 10 loop
-            forward_occluding(i) <= 128;
-          end loop;
-          for i in 0 to 11 loop
-            forward_dropped(i) <= 128;
-          end loop;
-        else
-          forward_occluding(0) <= (forward_path_0_choice_2 + 7) mod 512;
-          for i in 1 to 10 loop
-            forward_occluding(i) <= (forward_path_choices(i, 3) + 7) mod 512;
-          end loop;
-          for i in 0 to 5 loop
-            forward_dropped(i) <= (forward_pair_cost(i) + forward_dropped_choice(i)) mod 512;
-          end loop;
-          for i in 6 to 10 loop
-            forward_dropped(i) <= (forward_pair_cost(i) + forward_path(i + 1)) mod 512;
-          end loop;
-          forward_dropped(11) <= (forward_pair_cost(11) + forward_path(11)) mod 512;
-        end if;
-        if forward_path_value(0) then
-          forward_decision_0 <= forward_decision_choice(0);
-        else
-          forward_decision_0 <= 0;
-        end if;
+        forward_occluding(0) <= choice(forward_next_first, 128, (forward_path_choice(0, 2) + 7) mod 512);
+        for i in 1 to 10 loop
+          forward_occluding(i) <= choice(forward_next_first, 128, (forward_path_choice(i, 3) + 7) mod 512);
+        end loop;
+        for i in 0 to 5 loop
+          forward_dropped(i) <= choice(forward_next_first, 128, (forward_pair_cost(i) + forward_dropped_choice(i)) mod
+            512);
+        end loop;
+        for i in 6 to 10 loop
+          forward_dropped(i) <= choice(forward_next_first, 128, (forward_pair_cost(i) + forward_path(i + 1)) mod 512);
+        end loop;
+        forward_dropped(11) <= choice(forward_next_first, 128, (forward_pair_cost(11) + forward_path(11)) mod 512);
+        forward_decision(0) <= choice(forward_path_value(0), forward_decision_0_choice, 0);
         for i in 1 to 5 loop
-          if forward_path_any(i) then
-            forward_decision(i) <= forward_decision_choice_2(i);
-          else
-            forward_decision(i) <= 3;
-          end if;
+          forward_decision(i) <= choice(forward_path_any(i), forward_decision_choice_2(i), 3);
         end loop;
         for i in 6 to 11 loop
-          if forward_path_any(i) then
-            forward_decision(i) <= as_number(forward_path_value(i));
-          else
-            forward_decision(i) <= 3;
-          end if;
+          forward_decision(i) <= choice(forward_path_any(i), as_number(forward_path_value(i)), 3);
         end loop;
       end if;
-      forward_far_1_any := (not entry_tag_valid) or (not forward_next_first);
+      forward_far_1_any := (not entry_tag.valid) or (not forward_next_first);
       for i in 1 to 5 loop
-        if forward_dropped_value(i) then
-          forward_far_choice(i) := forward_far_1_any;
-        else
-          forward_far_choice(i) := not entry_tag_valid;
-        end if;
+        forward_far_choice(i) := choice(forward_dropped_value(i), forward_far_1_any, not entry_tag.valid);
       end loop;
       for i in 1 to 5 loop
-        if forward_far(i) then
-          forward_far(i) <= forward_far_choice(i);
-        else
-          forward_far(i) <= forward_dropped_value(i) and entry_tag_valid and (not forward_next_first);
-        end if;
+        forward_far(i) <= choice(forward_far(i), forward_far_choice(i), forward_dropped_value(i) and entry_tag.valid
+          and (not forward_next_first));
       end loop;
       -- decisions
-      if entry_tag_valid then
+      if entry_tag.valid then
         decisions_ready_decision(0) <= to_integer(decisions_read_words_0(1 downto 0));
         decisions_ready_decision(1) <= (to_integer(decisions_read_words_0(7 downto 0)) / 4) mod 4;
         decisions_ready_decision(2) <= (to_integer(decisions_read_words_0(7 downto 0)) / 16) mod 4;
@@ -2452,366 +1612,198 @@ begin
         for i in 4 to 11 loop
           decisions_ready_decision(i) <= to_integer(decisions_read_words_0(2 * i + 1 downto 2 * i));
         end loop;
-        decisions_ready_inside <= entry_tag_map_column;
-        decisions_comes(0) <= entry_tag_map_column;
+        decisions_ready_inside <= entry_tag.map_column;
+        decisions_comes(0) <= entry_tag.map_column;
         decisions_comes(1) <= decisions_ready_inside;
         decisions_comes(2) <= last_tags_held_map_column(1);
         decisions_place(0) <= entry_place;
-        decisions_place(1) <= decisions_place(0);
-        decisions_place(2) <= decisions_place(1);
+        decisions_place(1 to 2) <= decisions_place(0 to 1);
       end if;
-      decisions_write_words_0_all := decisions_comes(2) and entry_tag_valid;
+      decisions_write_words_0_all := decisions_comes(2) and entry_tag.valid;
       if decisions_write_words_0_all then
         decisions_write_words_0 <= (forward_decision(10) * 1048576) + (forward_decision(11) * 4194304) +
           (forward_decision(9) * 262144) + (forward_decision(8) * 65536) + (forward_decision(7) * 16384) +
           (forward_decision(6) * 4096) + (forward_decision(5) * 1024) + (forward_decision(4) * 256) +
-          (forward_decision(3) * 64) + (forward_decision(2) * 16) + forward_decision_0 + (forward_decision(1) * 4);
+          (forward_decision(3) * 64) + (forward_decision(2) * 16) + forward_decision(0) + (forward_decision(1) * 4);
         decisions_write_place <= decisions_place(2);
       end if;
       -- last
-      if entry_tag_valid then
-        last_tags_held_end_of_line(0) <= entry_tag_end_of_line;
+      if entry_tag.valid then
+        last_tags_held_end_of_line(0) <= entry_tag.end_of_line;
         last_tags_held_map_column(1) <= decisions_comes(0);
         last_tags_held_end_of_line(1) <= last_tags_held_end_of_line(0);
         last_tags_held_map_column(2) <= decisions_comes(1);
         last_tags_held_end_of_line(2) <= last_tags_held_end_of_line(1);
       end if;
       last_path_0_2_difference := 256 - forward_path(0);
-      last_tags_moved <= entry_tag_valid;
-      last_path_0_0 <= 256;
+      last_tags_moved <= entry_tag.valid;
+      last_path_0(0) <= 256;
       last_path_0(1) <= ((((((forward_path(1) / 256) + 1) mod 2) * 256) + (forward_path(1) mod 256)) - forward_path(0))
         mod 512;
       for i in 2 to 11 loop
         last_path_0(i) <= (last_path_0_2_difference + forward_path(i)) mod 512;
       end loop;
-      last_tag_valid <= last_tags_moved;
-      last_tag_map_column <= last_tags_held_map_column(2);
-      last_tag_end_of_line <= last_tags_held_end_of_line(2);
-      if not ((not lastwinner4_tag_end_of_line) or (not lastwinner4_tag_map_column) or (not lastwinner4_tag_valid)) then
+      last_tag.valid <= last_tags_moved;
+      last_tag.map_column <= last_tags_held_map_column(2);
+      last_tag.end_of_line <= last_tags_held_end_of_line(2);
+      if not ((not lastwinner4_tag.end_of_line) or (not lastwinner4_tag.map_column) or (not lastwinner4_tag.valid)) then
         last_state <= lastwinner4_best_index_0_0;
       end if;
       -- lastwinner1
-      lastwinner1_best_cost_0_is_less(0) := (last_path_0(1) - last_path_0_0) < 0;
-      for i in 1 to 5 loop
+      for i in 0 to 5 loop
         lastwinner1_best_cost_0_is_less(i) := (last_path_0(2 * i + 1) - last_path_0(2 * i)) < 0;
       end loop;
       lastwinner1_best_index_0_0 <= lastwinner1_best_cost_0_is_less(0);
-      lastwinner1_tag_valid <= last_tag_valid;
-      lastwinner1_tag_map_column <= last_tag_map_column;
-      lastwinner1_tag_end_of_line <= last_tag_end_of_line;
-      if lastwinner1_best_cost_0_is_less(0) then
-        lastwinner1_best_cost_0(0) <= last_path_0(1);
-      else
-        lastwinner1_best_cost_0(0) <= last_path_0_0;
-      end if;
-      if lastwinner1_best_cost_0_is_less(1) then
-        lastwinner1_best_cost_0(1) <= last_path_0(3);
-        lastwinner1_best_index_0_1 <= 3;
-      else
-        lastwinner1_best_cost_0(1) <= last_path_0(2);
-        lastwinner1_best_index_0_1 <= 2;
-      end if;
-      if lastwinner1_best_cost_0_is_less(2) then
-        lastwinner1_best_cost_0(2) <= last_path_0(5);
-        lastwinner1_best_index_0_2 <= 5;
-      else
-        lastwinner1_best_cost_0(2) <= last_path_0(4);
-        lastwinner1_best_index_0_2 <= 4;
-      end if;
-      if lastwinner1_best_cost_0_is_less(3) then
-        lastwinner1_best_cost_0(3) <= last_path_0(7);
-        lastwinner1_best_index_0_3 <= 7;
-      else
-        lastwinner1_best_cost_0(3) <= last_path_0(6);
-        lastwinner1_best_index_0_3 <= 6;
-      end if;
-      if lastwinner1_best_cost_0_is_less(4) then
-        lastwinner1_best_cost_0(4) <= last_path_0(9);
-        lastwinner1_best_index_0_4 <= 9;
-      else
-        lastwinner1_best_cost_0(4) <= last_path_0(8);
-        lastwinner1_best_index_0_4 <= 8;
-      end if;
-      if lastwinner1_best_cost_0_is_less(5) then
-        lastwinner1_best_cost_0(5) <= last_path_0(11);
-        lastwinner1_best_index_0_5 <= 11;
-      else
-        lastwinner1_best_cost_0(5) <= last_path_0(10);
-        lastwinner1_best_index_0_5 <= 10;
-      end if;
+      lastwinner1_tag <= last_tag;
+      lastwinner1_best_cost_0(0) <= choice(lastwinner1_best_cost_0_is_less(0), last_path_0(1), last_path_0(0));
+      for i in 1 to 5 loop
+        lastwinner1_best_cost_0(i) <= choice(lastwinner1_best_cost_0_is_less(i), last_path_0(2 * i + 1), last_path_0(2
+          * i));
+        lastwinner1_best_index_0(i) <= choice(lastwinner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
+      end loop;
       -- lastwinner2
       for i in 0 to 2 loop
         lastwinner2_best_cost_0_is_less(i) := (lastwinner1_best_cost_0(2 * i + 1) - lastwinner1_best_cost_0(2 * i)) < 0;
       end loop;
-      lastwinner2_tag_valid <= lastwinner1_tag_valid;
-      lastwinner2_tag_map_column <= lastwinner1_tag_map_column;
-      lastwinner2_tag_end_of_line <= lastwinner1_tag_end_of_line;
-      if lastwinner2_best_cost_0_is_less(0) then
-        lastwinner2_best_cost_0(0) <= lastwinner1_best_cost_0(1);
-        lastwinner2_best_index_0_0 <= lastwinner1_best_index_0_1;
-      else
-        lastwinner2_best_cost_0(0) <= lastwinner1_best_cost_0(0);
-        lastwinner2_best_index_0_0 <= as_number(lastwinner1_best_index_0_0);
-      end if;
-      if lastwinner2_best_cost_0_is_less(1) then
-        lastwinner2_best_cost_0(1) <= lastwinner1_best_cost_0(3);
-        lastwinner2_best_index_0_1 <= lastwinner1_best_index_0_3;
-      else
-        lastwinner2_best_cost_0(1) <= lastwinner1_best_cost_0(2);
-        lastwinner2_best_index_0_1 <= lastwinner1_best_index_0_2;
-      end if;
-      if lastwinner2_best_cost_0_is_less(2) then
-        lastwinner2_best_cost_0(2) <= lastwinner1_best_cost_0(5);
-        lastwinner2_best_index_0_2 <= lastwinner1_best_index_0_5;
-      else
-        lastwinner2_best_cost_0(2) <= lastwinner1_best_cost_0(4);
-        lastwinner2_best_index_0_2 <= lastwinner1_best_index_0_4;
-      end if;
+      lastwinner2_tag <= lastwinner1_tag;
+      lastwinner2_best_cost_0(0) <= choice(lastwinner2_best_cost_0_is_less(0), lastwinner1_best_cost_0(1),
+        lastwinner1_best_cost_0(0));
+      lastwinner2_best_index_0(0) <= choice(lastwinner2_best_cost_0_is_less(0), lastwinner1_best_index_0(1),
+        as_number(lastwinner1_best_index_0_0));
+      for i in 1 to 2 loop
+        lastwinner2_best_cost_0(i) <= choice(lastwinner2_best_cost_0_is_less(i), lastwinner1_best_cost_0(2 * i + 1),
+          lastwinner1_best_cost_0(2 * i));
+        lastwinner2_best_index_0(i) <= choice(lastwinner2_best_cost_0_is_less(i), lastwinner1_best_index_0(2 * i + 1),
+          lastwinner1_best_index_0(2 * i));
+      end loop;
       -- lastwinner3
       lastwinner3_best_cost_0_0_is_less := (lastwinner2_best_cost_0(1) - lastwinner2_best_cost_0(0)) < 0;
       lastwinner3_best_cost_0(1) <= lastwinner2_best_cost_0(2);
-      lastwinner3_best_index_0_1 <= lastwinner2_best_index_0_2;
-      lastwinner3_tag_valid <= lastwinner2_tag_valid;
-      lastwinner3_tag_map_column <= lastwinner2_tag_map_column;
-      lastwinner3_tag_end_of_line <= lastwinner2_tag_end_of_line;
-      if lastwinner3_best_cost_0_0_is_less then
-        lastwinner3_best_cost_0(0) <= lastwinner2_best_cost_0(1);
-        lastwinner3_best_index_0_0 <= lastwinner2_best_index_0_1;
-      else
-        lastwinner3_best_cost_0(0) <= lastwinner2_best_cost_0(0);
-        lastwinner3_best_index_0_0 <= lastwinner2_best_index_0_0;
-      end if;
+      lastwinner3_best_index_0(1) <= lastwinner2_best_index_0(2);
+      lastwinner3_tag <= lastwinner2_tag;
+      lastwinner3_best_cost_0(0) <= choice(lastwinner3_best_cost_0_0_is_less, lastwinner2_best_cost_0(1),
+        lastwinner2_best_cost_0(0));
+      lastwinner3_best_index_0(0) <= choice(lastwinner3_best_cost_0_0_is_less, lastwinner2_best_index_0(1),
+        lastwinner2_best_index_0(0));
       -- lastwinner4
-      lastwinner4_tag_valid <= lastwinner3_tag_valid;
-      lastwinner4_tag_map_column <= lastwinner3_tag_map_column;
-      lastwinner4_tag_end_of_line <= lastwinner3_tag_end_of_line;
-      if (lastwinner3_best_cost_0(1) - lastwinner3_best_cost_0(0)) < 0 then
-        lastwinner4_best_index_0_0 <= lastwinner3_best_index_0_1;
-      else
-        lastwinner4_best_index_0_0 <= lastwinner3_best_index_0_0;
-      end if;
+      lastwinner4_tag <= lastwinner3_tag;
+      lastwinner4_best_index_0_0 <= choice((lastwinner3_best_cost_0(1) - lastwinner3_best_cost_0(0)) < 0,
+        lastwinner3_best_index_0(1), lastwinner3_best_index_0(0));
       -- traceback
-      traceback_state_is_equal := traceback_falling = 1;
+      traceback_state_is_equals(1) := traceback_falling = 1;
       traceback_state_sum := traceback_state + 1;
       traceback_state_is_equals(2) := traceback_falling = 2;
       traceback_state_sum_2 := (traceback_state / 2) + 3;
       traceback_state_is_equals(3) := traceback_falling = 0;
       traceback_state_all := (traceback_decision = 3) and traceback_state_is_equals(3);
       traceback_state_sum_3 := traceback_state + 255;
-      if traceback_state_all then
-        traceback_state_choice := traceback_state_sum_3 mod 256;
-      else
-        traceback_state_choice := traceback_state;
-      end if;
-      if traceback_state_is_equals(2) then
-        traceback_state_choices(2) := ((traceback_state_sum_2 mod 128) * 2) + (traceback_state mod 2);
-      else
-        traceback_state_choices(2) := traceback_state_choice;
-      end if;
-      if traceback_state_is_equal then
-        traceback_state_choices(3) := traceback_state_sum mod 256;
-      else
-        traceback_state_choices(3) := traceback_state_choices(2);
-      end if;
-      traceback_decision_value := (((traceback_state_sum mod 256) / 2) mod 2) = 1;
-      if is_set(traceback_state_sum, 0) then
-        traceback_decision_choice := decisions_ready_decision(11);
-      else
-        traceback_decision_choice := decisions_ready_decision(10);
-      end if;
-      if is_set(traceback_state_sum, 0) then
-        traceback_decision_choices(2) := decisions_ready_decision(9);
-      else
-        traceback_decision_choices(2) := decisions_ready_decision(8);
-      end if;
-      if traceback_decision_value then
-        traceback_decision_choices(3) := traceback_decision_choice;
-      else
-        traceback_decision_choices(3) := traceback_decision_choices(2);
-      end if;
-      for i in 0 to 1 loop
-        for j in 4 to 5 loop
-          if is_set(traceback_state_sum, 0) then
-            traceback_decision_choices(3 * i + j) := decisions_ready_decision(15 - 4 * i - 2 * j);
-          else
-            traceback_decision_choices(3 * i + j) := decisions_ready_decision(14 - 4 * i - 2 * j);
-          end if;
-        end loop;
-        if traceback_decision_value then
-          traceback_decision_choices(3 * i + 6) := traceback_decision_choices(3 * i + 4);
-        else
-          traceback_decision_choices(3 * i + 6) := traceback_decision_choices(3 * i + 5);
-        end if;
-      end loop;
-      if (((traceback_state_sum mod 256) / 4) mod 2) = 1 then
-        traceback_decision_choices(10) := traceback_decision_choices(6);
-      else
-        traceback_decision_choices(10) := traceback_decision_choices(9);
-      end if;
-      if (((traceback_state_sum mod 256) / 8) mod 2) = 1 then
-        traceback_decision_choices(11) := traceback_decision_choices(3);
-      else
-        traceback_decision_choices(11) := traceback_decision_choices(10);
-      end if;
+      traceback_state_choices(1) := choice(traceback_state_all, traceback_state_sum_3 mod 256, traceback_state);
+      traceback_state_choices(2) := choice(traceback_state_is_equals(2), ((traceback_state_sum_2 mod 128) * 2) +
+        (traceback_state mod 2), traceback_state_choices(1));
+      traceback_state_choices(3) := choice(traceback_state_is_equals(1), traceback_state_sum mod 256,
+        traceback_state_choices(2));
+      traceback_decision_values(1) := (((traceback_state_sum mod 256) / 2) mod 2) = 1;
       for i in 0 to 2 loop
-        for j in 12 to 13 loop
-          if is_set(traceback_state, 0) then
-            traceback_decision_choices(3 * i + j) := decisions_ready_decision(35 - 4 * i - 2 * j);
-          else
-            traceback_decision_choices(3 * i + j) := decisions_ready_decision(34 - 4 * i - 2 * j);
-          end if;
-        end loop;
-        if is_set(traceback_state_sum_2, 0) then
-          traceback_decision_choices(3 * i + 14) := traceback_decision_choices(3 * i + 12);
-        else
-          traceback_decision_choices(3 * i + 14) := traceback_decision_choices(3 * i + 13);
-        end if;
+        traceback_decision_choices(3 * i + 1) := choice(is_set(traceback_state_sum, 0), decisions_ready_decision(11 - 4
+          * i), decisions_ready_decision(10 - 4 * i));
+        traceback_decision_choices(3 * i + 2) := choice(is_set(traceback_state_sum, 0), decisions_ready_decision(9 - 4
+          * i), decisions_ready_decision(8 - 4 * i));
+        traceback_decision_choices(3 * i + 3) := choice(traceback_decision_values(1), traceback_decision_choices(3 * i
+          + 1), traceback_decision_choices(3 * i + 2));
       end loop;
-      if (((traceback_state_sum_2 mod 128) / 2) mod 2) = 1 then
-        traceback_decision_choices(21) := traceback_decision_choices(17);
-      else
-        traceback_decision_choices(21) := traceback_decision_choices(20);
-      end if;
-      if (((traceback_state_sum_2 mod 128) / 4) mod 2) = 1 then
-        traceback_decision_choices(22) := traceback_decision_choices(14);
-      else
-        traceback_decision_choices(22) := traceback_decision_choices(21);
-      end if;
+      traceback_decision_choices(10) := choice((((traceback_state_sum mod 256) / 4) mod 2) = 1,
+        traceback_decision_choices(6), traceback_decision_choices(9));
+      traceback_decision_choices(11) := choice((((traceback_state_sum mod 256) / 8) mod 2) = 1,
+        traceback_decision_choices(3), traceback_decision_choices(10));
+      for i in 0 to 2 loop
+        traceback_decision_choices(3 * i + 12) := choice(is_set(traceback_state, 0), decisions_ready_decision(11 - 4 *
+          i), decisions_ready_decision(10 - 4 * i));
+        traceback_decision_choices(3 * i + 13) := choice(is_set(traceback_state, 0), decisions_ready_decision(9 - 4 *
+          i), decisions_ready_decision(8 - 4 * i));
+        traceback_decision_choices(3 * i + 14) := choice(is_set(traceback_state_sum_2, 0), traceback_decision_choices(3
+          * i + 12), traceback_decision_choices(3 * i + 13));
+      end loop;
+      traceback_decision_choices(21) := choice((((traceback_state_sum_2 mod 128) / 2) mod 2) = 1,
+        traceback_decision_choices(17), traceback_decision_choices(20));
+      traceback_decision_choices(22) := choice((((traceback_state_sum_2 mod 128) / 4) mod 2) = 1,
+        traceback_decision_choices(14), traceback_decision_choices(21));
       traceback_decision_values(2) := (((traceback_state_sum_3 mod 256) / 2) mod 2) = 1;
       for i in 0 to 2 loop
-        for j in 23 to 24 loop
-          if is_set(traceback_state_sum_3, 0) then
-            traceback_decision_choices(3 * i + j) := decisions_ready_decision(57 - 4 * i - 2 * j);
-          else
-            traceback_decision_choices(3 * i + j) := decisions_ready_decision(56 - 4 * i - 2 * j);
-          end if;
-        end loop;
-        if traceback_decision_values(2) then
-          traceback_decision_choices(3 * i + 25) := traceback_decision_choices(3 * i + 23);
-        else
-          traceback_decision_choices(3 * i + 25) := traceback_decision_choices(3 * i + 24);
-        end if;
+        traceback_decision_choices(3 * i + 23) := choice(is_set(traceback_state_sum_3, 0), decisions_ready_decision(11
+          - 4 * i), decisions_ready_decision(10 - 4 * i));
+        traceback_decision_choices(3 * i + 24) := choice(is_set(traceback_state_sum_3, 0), decisions_ready_decision(9 -
+          4 * i), decisions_ready_decision(8 - 4 * i));
+        traceback_decision_choices(3 * i + 25) := choice(traceback_decision_values(2), traceback_decision_choices(3 * i
+          + 23), traceback_decision_choices(3 * i + 24));
       end loop;
-      if (((traceback_state_sum_3 mod 256) / 4) mod 2) = 1 then
-        traceback_decision_choices(32) := traceback_decision_choices(28);
-      else
-        traceback_decision_choices(32) := traceback_decision_choices(31);
-      end if;
-      if (((traceback_state_sum_3 mod 256) / 8) mod 2) = 1 then
-        traceback_decision_choices(33) := traceback_decision_choices(25);
-      else
-        traceback_decision_choices(33) := traceback_decision_choices(32);
-      end if;
+      traceback_decision_choices(32) := choice((((traceback_state_sum_3 mod 256) / 4) mod 2) = 1,
+        traceback_decision_choices(28), traceback_decision_choices(31));
+      traceback_decision_choices(33) := choice((((traceback_state_sum_3 mod 256) / 8) mod 2) = 1,
+        traceback_decision_choices(25), traceback_decision_choices(32));
       traceback_decision_values(3) := is_set(traceback_state, 1);
       for i in 34 to 36 loop
-        if traceback_decision_values(3) then
-          traceback_decision_choices(i) := traceback_decision_choices(3 * i - 90);
-        else
-          traceback_decision_choices(i) := traceback_decision_choices(3 * i - 89);
-        end if;
+        traceback_decision_choices(i) := choice(traceback_decision_values(3), traceback_decision_choices(3 * i - 90),
+          traceback_decision_choices(3 * i - 89));
       end loop;
-      for i in 2 to 3 loop
-        if is_set(traceback_state, i) then
-          traceback_decision_choices(i + 35) := traceback_decision_choices(37 - i);
-        else
-          traceback_decision_choices(i + 35) := traceback_decision_choices(i + 34);
-        end if;
-      end loop;
-      if traceback_state_all then
-        traceback_decision_choices(39) := traceback_decision_choices(33);
-      else
-        traceback_decision_choices(39) := traceback_decision_choices(38);
-      end if;
-      if traceback_state_is_equals(2) then
-        traceback_decision_choices(40) := traceback_decision_choices(22);
-      else
-        traceback_decision_choices(40) := traceback_decision_choices(39);
-      end if;
-      if traceback_state_is_equal then
-        traceback_decision_choices(41) := traceback_decision_choices(11);
-      else
-        traceback_decision_choices(41) := traceback_decision_choices(40);
-      end if;
-      if entry_tag_valid then
+      traceback_decision_choices(37) := choice(is_set(traceback_state, 2), traceback_decision_choices(35),
+        traceback_decision_choices(36));
+      traceback_decision_choices(38) := choice(is_set(traceback_state, 3), traceback_decision_choices(34),
+        traceback_decision_choices(37));
+      traceback_decision_choices(39) := choice(traceback_state_all, traceback_decision_choices(33),
+        traceback_decision_choices(38));
+      traceback_decision_choices(40) := choice(traceback_state_is_equals(2), traceback_decision_choices(22),
+        traceback_decision_choices(39));
+      traceback_decision_choices(41) := choice(traceback_state_is_equals(1), traceback_decision_choices(11),
+        traceback_decision_choices(40));
+      if entry_tag.valid then
         traceback_tags_held_output_column(0) <= entry_turned_output_column;
         traceback_tags_held_start_of_frame(0) <= entry_turned_start_of_frame;
         traceback_tags_held_output_column(1) <= traceback_tags_held_output_column(0);
         traceback_tags_held_start_of_frame(1) <= traceback_tags_held_start_of_frame(0);
-        if decisions_comes(0) then
-          traceback_state <= traceback_state_choices(3);
-          traceback_decision <= traceback_decision_choices(41);
-        else
-          traceback_state <= last_state;
-          traceback_decision <= 0;
-        end if;
-        if ((((traceback_decision + 255) mod 256) / 2) = 0) and decisions_comes(0) and traceback_state_is_equals(3) then
-          traceback_falling <= traceback_decision;
-        else
-          traceback_falling <= 0;
-        end if;
+        traceback_state <= choice(decisions_comes(0), traceback_state_choices(3), last_state);
+        traceback_decision <= choice(decisions_comes(0), traceback_decision_choices(41), 0);
+        traceback_falling <= choice(((((traceback_decision + 255) mod 256) / 2) = 0) and decisions_comes(0) and
+          traceback_state_is_equals(3), traceback_decision, 0);
       end if;
       traceback_out_disparity_0 <= traceback_state;
       traceback_out_passed_0 <= is_set(traceback_falling, 1) or is_set(traceback_falling, 0) or (not
         is_set(traceback_decision, 1)) or (not is_set(traceback_decision, 0));
-      traceback_out_tag_map_column <= decisions_comes(1);
-      traceback_out_tag_output_column <= traceback_tags_held_output_column(1);
-      traceback_out_tag_start_of_frame <= traceback_tags_held_start_of_frame(1);
-      traceback_out_tag_end_of_line <= last_tags_held_end_of_line(1);
+      traceback_out_tag.map_column <= decisions_comes(1);
+      traceback_out_tag.output_column <= traceback_tags_held_output_column(1);
+      traceback_out_tag.start_of_frame <= traceback_tags_held_start_of_frame(1);
+      traceback_out_tag.end_of_line <= last_tags_held_end_of_line(1);
       -- turn
-      turn_order_address_any := turn_order_inside or (not traceback_out_tag_map_column) or (not last_tag_valid);
-      if turn_order_falls then
-        turn_order_address_choice := 31;
-      else
-        turn_order_address_choice := 1;
+      turn_order_address_anys(1) := turn_order_inside or (not traceback_out_tag.map_column) or (not last_tag.valid);
+      turn_order_address_choice := choice(turn_order_falls, 31, 1);
+      turn_order_address_choice_2 := choice(turn_order_falls, 0, 7);
+      turn_order_address_anys(2) := (not traceback_out_tag.map_column) or (not last_tag.valid);
+      if not turn_order_address_anys(2) then
+        turn_order_address <= choice(turn_order_address_anys(1), (turn_order_address_choice + turn_order_address) mod
+          32, turn_order_address_choice_2 * 4);
       end if;
-      if turn_order_falls then
-        turn_order_address_choice_2 := 0;
-      else
-        turn_order_address_choice_2 := 7;
-      end if;
-      turn_order_address_any_2 := (not traceback_out_tag_map_column) or (not last_tag_valid);
-      if not turn_order_address_any_2 then
-        if turn_order_address_any then
-          turn_order_address <= (turn_order_address_choice + turn_order_address) mod 32;
-        else
-          turn_order_address <= turn_order_address_choice_2 * 4;
-        end if;
-      end if;
-      turn_order_falls_all := (not turn_order_inside) and traceback_out_tag_map_column and last_tag_valid;
-      turn_order_complete_all := traceback_out_tag_map_column and last_tag_valid;
-      if turn_order_falls_all then
-        turn_order_turned_output_column_choice := turn_order_output and turn_order_complete;
-      else
-        turn_order_turned_output_column_choice := turn_order_held_output;
-      end if;
-      turn_order_turned_map_column <= traceback_out_tag_map_column;
-      turn_order_turned_output_column <= turn_order_turned_output_column_choice and traceback_out_tag_map_column;
+      turn_order_falls_all := (not turn_order_inside) and traceback_out_tag.map_column and last_tag.valid;
+      turn_order_complete_all := traceback_out_tag.map_column and last_tag.valid;
+      turn_order_turned_output_column_choice := choice(turn_order_falls_all, turn_order_output and turn_order_complete,
+        turn_order_held_output);
+      turn_order_turned_map_column <= traceback_out_tag.map_column;
+      turn_order_turned_output_column <= turn_order_turned_output_column_choice and traceback_out_tag.map_column;
       turn_order_turned_first_column <= turn_order_falls_all;
       turn_newest <= (as_number(traceback_out_passed_0) * 256) + traceback_out_disparity_0;
       turn_comes <= turn_order_complete_all;
-      turn_read_tag_map_column <= turn_order_turned_map_column;
-      turn_read_tag_output_column <= turn_order_turned_output_column;
-      turn_read_tag_first_column <= turn_order_turned_first_column;
+      turn_read_tag.map_column <= turn_order_turned_map_column;
+      turn_read_tag.output_column <= turn_order_turned_output_column;
+      turn_read_tag.first_column <= turn_order_turned_first_column;
       turn_ready <= to_integer(turn_read_words_0);
-      turn_ready_tag_map_column <= turn_read_tag_map_column;
-      turn_ready_tag_output_column <= turn_read_tag_output_column;
-      turn_ready_tag_first_column <= turn_read_tag_first_column;
-      if turn_order_falls then
-        turn_order_falls <= turn_order_address_any;
-      else
-        turn_order_falls <= turn_order_falls_all;
-      end if;
-      if traceback_out_tag_end_of_line then
-        turn_order_complete <= turn_order_complete or turn_order_complete_all;
-      else
-        turn_order_complete <= turn_order_complete and turn_order_address_any_2;
-      end if;
-      if last_tag_valid then
-        turn_order_inside <= traceback_out_tag_map_column;
+      turn_ready_tag <= turn_read_tag;
+      turn_order_falls <= choice(turn_order_falls, turn_order_address_anys(1), turn_order_falls_all);
+      turn_order_complete <= choice(traceback_out_tag.end_of_line, turn_order_complete or turn_order_complete_all,
+        turn_order_complete and turn_order_address_anys(2));
+      if last_tag.valid then
+        turn_order_inside <= traceback_out_tag.map_column;
       end if;
       if turn_order_falls_all then
-        turn_order_output <= traceback_out_tag_output_column;
-        turn_order_first <= traceback_out_tag_start_of_frame;
+        turn_order_output <= traceback_out_tag.output_column;
+        turn_order_first <= traceback_out_tag.start_of_frame;
         turn_order_held_output <= turn_order_output and turn_order_complete;
       end if;
       if turn_comes then
@@ -2819,25 +1811,17 @@ begin
         turn_write_place <= turn_order_address;
       end if;
       -- fill
-      if turn_ready_tag_first_column then
-        fill_out_disparity_0_choice := 0;
-      else
-        fill_out_disparity_0_choice := fill_out_disparity_0;
-      end if;
-      if turn_ready_tag_map_column and lastwinner3_tag_valid then
-        if is_set(turn_ready, 8) then
-          fill_out_disparity_0 <= turn_ready mod 256;
-        else
-          fill_out_disparity_0 <= fill_out_disparity_0_choice;
-        end if;
+      fill_out_disparity_0_choice := choice(turn_ready_tag.first_column, 0, fill_out_disparity_0);
+      if turn_ready_tag.map_column and lastwinner3_tag.valid then
+        fill_out_disparity_0 <= choice(is_set(turn_ready, 8), turn_ready mod 256, fill_out_disparity_0_choice);
       end if;
       fill_out_passed_0 <= is_set(turn_ready, 8);
-      fill_out_tag_output_column <= turn_ready_tag_output_column;
+      fill_out_tag_output_column <= turn_ready_tag.output_column;
       -- other
       other(0) <= other(3);
       other(1) <= other(0);
-      other(2) <= (as_number(traceback_out_tag_end_of_line) * 256) + as_number(((not turn_order_inside) and
-        traceback_out_tag_map_column and last_tag_valid and turn_order_first and turn_order_output and
+      other(2) <= (as_number(traceback_out_tag.end_of_line) * 256) + as_number(((not turn_order_inside) and
+        traceback_out_tag.map_column and last_tag.valid and turn_order_first and turn_order_output and
         turn_order_complete));
       other(3) <= other(2);
       if reset = '1' then
@@ -2863,63 +1847,63 @@ begin
         raster_place_group <= 13;
         raster_place_next_frame <= false;
         delay_column <= 0;
-        delay_tag_valid <= false;
-        delay_tag_map_column <= false;
-        delay_tag_output_column <= false;
-        delay_tag_start_of_frame <= false;
-        delay_tag_end_of_line <= false;
+        delay_tag.valid <= false;
+        delay_tag.map_column <= false;
+        delay_tag.output_column <= false;
+        delay_tag.start_of_frame <= false;
+        delay_tag.end_of_line <= false;
         rows_read_column <= 0;
-        rows_read_tag_valid <= false;
-        rows_read_tag_map_column <= false;
-        rows_read_tag_output_column <= false;
-        rows_read_tag_start_of_frame <= false;
-        rows_read_tag_end_of_line <= false;
+        rows_read_tag.valid <= false;
+        rows_read_tag.map_column <= false;
+        rows_read_tag.output_column <= false;
+        rows_read_tag.start_of_frame <= false;
+        rows_read_tag.end_of_line <= false;
         rows_ready_column <= 0;
-        rows_ready_tag_valid <= false;
-        rows_ready_tag_map_column <= false;
-        rows_ready_tag_output_column <= false;
-        rows_ready_tag_start_of_frame <= false;
-        rows_ready_tag_end_of_line <= false;
+        rows_ready_tag.valid <= false;
+        rows_ready_tag.map_column <= false;
+        rows_ready_tag.output_column <= false;
+        rows_ready_tag.start_of_frame <= false;
+        rows_ready_tag.end_of_line <= false;
         rows_write_column <= 0;
-        rows_tag_valid <= false;
-        rows_tag_map_column <= false;
-        rows_tag_output_column <= false;
-        rows_tag_start_of_frame <= false;
-        rows_tag_end_of_line <= false;
-        slice0shift_tag_valid <= false;
-        slice0shift_tag_map_column <= false;
-        slice0shift_tag_output_column <= false;
-        slice0shift_tag_start_of_frame <= false;
-        slice0shift_tag_end_of_line <= false;
-        slice0cost_pixels_first_tag_valid <= false;
-        slice0cost_pixels_first_tag_map_column <= false;
-        slice0cost_pixels_first_tag_output_column <= false;
-        slice0cost_pixels_first_tag_start_of_frame <= false;
-        slice0cost_pixels_first_tag_end_of_line <= false;
-        slice0cost_pixels_tag_valid <= false;
-        slice0cost_pixels_tag_map_column <= false;
-        slice0cost_pixels_tag_output_column <= false;
-        slice0cost_pixels_tag_start_of_frame <= false;
-        slice0cost_pixels_tag_end_of_line <= false;
-        slice0cost_pair_tag_valid <= false;
-        slice0cost_pair_tag_map_column <= false;
-        slice0cost_pair_tag_output_column <= false;
-        slice0cost_pair_tag_start_of_frame <= false;
-        slice0cost_pair_tag_end_of_line <= false;
-        slice0cost_tag_valid <= false;
-        slice0cost_tag_map_column <= false;
-        slice0cost_tag_output_column <= false;
-        slice0cost_tag_start_of_frame <= false;
-        slice0cost_tag_end_of_line <= false;
+        rows_tag.valid <= false;
+        rows_tag.map_column <= false;
+        rows_tag.output_column <= false;
+        rows_tag.start_of_frame <= false;
+        rows_tag.end_of_line <= false;
+        slice0shift_tag.valid <= false;
+        slice0shift_tag.map_column <= false;
+        slice0shift_tag.output_column <= false;
+        slice0shift_tag.start_of_frame <= false;
+        slice0shift_tag.end_of_line <= false;
+        slice0cost_pixels_first_tag.valid <= false;
+        slice0cost_pixels_first_tag.map_column <= false;
+        slice0cost_pixels_first_tag.output_column <= false;
+        slice0cost_pixels_first_tag.start_of_frame <= false;
+        slice0cost_pixels_first_tag.end_of_line <= false;
+        slice0cost_pixels_tag.valid <= false;
+        slice0cost_pixels_tag.map_column <= false;
+        slice0cost_pixels_tag.output_column <= false;
+        slice0cost_pixels_tag.start_of_frame <= false;
+        slice0cost_pixels_tag.end_of_line <= false;
+        slice0cost_pair_tag.valid <= false;
+        slice0cost_pair_tag.map_column <= false;
+        slice0cost_pair_tag.output_column <= false;
+        slice0cost_pair_tag.start_of_frame <= false;
+        slice0cost_pair_tag.end_of_line <= false;
+        slice0cost_tag.valid <= false;
+        slice0cost_tag.map_column <= false;
+        slice0cost_tag.output_column <= false;
+        slice0cost_tag.start_of_frame <= false;
+        slice0cost_tag.end_of_line <= false;
         slice0window_centre_map_column_0 <= false;
         slice0window_centre_output_column_0 <= false;
         slice0window_centre_start_of_frame_0 <= false;
         slice0window_centre_end_of_line_0 <= false;
-        slice0window_tag_valid <= false;
-        slice0window_tag_map_column <= false;
-        slice0window_tag_output_column <= false;
-        slice0window_tag_start_of_frame <= false;
-        slice0window_tag_end_of_line <= false;
+        slice0window_tag.valid <= false;
+        slice0window_tag.map_column <= false;
+        slice0window_tag.output_column <= false;
+        slice0window_tag.start_of_frame <= false;
+        slice0window_tag.end_of_line <= false;
         for i in 0 to 2 loop
           slice0_tag_valid(i) <= false;
           slice0_tag_map_column(i) <= false;
@@ -2927,9 +1911,9 @@ begin
           slice0_tag_start_of_frame(i) <= false;
           slice0_tag_end_of_line(i) <= false;
         end loop;
-        entry_next_tag_valid <= false;
-        entry_next_tag_map_column <= false;
-        entry_next_tag_end_of_line <= false;
+        entry_next_tag.valid <= false;
+        entry_next_tag.map_column <= false;
+        entry_next_tag.end_of_line <= false;
         entry_next_top <= false;
         entry_order_address <= 0;
         entry_order_falls <= false;
@@ -2939,19 +1923,15 @@ begin
         entry_order_held_output <= false;
         entry_order_turned_output_column <= false;
         entry_order_turned_start_of_frame <= false;
-        entry_tag_valid <= false;
-        entry_tag_map_column <= false;
-        entry_tag_end_of_line <= false;
+        entry_tag.valid <= false;
+        entry_tag.map_column <= false;
+        entry_tag.end_of_line <= false;
         entry_place <= 0;
         entry_turned_output_column <= false;
         entry_turned_start_of_frame <= false;
         decisions_ready_inside <= false;
-        decisions_comes(0) <= false;
-        decisions_comes(1) <= false;
-        decisions_comes(2) <= false;
-        decisions_place(0) <= 0;
-        decisions_place(1) <= 0;
-        decisions_place(2) <= 0;
+        decisions_comes <= (others => false);
+        decisions_place <= (others => 0);
         decisions_write_place <= 0;
         last_tags_held_end_of_line(0) <= false;
         last_tags_held_map_column(1) <= false;
@@ -2959,29 +1939,16 @@ begin
         last_tags_held_map_column(2) <= false;
         last_tags_held_end_of_line(2) <= false;
         last_tags_moved <= false;
-        last_tag_valid <= false;
-        last_tag_map_column <= false;
-        last_tag_end_of_line <= false;
-        lastwinner1_tag_valid <= false;
-        lastwinner1_tag_map_column <= false;
-        lastwinner1_tag_end_of_line <= false;
-        lastwinner2_tag_valid <= false;
-        lastwinner2_tag_map_column <= false;
-        lastwinner2_tag_end_of_line <= false;
-        lastwinner3_tag_valid <= false;
-        lastwinner3_tag_map_column <= false;
-        lastwinner3_tag_end_of_line <= false;
-        lastwinner4_tag_valid <= false;
-        lastwinner4_tag_map_column <= false;
-        lastwinner4_tag_end_of_line <= false;
+        last_tag <= (others => false);
+        lastwinner1_tag <= (others => false);
+        lastwinner2_tag <= (others => false);
+        lastwinner3_tag <= (others => false);
+        lastwinner4_tag <= (others => false);
         traceback_tags_held_output_column(0) <= false;
         traceback_tags_held_start_of_frame(0) <= false;
         traceback_tags_held_output_column(1) <= false;
         traceback_tags_held_start_of_frame(1) <= false;
-        traceback_out_tag_map_column <= false;
-        traceback_out_tag_output_column <= false;
-        traceback_out_tag_start_of_frame <= false;
-        traceback_out_tag_end_of_line <= false;
+        traceback_out_tag <= (others => false);
         turn_order_address <= 0;
         turn_order_falls <= false;
         turn_order_inside <= false;
@@ -2992,16 +1959,13 @@ begin
         turn_order_turned_map_column <= false;
         turn_order_turned_output_column <= false;
         turn_comes <= false;
-        turn_read_tag_map_column <= false;
-        turn_read_tag_output_column <= false;
+        turn_read_tag.map_column <= false;
+        turn_read_tag.output_column <= false;
         turn_write_place <= 0;
-        turn_ready_tag_map_column <= false;
-        turn_ready_tag_output_column <= false;
+        turn_ready_tag.map_column <= false;
+        turn_ready_tag.output_column <= false;
         fill_out_tag_output_column <= false;
-        other(0) <= 0;
-        other(1) <= 0;
-        other(2) <= 0;
-        other(3) <= 0;
+        other <= (others => 0);
       end if;
     end if;
   end process;

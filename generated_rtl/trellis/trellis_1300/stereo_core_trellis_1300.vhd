@@ -93,8 +93,41 @@ architecture rtl of stereo_core_trellis_1300 is
     return (value / 2 ** place) mod 2 = 1;
   end function;
 
+  -- the majority: a comparison or a sum as a chain of its bits
+  function carry(before : boolean; a : boolean; b : boolean) return boolean is
+  begin
+    if before then
+      return a or b;
+    end if;
+    return a and b;
+  end function;
+
+  function inverted_carry(before : boolean; a : boolean; b : boolean) return boolean is
+  begin
+    if before then
+      return a and b;
+    end if;
+    return a or b;
+  end function;
+
+  function choice(test : boolean; yes : boolean; no : boolean) return boolean is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
+  function choice(test : boolean; yes : integer; no : integer) return integer is
+  begin
+    if test then
+      return yes;
+    end if;
+    return no;
+  end function;
+
   type boolean_1d is array (natural range <>) of boolean;
-  type boolean_2d is array (natural range <>, natural range <>) of boolean;
+  type boolean_3d is array (natural range <>, natural range <>, natural range <>) of boolean;
   type natural_1023_1d is array (natural range <>) of natural range 0 to 1023;
   type natural_13_1d is array (natural range <>) of natural range 0 to 13;
   type natural_13_2d is array (natural range <>, natural range <>) of natural range 0 to 13;
@@ -117,28 +150,42 @@ architecture rtl of stereo_core_trellis_1300 is
   type natural_3_3d is array (natural range <>, natural range <>, natural range <>) of natural range 0 to 3;
   type natural_48_1d is array (natural range <>) of natural range 0 to 48;
   type natural_511_1d is array (natural range <>) of natural range 0 to 511;
+  type natural_63_1d is array (natural range <>) of natural range 0 to 63;
   type natural_72_1d is array (natural range <>) of natural range 0 to 72;
   type unsigned_24_1d is array (natural range <>) of unsigned(23 downto 0);
   type unsigned_32_1d is array (natural range <>) of unsigned(31 downto 0);
+  type tag_7 is record
+    valid, border_column, first_cost, map_column, output_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_6 is record
+    valid, map_column, output_column, first_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_4 is record
+    valid, map_column, first_column, end_of_line : boolean;
+  end record;
+  type tag_3 is record
+    valid, map_column, end_of_line : boolean;
+  end record;
+  type tag_4_b is record
+    map_column, output_column, start_of_frame, end_of_line : boolean;
+  end record;
+  type tag_2 is record
+    map_column, first_column : boolean;
+  end record;
   signal in_valid, in_start_of_frame : boolean;
   signal in_right_pixel, in_left_pixel : natural range 0 to 255;
   -- transform
   signal transform_left_0, transform_right_0, transform_left_rows_read_newest_0 : natural range 0 to 255;
   signal transform_left_rows_ready_newest_0, transform_right_rows_read_newest_0 : natural range 0 to 255;
   signal transform_right_rows_ready_newest_0 : natural range 0 to 255;
-  signal transform_left_column : natural_255_1d(0 to 4);
-  signal transform_right_column : natural_255_1d(0 to 4);
-  signal transform_left_filter_column : natural_255_2d(0 to 4, 0 to 4);
-  signal transform_right_filter_column : natural_255_2d(0 to 4, 0 to 4);
+  signal transform_left_column, transform_right_column : natural_255_1d(0 to 4);
+  signal transform_left_filter_column, transform_right_filter_column : natural_255_2d(0 to 4, 0 to 4);
   signal transform_valid, transform_counter_next_frame : boolean;
-  signal transform_read_row_inside : boolean_1d(0 to 4);
-  signal transform_read_column_inside : boolean_1d(0 to 4);
+  signal transform_read_row_inside, transform_read_column_inside : boolean_1d(0 to 4);
   signal transform_read_start_of_frame, transform_read_valid : boolean;
-  signal transform_ready_row_inside : boolean_1d(0 to 4);
-  signal transform_ready_column_inside : boolean_1d(0 to 4);
+  signal transform_ready_row_inside, transform_ready_column_inside : boolean_1d(0 to 4);
   signal transform_ready_start_of_frame, transform_ready_valid : boolean;
-  signal transform_columns_row_inside : boolean_1d(0 to 4);
-  signal transform_columns_column_inside : boolean_1d(0 to 4);
+  signal transform_columns_row_inside, transform_columns_column_inside : boolean_1d(0 to 4);
   signal transform_columns_start_of_frame, transform_columns_valid : boolean;
   signal transform_filtering_0_column_inside : boolean_1d(0 to 4);
   signal transform_filtering_start_of_frame : boolean_1d(0 to 1);  -- transform_filtering_#_start_of_frame
@@ -159,11 +206,9 @@ architecture rtl of stereo_core_trellis_1300 is
   signal delay_ahead_0, delay_delayed_0 : natural range 0 to 16777215;
   signal delay_column : natural range 0 to 2047;
   signal delay_row_inside : boolean_1d(0 to 2);
-  signal delay_tag_valid, delay_tag_border_column, delay_tag_first_cost, delay_tag_map_column : boolean;
-  signal delay_tag_output_column, delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
+  signal delay_tag : tag_7;
   -- rows
-  signal rows_search_rows_read_words : unsigned_24_1d(0 to 1);
-  signal rows_reference_rows_read_words : unsigned_24_1d(0 to 1);
+  signal rows_search_rows_read_words, rows_reference_rows_read_words : unsigned_24_1d(0 to 1);
   signal rows_search_rows_read_newest_0 : natural range 0 to 16777215;
   signal rows_search_rows_ready_words : natural_16777215_1d(0 to 1);
   signal rows_search_rows_ready_newest_0 : natural range 0 to 16777215;
@@ -172,38 +217,19 @@ architecture rtl of stereo_core_trellis_1300 is
   signal rows_reference_rows_ready_words : natural_16777215_1d(0 to 1);
   signal rows_reference_rows_ready_newest_0 : natural range 0 to 16777215;
   signal rows_reference_rows_write_words : natural_16777215_1d(0 to 1);
-  signal rows_search : natural_16777215_1d(0 to 2);
-  signal rows_reference : natural_16777215_1d(0 to 2);
+  signal rows_search, rows_reference : natural_16777215_1d(0 to 2);
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 2047;
   signal rows_read_inside : boolean_1d(0 to 2);
-  signal rows_read_tag_valid, rows_read_tag_border_column, rows_read_tag_first_cost, rows_read_tag_map_column : boolean;
-  signal rows_read_tag_output_column, rows_read_tag_start_of_frame, rows_read_tag_end_of_line : boolean;
+  signal rows_read_tag : tag_7;
   signal rows_ready_inside : boolean_1d(0 to 2);
-  signal rows_ready_tag_valid, rows_ready_tag_border_column, rows_ready_tag_first_cost : boolean;
-  signal rows_ready_tag_map_column, rows_ready_tag_output_column, rows_ready_tag_start_of_frame : boolean;
-  signal rows_ready_tag_end_of_line, rows_tag_valid, rows_tag_border_column, rows_tag_first_cost : boolean;
-  signal rows_tag_map_column, rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  signal rows_ready_tag, rows_tag : tag_7;
   -- slice0shift
   signal slice0shift_search : natural_16777215_2d(0 to 2, 0 to 15);
-  signal slice0shift_reference : natural_16777215_1d(0 to 2);
-  signal slice0shift_search_out : natural_16777215_1d(0 to 2);
-  signal slice0shift_tag_valid, slice0shift_tag_border_column, slice0shift_tag_first_cost : boolean;
-  signal slice0shift_tag_map_column, slice0shift_tag_output_column, slice0shift_tag_start_of_frame : boolean;
-  signal slice0shift_tag_end_of_line : boolean;
+  signal slice0shift_reference, slice0shift_search_out : natural_16777215_1d(0 to 2);
+  signal slice0shift_tag : tag_7;
   -- slice0cost
   signal slice0cost_pixels_first_count : natural_3_3d(0 to 2, 0 to 15, 0 to 7);  -- slice0cost_pixels_first_#_#_count_#
-  signal slice0cost_pixels_first_tag_valid, slice0cost_pixels_first_tag_border_column : boolean;
-  signal slice0cost_pixels_first_tag_first_cost, slice0cost_pixels_first_tag_map_column : boolean;
-  signal slice0cost_pixels_first_tag_output_column, slice0cost_pixels_first_tag_start_of_frame : boolean;
-  signal slice0cost_pixels_first_tag_end_of_line, slice0cost_pixels_tag_valid : boolean;
-  signal slice0cost_pixels_tag_border_column, slice0cost_pixels_tag_first_cost : boolean;
-  signal slice0cost_pixels_tag_map_column, slice0cost_pixels_tag_output_column : boolean;
-  signal slice0cost_pixels_tag_start_of_frame, slice0cost_pixels_tag_end_of_line, slice0cost_pair_tag_valid : boolean;
-  signal slice0cost_pair_tag_border_column, slice0cost_pair_tag_first_cost, slice0cost_pair_tag_map_column : boolean;
-  signal slice0cost_pair_tag_output_column, slice0cost_pair_tag_start_of_frame : boolean;
-  signal slice0cost_pair_tag_end_of_line, slice0cost_tag_valid, slice0cost_tag_border_column : boolean;
-  signal slice0cost_tag_first_cost, slice0cost_tag_map_column, slice0cost_tag_output_column : boolean;
-  signal slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pixels_first_tag, slice0cost_pixels_tag, slice0cost_pair_tag, slice0cost_tag : tag_7;
   signal slice0cost_pixels_cost : natural_24_2d(0 to 2, 0 to 15);
   signal slice0cost_single_0 : natural_24_1d(0 to 15);
   signal slice0cost_pair_0 : natural_48_1d(0 to 15);
@@ -213,9 +239,8 @@ architecture rtl of stereo_core_trellis_1300 is
   signal slice0window_partial_0_1 : natural_144_1d(0 to 15);
   signal slice0window_centre_map_column_0, slice0window_centre_output_column_0 : boolean;
   signal slice0window_centre_first_column_0, slice0window_centre_start_of_frame_0 : boolean;
-  signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_map_column : boolean;
-  signal slice0window_tag_output_column, slice0window_tag_first_column, slice0window_tag_start_of_frame : boolean;
-  signal slice0window_tag_end_of_line : boolean;
+  signal slice0window_centre_end_of_line_0 : boolean;
+  signal slice0window_tag : tag_6;
   signal slice0window_sum_0 : natural_216_1d(0 to 15);
   -- slice0
   signal slice0_held : natural_13_2d(0 to 3, 0 to 15);
@@ -227,8 +252,7 @@ architecture rtl of stereo_core_trellis_1300 is
   signal slice0_tag_end_of_line : boolean_1d(0 to 3);  -- slice0_tag_#_end_of_line
   -- slice1shift
   signal slice1shift_search : natural_16777215_2d(0 to 2, 0 to 15);
-  signal slice1shift_reference : natural_16777215_1d(0 to 2);
-  signal slice1shift_search_out : natural_16777215_1d(0 to 2);
+  signal slice1shift_reference, slice1shift_search_out : natural_16777215_1d(0 to 2);
   -- slice1cost
   signal slice1cost_pixels_first_count : natural_3_3d(0 to 2, 0 to 15, 0 to 7);  -- slice1cost_pixels_first_#_#_count_#
   signal slice1cost_pixels_cost : natural_24_2d(0 to 2, 0 to 15);
@@ -244,8 +268,7 @@ architecture rtl of stereo_core_trellis_1300 is
   signal slice1_held : natural_13_2d(0 to 2, 0 to 15);
   -- slice2shift
   signal slice2shift_search : natural_16777215_2d(0 to 2, 0 to 15);
-  signal slice2shift_reference : natural_16777215_1d(0 to 2);
-  signal slice2shift_search_out : natural_16777215_1d(0 to 2);
+  signal slice2shift_reference, slice2shift_search_out : natural_16777215_1d(0 to 2);
   -- slice2cost
   signal slice2cost_pixels_first_count : natural_3_3d(0 to 2, 0 to 15, 0 to 7);  -- slice2cost_pixels_first_#_#_count_#
   signal slice2cost_pixels_cost : natural_24_2d(0 to 2, 0 to 15);
@@ -275,28 +298,24 @@ architecture rtl of stereo_core_trellis_1300 is
   -- slice3
   signal slice3_held_0 : natural_13_1d(0 to 15);
   -- entry
-  signal entry_next_cost : natural_13_1d(0 to 63);
-  signal entry_cost : natural_13_1d(0 to 63);
-  signal entry_next_tag_valid, entry_next_tag_map_column, entry_next_tag_first_column : boolean;
-  signal entry_next_tag_end_of_line, entry_next_top, entry_order_falls, entry_order_inside : boolean;
-  signal entry_order_complete, entry_order_output, entry_order_held_output, entry_order_turned_output_column : boolean;
-  signal entry_order_turned_start_of_frame, entry_tag_valid, entry_tag_map_column, entry_tag_first_column : boolean;
-  signal entry_tag_end_of_line, entry_turned_output_column, entry_turned_start_of_frame : boolean;
+  signal entry_next_cost, entry_cost : natural_13_1d(0 to 63);
+  signal entry_next_tag : tag_4;
+  signal entry_next_top, entry_order_falls, entry_order_inside, entry_order_complete, entry_order_output : boolean;
+  signal entry_order_held_output, entry_order_turned_output_column, entry_order_turned_start_of_frame : boolean;
+  signal entry_tag : tag_4;
+  signal entry_turned_output_column, entry_turned_start_of_frame : boolean;
   signal entry_order_address, entry_place : natural range 0 to 2047;
   -- forward
   signal forward_next_cost : natural_13_1d(0 to 63);
   signal forward_next_first : boolean;
   signal forward_far : boolean_1d(0 to 57);
   signal forward_pair_cost : natural_31_1d(0 to 63);
-  signal forward_path : natural_2047_1d(0 to 63);
-  signal forward_stayed : natural_2047_1d(0 to 63);
+  signal forward_path, forward_stayed : natural_2047_1d(0 to 63);
   signal forward_occluding : natural_2047_1d(0 to 62);
   signal forward_dropped : natural_2047_1d(0 to 63);
-  signal forward_decision_0 : natural range 0 to 2;
-  signal forward_decision : natural_3_1d(1 to 63);
+  signal forward_decision : natural_3_1d(0 to 63);  -- forward_decision_# up to 2, 3 x 63
   -- decisions
-  signal decisions_read_words : unsigned_32_1d(0 to 3);
-  signal decisions_write_words : unsigned_32_1d(0 to 3);
+  signal decisions_read_words, decisions_write_words : unsigned_32_1d(0 to 3);
   signal decisions_ready_decision : natural_3_1d(0 to 63);
   signal decisions_ready_inside : boolean;
   signal decisions_comes : boolean_1d(0 to 2);
@@ -305,102 +324,46 @@ architecture rtl of stereo_core_trellis_1300 is
   -- last
   signal last_tags_held_end_of_line : boolean_1d(0 to 2);  -- last_tags_held_#_end_of_line
   signal last_tags_held_map_column : boolean_1d(1 to 2);  -- last_tags_held_#_map_column
-  signal last_tags_moved, last_tag_valid, last_tag_map_column, last_tag_end_of_line : boolean;
-  signal last_path_0_0 : natural range 0 to 1024;
-  signal last_path_0 : natural_2047_1d(1 to 63);
+  signal last_tags_moved : boolean;
+  signal last_tag : tag_3;
+  signal last_path_0 : natural_2047_1d(0 to 63);  -- last_path_0_# up to 1024, 2047 x 63
   signal last_state : natural range 0 to 63;
   -- lastwinner1
   signal lastwinner1_best_cost_0 : natural_2047_1d(0 to 31);
-  signal lastwinner1_best_index_0_0, lastwinner1_tag_valid, lastwinner1_tag_map_column : boolean;
-  signal lastwinner1_tag_end_of_line : boolean;
-  signal lastwinner1_best_index_0_1 : natural range 0 to 3;
-  signal lastwinner1_best_index_0_2 : natural range 0 to 5;
-  signal lastwinner1_best_index_0_3 : natural range 0 to 7;
-  signal lastwinner1_best_index_0_4 : natural range 0 to 9;
-  signal lastwinner1_best_index_0_5 : natural range 0 to 11;
-  signal lastwinner1_best_index_0_6 : natural range 0 to 13;
-  signal lastwinner1_best_index_0_7 : natural range 0 to 15;
-  signal lastwinner1_best_index_0_8 : natural range 0 to 17;
-  signal lastwinner1_best_index_0_9 : natural range 0 to 19;
-  signal lastwinner1_best_index_0_10 : natural range 0 to 21;
-  signal lastwinner1_best_index_0_11 : natural range 0 to 23;
-  signal lastwinner1_best_index_0_12 : natural range 0 to 25;
-  signal lastwinner1_best_index_0_13 : natural range 0 to 27;
-  signal lastwinner1_best_index_0_14 : natural range 0 to 29;
-  signal lastwinner1_best_index_0_15 : natural range 0 to 31;
-  signal lastwinner1_best_index_0_16 : natural range 0 to 33;
-  signal lastwinner1_best_index_0_17 : natural range 0 to 35;
-  signal lastwinner1_best_index_0_18 : natural range 0 to 37;
-  signal lastwinner1_best_index_0_19 : natural range 0 to 39;
-  signal lastwinner1_best_index_0_20 : natural range 0 to 41;
-  signal lastwinner1_best_index_0_21 : natural range 0 to 43;
-  signal lastwinner1_best_index_0_22 : natural range 0 to 45;
-  signal lastwinner1_best_index_0_23 : natural range 0 to 47;
-  signal lastwinner1_best_index_0_24 : natural range 0 to 49;
-  signal lastwinner1_best_index_0_25 : natural range 0 to 51;
-  signal lastwinner1_best_index_0_26 : natural range 0 to 53;
-  signal lastwinner1_best_index_0_27 : natural range 0 to 55;
-  signal lastwinner1_best_index_0_28 : natural range 0 to 57;
-  signal lastwinner1_best_index_0_29 : natural range 0 to 59;
-  signal lastwinner1_best_index_0_30 : natural range 0 to 61;
-  signal lastwinner1_best_index_0_31 : natural range 0 to 63;
+  signal lastwinner1_best_index_0_0 : boolean;
+  signal lastwinner1_tag : tag_3;
+  signal lastwinner1_best_index_0 : natural_63_1d(1 to 31);  -- lastwinner1_best_index_0_# up to 3, 5 .. 63
   -- lastwinner2
   signal lastwinner2_best_cost_0 : natural_2047_1d(0 to 15);
-  signal lastwinner2_best_index_0_0 : natural range 0 to 3;
-  signal lastwinner2_best_index_0_1 : natural range 0 to 7;
-  signal lastwinner2_best_index_0_2 : natural range 0 to 11;
-  signal lastwinner2_best_index_0_3 : natural range 0 to 15;
-  signal lastwinner2_best_index_0_4 : natural range 0 to 19;
-  signal lastwinner2_best_index_0_5 : natural range 0 to 23;
-  signal lastwinner2_best_index_0_6 : natural range 0 to 27;
-  signal lastwinner2_best_index_0_7 : natural range 0 to 31;
-  signal lastwinner2_best_index_0_8 : natural range 0 to 35;
-  signal lastwinner2_best_index_0_9 : natural range 0 to 39;
-  signal lastwinner2_best_index_0_10 : natural range 0 to 43;
-  signal lastwinner2_best_index_0_11 : natural range 0 to 47;
-  signal lastwinner2_best_index_0_12 : natural range 0 to 51;
-  signal lastwinner2_best_index_0_13 : natural range 0 to 55;
-  signal lastwinner2_best_index_0_14 : natural range 0 to 59;
-  signal lastwinner2_best_index_0_15 : natural range 0 to 63;
-  signal lastwinner2_tag_valid, lastwinner2_tag_map_column, lastwinner2_tag_end_of_line : boolean;
+  signal lastwinner2_best_index_0 : natural_63_1d(0 to 15);  -- lastwinner2_best_index_0_# up to 3, 7 .. 63
+  signal lastwinner2_tag : tag_3;
   -- lastwinner3
   signal lastwinner3_best_cost_0 : natural_2047_1d(0 to 7);
-  signal lastwinner3_best_index_0_0 : natural range 0 to 7;
-  signal lastwinner3_best_index_0_1 : natural range 0 to 15;
-  signal lastwinner3_best_index_0_2 : natural range 0 to 23;
-  signal lastwinner3_best_index_0_3 : natural range 0 to 31;
-  signal lastwinner3_best_index_0_4 : natural range 0 to 39;
-  signal lastwinner3_best_index_0_5 : natural range 0 to 47;
-  signal lastwinner3_best_index_0_6 : natural range 0 to 55;
-  signal lastwinner3_best_index_0_7 : natural range 0 to 63;
-  signal lastwinner3_tag_valid, lastwinner3_tag_map_column, lastwinner3_tag_end_of_line : boolean;
+  signal lastwinner3_best_index_0 : natural_63_1d(0 to 7);  -- lastwinner3_best_index_0_# up to 7, 15 .. 63
+  signal lastwinner3_tag : tag_3;
   -- lastwinner4
   signal lastwinner4_best_cost_0 : natural_2047_1d(0 to 3);
-  signal lastwinner4_best_index_0_0 : natural range 0 to 15;
-  signal lastwinner4_best_index_0_1 : natural range 0 to 31;
-  signal lastwinner4_best_index_0_2 : natural range 0 to 47;
-  signal lastwinner4_best_index_0_3 : natural range 0 to 63;
-  signal lastwinner4_tag_valid, lastwinner4_tag_map_column, lastwinner4_tag_end_of_line : boolean;
+  signal lastwinner4_best_index_0 : natural_63_1d(0 to 3);  -- lastwinner4_best_index_0_# up to 15, 31 .. 63
+  signal lastwinner4_tag : tag_3;
   -- lastwinner5
   signal lastwinner5_best_cost_0 : natural_2047_1d(0 to 1);
-  signal lastwinner5_best_index_0_0 : natural range 0 to 31;
-  signal lastwinner5_best_index_0_1 : natural range 0 to 63;
-  signal lastwinner5_tag_valid, lastwinner5_tag_map_column, lastwinner5_tag_end_of_line : boolean;
+  signal lastwinner5_best_index_0 : natural_63_1d(0 to 1);  -- lastwinner5_best_index_0_# up to 31, 63
+  signal lastwinner5_tag : tag_3;
   -- lastwinner6
   signal lastwinner6_best_index_0_0 : natural range 0 to 63;
-  signal lastwinner6_tag_valid, lastwinner6_tag_map_column, lastwinner6_tag_end_of_line : boolean;
+  signal lastwinner6_tag : tag_3;
   -- traceback
   signal traceback_state, traceback_out_disparity_0 : natural range 0 to 255;
   signal traceback_decision, traceback_falling : natural range 0 to 3;
   signal traceback_tags_held_output_column : boolean_1d(0 to 1);  -- traceback_tags_held_#_output_column
   signal traceback_tags_held_start_of_frame : boolean_1d(0 to 1);  -- traceback_tags_held_#_start_of_frame
-  signal traceback_out_passed_0, traceback_out_tag_map_column, traceback_out_tag_output_column : boolean;
-  signal traceback_out_tag_start_of_frame, traceback_out_tag_end_of_line : boolean;
+  signal traceback_out_passed_0 : boolean;
+  signal traceback_out_tag : tag_4_b;
   -- turn
   signal turn_order_address, turn_write_place : natural range 0 to 2047;
   signal turn_order_falls, turn_order_inside, turn_order_complete, turn_order_output, turn_order_first : boolean;
-  signal turn_order_turned_map_column, turn_order_turned_first_column, turn_comes, turn_read_tag_map_column : boolean;
-  signal turn_read_tag_first_column, turn_ready_tag_map_column, turn_ready_tag_first_column : boolean;
+  signal turn_order_turned_map_column, turn_order_turned_first_column, turn_comes : boolean;
+  signal turn_read_tag, turn_ready_tag : tag_2;
   signal turn_newest, turn_write_words_0, turn_ready : natural range 0 to 511;
   signal turn_read_words_0 : unsigned(8 downto 0);
   -- fill
@@ -444,52 +407,6 @@ architecture rtl of stereo_core_trellis_1300 is
   signal other_1, other_3 : unsigned(48 downto 0);
   signal other_2 : natural range 0 to 510;
   signal other : natural_257_1d(4 to 7);
-  signal transform_left_rows_read_words_0_memory_read_enable : boolean;
-  signal transform_left_rows_read_words_0_memory_read_address : unsigned(10 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_address : unsigned(10 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal transform_right_rows_read_words_0_memory_read_enable : boolean;
-  signal transform_right_rows_read_words_0_memory_read_address : unsigned(10 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_address : unsigned(10 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal map_rows_read_words_0_memory_read_enable : boolean;
-  signal map_rows_read_words_0_memory_read_address, map_rows_read_words_0_memory_write_address : unsigned(10 downto 0);
-  signal map_rows_read_words_0_memory_write_data : unsigned(17 downto 0);
-  signal turn_read_words_0_memory_read_enable : boolean;
-  signal turn_read_words_0_memory_read_address, turn_read_words_0_memory_write_address : unsigned(10 downto 0);
-  signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
-  signal decisions_read_words_3_memory_read_enable : boolean;
-  signal decisions_read_words_3_memory_read_address : unsigned(10 downto 0);
-  signal decisions_read_words_3_memory_write_address : unsigned(10 downto 0);
-  signal decisions_read_words_3_memory_write_data : unsigned(31 downto 0);
-  signal decisions_read_words_2_memory_read_enable : boolean;
-  signal decisions_read_words_2_memory_read_address : unsigned(10 downto 0);
-  signal decisions_read_words_2_memory_write_address : unsigned(10 downto 0);
-  signal decisions_read_words_2_memory_write_data : unsigned(31 downto 0);
-  signal decisions_read_words_1_memory_read_enable : boolean;
-  signal decisions_read_words_1_memory_read_address : unsigned(10 downto 0);
-  signal decisions_read_words_1_memory_write_address : unsigned(10 downto 0);
-  signal decisions_read_words_1_memory_write_data : unsigned(31 downto 0);
-  signal decisions_read_words_0_memory_read_enable : boolean;
-  signal decisions_read_words_0_memory_read_address : unsigned(10 downto 0);
-  signal decisions_read_words_0_memory_write_address : unsigned(10 downto 0);
-  signal decisions_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal rows_search_rows_read_words_1_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_1_memory_read_address : unsigned(10 downto 0);
-  signal rows_search_rows_read_words_1_memory_write_address : unsigned(10 downto 0);
-  signal rows_search_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
-  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
-  signal rows_search_rows_read_words_0_memory_read_address : unsigned(10 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_address : unsigned(10 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
-  signal rows_reference_rows_read_words_1_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_1_memory_read_address : unsigned(10 downto 0);
-  signal rows_reference_rows_read_words_1_memory_write_address : unsigned(10 downto 0);
-  signal rows_reference_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
-  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
-  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(10 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(10 downto 0);
-  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
 
 begin
   in_valid <= valid = '1';
@@ -502,236 +419,164 @@ begin
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
 
-  transform_left_rows_read_words_0_memory_read_enable <= true;
-  transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 11);
-  transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 11);
-  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
-  transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 1300, width => 32, address_bits => 11)
-    port map (
-      clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
-      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words_0,
-      write_address => transform_left_rows_read_words_0_memory_write_address, write_data => transform_left_rows_read_words_0_memory_write_data);
+  transform_left_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(10 downto 0);
+  begin
+    read_address <= to_unsigned(transform_counter_column, 11);
+    write_address <= to_unsigned(transform_write_column, 11);
+    cell : entity work.line_memory
+      generic map (depth => 1300, width => 32, address_bits => 11)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        transform_left_rows_read_words_0, write_address => write_address, write_data =>
+        transform_left_rows_write_words_0);
+  end block;
 
-  transform_right_rows_read_words_0_memory_read_enable <= true;
-  transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 11);
-  transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 11);
-  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
-  transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 1300, width => 32, address_bits => 11)
-    port map (
-      clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
-      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words_0,
-      write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
+  transform_right_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(10 downto 0);
+  begin
+    read_address <= to_unsigned(transform_counter_column, 11);
+    write_address <= to_unsigned(transform_write_column, 11);
+    cell : entity work.line_memory
+      generic map (depth => 1300, width => 32, address_bits => 11)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        transform_right_rows_read_words_0, write_address => write_address, write_data =>
+        transform_right_rows_write_words_0);
+  end block;
 
-  map_rows_read_words_0_memory_read_enable <= true;
-  map_rows_read_words_0_memory_read_address <= to_unsigned(map_counter_column, 11);
-  map_rows_read_words_0_memory_write_address <= to_unsigned(map_at_column, 11);
-  map_rows_read_words_0_memory_write_data <= to_unsigned(map_rows_write_words_0, 18);
-  map_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 1237, width => 18, address_bits => 11)
-    port map (
-      clock => clock, read_enable => map_rows_read_words_0_memory_read_enable,
-      read_address => map_rows_read_words_0_memory_read_address, read_data => map_rows_read_words_0,
-      write_address => map_rows_read_words_0_memory_write_address, write_data => map_rows_read_words_0_memory_write_data);
+  map_rows_read_words_0_memory : block
+    signal read_address, write_address : unsigned(10 downto 0);
+    signal write_data : unsigned(17 downto 0);
+  begin
+    read_address <= to_unsigned(map_counter_column, 11);
+    write_address <= to_unsigned(map_at_column, 11);
+    write_data <= to_unsigned(map_rows_write_words_0, 18);
+    cell : entity work.line_memory
+      generic map (depth => 1237, width => 18, address_bits => 11)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => map_rows_read_words_0,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  turn_read_words_0_memory_read_enable <= true;
-  turn_read_words_0_memory_read_address <= to_unsigned(turn_order_address, 11);
-  turn_read_words_0_memory_write_address <= to_unsigned(turn_write_place, 11);
-  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 9);
-  turn_read_words_0_memory : entity work.line_memory
-    generic map (depth => 1237, width => 9, address_bits => 11)
-    port map (
-      clock => clock, read_enable => turn_read_words_0_memory_read_enable,
-      read_address => turn_read_words_0_memory_read_address, read_data => turn_read_words_0,
-      write_address => turn_read_words_0_memory_write_address, write_data => turn_read_words_0_memory_write_data);
+  turn_read_words_0_memory : block
+    signal read_address, write_address : unsigned(10 downto 0);
+    signal write_data : unsigned(8 downto 0);
+  begin
+    read_address <= to_unsigned(turn_order_address, 11);
+    write_address <= to_unsigned(turn_write_place, 11);
+    write_data <= to_unsigned(turn_write_words_0, 9);
+    cell : entity work.line_memory
+      generic map (depth => 1237, width => 9, address_bits => 11)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data => turn_read_words_0,
+        write_address => write_address, write_data => write_data);
+  end block;
 
-  decisions_read_words_3_memory_read_enable <= true;
-  decisions_read_words_3_memory_read_address <= to_unsigned(entry_order_address, 11);
-  decisions_read_words_3_memory_write_address <= to_unsigned(decisions_write_place, 11);
-  decisions_read_words_3_memory_write_data <= decisions_write_words(3);
-  decisions_read_words_3_memory : entity work.line_memory
-    generic map (depth => 1237, width => 32, address_bits => 11)
-    port map (
-      clock => clock, read_enable => decisions_read_words_3_memory_read_enable,
-      read_address => decisions_read_words_3_memory_read_address, read_data => decisions_read_words(3),
-      write_address => decisions_read_words_3_memory_write_address, write_data => decisions_read_words_3_memory_write_data);
+  decisions_read_words_memory : for i in 3 downto 0 generate
+    signal read_address, write_address : unsigned(10 downto 0);
+  begin
+    read_address <= to_unsigned(entry_order_address, 11);
+    write_address <= to_unsigned(decisions_write_place, 11);
+    cell : entity work.line_memory
+      generic map (depth => 1237, width => 32, address_bits => 11)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        decisions_read_words(i), write_address => write_address, write_data => decisions_write_words(i));
+  end generate;
 
-  decisions_read_words_2_memory_read_enable <= true;
-  decisions_read_words_2_memory_read_address <= to_unsigned(entry_order_address, 11);
-  decisions_read_words_2_memory_write_address <= to_unsigned(decisions_write_place, 11);
-  decisions_read_words_2_memory_write_data <= decisions_write_words(2);
-  decisions_read_words_2_memory : entity work.line_memory
-    generic map (depth => 1237, width => 32, address_bits => 11)
-    port map (
-      clock => clock, read_enable => decisions_read_words_2_memory_read_enable,
-      read_address => decisions_read_words_2_memory_read_address, read_data => decisions_read_words(2),
-      write_address => decisions_read_words_2_memory_write_address, write_data => decisions_read_words_2_memory_write_data);
+  rows_search_rows_read_words_memory : for i in 1 downto 0 generate
+    signal read_address, write_address : unsigned(10 downto 0);
+    signal write_data : unsigned(23 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 11);
+    write_address <= to_unsigned(rows_write_column, 11);
+    write_data <= to_unsigned(rows_search_rows_write_words(i), 24);
+    cell : entity work.line_memory
+      generic map (depth => 1300, width => 24, address_bits => 11)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_search_rows_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
 
-  decisions_read_words_1_memory_read_enable <= true;
-  decisions_read_words_1_memory_read_address <= to_unsigned(entry_order_address, 11);
-  decisions_read_words_1_memory_write_address <= to_unsigned(decisions_write_place, 11);
-  decisions_read_words_1_memory_write_data <= decisions_write_words(1);
-  decisions_read_words_1_memory : entity work.line_memory
-    generic map (depth => 1237, width => 32, address_bits => 11)
-    port map (
-      clock => clock, read_enable => decisions_read_words_1_memory_read_enable,
-      read_address => decisions_read_words_1_memory_read_address, read_data => decisions_read_words(1),
-      write_address => decisions_read_words_1_memory_write_address, write_data => decisions_read_words_1_memory_write_data);
-
-  decisions_read_words_0_memory_read_enable <= true;
-  decisions_read_words_0_memory_read_address <= to_unsigned(entry_order_address, 11);
-  decisions_read_words_0_memory_write_address <= to_unsigned(decisions_write_place, 11);
-  decisions_read_words_0_memory_write_data <= decisions_write_words(0);
-  decisions_read_words_0_memory : entity work.line_memory
-    generic map (depth => 1237, width => 32, address_bits => 11)
-    port map (
-      clock => clock, read_enable => decisions_read_words_0_memory_read_enable,
-      read_address => decisions_read_words_0_memory_read_address, read_data => decisions_read_words(0),
-      write_address => decisions_read_words_0_memory_write_address, write_data => decisions_read_words_0_memory_write_data);
-
-  rows_search_rows_read_words_1_memory_read_enable <= true;
-  rows_search_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 11);
-  rows_search_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 11);
-  rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words(1), 24);
-  rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 1300, width => 24, address_bits => 11)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_1_memory_read_enable,
-      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words(1),
-      write_address => rows_search_rows_read_words_1_memory_write_address, write_data => rows_search_rows_read_words_1_memory_write_data);
-
-  rows_search_rows_read_words_0_memory_read_enable <= true;
-  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 11);
-  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 11);
-  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words(0), 24);
-  rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 1300, width => 24, address_bits => 11)
-    port map (
-      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
-      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words(0),
-      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
-
-  rows_reference_rows_read_words_1_memory_read_enable <= true;
-  rows_reference_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 11);
-  rows_reference_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 11);
-  rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words(1), 24);
-  rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 1300, width => 24, address_bits => 11)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_1_memory_read_enable,
-      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words(1),
-      write_address => rows_reference_rows_read_words_1_memory_write_address, write_data => rows_reference_rows_read_words_1_memory_write_data);
-
-  rows_reference_rows_read_words_0_memory_read_enable <= true;
-  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 11);
-  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 11);
-  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words(0), 24);
-  rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 1300, width => 24, address_bits => 11)
-    port map (
-      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
-      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words(0),
-      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
+  rows_reference_rows_read_words_memory : for i in 1 downto 0 generate
+    signal read_address, write_address : unsigned(10 downto 0);
+    signal write_data : unsigned(23 downto 0);
+  begin
+    read_address <= to_unsigned(delay_column, 11);
+    write_address <= to_unsigned(rows_write_column, 11);
+    write_data <= to_unsigned(rows_reference_rows_write_words(i), 24);
+    cell : entity work.line_memory
+      generic map (depth => 1300, width => 24, address_bits => 11)
+      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
+        rows_reference_rows_read_words(i), write_address => write_address, write_data => write_data);
+  end generate;
 
   process (clock)
-    variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
+    variable transform_counter_group_is_equals : boolean_1d(1 to 2);  -- transform_counter_group_is_equal_#
     variable transform_counter_group_all, transform_counter_group_differs : boolean;
-    variable transform_read_column_inside_0_is_less, transform_left_filter_feature_0_value : boolean;
-    variable transform_left_filter_feature_0_any, transform_left_filter_feature_0_choice : boolean;
+    variable transform_read_column_inside_0_is_less : boolean;
+    variable transform_left_filter_feature_0_values : boolean_1d(1 to 11);  -- transform_left_filter_feature_0_value_#
+    variable transform_left_filter_feature_0_any : boolean;
+    variable transform_left_filter_feature_0_choices : boolean_1d(1 to 192);  -- transform_left_filter_feature_0_choice_#
     variable transform_left_filter_feature_0_is_equal : boolean;
-    variable transform_left_filter_feature_0_choices : boolean_1d(2 to 192);  -- transform_left_filter_feature_0_choice_#
-    variable transform_left_filter_feature_0_values : boolean_1d(2 to 11);  -- transform_left_filter_feature_0_value_#
-    variable transform_right_filter_feature_0_value, transform_right_filter_feature_0_any : boolean;
-    variable transform_right_filter_feature_0_choice, transform_right_filter_feature_0_is_equal : boolean;
-    variable transform_right_filter_feature_0_choices : boolean_1d(2 to 192);  -- transform_right_filter_feature_0_choice_#
-    variable transform_right_filter_feature_0_values : boolean_1d(2 to 11);  -- transform_right_filter_feature_0_value_#
-    variable transform_counter_next_frame_choice, transform_counter_next_frame_choice_2 : boolean;
-    variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
-    variable raster_place_group_differs, raster_place_next_frame_choice : boolean;
-    variable raster_place_next_frame_choices : boolean_1d(2 to 4);  -- raster_place_next_frame_choice_#
+    variable transform_right_filter_feature_0_values : boolean_1d(1 to 11);  -- transform_right_filter_feature_0_value_#
+    variable transform_right_filter_feature_0_any : boolean;
+    variable transform_right_filter_feature_0_choices : boolean_1d(1 to 192);  -- transform_right_filter_feature_0_choice_#
+    variable transform_right_filter_feature_0_is_equal : boolean;
+    variable transform_counter_next_frame_choices : boolean_1d(1 to 2);  -- transform_counter_next_frame_choice_#
+    variable raster_place_group_is_equals : boolean_1d(1 to 2);  -- raster_place_group_is_equal_#
+    variable raster_place_group_all, raster_place_group_differs : boolean;
+    variable raster_place_next_frame_choices : boolean_1d(1 to 4);  -- raster_place_next_frame_choice_#
     variable delay_row_inside_1_is_not_less, delay_row_inside_1_is_less, delay_tag_first_cost_is_equal : boolean;
     variable delay_tag_map_column_is_not_less, delay_tag_map_column_is_less : boolean;
-    variable slice0cost_pixels_first_0_count_value : boolean_2d(0 to 2, 0 to 7);  -- slice0cost_pixels_first_#_0_count_#_value
-    variable slice0cost_pixels_first_0_count_value_2 : boolean_2d(0 to 2, 0 to 7);  -- slice0cost_pixels_first_#_0_count_#_value_2
-    variable slice0cost_pixels_first_0_count_1_value_3 : boolean_1d(0 to 2);  -- slice0cost_pixels_first_#_0_count_1_value_3
-    variable slice0cost_pixels_first_0_count_value_3 : boolean_2d(0 to 2, 3 to 6);  -- slice0cost_pixels_first_#_0_count_#_value_3
-    variable slice1cost_pixels_first_0_count_value : boolean_2d(0 to 2, 0 to 7);  -- slice1cost_pixels_first_#_0_count_#_value
-    variable slice1cost_pixels_first_0_count_value_2 : boolean_2d(0 to 2, 0 to 7);  -- slice1cost_pixels_first_#_0_count_#_value_2
-    variable slice1cost_pixels_first_0_count_1_value_3 : boolean_1d(0 to 2);  -- slice1cost_pixels_first_#_0_count_1_value_3
-    variable slice1cost_pixels_first_0_count_value_3 : boolean_2d(0 to 2, 3 to 6);  -- slice1cost_pixels_first_#_0_count_#_value_3
-    variable slice2cost_pixels_first_0_count_value : boolean_2d(0 to 2, 0 to 7);  -- slice2cost_pixels_first_#_0_count_#_value
-    variable slice2cost_pixels_first_0_count_value_2 : boolean_2d(0 to 2, 0 to 7);  -- slice2cost_pixels_first_#_0_count_#_value_2
-    variable slice2cost_pixels_first_0_count_1_value_3 : boolean_1d(0 to 2);  -- slice2cost_pixels_first_#_0_count_1_value_3
-    variable slice2cost_pixels_first_0_count_value_3 : boolean_2d(0 to 2, 3 to 6);  -- slice2cost_pixels_first_#_0_count_#_value_3
-    variable slice3cost_pixels_first_0_count_value : boolean_2d(0 to 2, 0 to 7);  -- slice3cost_pixels_first_#_0_count_#_value
-    variable slice3cost_pixels_first_0_count_value_2 : boolean_2d(0 to 2, 0 to 7);  -- slice3cost_pixels_first_#_0_count_#_value_2
-    variable slice3cost_pixels_first_0_count_1_value_3 : boolean_1d(0 to 2);  -- slice3cost_pixels_first_#_0_count_1_value_3
-    variable slice3cost_pixels_first_0_count_value_3 : boolean_2d(0 to 2, 3 to 6);  -- slice3cost_pixels_first_#_0_count_#_value_3
+    variable slice0cost_pixels_first_0_count_value : boolean_3d(0 to 2, 0 to 7, 1 to 3);  -- slice0cost_pixels_first_#_0_count_#_value_#
+    variable slice1cost_pixels_first_0_count_value : boolean_3d(0 to 2, 0 to 7, 1 to 3);  -- slice1cost_pixels_first_#_0_count_#_value_#
+    variable slice2cost_pixels_first_0_count_value : boolean_3d(0 to 2, 0 to 7, 1 to 3);  -- slice2cost_pixels_first_#_0_count_#_value_#
+    variable slice3cost_pixels_first_0_count_value : boolean_3d(0 to 2, 0 to 7, 1 to 3);  -- slice3cost_pixels_first_#_0_count_#_value_#
     variable entry_order_falls_any, entry_order_falls_all, entry_order_complete_any : boolean;
     variable entry_order_turned_output_column_choice : boolean;
     variable forward_path_value : boolean_1d(0 to 63);  -- forward_path_#_value
     variable forward_path_any : boolean_1d(1 to 63);  -- forward_path_#_any
     variable forward_dropped_value : boolean_1d(0 to 57);  -- forward_dropped_#_value
     variable forward_far_1_any : boolean;
-    variable forward_far_choice : boolean_1d(1 to 15);  -- forward_far_#_choice
-    variable forward_far_choices : boolean_1d(17 to 31);  -- forward_far_#_choice
-    variable forward_far_choices_from_33 : boolean_1d(33 to 47);  -- forward_far_#_choice
-    variable forward_far_choices_from_49 : boolean_1d(49 to 57);  -- forward_far_#_choice
+    variable forward_far_choice : boolean_1d(1 to 57);  -- forward_far_#_choice
     variable decisions_write_words_0_all : boolean;
     variable lastwinner1_best_cost_0_is_less : boolean_1d(0 to 31);  -- lastwinner1_best_cost_0_#_is_less
     variable lastwinner2_best_cost_0_is_less : boolean_1d(0 to 15);  -- lastwinner2_best_cost_0_#_is_less
     variable lastwinner3_best_cost_0_is_less : boolean_1d(0 to 7);  -- lastwinner3_best_cost_0_#_is_less
     variable lastwinner4_best_cost_0_is_less : boolean_1d(0 to 3);  -- lastwinner4_best_cost_0_#_is_less
     variable lastwinner5_best_cost_0_is_less : boolean_1d(0 to 1);  -- lastwinner5_best_cost_0_#_is_less
-    variable traceback_state_is_equal : boolean;
-    variable traceback_state_is_equals : boolean_1d(2 to 3);  -- traceback_state_is_equal_#
-    variable traceback_state_all, traceback_decision_value : boolean;
-    variable traceback_decision_values : boolean_1d(2 to 15);  -- traceback_decision_value_#
-    variable turn_order_address_any, turn_order_address_any_2, turn_order_falls_all, turn_order_complete_all : boolean;
-    variable fill_out_disparity_0_all, map_counter_column_is_equal, map_counter_group_is_equal : boolean;
-    variable map_counter_group_all, map_counter_group_differs, map_counter_group_is_equal_2 : boolean;
-    variable map_counter_next_frame_choice : boolean;
-    variable map_counter_next_frame_choices : boolean_1d(2 to 4);  -- map_counter_next_frame_choice_#
-    variable map_line_ended_choice, map_at_arrives_value, map_of_column_0_b_below_a_value : boolean;
-    variable map_of_column_0_b_below_a_choice : boolean;
-    variable map_of_column_0_b_below_a_values : boolean_1d(2 to 12);  -- map_of_column_0_b_below_a_value_#
-    variable map_of_column_0_b_below_a_choices : boolean_1d(2 to 9);  -- map_of_column_0_b_below_a_choice_#
-    variable map_of_column_0_c_below_a_value, map_of_column_0_c_below_a_choice : boolean;
-    variable map_of_column_0_c_below_a_values : boolean_1d(2 to 7);  -- map_of_column_0_c_below_a_value_#
-    variable map_of_column_0_c_below_a_choices : boolean_1d(2 to 20);  -- map_of_column_0_c_below_a_choice_#
-    variable map_of_column_0_c_below_b_choice : boolean;
-    variable map_of_column_0_c_below_b_choices : boolean_1d(2 to 6);  -- map_of_column_0_c_below_b_choice_#
-    variable map_window_complete_is_equal, map_window_complete_choice, map_of_low_0_b_below_a_value : boolean;
-    variable map_of_low_0_b_below_a_choice, map_of_low_0_b_below_a_is_equal : boolean;
-    variable map_of_low_0_b_below_a_choices : boolean_1d(2 to 7);  -- map_of_low_0_b_below_a_choice_#
-    variable map_of_low_0_b_below_a_values : boolean_1d(2 to 11);  -- map_of_low_0_b_below_a_value_#
-    variable map_of_low_0_c_below_a_value, map_of_low_0_c_below_a_choice : boolean;
-    variable map_of_low_0_c_below_a_choices : boolean_1d(2 to 7);  -- map_of_low_0_c_below_a_choice_#
-    variable map_of_low_0_c_below_b_choice : boolean;
-    variable map_of_low_0_c_below_b_choices : boolean_1d(2 to 7);  -- map_of_low_0_c_below_b_choice_#
-    variable map_of_middle_0_b_below_a_value, map_of_middle_0_b_below_a_choice : boolean;
-    variable map_of_middle_0_b_below_a_is_equal : boolean;
-    variable map_of_middle_0_b_below_a_choices : boolean_1d(2 to 7);  -- map_of_middle_0_b_below_a_choice_#
-    variable map_of_middle_0_b_below_a_values : boolean_1d(2 to 11);  -- map_of_middle_0_b_below_a_value_#
-    variable map_of_middle_0_c_below_a_value, map_of_middle_0_c_below_a_choice : boolean;
-    variable map_of_middle_0_c_below_a_choices : boolean_1d(2 to 7);  -- map_of_middle_0_c_below_a_choice_#
-    variable map_of_middle_0_c_below_b_choice : boolean;
-    variable map_of_middle_0_c_below_b_choices : boolean_1d(2 to 7);  -- map_of_middle_0_c_below_b_choice_#
-    variable map_of_high_0_b_below_a_value, map_of_high_0_b_below_a_choice, map_of_high_0_b_below_a_is_equal : boolean;
-    variable map_of_high_0_b_below_a_choices : boolean_1d(2 to 7);  -- map_of_high_0_b_below_a_choice_#
-    variable map_of_high_0_b_below_a_values : boolean_1d(2 to 11);  -- map_of_high_0_b_below_a_value_#
-    variable map_of_high_0_c_below_a_value, map_of_high_0_c_below_a_choice : boolean;
-    variable map_of_high_0_c_below_a_choices : boolean_1d(2 to 7);  -- map_of_high_0_c_below_a_choice_#
-    variable map_of_high_0_c_below_b_choice : boolean;
-    variable map_of_high_0_c_below_b_choices : boolean_1d(2 to 7);  -- map_of_high_0_c_below_b_choice_#
-    variable map_of_all_0_b_below_a_value, map_of_all_0_b_below_a_choice, map_of_all_0_b_below_a_is_equal : boolean;
-    variable map_of_all_0_b_below_a_choices : boolean_1d(2 to 7);  -- map_of_all_0_b_below_a_choice_#
-    variable map_of_all_0_b_below_a_values : boolean_1d(2 to 11);  -- map_of_all_0_b_below_a_value_#
-    variable map_of_all_0_c_below_a_value, map_of_all_0_c_below_a_choice : boolean;
-    variable map_of_all_0_c_below_a_choices : boolean_1d(2 to 7);  -- map_of_all_0_c_below_a_choice_#
-    variable map_of_all_0_c_below_b_choice : boolean;
-    variable map_of_all_0_c_below_b_choices : boolean_1d(2 to 7);  -- map_of_all_0_c_below_b_choice_#
+    variable traceback_state_is_equals : boolean_1d(1 to 3);  -- traceback_state_is_equal_#
+    variable traceback_state_all : boolean;
+    variable traceback_decision_values : boolean_1d(1 to 15);  -- traceback_decision_value_#
+    variable turn_order_address_anys : boolean_1d(1 to 2);  -- turn_order_address_any_#
+    variable turn_order_falls_all, turn_order_complete_all, fill_out_disparity_0_all : boolean;
+    variable map_counter_column_is_equal : boolean;
+    variable map_counter_group_is_equals : boolean_1d(1 to 2);  -- map_counter_group_is_equal_#
+    variable map_counter_group_all, map_counter_group_differs : boolean;
+    variable map_counter_next_frame_choices : boolean_1d(1 to 4);  -- map_counter_next_frame_choice_#
+    variable map_line_ended_choice, map_at_arrives_value : boolean;
+    variable map_of_column_0_b_below_a_values : boolean_1d(1 to 12);  -- map_of_column_0_b_below_a_value_#
+    variable map_of_column_0_b_below_a_choices : boolean_1d(1 to 9);  -- map_of_column_0_b_below_a_choice_#
+    variable map_of_column_0_c_below_a_values : boolean_1d(1 to 7);  -- map_of_column_0_c_below_a_value_#
+    variable map_of_column_0_c_below_a_choices : boolean_1d(1 to 20);  -- map_of_column_0_c_below_a_choice_#
+    variable map_of_column_0_c_below_b_choices : boolean_1d(1 to 6);  -- map_of_column_0_c_below_b_choice_#
+    variable map_window_complete_is_equal, map_window_complete_choice : boolean;
+    variable map_of_low_0_b_below_a_values : boolean_1d(1 to 11);  -- map_of_low_0_b_below_a_value_#
+    variable map_of_low_0_b_below_a_choices : boolean_1d(1 to 7);  -- map_of_low_0_b_below_a_choice_#
+    variable map_of_low_0_b_below_a_is_equal, map_of_low_0_c_below_a_value : boolean;
+    variable map_of_low_0_c_below_a_choices : boolean_1d(1 to 7);  -- map_of_low_0_c_below_a_choice_#
+    variable map_of_low_0_c_below_b_choices : boolean_1d(1 to 7);  -- map_of_low_0_c_below_b_choice_#
+    variable map_of_middle_0_b_below_a_values : boolean_1d(1 to 11);  -- map_of_middle_0_b_below_a_value_#
+    variable map_of_middle_0_b_below_a_choices : boolean_1d(1 to 7);  -- map_of_middle_0_b_below_a_choice_#
+    variable map_of_middle_0_b_below_a_is_equal, map_of_middle_0_c_below_a_value : boolean;
+    variable map_of_middle_0_c_below_a_choices : boolean_1d(1 to 7);  -- map_of_middle_0_c_below_a_choice_#
+    variable map_of_middle_0_c_below_b_choices : boolean_1d(1 to 7);  -- map_of_middle_0_c_below_b_choice_#
+    variable map_of_high_0_b_below_a_values : boolean_1d(1 to 11);  -- map_of_high_0_b_below_a_value_#
+    variable map_of_high_0_b_below_a_choices : boolean_1d(1 to 7);  -- map_of_high_0_b_below_a_choice_#
+    variable map_of_high_0_b_below_a_is_equal, map_of_high_0_c_below_a_value : boolean;
+    variable map_of_high_0_c_below_a_choices : boolean_1d(1 to 7);  -- map_of_high_0_c_below_a_choice_#
+    variable map_of_high_0_c_below_b_choices : boolean_1d(1 to 7);  -- map_of_high_0_c_below_b_choice_#
+    variable map_of_all_0_b_below_a_values : boolean_1d(1 to 11);  -- map_of_all_0_b_below_a_value_#
+    variable map_of_all_0_b_below_a_choices : boolean_1d(1 to 7);  -- map_of_all_0_b_below_a_choice_#
+    variable map_of_all_0_b_below_a_is_equal, map_of_all_0_c_below_a_value : boolean;
+    variable map_of_all_0_c_below_a_choices : boolean_1d(1 to 7);  -- map_of_all_0_c_below_a_choice_#
+    variable map_of_all_0_c_below_b_choices : boolean_1d(1 to 7);  -- map_of_all_0_c_below_b_choice_#
     variable map_low_0_all : boolean_1d(0 to 1);  -- map_low_#_0_all
     variable transform_counter_group_choice, raster_place_group_choice, map_counter_group_choice : natural range 0 to 5;
     variable transform_counter_group_choices : natural_1023_1d(2 to 3);  -- transform_counter_group_choice_#
@@ -748,999 +593,478 @@ begin
     variable entry_order_address_choice, turn_order_address_choice : natural range 1 to 2047;
     variable entry_order_address_choice_2, turn_order_address_choice_2 : natural range 0 to 309;
     variable forward_pair_cost_sum : natural_26_1d(0 to 63);  -- forward_pair_cost_#_sum
-    variable forward_path_choice : natural_2047_1d(0 to 63);  -- forward_path_#_choice
-    variable forward_path_0_choice_2 : natural range 0 to 2047;
-    variable forward_path_choices : natural_2047_2d(1 to 63, 2 to 3);  -- forward_path_#_choice_#
+    variable forward_path_choice : natural_2047_2d(0 to 63, 1 to 3);  -- forward_path_#_choice_#
     variable forward_dropped_choice : natural_2047_1d(0 to 57);  -- forward_dropped_#_choice
-    variable forward_decision_choice : natural_1_to_2_1d(0 to 57);  -- forward_decision_#_choice
+    variable forward_decision_0_choice, forward_decision_1_choice, forward_decision_2_choice : natural range 1 to 2;
+    variable forward_decision_3_choice, forward_decision_4_choice, forward_decision_5_choice : natural range 1 to 2;
+    variable forward_decision_6_choice, forward_decision_7_choice, forward_decision_8_choice : natural range 1 to 2;
+    variable forward_decision_9_choice, forward_decision_10_choice, forward_decision_11_choice : natural range 1 to 2;
+    variable forward_decision_12_choice, forward_decision_13_choice, forward_decision_14_choice : natural range 1 to 2;
+    variable forward_decision_15_choice, forward_decision_16_choice, forward_decision_17_choice : natural range 1 to 2;
+    variable forward_decision_18_choice, forward_decision_19_choice, forward_decision_20_choice : natural range 1 to 2;
+    variable forward_decision_21_choice, forward_decision_22_choice, forward_decision_23_choice : natural range 1 to 2;
+    variable forward_decision_24_choice, forward_decision_25_choice, forward_decision_26_choice : natural range 1 to 2;
+    variable forward_decision_27_choice, forward_decision_28_choice, forward_decision_29_choice : natural range 1 to 2;
+    variable forward_decision_30_choice, forward_decision_31_choice, forward_decision_32_choice : natural range 1 to 2;
+    variable forward_decision_33_choice, forward_decision_34_choice, forward_decision_35_choice : natural range 1 to 2;
+    variable forward_decision_36_choice, forward_decision_37_choice, forward_decision_38_choice : natural range 1 to 2;
+    variable forward_decision_39_choice, forward_decision_40_choice, forward_decision_41_choice : natural range 1 to 2;
+    variable forward_decision_42_choice, forward_decision_43_choice, forward_decision_44_choice : natural range 1 to 2;
+    variable forward_decision_45_choice, forward_decision_46_choice, forward_decision_47_choice : natural range 1 to 2;
+    variable forward_decision_48_choice, forward_decision_49_choice, forward_decision_50_choice : natural range 1 to 2;
+    variable forward_decision_51_choice, forward_decision_52_choice, forward_decision_53_choice : natural range 1 to 2;
+    variable forward_decision_54_choice, forward_decision_55_choice, forward_decision_56_choice : natural range 1 to 2;
+    variable forward_decision_57_choice : natural range 1 to 2;
     variable forward_decision_choice_2 : natural_2_1d(1 to 57);  -- forward_decision_#_choice_2
     variable last_path_0_2_difference : integer range -1023 to 1024;
     variable traceback_state_sum : natural range 1 to 256;
     variable traceback_state_sum_2 : natural range 3 to 130;
     variable traceback_state_sum_3 : natural range 255 to 510;
-    variable traceback_state_choice : natural range 0 to 255;
-    variable traceback_state_choices : natural_255_1d(2 to 3);  -- traceback_state_choice_#
-    variable fill_out_disparity_0_choice, map_sorted_low_0_choice, map_sorted_low_0_choice_2 : natural range 0 to 255;
-    variable map_sorted_middle_0_choice, map_sorted_middle_0_choice_2 : natural range 0 to 255;
-    variable map_sorted_high_0_choice, map_sorted_high_0_choice_2, map_largest_low_0_choice : natural range 0 to 255;
-    variable map_largest_low_0_choice_2, map_median_middle_0_choice : natural range 0 to 255;
-    variable map_median_middle_0_choices : natural_255_1d(2 to 4);  -- map_median_middle_0_choice_#
-    variable map_smallest_high_0_choice, map_smallest_high_0_choice_2 : natural range 0 to 255;
-    variable map_out_disparity_0_choice : natural range 0 to 255;
-    variable map_out_disparity_0_choices : natural_255_1d(2 to 4);  -- map_out_disparity_0_choice_#
+    variable traceback_state_choices : natural_255_1d(1 to 3);  -- traceback_state_choice_#
+    variable fill_out_disparity_0_choice : natural range 0 to 255;
+    variable map_sorted_low_0_choices : natural_255_1d(1 to 2);  -- map_sorted_low_0_choice_#
+    variable map_sorted_middle_0_choices : natural_255_1d(1 to 2);  -- map_sorted_middle_0_choice_#
+    variable map_sorted_high_0_choices : natural_255_1d(1 to 2);  -- map_sorted_high_0_choice_#
+    variable map_largest_low_0_choices : natural_255_1d(1 to 2);  -- map_largest_low_0_choice_#
+    variable map_median_middle_0_choices : natural_255_1d(1 to 4);  -- map_median_middle_0_choice_#
+    variable map_smallest_high_0_choices : natural_255_1d(1 to 2);  -- map_smallest_high_0_choice_#
+    variable map_out_disparity_0_choices : natural_255_1d(1 to 4);  -- map_out_disparity_0_choice_#
     variable map_low_0_0_choice, map_middle_0_0_choice, map_high_0_0_choice : natural range 0 to 255;
-    variable traceback_decision_choice : natural range 0 to 3;
-    variable traceback_decision_choices : natural_3_1d(2 to 223);  -- traceback_decision_choice_#
+    variable traceback_decision_choices : natural_3_1d(1 to 223);  -- traceback_decision_choice_#
   begin
     if rising_edge(clock) then
+      -- no bit without a value, where an array has places for more
+      slice0cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice1cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice2cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice3cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      forward_far_choice := (others => false);
+      forward_path_choice := (others => (others => 0));
       -- transform
-      transform_counter_group_is_equal := transform_counter_group = 639;
-      transform_counter_group_is_equal_2 := transform_counter_column = 1299;
-      transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
-      if transform_counter_group_all then
-        transform_counter_group_choice := 5;
-      else
-        transform_counter_group_choice := 0;
-      end if;
+      transform_counter_group_is_equals(1) := transform_counter_group = 639;
+      transform_counter_group_is_equals(2) := transform_counter_column = 1299;
+      transform_counter_group_all := transform_counter_group_is_equals(1) and transform_counter_group_is_equals(2);
+      transform_counter_group_choice := choice(transform_counter_group_all, 5, 0);
       transform_counter_group_differs := transform_counter_group /= 642;
-      if (transform_counter_group = 641) and transform_counter_next_frame then
-        transform_counter_group_choices(2) := 2;
-      else
-        transform_counter_group_choices(2) := (transform_counter_group + 1) mod 1024;
-      end if;
-      if transform_counter_group_differs and in_valid and transform_counter_group_is_equal_2 then
-        transform_counter_group_choices(3) := transform_counter_group_choices(2);
-      else
-        transform_counter_group_choices(3) := transform_counter_group;
-      end if;
+      transform_counter_group_choices(2) := choice((transform_counter_group = 641) and transform_counter_next_frame, 2,
+        (transform_counter_group + 1) mod 1024);
+      transform_counter_group_choices(3) := choice(transform_counter_group_differs and in_valid and
+        transform_counter_group_is_equals(2), transform_counter_group_choices(2), transform_counter_group);
       transform_read_column_inside_0_is_less := 1 < transform_counter_column;
-      transform_left_filter_feature_0_value := is_set(transform_left_filter_column(2, 2), 1);
-      transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_value) or (not
+      transform_left_filter_feature_0_values(1) := is_set(transform_left_filter_column(2, 2), 1);
+      transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_values(1)) or (not
         is_set(transform_left_filter_column(2, 2), 0));
-      if is_set(transform_left_filter_column(4, 0), 0) then
-        transform_left_filter_feature_0_choice := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choice := not transform_left_filter_feature_0_value;
-      end if;
+      transform_left_filter_feature_0_choices(1) := choice(is_set(transform_left_filter_column(4, 0), 0),
+        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
       transform_left_filter_feature_0_is_equal := (transform_left_filter_column(2, 2) mod 4) = 0;
-      if is_set(transform_left_filter_column(4, 0), 1) then
-        transform_left_filter_feature_0_choices(2) := transform_left_filter_feature_0_choice;
-      else
-        transform_left_filter_feature_0_choices(2) := is_set(transform_left_filter_column(4, 0), 0) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
+      transform_left_filter_feature_0_choices(2) := choice(is_set(transform_left_filter_column(4, 0), 1),
+        transform_left_filter_feature_0_choices(1), is_set(transform_left_filter_column(4, 0), 0) and
+        transform_left_filter_feature_0_is_equal);
       transform_left_filter_feature_0_values(2) := is_set(transform_left_filter_column(2, 2), 2);
-      if transform_left_filter_feature_0_choices(2) then
-        transform_left_filter_feature_0_choices(3) := (not is_set(transform_left_filter_column(4, 0), 2)) and
-          transform_left_filter_feature_0_values(2);
-      else
-        transform_left_filter_feature_0_choices(3) := (not is_set(transform_left_filter_column(4, 0), 2)) or
-          transform_left_filter_feature_0_values(2);
-      end if;
+      transform_left_filter_feature_0_choices(3) := inverted_carry(transform_left_filter_feature_0_choices(2), not
+        is_set(transform_left_filter_column(4, 0), 2), transform_left_filter_feature_0_values(2));
       for i in 3 to 6 loop
         transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(2, 2), i);
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(4, 0), i)) or
-            transform_left_filter_feature_0_values(i);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(4, 0), i)) and
-            transform_left_filter_feature_0_values(i);
-        end if;
+        transform_left_filter_feature_0_choices(i + 1) := carry(transform_left_filter_feature_0_choices(i), not
+          is_set(transform_left_filter_column(4, 0), i), transform_left_filter_feature_0_values(i));
       end loop;
       for i in 0 to 3 loop
-        if transform_left_filter_feature_0_choices(8 * i + 7) then
-          transform_left_filter_feature_0_choices(8 * i + 8) := is_set(transform_left_filter_column(4, i), 7) and (not
-            is_set(transform_left_filter_column(2, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 8) := is_set(transform_left_filter_column(4, i), 7) or (not
-            is_set(transform_left_filter_column(2, 2), 7));
-        end if;
-        if is_set(transform_left_filter_column(4, i + 1), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 9) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 9) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(4, i + 1), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 10) := transform_left_filter_feature_0_choices(8 * i + 9);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 10) := is_set(transform_left_filter_column(4, i + 1), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 10) then
-          transform_left_filter_feature_0_choices(8 * i + 11) := (not is_set(transform_left_filter_column(4, i + 1),
-            2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 11) := (not is_set(transform_left_filter_column(4, i + 1),
-            2)) or transform_left_filter_feature_0_values(2);
-        end if;
+        transform_left_filter_feature_0_choices(8 * i + 8) := inverted_carry(transform_left_filter_feature_0_choices(8
+          * i + 7), is_set(transform_left_filter_column(4, i), 7), not is_set(transform_left_filter_column(2, 2), 7));
+        transform_left_filter_feature_0_choices(8 * i + 9) := choice(is_set(transform_left_filter_column(4, i + 1), 0),
+          transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(8 * i + 10) := choice(is_set(transform_left_filter_column(4, i + 1),
+          1), transform_left_filter_feature_0_choices(8 * i + 9), is_set(transform_left_filter_column(4, i + 1), 0) and
+          transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(8 * i + 11) := inverted_carry(transform_left_filter_feature_0_choices(8
+          * i + 10), not is_set(transform_left_filter_column(4, i + 1), 2), transform_left_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 8) then
-            transform_left_filter_feature_0_choices(8 * i + j + 9) := (not is_set(transform_left_filter_column(4, i +
-              1), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 9) := (not is_set(transform_left_filter_column(4, i +
-              1), j)) and transform_left_filter_feature_0_values(j);
-          end if;
+          transform_left_filter_feature_0_choices(8 * i + j + 9) := carry(transform_left_filter_feature_0_choices(8 * i
+            + j + 8), not is_set(transform_left_filter_column(4, i + 1), j), transform_left_filter_feature_0_values(j));
         end loop;
+      end loop;
+      transform_left_filter_feature_0_choices(40) := inverted_carry(transform_left_filter_feature_0_choices(39),
+        is_set(transform_left_filter_column(4, 4), 7), not is_set(transform_left_filter_column(2, 2), 7));
+      for i in 0 to 4 loop
+        transform_left_filter_feature_0_choices(8 * i + 41) := choice(is_set(transform_left_filter_column(3, i), 0),
+          transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(8 * i + 42) := choice(is_set(transform_left_filter_column(3, i), 1),
+          transform_left_filter_feature_0_choices(8 * i + 41), is_set(transform_left_filter_column(3, i), 0) and
+          transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(8 * i + 43) := inverted_carry(transform_left_filter_feature_0_choices(8
+          * i + 42), not is_set(transform_left_filter_column(3, i), 2), transform_left_filter_feature_0_values(2));
+        for j in 3 to 6 loop
+          transform_left_filter_feature_0_choices(8 * i + j + 41) := carry(transform_left_filter_feature_0_choices(8 *
+            i + j + 40), not is_set(transform_left_filter_column(3, i), j), transform_left_filter_feature_0_values(j));
+        end loop;
+        transform_left_filter_feature_0_choices(8 * i + 48) := inverted_carry(transform_left_filter_feature_0_choices(8
+          * i + 47), is_set(transform_left_filter_column(3, i), 7), not is_set(transform_left_filter_column(2, 2), 7));
+      end loop;
+      transform_left_filter_feature_0_choices(81) := choice(is_set(transform_left_filter_column(2, 4), 0),
+        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(82) := choice(is_set(transform_left_filter_column(2, 4), 1),
+        transform_left_filter_feature_0_choices(81), is_set(transform_left_filter_column(2, 4), 0) and
+        transform_left_filter_feature_0_is_equal);
+      transform_left_filter_feature_0_choices(83) := inverted_carry(transform_left_filter_feature_0_choices(82), not
+        is_set(transform_left_filter_column(2, 4), 2), transform_left_filter_feature_0_values(2));
+      for i in 84 to 87 loop
+        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
+          is_set(transform_left_filter_column(2, 4), i - 81), transform_left_filter_feature_0_values(i - 81));
+      end loop;
+      transform_left_filter_feature_0_choices(88) := choice(transform_left_filter_feature_0_choices(87),
+        transform_filtering_0_column_inside(2) and is_set(transform_left_filter_column(2, 4), 7) and (not
+        is_set(transform_left_filter_column(2, 2), 7)), transform_filtering_0_column_inside(2) and
+        (is_set(transform_left_filter_column(2, 4), 7) or (not is_set(transform_left_filter_column(2, 2), 7))));
+      for i in 0 to 1 loop
+        transform_left_filter_feature_0_choices(16 * i + 89) := choice(is_set(transform_left_filter_column(2, 1 - i),
+          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(16 * i + 90) := choice(is_set(transform_left_filter_column(2, 1 - i),
+          1), transform_left_filter_feature_0_choices(16 * i + 89), is_set(transform_left_filter_column(2, 1 - i), 0)
+          and transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(16 * i + 91) :=
+          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 90), not
+          is_set(transform_left_filter_column(2, 1 - i), 2), transform_left_filter_feature_0_values(2));
+        for j in 3 to 6 loop
+          transform_left_filter_feature_0_choices(16 * i + j + 89) := carry(transform_left_filter_feature_0_choices(16
+            * i + j + 88), not is_set(transform_left_filter_column(2, 1 - i), j),
+            transform_left_filter_feature_0_values(j));
+        end loop;
+        transform_left_filter_feature_0_choices(16 * i + 96) :=
+          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 95), is_set(transform_left_filter_column(2, 1
+          - i), 7), not is_set(transform_left_filter_column(2, 2), 7));
+        transform_left_filter_feature_0_choices(16 * i + 97) := choice(is_set(transform_left_filter_column(2 - i, 3),
+          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(16 * i + 98) := choice(is_set(transform_left_filter_column(2 - i, 3),
+          1), transform_left_filter_feature_0_choices(16 * i + 97), is_set(transform_left_filter_column(2 - i, 3), 0)
+          and transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(16 * i + 99) :=
+          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 98), not
+          is_set(transform_left_filter_column(2 - i, 3), 2), transform_left_filter_feature_0_values(2));
+        for j in 3 to 6 loop
+          transform_left_filter_feature_0_choices(16 * i + j + 97) := carry(transform_left_filter_feature_0_choices(16
+            * i + j + 96), not is_set(transform_left_filter_column(2 - i, 3), j),
+            transform_left_filter_feature_0_values(j));
+        end loop;
+        transform_left_filter_feature_0_choices(16 * i + 104) :=
+          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 103), is_set(transform_left_filter_column(2 -
+          i, 3), 7), not is_set(transform_left_filter_column(2, 2), 7));
+      end loop;
+      transform_left_filter_feature_0_choices(121) := choice(is_set(transform_left_filter_column(1, 4), 0),
+        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choices(122) := choice(is_set(transform_left_filter_column(1, 4), 1),
+        transform_left_filter_feature_0_choices(121), is_set(transform_left_filter_column(1, 4), 0) and
+        transform_left_filter_feature_0_is_equal);
+      transform_left_filter_feature_0_choices(123) := inverted_carry(transform_left_filter_feature_0_choices(122), not
+        is_set(transform_left_filter_column(1, 4), 2), transform_left_filter_feature_0_values(2));
+      for i in 124 to 127 loop
+        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
+          is_set(transform_left_filter_column(1, 4), i - 121), transform_left_filter_feature_0_values(i - 121));
+      end loop;
+      transform_left_filter_feature_0_choices(128) := inverted_carry(transform_left_filter_feature_0_choices(127),
+        is_set(transform_left_filter_column(1, 4), 7), not is_set(transform_left_filter_column(2, 2), 7));
+      for i in 0 to 2 loop
+        transform_left_filter_feature_0_choices(8 * i + 129) := choice(is_set(transform_left_filter_column(1, 2 - i),
+          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(8 * i + 130) := choice(is_set(transform_left_filter_column(1, 2 - i),
+          1), transform_left_filter_feature_0_choices(8 * i + 129), is_set(transform_left_filter_column(1, 2 - i), 0)
+          and transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(8 * i + 131) :=
+          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 130), not
+          is_set(transform_left_filter_column(1, 2 - i), 2), transform_left_filter_feature_0_values(2));
+        for j in 3 to 6 loop
+          transform_left_filter_feature_0_choices(8 * i + j + 129) := carry(transform_left_filter_feature_0_choices(8 *
+            i + j + 128), not is_set(transform_left_filter_column(1, 2 - i), j),
+            transform_left_filter_feature_0_values(j));
+        end loop;
+        transform_left_filter_feature_0_choices(8 * i + 136) :=
+          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 135), is_set(transform_left_filter_column(1, 2
+          - i), 7), not is_set(transform_left_filter_column(2, 2), 7));
       end loop;
       for i in 0 to 1 loop
-        if transform_left_filter_feature_0_choices(8 * i + 39) then
-          transform_left_filter_feature_0_choices(8 * i + 40) := is_set(transform_left_filter_column(4 - i, 4 - 4 * i),
-            7) and (not is_set(transform_left_filter_column(2, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 40) := is_set(transform_left_filter_column(4 - i, 4 - 4 * i),
-            7) or (not is_set(transform_left_filter_column(2, 2), 7));
-        end if;
-        if is_set(transform_left_filter_column(3, i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 41) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 41) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(3, i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 42) := transform_left_filter_feature_0_choices(8 * i + 41);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 42) := is_set(transform_left_filter_column(3, i), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 42) then
-          transform_left_filter_feature_0_choices(8 * i + 43) := (not is_set(transform_left_filter_column(3, i), 2))
-            and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 43) := (not is_set(transform_left_filter_column(3, i), 2)) or
-            transform_left_filter_feature_0_values(2);
-        end if;
+        transform_left_filter_feature_0_choices(16 * i + 153) := choice(is_set(transform_left_filter_column(0, 3 - i),
+          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(16 * i + 154) := choice(is_set(transform_left_filter_column(0, 3 - i),
+          1), transform_left_filter_feature_0_choices(16 * i + 153), is_set(transform_left_filter_column(0, 3 - i), 0)
+          and transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(16 * i + 155) :=
+          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 154), not
+          is_set(transform_left_filter_column(0, 3 - i), 2), transform_left_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 40) then
-            transform_left_filter_feature_0_choices(8 * i + j + 41) := (not is_set(transform_left_filter_column(3, i),
-              j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 41) := (not is_set(transform_left_filter_column(3, i),
-              j)) and transform_left_filter_feature_0_values(j);
-          end if;
+          transform_left_filter_feature_0_choices(16 * i + j + 153) := carry(transform_left_filter_feature_0_choices(16
+            * i + j + 152), not is_set(transform_left_filter_column(0, 3 - i), j),
+            transform_left_filter_feature_0_values(j));
         end loop;
-      end loop;
-      for i in 1 to 3 loop
-        if transform_left_filter_feature_0_choices(8 * i + 47) then
-          transform_left_filter_feature_0_choices(8 * i + 48) := is_set(transform_left_filter_column(3, i), 7) and (not
-            is_set(transform_left_filter_column(2, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 48) := is_set(transform_left_filter_column(3, i), 7) or (not
-            is_set(transform_left_filter_column(2, 2), 7));
-        end if;
-        if is_set(transform_left_filter_column(3, i + 1), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 49) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 49) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(3, i + 1), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 50) := transform_left_filter_feature_0_choices(8 * i + 49);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 50) := is_set(transform_left_filter_column(3, i + 1), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 50) then
-          transform_left_filter_feature_0_choices(8 * i + 51) := (not is_set(transform_left_filter_column(3, i + 1),
-            2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 51) := (not is_set(transform_left_filter_column(3, i + 1),
-            2)) or transform_left_filter_feature_0_values(2);
-        end if;
+        transform_left_filter_feature_0_choices(16 * i + 160) :=
+          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 159), is_set(transform_left_filter_column(0,
+          3 - i), 7), not is_set(transform_left_filter_column(2, 2), 7));
+        transform_left_filter_feature_0_choices(16 * i + 161) := choice(is_set(transform_left_filter_column(0, 4 - 3 *
+          i), 0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
+        transform_left_filter_feature_0_choices(16 * i + 162) := choice(is_set(transform_left_filter_column(0, 4 - 3 *
+          i), 1), transform_left_filter_feature_0_choices(16 * i + 161), is_set(transform_left_filter_column(0, 4 - 3 *
+          i), 0) and transform_left_filter_feature_0_is_equal);
+        transform_left_filter_feature_0_choices(16 * i + 163) :=
+          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 162), not
+          is_set(transform_left_filter_column(0, 4 - 3 * i), 2), transform_left_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 48) then
-            transform_left_filter_feature_0_choices(8 * i + j + 49) := (not is_set(transform_left_filter_column(3, i +
-              1), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 49) := (not is_set(transform_left_filter_column(3, i +
-              1), j)) and transform_left_filter_feature_0_values(j);
-          end if;
+          transform_left_filter_feature_0_choices(16 * i + j + 161) := carry(transform_left_filter_feature_0_choices(16
+            * i + j + 160), not is_set(transform_left_filter_column(0, 4 - 3 * i), j),
+            transform_left_filter_feature_0_values(j));
         end loop;
+        transform_left_filter_feature_0_choices(16 * i + 168) :=
+          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 167), is_set(transform_left_filter_column(0,
+          4 - 3 * i), 7), not is_set(transform_left_filter_column(2, 2), 7));
       end loop;
-      if transform_left_filter_feature_0_choices(79) then
-        transform_left_filter_feature_0_choices(80) := is_set(transform_left_filter_column(3, 4), 7) and (not
-          is_set(transform_left_filter_column(2, 2), 7));
-      else
-        transform_left_filter_feature_0_choices(80) := is_set(transform_left_filter_column(3, 4), 7) or (not
-          is_set(transform_left_filter_column(2, 2), 7));
-      end if;
-      if is_set(transform_left_filter_column(2, 4), 0) then
-        transform_left_filter_feature_0_choices(81) := transform_left_filter_feature_0_any;
-      else
-        transform_left_filter_feature_0_choices(81) := not transform_left_filter_feature_0_value;
-      end if;
-      if is_set(transform_left_filter_column(2, 4), 1) then
-        transform_left_filter_feature_0_choices(82) := transform_left_filter_feature_0_choices(81);
-      else
-        transform_left_filter_feature_0_choices(82) := is_set(transform_left_filter_column(2, 4), 0) and
-          transform_left_filter_feature_0_is_equal;
-      end if;
-      if transform_left_filter_feature_0_choices(82) then
-        transform_left_filter_feature_0_choices(83) := (not is_set(transform_left_filter_column(2, 4), 2)) and
-          transform_left_filter_feature_0_values(2);
-      else
-        transform_left_filter_feature_0_choices(83) := (not is_set(transform_left_filter_column(2, 4), 2)) or
-          transform_left_filter_feature_0_values(2);
-      end if;
-      for i in 83 to 86 loop
-        if transform_left_filter_feature_0_choices(i) then
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(2, 4), i - 80)) or
-            transform_left_filter_feature_0_values(i - 80);
-        else
-          transform_left_filter_feature_0_choices(i + 1) := (not is_set(transform_left_filter_column(2, 4), i - 80))
-            and transform_left_filter_feature_0_values(i - 80);
-        end if;
-      end loop;
-      if transform_left_filter_feature_0_choices(87) then
-        transform_left_filter_feature_0_choices(88) := transform_filtering_0_column_inside(2) and
-          is_set(transform_left_filter_column(2, 4), 7) and (not is_set(transform_left_filter_column(2, 2), 7));
-      else
-        transform_left_filter_feature_0_choices(88) := transform_filtering_0_column_inside(2) and
-          (is_set(transform_left_filter_column(2, 4), 7) or (not is_set(transform_left_filter_column(2, 2), 7)));
-      end if;
-      for i in 0 to 1 loop
-        if is_set(transform_left_filter_column(2, 2 * i + 1), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 89) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 89) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(2, 2 * i + 1), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 90) := transform_left_filter_feature_0_choices(8 * i + 89);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 90) := is_set(transform_left_filter_column(2, 2 * i + 1), 0)
-            and transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 90) then
-          transform_left_filter_feature_0_choices(8 * i + 91) := (not is_set(transform_left_filter_column(2, 2 * i +
-            1), 2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 91) := (not is_set(transform_left_filter_column(2, 2 * i +
-            1), 2)) or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 88) then
-            transform_left_filter_feature_0_choices(8 * i + j + 89) := (not is_set(transform_left_filter_column(2, 2 *
-              i + 1), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 89) := (not is_set(transform_left_filter_column(2, 2 *
-              i + 1), j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 95) then
-          transform_left_filter_feature_0_choices(8 * i + 96) := is_set(transform_left_filter_column(2, 2 * i + 1), 7)
-            and (not is_set(transform_left_filter_column(2, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 96) := is_set(transform_left_filter_column(2, 2 * i + 1), 7)
-            or (not is_set(transform_left_filter_column(2, 2), 7));
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_left_filter_column(2 - i, 3 * i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 105) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 105) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(2 - i, 3 * i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 106) := transform_left_filter_feature_0_choices(8 * i + 105);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 106) := is_set(transform_left_filter_column(2 - i, 3 * i), 0)
-            and transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 106) then
-          transform_left_filter_feature_0_choices(8 * i + 107) := (not is_set(transform_left_filter_column(2 - i, 3 *
-            i), 2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 107) := (not is_set(transform_left_filter_column(2 - i, 3 *
-            i), 2)) or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 104) then
-            transform_left_filter_feature_0_choices(8 * i + j + 105) := (not is_set(transform_left_filter_column(2 - i,
-              3 * i), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 105) := (not is_set(transform_left_filter_column(2 - i,
-              3 * i), j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 111) then
-          transform_left_filter_feature_0_choices(8 * i + 112) := is_set(transform_left_filter_column(2 - i, 3 * i), 7)
-            and (not is_set(transform_left_filter_column(2, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 112) := is_set(transform_left_filter_column(2 - i, 3 * i), 7)
-            or (not is_set(transform_left_filter_column(2, 2), 7));
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_left_filter_column(1, 4 - 2 * i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 121) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 121) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(1, 4 - 2 * i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 122) := transform_left_filter_feature_0_choices(8 * i + 121);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 122) := is_set(transform_left_filter_column(1, 4 - 2 * i), 0)
-            and transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 122) then
-          transform_left_filter_feature_0_choices(8 * i + 123) := (not is_set(transform_left_filter_column(1, 4 - 2 *
-            i), 2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 123) := (not is_set(transform_left_filter_column(1, 4 - 2 *
-            i), 2)) or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 120) then
-            transform_left_filter_feature_0_choices(8 * i + j + 121) := (not is_set(transform_left_filter_column(1, 4 -
-              2 * i), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 121) := (not is_set(transform_left_filter_column(1, 4 -
-              2 * i), j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 127) then
-          transform_left_filter_feature_0_choices(8 * i + 128) := is_set(transform_left_filter_column(1, 4 - 2 * i), 7)
-            and (not is_set(transform_left_filter_column(2, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 128) := is_set(transform_left_filter_column(1, 4 - 2 * i), 7)
-            or (not is_set(transform_left_filter_column(2, 2), 7));
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_left_filter_column(1, 1 - i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 137) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 137) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(1, 1 - i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 138) := transform_left_filter_feature_0_choices(8 * i + 137);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 138) := is_set(transform_left_filter_column(1, 1 - i), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 138) then
-          transform_left_filter_feature_0_choices(8 * i + 139) := (not is_set(transform_left_filter_column(1, 1 - i),
-            2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 139) := (not is_set(transform_left_filter_column(1, 1 - i),
-            2)) or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 136) then
-            transform_left_filter_feature_0_choices(8 * i + j + 137) := (not is_set(transform_left_filter_column(1, 1 -
-              i), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 137) := (not is_set(transform_left_filter_column(1, 1 -
-              i), j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 143) then
-          transform_left_filter_feature_0_choices(8 * i + 144) := is_set(transform_left_filter_column(1, 1 - i), 7) and
-            (not is_set(transform_left_filter_column(2, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 144) := is_set(transform_left_filter_column(1, 1 - i), 7) or
-            (not is_set(transform_left_filter_column(2, 2), 7));
-        end if;
-      end loop;
-      for i in 3 to 4 loop
-        if is_set(transform_left_filter_column(0, i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 129) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 129) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(0, i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 130) := transform_left_filter_feature_0_choices(8 * i + 129);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 130) := is_set(transform_left_filter_column(0, i), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 130) then
-          transform_left_filter_feature_0_choices(8 * i + 131) := (not is_set(transform_left_filter_column(0, i), 2))
-            and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 131) := (not is_set(transform_left_filter_column(0, i), 2))
-            or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 128) then
-            transform_left_filter_feature_0_choices(8 * i + j + 129) := (not is_set(transform_left_filter_column(0, i),
-              j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 129) := (not is_set(transform_left_filter_column(0, i),
-              j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 135) then
-          transform_left_filter_feature_0_choices(8 * i + 136) := is_set(transform_left_filter_column(0, i), 7) and
-            (not is_set(transform_left_filter_column(2, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 136) := is_set(transform_left_filter_column(0, i), 7) or (not
-            is_set(transform_left_filter_column(2, 2), 7));
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_left_filter_column(0, 2 - i), 0) then
-          transform_left_filter_feature_0_choices(8 * i + 169) := transform_left_filter_feature_0_any;
-        else
-          transform_left_filter_feature_0_choices(8 * i + 169) := not transform_left_filter_feature_0_value;
-        end if;
-        if is_set(transform_left_filter_column(0, 2 - i), 1) then
-          transform_left_filter_feature_0_choices(8 * i + 170) := transform_left_filter_feature_0_choices(8 * i + 169);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 170) := is_set(transform_left_filter_column(0, 2 - i), 0) and
-            transform_left_filter_feature_0_is_equal;
-        end if;
-        if transform_left_filter_feature_0_choices(8 * i + 170) then
-          transform_left_filter_feature_0_choices(8 * i + 171) := (not is_set(transform_left_filter_column(0, 2 - i),
-            2)) and transform_left_filter_feature_0_values(2);
-        else
-          transform_left_filter_feature_0_choices(8 * i + 171) := (not is_set(transform_left_filter_column(0, 2 - i),
-            2)) or transform_left_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_left_filter_feature_0_choices(8 * i + j + 168) then
-            transform_left_filter_feature_0_choices(8 * i + j + 169) := (not is_set(transform_left_filter_column(0, 2 -
-              i), j)) or transform_left_filter_feature_0_values(j);
-          else
-            transform_left_filter_feature_0_choices(8 * i + j + 169) := (not is_set(transform_left_filter_column(0, 2 -
-              i), j)) and transform_left_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_left_filter_feature_0_choices(8 * i + 175) then
-          transform_left_filter_feature_0_choices(8 * i + 176) := is_set(transform_left_filter_column(0, 2 - i), 7) and
-            (not is_set(transform_left_filter_column(2, 2), 7));
-        else
-          transform_left_filter_feature_0_choices(8 * i + 176) := is_set(transform_left_filter_column(0, 2 - i), 7) or
-            (not is_set(transform_left_filter_column(2, 2), 7));
-        end if;
-      end loop;
-      if is_set(transform_left_filter_column(2, 2), 0) then
-        transform_left_filter_feature_0_choices(185) := not is_set(transform_left_filter_column(0, 0), 1);
-      else
-        transform_left_filter_feature_0_choices(185) := (transform_left_filter_column(0, 0) mod 4) = 0;
-      end if;
-      if transform_left_filter_feature_0_value then
-        transform_left_filter_feature_0_choices(186) := is_set(transform_left_filter_column(2, 2), 0) or (not
-          is_set(transform_left_filter_column(0, 0), 1)) or (not is_set(transform_left_filter_column(0, 0), 0));
-      else
-        transform_left_filter_feature_0_choices(186) := transform_left_filter_feature_0_choices(185);
-      end if;
+      transform_left_filter_feature_0_choices(185) := choice(is_set(transform_left_filter_column(2, 2), 0), not
+        is_set(transform_left_filter_column(0, 0), 1), (transform_left_filter_column(0, 0) mod 4) = 0);
+      transform_left_filter_feature_0_choices(186) := choice(transform_left_filter_feature_0_values(1),
+        is_set(transform_left_filter_column(2, 2), 0) or (not is_set(transform_left_filter_column(0, 0), 1)) or (not
+        is_set(transform_left_filter_column(0, 0), 0)), transform_left_filter_feature_0_choices(185));
       transform_left_filter_feature_0_values(7) := is_set(transform_left_filter_column(0, 0), 2);
-      if transform_left_filter_feature_0_choices(186) then
-        transform_left_filter_feature_0_choices(187) := (not transform_left_filter_feature_0_values(2)) and
-          transform_left_filter_feature_0_values(7);
-      else
-        transform_left_filter_feature_0_choices(187) := (not transform_left_filter_feature_0_values(2)) or
-          transform_left_filter_feature_0_values(7);
-      end if;
+      transform_left_filter_feature_0_choices(187) := inverted_carry(transform_left_filter_feature_0_choices(186), not
+        transform_left_filter_feature_0_values(2), transform_left_filter_feature_0_values(7));
       for i in 8 to 11 loop
         transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(0, 0), i - 5);
-        if transform_left_filter_feature_0_choices(i + 179) then
-          transform_left_filter_feature_0_choices(i + 180) := (not transform_left_filter_feature_0_values(i - 5)) or
-            transform_left_filter_feature_0_values(i);
-        else
-          transform_left_filter_feature_0_choices(i + 180) := (not transform_left_filter_feature_0_values(i - 5)) and
-            transform_left_filter_feature_0_values(i);
-        end if;
+        transform_left_filter_feature_0_choices(i + 180) := carry(transform_left_filter_feature_0_choices(i + 179), not
+          transform_left_filter_feature_0_values(i - 5), transform_left_filter_feature_0_values(i));
       end loop;
-      if transform_left_filter_feature_0_choices(191) then
-        transform_left_filter_feature_0_choices(192) := (not is_set(transform_left_filter_column(2, 2), 7)) or
-          is_set(transform_left_filter_column(0, 0), 7);
-      else
-        transform_left_filter_feature_0_choices(192) := (not is_set(transform_left_filter_column(2, 2), 7)) and
-          is_set(transform_left_filter_column(0, 0), 7);
-      end if;
-      if transform_filtering_0_column_inside(0) then
-        transform_left_filter_feature_0_choice_193 := (as_number(transform_left_filter_feature_0_choices(160)) * 8) +
-          (as_number(transform_left_filter_feature_0_choices(168)) * 16) +
-          (as_number(transform_left_filter_feature_0_choices(176)) * 4) +
-          (as_number(transform_left_filter_feature_0_choices(184)) * 2) +
-          as_number(transform_left_filter_feature_0_choices(192));
-      else
-        transform_left_filter_feature_0_choice_193 := 0;
-      end if;
-      if transform_filtering_0_column_inside(1) then
-        transform_left_filter_feature_0_choice_194 := (as_number(transform_left_filter_feature_0_choices(120)) * 256) +
-          (as_number(transform_left_filter_feature_0_choices(128)) * 512) +
-          (as_number(transform_left_filter_feature_0_choices(136)) * 128) +
-          (as_number(transform_left_filter_feature_0_choices(144)) * 64) +
-          (as_number(transform_left_filter_feature_0_choices(152)) * 32) + transform_left_filter_feature_0_choice_193;
-      else
-        transform_left_filter_feature_0_choice_194 := transform_left_filter_feature_0_choice_193;
-      end if;
-      if transform_filtering_0_column_inside(2) then
-        transform_left_filter_feature_0_choice_195 := (as_number(transform_left_filter_feature_0_choices(96)) * 2048) +
-          (as_number(transform_left_filter_feature_0_choices(104)) * 4096) +
-          (as_number(transform_left_filter_feature_0_choices(112)) * 1024) + transform_left_filter_feature_0_choice_194;
-      else
-        transform_left_filter_feature_0_choice_195 := transform_left_filter_feature_0_choice_194;
-      end if;
-      if transform_filtering_0_column_inside(3) then
-        transform_left_filter_feature_0_choice_196 := (as_number(transform_left_filter_feature_0_choices(48)) * 16384)
-          + (as_number(transform_left_filter_feature_0_choices(56)) * 32768) +
-          (as_number(transform_left_filter_feature_0_choices(64)) * 65536) +
-          (as_number(transform_left_filter_feature_0_choices(72)) * 131072) +
-          (as_number(transform_left_filter_feature_0_choices(80)) * 262144) +
-          (as_number(transform_left_filter_feature_0_choices(88)) * 8192) + transform_left_filter_feature_0_choice_195;
-      else
-        transform_left_filter_feature_0_choice_196 := (as_number(transform_left_filter_feature_0_choices(88)) * 8192) +
-          transform_left_filter_feature_0_choice_195;
-      end if;
-      transform_right_filter_feature_0_value := is_set(transform_right_filter_column(2, 2), 1);
-      transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_value) or (not
+      transform_left_filter_feature_0_choices(192) := carry(transform_left_filter_feature_0_choices(191), not
+        is_set(transform_left_filter_column(2, 2), 7), is_set(transform_left_filter_column(0, 0), 7));
+      transform_left_filter_feature_0_choice_193 := choice(transform_filtering_0_column_inside(0),
+        (as_number(transform_left_filter_feature_0_choices(160)) * 8) +
+        (as_number(transform_left_filter_feature_0_choices(168)) * 16) +
+        (as_number(transform_left_filter_feature_0_choices(176)) * 4) +
+        (as_number(transform_left_filter_feature_0_choices(184)) * 2) +
+        as_number(transform_left_filter_feature_0_choices(192)), 0);
+      transform_left_filter_feature_0_choice_194 := choice(transform_filtering_0_column_inside(1),
+        (as_number(transform_left_filter_feature_0_choices(120)) * 256) +
+        (as_number(transform_left_filter_feature_0_choices(128)) * 512) +
+        (as_number(transform_left_filter_feature_0_choices(136)) * 128) +
+        (as_number(transform_left_filter_feature_0_choices(144)) * 64) +
+        (as_number(transform_left_filter_feature_0_choices(152)) * 32) + transform_left_filter_feature_0_choice_193,
+        transform_left_filter_feature_0_choice_193);
+      transform_left_filter_feature_0_choice_195 := choice(transform_filtering_0_column_inside(2),
+        (as_number(transform_left_filter_feature_0_choices(96)) * 2048) +
+        (as_number(transform_left_filter_feature_0_choices(104)) * 4096) +
+        (as_number(transform_left_filter_feature_0_choices(112)) * 1024) + transform_left_filter_feature_0_choice_194,
+        transform_left_filter_feature_0_choice_194);
+      transform_left_filter_feature_0_choice_196 := choice(transform_filtering_0_column_inside(3),
+        (as_number(transform_left_filter_feature_0_choices(48)) * 16384) +
+        (as_number(transform_left_filter_feature_0_choices(56)) * 32768) +
+        (as_number(transform_left_filter_feature_0_choices(64)) * 65536) +
+        (as_number(transform_left_filter_feature_0_choices(72)) * 131072) +
+        (as_number(transform_left_filter_feature_0_choices(80)) * 262144) +
+        (as_number(transform_left_filter_feature_0_choices(88)) * 8192) + transform_left_filter_feature_0_choice_195,
+        (as_number(transform_left_filter_feature_0_choices(88)) * 8192) + transform_left_filter_feature_0_choice_195);
+      transform_right_filter_feature_0_values(1) := is_set(transform_right_filter_column(2, 2), 1);
+      transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_values(1)) or (not
         is_set(transform_right_filter_column(2, 2), 0));
-      if is_set(transform_right_filter_column(4, 0), 0) then
-        transform_right_filter_feature_0_choice := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choice := not transform_right_filter_feature_0_value;
-      end if;
+      transform_right_filter_feature_0_choices(1) := choice(is_set(transform_right_filter_column(4, 0), 0),
+        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
       transform_right_filter_feature_0_is_equal := (transform_right_filter_column(2, 2) mod 4) = 0;
-      if is_set(transform_right_filter_column(4, 0), 1) then
-        transform_right_filter_feature_0_choices(2) := transform_right_filter_feature_0_choice;
-      else
-        transform_right_filter_feature_0_choices(2) := is_set(transform_right_filter_column(4, 0), 0) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
+      transform_right_filter_feature_0_choices(2) := choice(is_set(transform_right_filter_column(4, 0), 1),
+        transform_right_filter_feature_0_choices(1), is_set(transform_right_filter_column(4, 0), 0) and
+        transform_right_filter_feature_0_is_equal);
       transform_right_filter_feature_0_values(2) := is_set(transform_right_filter_column(2, 2), 2);
-      if transform_right_filter_feature_0_choices(2) then
-        transform_right_filter_feature_0_choices(3) := (not is_set(transform_right_filter_column(4, 0), 2)) and
-          transform_right_filter_feature_0_values(2);
-      else
-        transform_right_filter_feature_0_choices(3) := (not is_set(transform_right_filter_column(4, 0), 2)) or
-          transform_right_filter_feature_0_values(2);
-      end if;
+      transform_right_filter_feature_0_choices(3) := inverted_carry(transform_right_filter_feature_0_choices(2), not
+        is_set(transform_right_filter_column(4, 0), 2), transform_right_filter_feature_0_values(2));
       for i in 3 to 6 loop
         transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(2, 2), i);
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(4, 0), i)) or
-            transform_right_filter_feature_0_values(i);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(4, 0), i)) and
-            transform_right_filter_feature_0_values(i);
-        end if;
+        transform_right_filter_feature_0_choices(i + 1) := carry(transform_right_filter_feature_0_choices(i), not
+          is_set(transform_right_filter_column(4, 0), i), transform_right_filter_feature_0_values(i));
       end loop;
       for i in 0 to 3 loop
-        if transform_right_filter_feature_0_choices(8 * i + 7) then
-          transform_right_filter_feature_0_choices(8 * i + 8) := is_set(transform_right_filter_column(4, i), 7) and
-            (not is_set(transform_right_filter_column(2, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 8) := is_set(transform_right_filter_column(4, i), 7) or (not
-            is_set(transform_right_filter_column(2, 2), 7));
-        end if;
-        if is_set(transform_right_filter_column(4, i + 1), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 9) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 9) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(4, i + 1), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 10) := transform_right_filter_feature_0_choices(8 * i + 9);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 10) := is_set(transform_right_filter_column(4, i + 1), 0)
-            and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 10) then
-          transform_right_filter_feature_0_choices(8 * i + 11) := (not is_set(transform_right_filter_column(4, i + 1),
-            2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 11) := (not is_set(transform_right_filter_column(4, i + 1),
-            2)) or transform_right_filter_feature_0_values(2);
-        end if;
+        transform_right_filter_feature_0_choices(8 * i + 8) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 7), is_set(transform_right_filter_column(4,
+          i), 7), not is_set(transform_right_filter_column(2, 2), 7));
+        transform_right_filter_feature_0_choices(8 * i + 9) := choice(is_set(transform_right_filter_column(4, i + 1),
+          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(8 * i + 10) := choice(is_set(transform_right_filter_column(4, i + 1),
+          1), transform_right_filter_feature_0_choices(8 * i + 9), is_set(transform_right_filter_column(4, i + 1), 0)
+          and transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(8 * i + 11) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 10), not
+          is_set(transform_right_filter_column(4, i + 1), 2), transform_right_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 8) then
-            transform_right_filter_feature_0_choices(8 * i + j + 9) := (not is_set(transform_right_filter_column(4, i +
-              1), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 9) := (not is_set(transform_right_filter_column(4, i +
-              1), j)) and transform_right_filter_feature_0_values(j);
-          end if;
+          transform_right_filter_feature_0_choices(8 * i + j + 9) := carry(transform_right_filter_feature_0_choices(8 *
+            i + j + 8), not is_set(transform_right_filter_column(4, i + 1), j),
+            transform_right_filter_feature_0_values(j));
         end loop;
+      end loop;
+      transform_right_filter_feature_0_choices(40) := inverted_carry(transform_right_filter_feature_0_choices(39),
+        is_set(transform_right_filter_column(4, 4), 7), not is_set(transform_right_filter_column(2, 2), 7));
+      for i in 0 to 4 loop
+        transform_right_filter_feature_0_choices(8 * i + 41) := choice(is_set(transform_right_filter_column(3, i), 0),
+          transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(8 * i + 42) := choice(is_set(transform_right_filter_column(3, i), 1),
+          transform_right_filter_feature_0_choices(8 * i + 41), is_set(transform_right_filter_column(3, i), 0) and
+          transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(8 * i + 43) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 42), not
+          is_set(transform_right_filter_column(3, i), 2), transform_right_filter_feature_0_values(2));
+        for j in 3 to 6 loop
+          transform_right_filter_feature_0_choices(8 * i + j + 41) := carry(transform_right_filter_feature_0_choices(8
+            * i + j + 40), not is_set(transform_right_filter_column(3, i), j),
+            transform_right_filter_feature_0_values(j));
+        end loop;
+        transform_right_filter_feature_0_choices(8 * i + 48) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 47), is_set(transform_right_filter_column(3,
+          i), 7), not is_set(transform_right_filter_column(2, 2), 7));
+      end loop;
+      transform_right_filter_feature_0_choices(81) := choice(is_set(transform_right_filter_column(2, 4), 0),
+        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(82) := choice(is_set(transform_right_filter_column(2, 4), 1),
+        transform_right_filter_feature_0_choices(81), is_set(transform_right_filter_column(2, 4), 0) and
+        transform_right_filter_feature_0_is_equal);
+      transform_right_filter_feature_0_choices(83) := inverted_carry(transform_right_filter_feature_0_choices(82), not
+        is_set(transform_right_filter_column(2, 4), 2), transform_right_filter_feature_0_values(2));
+      for i in 84 to 87 loop
+        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
+          is_set(transform_right_filter_column(2, 4), i - 81), transform_right_filter_feature_0_values(i - 81));
+      end loop;
+      transform_right_filter_feature_0_choices(88) := choice(transform_right_filter_feature_0_choices(87),
+        transform_filtering_0_column_inside(2) and is_set(transform_right_filter_column(2, 4), 7) and (not
+        is_set(transform_right_filter_column(2, 2), 7)), transform_filtering_0_column_inside(2) and
+        (is_set(transform_right_filter_column(2, 4), 7) or (not is_set(transform_right_filter_column(2, 2), 7))));
+      for i in 0 to 1 loop
+        transform_right_filter_feature_0_choices(16 * i + 89) := choice(is_set(transform_right_filter_column(2, 1 - i),
+          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(16 * i + 90) := choice(is_set(transform_right_filter_column(2, 1 - i),
+          1), transform_right_filter_feature_0_choices(16 * i + 89), is_set(transform_right_filter_column(2, 1 - i), 0)
+          and transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(16 * i + 91) :=
+          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 90), not
+          is_set(transform_right_filter_column(2, 1 - i), 2), transform_right_filter_feature_0_values(2));
+        for j in 3 to 6 loop
+          transform_right_filter_feature_0_choices(16 * i + j + 89) :=
+            carry(transform_right_filter_feature_0_choices(16 * i + j + 88), not
+            is_set(transform_right_filter_column(2, 1 - i), j), transform_right_filter_feature_0_values(j));
+        end loop;
+        transform_right_filter_feature_0_choices(16 * i + 96) :=
+          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 95), is_set(transform_right_filter_column(2,
+          1 - i), 7), not is_set(transform_right_filter_column(2, 2), 7));
+        transform_right_filter_feature_0_choices(16 * i + 97) := choice(is_set(transform_right_filter_column(2 - i, 3),
+          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(16 * i + 98) := choice(is_set(transform_right_filter_column(2 - i, 3),
+          1), transform_right_filter_feature_0_choices(16 * i + 97), is_set(transform_right_filter_column(2 - i, 3), 0)
+          and transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(16 * i + 99) :=
+          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 98), not
+          is_set(transform_right_filter_column(2 - i, 3), 2), transform_right_filter_feature_0_values(2));
+        for j in 3 to 6 loop
+          transform_right_filter_feature_0_choices(16 * i + j + 97) :=
+            carry(transform_right_filter_feature_0_choices(16 * i + j + 96), not is_set(transform_right_filter_column(2
+            - i, 3), j), transform_right_filter_feature_0_values(j));
+        end loop;
+        transform_right_filter_feature_0_choices(16 * i + 104) :=
+          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 103), is_set(transform_right_filter_column(2
+          - i, 3), 7), not is_set(transform_right_filter_column(2, 2), 7));
+      end loop;
+      transform_right_filter_feature_0_choices(121) := choice(is_set(transform_right_filter_column(1, 4), 0),
+        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choices(122) := choice(is_set(transform_right_filter_column(1, 4), 1),
+        transform_right_filter_feature_0_choices(121), is_set(transform_right_filter_column(1, 4), 0) and
+        transform_right_filter_feature_0_is_equal);
+      transform_right_filter_feature_0_choices(123) := inverted_carry(transform_right_filter_feature_0_choices(122),
+        not is_set(transform_right_filter_column(1, 4), 2), transform_right_filter_feature_0_values(2));
+      for i in 124 to 127 loop
+        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
+          is_set(transform_right_filter_column(1, 4), i - 121), transform_right_filter_feature_0_values(i - 121));
+      end loop;
+      transform_right_filter_feature_0_choices(128) := inverted_carry(transform_right_filter_feature_0_choices(127),
+        is_set(transform_right_filter_column(1, 4), 7), not is_set(transform_right_filter_column(2, 2), 7));
+      for i in 0 to 2 loop
+        transform_right_filter_feature_0_choices(8 * i + 129) := choice(is_set(transform_right_filter_column(1, 2 - i),
+          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(8 * i + 130) := choice(is_set(transform_right_filter_column(1, 2 - i),
+          1), transform_right_filter_feature_0_choices(8 * i + 129), is_set(transform_right_filter_column(1, 2 - i), 0)
+          and transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(8 * i + 131) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 130), not
+          is_set(transform_right_filter_column(1, 2 - i), 2), transform_right_filter_feature_0_values(2));
+        for j in 3 to 6 loop
+          transform_right_filter_feature_0_choices(8 * i + j + 129) := carry(transform_right_filter_feature_0_choices(8
+            * i + j + 128), not is_set(transform_right_filter_column(1, 2 - i), j),
+            transform_right_filter_feature_0_values(j));
+        end loop;
+        transform_right_filter_feature_0_choices(8 * i + 136) :=
+          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 135), is_set(transform_right_filter_column(1,
+          2 - i), 7), not is_set(transform_right_filter_column(2, 2), 7));
       end loop;
       for i in 0 to 1 loop
-        if transform_right_filter_feature_0_choices(8 * i + 39) then
-          transform_right_filter_feature_0_choices(8 * i + 40) := is_set(transform_right_filter_column(4 - i, 4 - 4 *
-            i), 7) and (not is_set(transform_right_filter_column(2, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 40) := is_set(transform_right_filter_column(4 - i, 4 - 4 *
-            i), 7) or (not is_set(transform_right_filter_column(2, 2), 7));
-        end if;
-        if is_set(transform_right_filter_column(3, i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 41) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 41) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(3, i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 42) := transform_right_filter_feature_0_choices(8 * i + 41);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 42) := is_set(transform_right_filter_column(3, i), 0) and
-            transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 42) then
-          transform_right_filter_feature_0_choices(8 * i + 43) := (not is_set(transform_right_filter_column(3, i), 2))
-            and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 43) := (not is_set(transform_right_filter_column(3, i), 2))
-            or transform_right_filter_feature_0_values(2);
-        end if;
+        transform_right_filter_feature_0_choices(16 * i + 153) := choice(is_set(transform_right_filter_column(0, 3 -
+          i), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(16 * i + 154) := choice(is_set(transform_right_filter_column(0, 3 -
+          i), 1), transform_right_filter_feature_0_choices(16 * i + 153), is_set(transform_right_filter_column(0, 3 -
+          i), 0) and transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(16 * i + 155) :=
+          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 154), not
+          is_set(transform_right_filter_column(0, 3 - i), 2), transform_right_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 40) then
-            transform_right_filter_feature_0_choices(8 * i + j + 41) := (not is_set(transform_right_filter_column(3,
-              i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 41) := (not is_set(transform_right_filter_column(3,
-              i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
+          transform_right_filter_feature_0_choices(16 * i + j + 153) :=
+            carry(transform_right_filter_feature_0_choices(16 * i + j + 152), not
+            is_set(transform_right_filter_column(0, 3 - i), j), transform_right_filter_feature_0_values(j));
         end loop;
-      end loop;
-      for i in 1 to 3 loop
-        if transform_right_filter_feature_0_choices(8 * i + 47) then
-          transform_right_filter_feature_0_choices(8 * i + 48) := is_set(transform_right_filter_column(3, i), 7) and
-            (not is_set(transform_right_filter_column(2, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 48) := is_set(transform_right_filter_column(3, i), 7) or
-            (not is_set(transform_right_filter_column(2, 2), 7));
-        end if;
-        if is_set(transform_right_filter_column(3, i + 1), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 49) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 49) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(3, i + 1), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 50) := transform_right_filter_feature_0_choices(8 * i + 49);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 50) := is_set(transform_right_filter_column(3, i + 1), 0)
-            and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 50) then
-          transform_right_filter_feature_0_choices(8 * i + 51) := (not is_set(transform_right_filter_column(3, i + 1),
-            2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 51) := (not is_set(transform_right_filter_column(3, i + 1),
-            2)) or transform_right_filter_feature_0_values(2);
-        end if;
+        transform_right_filter_feature_0_choices(16 * i + 160) :=
+          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 159),
+          is_set(transform_right_filter_column(0, 3 - i), 7), not is_set(transform_right_filter_column(2, 2), 7));
+        transform_right_filter_feature_0_choices(16 * i + 161) := choice(is_set(transform_right_filter_column(0, 4 - 3
+          * i), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
+        transform_right_filter_feature_0_choices(16 * i + 162) := choice(is_set(transform_right_filter_column(0, 4 - 3
+          * i), 1), transform_right_filter_feature_0_choices(16 * i + 161), is_set(transform_right_filter_column(0, 4 -
+          3 * i), 0) and transform_right_filter_feature_0_is_equal);
+        transform_right_filter_feature_0_choices(16 * i + 163) :=
+          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 162), not
+          is_set(transform_right_filter_column(0, 4 - 3 * i), 2), transform_right_filter_feature_0_values(2));
         for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 48) then
-            transform_right_filter_feature_0_choices(8 * i + j + 49) := (not is_set(transform_right_filter_column(3, i
-              + 1), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 49) := (not is_set(transform_right_filter_column(3, i
-              + 1), j)) and transform_right_filter_feature_0_values(j);
-          end if;
+          transform_right_filter_feature_0_choices(16 * i + j + 161) :=
+            carry(transform_right_filter_feature_0_choices(16 * i + j + 160), not
+            is_set(transform_right_filter_column(0, 4 - 3 * i), j), transform_right_filter_feature_0_values(j));
         end loop;
+        transform_right_filter_feature_0_choices(16 * i + 168) :=
+          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 167),
+          is_set(transform_right_filter_column(0, 4 - 3 * i), 7), not is_set(transform_right_filter_column(2, 2), 7));
       end loop;
-      if transform_right_filter_feature_0_choices(79) then
-        transform_right_filter_feature_0_choices(80) := is_set(transform_right_filter_column(3, 4), 7) and (not
-          is_set(transform_right_filter_column(2, 2), 7));
-      else
-        transform_right_filter_feature_0_choices(80) := is_set(transform_right_filter_column(3, 4), 7) or (not
-          is_set(transform_right_filter_column(2, 2), 7));
-      end if;
-      if is_set(transform_right_filter_column(2, 4), 0) then
-        transform_right_filter_feature_0_choices(81) := transform_right_filter_feature_0_any;
-      else
-        transform_right_filter_feature_0_choices(81) := not transform_right_filter_feature_0_value;
-      end if;
-      if is_set(transform_right_filter_column(2, 4), 1) then
-        transform_right_filter_feature_0_choices(82) := transform_right_filter_feature_0_choices(81);
-      else
-        transform_right_filter_feature_0_choices(82) := is_set(transform_right_filter_column(2, 4), 0) and
-          transform_right_filter_feature_0_is_equal;
-      end if;
-      if transform_right_filter_feature_0_choices(82) then
-        transform_right_filter_feature_0_choices(83) := (not is_set(transform_right_filter_column(2, 4), 2)) and
-          transform_right_filter_feature_0_values(2);
-      else
-        transform_right_filter_feature_0_choices(83) := (not is_set(transform_right_filter_column(2, 4), 2)) or
-          transform_right_filter_feature_0_values(2);
-      end if;
-      for i in 83 to 86 loop
-        if transform_right_filter_feature_0_choices(i) then
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(2, 4), i - 80))
-            or transform_right_filter_feature_0_values(i - 80);
-        else
-          transform_right_filter_feature_0_choices(i + 1) := (not is_set(transform_right_filter_column(2, 4), i - 80))
-            and transform_right_filter_feature_0_values(i - 80);
-        end if;
-      end loop;
-      if transform_right_filter_feature_0_choices(87) then
-        transform_right_filter_feature_0_choices(88) := transform_filtering_0_column_inside(2) and
-          is_set(transform_right_filter_column(2, 4), 7) and (not is_set(transform_right_filter_column(2, 2), 7));
-      else
-        transform_right_filter_feature_0_choices(88) := transform_filtering_0_column_inside(2) and
-          (is_set(transform_right_filter_column(2, 4), 7) or (not is_set(transform_right_filter_column(2, 2), 7)));
-      end if;
-      for i in 0 to 1 loop
-        if is_set(transform_right_filter_column(2, 2 * i + 1), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 89) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 89) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(2, 2 * i + 1), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 90) := transform_right_filter_feature_0_choices(8 * i + 89);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 90) := is_set(transform_right_filter_column(2, 2 * i + 1),
-            0) and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 90) then
-          transform_right_filter_feature_0_choices(8 * i + 91) := (not is_set(transform_right_filter_column(2, 2 * i +
-            1), 2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 91) := (not is_set(transform_right_filter_column(2, 2 * i +
-            1), 2)) or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 88) then
-            transform_right_filter_feature_0_choices(8 * i + j + 89) := (not is_set(transform_right_filter_column(2, 2
-              * i + 1), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 89) := (not is_set(transform_right_filter_column(2, 2
-              * i + 1), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 95) then
-          transform_right_filter_feature_0_choices(8 * i + 96) := is_set(transform_right_filter_column(2, 2 * i + 1),
-            7) and (not is_set(transform_right_filter_column(2, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 96) := is_set(transform_right_filter_column(2, 2 * i + 1),
-            7) or (not is_set(transform_right_filter_column(2, 2), 7));
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_right_filter_column(2 - i, 3 * i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 105) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 105) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(2 - i, 3 * i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 106) := transform_right_filter_feature_0_choices(8 * i +
-            105);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 106) := is_set(transform_right_filter_column(2 - i, 3 * i),
-            0) and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 106) then
-          transform_right_filter_feature_0_choices(8 * i + 107) := (not is_set(transform_right_filter_column(2 - i, 3 *
-            i), 2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 107) := (not is_set(transform_right_filter_column(2 - i, 3 *
-            i), 2)) or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 104) then
-            transform_right_filter_feature_0_choices(8 * i + j + 105) := (not is_set(transform_right_filter_column(2 -
-              i, 3 * i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 105) := (not is_set(transform_right_filter_column(2 -
-              i, 3 * i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 111) then
-          transform_right_filter_feature_0_choices(8 * i + 112) := is_set(transform_right_filter_column(2 - i, 3 * i),
-            7) and (not is_set(transform_right_filter_column(2, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 112) := is_set(transform_right_filter_column(2 - i, 3 * i),
-            7) or (not is_set(transform_right_filter_column(2, 2), 7));
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_right_filter_column(1, 4 - 2 * i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 121) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 121) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(1, 4 - 2 * i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 122) := transform_right_filter_feature_0_choices(8 * i +
-            121);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 122) := is_set(transform_right_filter_column(1, 4 - 2 * i),
-            0) and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 122) then
-          transform_right_filter_feature_0_choices(8 * i + 123) := (not is_set(transform_right_filter_column(1, 4 - 2 *
-            i), 2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 123) := (not is_set(transform_right_filter_column(1, 4 - 2 *
-            i), 2)) or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 120) then
-            transform_right_filter_feature_0_choices(8 * i + j + 121) := (not is_set(transform_right_filter_column(1, 4
-              - 2 * i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 121) := (not is_set(transform_right_filter_column(1, 4
-              - 2 * i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 127) then
-          transform_right_filter_feature_0_choices(8 * i + 128) := is_set(transform_right_filter_column(1, 4 - 2 * i),
-            7) and (not is_set(transform_right_filter_column(2, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 128) := is_set(transform_right_filter_column(1, 4 - 2 * i),
-            7) or (not is_set(transform_right_filter_column(2, 2), 7));
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_right_filter_column(1, 1 - i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 137) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 137) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(1, 1 - i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 138) := transform_right_filter_feature_0_choices(8 * i +
-            137);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 138) := is_set(transform_right_filter_column(1, 1 - i), 0)
-            and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 138) then
-          transform_right_filter_feature_0_choices(8 * i + 139) := (not is_set(transform_right_filter_column(1, 1 - i),
-            2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 139) := (not is_set(transform_right_filter_column(1, 1 - i),
-            2)) or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 136) then
-            transform_right_filter_feature_0_choices(8 * i + j + 137) := (not is_set(transform_right_filter_column(1, 1
-              - i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 137) := (not is_set(transform_right_filter_column(1, 1
-              - i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 143) then
-          transform_right_filter_feature_0_choices(8 * i + 144) := is_set(transform_right_filter_column(1, 1 - i), 7)
-            and (not is_set(transform_right_filter_column(2, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 144) := is_set(transform_right_filter_column(1, 1 - i), 7)
-            or (not is_set(transform_right_filter_column(2, 2), 7));
-        end if;
-      end loop;
-      for i in 3 to 4 loop
-        if is_set(transform_right_filter_column(0, i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 129) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 129) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(0, i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 130) := transform_right_filter_feature_0_choices(8 * i +
-            129);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 130) := is_set(transform_right_filter_column(0, i), 0) and
-            transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 130) then
-          transform_right_filter_feature_0_choices(8 * i + 131) := (not is_set(transform_right_filter_column(0, i), 2))
-            and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 131) := (not is_set(transform_right_filter_column(0, i), 2))
-            or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 128) then
-            transform_right_filter_feature_0_choices(8 * i + j + 129) := (not is_set(transform_right_filter_column(0,
-              i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 129) := (not is_set(transform_right_filter_column(0,
-              i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 135) then
-          transform_right_filter_feature_0_choices(8 * i + 136) := is_set(transform_right_filter_column(0, i), 7) and
-            (not is_set(transform_right_filter_column(2, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 136) := is_set(transform_right_filter_column(0, i), 7) or
-            (not is_set(transform_right_filter_column(2, 2), 7));
-        end if;
-      end loop;
-      for i in 0 to 1 loop
-        if is_set(transform_right_filter_column(0, 2 - i), 0) then
-          transform_right_filter_feature_0_choices(8 * i + 169) := transform_right_filter_feature_0_any;
-        else
-          transform_right_filter_feature_0_choices(8 * i + 169) := not transform_right_filter_feature_0_value;
-        end if;
-        if is_set(transform_right_filter_column(0, 2 - i), 1) then
-          transform_right_filter_feature_0_choices(8 * i + 170) := transform_right_filter_feature_0_choices(8 * i +
-            169);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 170) := is_set(transform_right_filter_column(0, 2 - i), 0)
-            and transform_right_filter_feature_0_is_equal;
-        end if;
-        if transform_right_filter_feature_0_choices(8 * i + 170) then
-          transform_right_filter_feature_0_choices(8 * i + 171) := (not is_set(transform_right_filter_column(0, 2 - i),
-            2)) and transform_right_filter_feature_0_values(2);
-        else
-          transform_right_filter_feature_0_choices(8 * i + 171) := (not is_set(transform_right_filter_column(0, 2 - i),
-            2)) or transform_right_filter_feature_0_values(2);
-        end if;
-        for j in 3 to 6 loop
-          if transform_right_filter_feature_0_choices(8 * i + j + 168) then
-            transform_right_filter_feature_0_choices(8 * i + j + 169) := (not is_set(transform_right_filter_column(0, 2
-              - i), j)) or transform_right_filter_feature_0_values(j);
-          else
-            transform_right_filter_feature_0_choices(8 * i + j + 169) := (not is_set(transform_right_filter_column(0, 2
-              - i), j)) and transform_right_filter_feature_0_values(j);
-          end if;
-        end loop;
-        if transform_right_filter_feature_0_choices(8 * i + 175) then
-          transform_right_filter_feature_0_choices(8 * i + 176) := is_set(transform_right_filter_column(0, 2 - i), 7)
-            and (not is_set(transform_right_filter_column(2, 2), 7));
-        else
-          transform_right_filter_feature_0_choices(8 * i + 176) := is_set(transform_right_filter_column(0, 2 - i), 7)
-            or (not is_set(transform_right_filter_column(2, 2), 7));
-        end if;
-      end loop;
-      if is_set(transform_right_filter_column(2, 2), 0) then
-        transform_right_filter_feature_0_choices(185) := not is_set(transform_right_filter_column(0, 0), 1);
-      else
-        transform_right_filter_feature_0_choices(185) := (transform_right_filter_column(0, 0) mod 4) = 0;
-      end if;
-      if transform_right_filter_feature_0_value then
-        transform_right_filter_feature_0_choices(186) := is_set(transform_right_filter_column(2, 2), 0) or (not
-          is_set(transform_right_filter_column(0, 0), 1)) or (not is_set(transform_right_filter_column(0, 0), 0));
-      else
-        transform_right_filter_feature_0_choices(186) := transform_right_filter_feature_0_choices(185);
-      end if;
+      transform_right_filter_feature_0_choices(185) := choice(is_set(transform_right_filter_column(2, 2), 0), not
+        is_set(transform_right_filter_column(0, 0), 1), (transform_right_filter_column(0, 0) mod 4) = 0);
+      transform_right_filter_feature_0_choices(186) := choice(transform_right_filter_feature_0_values(1),
+        is_set(transform_right_filter_column(2, 2), 0) or (not is_set(transform_right_filter_column(0, 0), 1)) or (not
+        is_set(transform_right_filter_column(0, 0), 0)), transform_right_filter_feature_0_choices(185));
       transform_right_filter_feature_0_values(7) := is_set(transform_right_filter_column(0, 0), 2);
-      if transform_right_filter_feature_0_choices(186) then
-        transform_right_filter_feature_0_choices(187) := (not transform_right_filter_feature_0_values(2)) and
-          transform_right_filter_feature_0_values(7);
-      else
-        transform_right_filter_feature_0_choices(187) := (not transform_right_filter_feature_0_values(2)) or
-          transform_right_filter_feature_0_values(7);
-      end if;
+      transform_right_filter_feature_0_choices(187) := inverted_carry(transform_right_filter_feature_0_choices(186),
+        not transform_right_filter_feature_0_values(2), transform_right_filter_feature_0_values(7));
       for i in 8 to 11 loop
         transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(0, 0), i - 5);
-        if transform_right_filter_feature_0_choices(i + 179) then
-          transform_right_filter_feature_0_choices(i + 180) := (not transform_right_filter_feature_0_values(i - 5)) or
-            transform_right_filter_feature_0_values(i);
-        else
-          transform_right_filter_feature_0_choices(i + 180) := (not transform_right_filter_feature_0_values(i - 5)) and
-            transform_right_filter_feature_0_values(i);
-        end if;
+        transform_right_filter_feature_0_choices(i + 180) := carry(transform_right_filter_feature_0_choices(i + 179),
+          not transform_right_filter_feature_0_values(i - 5), transform_right_filter_feature_0_values(i));
       end loop;
-      if transform_right_filter_feature_0_choices(191) then
-        transform_right_filter_feature_0_choices(192) := (not is_set(transform_right_filter_column(2, 2), 7)) or
-          is_set(transform_right_filter_column(0, 0), 7);
-      else
-        transform_right_filter_feature_0_choices(192) := (not is_set(transform_right_filter_column(2, 2), 7)) and
-          is_set(transform_right_filter_column(0, 0), 7);
-      end if;
-      if transform_filtering_0_column_inside(0) then
-        transform_right_filter_feature_0_choice_193 := (as_number(transform_right_filter_feature_0_choices(160)) * 8) +
-          (as_number(transform_right_filter_feature_0_choices(168)) * 16) +
-          (as_number(transform_right_filter_feature_0_choices(176)) * 4) +
-          (as_number(transform_right_filter_feature_0_choices(184)) * 2) +
-          as_number(transform_right_filter_feature_0_choices(192));
-      else
-        transform_right_filter_feature_0_choice_193 := 0;
-      end if;
-      if transform_filtering_0_column_inside(1) then
-        transform_right_filter_feature_0_choice_194 := (as_number(transform_right_filter_feature_0_choices(120)) * 256)
-          + (as_number(transform_right_filter_feature_0_choices(128)) * 512) +
-          (as_number(transform_right_filter_feature_0_choices(136)) * 128) +
-          (as_number(transform_right_filter_feature_0_choices(144)) * 64) +
-          (as_number(transform_right_filter_feature_0_choices(152)) * 32) + transform_right_filter_feature_0_choice_193;
-      else
-        transform_right_filter_feature_0_choice_194 := transform_right_filter_feature_0_choice_193;
-      end if;
-      if transform_filtering_0_column_inside(2) then
-        transform_right_filter_feature_0_choice_195 := (as_number(transform_right_filter_feature_0_choices(96)) * 2048)
-          + (as_number(transform_right_filter_feature_0_choices(104)) * 4096) +
-          (as_number(transform_right_filter_feature_0_choices(112)) * 1024) +
-          transform_right_filter_feature_0_choice_194;
-      else
-        transform_right_filter_feature_0_choice_195 := transform_right_filter_feature_0_choice_194;
-      end if;
-      if transform_filtering_0_column_inside(3) then
-        transform_right_filter_feature_0_choice_196 := (as_number(transform_right_filter_feature_0_choices(48)) *
-          16384) + (as_number(transform_right_filter_feature_0_choices(56)) * 32768) +
-          (as_number(transform_right_filter_feature_0_choices(64)) * 65536) +
-          (as_number(transform_right_filter_feature_0_choices(72)) * 131072) +
-          (as_number(transform_right_filter_feature_0_choices(80)) * 262144) +
-          (as_number(transform_right_filter_feature_0_choices(88)) * 8192) +
-          transform_right_filter_feature_0_choice_195;
-      else
-        transform_right_filter_feature_0_choice_196 := (as_number(transform_right_filter_feature_0_choices(88)) * 8192)
-          + transform_right_filter_feature_0_choice_195;
-      end if;
+      transform_right_filter_feature_0_choices(192) := carry(transform_right_filter_feature_0_choices(191), not
+        is_set(transform_right_filter_column(2, 2), 7), is_set(transform_right_filter_column(0, 0), 7));
+      transform_right_filter_feature_0_choice_193 := choice(transform_filtering_0_column_inside(0),
+        (as_number(transform_right_filter_feature_0_choices(160)) * 8) +
+        (as_number(transform_right_filter_feature_0_choices(168)) * 16) +
+        (as_number(transform_right_filter_feature_0_choices(176)) * 4) +
+        (as_number(transform_right_filter_feature_0_choices(184)) * 2) +
+        as_number(transform_right_filter_feature_0_choices(192)), 0);
+      transform_right_filter_feature_0_choice_194 := choice(transform_filtering_0_column_inside(1),
+        (as_number(transform_right_filter_feature_0_choices(120)) * 256) +
+        (as_number(transform_right_filter_feature_0_choices(128)) * 512) +
+        (as_number(transform_right_filter_feature_0_choices(136)) * 128) +
+        (as_number(transform_right_filter_feature_0_choices(144)) * 64) +
+        (as_number(transform_right_filter_feature_0_choices(152)) * 32) + transform_right_filter_feature_0_choice_193,
+        transform_right_filter_feature_0_choice_193);
+      transform_right_filter_feature_0_choice_195 := choice(transform_filtering_0_column_inside(2),
+        (as_number(transform_right_filter_feature_0_choices(96)) * 2048) +
+        (as_number(transform_right_filter_feature_0_choices(104)) * 4096) +
+        (as_number(transform_right_filter_feature_0_choices(112)) * 1024) +
+        transform_right_filter_feature_0_choice_194, transform_right_filter_feature_0_choice_194);
+      transform_right_filter_feature_0_choice_196 := choice(transform_filtering_0_column_inside(3),
+        (as_number(transform_right_filter_feature_0_choices(48)) * 16384) +
+        (as_number(transform_right_filter_feature_0_choices(56)) * 32768) +
+        (as_number(transform_right_filter_feature_0_choices(64)) * 65536) +
+        (as_number(transform_right_filter_feature_0_choices(72)) * 131072) +
+        (as_number(transform_right_filter_feature_0_choices(80)) * 262144) +
+        (as_number(transform_right_filter_feature_0_choices(88)) * 8192) + transform_right_filter_feature_0_choice_195,
+        (as_number(transform_right_filter_feature_0_choices(88)) * 8192) + transform_right_filter_feature_0_choice_195);
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
@@ -1766,12 +1090,8 @@ begin
       transform_read_start_of_frame <= (transform_counter_group = 2) and (transform_counter_column = 2);
       transform_read_valid <= transform_valid;
       transform_ready_column <= transform_read_column;
-      for i in 0 to 4 loop
-        transform_ready_row_inside(i) <= transform_read_row_inside(i);
-      end loop;
-      for i in 0 to 4 loop
-        transform_ready_column_inside(i) <= transform_read_column_inside(i);
-      end loop;
+      transform_ready_row_inside <= transform_read_row_inside;
+      transform_ready_column_inside <= transform_read_column_inside;
       transform_ready_start_of_frame <= transform_read_start_of_frame;
       transform_ready_valid <= transform_read_valid;
       transform_left_column(0) <= to_integer(transform_left_rows_ready_words_0(7 downto 0));
@@ -1784,65 +1104,41 @@ begin
       transform_right_column(2) <= to_integer(transform_right_rows_ready_words_0(23 downto 16));
       transform_right_column(3) <= to_integer(transform_right_rows_ready_words_0(31 downto 24));
       transform_right_column(4) <= transform_right_rows_ready_newest_0;
-      for i in 0 to 4 loop
-        transform_columns_row_inside(i) <= transform_ready_row_inside(i);
-      end loop;
-      for i in 0 to 4 loop
-        transform_columns_column_inside(i) <= transform_ready_column_inside(i);
-      end loop;
+      transform_columns_row_inside <= transform_ready_row_inside;
+      transform_columns_column_inside <= transform_ready_column_inside;
       transform_columns_start_of_frame <= transform_ready_start_of_frame;
       transform_columns_valid <= transform_ready_valid;
-      for i in 0 to 4 loop
-        transform_filtering_0_column_inside(i) <= transform_columns_column_inside(i);
-      end loop;
+      transform_filtering_0_column_inside <= transform_columns_column_inside;
       transform_filtering_start_of_frame(0) <= transform_columns_start_of_frame;
       transform_filtering_valid(0) <= transform_columns_valid;
       transform_filtering_start_of_frame(1) <= transform_filtering_start_of_frame(0);
       transform_filtering_valid(1) <= transform_filtering_valid(0);
-      if in_valid and in_start_of_frame then
-        transform_counter_group <= transform_counter_group_choice * 128;
-      else
-        transform_counter_group <= transform_counter_group_choices(3);
-      end if;
-      if transform_filtering_0_column_inside(4) then
-        transform_left_filter_feature_0 <= (as_number(transform_left_filter_feature_0_choices(8)) * 524288) +
-          (as_number(transform_left_filter_feature_0_choices(16)) * 1048576) +
-          (as_number(transform_left_filter_feature_0_choices(24)) * 2097152) +
-          (as_number(transform_left_filter_feature_0_choices(32)) * 4194304) +
-          (as_number(transform_left_filter_feature_0_choices(40)) * 8388608) +
-          transform_left_filter_feature_0_choice_196;
-        transform_right_filter_feature_0 <= (as_number(transform_right_filter_feature_0_choices(8)) * 524288) +
-          (as_number(transform_right_filter_feature_0_choices(16)) * 1048576) +
-          (as_number(transform_right_filter_feature_0_choices(24)) * 2097152) +
-          (as_number(transform_right_filter_feature_0_choices(32)) * 4194304) +
-          (as_number(transform_right_filter_feature_0_choices(40)) * 8388608) +
-          transform_right_filter_feature_0_choice_196;
-      else
-        transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_196;
-        transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_196;
-      end if;
-      if transform_counter_group_is_equal_2 then
-        transform_counter_next_frame_choice := (transform_counter_group /= 641) and transform_counter_next_frame;
-      else
-        transform_counter_next_frame_choice := transform_counter_next_frame;
-      end if;
-      if transform_counter_group_differs then
-        transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice;
-      else
-        transform_counter_next_frame_choice_2 := transform_counter_next_frame;
-      end if;
+      transform_counter_group <= choice(in_valid and in_start_of_frame, transform_counter_group_choice * 128,
+        transform_counter_group_choices(3));
+      transform_left_filter_feature_0 <= choice(transform_filtering_0_column_inside(4),
+        (as_number(transform_left_filter_feature_0_choices(8)) * 524288) +
+        (as_number(transform_left_filter_feature_0_choices(16)) * 1048576) +
+        (as_number(transform_left_filter_feature_0_choices(24)) * 2097152) +
+        (as_number(transform_left_filter_feature_0_choices(32)) * 4194304) +
+        (as_number(transform_left_filter_feature_0_choices(40)) * 8388608) +
+        transform_left_filter_feature_0_choice_196, transform_left_filter_feature_0_choice_196);
+      transform_right_filter_feature_0 <= choice(transform_filtering_0_column_inside(4),
+        (as_number(transform_right_filter_feature_0_choices(8)) * 524288) +
+        (as_number(transform_right_filter_feature_0_choices(16)) * 1048576) +
+        (as_number(transform_right_filter_feature_0_choices(24)) * 2097152) +
+        (as_number(transform_right_filter_feature_0_choices(32)) * 4194304) +
+        (as_number(transform_right_filter_feature_0_choices(40)) * 8388608) +
+        transform_right_filter_feature_0_choice_196, transform_right_filter_feature_0_choice_196);
+      transform_counter_next_frame_choices(1) := choice(transform_counter_group_is_equals(2), (transform_counter_group
+        /= 641) and transform_counter_next_frame, transform_counter_next_frame);
+      transform_counter_next_frame_choices(2) := choice(transform_counter_group_differs,
+        transform_counter_next_frame_choices(1), transform_counter_next_frame);
       if in_valid then
-        if in_start_of_frame or transform_counter_group_is_equal_2 then
-          transform_counter_column <= 0;
-        else
-          transform_counter_column <= (transform_counter_column + 1) mod 2048;
-        end if;
-        if transform_counter_next_frame_choice_2 then
-          transform_counter_next_frame <= (not in_start_of_frame) or transform_counter_group_all;
-        else
-          transform_counter_next_frame <= in_start_of_frame and transform_counter_group_is_equal and
-            transform_counter_group_is_equal_2;
-        end if;
+        transform_counter_column <= choice(in_start_of_frame or transform_counter_group_is_equals(2), 0,
+          (transform_counter_column + 1) mod 2048);
+        transform_counter_next_frame <= choice(transform_counter_next_frame_choices(2), (not in_start_of_frame) or
+          transform_counter_group_all, in_start_of_frame and transform_counter_group_is_equals(1) and
+          transform_counter_group_is_equals(2));
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= to_unsigned(transform_left_rows_ready_newest_0, 8) &
@@ -1852,90 +1148,50 @@ begin
         transform_write_column <= transform_ready_column;
       end if;
       if transform_columns_valid then
-        for i in 0 to 1 loop
+        for i in 1 to 4 loop
           for j in 0 to 4 loop
-            transform_left_filter_column(2 * i + 1, j) <= transform_left_filter_column(2 * i, j);
-          end loop;
-          for j in 0 to 4 loop
-            transform_left_filter_column(2 * i + 2, j) <= transform_left_filter_column(2 * i + 1, j);
+            transform_left_filter_column(i, j) <= transform_left_filter_column(i - 1, j);
           end loop;
         end loop;
-        for i in 0 to 1 loop
+        for i in 1 to 4 loop
           for j in 0 to 4 loop
-            transform_right_filter_column(2 * i + 1, j) <= transform_right_filter_column(2 * i, j);
-          end loop;
-          for j in 0 to 4 loop
-            transform_right_filter_column(2 * i + 2, j) <= transform_right_filter_column(2 * i + 1, j);
+            transform_right_filter_column(i, j) <= transform_right_filter_column(i - 1, j);
           end loop;
         end loop;
         for i in 0 to 4 loop
-          if transform_columns_row_inside(i) then
-            transform_left_filter_column(0, i) <= transform_left_column(i);
-            transform_right_filter_column(0, i) <= transform_right_column(i);
-          else
-            transform_left_filter_column(0, i) <= 0;
-            transform_right_filter_column(0, i) <= 0;
-          end if;
+          transform_left_filter_column(0, i) <= choice(transform_columns_row_inside(i), transform_left_column(i), 0);
+          transform_right_filter_column(0, i) <= choice(transform_columns_row_inside(i), transform_right_column(i), 0);
         end loop;
       end if;
       -- raster
-      raster_place_group_is_equal := raster_place_group = 639;
-      raster_place_group_is_equal_2 := raster_place_column = 1299;
-      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
-      if raster_place_group_all then
-        raster_place_group_choice := 5;
-      else
-        raster_place_group_choice := 0;
-      end if;
+      raster_place_group_is_equals(1) := raster_place_group = 639;
+      raster_place_group_is_equals(2) := raster_place_column = 1299;
+      raster_place_group_all := raster_place_group_is_equals(1) and raster_place_group_is_equals(2);
+      raster_place_group_choice := choice(raster_place_group_all, 5, 0);
       raster_place_group_differs := raster_place_group /= 641;
-      if (raster_place_group = 640) and raster_place_next_frame then
-        raster_place_group_choices(2) := 1;
-      else
-        raster_place_group_choices(2) := (raster_place_group + 1) mod 1024;
-      end if;
-      if raster_place_group_differs and transform_filtering_valid(1) and raster_place_group_is_equal_2 then
-        raster_place_group_choices(3) := raster_place_group_choices(2);
-      else
-        raster_place_group_choices(3) := raster_place_group;
-      end if;
-      if raster_place_group_is_equal_2 then
-        raster_place_next_frame_choice := (raster_place_group /= 640) and raster_place_next_frame;
-      else
-        raster_place_next_frame_choice := raster_place_next_frame;
-      end if;
-      if raster_place_group_differs then
-        raster_place_next_frame_choices(2) := raster_place_next_frame_choice;
-      else
-        raster_place_next_frame_choices(2) := raster_place_next_frame;
-      end if;
-      if raster_place_group_all then
-        raster_place_next_frame_choices(3) := transform_filtering_valid(1);
-      else
-        raster_place_next_frame_choices(3) := transform_filtering_valid(1) and (not
-          transform_filtering_start_of_frame(1));
-      end if;
-      if raster_place_next_frame_choices(2) then
-        raster_place_next_frame_choices(4) := raster_place_next_frame_choices(3);
-      else
-        raster_place_next_frame_choices(4) := raster_place_group_is_equal and raster_place_group_is_equal_2 and
-          transform_filtering_valid(1) and transform_filtering_start_of_frame(1);
-      end if;
+      raster_place_group_choices(2) := choice((raster_place_group = 640) and raster_place_next_frame, 1,
+        (raster_place_group + 1) mod 1024);
+      raster_place_group_choices(3) := choice(raster_place_group_differs and transform_filtering_valid(1) and
+        raster_place_group_is_equals(2), raster_place_group_choices(2), raster_place_group);
+      raster_place_next_frame_choices(1) := choice(raster_place_group_is_equals(2), (raster_place_group /= 640) and
+        raster_place_next_frame, raster_place_next_frame);
+      raster_place_next_frame_choices(2) := choice(raster_place_group_differs, raster_place_next_frame_choices(1),
+        raster_place_next_frame);
+      raster_place_next_frame_choices(3) := choice(raster_place_group_all, transform_filtering_valid(1),
+        transform_filtering_valid(1) and (not transform_filtering_start_of_frame(1)));
+      raster_place_next_frame_choices(4) := choice(raster_place_next_frame_choices(2),
+        raster_place_next_frame_choices(3), raster_place_group_is_equals(1) and raster_place_group_is_equals(2) and
+        transform_filtering_valid(1) and transform_filtering_start_of_frame(1));
       raster_features_search_0 <= transform_right_filter_feature_0;
       raster_features_reference_0 <= transform_left_filter_feature_0;
       raster_features_valid <= transform_filtering_valid(1);
       raster_place_next_frame <= raster_place_next_frame_choices(4) or ((not transform_filtering_valid(1)) and
         raster_place_next_frame);
-      if transform_filtering_valid(1) and transform_filtering_start_of_frame(1) then
-        raster_place_group <= raster_place_group_choice * 128;
-      else
-        raster_place_group <= raster_place_group_choices(3);
-      end if;
+      raster_place_group <= choice(transform_filtering_valid(1) and transform_filtering_start_of_frame(1),
+        raster_place_group_choice * 128, raster_place_group_choices(3));
       if transform_filtering_valid(1) then
-        if transform_filtering_start_of_frame(1) or raster_place_group_is_equal_2 then
-          raster_place_column <= 0;
-        else
-          raster_place_column <= (raster_place_column + 1) mod 2048;
-        end if;
+        raster_place_column <= choice(transform_filtering_start_of_frame(1) or raster_place_group_is_equals(2), 0,
+          (raster_place_column + 1) mod 2048);
       end if;
       -- delay
       delay_row_inside_1_is_not_less := raster_place_group >= 1;
@@ -1949,14 +1205,14 @@ begin
       delay_row_inside(0) <= (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2)) < 640;
       delay_row_inside(1) <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
       delay_row_inside(2) <= raster_place_group < 640;
-      delay_tag_valid <= raster_features_valid;
-      delay_tag_border_column <= raster_place_column < 63;
-      delay_tag_first_cost <= delay_tag_first_cost_is_equal;
-      delay_tag_map_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
-      delay_tag_output_column <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less and
+      delay_tag.valid <= raster_features_valid;
+      delay_tag.border_column <= raster_place_column < 63;
+      delay_tag.first_cost <= delay_tag_first_cost_is_equal;
+      delay_tag.map_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
+      delay_tag.output_column <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less and
         delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
-      delay_tag_start_of_frame <= (raster_place_group = 1) and delay_tag_first_cost_is_equal;
-      delay_tag_end_of_line <= raster_place_group_is_equal_2;
+      delay_tag.start_of_frame <= (raster_place_group = 1) and delay_tag_first_cost_is_equal;
+      delay_tag.end_of_line <= raster_place_group_is_equals(2);
       -- rows
       rows_search_rows_read_newest_0 <= delay_delayed_0;
       rows_search_rows_ready_words(0) <= to_integer(rows_search_rows_read_words(0));
@@ -1967,51 +1223,19 @@ begin
       rows_reference_rows_ready_words(1) <= to_integer(rows_reference_rows_read_words(1));
       rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
       rows_read_column <= delay_column;
-      rows_read_inside(0) <= delay_row_inside(0);
-      rows_read_inside(1) <= delay_row_inside(1);
-      rows_read_inside(2) <= delay_row_inside(2);
-      rows_read_tag_valid <= delay_tag_valid;
-      rows_read_tag_border_column <= delay_tag_border_column;
-      rows_read_tag_first_cost <= delay_tag_first_cost;
-      rows_read_tag_map_column <= delay_tag_map_column;
-      rows_read_tag_output_column <= delay_tag_output_column;
-      rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
-      rows_read_tag_end_of_line <= delay_tag_end_of_line;
+      rows_read_inside <= delay_row_inside;
+      rows_read_tag <= delay_tag;
       rows_ready_column <= rows_read_column;
-      rows_ready_inside(0) <= rows_read_inside(0);
-      rows_ready_inside(1) <= rows_read_inside(1);
-      rows_ready_inside(2) <= rows_read_inside(2);
-      rows_ready_tag_valid <= rows_read_tag_valid;
-      rows_ready_tag_border_column <= rows_read_tag_border_column;
-      rows_ready_tag_first_cost <= rows_read_tag_first_cost;
-      rows_ready_tag_map_column <= rows_read_tag_map_column;
-      rows_ready_tag_output_column <= rows_read_tag_output_column;
-      rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
-      rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_tag_valid <= rows_ready_tag_valid;
-      rows_tag_border_column <= rows_ready_tag_border_column;
-      rows_tag_first_cost <= rows_ready_tag_first_cost;
-      rows_tag_map_column <= rows_ready_tag_map_column;
-      rows_tag_output_column <= rows_ready_tag_output_column;
-      rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
-      rows_tag_end_of_line <= rows_ready_tag_end_of_line;
-      for i in 0 to 1 loop
-        if rows_ready_inside(i) then
-          rows_search(i) <= rows_search_rows_ready_words(i);
-          rows_reference(i) <= rows_reference_rows_ready_words(i);
-        else
-          rows_search(i) <= 0;
-          rows_reference(i) <= 0;
-        end if;
-      end loop;
-      if rows_ready_inside(2) then
-        rows_search(2) <= rows_search_rows_ready_newest_0;
-        rows_reference(2) <= rows_reference_rows_ready_newest_0;
-      else
-        rows_search(2) <= 0;
-        rows_reference(2) <= 0;
-      end if;
-      if rows_ready_tag_valid then
+      rows_ready_inside <= rows_read_inside;
+      rows_ready_tag <= rows_read_tag;
+      rows_tag <= rows_ready_tag;
+      rows_search(0) <= choice(rows_ready_inside(0), rows_search_rows_ready_words(0), 0);
+      rows_reference(0) <= choice(rows_ready_inside(0), rows_reference_rows_ready_words(0), 0);
+      rows_search(1) <= choice(rows_ready_inside(1), rows_search_rows_ready_words(1), 0);
+      rows_reference(1) <= choice(rows_ready_inside(1), rows_reference_rows_ready_words(1), 0);
+      rows_search(2) <= choice(rows_ready_inside(2), rows_search_rows_ready_newest_0, 0);
+      rows_reference(2) <= choice(rows_ready_inside(2), rows_reference_rows_ready_newest_0, 0);
+      if rows_ready_tag.valid then
         rows_search_rows_write_words(0) <= rows_search_rows_ready_words(1);
         rows_search_rows_write_words(1) <= rows_search_rows_ready_newest_0;
         rows_reference_rows_write_words(0) <= rows_reference_rows_ready_words(1);
@@ -2019,7 +1243,7 @@ begin
         rows_write_column <= rows_ready_column;
       end if;
       -- slice0shift
-      if rows_tag_valid then
+      if rows_tag.valid then
         for i in 0 to 2 loop
           slice0shift_search(i, 0) <= rows_search(i);
           for j in 1 to 15 loop
@@ -2027,91 +1251,77 @@ begin
           end loop;
         end loop;
       end if;
-      slice0shift_reference(0) <= rows_reference(0);
-      slice0shift_reference(1) <= rows_reference(1);
-      slice0shift_reference(2) <= rows_reference(2);
+      slice0shift_reference <= rows_reference;
       slice0shift_search_out(0) <= slice0shift_search(0, 15);
       slice0shift_search_out(1) <= slice0shift_search(1, 15);
       slice0shift_search_out(2) <= slice0shift_search(2, 15);
-      slice0shift_tag_valid <= rows_tag_valid;
-      slice0shift_tag_border_column <= rows_tag_border_column;
-      slice0shift_tag_first_cost <= rows_tag_first_cost;
-      slice0shift_tag_map_column <= rows_tag_map_column;
-      slice0shift_tag_output_column <= rows_tag_output_column;
-      slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
-      slice0shift_tag_end_of_line <= rows_tag_end_of_line;
+      slice0shift_tag <= rows_tag;
       -- slice0cost
       for i in 0 to 2 loop
-        slice0cost_pixels_first_0_count_value(i, 0) := is_set(slice0shift_reference(i), 2);
-        slice0cost_pixels_first_0_count_value_2(i, 0) := is_set(slice0shift_reference(i), 1);
-        slice0cost_pixels_first_0_count_value(i, 1) := is_set(slice0shift_reference(i), 3);
-        slice0cost_pixels_first_0_count_value_2(i, 1) := is_set(slice0shift_reference(i), 5);
-        slice0cost_pixels_first_0_count_1_value_3(i) := is_set(slice0shift_reference(i), 4);
-        slice0cost_pixels_first_0_count_value(i, 2) := is_set(slice0shift_reference(i), 8);
-        slice0cost_pixels_first_0_count_value_2(i, 2) := is_set(slice0shift_reference(i), 6);
+        slice0cost_pixels_first_0_count_value(i, 0, 1) := is_set(slice0shift_reference(i), 2);
+        slice0cost_pixels_first_0_count_value(i, 0, 2) := is_set(slice0shift_reference(i), 1);
+        slice0cost_pixels_first_0_count_value(i, 1, 1) := is_set(slice0shift_reference(i), 3);
+        slice0cost_pixels_first_0_count_value(i, 1, 2) := is_set(slice0shift_reference(i), 5);
+        slice0cost_pixels_first_0_count_value(i, 1, 3) := is_set(slice0shift_reference(i), 4);
+        slice0cost_pixels_first_0_count_value(i, 2, 1) := is_set(slice0shift_reference(i), 8);
+        slice0cost_pixels_first_0_count_value(i, 2, 2) := is_set(slice0shift_reference(i), 6);
         for j in 3 to 6 loop
-          slice0cost_pixels_first_0_count_value(i, j) := is_set(slice0shift_reference(i), 3 * j);
-          slice0cost_pixels_first_0_count_value_2(i, j) := is_set(slice0shift_reference(i), 3 * j + 2);
-          slice0cost_pixels_first_0_count_value_3(i, j) := is_set(slice0shift_reference(i), 3 * j + 1);
+          slice0cost_pixels_first_0_count_value(i, j, 1) := is_set(slice0shift_reference(i), 3 * j);
+          slice0cost_pixels_first_0_count_value(i, j, 2) := is_set(slice0shift_reference(i), 3 * j + 2);
+          slice0cost_pixels_first_0_count_value(i, j, 3) := is_set(slice0shift_reference(i), 3 * j + 1);
         end loop;
-        slice0cost_pixels_first_0_count_value(i, 7) := is_set(slice0shift_reference(i), 21);
-        slice0cost_pixels_first_0_count_value_2(i, 7) := is_set(slice0shift_reference(i), 22);
+        slice0cost_pixels_first_0_count_value(i, 7, 1) := is_set(slice0shift_reference(i), 21);
+        slice0cost_pixels_first_0_count_value(i, 7, 2) := is_set(slice0shift_reference(i), 22);
       end loop;
       for i in 0 to 2 loop
         slice0cost_pixels_first_count(i, 0, 0) <= as_number((is_set(slice0shift_search(i, 0), 0) /=
-          is_set(slice0shift_reference(i), 0))) + as_number((slice0cost_pixels_first_0_count_value(i, 0) /=
-          is_set(slice0shift_search(i, 0), 2))) + as_number((slice0cost_pixels_first_0_count_value_2(i, 0) /=
+          is_set(slice0shift_reference(i), 0))) + as_number((slice0cost_pixels_first_0_count_value(i, 0, 1) /=
+          is_set(slice0shift_search(i, 0), 2))) + as_number((slice0cost_pixels_first_0_count_value(i, 0, 2) /=
           is_set(slice0shift_search(i, 0), 1)));
-        slice0cost_pixels_first_count(i, 0, 1) <= as_number((slice0cost_pixels_first_0_count_value(i, 1) /=
-          is_set(slice0shift_search(i, 0), 3))) + as_number((slice0cost_pixels_first_0_count_value_2(i, 1) /=
-          is_set(slice0shift_search(i, 0), 5))) + as_number((slice0cost_pixels_first_0_count_1_value_3(i) /=
+        slice0cost_pixels_first_count(i, 0, 1) <= as_number((slice0cost_pixels_first_0_count_value(i, 1, 1) /=
+          is_set(slice0shift_search(i, 0), 3))) + as_number((slice0cost_pixels_first_0_count_value(i, 1, 2) /=
+          is_set(slice0shift_search(i, 0), 5))) + as_number((slice0cost_pixels_first_0_count_value(i, 1, 3) /=
           is_set(slice0shift_search(i, 0), 4)));
         slice0cost_pixels_first_count(i, 0, 2) <= (to_integer(((to_unsigned((slice0shift_search(i, 0) mod 256), 8)) xor
           (to_unsigned((slice0shift_reference(i) mod 256), 8)))) / 128) +
-          as_number((slice0cost_pixels_first_0_count_value(i, 2) /= is_set(slice0shift_search(i, 0), 8))) +
-          as_number((slice0cost_pixels_first_0_count_value_2(i, 2) /= is_set(slice0shift_search(i, 0), 6)));
+          as_number((slice0cost_pixels_first_0_count_value(i, 2, 1) /= is_set(slice0shift_search(i, 0), 8))) +
+          as_number((slice0cost_pixels_first_0_count_value(i, 2, 2) /= is_set(slice0shift_search(i, 0), 6)));
         for j in 3 to 6 loop
-          slice0cost_pixels_first_count(i, 0, j) <= as_number((slice0cost_pixels_first_0_count_value(i, j) /=
-            is_set(slice0shift_search(i, 0), 3 * j))) + as_number((slice0cost_pixels_first_0_count_value_2(i, j) /=
-            is_set(slice0shift_search(i, 0), 3 * j + 2))) + as_number((slice0cost_pixels_first_0_count_value_3(i, j) /=
-            is_set(slice0shift_search(i, 0), 3 * j + 1)));
+          slice0cost_pixels_first_count(i, 0, j) <= as_number((slice0cost_pixels_first_0_count_value(i, j, 1) /=
+            is_set(slice0shift_search(i, 0), 3 * j))) + as_number((slice0cost_pixels_first_0_count_value(i, j, 2) /=
+            is_set(slice0shift_search(i, 0), 3 * j + 2))) + as_number((slice0cost_pixels_first_0_count_value(i, j, 3)
+            /= is_set(slice0shift_search(i, 0), 3 * j + 1)));
         end loop;
-        slice0cost_pixels_first_count(i, 0, 7) <= as_number((slice0cost_pixels_first_0_count_value(i, 7) /=
+        slice0cost_pixels_first_count(i, 0, 7) <= as_number((slice0cost_pixels_first_0_count_value(i, 7, 1) /=
           is_set(slice0shift_search(i, 0), 21))) + as_number((is_set(slice0shift_reference(i), 23) /=
-          is_set(slice0shift_search(i, 0), 23))) + as_number((slice0cost_pixels_first_0_count_value_2(i, 7) /=
+          is_set(slice0shift_search(i, 0), 23))) + as_number((slice0cost_pixels_first_0_count_value(i, 7, 2) /=
           is_set(slice0shift_search(i, 0), 22)));
         for j in 1 to 15 loop
           slice0cost_pixels_first_count(i, j, 0) <= as_number((is_set(slice0shift_search(i, j), 0) /=
             is_set(slice0shift_reference(i), 0))) + as_number((is_set(slice0shift_search(i, j), 2) /=
-            slice0cost_pixels_first_0_count_value(i, 0))) + as_number((is_set(slice0shift_search(i, j), 1) /=
-            slice0cost_pixels_first_0_count_value_2(i, 0)));
+            slice0cost_pixels_first_0_count_value(i, 0, 1))) + as_number((is_set(slice0shift_search(i, j), 1) /=
+            slice0cost_pixels_first_0_count_value(i, 0, 2)));
           slice0cost_pixels_first_count(i, j, 1) <= as_number((is_set(slice0shift_search(i, j), 3) /=
-            slice0cost_pixels_first_0_count_value(i, 1))) + as_number((is_set(slice0shift_search(i, j), 5) /=
-            slice0cost_pixels_first_0_count_value_2(i, 1))) + as_number((is_set(slice0shift_search(i, j), 4) /=
-            slice0cost_pixels_first_0_count_1_value_3(i)));
+            slice0cost_pixels_first_0_count_value(i, 1, 1))) + as_number((is_set(slice0shift_search(i, j), 5) /=
+            slice0cost_pixels_first_0_count_value(i, 1, 2))) + as_number((is_set(slice0shift_search(i, j), 4) /=
+            slice0cost_pixels_first_0_count_value(i, 1, 3)));
           slice0cost_pixels_first_count(i, j, 2) <= (to_integer(((to_unsigned((slice0shift_search(i, j) mod 256), 8))
             xor (to_unsigned((slice0shift_reference(i) mod 256), 8)))) / 128) + as_number((is_set(slice0shift_search(i,
-            j), 8) /= slice0cost_pixels_first_0_count_value(i, 2))) + as_number((is_set(slice0shift_search(i, j), 6) /=
-            slice0cost_pixels_first_0_count_value_2(i, 2)));
+            j), 8) /= slice0cost_pixels_first_0_count_value(i, 2, 1))) + as_number((is_set(slice0shift_search(i, j), 6)
+            /= slice0cost_pixels_first_0_count_value(i, 2, 2)));
           for k in 3 to 6 loop
             slice0cost_pixels_first_count(i, j, k) <= as_number((is_set(slice0shift_search(i, j), 3 * k) /=
-              slice0cost_pixels_first_0_count_value(i, k))) + as_number((is_set(slice0shift_search(i, j), 3 * k + 2) /=
-              slice0cost_pixels_first_0_count_value_2(i, k))) + as_number((is_set(slice0shift_search(i, j), 3 * k + 1)
-              /= slice0cost_pixels_first_0_count_value_3(i, k)));
+              slice0cost_pixels_first_0_count_value(i, k, 1))) + as_number((is_set(slice0shift_search(i, j), 3 * k + 2)
+              /= slice0cost_pixels_first_0_count_value(i, k, 2))) + as_number((is_set(slice0shift_search(i, j), 3 * k +
+              1) /= slice0cost_pixels_first_0_count_value(i, k, 3)));
           end loop;
           slice0cost_pixels_first_count(i, j, 7) <= as_number((is_set(slice0shift_search(i, j), 21) /=
-            slice0cost_pixels_first_0_count_value(i, 7))) + as_number((is_set(slice0shift_search(i, j), 23) /=
+            slice0cost_pixels_first_0_count_value(i, 7, 1))) + as_number((is_set(slice0shift_search(i, j), 23) /=
             is_set(slice0shift_reference(i), 23))) + as_number((is_set(slice0shift_search(i, j), 22) /=
-            slice0cost_pixels_first_0_count_value_2(i, 7)));
+            slice0cost_pixels_first_0_count_value(i, 7, 2)));
         end loop;
       end loop;
-      slice0cost_pixels_first_tag_valid <= slice0shift_tag_valid;
-      slice0cost_pixels_first_tag_border_column <= slice0shift_tag_border_column;
-      slice0cost_pixels_first_tag_first_cost <= slice0shift_tag_first_cost;
-      slice0cost_pixels_first_tag_map_column <= slice0shift_tag_map_column;
-      slice0cost_pixels_first_tag_output_column <= slice0shift_tag_output_column;
-      slice0cost_pixels_first_tag_start_of_frame <= slice0shift_tag_start_of_frame;
-      slice0cost_pixels_first_tag_end_of_line <= slice0shift_tag_end_of_line;
+      slice0cost_pixels_first_tag <= slice0shift_tag;
       for i in 0 to 2 loop
         for j in 0 to 15 loop
           slice0cost_pixels_cost(i, j) <= slice0cost_pixels_first_count(i, j, 0) + slice0cost_pixels_first_count(i, j,
@@ -2120,65 +1330,40 @@ begin
             slice0cost_pixels_first_count(i, j, 7) + slice0cost_pixels_first_count(i, j, 1);
         end loop;
       end loop;
-      slice0cost_pixels_tag_valid <= slice0cost_pixels_first_tag_valid;
-      slice0cost_pixels_tag_border_column <= slice0cost_pixels_first_tag_border_column;
-      slice0cost_pixels_tag_first_cost <= slice0cost_pixels_first_tag_first_cost;
-      slice0cost_pixels_tag_map_column <= slice0cost_pixels_first_tag_map_column;
-      slice0cost_pixels_tag_output_column <= slice0cost_pixels_first_tag_output_column;
-      slice0cost_pixels_tag_start_of_frame <= slice0cost_pixels_first_tag_start_of_frame;
-      slice0cost_pixels_tag_end_of_line <= slice0cost_pixels_first_tag_end_of_line;
+      slice0cost_pixels_tag <= slice0cost_pixels_first_tag;
       for i in 0 to 15 loop
         slice0cost_pair_0(i) <= slice0cost_pixels_cost(1, i) + slice0cost_pixels_cost(2, i);
       end loop;
       for i in 0 to 15 loop
         slice0cost_single_0(i) <= slice0cost_pixels_cost(0, i);
       end loop;
-      slice0cost_pair_tag_valid <= slice0cost_pixels_tag_valid;
-      slice0cost_pair_tag_border_column <= slice0cost_pixels_tag_border_column;
-      slice0cost_pair_tag_first_cost <= slice0cost_pixels_tag_first_cost;
-      slice0cost_pair_tag_map_column <= slice0cost_pixels_tag_map_column;
-      slice0cost_pair_tag_output_column <= slice0cost_pixels_tag_output_column;
-      slice0cost_pair_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
-      slice0cost_pair_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
-      slice0cost_tag_valid <= slice0cost_pair_tag_valid;
-      slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
-      slice0cost_tag_first_cost <= slice0cost_pair_tag_first_cost;
-      slice0cost_tag_map_column <= slice0cost_pair_tag_map_column;
-      slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
-      slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
-      slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
-      if slice0cost_pair_tag_border_column then
-        for i in 0 to 15 loop
-          slice0cost_column_0(i) <= 0;
-        end loop;
-      else
-        for i in 0 to 15 loop
-          slice0cost_column_0(i) <= slice0cost_pair_0(i) + slice0cost_single_0(i);
-        end loop;
-      end if;
+      slice0cost_pair_tag <= slice0cost_pixels_tag;
+      slice0cost_tag <= slice0cost_pair_tag;
+      for i in 0 to 15 loop
+        slice0cost_column_0(i) <= choice(slice0cost_pair_tag.border_column, 0, slice0cost_pair_0(i) +
+          slice0cost_single_0(i));
+      end loop;
       -- slice0window
-      if slice0cost_tag_valid then
-        for i in 0 to 15 loop
-          slice0window_partial_0_0(i) <= slice0cost_column_0(i);
-        end loop;
+      if slice0cost_tag.valid then
+        slice0window_partial_0_0 <= slice0cost_column_0;
         for i in 0 to 15 loop
           slice0window_partial_0_1(i) <= slice0cost_column_0(i) + slice0window_partial_0_0(i);
         end loop;
-        slice0window_centre_map_column_0 <= slice0cost_tag_map_column;
-        slice0window_centre_output_column_0 <= slice0cost_tag_output_column;
-        slice0window_centre_first_column_0 <= slice0cost_tag_first_cost;
-        slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
-        slice0window_centre_end_of_line_0 <= slice0cost_tag_end_of_line;
+        slice0window_centre_map_column_0 <= slice0cost_tag.map_column;
+        slice0window_centre_output_column_0 <= slice0cost_tag.output_column;
+        slice0window_centre_first_column_0 <= slice0cost_tag.first_cost;
+        slice0window_centre_start_of_frame_0 <= slice0cost_tag.start_of_frame;
+        slice0window_centre_end_of_line_0 <= slice0cost_tag.end_of_line;
       end if;
       for i in 0 to 15 loop
         slice0window_sum_0(i) <= slice0cost_column_0(i) + slice0window_partial_0_1(i);
       end loop;
-      slice0window_tag_valid <= slice0cost_tag_valid;
-      slice0window_tag_map_column <= slice0window_centre_map_column_0;
-      slice0window_tag_output_column <= slice0window_centre_output_column_0;
-      slice0window_tag_first_column <= slice0window_centre_first_column_0;
-      slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
-      slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
+      slice0window_tag.valid <= slice0cost_tag.valid;
+      slice0window_tag.map_column <= slice0window_centre_map_column_0;
+      slice0window_tag.output_column <= slice0window_centre_output_column_0;
+      slice0window_tag.first_column <= slice0window_centre_first_column_0;
+      slice0window_tag.start_of_frame <= slice0window_centre_start_of_frame_0;
+      slice0window_tag.end_of_line <= slice0window_centre_end_of_line_0;
       -- slice0
       for i in 0 to 15 loop
         slice0_held(0, i) <= slice0window_sum_0(i) / 16;
@@ -2188,12 +1373,12 @@ begin
           slice0_held(i, j) <= slice0_held(i - 1, j);
         end loop;
       end loop;
-      slice0_tag_valid(0) <= slice0window_tag_valid;
-      slice0_tag_map_column(0) <= slice0window_tag_map_column;
-      slice0_tag_output_column(0) <= slice0window_tag_output_column;
-      slice0_tag_first_column(0) <= slice0window_tag_first_column;
-      slice0_tag_start_of_frame(0) <= slice0window_tag_start_of_frame;
-      slice0_tag_end_of_line(0) <= slice0window_tag_end_of_line;
+      slice0_tag_valid(0) <= slice0window_tag.valid;
+      slice0_tag_map_column(0) <= slice0window_tag.map_column;
+      slice0_tag_output_column(0) <= slice0window_tag.output_column;
+      slice0_tag_first_column(0) <= slice0window_tag.first_column;
+      slice0_tag_start_of_frame(0) <= slice0window_tag.start_of_frame;
+      slice0_tag_end_of_line(0) <= slice0window_tag.end_of_line;
       for i in 1 to 3 loop
         slice0_tag_valid(i) <= slice0_tag_valid(i - 1);
         slice0_tag_map_column(i) <= slice0_tag_map_column(i - 1);
@@ -2203,7 +1388,7 @@ begin
         slice0_tag_end_of_line(i) <= slice0_tag_end_of_line(i - 1);
       end loop;
       -- slice1shift
-      if slice0shift_tag_valid then
+      if slice0shift_tag.valid then
         for i in 0 to 2 loop
           slice1shift_search(i, 0) <= slice0shift_search_out(i);
           for j in 1 to 15 loop
@@ -2211,75 +1396,73 @@ begin
           end loop;
         end loop;
       end if;
-      slice1shift_reference(0) <= slice0shift_reference(0);
-      slice1shift_reference(1) <= slice0shift_reference(1);
-      slice1shift_reference(2) <= slice0shift_reference(2);
+      slice1shift_reference <= slice0shift_reference;
       slice1shift_search_out(0) <= slice1shift_search(0, 15);
       slice1shift_search_out(1) <= slice1shift_search(1, 15);
       slice1shift_search_out(2) <= slice1shift_search(2, 15);
       -- slice1cost
       for i in 0 to 2 loop
-        slice1cost_pixels_first_0_count_value(i, 0) := is_set(slice1shift_reference(i), 2);
-        slice1cost_pixels_first_0_count_value_2(i, 0) := is_set(slice1shift_reference(i), 1);
-        slice1cost_pixels_first_0_count_value(i, 1) := is_set(slice1shift_reference(i), 3);
-        slice1cost_pixels_first_0_count_value_2(i, 1) := is_set(slice1shift_reference(i), 5);
-        slice1cost_pixels_first_0_count_1_value_3(i) := is_set(slice1shift_reference(i), 4);
-        slice1cost_pixels_first_0_count_value(i, 2) := is_set(slice1shift_reference(i), 8);
-        slice1cost_pixels_first_0_count_value_2(i, 2) := is_set(slice1shift_reference(i), 6);
+        slice1cost_pixels_first_0_count_value(i, 0, 1) := is_set(slice1shift_reference(i), 2);
+        slice1cost_pixels_first_0_count_value(i, 0, 2) := is_set(slice1shift_reference(i), 1);
+        slice1cost_pixels_first_0_count_value(i, 1, 1) := is_set(slice1shift_reference(i), 3);
+        slice1cost_pixels_first_0_count_value(i, 1, 2) := is_set(slice1shift_reference(i), 5);
+        slice1cost_pixels_first_0_count_value(i, 1, 3) := is_set(slice1shift_reference(i), 4);
+        slice1cost_pixels_first_0_count_value(i, 2, 1) := is_set(slice1shift_reference(i), 8);
+        slice1cost_pixels_first_0_count_value(i, 2, 2) := is_set(slice1shift_reference(i), 6);
         for j in 3 to 6 loop
-          slice1cost_pixels_first_0_count_value(i, j) := is_set(slice1shift_reference(i), 3 * j);
-          slice1cost_pixels_first_0_count_value_2(i, j) := is_set(slice1shift_reference(i), 3 * j + 2);
-          slice1cost_pixels_first_0_count_value_3(i, j) := is_set(slice1shift_reference(i), 3 * j + 1);
+          slice1cost_pixels_first_0_count_value(i, j, 1) := is_set(slice1shift_reference(i), 3 * j);
+          slice1cost_pixels_first_0_count_value(i, j, 2) := is_set(slice1shift_reference(i), 3 * j + 2);
+          slice1cost_pixels_first_0_count_value(i, j, 3) := is_set(slice1shift_reference(i), 3 * j + 1);
         end loop;
-        slice1cost_pixels_first_0_count_value(i, 7) := is_set(slice1shift_reference(i), 21);
-        slice1cost_pixels_first_0_count_value_2(i, 7) := is_set(slice1shift_reference(i), 22);
+        slice1cost_pixels_first_0_count_value(i, 7, 1) := is_set(slice1shift_reference(i), 21);
+        slice1cost_pixels_first_0_count_value(i, 7, 2) := is_set(slice1shift_reference(i), 22);
       end loop;
       for i in 0 to 2 loop
         slice1cost_pixels_first_count(i, 0, 0) <= as_number((is_set(slice1shift_search(i, 0), 0) /=
-          is_set(slice1shift_reference(i), 0))) + as_number((slice1cost_pixels_first_0_count_value(i, 0) /=
-          is_set(slice1shift_search(i, 0), 2))) + as_number((slice1cost_pixels_first_0_count_value_2(i, 0) /=
+          is_set(slice1shift_reference(i), 0))) + as_number((slice1cost_pixels_first_0_count_value(i, 0, 1) /=
+          is_set(slice1shift_search(i, 0), 2))) + as_number((slice1cost_pixels_first_0_count_value(i, 0, 2) /=
           is_set(slice1shift_search(i, 0), 1)));
-        slice1cost_pixels_first_count(i, 0, 1) <= as_number((slice1cost_pixels_first_0_count_value(i, 1) /=
-          is_set(slice1shift_search(i, 0), 3))) + as_number((slice1cost_pixels_first_0_count_value_2(i, 1) /=
-          is_set(slice1shift_search(i, 0), 5))) + as_number((slice1cost_pixels_first_0_count_1_value_3(i) /=
+        slice1cost_pixels_first_count(i, 0, 1) <= as_number((slice1cost_pixels_first_0_count_value(i, 1, 1) /=
+          is_set(slice1shift_search(i, 0), 3))) + as_number((slice1cost_pixels_first_0_count_value(i, 1, 2) /=
+          is_set(slice1shift_search(i, 0), 5))) + as_number((slice1cost_pixels_first_0_count_value(i, 1, 3) /=
           is_set(slice1shift_search(i, 0), 4)));
         slice1cost_pixels_first_count(i, 0, 2) <= (to_integer(((to_unsigned((slice1shift_search(i, 0) mod 256), 8)) xor
           (to_unsigned((slice1shift_reference(i) mod 256), 8)))) / 128) +
-          as_number((slice1cost_pixels_first_0_count_value(i, 2) /= is_set(slice1shift_search(i, 0), 8))) +
-          as_number((slice1cost_pixels_first_0_count_value_2(i, 2) /= is_set(slice1shift_search(i, 0), 6)));
+          as_number((slice1cost_pixels_first_0_count_value(i, 2, 1) /= is_set(slice1shift_search(i, 0), 8))) +
+          as_number((slice1cost_pixels_first_0_count_value(i, 2, 2) /= is_set(slice1shift_search(i, 0), 6)));
         for j in 3 to 6 loop
-          slice1cost_pixels_first_count(i, 0, j) <= as_number((slice1cost_pixels_first_0_count_value(i, j) /=
-            is_set(slice1shift_search(i, 0), 3 * j))) + as_number((slice1cost_pixels_first_0_count_value_2(i, j) /=
-            is_set(slice1shift_search(i, 0), 3 * j + 2))) + as_number((slice1cost_pixels_first_0_count_value_3(i, j) /=
-            is_set(slice1shift_search(i, 0), 3 * j + 1)));
+          slice1cost_pixels_first_count(i, 0, j) <= as_number((slice1cost_pixels_first_0_count_value(i, j, 1) /=
+            is_set(slice1shift_search(i, 0), 3 * j))) + as_number((slice1cost_pixels_first_0_count_value(i, j, 2) /=
+            is_set(slice1shift_search(i, 0), 3 * j + 2))) + as_number((slice1cost_pixels_first_0_count_value(i, j, 3)
+            /= is_set(slice1shift_search(i, 0), 3 * j + 1)));
         end loop;
-        slice1cost_pixels_first_count(i, 0, 7) <= as_number((slice1cost_pixels_first_0_count_value(i, 7) /=
+        slice1cost_pixels_first_count(i, 0, 7) <= as_number((slice1cost_pixels_first_0_count_value(i, 7, 1) /=
           is_set(slice1shift_search(i, 0), 21))) + as_number((is_set(slice1shift_reference(i), 23) /=
-          is_set(slice1shift_search(i, 0), 23))) + as_number((slice1cost_pixels_first_0_count_value_2(i, 7) /=
+          is_set(slice1shift_search(i, 0), 23))) + as_number((slice1cost_pixels_first_0_count_value(i, 7, 2) /=
           is_set(slice1shift_search(i, 0), 22)));
         for j in 1 to 15 loop
           slice1cost_pixels_first_count(i, j, 0) <= as_number((is_set(slice1shift_search(i, j), 0) /=
             is_set(slice1shift_reference(i), 0))) + as_number((is_set(slice1shift_search(i, j), 2) /=
-            slice1cost_pixels_first_0_count_value(i, 0))) + as_number((is_set(slice1shift_search(i, j), 1) /=
-            slice1cost_pixels_first_0_count_value_2(i, 0)));
+            slice1cost_pixels_first_0_count_value(i, 0, 1))) + as_number((is_set(slice1shift_search(i, j), 1) /=
+            slice1cost_pixels_first_0_count_value(i, 0, 2)));
           slice1cost_pixels_first_count(i, j, 1) <= as_number((is_set(slice1shift_search(i, j), 3) /=
-            slice1cost_pixels_first_0_count_value(i, 1))) + as_number((is_set(slice1shift_search(i, j), 5) /=
-            slice1cost_pixels_first_0_count_value_2(i, 1))) + as_number((is_set(slice1shift_search(i, j), 4) /=
-            slice1cost_pixels_first_0_count_1_value_3(i)));
+            slice1cost_pixels_first_0_count_value(i, 1, 1))) + as_number((is_set(slice1shift_search(i, j), 5) /=
+            slice1cost_pixels_first_0_count_value(i, 1, 2))) + as_number((is_set(slice1shift_search(i, j), 4) /=
+            slice1cost_pixels_first_0_count_value(i, 1, 3)));
           slice1cost_pixels_first_count(i, j, 2) <= (to_integer(((to_unsigned((slice1shift_search(i, j) mod 256), 8))
             xor (to_unsigned((slice1shift_reference(i) mod 256), 8)))) / 128) + as_number((is_set(slice1shift_search(i,
-            j), 8) /= slice1cost_pixels_first_0_count_value(i, 2))) + as_number((is_set(slice1shift_search(i, j), 6) /=
-            slice1cost_pixels_first_0_count_value_2(i, 2)));
+            j), 8) /= slice1cost_pixels_first_0_count_value(i, 2, 1))) + as_number((is_set(slice1shift_search(i, j), 6)
+            /= slice1cost_pixels_first_0_count_value(i, 2, 2)));
           for k in 3 to 6 loop
             slice1cost_pixels_first_count(i, j, k) <= as_number((is_set(slice1shift_search(i, j), 3 * k) /=
-              slice1cost_pixels_first_0_count_value(i, k))) + as_number((is_set(slice1shift_search(i, j), 3 * k + 2) /=
-              slice1cost_pixels_first_0_count_value_2(i, k))) + as_number((is_set(slice1shift_search(i, j), 3 * k + 1)
-              /= slice1cost_pixels_first_0_count_value_3(i, k)));
+              slice1cost_pixels_first_0_count_value(i, k, 1))) + as_number((is_set(slice1shift_search(i, j), 3 * k + 2)
+              /= slice1cost_pixels_first_0_count_value(i, k, 2))) + as_number((is_set(slice1shift_search(i, j), 3 * k +
+              1) /= slice1cost_pixels_first_0_count_value(i, k, 3)));
           end loop;
           slice1cost_pixels_first_count(i, j, 7) <= as_number((is_set(slice1shift_search(i, j), 21) /=
-            slice1cost_pixels_first_0_count_value(i, 7))) + as_number((is_set(slice1shift_search(i, j), 23) /=
+            slice1cost_pixels_first_0_count_value(i, 7, 1))) + as_number((is_set(slice1shift_search(i, j), 23) /=
             is_set(slice1shift_reference(i), 23))) + as_number((is_set(slice1shift_search(i, j), 22) /=
-            slice1cost_pixels_first_0_count_value_2(i, 7)));
+            slice1cost_pixels_first_0_count_value(i, 7, 2)));
         end loop;
       end loop;
       for i in 0 to 2 loop
@@ -2296,21 +1479,14 @@ begin
       for i in 0 to 15 loop
         slice1cost_single_0(i) <= slice1cost_pixels_cost(0, i);
       end loop;
-      slice1cost_tag_border_column <= slice0cost_tag_border_column;
-      if slice0cost_tag_border_column then
-        for i in 0 to 15 loop
-          slice1cost_column_0(i) <= 0;
-        end loop;
-      else
-        for i in 0 to 15 loop
-          slice1cost_column_0(i) <= slice1cost_pair_0(i) + slice1cost_single_0(i);
-        end loop;
-      end if;
+      slice1cost_tag_border_column <= slice0cost_tag.border_column;
+      for i in 0 to 15 loop
+        slice1cost_column_0(i) <= choice(slice0cost_tag.border_column, 0, slice1cost_pair_0(i) +
+          slice1cost_single_0(i));
+      end loop;
       -- slice1window
-      if slice0window_tag_valid then
-        for i in 0 to 15 loop
-          slice1window_partial_0_0(i) <= slice1cost_column_0(i);
-        end loop;
+      if slice0window_tag.valid then
+        slice1window_partial_0_0 <= slice1cost_column_0;
         for i in 0 to 15 loop
           slice1window_partial_0_1(i) <= slice1cost_column_0(i) + slice1window_partial_0_0(i);
         end loop;
@@ -2329,7 +1505,7 @@ begin
         slice1_held(2, i) <= slice1_held(1, i);
       end loop;
       -- slice2shift
-      if slice0cost_pixels_first_tag_valid then
+      if slice0cost_pixels_first_tag.valid then
         for i in 0 to 2 loop
           slice2shift_search(i, 0) <= slice1shift_search_out(i);
           for j in 1 to 15 loop
@@ -2337,75 +1513,73 @@ begin
           end loop;
         end loop;
       end if;
-      slice2shift_reference(0) <= slice1shift_reference(0);
-      slice2shift_reference(1) <= slice1shift_reference(1);
-      slice2shift_reference(2) <= slice1shift_reference(2);
+      slice2shift_reference <= slice1shift_reference;
       slice2shift_search_out(0) <= slice2shift_search(0, 15);
       slice2shift_search_out(1) <= slice2shift_search(1, 15);
       slice2shift_search_out(2) <= slice2shift_search(2, 15);
       -- slice2cost
       for i in 0 to 2 loop
-        slice2cost_pixels_first_0_count_value(i, 0) := is_set(slice2shift_reference(i), 2);
-        slice2cost_pixels_first_0_count_value_2(i, 0) := is_set(slice2shift_reference(i), 1);
-        slice2cost_pixels_first_0_count_value(i, 1) := is_set(slice2shift_reference(i), 3);
-        slice2cost_pixels_first_0_count_value_2(i, 1) := is_set(slice2shift_reference(i), 5);
-        slice2cost_pixels_first_0_count_1_value_3(i) := is_set(slice2shift_reference(i), 4);
-        slice2cost_pixels_first_0_count_value(i, 2) := is_set(slice2shift_reference(i), 8);
-        slice2cost_pixels_first_0_count_value_2(i, 2) := is_set(slice2shift_reference(i), 6);
+        slice2cost_pixels_first_0_count_value(i, 0, 1) := is_set(slice2shift_reference(i), 2);
+        slice2cost_pixels_first_0_count_value(i, 0, 2) := is_set(slice2shift_reference(i), 1);
+        slice2cost_pixels_first_0_count_value(i, 1, 1) := is_set(slice2shift_reference(i), 3);
+        slice2cost_pixels_first_0_count_value(i, 1, 2) := is_set(slice2shift_reference(i), 5);
+        slice2cost_pixels_first_0_count_value(i, 1, 3) := is_set(slice2shift_reference(i), 4);
+        slice2cost_pixels_first_0_count_value(i, 2, 1) := is_set(slice2shift_reference(i), 8);
+        slice2cost_pixels_first_0_count_value(i, 2, 2) := is_set(slice2shift_reference(i), 6);
         for j in 3 to 6 loop
-          slice2cost_pixels_first_0_count_value(i, j) := is_set(slice2shift_reference(i), 3 * j);
-          slice2cost_pixels_first_0_count_value_2(i, j) := is_set(slice2shift_reference(i), 3 * j + 2);
-          slice2cost_pixels_first_0_count_value_3(i, j) := is_set(slice2shift_reference(i), 3 * j + 1);
+          slice2cost_pixels_first_0_count_value(i, j, 1) := is_set(slice2shift_reference(i), 3 * j);
+          slice2cost_pixels_first_0_count_value(i, j, 2) := is_set(slice2shift_reference(i), 3 * j + 2);
+          slice2cost_pixels_first_0_count_value(i, j, 3) := is_set(slice2shift_reference(i), 3 * j + 1);
         end loop;
-        slice2cost_pixels_first_0_count_value(i, 7) := is_set(slice2shift_reference(i), 21);
-        slice2cost_pixels_first_0_count_value_2(i, 7) := is_set(slice2shift_reference(i), 22);
+        slice2cost_pixels_first_0_count_value(i, 7, 1) := is_set(slice2shift_reference(i), 21);
+        slice2cost_pixels_first_0_count_value(i, 7, 2) := is_set(slice2shift_reference(i), 22);
       end loop;
       for i in 0 to 2 loop
         slice2cost_pixels_first_count(i, 0, 0) <= as_number((is_set(slice2shift_search(i, 0), 0) /=
-          is_set(slice2shift_reference(i), 0))) + as_number((slice2cost_pixels_first_0_count_value(i, 0) /=
-          is_set(slice2shift_search(i, 0), 2))) + as_number((slice2cost_pixels_first_0_count_value_2(i, 0) /=
+          is_set(slice2shift_reference(i), 0))) + as_number((slice2cost_pixels_first_0_count_value(i, 0, 1) /=
+          is_set(slice2shift_search(i, 0), 2))) + as_number((slice2cost_pixels_first_0_count_value(i, 0, 2) /=
           is_set(slice2shift_search(i, 0), 1)));
-        slice2cost_pixels_first_count(i, 0, 1) <= as_number((slice2cost_pixels_first_0_count_value(i, 1) /=
-          is_set(slice2shift_search(i, 0), 3))) + as_number((slice2cost_pixels_first_0_count_value_2(i, 1) /=
-          is_set(slice2shift_search(i, 0), 5))) + as_number((slice2cost_pixels_first_0_count_1_value_3(i) /=
+        slice2cost_pixels_first_count(i, 0, 1) <= as_number((slice2cost_pixels_first_0_count_value(i, 1, 1) /=
+          is_set(slice2shift_search(i, 0), 3))) + as_number((slice2cost_pixels_first_0_count_value(i, 1, 2) /=
+          is_set(slice2shift_search(i, 0), 5))) + as_number((slice2cost_pixels_first_0_count_value(i, 1, 3) /=
           is_set(slice2shift_search(i, 0), 4)));
         slice2cost_pixels_first_count(i, 0, 2) <= (to_integer(((to_unsigned((slice2shift_search(i, 0) mod 256), 8)) xor
           (to_unsigned((slice2shift_reference(i) mod 256), 8)))) / 128) +
-          as_number((slice2cost_pixels_first_0_count_value(i, 2) /= is_set(slice2shift_search(i, 0), 8))) +
-          as_number((slice2cost_pixels_first_0_count_value_2(i, 2) /= is_set(slice2shift_search(i, 0), 6)));
+          as_number((slice2cost_pixels_first_0_count_value(i, 2, 1) /= is_set(slice2shift_search(i, 0), 8))) +
+          as_number((slice2cost_pixels_first_0_count_value(i, 2, 2) /= is_set(slice2shift_search(i, 0), 6)));
         for j in 3 to 6 loop
-          slice2cost_pixels_first_count(i, 0, j) <= as_number((slice2cost_pixels_first_0_count_value(i, j) /=
-            is_set(slice2shift_search(i, 0), 3 * j))) + as_number((slice2cost_pixels_first_0_count_value_2(i, j) /=
-            is_set(slice2shift_search(i, 0), 3 * j + 2))) + as_number((slice2cost_pixels_first_0_count_value_3(i, j) /=
-            is_set(slice2shift_search(i, 0), 3 * j + 1)));
+          slice2cost_pixels_first_count(i, 0, j) <= as_number((slice2cost_pixels_first_0_count_value(i, j, 1) /=
+            is_set(slice2shift_search(i, 0), 3 * j))) + as_number((slice2cost_pixels_first_0_count_value(i, j, 2) /=
+            is_set(slice2shift_search(i, 0), 3 * j + 2))) + as_number((slice2cost_pixels_first_0_count_value(i, j, 3)
+            /= is_set(slice2shift_search(i, 0), 3 * j + 1)));
         end loop;
-        slice2cost_pixels_first_count(i, 0, 7) <= as_number((slice2cost_pixels_first_0_count_value(i, 7) /=
+        slice2cost_pixels_first_count(i, 0, 7) <= as_number((slice2cost_pixels_first_0_count_value(i, 7, 1) /=
           is_set(slice2shift_search(i, 0), 21))) + as_number((is_set(slice2shift_reference(i), 23) /=
-          is_set(slice2shift_search(i, 0), 23))) + as_number((slice2cost_pixels_first_0_count_value_2(i, 7) /=
+          is_set(slice2shift_search(i, 0), 23))) + as_number((slice2cost_pixels_first_0_count_value(i, 7, 2) /=
           is_set(slice2shift_search(i, 0), 22)));
         for j in 1 to 15 loop
           slice2cost_pixels_first_count(i, j, 0) <= as_number((is_set(slice2shift_search(i, j), 0) /=
             is_set(slice2shift_reference(i), 0))) + as_number((is_set(slice2shift_search(i, j), 2) /=
-            slice2cost_pixels_first_0_count_value(i, 0))) + as_number((is_set(slice2shift_search(i, j), 1) /=
-            slice2cost_pixels_first_0_count_value_2(i, 0)));
+            slice2cost_pixels_first_0_count_value(i, 0, 1))) + as_number((is_set(slice2shift_search(i, j), 1) /=
+            slice2cost_pixels_first_0_count_value(i, 0, 2)));
           slice2cost_pixels_first_count(i, j, 1) <= as_number((is_set(slice2shift_search(i, j), 3) /=
-            slice2cost_pixels_first_0_count_value(i, 1))) + as_number((is_set(slice2shift_search(i, j), 5) /=
-            slice2cost_pixels_first_0_count_value_2(i, 1))) + as_number((is_set(slice2shift_search(i, j), 4) /=
-            slice2cost_pixels_first_0_count_1_value_3(i)));
+            slice2cost_pixels_first_0_count_value(i, 1, 1))) + as_number((is_set(slice2shift_search(i, j), 5) /=
+            slice2cost_pixels_first_0_count_value(i, 1, 2))) + as_number((is_set(slice2shift_search(i, j), 4) /=
+            slice2cost_pixels_first_0_count_value(i, 1, 3)));
           slice2cost_pixels_first_count(i, j, 2) <= (to_integer(((to_unsigned((slice2shift_search(i, j) mod 256), 8))
             xor (to_unsigned((slice2shift_reference(i) mod 256), 8)))) / 128) + as_number((is_set(slice2shift_search(i,
-            j), 8) /= slice2cost_pixels_first_0_count_value(i, 2))) + as_number((is_set(slice2shift_search(i, j), 6) /=
-            slice2cost_pixels_first_0_count_value_2(i, 2)));
+            j), 8) /= slice2cost_pixels_first_0_count_value(i, 2, 1))) + as_number((is_set(slice2shift_search(i, j), 6)
+            /= slice2cost_pixels_first_0_count_value(i, 2, 2)));
           for k in 3 to 6 loop
             slice2cost_pixels_first_count(i, j, k) <= as_number((is_set(slice2shift_search(i, j), 3 * k) /=
-              slice2cost_pixels_first_0_count_value(i, k))) + as_number((is_set(slice2shift_search(i, j), 3 * k + 2) /=
-              slice2cost_pixels_first_0_count_value_2(i, k))) + as_number((is_set(slice2shift_search(i, j), 3 * k + 1)
-              /= slice2cost_pixels_first_0_count_value_3(i, k)));
+              slice2cost_pixels_first_0_count_value(i, k, 1))) + as_number((is_set(slice2shift_search(i, j), 3 * k + 2)
+              /= slice2cost_pixels_first_0_count_value(i, k, 2))) + as_number((is_set(slice2shift_search(i, j), 3 * k +
+              1) /= slice2cost_pixels_first_0_count_value(i, k, 3)));
           end loop;
           slice2cost_pixels_first_count(i, j, 7) <= as_number((is_set(slice2shift_search(i, j), 21) /=
-            slice2cost_pixels_first_0_count_value(i, 7))) + as_number((is_set(slice2shift_search(i, j), 23) /=
+            slice2cost_pixels_first_0_count_value(i, 7, 1))) + as_number((is_set(slice2shift_search(i, j), 23) /=
             is_set(slice2shift_reference(i), 23))) + as_number((is_set(slice2shift_search(i, j), 22) /=
-            slice2cost_pixels_first_0_count_value_2(i, 7)));
+            slice2cost_pixels_first_0_count_value(i, 7, 2)));
         end loop;
       end loop;
       for i in 0 to 2 loop
@@ -2423,20 +1597,13 @@ begin
         slice2cost_single_0(i) <= slice2cost_pixels_cost(0, i);
       end loop;
       slice2cost_tag_border_column <= slice1cost_tag_border_column;
-      if slice1cost_tag_border_column then
-        for i in 0 to 15 loop
-          slice2cost_column_0(i) <= 0;
-        end loop;
-      else
-        for i in 0 to 15 loop
-          slice2cost_column_0(i) <= slice2cost_pair_0(i) + slice2cost_single_0(i);
-        end loop;
-      end if;
+      for i in 0 to 15 loop
+        slice2cost_column_0(i) <= choice(slice1cost_tag_border_column, 0, slice2cost_pair_0(i) +
+          slice2cost_single_0(i));
+      end loop;
       -- slice2window
       if slice0_tag_valid(0) then
-        for i in 0 to 15 loop
-          slice2window_partial_0_0(i) <= slice2cost_column_0(i);
-        end loop;
+        slice2window_partial_0_0 <= slice2cost_column_0;
         for i in 0 to 15 loop
           slice2window_partial_0_1(i) <= slice2cost_column_0(i) + slice2window_partial_0_0(i);
         end loop;
@@ -2452,7 +1619,7 @@ begin
         slice2_held(1, i) <= slice2_held(0, i);
       end loop;
       -- slice3shift
-      if slice0cost_pixels_tag_valid then
+      if slice0cost_pixels_tag.valid then
         for i in 0 to 2 loop
           slice3shift_search(i, 0) <= slice2shift_search_out(i);
           for j in 1 to 15 loop
@@ -2460,72 +1627,70 @@ begin
           end loop;
         end loop;
       end if;
-      slice3shift_reference(0) <= slice2shift_reference(0);
-      slice3shift_reference(1) <= slice2shift_reference(1);
-      slice3shift_reference(2) <= slice2shift_reference(2);
+      slice3shift_reference <= slice2shift_reference;
       -- slice3cost
       for i in 0 to 2 loop
-        slice3cost_pixels_first_0_count_value(i, 0) := is_set(slice3shift_reference(i), 2);
-        slice3cost_pixels_first_0_count_value_2(i, 0) := is_set(slice3shift_reference(i), 1);
-        slice3cost_pixels_first_0_count_value(i, 1) := is_set(slice3shift_reference(i), 3);
-        slice3cost_pixels_first_0_count_value_2(i, 1) := is_set(slice3shift_reference(i), 5);
-        slice3cost_pixels_first_0_count_1_value_3(i) := is_set(slice3shift_reference(i), 4);
-        slice3cost_pixels_first_0_count_value(i, 2) := is_set(slice3shift_reference(i), 8);
-        slice3cost_pixels_first_0_count_value_2(i, 2) := is_set(slice3shift_reference(i), 6);
+        slice3cost_pixels_first_0_count_value(i, 0, 1) := is_set(slice3shift_reference(i), 2);
+        slice3cost_pixels_first_0_count_value(i, 0, 2) := is_set(slice3shift_reference(i), 1);
+        slice3cost_pixels_first_0_count_value(i, 1, 1) := is_set(slice3shift_reference(i), 3);
+        slice3cost_pixels_first_0_count_value(i, 1, 2) := is_set(slice3shift_reference(i), 5);
+        slice3cost_pixels_first_0_count_value(i, 1, 3) := is_set(slice3shift_reference(i), 4);
+        slice3cost_pixels_first_0_count_value(i, 2, 1) := is_set(slice3shift_reference(i), 8);
+        slice3cost_pixels_first_0_count_value(i, 2, 2) := is_set(slice3shift_reference(i), 6);
         for j in 3 to 6 loop
-          slice3cost_pixels_first_0_count_value(i, j) := is_set(slice3shift_reference(i), 3 * j);
-          slice3cost_pixels_first_0_count_value_2(i, j) := is_set(slice3shift_reference(i), 3 * j + 2);
-          slice3cost_pixels_first_0_count_value_3(i, j) := is_set(slice3shift_reference(i), 3 * j + 1);
+          slice3cost_pixels_first_0_count_value(i, j, 1) := is_set(slice3shift_reference(i), 3 * j);
+          slice3cost_pixels_first_0_count_value(i, j, 2) := is_set(slice3shift_reference(i), 3 * j + 2);
+          slice3cost_pixels_first_0_count_value(i, j, 3) := is_set(slice3shift_reference(i), 3 * j + 1);
         end loop;
-        slice3cost_pixels_first_0_count_value(i, 7) := is_set(slice3shift_reference(i), 21);
-        slice3cost_pixels_first_0_count_value_2(i, 7) := is_set(slice3shift_reference(i), 22);
+        slice3cost_pixels_first_0_count_value(i, 7, 1) := is_set(slice3shift_reference(i), 21);
+        slice3cost_pixels_first_0_count_value(i, 7, 2) := is_set(slice3shift_reference(i), 22);
       end loop;
       for i in 0 to 2 loop
         slice3cost_pixels_first_count(i, 0, 0) <= as_number((is_set(slice3shift_search(i, 0), 0) /=
-          is_set(slice3shift_reference(i), 0))) + as_number((slice3cost_pixels_first_0_count_value(i, 0) /=
-          is_set(slice3shift_search(i, 0), 2))) + as_number((slice3cost_pixels_first_0_count_value_2(i, 0) /=
+          is_set(slice3shift_reference(i), 0))) + as_number((slice3cost_pixels_first_0_count_value(i, 0, 1) /=
+          is_set(slice3shift_search(i, 0), 2))) + as_number((slice3cost_pixels_first_0_count_value(i, 0, 2) /=
           is_set(slice3shift_search(i, 0), 1)));
-        slice3cost_pixels_first_count(i, 0, 1) <= as_number((slice3cost_pixels_first_0_count_value(i, 1) /=
-          is_set(slice3shift_search(i, 0), 3))) + as_number((slice3cost_pixels_first_0_count_value_2(i, 1) /=
-          is_set(slice3shift_search(i, 0), 5))) + as_number((slice3cost_pixels_first_0_count_1_value_3(i) /=
+        slice3cost_pixels_first_count(i, 0, 1) <= as_number((slice3cost_pixels_first_0_count_value(i, 1, 1) /=
+          is_set(slice3shift_search(i, 0), 3))) + as_number((slice3cost_pixels_first_0_count_value(i, 1, 2) /=
+          is_set(slice3shift_search(i, 0), 5))) + as_number((slice3cost_pixels_first_0_count_value(i, 1, 3) /=
           is_set(slice3shift_search(i, 0), 4)));
         slice3cost_pixels_first_count(i, 0, 2) <= (to_integer(((to_unsigned((slice3shift_search(i, 0) mod 256), 8)) xor
           (to_unsigned((slice3shift_reference(i) mod 256), 8)))) / 128) +
-          as_number((slice3cost_pixels_first_0_count_value(i, 2) /= is_set(slice3shift_search(i, 0), 8))) +
-          as_number((slice3cost_pixels_first_0_count_value_2(i, 2) /= is_set(slice3shift_search(i, 0), 6)));
+          as_number((slice3cost_pixels_first_0_count_value(i, 2, 1) /= is_set(slice3shift_search(i, 0), 8))) +
+          as_number((slice3cost_pixels_first_0_count_value(i, 2, 2) /= is_set(slice3shift_search(i, 0), 6)));
         for j in 3 to 6 loop
-          slice3cost_pixels_first_count(i, 0, j) <= as_number((slice3cost_pixels_first_0_count_value(i, j) /=
-            is_set(slice3shift_search(i, 0), 3 * j))) + as_number((slice3cost_pixels_first_0_count_value_2(i, j) /=
-            is_set(slice3shift_search(i, 0), 3 * j + 2))) + as_number((slice3cost_pixels_first_0_count_value_3(i, j) /=
-            is_set(slice3shift_search(i, 0), 3 * j + 1)));
+          slice3cost_pixels_first_count(i, 0, j) <= as_number((slice3cost_pixels_first_0_count_value(i, j, 1) /=
+            is_set(slice3shift_search(i, 0), 3 * j))) + as_number((slice3cost_pixels_first_0_count_value(i, j, 2) /=
+            is_set(slice3shift_search(i, 0), 3 * j + 2))) + as_number((slice3cost_pixels_first_0_count_value(i, j, 3)
+            /= is_set(slice3shift_search(i, 0), 3 * j + 1)));
         end loop;
-        slice3cost_pixels_first_count(i, 0, 7) <= as_number((slice3cost_pixels_first_0_count_value(i, 7) /=
+        slice3cost_pixels_first_count(i, 0, 7) <= as_number((slice3cost_pixels_first_0_count_value(i, 7, 1) /=
           is_set(slice3shift_search(i, 0), 21))) + as_number((is_set(slice3shift_reference(i), 23) /=
-          is_set(slice3shift_search(i, 0), 23))) + as_number((slice3cost_pixels_first_0_count_value_2(i, 7) /=
+          is_set(slice3shift_search(i, 0), 23))) + as_number((slice3cost_pixels_first_0_count_value(i, 7, 2) /=
           is_set(slice3shift_search(i, 0), 22)));
         for j in 1 to 15 loop
           slice3cost_pixels_first_count(i, j, 0) <= as_number((is_set(slice3shift_search(i, j), 0) /=
             is_set(slice3shift_reference(i), 0))) + as_number((is_set(slice3shift_search(i, j), 2) /=
-            slice3cost_pixels_first_0_count_value(i, 0))) + as_number((is_set(slice3shift_search(i, j), 1) /=
-            slice3cost_pixels_first_0_count_value_2(i, 0)));
+            slice3cost_pixels_first_0_count_value(i, 0, 1))) + as_number((is_set(slice3shift_search(i, j), 1) /=
+            slice3cost_pixels_first_0_count_value(i, 0, 2)));
           slice3cost_pixels_first_count(i, j, 1) <= as_number((is_set(slice3shift_search(i, j), 3) /=
-            slice3cost_pixels_first_0_count_value(i, 1))) + as_number((is_set(slice3shift_search(i, j), 5) /=
-            slice3cost_pixels_first_0_count_value_2(i, 1))) + as_number((is_set(slice3shift_search(i, j), 4) /=
-            slice3cost_pixels_first_0_count_1_value_3(i)));
+            slice3cost_pixels_first_0_count_value(i, 1, 1))) + as_number((is_set(slice3shift_search(i, j), 5) /=
+            slice3cost_pixels_first_0_count_value(i, 1, 2))) + as_number((is_set(slice3shift_search(i, j), 4) /=
+            slice3cost_pixels_first_0_count_value(i, 1, 3)));
           slice3cost_pixels_first_count(i, j, 2) <= (to_integer(((to_unsigned((slice3shift_search(i, j) mod 256), 8))
             xor (to_unsigned((slice3shift_reference(i) mod 256), 8)))) / 128) + as_number((is_set(slice3shift_search(i,
-            j), 8) /= slice3cost_pixels_first_0_count_value(i, 2))) + as_number((is_set(slice3shift_search(i, j), 6) /=
-            slice3cost_pixels_first_0_count_value_2(i, 2)));
+            j), 8) /= slice3cost_pixels_first_0_count_value(i, 2, 1))) + as_number((is_set(slice3shift_search(i, j), 6)
+            /= slice3cost_pixels_first_0_count_value(i, 2, 2)));
           for k in 3 to 6 loop
             slice3cost_pixels_first_count(i, j, k) <= as_number((is_set(slice3shift_search(i, j), 3 * k) /=
-              slice3cost_pixels_first_0_count_value(i, k))) + as_number((is_set(slice3shift_search(i, j), 3 * k + 2) /=
-              slice3cost_pixels_first_0_count_value_2(i, k))) + as_number((is_set(slice3shift_search(i, j), 3 * k + 1)
-              /= slice3cost_pixels_first_0_count_value_3(i, k)));
+              slice3cost_pixels_first_0_count_value(i, k, 1))) + as_number((is_set(slice3shift_search(i, j), 3 * k + 2)
+              /= slice3cost_pixels_first_0_count_value(i, k, 2))) + as_number((is_set(slice3shift_search(i, j), 3 * k +
+              1) /= slice3cost_pixels_first_0_count_value(i, k, 3)));
           end loop;
           slice3cost_pixels_first_count(i, j, 7) <= as_number((is_set(slice3shift_search(i, j), 21) /=
-            slice3cost_pixels_first_0_count_value(i, 7))) + as_number((is_set(slice3shift_search(i, j), 23) /=
+            slice3cost_pixels_first_0_count_value(i, 7, 1))) + as_number((is_set(slice3shift_search(i, j), 23) /=
             is_set(slice3shift_reference(i), 23))) + as_number((is_set(slice3shift_search(i, j), 22) /=
-            slice3cost_pixels_first_0_count_value_2(i, 7)));
+            slice3cost_pixels_first_0_count_value(i, 7, 2)));
         end loop;
       end loop;
       for i in 0 to 2 loop
@@ -2542,20 +1707,13 @@ begin
       for i in 0 to 15 loop
         slice3cost_single_0(i) <= slice3cost_pixels_cost(0, i);
       end loop;
-      if slice2cost_tag_border_column then
-        for i in 0 to 15 loop
-          slice3cost_column_0(i) <= 0;
-        end loop;
-      else
-        for i in 0 to 15 loop
-          slice3cost_column_0(i) <= slice3cost_pair_0(i) + slice3cost_single_0(i);
-        end loop;
-      end if;
+      for i in 0 to 15 loop
+        slice3cost_column_0(i) <= choice(slice2cost_tag_border_column, 0, slice3cost_pair_0(i) +
+          slice3cost_single_0(i));
+      end loop;
       -- slice3window
       if slice0_tag_valid(1) then
-        for i in 0 to 15 loop
-          slice3window_partial_0_0(i) <= slice3cost_column_0(i);
-        end loop;
+        slice3window_partial_0_0 <= slice3cost_column_0;
         for i in 0 to 15 loop
           slice3window_partial_0_1(i) <= slice3cost_column_0(i) + slice3window_partial_0_0(i);
         end loop;
@@ -2571,11 +1729,8 @@ begin
       entry_order_falls_any := (not slice0_tag_valid(3)) or (not slice0_tag_map_column(3)) or entry_order_inside;
       entry_order_falls_all := slice0_tag_valid(3) and slice0_tag_map_column(3) and (not entry_order_inside);
       entry_order_complete_any := (not slice0_tag_valid(3)) or (not slice0_tag_map_column(3));
-      if entry_order_falls_all then
-        entry_order_turned_output_column_choice := entry_order_output and entry_order_complete;
-      else
-        entry_order_turned_output_column_choice := entry_order_held_output;
-      end if;
+      entry_order_turned_output_column_choice := choice(entry_order_falls_all, entry_order_output and
+        entry_order_complete, entry_order_held_output);
       for i in 0 to 15 loop
         entry_next_cost(i) <= slice0_held(3, i);
       end loop;
@@ -2585,57 +1740,33 @@ begin
       for i in 32 to 47 loop
         entry_next_cost(i) <= slice2_held(1, i - 32);
       end loop;
-      for i in 48 to 63 loop
-        entry_next_cost(i) <= slice3_held_0(i - 48);
-      end loop;
-      entry_next_tag_valid <= slice0_tag_valid(3);
-      entry_next_tag_map_column <= slice0_tag_map_column(3);
-      entry_next_tag_first_column <= slice0_tag_first_column(3);
-      entry_next_tag_end_of_line <= slice0_tag_end_of_line(3);
+      entry_next_cost(48) <= slice3_held_0(0);
+      entry_next_cost(49 to 63) <= slice3_held_0(1 to 15);
+      entry_next_tag.valid <= slice0_tag_valid(3);
+      entry_next_tag.map_column <= slice0_tag_map_column(3);
+      entry_next_tag.first_column <= slice0_tag_first_column(3);
+      entry_next_tag.end_of_line <= slice0_tag_end_of_line(3);
       entry_order_turned_output_column <= entry_order_turned_output_column_choice and slice0_tag_map_column(3);
       entry_order_turned_start_of_frame <= slice0_tag_valid(3) and slice0_tag_map_column(3) and (not
         entry_order_inside) and entry_next_top and entry_order_output and entry_order_complete;
-      for i in 0 to 63 loop
-        entry_cost(i) <= entry_next_cost(i);
-      end loop;
-      entry_tag_valid <= entry_next_tag_valid;
-      entry_tag_map_column <= entry_next_tag_map_column;
-      entry_tag_first_column <= entry_next_tag_first_column;
-      entry_tag_end_of_line <= entry_next_tag_end_of_line;
+      entry_cost <= entry_next_cost;
+      entry_tag <= entry_next_tag;
       entry_place <= entry_order_address;
       entry_turned_output_column <= entry_order_turned_output_column;
       entry_turned_start_of_frame <= entry_order_turned_start_of_frame;
-      if entry_order_falls then
-        entry_order_falls <= entry_order_falls_any;
-      else
-        entry_order_falls <= entry_order_falls_all;
-      end if;
-      if slice0_tag_end_of_line(3) then
-        entry_order_complete <= entry_order_complete or (slice0_tag_valid(3) and slice0_tag_map_column(3));
-      else
-        entry_order_complete <= entry_order_complete and entry_order_complete_any;
-      end if;
+      entry_order_falls <= choice(entry_order_falls, entry_order_falls_any, entry_order_falls_all);
+      entry_order_complete <= choice(slice0_tag_end_of_line(3), entry_order_complete or (slice0_tag_valid(3) and
+        slice0_tag_map_column(3)), entry_order_complete and entry_order_complete_any);
       if entry_order_falls_all then
         entry_next_top <= slice0_tag_start_of_frame(3);
         entry_order_output <= slice0_tag_output_column(3);
         entry_order_held_output <= entry_order_output and entry_order_complete;
       end if;
-      if entry_order_falls then
-        entry_order_address_choice := 2047;
-      else
-        entry_order_address_choice := 1;
-      end if;
-      if entry_order_falls then
-        entry_order_address_choice_2 := 0;
-      else
-        entry_order_address_choice_2 := 309;
-      end if;
+      entry_order_address_choice := choice(entry_order_falls, 2047, 1);
+      entry_order_address_choice_2 := choice(entry_order_falls, 0, 309);
       if not entry_order_complete_any then
-        if entry_order_falls_any then
-          entry_order_address <= (entry_order_address_choice + entry_order_address) mod 2048;
-        else
-          entry_order_address <= entry_order_address_choice_2 * 4;
-        end if;
+        entry_order_address <= choice(entry_order_falls_any, (entry_order_address_choice + entry_order_address) mod
+          2048, entry_order_address_choice_2 * 4);
       end if;
       if slice0_tag_valid(3) then
         entry_order_inside <= slice0_tag_map_column(3);
@@ -2645,187 +1776,195 @@ begin
         forward_pair_cost_sum(i) := entry_cost(i) + forward_next_cost(i);
       end loop;
       forward_path_value(0) := (((forward_dropped(0) - forward_stayed(0)) mod 2048) / 1024) = 1;
-      if forward_path_value(0) then
-        forward_path_choice(0) := forward_dropped(0);
-      else
-        forward_path_choice(0) := forward_stayed(0);
-      end if;
-      if forward_next_first then
-        forward_path_0_choice_2 := 0;
-      else
-        forward_path_0_choice_2 := forward_path_choice(0);
-      end if;
+      forward_path_choice(0, 1) := choice(forward_path_value(0), forward_dropped(0), forward_stayed(0));
+      forward_path_choice(0, 2) := choice(forward_next_first, 0, forward_path_choice(0, 1));
       for i in 1 to 63 loop
         forward_path_any(i) := (not ((((forward_occluding(i - 1) - forward_stayed(i)) mod 2048) / 1024) = 1)) or (not
           ((((forward_occluding(i - 1) - forward_dropped(i)) mod 2048) / 1024) = 1));
         forward_path_value(i) := (((forward_dropped(i) - forward_stayed(i)) mod 2048) / 1024) = 1;
-        if forward_path_value(i) then
-          forward_path_choice(i) := forward_dropped(i);
-        else
-          forward_path_choice(i) := forward_stayed(i);
-        end if;
-        if forward_path_any(i) then
-          forward_path_choices(i, 2) := forward_path_choice(i);
-        else
-          forward_path_choices(i, 2) := forward_occluding(i - 1);
-        end if;
-        if forward_next_first then
-          forward_path_choices(i, 3) := 0;
-        else
-          forward_path_choices(i, 3) := forward_path_choices(i, 2);
-        end if;
+        forward_path_choice(i, 1) := choice(forward_path_value(i), forward_dropped(i), forward_stayed(i));
+        forward_path_choice(i, 2) := choice(forward_path_any(i), forward_path_choice(i, 1), forward_occluding(i - 1));
+        forward_path_choice(i, 3) := choice(forward_next_first, 0, forward_path_choice(i, 2));
       end loop;
       for i in 0 to 57 loop
         forward_dropped_value(i) := (((forward_path(i + 6) - forward_path(i + 1)) mod 2048) / 1024) = 1;
-        if forward_dropped_value(i) then
-          forward_dropped_choice(i) := forward_path(i + 6);
-        else
-          forward_dropped_choice(i) := forward_path(i + 1);
-        end if;
+        forward_dropped_choice(i) := choice(forward_dropped_value(i), forward_path(i + 6), forward_path(i + 1));
       end loop;
-      for i in 0 to 1 loop
-        if forward_far(i) then
-          forward_decision_choice(i) := 2;
-        else
-          forward_decision_choice(i) := 1;
-        end if;
-      end loop;
-      for i in 1 to 56 loop
-        if forward_path_value(i) then
-          forward_decision_choice_2(i) := forward_decision_choice(i);
-        else
-          forward_decision_choice_2(i) := 0;
-        end if;
-        if forward_far(i + 1) then
-          forward_decision_choice(i + 1) := 2;
-        else
-          forward_decision_choice(i + 1) := 1;
-        end if;
-      end loop;
-      if forward_path_value(57) then
-        forward_decision_choice_2(57) := forward_decision_choice(57);
-      else
-        forward_decision_choice_2(57) := 0;
-      end if;
-      if entry_tag_valid then
-        for i in 0 to 63 loop
-          forward_next_cost(i) <= entry_cost(i);
-        end loop;
-        forward_next_first <= entry_tag_first_column;
+      forward_decision_0_choice := choice(forward_far(0), 2, 1);
+      forward_decision_1_choice := choice(forward_far(1), 2, 1);
+      forward_decision_choice_2(1) := choice(forward_path_value(1), forward_decision_1_choice, 0);
+      forward_decision_2_choice := choice(forward_far(2), 2, 1);
+      forward_decision_choice_2(2) := choice(forward_path_value(2), forward_decision_2_choice, 0);
+      forward_decision_3_choice := choice(forward_far(3), 2, 1);
+      forward_decision_choice_2(3) := choice(forward_path_value(3), forward_decision_3_choice, 0);
+      forward_decision_4_choice := choice(forward_far(4), 2, 1);
+      forward_decision_choice_2(4) := choice(forward_path_value(4), forward_decision_4_choice, 0);
+      forward_decision_5_choice := choice(forward_far(5), 2, 1);
+      forward_decision_choice_2(5) := choice(forward_path_value(5), forward_decision_5_choice, 0);
+      forward_decision_6_choice := choice(forward_far(6), 2, 1);
+      forward_decision_choice_2(6) := choice(forward_path_value(6), forward_decision_6_choice, 0);
+      forward_decision_7_choice := choice(forward_far(7), 2, 1);
+      forward_decision_choice_2(7) := choice(forward_path_value(7), forward_decision_7_choice, 0);
+      forward_decision_8_choice := choice(forward_far(8), 2, 1);
+      forward_decision_choice_2(8) := choice(forward_path_value(8), forward_decision_8_choice, 0);
+      forward_decision_9_choice := choice(forward_far(9), 2, 1);
+      forward_decision_choice_2(9) := choice(forward_path_value(9), forward_decision_9_choice, 0);
+      forward_decision_10_choice := choice(forward_far(10), 2, 1);
+      forward_decision_choice_2(10) := choice(forward_path_value(10), forward_decision_10_choice, 0);
+      forward_decision_11_choice := choice(forward_far(11), 2, 1);
+      forward_decision_choice_2(11) := choice(forward_path_value(11), forward_decision_11_choice, 0);
+      forward_decision_12_choice := choice(forward_far(12), 2, 1);
+      forward_decision_choice_2(12) := choice(forward_path_value(12), forward_decision_12_choice, 0);
+      forward_decision_13_choice := choice(forward_far(13), 2, 1);
+      forward_decision_choice_2(13) := choice(forward_path_value(13), forward_decision_13_choice, 0);
+      forward_decision_14_choice := choice(forward_far(14), 2, 1);
+      forward_decision_choice_2(14) := choice(forward_path_value(14), forward_decision_14_choice, 0);
+      forward_decision_15_choice := choice(forward_far(15), 2, 1);
+      forward_decision_choice_2(15) := choice(forward_path_value(15), forward_decision_15_choice, 0);
+      forward_decision_16_choice := choice(forward_far(16), 2, 1);
+      forward_decision_choice_2(16) := choice(forward_path_value(16), forward_decision_16_choice, 0);
+      forward_decision_17_choice := choice(forward_far(17), 2, 1);
+      forward_decision_choice_2(17) := choice(forward_path_value(17), forward_decision_17_choice, 0);
+      forward_decision_18_choice := choice(forward_far(18), 2, 1);
+      forward_decision_choice_2(18) := choice(forward_path_value(18), forward_decision_18_choice, 0);
+      forward_decision_19_choice := choice(forward_far(19), 2, 1);
+      forward_decision_choice_2(19) := choice(forward_path_value(19), forward_decision_19_choice, 0);
+      forward_decision_20_choice := choice(forward_far(20), 2, 1);
+      forward_decision_choice_2(20) := choice(forward_path_value(20), forward_decision_20_choice, 0);
+      forward_decision_21_choice := choice(forward_far(21), 2, 1);
+      forward_decision_choice_2(21) := choice(forward_path_value(21), forward_decision_21_choice, 0);
+      forward_decision_22_choice := choice(forward_far(22), 2, 1);
+      forward_decision_choice_2(22) := choice(forward_path_value(22), forward_decision_22_choice, 0);
+      forward_decision_23_choice := choice(forward_far(23), 2, 1);
+      forward_decision_choice_2(23) := choice(forward_path_value(23), forward_decision_23_choice, 0);
+      forward_decision_24_choice := choice(forward_far(24), 2, 1);
+      forward_decision_choice_2(24) := choice(forward_path_value(24), forward_decision_24_choice, 0);
+      forward_decision_25_choice := choice(forward_far(25), 2, 1);
+      forward_decision_choice_2(25) := choice(forward_path_value(25), forward_decision_25_choice, 0);
+      forward_decision_26_choice := choice(forward_far(26), 2, 1);
+      forward_decision_choice_2(26) := choice(forward_path_value(26), forward_decision_26_choice, 0);
+      forward_decision_27_choice := choice(forward_far(27), 2, 1);
+      forward_decision_choice_2(27) := choice(forward_path_value(27), forward_decision_27_choice, 0);
+      forward_decision_28_choice := choice(forward_far(28), 2, 1);
+      forward_decision_choice_2(28) := choice(forward_path_value(28), forward_decision_28_choice, 0);
+      forward_decision_29_choice := choice(forward_far(29), 2, 1);
+      forward_decision_choice_2(29) := choice(forward_path_value(29), forward_decision_29_choice, 0);
+      forward_decision_30_choice := choice(forward_far(30), 2, 1);
+      forward_decision_choice_2(30) := choice(forward_path_value(30), forward_decision_30_choice, 0);
+      forward_decision_31_choice := choice(forward_far(31), 2, 1);
+      forward_decision_choice_2(31) := choice(forward_path_value(31), forward_decision_31_choice, 0);
+      forward_decision_32_choice := choice(forward_far(32), 2, 1);
+      forward_decision_choice_2(32) := choice(forward_path_value(32), forward_decision_32_choice, 0);
+      forward_decision_33_choice := choice(forward_far(33), 2, 1);
+      forward_decision_choice_2(33) := choice(forward_path_value(33), forward_decision_33_choice, 0);
+      forward_decision_34_choice := choice(forward_far(34), 2, 1);
+      forward_decision_choice_2(34) := choice(forward_path_value(34), forward_decision_34_choice, 0);
+      forward_decision_35_choice := choice(forward_far(35), 2, 1);
+      forward_decision_choice_2(35) := choice(forward_path_value(35), forward_decision_35_choice, 0);
+      forward_decision_36_choice := choice(forward_far(36), 2, 1);
+      forward_decision_choice_2(36) := choice(forward_path_value(36), forward_decision_36_choice, 0);
+      forward_decision_37_choice := choice(forward_far(37), 2, 1);
+      forward_decision_choice_2(37) := choice(forward_path_value(37), forward_decision_37_choice, 0);
+      forward_decision_38_choice := choice(forward_far(38), 2, 1);
+      forward_decision_choice_2(38) := choice(forward_path_value(38), forward_decision_38_choice, 0);
+      forward_decision_39_choice := choice(forward_far(39), 2, 1);
+      forward_decision_choice_2(39) := choice(forward_path_value(39), forward_decision_39_choice, 0);
+      forward_decision_40_choice := choice(forward_far(40), 2, 1);
+      forward_decision_choice_2(40) := choice(forward_path_value(40), forward_decision_40_choice, 0);
+      forward_decision_41_choice := choice(forward_far(41), 2, 1);
+      forward_decision_choice_2(41) := choice(forward_path_value(41), forward_decision_41_choice, 0);
+      forward_decision_42_choice := choice(forward_far(42), 2, 1);
+      forward_decision_choice_2(42) := choice(forward_path_value(42), forward_decision_42_choice, 0);
+      forward_decision_43_choice := choice(forward_far(43), 2, 1);
+      forward_decision_choice_2(43) := choice(forward_path_value(43), forward_decision_43_choice, 0);
+      forward_decision_44_choice := choice(forward_far(44), 2, 1);
+      forward_decision_choice_2(44) := choice(forward_path_value(44), forward_decision_44_choice, 0);
+      forward_decision_45_choice := choice(forward_far(45), 2, 1);
+      forward_decision_choice_2(45) := choice(forward_path_value(45), forward_decision_45_choice, 0);
+      forward_decision_46_choice := choice(forward_far(46), 2, 1);
+      forward_decision_choice_2(46) := choice(forward_path_value(46), forward_decision_46_choice, 0);
+      forward_decision_47_choice := choice(forward_far(47), 2, 1);
+      forward_decision_choice_2(47) := choice(forward_path_value(47), forward_decision_47_choice, 0);
+      forward_decision_48_choice := choice(forward_far(48), 2, 1);
+      forward_decision_choice_2(48) := choice(forward_path_value(48), forward_decision_48_choice, 0);
+      forward_decision_49_choice := choice(forward_far(49), 2, 1);
+      forward_decision_choice_2(49) := choice(forward_path_value(49), forward_decision_49_choice, 0);
+      forward_decision_50_choice := choice(forward_far(50), 2, 1);
+      forward_decision_choice_2(50) := choice(forward_path_value(50), forward_decision_50_choice, 0);
+      forward_decision_51_choice := choice(forward_far(51), 2, 1);
+      forward_decision_choice_2(51) := choice(forward_path_value(51), forward_decision_51_choice, 0);
+      forward_decision_52_choice := choice(forward_far(52), 2, 1);
+      forward_decision_choice_2(52) := choice(forward_path_value(52), forward_decision_52_choice, 0);
+      forward_decision_53_choice := choice(forward_far(53), 2, 1);
+      forward_decision_choice_2(53) := choice(forward_path_value(53), forward_decision_53_choice, 0);
+      forward_decision_54_choice := choice(forward_far(54), 2, 1);
+      forward_decision_choice_2(54) := choice(forward_path_value(54), forward_decision_54_choice, 0);
+      forward_decision_55_choice := choice(forward_far(55), 2, 1);
+      forward_decision_choice_2(55) := choice(forward_path_value(55), forward_decision_55_choice, 0);
+      forward_decision_56_choice := choice(forward_far(56), 2, 1);
+      forward_decision_choice_2(56) := choice(forward_path_value(56), forward_decision_56_choice, 0);
+      forward_decision_57_choice := choice(forward_far(57), 2, 1);
+      forward_decision_choice_2(57) := choice(forward_path_value(57), forward_decision_57_choice, 0);
+      if entry_tag.valid then
+        forward_next_cost <= entry_cost;
+        forward_next_first <= entry_tag.first_column;
         for i in 0 to 63 loop
           forward_pair_cost(i) <= (((forward_pair_cost_sum(i) / 4) + 1) * 4) + (forward_pair_cost_sum(i) mod 4);
         end loop;
-        forward_path(0) <= forward_path_0_choice_2;
+        forward_path(0) <= forward_path_choice(0, 2);
         for i in 1 to 63 loop
-          forward_path(i) <= forward_path_choices(i, 3);
+          forward_path(i) <= forward_path_choice(i, 3);
         end loop;
-        forward_stayed(0) <= (forward_path_0_choice_2 + forward_next_cost(0)) mod 2048;
+        forward_stayed(0) <= (forward_path_choice(0, 2) + forward_next_cost(0)) mod 2048;
         for i in 1 to 63 loop
-          forward_stayed(i) <= (forward_path_choices(i, 3) + forward_next_cost(i)) mod 2048;
+          forward_stayed(i) <= (forward_path_choice(i, 3) + forward_next_cost(i)) mod 2048;
         end loop;
         forward_far(0) <= forward_dropped_value(0) and (not forward_next_first);
         forward_far(16) <= forward_dropped_value(16) and (not forward_next_first);
         forward_far(32) <= forward_dropped_value(32) and (not forward_next_first);
         forward_far(48) <= forward_dropped_value(48) and (not forward_next_first);
-        if forward_next_first then
-          for i in 0 to 62 loop
-            forward_occluding(i) <= 512;
-          end loop;
-          for i in 0 to 63 loop
-            forward_dropped(i) <= 512;
-          end loop;
-        else
-          forward_occluding(0) <= (forward_path_0_choice_2 + 7) mod 2048;
-          for i in 1 to 62 loop
-            forward_occluding(i) <= (forward_path_choices(i, 3) + 7) mod 2048;
-          end loop;
-          for i in 0 to 57 loop
-            forward_dropped(i) <= (forward_pair_cost(i) + forward_dropped_choice(i)) mod 2048;
-          end loop;
-          for i in 58 to 62 loop
-            forward_dropped(i) <= (forward_pair_cost(i) + forward_path(i + 1)) mod 2048;
-          end loop;
-          forward_dropped(63) <= (forward_pair_cost(63) + forward_path(63)) mod 2048;
-        end if;
-        if forward_path_value(0) then
-          forward_decision_0 <= forward_decision_choice(0);
-        else
-          forward_decision_0 <= 0;
-        end if;
+        forward_occluding(0) <= choice(forward_next_first, 512, (forward_path_choice(0, 2) + 7) mod 2048);
+        for i in 1 to 62 loop
+          forward_occluding(i) <= choice(forward_next_first, 512, (forward_path_choice(i, 3) + 7) mod 2048);
+        end loop;
+        for i in 0 to 57 loop
+          forward_dropped(i) <= choice(forward_next_first, 512, (forward_pair_cost(i) + forward_dropped_choice(i)) mod
+            2048);
+        end loop;
+        for i in 58 to 62 loop
+          forward_dropped(i) <= choice(forward_next_first, 512, (forward_pair_cost(i) + forward_path(i + 1)) mod 2048);
+        end loop;
+        forward_dropped(63) <= choice(forward_next_first, 512, (forward_pair_cost(63) + forward_path(63)) mod 2048);
+        forward_decision(0) <= choice(forward_path_value(0), forward_decision_0_choice, 0);
         for i in 1 to 57 loop
-          if forward_path_any(i) then
-            forward_decision(i) <= forward_decision_choice_2(i);
-          else
-            forward_decision(i) <= 3;
-          end if;
+          forward_decision(i) <= choice(forward_path_any(i), forward_decision_choice_2(i), 3);
         end loop;
         for i in 58 to 63 loop
-          if forward_path_any(i) then
-            forward_decision(i) <= as_number(forward_path_value(i));
-          else
-            forward_decision(i) <= 3;
-          end if;
+          forward_decision(i) <= choice(forward_path_any(i), as_number(forward_path_value(i)), 3);
         end loop;
       end if;
-      forward_far_1_any := (not entry_tag_valid) or (not forward_next_first);
-      for i in 1 to 15 loop
-        if forward_dropped_value(i) then
-          forward_far_choice(i) := forward_far_1_any;
-        else
-          forward_far_choice(i) := not entry_tag_valid;
-        end if;
-      end loop;
-      for i in 17 to 31 loop
-        if forward_dropped_value(i) then
-          forward_far_choices(i) := forward_far_1_any;
-        else
-          forward_far_choices(i) := not entry_tag_valid;
-        end if;
-      end loop;
-      for i in 33 to 47 loop
-        if forward_dropped_value(i) then
-          forward_far_choices_from_33(i) := forward_far_1_any;
-        else
-          forward_far_choices_from_33(i) := not entry_tag_valid;
-        end if;
+      forward_far_1_any := (not entry_tag.valid) or (not forward_next_first);
+      for i in 0 to 2 loop
+        for j in 1 to 15 loop
+          forward_far_choice(16 * i + j) := choice(forward_dropped_value(16 * i + j), forward_far_1_any, not
+            entry_tag.valid);
+        end loop;
       end loop;
       for i in 49 to 57 loop
-        if forward_dropped_value(i) then
-          forward_far_choices_from_49(i) := forward_far_1_any;
-        else
-          forward_far_choices_from_49(i) := not entry_tag_valid;
-        end if;
+        forward_far_choice(i) := choice(forward_dropped_value(i), forward_far_1_any, not entry_tag.valid);
       end loop;
-      for i in 1 to 15 loop
-        if forward_far(i) then
-          forward_far(i) <= forward_far_choice(i);
-        else
-          forward_far(i) <= forward_dropped_value(i) and entry_tag_valid and (not forward_next_first);
-        end if;
-      end loop;
-      for i in 17 to 31 loop
-        if forward_far(i) then
-          forward_far(i) <= forward_far_choices(i);
-        else
-          forward_far(i) <= forward_dropped_value(i) and entry_tag_valid and (not forward_next_first);
-        end if;
-      end loop;
-      for i in 33 to 47 loop
-        if forward_far(i) then
-          forward_far(i) <= forward_far_choices_from_33(i);
-        else
-          forward_far(i) <= forward_dropped_value(i) and entry_tag_valid and (not forward_next_first);
-        end if;
+      for i in 0 to 2 loop
+        for j in 1 to 15 loop
+          forward_far(16 * i + j) <= choice(forward_far(16 * i + j), forward_far_choice(16 * i + j),
+            forward_dropped_value(16 * i + j) and entry_tag.valid and (not forward_next_first));
+        end loop;
       end loop;
       for i in 49 to 57 loop
-        if forward_far(i) then
-          forward_far(i) <= forward_far_choices_from_49(i);
-        else
-          forward_far(i) <= forward_dropped_value(i) and entry_tag_valid and (not forward_next_first);
-        end if;
+        forward_far(i) <= choice(forward_far(i), forward_far_choice(i), forward_dropped_value(i) and entry_tag.valid
+          and (not forward_next_first));
       end loop;
       -- decisions
-      if entry_tag_valid then
+      if entry_tag.valid then
         for i in 0 to 3 loop
           decisions_ready_decision(16 * i) <= to_integer(decisions_read_words(i)(1 downto 0));
           decisions_ready_decision(16 * i + 1) <= (to_integer(decisions_read_words(i)(7 downto 0)) / 4) mod 4;
@@ -2835,24 +1974,16 @@ begin
             decisions_ready_decision(16 * i + j) <= to_integer(decisions_read_words(i)(2 * j + 1 downto 2 * j));
           end loop;
         end loop;
-        decisions_ready_inside <= entry_tag_map_column;
-        decisions_comes(0) <= entry_tag_map_column;
+        decisions_ready_inside <= entry_tag.map_column;
+        decisions_comes(0) <= entry_tag.map_column;
         decisions_comes(1) <= decisions_ready_inside;
         decisions_comes(2) <= last_tags_held_map_column(1);
         decisions_place(0) <= entry_place;
-        decisions_place(1) <= decisions_place(0);
-        decisions_place(2) <= decisions_place(1);
+        decisions_place(1 to 2) <= decisions_place(0 to 1);
       end if;
-      decisions_write_words_0_all := decisions_comes(2) and entry_tag_valid;
+      decisions_write_words_0_all := decisions_comes(2) and entry_tag.valid;
       if decisions_write_words_0_all then
-        decisions_write_words(0) <= to_unsigned(forward_decision(15), 2) & to_unsigned(forward_decision(14), 2) &
-          to_unsigned(forward_decision(13), 2) & to_unsigned(forward_decision(12), 2) &
-          to_unsigned(forward_decision(11), 2) & to_unsigned(forward_decision(10), 2) &
-          to_unsigned(forward_decision(9), 2) & to_unsigned(forward_decision(8), 2) & to_unsigned(forward_decision(7),
-          2) & to_unsigned(forward_decision(6), 2) & to_unsigned(forward_decision(5), 2) &
-          to_unsigned(forward_decision(4), 2) & to_unsigned(forward_decision(3), 2) & to_unsigned(forward_decision(2),
-          2) & to_unsigned(forward_decision(1), 2) & to_unsigned(forward_decision_0, 2);
-        for i in 1 to 3 loop
+        for i in 0 to 3 loop
           decisions_write_words(i) <= to_unsigned(forward_decision(16 * i + 15), 2) & to_unsigned(forward_decision(16 *
             i + 14), 2) & to_unsigned(forward_decision(16 * i + 13), 2) & to_unsigned(forward_decision(16 * i + 12), 2)
             & to_unsigned(forward_decision(16 * i + 11), 2) & to_unsigned(forward_decision(16 * i + 10), 2) &
@@ -2865,1718 +1996,675 @@ begin
         decisions_write_place <= decisions_place(2);
       end if;
       -- last
-      if entry_tag_valid then
-        last_tags_held_end_of_line(0) <= entry_tag_end_of_line;
+      if entry_tag.valid then
+        last_tags_held_end_of_line(0) <= entry_tag.end_of_line;
         last_tags_held_map_column(1) <= decisions_comes(0);
         last_tags_held_end_of_line(1) <= last_tags_held_end_of_line(0);
         last_tags_held_map_column(2) <= decisions_comes(1);
         last_tags_held_end_of_line(2) <= last_tags_held_end_of_line(1);
       end if;
       last_path_0_2_difference := 1024 - forward_path(0);
-      last_tags_moved <= entry_tag_valid;
-      last_path_0_0 <= 1024;
+      last_tags_moved <= entry_tag.valid;
+      last_path_0(0) <= 1024;
       last_path_0(1) <= ((((((forward_path(1) / 1024) + 1) mod 2) * 1024) + (forward_path(1) mod 1024)) -
         forward_path(0)) mod 2048;
       for i in 2 to 63 loop
         last_path_0(i) <= (last_path_0_2_difference + forward_path(i)) mod 2048;
       end loop;
-      last_tag_valid <= last_tags_moved;
-      last_tag_map_column <= last_tags_held_map_column(2);
-      last_tag_end_of_line <= last_tags_held_end_of_line(2);
-      if not ((not lastwinner6_tag_end_of_line) or (not lastwinner6_tag_map_column) or (not lastwinner6_tag_valid)) then
+      last_tag.valid <= last_tags_moved;
+      last_tag.map_column <= last_tags_held_map_column(2);
+      last_tag.end_of_line <= last_tags_held_end_of_line(2);
+      if not ((not lastwinner6_tag.end_of_line) or (not lastwinner6_tag.map_column) or (not lastwinner6_tag.valid)) then
         last_state <= lastwinner6_best_index_0_0;
       end if;
       -- lastwinner1
-      lastwinner1_best_cost_0_is_less(0) := (last_path_0(1) - last_path_0_0) < 0;
-      for i in 1 to 31 loop
+      for i in 0 to 31 loop
         lastwinner1_best_cost_0_is_less(i) := (last_path_0(2 * i + 1) - last_path_0(2 * i)) < 0;
       end loop;
       lastwinner1_best_index_0_0 <= lastwinner1_best_cost_0_is_less(0);
-      lastwinner1_tag_valid <= last_tag_valid;
-      lastwinner1_tag_map_column <= last_tag_map_column;
-      lastwinner1_tag_end_of_line <= last_tag_end_of_line;
-      if lastwinner1_best_cost_0_is_less(0) then
-        lastwinner1_best_cost_0(0) <= last_path_0(1);
-      else
-        lastwinner1_best_cost_0(0) <= last_path_0_0;
-      end if;
-      if lastwinner1_best_cost_0_is_less(1) then
-        lastwinner1_best_cost_0(1) <= last_path_0(3);
-        lastwinner1_best_index_0_1 <= 3;
-      else
-        lastwinner1_best_cost_0(1) <= last_path_0(2);
-        lastwinner1_best_index_0_1 <= 2;
-      end if;
-      if lastwinner1_best_cost_0_is_less(2) then
-        lastwinner1_best_cost_0(2) <= last_path_0(5);
-        lastwinner1_best_index_0_2 <= 5;
-      else
-        lastwinner1_best_cost_0(2) <= last_path_0(4);
-        lastwinner1_best_index_0_2 <= 4;
-      end if;
-      if lastwinner1_best_cost_0_is_less(3) then
-        lastwinner1_best_cost_0(3) <= last_path_0(7);
-        lastwinner1_best_index_0_3 <= 7;
-      else
-        lastwinner1_best_cost_0(3) <= last_path_0(6);
-        lastwinner1_best_index_0_3 <= 6;
-      end if;
-      if lastwinner1_best_cost_0_is_less(4) then
-        lastwinner1_best_cost_0(4) <= last_path_0(9);
-        lastwinner1_best_index_0_4 <= 9;
-      else
-        lastwinner1_best_cost_0(4) <= last_path_0(8);
-        lastwinner1_best_index_0_4 <= 8;
-      end if;
-      if lastwinner1_best_cost_0_is_less(5) then
-        lastwinner1_best_cost_0(5) <= last_path_0(11);
-        lastwinner1_best_index_0_5 <= 11;
-      else
-        lastwinner1_best_cost_0(5) <= last_path_0(10);
-        lastwinner1_best_index_0_5 <= 10;
-      end if;
-      if lastwinner1_best_cost_0_is_less(6) then
-        lastwinner1_best_cost_0(6) <= last_path_0(13);
-        lastwinner1_best_index_0_6 <= 13;
-      else
-        lastwinner1_best_cost_0(6) <= last_path_0(12);
-        lastwinner1_best_index_0_6 <= 12;
-      end if;
-      if lastwinner1_best_cost_0_is_less(7) then
-        lastwinner1_best_cost_0(7) <= last_path_0(15);
-        lastwinner1_best_index_0_7 <= 15;
-      else
-        lastwinner1_best_cost_0(7) <= last_path_0(14);
-        lastwinner1_best_index_0_7 <= 14;
-      end if;
-      if lastwinner1_best_cost_0_is_less(8) then
-        lastwinner1_best_cost_0(8) <= last_path_0(17);
-        lastwinner1_best_index_0_8 <= 17;
-      else
-        lastwinner1_best_cost_0(8) <= last_path_0(16);
-        lastwinner1_best_index_0_8 <= 16;
-      end if;
-      if lastwinner1_best_cost_0_is_less(9) then
-        lastwinner1_best_cost_0(9) <= last_path_0(19);
-        lastwinner1_best_index_0_9 <= 19;
-      else
-        lastwinner1_best_cost_0(9) <= last_path_0(18);
-        lastwinner1_best_index_0_9 <= 18;
-      end if;
-      if lastwinner1_best_cost_0_is_less(10) then
-        lastwinner1_best_cost_0(10) <= last_path_0(21);
-        lastwinner1_best_index_0_10 <= 21;
-      else
-        lastwinner1_best_cost_0(10) <= last_path_0(20);
-        lastwinner1_best_index_0_10 <= 20;
-      end if;
-      if lastwinner1_best_cost_0_is_less(11) then
-        lastwinner1_best_cost_0(11) <= last_path_0(23);
-        lastwinner1_best_index_0_11 <= 23;
-      else
-        lastwinner1_best_cost_0(11) <= last_path_0(22);
-        lastwinner1_best_index_0_11 <= 22;
-      end if;
-      if lastwinner1_best_cost_0_is_less(12) then
-        lastwinner1_best_cost_0(12) <= last_path_0(25);
-        lastwinner1_best_index_0_12 <= 25;
-      else
-        lastwinner1_best_cost_0(12) <= last_path_0(24);
-        lastwinner1_best_index_0_12 <= 24;
-      end if;
-      if lastwinner1_best_cost_0_is_less(13) then
-        lastwinner1_best_cost_0(13) <= last_path_0(27);
-        lastwinner1_best_index_0_13 <= 27;
-      else
-        lastwinner1_best_cost_0(13) <= last_path_0(26);
-        lastwinner1_best_index_0_13 <= 26;
-      end if;
-      if lastwinner1_best_cost_0_is_less(14) then
-        lastwinner1_best_cost_0(14) <= last_path_0(29);
-        lastwinner1_best_index_0_14 <= 29;
-      else
-        lastwinner1_best_cost_0(14) <= last_path_0(28);
-        lastwinner1_best_index_0_14 <= 28;
-      end if;
-      if lastwinner1_best_cost_0_is_less(15) then
-        lastwinner1_best_cost_0(15) <= last_path_0(31);
-        lastwinner1_best_index_0_15 <= 31;
-      else
-        lastwinner1_best_cost_0(15) <= last_path_0(30);
-        lastwinner1_best_index_0_15 <= 30;
-      end if;
-      if lastwinner1_best_cost_0_is_less(16) then
-        lastwinner1_best_cost_0(16) <= last_path_0(33);
-        lastwinner1_best_index_0_16 <= 33;
-      else
-        lastwinner1_best_cost_0(16) <= last_path_0(32);
-        lastwinner1_best_index_0_16 <= 32;
-      end if;
-      if lastwinner1_best_cost_0_is_less(17) then
-        lastwinner1_best_cost_0(17) <= last_path_0(35);
-        lastwinner1_best_index_0_17 <= 35;
-      else
-        lastwinner1_best_cost_0(17) <= last_path_0(34);
-        lastwinner1_best_index_0_17 <= 34;
-      end if;
-      if lastwinner1_best_cost_0_is_less(18) then
-        lastwinner1_best_cost_0(18) <= last_path_0(37);
-        lastwinner1_best_index_0_18 <= 37;
-      else
-        lastwinner1_best_cost_0(18) <= last_path_0(36);
-        lastwinner1_best_index_0_18 <= 36;
-      end if;
-      if lastwinner1_best_cost_0_is_less(19) then
-        lastwinner1_best_cost_0(19) <= last_path_0(39);
-        lastwinner1_best_index_0_19 <= 39;
-      else
-        lastwinner1_best_cost_0(19) <= last_path_0(38);
-        lastwinner1_best_index_0_19 <= 38;
-      end if;
-      if lastwinner1_best_cost_0_is_less(20) then
-        lastwinner1_best_cost_0(20) <= last_path_0(41);
-        lastwinner1_best_index_0_20 <= 41;
-      else
-        lastwinner1_best_cost_0(20) <= last_path_0(40);
-        lastwinner1_best_index_0_20 <= 40;
-      end if;
-      if lastwinner1_best_cost_0_is_less(21) then
-        lastwinner1_best_cost_0(21) <= last_path_0(43);
-        lastwinner1_best_index_0_21 <= 43;
-      else
-        lastwinner1_best_cost_0(21) <= last_path_0(42);
-        lastwinner1_best_index_0_21 <= 42;
-      end if;
-      if lastwinner1_best_cost_0_is_less(22) then
-        lastwinner1_best_cost_0(22) <= last_path_0(45);
-        lastwinner1_best_index_0_22 <= 45;
-      else
-        lastwinner1_best_cost_0(22) <= last_path_0(44);
-        lastwinner1_best_index_0_22 <= 44;
-      end if;
-      if lastwinner1_best_cost_0_is_less(23) then
-        lastwinner1_best_cost_0(23) <= last_path_0(47);
-        lastwinner1_best_index_0_23 <= 47;
-      else
-        lastwinner1_best_cost_0(23) <= last_path_0(46);
-        lastwinner1_best_index_0_23 <= 46;
-      end if;
-      if lastwinner1_best_cost_0_is_less(24) then
-        lastwinner1_best_cost_0(24) <= last_path_0(49);
-        lastwinner1_best_index_0_24 <= 49;
-      else
-        lastwinner1_best_cost_0(24) <= last_path_0(48);
-        lastwinner1_best_index_0_24 <= 48;
-      end if;
-      if lastwinner1_best_cost_0_is_less(25) then
-        lastwinner1_best_cost_0(25) <= last_path_0(51);
-        lastwinner1_best_index_0_25 <= 51;
-      else
-        lastwinner1_best_cost_0(25) <= last_path_0(50);
-        lastwinner1_best_index_0_25 <= 50;
-      end if;
-      if lastwinner1_best_cost_0_is_less(26) then
-        lastwinner1_best_cost_0(26) <= last_path_0(53);
-        lastwinner1_best_index_0_26 <= 53;
-      else
-        lastwinner1_best_cost_0(26) <= last_path_0(52);
-        lastwinner1_best_index_0_26 <= 52;
-      end if;
-      if lastwinner1_best_cost_0_is_less(27) then
-        lastwinner1_best_cost_0(27) <= last_path_0(55);
-        lastwinner1_best_index_0_27 <= 55;
-      else
-        lastwinner1_best_cost_0(27) <= last_path_0(54);
-        lastwinner1_best_index_0_27 <= 54;
-      end if;
-      if lastwinner1_best_cost_0_is_less(28) then
-        lastwinner1_best_cost_0(28) <= last_path_0(57);
-        lastwinner1_best_index_0_28 <= 57;
-      else
-        lastwinner1_best_cost_0(28) <= last_path_0(56);
-        lastwinner1_best_index_0_28 <= 56;
-      end if;
-      if lastwinner1_best_cost_0_is_less(29) then
-        lastwinner1_best_cost_0(29) <= last_path_0(59);
-        lastwinner1_best_index_0_29 <= 59;
-      else
-        lastwinner1_best_cost_0(29) <= last_path_0(58);
-        lastwinner1_best_index_0_29 <= 58;
-      end if;
-      if lastwinner1_best_cost_0_is_less(30) then
-        lastwinner1_best_cost_0(30) <= last_path_0(61);
-        lastwinner1_best_index_0_30 <= 61;
-      else
-        lastwinner1_best_cost_0(30) <= last_path_0(60);
-        lastwinner1_best_index_0_30 <= 60;
-      end if;
-      if lastwinner1_best_cost_0_is_less(31) then
-        lastwinner1_best_cost_0(31) <= last_path_0(63);
-        lastwinner1_best_index_0_31 <= 63;
-      else
-        lastwinner1_best_cost_0(31) <= last_path_0(62);
-        lastwinner1_best_index_0_31 <= 62;
-      end if;
+      lastwinner1_tag <= last_tag;
+      lastwinner1_best_cost_0(0) <= choice(lastwinner1_best_cost_0_is_less(0), last_path_0(1), last_path_0(0));
+      for i in 1 to 31 loop
+        lastwinner1_best_cost_0(i) <= choice(lastwinner1_best_cost_0_is_less(i), last_path_0(2 * i + 1), last_path_0(2
+          * i));
+        lastwinner1_best_index_0(i) <= choice(lastwinner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
+      end loop;
       -- lastwinner2
       for i in 0 to 15 loop
         lastwinner2_best_cost_0_is_less(i) := (lastwinner1_best_cost_0(2 * i + 1) - lastwinner1_best_cost_0(2 * i)) < 0;
       end loop;
-      lastwinner2_tag_valid <= lastwinner1_tag_valid;
-      lastwinner2_tag_map_column <= lastwinner1_tag_map_column;
-      lastwinner2_tag_end_of_line <= lastwinner1_tag_end_of_line;
-      if lastwinner2_best_cost_0_is_less(0) then
-        lastwinner2_best_cost_0(0) <= lastwinner1_best_cost_0(1);
-        lastwinner2_best_index_0_0 <= lastwinner1_best_index_0_1;
-      else
-        lastwinner2_best_cost_0(0) <= lastwinner1_best_cost_0(0);
-        lastwinner2_best_index_0_0 <= as_number(lastwinner1_best_index_0_0);
-      end if;
-      if lastwinner2_best_cost_0_is_less(1) then
-        lastwinner2_best_cost_0(1) <= lastwinner1_best_cost_0(3);
-        lastwinner2_best_index_0_1 <= lastwinner1_best_index_0_3;
-      else
-        lastwinner2_best_cost_0(1) <= lastwinner1_best_cost_0(2);
-        lastwinner2_best_index_0_1 <= lastwinner1_best_index_0_2;
-      end if;
-      if lastwinner2_best_cost_0_is_less(2) then
-        lastwinner2_best_cost_0(2) <= lastwinner1_best_cost_0(5);
-        lastwinner2_best_index_0_2 <= lastwinner1_best_index_0_5;
-      else
-        lastwinner2_best_cost_0(2) <= lastwinner1_best_cost_0(4);
-        lastwinner2_best_index_0_2 <= lastwinner1_best_index_0_4;
-      end if;
-      if lastwinner2_best_cost_0_is_less(3) then
-        lastwinner2_best_cost_0(3) <= lastwinner1_best_cost_0(7);
-        lastwinner2_best_index_0_3 <= lastwinner1_best_index_0_7;
-      else
-        lastwinner2_best_cost_0(3) <= lastwinner1_best_cost_0(6);
-        lastwinner2_best_index_0_3 <= lastwinner1_best_index_0_6;
-      end if;
-      if lastwinner2_best_cost_0_is_less(4) then
-        lastwinner2_best_cost_0(4) <= lastwinner1_best_cost_0(9);
-        lastwinner2_best_index_0_4 <= lastwinner1_best_index_0_9;
-      else
-        lastwinner2_best_cost_0(4) <= lastwinner1_best_cost_0(8);
-        lastwinner2_best_index_0_4 <= lastwinner1_best_index_0_8;
-      end if;
-      if lastwinner2_best_cost_0_is_less(5) then
-        lastwinner2_best_cost_0(5) <= lastwinner1_best_cost_0(11);
-        lastwinner2_best_index_0_5 <= lastwinner1_best_index_0_11;
-      else
-        lastwinner2_best_cost_0(5) <= lastwinner1_best_cost_0(10);
-        lastwinner2_best_index_0_5 <= lastwinner1_best_index_0_10;
-      end if;
-      if lastwinner2_best_cost_0_is_less(6) then
-        lastwinner2_best_cost_0(6) <= lastwinner1_best_cost_0(13);
-        lastwinner2_best_index_0_6 <= lastwinner1_best_index_0_13;
-      else
-        lastwinner2_best_cost_0(6) <= lastwinner1_best_cost_0(12);
-        lastwinner2_best_index_0_6 <= lastwinner1_best_index_0_12;
-      end if;
-      if lastwinner2_best_cost_0_is_less(7) then
-        lastwinner2_best_cost_0(7) <= lastwinner1_best_cost_0(15);
-        lastwinner2_best_index_0_7 <= lastwinner1_best_index_0_15;
-      else
-        lastwinner2_best_cost_0(7) <= lastwinner1_best_cost_0(14);
-        lastwinner2_best_index_0_7 <= lastwinner1_best_index_0_14;
-      end if;
-      if lastwinner2_best_cost_0_is_less(8) then
-        lastwinner2_best_cost_0(8) <= lastwinner1_best_cost_0(17);
-        lastwinner2_best_index_0_8 <= lastwinner1_best_index_0_17;
-      else
-        lastwinner2_best_cost_0(8) <= lastwinner1_best_cost_0(16);
-        lastwinner2_best_index_0_8 <= lastwinner1_best_index_0_16;
-      end if;
-      if lastwinner2_best_cost_0_is_less(9) then
-        lastwinner2_best_cost_0(9) <= lastwinner1_best_cost_0(19);
-        lastwinner2_best_index_0_9 <= lastwinner1_best_index_0_19;
-      else
-        lastwinner2_best_cost_0(9) <= lastwinner1_best_cost_0(18);
-        lastwinner2_best_index_0_9 <= lastwinner1_best_index_0_18;
-      end if;
-      if lastwinner2_best_cost_0_is_less(10) then
-        lastwinner2_best_cost_0(10) <= lastwinner1_best_cost_0(21);
-        lastwinner2_best_index_0_10 <= lastwinner1_best_index_0_21;
-      else
-        lastwinner2_best_cost_0(10) <= lastwinner1_best_cost_0(20);
-        lastwinner2_best_index_0_10 <= lastwinner1_best_index_0_20;
-      end if;
-      if lastwinner2_best_cost_0_is_less(11) then
-        lastwinner2_best_cost_0(11) <= lastwinner1_best_cost_0(23);
-        lastwinner2_best_index_0_11 <= lastwinner1_best_index_0_23;
-      else
-        lastwinner2_best_cost_0(11) <= lastwinner1_best_cost_0(22);
-        lastwinner2_best_index_0_11 <= lastwinner1_best_index_0_22;
-      end if;
-      if lastwinner2_best_cost_0_is_less(12) then
-        lastwinner2_best_cost_0(12) <= lastwinner1_best_cost_0(25);
-        lastwinner2_best_index_0_12 <= lastwinner1_best_index_0_25;
-      else
-        lastwinner2_best_cost_0(12) <= lastwinner1_best_cost_0(24);
-        lastwinner2_best_index_0_12 <= lastwinner1_best_index_0_24;
-      end if;
-      if lastwinner2_best_cost_0_is_less(13) then
-        lastwinner2_best_cost_0(13) <= lastwinner1_best_cost_0(27);
-        lastwinner2_best_index_0_13 <= lastwinner1_best_index_0_27;
-      else
-        lastwinner2_best_cost_0(13) <= lastwinner1_best_cost_0(26);
-        lastwinner2_best_index_0_13 <= lastwinner1_best_index_0_26;
-      end if;
-      if lastwinner2_best_cost_0_is_less(14) then
-        lastwinner2_best_cost_0(14) <= lastwinner1_best_cost_0(29);
-        lastwinner2_best_index_0_14 <= lastwinner1_best_index_0_29;
-      else
-        lastwinner2_best_cost_0(14) <= lastwinner1_best_cost_0(28);
-        lastwinner2_best_index_0_14 <= lastwinner1_best_index_0_28;
-      end if;
-      if lastwinner2_best_cost_0_is_less(15) then
-        lastwinner2_best_cost_0(15) <= lastwinner1_best_cost_0(31);
-        lastwinner2_best_index_0_15 <= lastwinner1_best_index_0_31;
-      else
-        lastwinner2_best_cost_0(15) <= lastwinner1_best_cost_0(30);
-        lastwinner2_best_index_0_15 <= lastwinner1_best_index_0_30;
-      end if;
+      lastwinner2_tag <= lastwinner1_tag;
+      lastwinner2_best_cost_0(0) <= choice(lastwinner2_best_cost_0_is_less(0), lastwinner1_best_cost_0(1),
+        lastwinner1_best_cost_0(0));
+      lastwinner2_best_index_0(0) <= choice(lastwinner2_best_cost_0_is_less(0), lastwinner1_best_index_0(1),
+        as_number(lastwinner1_best_index_0_0));
+      for i in 1 to 15 loop
+        lastwinner2_best_cost_0(i) <= choice(lastwinner2_best_cost_0_is_less(i), lastwinner1_best_cost_0(2 * i + 1),
+          lastwinner1_best_cost_0(2 * i));
+        lastwinner2_best_index_0(i) <= choice(lastwinner2_best_cost_0_is_less(i), lastwinner1_best_index_0(2 * i + 1),
+          lastwinner1_best_index_0(2 * i));
+      end loop;
       -- lastwinner3
       for i in 0 to 7 loop
         lastwinner3_best_cost_0_is_less(i) := (lastwinner2_best_cost_0(2 * i + 1) - lastwinner2_best_cost_0(2 * i)) < 0;
       end loop;
-      lastwinner3_tag_valid <= lastwinner2_tag_valid;
-      lastwinner3_tag_map_column <= lastwinner2_tag_map_column;
-      lastwinner3_tag_end_of_line <= lastwinner2_tag_end_of_line;
-      if lastwinner3_best_cost_0_is_less(0) then
-        lastwinner3_best_cost_0(0) <= lastwinner2_best_cost_0(1);
-        lastwinner3_best_index_0_0 <= lastwinner2_best_index_0_1;
-      else
-        lastwinner3_best_cost_0(0) <= lastwinner2_best_cost_0(0);
-        lastwinner3_best_index_0_0 <= lastwinner2_best_index_0_0;
-      end if;
-      if lastwinner3_best_cost_0_is_less(1) then
-        lastwinner3_best_cost_0(1) <= lastwinner2_best_cost_0(3);
-        lastwinner3_best_index_0_1 <= lastwinner2_best_index_0_3;
-      else
-        lastwinner3_best_cost_0(1) <= lastwinner2_best_cost_0(2);
-        lastwinner3_best_index_0_1 <= lastwinner2_best_index_0_2;
-      end if;
-      if lastwinner3_best_cost_0_is_less(2) then
-        lastwinner3_best_cost_0(2) <= lastwinner2_best_cost_0(5);
-        lastwinner3_best_index_0_2 <= lastwinner2_best_index_0_5;
-      else
-        lastwinner3_best_cost_0(2) <= lastwinner2_best_cost_0(4);
-        lastwinner3_best_index_0_2 <= lastwinner2_best_index_0_4;
-      end if;
-      if lastwinner3_best_cost_0_is_less(3) then
-        lastwinner3_best_cost_0(3) <= lastwinner2_best_cost_0(7);
-        lastwinner3_best_index_0_3 <= lastwinner2_best_index_0_7;
-      else
-        lastwinner3_best_cost_0(3) <= lastwinner2_best_cost_0(6);
-        lastwinner3_best_index_0_3 <= lastwinner2_best_index_0_6;
-      end if;
-      if lastwinner3_best_cost_0_is_less(4) then
-        lastwinner3_best_cost_0(4) <= lastwinner2_best_cost_0(9);
-        lastwinner3_best_index_0_4 <= lastwinner2_best_index_0_9;
-      else
-        lastwinner3_best_cost_0(4) <= lastwinner2_best_cost_0(8);
-        lastwinner3_best_index_0_4 <= lastwinner2_best_index_0_8;
-      end if;
-      if lastwinner3_best_cost_0_is_less(5) then
-        lastwinner3_best_cost_0(5) <= lastwinner2_best_cost_0(11);
-        lastwinner3_best_index_0_5 <= lastwinner2_best_index_0_11;
-      else
-        lastwinner3_best_cost_0(5) <= lastwinner2_best_cost_0(10);
-        lastwinner3_best_index_0_5 <= lastwinner2_best_index_0_10;
-      end if;
-      if lastwinner3_best_cost_0_is_less(6) then
-        lastwinner3_best_cost_0(6) <= lastwinner2_best_cost_0(13);
-        lastwinner3_best_index_0_6 <= lastwinner2_best_index_0_13;
-      else
-        lastwinner3_best_cost_0(6) <= lastwinner2_best_cost_0(12);
-        lastwinner3_best_index_0_6 <= lastwinner2_best_index_0_12;
-      end if;
-      if lastwinner3_best_cost_0_is_less(7) then
-        lastwinner3_best_cost_0(7) <= lastwinner2_best_cost_0(15);
-        lastwinner3_best_index_0_7 <= lastwinner2_best_index_0_15;
-      else
-        lastwinner3_best_cost_0(7) <= lastwinner2_best_cost_0(14);
-        lastwinner3_best_index_0_7 <= lastwinner2_best_index_0_14;
-      end if;
+      lastwinner3_tag <= lastwinner2_tag;
+      for i in 0 to 7 loop
+        lastwinner3_best_cost_0(i) <= choice(lastwinner3_best_cost_0_is_less(i), lastwinner2_best_cost_0(2 * i + 1),
+          lastwinner2_best_cost_0(2 * i));
+        lastwinner3_best_index_0(i) <= choice(lastwinner3_best_cost_0_is_less(i), lastwinner2_best_index_0(2 * i + 1),
+          lastwinner2_best_index_0(2 * i));
+      end loop;
       -- lastwinner4
       for i in 0 to 3 loop
         lastwinner4_best_cost_0_is_less(i) := (lastwinner3_best_cost_0(2 * i + 1) - lastwinner3_best_cost_0(2 * i)) < 0;
       end loop;
-      lastwinner4_tag_valid <= lastwinner3_tag_valid;
-      lastwinner4_tag_map_column <= lastwinner3_tag_map_column;
-      lastwinner4_tag_end_of_line <= lastwinner3_tag_end_of_line;
-      if lastwinner4_best_cost_0_is_less(0) then
-        lastwinner4_best_cost_0(0) <= lastwinner3_best_cost_0(1);
-        lastwinner4_best_index_0_0 <= lastwinner3_best_index_0_1;
-      else
-        lastwinner4_best_cost_0(0) <= lastwinner3_best_cost_0(0);
-        lastwinner4_best_index_0_0 <= lastwinner3_best_index_0_0;
-      end if;
-      if lastwinner4_best_cost_0_is_less(1) then
-        lastwinner4_best_cost_0(1) <= lastwinner3_best_cost_0(3);
-        lastwinner4_best_index_0_1 <= lastwinner3_best_index_0_3;
-      else
-        lastwinner4_best_cost_0(1) <= lastwinner3_best_cost_0(2);
-        lastwinner4_best_index_0_1 <= lastwinner3_best_index_0_2;
-      end if;
-      if lastwinner4_best_cost_0_is_less(2) then
-        lastwinner4_best_cost_0(2) <= lastwinner3_best_cost_0(5);
-        lastwinner4_best_index_0_2 <= lastwinner3_best_index_0_5;
-      else
-        lastwinner4_best_cost_0(2) <= lastwinner3_best_cost_0(4);
-        lastwinner4_best_index_0_2 <= lastwinner3_best_index_0_4;
-      end if;
-      if lastwinner4_best_cost_0_is_less(3) then
-        lastwinner4_best_cost_0(3) <= lastwinner3_best_cost_0(7);
-        lastwinner4_best_index_0_3 <= lastwinner3_best_index_0_7;
-      else
-        lastwinner4_best_cost_0(3) <= lastwinner3_best_cost_0(6);
-        lastwinner4_best_index_0_3 <= lastwinner3_best_index_0_6;
-      end if;
+      lastwinner4_tag <= lastwinner3_tag;
+      for i in 0 to 3 loop
+        lastwinner4_best_cost_0(i) <= choice(lastwinner4_best_cost_0_is_less(i), lastwinner3_best_cost_0(2 * i + 1),
+          lastwinner3_best_cost_0(2 * i));
+        lastwinner4_best_index_0(i) <= choice(lastwinner4_best_cost_0_is_less(i), lastwinner3_best_index_0(2 * i + 1),
+          lastwinner3_best_index_0(2 * i));
+      end loop;
       -- lastwinner5
       lastwinner5_best_cost_0_is_less(0) := (lastwinner4_best_cost_0(1) - lastwinner4_best_cost_0(0)) < 0;
       lastwinner5_best_cost_0_is_less(1) := (lastwinner4_best_cost_0(3) - lastwinner4_best_cost_0(2)) < 0;
-      lastwinner5_tag_valid <= lastwinner4_tag_valid;
-      lastwinner5_tag_map_column <= lastwinner4_tag_map_column;
-      lastwinner5_tag_end_of_line <= lastwinner4_tag_end_of_line;
-      if lastwinner5_best_cost_0_is_less(0) then
-        lastwinner5_best_cost_0(0) <= lastwinner4_best_cost_0(1);
-        lastwinner5_best_index_0_0 <= lastwinner4_best_index_0_1;
-      else
-        lastwinner5_best_cost_0(0) <= lastwinner4_best_cost_0(0);
-        lastwinner5_best_index_0_0 <= lastwinner4_best_index_0_0;
-      end if;
-      if lastwinner5_best_cost_0_is_less(1) then
-        lastwinner5_best_cost_0(1) <= lastwinner4_best_cost_0(3);
-        lastwinner5_best_index_0_1 <= lastwinner4_best_index_0_3;
-      else
-        lastwinner5_best_cost_0(1) <= lastwinner4_best_cost_0(2);
-        lastwinner5_best_index_0_1 <= lastwinner4_best_index_0_2;
-      end if;
+      lastwinner5_tag <= lastwinner4_tag;
+      for i in 0 to 1 loop
+        lastwinner5_best_cost_0(i) <= choice(lastwinner5_best_cost_0_is_less(i), lastwinner4_best_cost_0(2 * i + 1),
+          lastwinner4_best_cost_0(2 * i));
+        lastwinner5_best_index_0(i) <= choice(lastwinner5_best_cost_0_is_less(i), lastwinner4_best_index_0(2 * i + 1),
+          lastwinner4_best_index_0(2 * i));
+      end loop;
       -- lastwinner6
-      lastwinner6_tag_valid <= lastwinner5_tag_valid;
-      lastwinner6_tag_map_column <= lastwinner5_tag_map_column;
-      lastwinner6_tag_end_of_line <= lastwinner5_tag_end_of_line;
-      if (lastwinner5_best_cost_0(1) - lastwinner5_best_cost_0(0)) < 0 then
-        lastwinner6_best_index_0_0 <= lastwinner5_best_index_0_1;
-      else
-        lastwinner6_best_index_0_0 <= lastwinner5_best_index_0_0;
-      end if;
+      lastwinner6_tag <= lastwinner5_tag;
+      lastwinner6_best_index_0_0 <= choice((lastwinner5_best_cost_0(1) - lastwinner5_best_cost_0(0)) < 0,
+        lastwinner5_best_index_0(1), lastwinner5_best_index_0(0));
       -- traceback
-      traceback_state_is_equal := traceback_falling = 1;
+      traceback_state_is_equals(1) := traceback_falling = 1;
       traceback_state_sum := traceback_state + 1;
       traceback_state_is_equals(2) := traceback_falling = 2;
       traceback_state_sum_2 := (traceback_state / 2) + 3;
       traceback_state_is_equals(3) := traceback_falling = 0;
       traceback_state_all := (traceback_decision = 3) and traceback_state_is_equals(3);
       traceback_state_sum_3 := traceback_state + 255;
-      if traceback_state_all then
-        traceback_state_choice := traceback_state_sum_3 mod 256;
-      else
-        traceback_state_choice := traceback_state;
-      end if;
-      if traceback_state_is_equals(2) then
-        traceback_state_choices(2) := ((traceback_state_sum_2 mod 128) * 2) + (traceback_state mod 2);
-      else
-        traceback_state_choices(2) := traceback_state_choice;
-      end if;
-      if traceback_state_is_equal then
-        traceback_state_choices(3) := traceback_state_sum mod 256;
-      else
-        traceback_state_choices(3) := traceback_state_choices(2);
-      end if;
-      traceback_decision_value := (((traceback_state_sum mod 256) / 16) mod 2) = 1;
+      traceback_state_choices(1) := choice(traceback_state_all, traceback_state_sum_3 mod 256, traceback_state);
+      traceback_state_choices(2) := choice(traceback_state_is_equals(2), ((traceback_state_sum_2 mod 128) * 2) +
+        (traceback_state mod 2), traceback_state_choices(1));
+      traceback_state_choices(3) := choice(traceback_state_is_equals(1), traceback_state_sum mod 256,
+        traceback_state_choices(2));
+      traceback_decision_values(1) := (((traceback_state_sum mod 256) / 16) mod 2) = 1;
       traceback_decision_values(2) := (((traceback_state_sum mod 256) / 8) mod 2) = 1;
       traceback_decision_values(3) := (((traceback_state_sum mod 256) / 4) mod 2) = 1;
       traceback_decision_values(4) := (((traceback_state_sum mod 256) / 2) mod 2) = 1;
-      if is_set(traceback_state_sum, 0) then
-        traceback_decision_choice := decisions_ready_decision(63);
-      else
-        traceback_decision_choice := decisions_ready_decision(62);
-      end if;
-      if is_set(traceback_state_sum, 0) then
-        traceback_decision_choices(2) := decisions_ready_decision(61);
-      else
-        traceback_decision_choices(2) := decisions_ready_decision(60);
-      end if;
-      if traceback_decision_values(4) then
-        traceback_decision_choices(3) := traceback_decision_choice;
-      else
-        traceback_decision_choices(3) := traceback_decision_choices(2);
-      end if;
-      for i in 4 to 5 loop
-        if is_set(traceback_state_sum, 0) then
-          traceback_decision_choices(i) := decisions_ready_decision(67 - 2 * i);
-        else
-          traceback_decision_choices(i) := decisions_ready_decision(66 - 2 * i);
-        end if;
-      end loop;
-      for i in 6 to 7 loop
-        if traceback_decision_values(10 - i) then
-          traceback_decision_choices(i) := traceback_decision_choices(10 - i);
-        else
-          traceback_decision_choices(i) := traceback_decision_choices(i - 1);
-        end if;
-      end loop;
-      for i in 8 to 9 loop
-        if is_set(traceback_state_sum, 0) then
-          traceback_decision_choices(i) := decisions_ready_decision(71 - 2 * i);
-        else
-          traceback_decision_choices(i) := decisions_ready_decision(70 - 2 * i);
-        end if;
-      end loop;
-      if traceback_decision_values(4) then
-        traceback_decision_choices(10) := traceback_decision_choices(8);
-      else
-        traceback_decision_choices(10) := traceback_decision_choices(9);
-      end if;
-      for i in 11 to 12 loop
-        if is_set(traceback_state_sum, 0) then
-          traceback_decision_choices(i) := decisions_ready_decision(73 - 2 * i);
-        else
-          traceback_decision_choices(i) := decisions_ready_decision(72 - 2 * i);
-        end if;
-      end loop;
-      for i in 13 to 14 loop
-        if traceback_decision_values(17 - i) then
-          traceback_decision_choices(i) := traceback_decision_choices(24 - i);
-        else
-          traceback_decision_choices(i) := traceback_decision_choices(i - 1);
-        end if;
-      end loop;
       for i in 0 to 1 loop
-        if traceback_decision_values(2 * i + 2) then
-          traceback_decision_choices(3 * i + 15) := traceback_decision_choices(9 * i + 7);
-        else
-          traceback_decision_choices(3 * i + 15) := traceback_decision_choices(3 * i + 14);
-        end if;
-        for j in 16 to 17 loop
-          if is_set(traceback_state_sum, 0) then
-            traceback_decision_choices(3 * i + j) := decisions_ready_decision(79 - 4 * i - 2 * j);
-          else
-            traceback_decision_choices(3 * i + j) := decisions_ready_decision(78 - 4 * i - 2 * j);
-          end if;
-        end loop;
+        traceback_decision_choices(31 * i + 1) := choice(is_set(traceback_state_sum, 0), decisions_ready_decision(63 -
+          32 * i), decisions_ready_decision(62 - 32 * i));
+        traceback_decision_choices(31 * i + 2) := choice(is_set(traceback_state_sum, 0), decisions_ready_decision(61 -
+          32 * i), decisions_ready_decision(60 - 32 * i));
+        traceback_decision_choices(31 * i + 3) := choice(traceback_decision_values(4), traceback_decision_choices(31 *
+          i + 1), traceback_decision_choices(31 * i + 2));
+        traceback_decision_choices(31 * i + 4) := choice(is_set(traceback_state_sum, 0), decisions_ready_decision(59 -
+          32 * i), decisions_ready_decision(58 - 32 * i));
+        traceback_decision_choices(31 * i + 5) := choice(is_set(traceback_state_sum, 0), decisions_ready_decision(57 -
+          32 * i), decisions_ready_decision(56 - 32 * i));
+        traceback_decision_choices(31 * i + 6) := choice(traceback_decision_values(4), traceback_decision_choices(31 *
+          i + 4), traceback_decision_choices(31 * i + 5));
+        traceback_decision_choices(31 * i + 7) := choice(traceback_decision_values(3), traceback_decision_choices(31 *
+          i + 3), traceback_decision_choices(31 * i + 6));
+        traceback_decision_choices(31 * i + 8) := choice(is_set(traceback_state_sum, 0), decisions_ready_decision(55 -
+          32 * i), decisions_ready_decision(54 - 32 * i));
+        traceback_decision_choices(31 * i + 9) := choice(is_set(traceback_state_sum, 0), decisions_ready_decision(53 -
+          32 * i), decisions_ready_decision(52 - 32 * i));
+        traceback_decision_choices(31 * i + 10) := choice(traceback_decision_values(4), traceback_decision_choices(31 *
+          i + 8), traceback_decision_choices(31 * i + 9));
+        traceback_decision_choices(31 * i + 11) := choice(is_set(traceback_state_sum, 0), decisions_ready_decision(51 -
+          32 * i), decisions_ready_decision(50 - 32 * i));
+        traceback_decision_choices(31 * i + 12) := choice(is_set(traceback_state_sum, 0), decisions_ready_decision(49 -
+          32 * i), decisions_ready_decision(48 - 32 * i));
+        traceback_decision_choices(31 * i + 13) := choice(traceback_decision_values(4), traceback_decision_choices(31 *
+          i + 11), traceback_decision_choices(31 * i + 12));
+        traceback_decision_choices(31 * i + 14) := choice(traceback_decision_values(3), traceback_decision_choices(31 *
+          i + 10), traceback_decision_choices(31 * i + 13));
+        traceback_decision_choices(31 * i + 15) := choice(traceback_decision_values(2), traceback_decision_choices(31 *
+          i + 7), traceback_decision_choices(31 * i + 14));
+        traceback_decision_choices(31 * i + 16) := choice(is_set(traceback_state_sum, 0), decisions_ready_decision(47 -
+          32 * i), decisions_ready_decision(46 - 32 * i));
+        traceback_decision_choices(31 * i + 17) := choice(is_set(traceback_state_sum, 0), decisions_ready_decision(45 -
+          32 * i), decisions_ready_decision(44 - 32 * i));
+        traceback_decision_choices(31 * i + 18) := choice(traceback_decision_values(4), traceback_decision_choices(31 *
+          i + 16), traceback_decision_choices(31 * i + 17));
+        traceback_decision_choices(31 * i + 19) := choice(is_set(traceback_state_sum, 0), decisions_ready_decision(43 -
+          32 * i), decisions_ready_decision(42 - 32 * i));
+        traceback_decision_choices(31 * i + 20) := choice(is_set(traceback_state_sum, 0), decisions_ready_decision(41 -
+          32 * i), decisions_ready_decision(40 - 32 * i));
+        traceback_decision_choices(31 * i + 21) := choice(traceback_decision_values(4), traceback_decision_choices(31 *
+          i + 19), traceback_decision_choices(31 * i + 20));
+        traceback_decision_choices(31 * i + 22) := choice(traceback_decision_values(3), traceback_decision_choices(31 *
+          i + 18), traceback_decision_choices(31 * i + 21));
+        traceback_decision_choices(31 * i + 23) := choice(is_set(traceback_state_sum, 0), decisions_ready_decision(39 -
+          32 * i), decisions_ready_decision(38 - 32 * i));
+        traceback_decision_choices(31 * i + 24) := choice(is_set(traceback_state_sum, 0), decisions_ready_decision(37 -
+          32 * i), decisions_ready_decision(36 - 32 * i));
+        traceback_decision_choices(31 * i + 25) := choice(traceback_decision_values(4), traceback_decision_choices(31 *
+          i + 23), traceback_decision_choices(31 * i + 24));
+        traceback_decision_choices(31 * i + 26) := choice(is_set(traceback_state_sum, 0), decisions_ready_decision(35 -
+          32 * i), decisions_ready_decision(34 - 32 * i));
+        traceback_decision_choices(31 * i + 27) := choice(is_set(traceback_state_sum, 0), decisions_ready_decision(33 -
+          32 * i), decisions_ready_decision(32 - 32 * i));
+        traceback_decision_choices(31 * i + 28) := choice(traceback_decision_values(4), traceback_decision_choices(31 *
+          i + 26), traceback_decision_choices(31 * i + 27));
+        traceback_decision_choices(31 * i + 29) := choice(traceback_decision_values(3), traceback_decision_choices(31 *
+          i + 25), traceback_decision_choices(31 * i + 28));
+        traceback_decision_choices(31 * i + 30) := choice(traceback_decision_values(2), traceback_decision_choices(31 *
+          i + 22), traceback_decision_choices(31 * i + 29));
+        traceback_decision_choices(31 * i + 31) := choice(traceback_decision_values(1), traceback_decision_choices(31 *
+          i + 15), traceback_decision_choices(31 * i + 30));
       end loop;
-      for i in 21 to 22 loop
-        if traceback_decision_values(25 - i) then
-          traceback_decision_choices(i) := traceback_decision_choices(40 - i);
-        else
-          traceback_decision_choices(i) := traceback_decision_choices(i - 1);
-        end if;
-      end loop;
-      for i in 23 to 24 loop
-        if is_set(traceback_state_sum, 0) then
-          traceback_decision_choices(i) := decisions_ready_decision(85 - 2 * i);
-        else
-          traceback_decision_choices(i) := decisions_ready_decision(84 - 2 * i);
-        end if;
-      end loop;
-      if traceback_decision_values(4) then
-        traceback_decision_choices(25) := traceback_decision_choices(23);
-      else
-        traceback_decision_choices(25) := traceback_decision_choices(24);
-      end if;
-      for i in 26 to 27 loop
-        if is_set(traceback_state_sum, 0) then
-          traceback_decision_choices(i) := decisions_ready_decision(87 - 2 * i);
-        else
-          traceback_decision_choices(i) := decisions_ready_decision(86 - 2 * i);
-        end if;
-      end loop;
-      for i in 28 to 29 loop
-        if traceback_decision_values(32 - i) then
-          traceback_decision_choices(i) := traceback_decision_choices(54 - i);
-        else
-          traceback_decision_choices(i) := traceback_decision_choices(i - 1);
-        end if;
-      end loop;
-      if traceback_decision_values(2) then
-        traceback_decision_choices(30) := traceback_decision_choices(22);
-      else
-        traceback_decision_choices(30) := traceback_decision_choices(29);
-      end if;
-      if traceback_decision_value then
-        traceback_decision_choices(31) := traceback_decision_choices(15);
-      else
-        traceback_decision_choices(31) := traceback_decision_choices(30);
-      end if;
-      for i in 0 to 1 loop
-        for j in 32 to 33 loop
-          if is_set(traceback_state_sum, 0) then
-            traceback_decision_choices(7 * i + j) := decisions_ready_decision(95 - 8 * i - 2 * j);
-          else
-            traceback_decision_choices(7 * i + j) := decisions_ready_decision(94 - 8 * i - 2 * j);
-          end if;
-        end loop;
-        if traceback_decision_values(4) then
-          traceback_decision_choices(7 * i + 34) := traceback_decision_choices(7 * i + 32);
-        else
-          traceback_decision_choices(7 * i + 34) := traceback_decision_choices(7 * i + 33);
-        end if;
-        for j in 35 to 36 loop
-          if is_set(traceback_state_sum, 0) then
-            traceback_decision_choices(7 * i + j) := decisions_ready_decision(97 - 8 * i - 2 * j);
-          else
-            traceback_decision_choices(7 * i + j) := decisions_ready_decision(96 - 8 * i - 2 * j);
-          end if;
-        end loop;
-        for j in 37 to 38 loop
-          if traceback_decision_values(41 - j) then
-            traceback_decision_choices(7 * i + j) := traceback_decision_choices(7 * i + 72 - j);
-          else
-            traceback_decision_choices(7 * i + j) := traceback_decision_choices(7 * i + j - 1);
-          end if;
-        end loop;
-      end loop;
-      for i in 0 to 1 loop
-        if traceback_decision_values(2 * i + 2) then
-          traceback_decision_choices(3 * i + 46) := traceback_decision_choices(9 * i + 38);
-        else
-          traceback_decision_choices(3 * i + 46) := traceback_decision_choices(3 * i + 45);
-        end if;
-        for j in 47 to 48 loop
-          if is_set(traceback_state_sum, 0) then
-            traceback_decision_choices(3 * i + j) := decisions_ready_decision(109 - 4 * i - 2 * j);
-          else
-            traceback_decision_choices(3 * i + j) := decisions_ready_decision(108 - 4 * i - 2 * j);
-          end if;
-        end loop;
-      end loop;
-      for i in 52 to 53 loop
-        if traceback_decision_values(56 - i) then
-          traceback_decision_choices(i) := traceback_decision_choices(102 - i);
-        else
-          traceback_decision_choices(i) := traceback_decision_choices(i - 1);
-        end if;
-      end loop;
-      for i in 54 to 55 loop
-        if is_set(traceback_state_sum, 0) then
-          traceback_decision_choices(i) := decisions_ready_decision(115 - 2 * i);
-        else
-          traceback_decision_choices(i) := decisions_ready_decision(114 - 2 * i);
-        end if;
-      end loop;
-      if traceback_decision_values(4) then
-        traceback_decision_choices(56) := traceback_decision_choices(54);
-      else
-        traceback_decision_choices(56) := traceback_decision_choices(55);
-      end if;
-      for i in 57 to 58 loop
-        if is_set(traceback_state_sum, 0) then
-          traceback_decision_choices(i) := decisions_ready_decision(117 - 2 * i);
-        else
-          traceback_decision_choices(i) := decisions_ready_decision(116 - 2 * i);
-        end if;
-      end loop;
-      for i in 59 to 60 loop
-        if traceback_decision_values(63 - i) then
-          traceback_decision_choices(i) := traceback_decision_choices(116 - i);
-        else
-          traceback_decision_choices(i) := traceback_decision_choices(i - 1);
-        end if;
-      end loop;
-      if traceback_decision_values(2) then
-        traceback_decision_choices(61) := traceback_decision_choices(53);
-      else
-        traceback_decision_choices(61) := traceback_decision_choices(60);
-      end if;
-      if traceback_decision_value then
-        traceback_decision_choices(62) := traceback_decision_choices(46);
-      else
-        traceback_decision_choices(62) := traceback_decision_choices(61);
-      end if;
-      if (((traceback_state_sum mod 256) / 32) mod 2) = 1 then
-        traceback_decision_choices(63) := traceback_decision_choices(31);
-      else
-        traceback_decision_choices(63) := traceback_decision_choices(62);
-      end if;
+      traceback_decision_choices(63) := choice((((traceback_state_sum mod 256) / 32) mod 2) = 1,
+        traceback_decision_choices(31), traceback_decision_choices(62));
       traceback_decision_values(5) := (((traceback_state_sum_2 mod 128) / 8) mod 2) = 1;
       traceback_decision_values(6) := (((traceback_state_sum_2 mod 128) / 4) mod 2) = 1;
       traceback_decision_values(7) := (((traceback_state_sum_2 mod 128) / 2) mod 2) = 1;
       for i in 0 to 1 loop
-        for j in 0 to 1 loop
-          for k in 0 to 1 loop
-            for l in 64 to 65 loop
-              if is_set(traceback_state, 0) then
-                traceback_decision_choices(31 * i + 15 * j + 3 * k + l) := decisions_ready_decision(191 - 32 * i - 16 *
-                  j - 4 * k - 2 * l);
-              else
-                traceback_decision_choices(31 * i + 15 * j + 3 * k + l) := decisions_ready_decision(190 - 32 * i - 16 *
-                  j - 4 * k - 2 * l);
-              end if;
-            end loop;
-            if is_set(traceback_state_sum_2, 0) then
-              traceback_decision_choices(31 * i + 15 * j + 3 * k + 66) := traceback_decision_choices(31 * i + 15 * j +
-                3 * k + 64);
-            else
-              traceback_decision_choices(31 * i + 15 * j + 3 * k + 66) := traceback_decision_choices(31 * i + 15 * j +
-                3 * k + 65);
-            end if;
-          end loop;
-          if traceback_decision_values(7) then
-            traceback_decision_choices(31 * i + 15 * j + 70) := traceback_decision_choices(31 * i + 15 * j + 66);
-          else
-            traceback_decision_choices(31 * i + 15 * j + 70) := traceback_decision_choices(31 * i + 15 * j + 69);
-          end if;
-          for k in 0 to 1 loop
-            for l in 71 to 72 loop
-              if is_set(traceback_state, 0) then
-                traceback_decision_choices(31 * i + 15 * j + 3 * k + l) := decisions_ready_decision(197 - 32 * i - 16 *
-                  j - 4 * k - 2 * l);
-              else
-                traceback_decision_choices(31 * i + 15 * j + 3 * k + l) := decisions_ready_decision(196 - 32 * i - 16 *
-                  j - 4 * k - 2 * l);
-              end if;
-            end loop;
-            if is_set(traceback_state_sum_2, 0) then
-              traceback_decision_choices(31 * i + 15 * j + 3 * k + 73) := traceback_decision_choices(31 * i + 15 * j +
-                3 * k + 71);
-            else
-              traceback_decision_choices(31 * i + 15 * j + 3 * k + 73) := traceback_decision_choices(31 * i + 15 * j +
-                3 * k + 72);
-            end if;
-          end loop;
-          for k in 77 to 78 loop
-            if traceback_decision_values(84 - k) then
-              traceback_decision_choices(31 * i + 15 * j + k) := traceback_decision_choices(31 * i + 15 * j + 304 - 3 *
-                k);
-            else
-              traceback_decision_choices(31 * i + 15 * j + k) := traceback_decision_choices(31 * i + 15 * j + k - 1);
-            end if;
-          end loop;
-        end loop;
-        if traceback_decision_values(5) then
-          traceback_decision_choices(31 * i + 94) := traceback_decision_choices(31 * i + 78);
-        else
-          traceback_decision_choices(31 * i + 94) := traceback_decision_choices(31 * i + 93);
-        end if;
+        traceback_decision_choices(31 * i + 64) := choice(is_set(traceback_state, 0), decisions_ready_decision(63 - 32
+          * i), decisions_ready_decision(62 - 32 * i));
+        traceback_decision_choices(31 * i + 65) := choice(is_set(traceback_state, 0), decisions_ready_decision(61 - 32
+          * i), decisions_ready_decision(60 - 32 * i));
+        traceback_decision_choices(31 * i + 66) := choice(is_set(traceback_state_sum_2, 0),
+          traceback_decision_choices(31 * i + 64), traceback_decision_choices(31 * i + 65));
+        traceback_decision_choices(31 * i + 67) := choice(is_set(traceback_state, 0), decisions_ready_decision(59 - 32
+          * i), decisions_ready_decision(58 - 32 * i));
+        traceback_decision_choices(31 * i + 68) := choice(is_set(traceback_state, 0), decisions_ready_decision(57 - 32
+          * i), decisions_ready_decision(56 - 32 * i));
+        traceback_decision_choices(31 * i + 69) := choice(is_set(traceback_state_sum_2, 0),
+          traceback_decision_choices(31 * i + 67), traceback_decision_choices(31 * i + 68));
+        traceback_decision_choices(31 * i + 70) := choice(traceback_decision_values(7), traceback_decision_choices(31 *
+          i + 66), traceback_decision_choices(31 * i + 69));
+        traceback_decision_choices(31 * i + 71) := choice(is_set(traceback_state, 0), decisions_ready_decision(55 - 32
+          * i), decisions_ready_decision(54 - 32 * i));
+        traceback_decision_choices(31 * i + 72) := choice(is_set(traceback_state, 0), decisions_ready_decision(53 - 32
+          * i), decisions_ready_decision(52 - 32 * i));
+        traceback_decision_choices(31 * i + 73) := choice(is_set(traceback_state_sum_2, 0),
+          traceback_decision_choices(31 * i + 71), traceback_decision_choices(31 * i + 72));
+        traceback_decision_choices(31 * i + 74) := choice(is_set(traceback_state, 0), decisions_ready_decision(51 - 32
+          * i), decisions_ready_decision(50 - 32 * i));
+        traceback_decision_choices(31 * i + 75) := choice(is_set(traceback_state, 0), decisions_ready_decision(49 - 32
+          * i), decisions_ready_decision(48 - 32 * i));
+        traceback_decision_choices(31 * i + 76) := choice(is_set(traceback_state_sum_2, 0),
+          traceback_decision_choices(31 * i + 74), traceback_decision_choices(31 * i + 75));
+        traceback_decision_choices(31 * i + 77) := choice(traceback_decision_values(7), traceback_decision_choices(31 *
+          i + 73), traceback_decision_choices(31 * i + 76));
+        traceback_decision_choices(31 * i + 78) := choice(traceback_decision_values(6), traceback_decision_choices(31 *
+          i + 70), traceback_decision_choices(31 * i + 77));
+        traceback_decision_choices(31 * i + 79) := choice(is_set(traceback_state, 0), decisions_ready_decision(47 - 32
+          * i), decisions_ready_decision(46 - 32 * i));
+        traceback_decision_choices(31 * i + 80) := choice(is_set(traceback_state, 0), decisions_ready_decision(45 - 32
+          * i), decisions_ready_decision(44 - 32 * i));
+        traceback_decision_choices(31 * i + 81) := choice(is_set(traceback_state_sum_2, 0),
+          traceback_decision_choices(31 * i + 79), traceback_decision_choices(31 * i + 80));
+        traceback_decision_choices(31 * i + 82) := choice(is_set(traceback_state, 0), decisions_ready_decision(43 - 32
+          * i), decisions_ready_decision(42 - 32 * i));
+        traceback_decision_choices(31 * i + 83) := choice(is_set(traceback_state, 0), decisions_ready_decision(41 - 32
+          * i), decisions_ready_decision(40 - 32 * i));
+        traceback_decision_choices(31 * i + 84) := choice(is_set(traceback_state_sum_2, 0),
+          traceback_decision_choices(31 * i + 82), traceback_decision_choices(31 * i + 83));
+        traceback_decision_choices(31 * i + 85) := choice(traceback_decision_values(7), traceback_decision_choices(31 *
+          i + 81), traceback_decision_choices(31 * i + 84));
+        traceback_decision_choices(31 * i + 86) := choice(is_set(traceback_state, 0), decisions_ready_decision(39 - 32
+          * i), decisions_ready_decision(38 - 32 * i));
+        traceback_decision_choices(31 * i + 87) := choice(is_set(traceback_state, 0), decisions_ready_decision(37 - 32
+          * i), decisions_ready_decision(36 - 32 * i));
+        traceback_decision_choices(31 * i + 88) := choice(is_set(traceback_state_sum_2, 0),
+          traceback_decision_choices(31 * i + 86), traceback_decision_choices(31 * i + 87));
+        traceback_decision_choices(31 * i + 89) := choice(is_set(traceback_state, 0), decisions_ready_decision(35 - 32
+          * i), decisions_ready_decision(34 - 32 * i));
+        traceback_decision_choices(31 * i + 90) := choice(is_set(traceback_state, 0), decisions_ready_decision(33 - 32
+          * i), decisions_ready_decision(32 - 32 * i));
+        traceback_decision_choices(31 * i + 91) := choice(is_set(traceback_state_sum_2, 0),
+          traceback_decision_choices(31 * i + 89), traceback_decision_choices(31 * i + 90));
+        traceback_decision_choices(31 * i + 92) := choice(traceback_decision_values(7), traceback_decision_choices(31 *
+          i + 88), traceback_decision_choices(31 * i + 91));
+        traceback_decision_choices(31 * i + 93) := choice(traceback_decision_values(6), traceback_decision_choices(31 *
+          i + 85), traceback_decision_choices(31 * i + 92));
+        traceback_decision_choices(31 * i + 94) := choice(traceback_decision_values(5), traceback_decision_choices(31 *
+          i + 78), traceback_decision_choices(31 * i + 93));
       end loop;
-      if (((traceback_state_sum_2 mod 128) / 16) mod 2) = 1 then
-        traceback_decision_choices(126) := traceback_decision_choices(94);
-      else
-        traceback_decision_choices(126) := traceback_decision_choices(125);
-      end if;
+      traceback_decision_choices(126) := choice((((traceback_state_sum_2 mod 128) / 16) mod 2) = 1,
+        traceback_decision_choices(94), traceback_decision_choices(125));
       traceback_decision_values(8) := (((traceback_state_sum_3 mod 256) / 16) mod 2) = 1;
       traceback_decision_values(9) := (((traceback_state_sum_3 mod 256) / 8) mod 2) = 1;
       traceback_decision_values(10) := (((traceback_state_sum_3 mod 256) / 4) mod 2) = 1;
       traceback_decision_values(11) := (((traceback_state_sum_3 mod 256) / 2) mod 2) = 1;
       for i in 0 to 1 loop
-        for j in 0 to 1 loop
-          for k in 127 to 128 loop
-            if is_set(traceback_state_sum_3, 0) then
-              traceback_decision_choices(31 * i + 7 * j + k) := decisions_ready_decision(317 - 32 * i - 8 * j - 2 * k);
-            else
-              traceback_decision_choices(31 * i + 7 * j + k) := decisions_ready_decision(316 - 32 * i - 8 * j - 2 * k);
-            end if;
-          end loop;
-          if traceback_decision_values(11) then
-            traceback_decision_choices(31 * i + 7 * j + 129) := traceback_decision_choices(31 * i + 7 * j + 127);
-          else
-            traceback_decision_choices(31 * i + 7 * j + 129) := traceback_decision_choices(31 * i + 7 * j + 128);
-          end if;
-          for k in 130 to 131 loop
-            if is_set(traceback_state_sum_3, 0) then
-              traceback_decision_choices(31 * i + 7 * j + k) := decisions_ready_decision(319 - 32 * i - 8 * j - 2 * k);
-            else
-              traceback_decision_choices(31 * i + 7 * j + k) := decisions_ready_decision(318 - 32 * i - 8 * j - 2 * k);
-            end if;
-          end loop;
-          for k in 132 to 133 loop
-            if traceback_decision_values(143 - k) then
-              traceback_decision_choices(31 * i + 7 * j + k) := traceback_decision_choices(31 * i + 7 * j + 262 - k);
-            else
-              traceback_decision_choices(31 * i + 7 * j + k) := traceback_decision_choices(31 * i + 7 * j + k - 1);
-            end if;
-          end loop;
-        end loop;
-        for j in 0 to 1 loop
-          if traceback_decision_values(2 * j + 9) then
-            traceback_decision_choices(31 * i + 3 * j + 141) := traceback_decision_choices(31 * i + 9 * j + 133);
-          else
-            traceback_decision_choices(31 * i + 3 * j + 141) := traceback_decision_choices(31 * i + 3 * j + 140);
-          end if;
-          for k in 142 to 143 loop
-            if is_set(traceback_state_sum_3, 0) then
-              traceback_decision_choices(31 * i + 3 * j + k) := decisions_ready_decision(331 - 32 * i - 4 * j - 2 * k);
-            else
-              traceback_decision_choices(31 * i + 3 * j + k) := decisions_ready_decision(330 - 32 * i - 4 * j - 2 * k);
-            end if;
-          end loop;
-        end loop;
-        for j in 147 to 148 loop
-          if traceback_decision_values(158 - j) then
-            traceback_decision_choices(31 * i + j) := traceback_decision_choices(31 * i + 292 - j);
-          else
-            traceback_decision_choices(31 * i + j) := traceback_decision_choices(31 * i + j - 1);
-          end if;
-        end loop;
-        for j in 149 to 150 loop
-          if is_set(traceback_state_sum_3, 0) then
-            traceback_decision_choices(31 * i + j) := decisions_ready_decision(337 - 32 * i - 2 * j);
-          else
-            traceback_decision_choices(31 * i + j) := decisions_ready_decision(336 - 32 * i - 2 * j);
-          end if;
-        end loop;
-        if traceback_decision_values(11) then
-          traceback_decision_choices(31 * i + 151) := traceback_decision_choices(31 * i + 149);
-        else
-          traceback_decision_choices(31 * i + 151) := traceback_decision_choices(31 * i + 150);
-        end if;
-        for j in 152 to 153 loop
-          if is_set(traceback_state_sum_3, 0) then
-            traceback_decision_choices(31 * i + j) := decisions_ready_decision(339 - 32 * i - 2 * j);
-          else
-            traceback_decision_choices(31 * i + j) := decisions_ready_decision(338 - 32 * i - 2 * j);
-          end if;
-        end loop;
-        for j in 154 to 155 loop
-          if traceback_decision_values(165 - j) then
-            traceback_decision_choices(31 * i + j) := traceback_decision_choices(31 * i + 306 - j);
-          else
-            traceback_decision_choices(31 * i + j) := traceback_decision_choices(31 * i + j - 1);
-          end if;
-        end loop;
-        for j in 156 to 157 loop
-          if traceback_decision_values(165 - j) then
-            traceback_decision_choices(31 * i + j) := traceback_decision_choices(31 * i + 1240 - 7 * j);
-          else
-            traceback_decision_choices(31 * i + j) := traceback_decision_choices(31 * i + j - 1);
-          end if;
-        end loop;
+        traceback_decision_choices(31 * i + 127) := choice(is_set(traceback_state_sum_3, 0),
+          decisions_ready_decision(63 - 32 * i), decisions_ready_decision(62 - 32 * i));
+        traceback_decision_choices(31 * i + 128) := choice(is_set(traceback_state_sum_3, 0),
+          decisions_ready_decision(61 - 32 * i), decisions_ready_decision(60 - 32 * i));
+        traceback_decision_choices(31 * i + 129) := choice(traceback_decision_values(11), traceback_decision_choices(31
+          * i + 127), traceback_decision_choices(31 * i + 128));
+        traceback_decision_choices(31 * i + 130) := choice(is_set(traceback_state_sum_3, 0),
+          decisions_ready_decision(59 - 32 * i), decisions_ready_decision(58 - 32 * i));
+        traceback_decision_choices(31 * i + 131) := choice(is_set(traceback_state_sum_3, 0),
+          decisions_ready_decision(57 - 32 * i), decisions_ready_decision(56 - 32 * i));
+        traceback_decision_choices(31 * i + 132) := choice(traceback_decision_values(11), traceback_decision_choices(31
+          * i + 130), traceback_decision_choices(31 * i + 131));
+        traceback_decision_choices(31 * i + 133) := choice(traceback_decision_values(10), traceback_decision_choices(31
+          * i + 129), traceback_decision_choices(31 * i + 132));
+        traceback_decision_choices(31 * i + 134) := choice(is_set(traceback_state_sum_3, 0),
+          decisions_ready_decision(55 - 32 * i), decisions_ready_decision(54 - 32 * i));
+        traceback_decision_choices(31 * i + 135) := choice(is_set(traceback_state_sum_3, 0),
+          decisions_ready_decision(53 - 32 * i), decisions_ready_decision(52 - 32 * i));
+        traceback_decision_choices(31 * i + 136) := choice(traceback_decision_values(11), traceback_decision_choices(31
+          * i + 134), traceback_decision_choices(31 * i + 135));
+        traceback_decision_choices(31 * i + 137) := choice(is_set(traceback_state_sum_3, 0),
+          decisions_ready_decision(51 - 32 * i), decisions_ready_decision(50 - 32 * i));
+        traceback_decision_choices(31 * i + 138) := choice(is_set(traceback_state_sum_3, 0),
+          decisions_ready_decision(49 - 32 * i), decisions_ready_decision(48 - 32 * i));
+        traceback_decision_choices(31 * i + 139) := choice(traceback_decision_values(11), traceback_decision_choices(31
+          * i + 137), traceback_decision_choices(31 * i + 138));
+        traceback_decision_choices(31 * i + 140) := choice(traceback_decision_values(10), traceback_decision_choices(31
+          * i + 136), traceback_decision_choices(31 * i + 139));
+        traceback_decision_choices(31 * i + 141) := choice(traceback_decision_values(9), traceback_decision_choices(31
+          * i + 133), traceback_decision_choices(31 * i + 140));
+        traceback_decision_choices(31 * i + 142) := choice(is_set(traceback_state_sum_3, 0),
+          decisions_ready_decision(47 - 32 * i), decisions_ready_decision(46 - 32 * i));
+        traceback_decision_choices(31 * i + 143) := choice(is_set(traceback_state_sum_3, 0),
+          decisions_ready_decision(45 - 32 * i), decisions_ready_decision(44 - 32 * i));
+        traceback_decision_choices(31 * i + 144) := choice(traceback_decision_values(11), traceback_decision_choices(31
+          * i + 142), traceback_decision_choices(31 * i + 143));
+        traceback_decision_choices(31 * i + 145) := choice(is_set(traceback_state_sum_3, 0),
+          decisions_ready_decision(43 - 32 * i), decisions_ready_decision(42 - 32 * i));
+        traceback_decision_choices(31 * i + 146) := choice(is_set(traceback_state_sum_3, 0),
+          decisions_ready_decision(41 - 32 * i), decisions_ready_decision(40 - 32 * i));
+        traceback_decision_choices(31 * i + 147) := choice(traceback_decision_values(11), traceback_decision_choices(31
+          * i + 145), traceback_decision_choices(31 * i + 146));
+        traceback_decision_choices(31 * i + 148) := choice(traceback_decision_values(10), traceback_decision_choices(31
+          * i + 144), traceback_decision_choices(31 * i + 147));
+        traceback_decision_choices(31 * i + 149) := choice(is_set(traceback_state_sum_3, 0),
+          decisions_ready_decision(39 - 32 * i), decisions_ready_decision(38 - 32 * i));
+        traceback_decision_choices(31 * i + 150) := choice(is_set(traceback_state_sum_3, 0),
+          decisions_ready_decision(37 - 32 * i), decisions_ready_decision(36 - 32 * i));
+        traceback_decision_choices(31 * i + 151) := choice(traceback_decision_values(11), traceback_decision_choices(31
+          * i + 149), traceback_decision_choices(31 * i + 150));
+        traceback_decision_choices(31 * i + 152) := choice(is_set(traceback_state_sum_3, 0),
+          decisions_ready_decision(35 - 32 * i), decisions_ready_decision(34 - 32 * i));
+        traceback_decision_choices(31 * i + 153) := choice(is_set(traceback_state_sum_3, 0),
+          decisions_ready_decision(33 - 32 * i), decisions_ready_decision(32 - 32 * i));
+        traceback_decision_choices(31 * i + 154) := choice(traceback_decision_values(11), traceback_decision_choices(31
+          * i + 152), traceback_decision_choices(31 * i + 153));
+        traceback_decision_choices(31 * i + 155) := choice(traceback_decision_values(10), traceback_decision_choices(31
+          * i + 151), traceback_decision_choices(31 * i + 154));
+        traceback_decision_choices(31 * i + 156) := choice(traceback_decision_values(9), traceback_decision_choices(31
+          * i + 148), traceback_decision_choices(31 * i + 155));
+        traceback_decision_choices(31 * i + 157) := choice(traceback_decision_values(8), traceback_decision_choices(31
+          * i + 141), traceback_decision_choices(31 * i + 156));
       end loop;
-      if (((traceback_state_sum_3 mod 256) / 32) mod 2) = 1 then
-        traceback_decision_choices(189) := traceback_decision_choices(157);
-      else
-        traceback_decision_choices(189) := traceback_decision_choices(188);
-      end if;
+      traceback_decision_choices(189) := choice((((traceback_state_sum_3 mod 256) / 32) mod 2) = 1,
+        traceback_decision_choices(157), traceback_decision_choices(188));
       traceback_decision_values(12) := is_set(traceback_state, 4);
       traceback_decision_values(13) := is_set(traceback_state, 3);
       traceback_decision_values(14) := is_set(traceback_state, 2);
       traceback_decision_values(15) := is_set(traceback_state, 1);
-      for i in 190 to 191 loop
-        if traceback_decision_values(15) then
-          traceback_decision_choices(i) := traceback_decision_choices(3 * i - 506);
-        else
-          traceback_decision_choices(i) := traceback_decision_choices(3 * i - 505);
-        end if;
+      for i in 0 to 1 loop
+        traceback_decision_choices(15 * i + 190) := choice(traceback_decision_values(15), traceback_decision_choices(31
+          * i + 64), traceback_decision_choices(31 * i + 65));
+        traceback_decision_choices(15 * i + 191) := choice(traceback_decision_values(15), traceback_decision_choices(31
+          * i + 67), traceback_decision_choices(31 * i + 68));
+        traceback_decision_choices(15 * i + 192) := choice(traceback_decision_values(14), traceback_decision_choices(15
+          * i + 190), traceback_decision_choices(15 * i + 191));
+        traceback_decision_choices(15 * i + 193) := choice(traceback_decision_values(15), traceback_decision_choices(31
+          * i + 71), traceback_decision_choices(31 * i + 72));
+        traceback_decision_choices(15 * i + 194) := choice(traceback_decision_values(15), traceback_decision_choices(31
+          * i + 74), traceback_decision_choices(31 * i + 75));
+        traceback_decision_choices(15 * i + 195) := choice(traceback_decision_values(14), traceback_decision_choices(15
+          * i + 193), traceback_decision_choices(15 * i + 194));
+        traceback_decision_choices(15 * i + 196) := choice(traceback_decision_values(13), traceback_decision_choices(15
+          * i + 192), traceback_decision_choices(15 * i + 195));
+        traceback_decision_choices(15 * i + 197) := choice(traceback_decision_values(15), traceback_decision_choices(31
+          * i + 79), traceback_decision_choices(31 * i + 80));
+        traceback_decision_choices(15 * i + 198) := choice(traceback_decision_values(15), traceback_decision_choices(31
+          * i + 82), traceback_decision_choices(31 * i + 83));
+        traceback_decision_choices(15 * i + 199) := choice(traceback_decision_values(14), traceback_decision_choices(15
+          * i + 197), traceback_decision_choices(15 * i + 198));
+        traceback_decision_choices(15 * i + 200) := choice(traceback_decision_values(15), traceback_decision_choices(31
+          * i + 86), traceback_decision_choices(31 * i + 87));
+        traceback_decision_choices(15 * i + 201) := choice(traceback_decision_values(15), traceback_decision_choices(31
+          * i + 89), traceback_decision_choices(31 * i + 90));
+        traceback_decision_choices(15 * i + 202) := choice(traceback_decision_values(14), traceback_decision_choices(15
+          * i + 200), traceback_decision_choices(15 * i + 201));
+        traceback_decision_choices(15 * i + 203) := choice(traceback_decision_values(13), traceback_decision_choices(15
+          * i + 199), traceback_decision_choices(15 * i + 202));
+        traceback_decision_choices(15 * i + 204) := choice(traceback_decision_values(12), traceback_decision_choices(15
+          * i + 196), traceback_decision_choices(15 * i + 203));
       end loop;
-      for i in 14 to 15 loop
-        if traceback_decision_values(i) then
-          traceback_decision_choices(i + 178) := traceback_decision_choices(1856 - 119 * i);
-        else
-          traceback_decision_choices(i + 178) := traceback_decision_choices(1857 - 119 * i);
-        end if;
-      end loop;
-      for i in 194 to 195 loop
-        if traceback_decision_values(209 - i) then
-          traceback_decision_choices(i) := traceback_decision_choices(119 * i - 23012);
-        else
-          traceback_decision_choices(i) := traceback_decision_choices(119 * i - 23011);
-        end if;
-      end loop;
-      for i in 196 to 197 loop
-        if traceback_decision_values(2 * i - 379) then
-          traceback_decision_choices(i) := traceback_decision_choices(22340 - 113 * i);
-        else
-          traceback_decision_choices(i) := traceback_decision_choices(22735 - 115 * i);
-        end if;
-      end loop;
-      for i in 198 to 199 loop
-        if traceback_decision_values(213 - i) then
-          traceback_decision_choices(i) := traceback_decision_choices(115 * i - 22688);
-        else
-          traceback_decision_choices(i) := traceback_decision_choices(115 * i - 22687);
-        end if;
-      end loop;
-      for i in 200 to 201 loop
-        if traceback_decision_values(15) then
-          traceback_decision_choices(i) := traceback_decision_choices(3 * i - 514);
-        else
-          traceback_decision_choices(i) := traceback_decision_choices(3 * i - 513);
-        end if;
-      end loop;
-      for i in 202 to 203 loop
-        if traceback_decision_values(216 - i) then
-          traceback_decision_choices(i) := traceback_decision_choices(402 - i);
-        else
-          traceback_decision_choices(i) := traceback_decision_choices(i - 1);
-        end if;
-      end loop;
-      for i in 204 to 205 loop
-        if traceback_decision_values(3 * i - 600) then
-          traceback_decision_choices(i) := traceback_decision_choices(20800 - 101 * i);
-        else
-          traceback_decision_choices(i) := traceback_decision_choices(22031 - 107 * i);
-        end if;
-      end loop;
-      for i in 206 to 207 loop
-        if traceback_decision_values(221 - i) then
-          traceback_decision_choices(i) := traceback_decision_choices(107 * i - 21944);
-        else
-          traceback_decision_choices(i) := traceback_decision_choices(107 * i - 21943);
-        end if;
-      end loop;
-      for i in 208 to 209 loop
-        if traceback_decision_values(15) then
-          traceback_decision_choices(i) := traceback_decision_choices(3 * i - 522);
-        else
-          traceback_decision_choices(i) := traceback_decision_choices(3 * i - 521);
-        end if;
-      end loop;
-      for i in 210 to 211 loop
-        if traceback_decision_values(224 - i) then
-          traceback_decision_choices(i) := traceback_decision_choices(418 - i);
-        else
-          traceback_decision_choices(i) := traceback_decision_choices(i - 1);
-        end if;
-      end loop;
-      for i in 212 to 213 loop
-        if traceback_decision_values(15) then
-          traceback_decision_choices(i) := traceback_decision_choices(3 * i - 526);
-        else
-          traceback_decision_choices(i) := traceback_decision_choices(3 * i - 525);
-        end if;
-      end loop;
-      for i in 14 to 15 loop
-        if traceback_decision_values(i) then
-          traceback_decision_choices(i + 200) := traceback_decision_choices(1542 - 95 * i);
-        else
-          traceback_decision_choices(i + 200) := traceback_decision_choices(1543 - 95 * i);
-        end if;
-      end loop;
-      for i in 216 to 217 loop
-        if traceback_decision_values(231 - i) then
-          traceback_decision_choices(i) := traceback_decision_choices(95 * i - 20400);
-        else
-          traceback_decision_choices(i) := traceback_decision_choices(95 * i - 20399);
-        end if;
-      end loop;
-      for i in 218 to 219 loop
-        if traceback_decision_values(231 - i) then
-          traceback_decision_choices(i) := traceback_decision_choices(868 - 3 * i);
-        else
-          traceback_decision_choices(i) := traceback_decision_choices(i - 1);
-        end if;
-      end loop;
-      if is_set(traceback_state, 5) then
-        traceback_decision_choices(220) := traceback_decision_choices(204);
-      else
-        traceback_decision_choices(220) := traceback_decision_choices(219);
-      end if;
-      if traceback_state_all then
-        traceback_decision_choices(221) := traceback_decision_choices(189);
-      else
-        traceback_decision_choices(221) := traceback_decision_choices(220);
-      end if;
-      if traceback_state_is_equals(2) then
-        traceback_decision_choices(222) := traceback_decision_choices(126);
-      else
-        traceback_decision_choices(222) := traceback_decision_choices(221);
-      end if;
-      if traceback_state_is_equal then
-        traceback_decision_choices(223) := traceback_decision_choices(63);
-      else
-        traceback_decision_choices(223) := traceback_decision_choices(222);
-      end if;
-      if entry_tag_valid then
+      traceback_decision_choices(220) := choice(is_set(traceback_state, 5), traceback_decision_choices(204),
+        traceback_decision_choices(219));
+      traceback_decision_choices(221) := choice(traceback_state_all, traceback_decision_choices(189),
+        traceback_decision_choices(220));
+      traceback_decision_choices(222) := choice(traceback_state_is_equals(2), traceback_decision_choices(126),
+        traceback_decision_choices(221));
+      traceback_decision_choices(223) := choice(traceback_state_is_equals(1), traceback_decision_choices(63),
+        traceback_decision_choices(222));
+      if entry_tag.valid then
         traceback_tags_held_output_column(0) <= entry_turned_output_column;
         traceback_tags_held_start_of_frame(0) <= entry_turned_start_of_frame;
         traceback_tags_held_output_column(1) <= traceback_tags_held_output_column(0);
         traceback_tags_held_start_of_frame(1) <= traceback_tags_held_start_of_frame(0);
-        if decisions_comes(0) then
-          traceback_state <= traceback_state_choices(3);
-          traceback_decision <= traceback_decision_choices(223);
-        else
-          traceback_state <= last_state;
-          traceback_decision <= 0;
-        end if;
-        if ((((traceback_decision + 255) mod 256) / 2) = 0) and decisions_comes(0) and traceback_state_is_equals(3) then
-          traceback_falling <= traceback_decision;
-        else
-          traceback_falling <= 0;
-        end if;
+        traceback_state <= choice(decisions_comes(0), traceback_state_choices(3), last_state);
+        traceback_decision <= choice(decisions_comes(0), traceback_decision_choices(223), 0);
+        traceback_falling <= choice(((((traceback_decision + 255) mod 256) / 2) = 0) and decisions_comes(0) and
+          traceback_state_is_equals(3), traceback_decision, 0);
       end if;
       traceback_out_disparity_0 <= traceback_state;
       traceback_out_passed_0 <= is_set(traceback_falling, 1) or is_set(traceback_falling, 0) or (not
         is_set(traceback_decision, 1)) or (not is_set(traceback_decision, 0));
-      traceback_out_tag_map_column <= decisions_comes(1);
-      traceback_out_tag_output_column <= traceback_tags_held_output_column(1);
-      traceback_out_tag_start_of_frame <= traceback_tags_held_start_of_frame(1);
-      traceback_out_tag_end_of_line <= last_tags_held_end_of_line(1);
+      traceback_out_tag.map_column <= decisions_comes(1);
+      traceback_out_tag.output_column <= traceback_tags_held_output_column(1);
+      traceback_out_tag.start_of_frame <= traceback_tags_held_start_of_frame(1);
+      traceback_out_tag.end_of_line <= last_tags_held_end_of_line(1);
       -- turn
-      turn_order_address_any := turn_order_inside or (not traceback_out_tag_map_column) or (not last_tag_valid);
-      if turn_order_falls then
-        turn_order_address_choice := 2047;
-      else
-        turn_order_address_choice := 1;
+      turn_order_address_anys(1) := turn_order_inside or (not traceback_out_tag.map_column) or (not last_tag.valid);
+      turn_order_address_choice := choice(turn_order_falls, 2047, 1);
+      turn_order_address_choice_2 := choice(turn_order_falls, 0, 309);
+      turn_order_address_anys(2) := (not traceback_out_tag.map_column) or (not last_tag.valid);
+      if not turn_order_address_anys(2) then
+        turn_order_address <= choice(turn_order_address_anys(1), (turn_order_address_choice + turn_order_address) mod
+          2048, turn_order_address_choice_2 * 4);
       end if;
-      if turn_order_falls then
-        turn_order_address_choice_2 := 0;
-      else
-        turn_order_address_choice_2 := 309;
-      end if;
-      turn_order_address_any_2 := (not traceback_out_tag_map_column) or (not last_tag_valid);
-      if not turn_order_address_any_2 then
-        if turn_order_address_any then
-          turn_order_address <= (turn_order_address_choice + turn_order_address) mod 2048;
-        else
-          turn_order_address <= turn_order_address_choice_2 * 4;
-        end if;
-      end if;
-      turn_order_falls_all := (not turn_order_inside) and traceback_out_tag_map_column and last_tag_valid;
-      turn_order_complete_all := traceback_out_tag_map_column and last_tag_valid;
-      turn_order_turned_map_column <= traceback_out_tag_map_column;
+      turn_order_falls_all := (not turn_order_inside) and traceback_out_tag.map_column and last_tag.valid;
+      turn_order_complete_all := traceback_out_tag.map_column and last_tag.valid;
+      turn_order_turned_map_column <= traceback_out_tag.map_column;
       turn_order_turned_first_column <= turn_order_falls_all;
       turn_newest <= (as_number(traceback_out_passed_0) * 256) + traceback_out_disparity_0;
       turn_comes <= turn_order_complete_all;
-      turn_read_tag_map_column <= turn_order_turned_map_column;
-      turn_read_tag_first_column <= turn_order_turned_first_column;
+      turn_read_tag.map_column <= turn_order_turned_map_column;
+      turn_read_tag.first_column <= turn_order_turned_first_column;
       turn_ready <= to_integer(turn_read_words_0);
-      turn_ready_tag_map_column <= turn_read_tag_map_column;
-      turn_ready_tag_first_column <= turn_read_tag_first_column;
-      if turn_order_falls then
-        turn_order_falls <= turn_order_address_any;
-      else
-        turn_order_falls <= turn_order_falls_all;
-      end if;
-      if traceback_out_tag_end_of_line then
-        turn_order_complete <= turn_order_complete or turn_order_complete_all;
-      else
-        turn_order_complete <= turn_order_complete and turn_order_address_any_2;
-      end if;
-      if last_tag_valid then
-        turn_order_inside <= traceback_out_tag_map_column;
+      turn_ready_tag <= turn_read_tag;
+      turn_order_falls <= choice(turn_order_falls, turn_order_address_anys(1), turn_order_falls_all);
+      turn_order_complete <= choice(traceback_out_tag.end_of_line, turn_order_complete or turn_order_complete_all,
+        turn_order_complete and turn_order_address_anys(2));
+      if last_tag.valid then
+        turn_order_inside <= traceback_out_tag.map_column;
       end if;
       if turn_order_falls_all then
-        turn_order_output <= traceback_out_tag_output_column;
-        turn_order_first <= traceback_out_tag_start_of_frame;
+        turn_order_output <= traceback_out_tag.output_column;
+        turn_order_first <= traceback_out_tag.start_of_frame;
       end if;
       if turn_comes then
         turn_write_words_0 <= turn_newest;
         turn_write_place <= turn_order_address;
       end if;
       -- fill
-      if turn_ready_tag_first_column then
-        fill_out_disparity_0_choice := 0;
-      else
-        fill_out_disparity_0_choice := fill_out_disparity_0;
-      end if;
-      fill_out_disparity_0_all := lastwinner3_tag_valid and turn_ready_tag_map_column;
+      fill_out_disparity_0_choice := choice(turn_ready_tag.first_column, 0, fill_out_disparity_0);
+      fill_out_disparity_0_all := lastwinner3_tag.valid and turn_ready_tag.map_column;
       if fill_out_disparity_0_all then
-        if is_set(turn_ready, 8) then
-          fill_out_disparity_0 <= turn_ready mod 256;
-        else
-          fill_out_disparity_0 <= fill_out_disparity_0_choice;
-        end if;
+        fill_out_disparity_0 <= choice(is_set(turn_ready, 8), turn_ready mod 256, fill_out_disparity_0_choice);
       end if;
       fill_out_passed_0 <= is_set(turn_ready, 8);
-      fill_out_tag_map_column <= turn_ready_tag_map_column;
+      fill_out_tag_map_column <= turn_ready_tag.map_column;
       -- map
       map_counter_column_is_equal := map_counter_column = 1236;
       if other_0 then
-        if is_set(other(4), 0) or map_counter_column_is_equal then
-          map_counter_column <= 0;
-        else
-          map_counter_column <= (map_counter_column + 1) mod 2048;
-        end if;
+        map_counter_column <= choice(is_set(other(4), 0) or map_counter_column_is_equal, 0, (map_counter_column + 1)
+          mod 2048);
       end if;
-      map_counter_group_is_equal := map_counter_group = 639;
-      map_counter_group_all := map_counter_group_is_equal and map_counter_column_is_equal;
-      if map_counter_group_all then
-        map_counter_group_choice := 5;
-      else
-        map_counter_group_choice := 0;
-      end if;
+      map_counter_group_is_equals(1) := map_counter_group = 639;
+      map_counter_group_all := map_counter_group_is_equals(1) and map_counter_column_is_equal;
+      map_counter_group_choice := choice(map_counter_group_all, 5, 0);
       map_counter_group_differs := map_counter_group /= 641;
-      map_counter_group_is_equal_2 := map_counter_group = 640;
-      if map_counter_next_frame and map_counter_group_is_equal_2 then
-        map_counter_group_choices(2) := 1;
-      else
-        map_counter_group_choices(2) := (map_counter_group + 1) mod 1024;
-      end if;
-      if map_counter_group_differs and other_0 and map_counter_column_is_equal then
-        map_counter_group_choices(3) := map_counter_group_choices(2);
-      else
-        map_counter_group_choices(3) := map_counter_group;
-      end if;
-      if map_counter_column_is_equal then
-        map_counter_next_frame_choice := map_counter_next_frame and (map_counter_group /= 640);
-      else
-        map_counter_next_frame_choice := map_counter_next_frame;
-      end if;
-      if map_counter_group_differs then
-        map_counter_next_frame_choices(2) := map_counter_next_frame_choice;
-      else
-        map_counter_next_frame_choices(2) := map_counter_next_frame;
-      end if;
-      if map_counter_group_all then
-        map_counter_next_frame_choices(3) := other_0;
-      else
-        map_counter_next_frame_choices(3) := other_0 and (not is_set(other(4), 0));
-      end if;
-      if map_counter_next_frame_choices(2) then
-        map_counter_next_frame_choices(4) := map_counter_next_frame_choices(3);
-      else
-        map_counter_next_frame_choices(4) := map_counter_group_is_equal and map_counter_column_is_equal and other_0 and
-          is_set(other(4), 0);
-      end if;
-      if lastwinner4_tag_valid then
-        map_line_ended_choice := 255 < other(4);
-      else
-        map_line_ended_choice := map_line_ended;
-      end if;
+      map_counter_group_is_equals(2) := map_counter_group = 640;
+      map_counter_group_choices(2) := choice(map_counter_next_frame and map_counter_group_is_equals(2), 1,
+        (map_counter_group + 1) mod 1024);
+      map_counter_group_choices(3) := choice(map_counter_group_differs and other_0 and map_counter_column_is_equal,
+        map_counter_group_choices(2), map_counter_group);
+      map_counter_next_frame_choices(1) := choice(map_counter_column_is_equal, map_counter_next_frame and
+        (map_counter_group /= 640), map_counter_next_frame);
+      map_counter_next_frame_choices(2) := choice(map_counter_group_differs, map_counter_next_frame_choices(1),
+        map_counter_next_frame);
+      map_counter_next_frame_choices(3) := choice(map_counter_group_all, other_0, other_0 and (not is_set(other(4),
+        0)));
+      map_counter_next_frame_choices(4) := choice(map_counter_next_frame_choices(2), map_counter_next_frame_choices(3),
+        map_counter_group_is_equals(1) and map_counter_column_is_equal and other_0 and is_set(other(4), 0));
+      map_line_ended_choice := choice(lastwinner4_tag.valid, 255 < other(4), map_line_ended);
       map_at_arrives_value := other_1(16) = '1';
-      map_of_column_0_b_below_a_value := is_set(map_column(1), 2);
-      if map_at_top then
-        map_of_column_0_b_below_a_choice := map_of_column_0_b_below_a_value;
-      else
-        map_of_column_0_b_below_a_choice := is_set(other_2, 2);
-      end if;
+      map_of_column_0_b_below_a_values(1) := is_set(map_column(1), 2);
+      map_of_column_0_b_below_a_choices(1) := choice(map_at_top, map_of_column_0_b_below_a_values(1), is_set(other_2,
+        2));
       map_of_column_0_b_below_a_values(2) := is_set(map_column(1), 1);
-      if map_at_top then
-        map_of_column_0_b_below_a_choices(2) := map_of_column_0_b_below_a_values(2);
-      else
-        map_of_column_0_b_below_a_choices(2) := is_set(other_2, 1);
-      end if;
-      if map_of_column_0_b_below_a_choices(2) then
-        map_of_column_0_b_below_a_choices(3) := (not map_of_column_0_b_below_a_value) or (not
-          map_of_column_0_b_below_a_values(2));
-      else
-        map_of_column_0_b_below_a_choices(3) := not map_of_column_0_b_below_a_value;
-      end if;
-      if map_of_column_0_b_below_a_choice then
-        map_of_column_0_b_below_a_choices(4) := map_of_column_0_b_below_a_choices(3);
-      else
-        map_of_column_0_b_below_a_choices(4) := map_of_column_0_b_below_a_choices(2) and (((map_column(1) / 2) mod 4) =
-          0);
-      end if;
+      map_of_column_0_b_below_a_choices(2) := choice(map_at_top, map_of_column_0_b_below_a_values(2), is_set(other_2,
+        1));
+      map_of_column_0_b_below_a_choices(3) := choice(map_of_column_0_b_below_a_choices(2), (not
+        map_of_column_0_b_below_a_values(1)) or (not map_of_column_0_b_below_a_values(2)), not
+        map_of_column_0_b_below_a_values(1));
+      map_of_column_0_b_below_a_choices(4) := choice(map_of_column_0_b_below_a_choices(1),
+        map_of_column_0_b_below_a_choices(3), map_of_column_0_b_below_a_choices(2) and (((map_column(1) / 2) mod 4) =
+        0));
       map_of_column_0_b_below_a_values(3) := is_set(map_column(1), 3);
       map_of_column_0_b_below_a_values(4) := is_set(other_2, 3);
-      if map_of_column_0_b_below_a_choices(4) then
-        map_of_column_0_b_below_a_choices(5) := map_of_column_0_b_below_a_values(3) and (not
-          map_of_column_0_b_below_a_values(4)) and (not map_at_top);
-      else
-        map_of_column_0_b_below_a_choices(5) := map_of_column_0_b_below_a_values(3) or (not
-          map_of_column_0_b_below_a_values(4)) or map_at_top;
-      end if;
+      map_of_column_0_b_below_a_choices(5) := choice(map_of_column_0_b_below_a_choices(4),
+        map_of_column_0_b_below_a_values(3) and (not map_of_column_0_b_below_a_values(4)) and (not map_at_top),
+        map_of_column_0_b_below_a_values(3) or (not map_of_column_0_b_below_a_values(4)) or map_at_top);
       for i in 4 to 7 loop
         map_of_column_0_b_below_a_values(2 * i - 3) := is_set(map_column(1), i);
         map_of_column_0_b_below_a_values(2 * i - 2) := is_set(other_2, i);
-        if map_of_column_0_b_below_a_choices(i + 1) then
-          map_of_column_0_b_below_a_choices(i + 2) := map_of_column_0_b_below_a_values(2 * i - 3) or (not
-            map_of_column_0_b_below_a_values(2 * i - 2)) or map_at_top;
-        else
-          map_of_column_0_b_below_a_choices(i + 2) := map_of_column_0_b_below_a_values(2 * i - 3) and (not
-            map_of_column_0_b_below_a_values(2 * i - 2)) and (not map_at_top);
-        end if;
+        map_of_column_0_b_below_a_choices(i + 2) := choice(map_of_column_0_b_below_a_choices(i + 1),
+          map_of_column_0_b_below_a_values(2 * i - 3) or (not map_of_column_0_b_below_a_values(2 * i - 2)) or
+          map_at_top, map_of_column_0_b_below_a_values(2 * i - 3) and (not map_of_column_0_b_below_a_values(2 * i - 2))
+          and (not map_at_top));
       end loop;
-      map_of_column_0_c_below_a_value := is_set(map_column(2), 2);
-      if map_read_bottom then
-        map_of_column_0_c_below_a_choice := map_of_column_0_b_below_a_value;
-      else
-        map_of_column_0_c_below_a_choice := map_of_column_0_c_below_a_value;
-      end if;
+      map_of_column_0_c_below_a_values(1) := is_set(map_column(2), 2);
+      map_of_column_0_c_below_a_choices(1) := choice(map_read_bottom, map_of_column_0_b_below_a_values(1),
+        map_of_column_0_c_below_a_values(1));
       map_of_column_0_c_below_a_values(2) := is_set(map_column(2), 1);
-      if map_of_column_0_c_below_a_values(2) then
-        map_of_column_0_c_below_a_choices(2) := (not map_of_column_0_b_below_a_values(2)) and map_read_bottom;
-      else
-        map_of_column_0_c_below_a_choices(2) := (not map_of_column_0_b_below_a_values(2)) or (not map_read_bottom);
-      end if;
-      if map_of_column_0_c_below_a_choice then
-        map_of_column_0_c_below_a_choices(3) := map_of_column_0_b_below_a_choices(2) and
-          map_of_column_0_c_below_a_choices(2) and map_of_column_0_b_below_a_choice;
-      else
-        map_of_column_0_c_below_a_choices(3) := (map_of_column_0_b_below_a_choices(2) and
-          map_of_column_0_c_below_a_choices(2)) or map_of_column_0_b_below_a_choice;
-      end if;
+      map_of_column_0_c_below_a_choices(2) := choice(map_of_column_0_c_below_a_values(2), (not
+        map_of_column_0_b_below_a_values(2)) and map_read_bottom, (not map_of_column_0_b_below_a_values(2)) or (not
+        map_read_bottom));
+      map_of_column_0_c_below_a_choices(3) := choice(map_of_column_0_c_below_a_choices(1),
+        map_of_column_0_b_below_a_choices(2) and map_of_column_0_c_below_a_choices(2) and
+        map_of_column_0_b_below_a_choices(1), (map_of_column_0_b_below_a_choices(2) and
+        map_of_column_0_c_below_a_choices(2)) or map_of_column_0_b_below_a_choices(1));
       for i in 3 to 7 loop
         map_of_column_0_c_below_a_values(i) := is_set(map_column(2), i);
-        if map_read_bottom then
-          map_of_column_0_c_below_a_choices(3 * i - 5) := map_of_column_0_b_below_a_values(2 * i - 3);
-        else
-          map_of_column_0_c_below_a_choices(3 * i - 5) := map_of_column_0_c_below_a_values(i);
-        end if;
-        if map_at_top then
-          map_of_column_0_c_below_a_choices(3 * i - 4) := map_of_column_0_b_below_a_values(2 * i - 3);
-        else
-          map_of_column_0_c_below_a_choices(3 * i - 4) := map_of_column_0_b_below_a_values(2 * i - 2);
-        end if;
-        if map_of_column_0_c_below_a_choices(3 * i - 6) then
-          map_of_column_0_c_below_a_choices(3 * i - 3) := (not map_of_column_0_c_below_a_choices(3 * i - 5)) or
-            map_of_column_0_c_below_a_choices(3 * i - 4);
-        else
-          map_of_column_0_c_below_a_choices(3 * i - 3) := (not map_of_column_0_c_below_a_choices(3 * i - 5)) and
-            map_of_column_0_c_below_a_choices(3 * i - 4);
-        end if;
+        map_of_column_0_c_below_a_choices(3 * i - 5) := choice(map_read_bottom, map_of_column_0_b_below_a_values(2 * i
+          - 3), map_of_column_0_c_below_a_values(i));
+        map_of_column_0_c_below_a_choices(3 * i - 4) := choice(map_at_top, map_of_column_0_b_below_a_values(2 * i - 3),
+          map_of_column_0_b_below_a_values(2 * i - 2));
+        map_of_column_0_c_below_a_choices(3 * i - 3) := carry(map_of_column_0_c_below_a_choices(3 * i - 6), not
+          map_of_column_0_c_below_a_choices(3 * i - 5), map_of_column_0_c_below_a_choices(3 * i - 4));
       end loop;
-      if map_read_bottom then
-        map_of_column_0_c_below_a_choices(19) := is_set(map_column(1), 8);
-      else
-        map_of_column_0_c_below_a_choices(19) := is_set(map_column(2), 8);
-      end if;
-      if map_at_top then
-        map_of_column_0_c_below_a_choices(20) := is_set(map_column(1), 8);
-      else
-        map_of_column_0_c_below_a_choices(20) := is_set(other_2, 8);
-      end if;
-      if (not map_of_column_0_c_below_a_values(2)) and map_of_column_0_b_below_a_values(2) and (not map_read_bottom)
-        then
-        map_of_column_0_c_below_b_choice := map_of_column_0_c_below_a_value and (not map_of_column_0_b_below_a_value)
-          and (not map_read_bottom);
-      else
-        map_of_column_0_c_below_b_choice := map_of_column_0_c_below_a_value or (not map_of_column_0_b_below_a_value) or
-          map_read_bottom;
-      end if;
-      if map_of_column_0_c_below_b_choice then
-        map_of_column_0_c_below_b_choices(2) := map_of_column_0_c_below_a_values(3) or (not
-          map_of_column_0_b_below_a_values(3)) or map_read_bottom;
-      else
-        map_of_column_0_c_below_b_choices(2) := map_of_column_0_c_below_a_values(3) and (not
-          map_of_column_0_b_below_a_values(3)) and (not map_read_bottom);
-      end if;
-      for i in 2 to 5 loop
-        if map_of_column_0_c_below_b_choices(i) then
-          map_of_column_0_c_below_b_choices(i + 1) := map_of_column_0_c_below_a_values(i + 2) or (not
-            map_of_column_0_b_below_a_values(2 * i + 1)) or map_read_bottom;
-        else
-          map_of_column_0_c_below_b_choices(i + 1) := map_of_column_0_c_below_a_values(i + 2) and (not
-            map_of_column_0_b_below_a_values(2 * i + 1)) and (not map_read_bottom);
-        end if;
+      map_of_column_0_c_below_a_choices(19) := choice(map_read_bottom, is_set(map_column(1), 8), is_set(map_column(2),
+        8));
+      map_of_column_0_c_below_a_choices(20) := choice(map_at_top, is_set(map_column(1), 8), is_set(other_2, 8));
+      map_of_column_0_c_below_b_choices(1) := choice((not map_of_column_0_c_below_a_values(2)) and
+        map_of_column_0_b_below_a_values(2) and (not map_read_bottom), map_of_column_0_c_below_a_values(1) and (not
+        map_of_column_0_b_below_a_values(1)) and (not map_read_bottom), map_of_column_0_c_below_a_values(1) or (not
+        map_of_column_0_b_below_a_values(1)) or map_read_bottom);
+      for i in 2 to 6 loop
+        map_of_column_0_c_below_b_choices(i) := choice(map_of_column_0_c_below_b_choices(i - 1),
+          map_of_column_0_c_below_a_values(i + 1) or (not map_of_column_0_b_below_a_values(2 * i - 1)) or
+          map_read_bottom, map_of_column_0_c_below_a_values(i + 1) and (not map_of_column_0_b_below_a_values(2 * i -
+          1)) and (not map_read_bottom));
       end loop;
-      if map_of_column_0_c_below_b then
-        map_sorted_low_0_choice := map_of_column_0_c;
-      else
-        map_sorted_low_0_choice := map_of_column_0_b;
-      end if;
-      if map_of_column_0_c_below_a then
-        map_sorted_low_0_choice_2 := map_of_column_0_c;
-      else
-        map_sorted_low_0_choice_2 := map_of_column_0_a;
-      end if;
-      if map_of_column_0_c_below_b then
-        map_sorted_middle_0_choice := map_of_column_0_b;
-      else
-        map_sorted_middle_0_choice := map_sorted_low_0_choice_2;
-      end if;
-      if map_of_column_0_c_below_a then
-        map_sorted_middle_0_choice_2 := map_of_column_0_a;
-      else
-        map_sorted_middle_0_choice_2 := map_sorted_low_0_choice;
-      end if;
-      if map_of_column_0_c_below_a then
-        map_sorted_high_0_choice := map_of_column_0_a;
-      else
-        map_sorted_high_0_choice := map_of_column_0_c;
-      end if;
-      if map_of_column_0_c_below_b then
-        map_sorted_high_0_choice_2 := map_of_column_0_b;
-      else
-        map_sorted_high_0_choice_2 := map_of_column_0_c;
-      end if;
+      map_sorted_low_0_choices(1) := choice(map_of_column_0_c_below_b, map_of_column_0_c, map_of_column_0_b);
+      map_sorted_low_0_choices(2) := choice(map_of_column_0_c_below_a, map_of_column_0_c, map_of_column_0_a);
+      map_sorted_middle_0_choices(1) := choice(map_of_column_0_c_below_b, map_of_column_0_b,
+        map_sorted_low_0_choices(2));
+      map_sorted_middle_0_choices(2) := choice(map_of_column_0_c_below_a, map_of_column_0_a,
+        map_sorted_low_0_choices(1));
+      map_sorted_high_0_choices(1) := choice(map_of_column_0_c_below_a, map_of_column_0_a, map_of_column_0_c);
+      map_sorted_high_0_choices(2) := choice(map_of_column_0_c_below_b, map_of_column_0_b, map_of_column_0_c);
       map_window_complete_is_equal := map_sorted_column = 0;
-      if map_window_complete_is_equal then
-        map_window_complete_choice := map_sorted_behind;
-      else
-        map_window_complete_choice := map_sorted_arrives or map_sorted_behind;
-      end if;
-      map_of_low_0_b_below_a_value := is_set(map_low_0(0), 1);
-      if is_set(map_low_0(0), 0) then
-        map_of_low_0_b_below_a_choice := (not is_set(map_low_0(1), 1)) or (not is_set(map_low_0(1), 0));
-      else
-        map_of_low_0_b_below_a_choice := not is_set(map_low_0(1), 1);
-      end if;
+      map_window_complete_choice := choice(map_window_complete_is_equal, map_sorted_behind, map_sorted_arrives or
+        map_sorted_behind);
+      map_of_low_0_b_below_a_values(1) := is_set(map_low_0(0), 1);
+      map_of_low_0_b_below_a_choices(1) := choice(is_set(map_low_0(0), 0), (not is_set(map_low_0(1), 1)) or (not
+        is_set(map_low_0(1), 0)), not is_set(map_low_0(1), 1));
       map_of_low_0_b_below_a_is_equal := (map_low_0(1) mod 4) = 0;
-      if map_of_low_0_b_below_a_value then
-        map_of_low_0_b_below_a_choices(2) := map_of_low_0_b_below_a_choice;
-      else
-        map_of_low_0_b_below_a_choices(2) := is_set(map_low_0(0), 0) and map_of_low_0_b_below_a_is_equal;
-      end if;
+      map_of_low_0_b_below_a_choices(2) := choice(map_of_low_0_b_below_a_values(1), map_of_low_0_b_below_a_choices(1),
+        is_set(map_low_0(0), 0) and map_of_low_0_b_below_a_is_equal);
       map_of_low_0_b_below_a_values(2) := is_set(map_low_0(0), 2);
       map_of_low_0_b_below_a_values(3) := is_set(map_low_0(1), 2);
-      if map_of_low_0_b_below_a_choices(2) then
-        map_of_low_0_b_below_a_choices(3) := (not map_of_low_0_b_below_a_values(2)) and
-          map_of_low_0_b_below_a_values(3);
-      else
-        map_of_low_0_b_below_a_choices(3) := (not map_of_low_0_b_below_a_values(2)) or map_of_low_0_b_below_a_values(3);
-      end if;
+      map_of_low_0_b_below_a_choices(3) := inverted_carry(map_of_low_0_b_below_a_choices(2), not
+        map_of_low_0_b_below_a_values(2), map_of_low_0_b_below_a_values(3));
       for i in 3 to 6 loop
         map_of_low_0_b_below_a_values(2 * i - 2) := is_set(map_low_0(0), i);
         map_of_low_0_b_below_a_values(2 * i - 1) := is_set(map_low_0(1), i);
-        if map_of_low_0_b_below_a_choices(i) then
-          map_of_low_0_b_below_a_choices(i + 1) := (not map_of_low_0_b_below_a_values(2 * i - 2)) or
-            map_of_low_0_b_below_a_values(2 * i - 1);
-        else
-          map_of_low_0_b_below_a_choices(i + 1) := (not map_of_low_0_b_below_a_values(2 * i - 2)) and
-            map_of_low_0_b_below_a_values(2 * i - 1);
-        end if;
+        map_of_low_0_b_below_a_choices(i + 1) := carry(map_of_low_0_b_below_a_choices(i), not
+          map_of_low_0_b_below_a_values(2 * i - 2), map_of_low_0_b_below_a_values(2 * i - 1));
       end loop;
       map_of_low_0_c_below_a_value := is_set(map_low_0(2), 1);
-      if is_set(map_low_0(2), 0) then
-        map_of_low_0_c_below_a_choice := not map_of_low_0_b_below_a_value;
-      else
-        map_of_low_0_c_below_a_choice := (map_low_0(0) mod 4) = 0;
-      end if;
-      if map_of_low_0_c_below_a_value then
-        map_of_low_0_c_below_a_choices(2) := is_set(map_low_0(2), 0) or (not map_of_low_0_b_below_a_value) or (not
-          is_set(map_low_0(0), 0));
-      else
-        map_of_low_0_c_below_a_choices(2) := map_of_low_0_c_below_a_choice;
-      end if;
-      if map_of_low_0_c_below_a_choices(2) then
-        map_of_low_0_c_below_a_choices(3) := (not is_set(map_low_0(2), 2)) and map_of_low_0_b_below_a_values(2);
-      else
-        map_of_low_0_c_below_a_choices(3) := (not is_set(map_low_0(2), 2)) or map_of_low_0_b_below_a_values(2);
-      end if;
-      for i in 3 to 6 loop
-        if map_of_low_0_c_below_a_choices(i) then
-          map_of_low_0_c_below_a_choices(i + 1) := (not is_set(map_low_0(2), i)) or map_of_low_0_b_below_a_values(2 * i
-            - 2);
-        else
-          map_of_low_0_c_below_a_choices(i + 1) := (not is_set(map_low_0(2), i)) and map_of_low_0_b_below_a_values(2 *
-            i - 2);
-        end if;
+      map_of_low_0_c_below_a_choices(1) := choice(is_set(map_low_0(2), 0), not map_of_low_0_b_below_a_values(1),
+        (map_low_0(0) mod 4) = 0);
+      map_of_low_0_c_below_a_choices(2) := choice(map_of_low_0_c_below_a_value, is_set(map_low_0(2), 0) or (not
+        map_of_low_0_b_below_a_values(1)) or (not is_set(map_low_0(0), 0)), map_of_low_0_c_below_a_choices(1));
+      map_of_low_0_c_below_a_choices(3) := inverted_carry(map_of_low_0_c_below_a_choices(2), not is_set(map_low_0(2),
+        2), map_of_low_0_b_below_a_values(2));
+      for i in 4 to 7 loop
+        map_of_low_0_c_below_a_choices(i) := carry(map_of_low_0_c_below_a_choices(i - 1), not is_set(map_low_0(2), i -
+          1), map_of_low_0_b_below_a_values(2 * i - 4));
       end loop;
-      if is_set(map_low_0(2), 0) then
-        map_of_low_0_c_below_b_choice := not is_set(map_low_0(1), 1);
-      else
-        map_of_low_0_c_below_b_choice := map_of_low_0_b_below_a_is_equal;
-      end if;
-      if map_of_low_0_c_below_a_value then
-        map_of_low_0_c_below_b_choices(2) := is_set(map_low_0(2), 0) or (not is_set(map_low_0(1), 1)) or (not
-          is_set(map_low_0(1), 0));
-      else
-        map_of_low_0_c_below_b_choices(2) := map_of_low_0_c_below_b_choice;
-      end if;
-      if map_of_low_0_c_below_b_choices(2) then
-        map_of_low_0_c_below_b_choices(3) := (not is_set(map_low_0(2), 2)) and map_of_low_0_b_below_a_values(3);
-      else
-        map_of_low_0_c_below_b_choices(3) := (not is_set(map_low_0(2), 2)) or map_of_low_0_b_below_a_values(3);
-      end if;
-      for i in 3 to 6 loop
-        if map_of_low_0_c_below_b_choices(i) then
-          map_of_low_0_c_below_b_choices(i + 1) := (not is_set(map_low_0(2), i)) or map_of_low_0_b_below_a_values(2 * i
-            - 1);
-        else
-          map_of_low_0_c_below_b_choices(i + 1) := (not is_set(map_low_0(2), i)) and map_of_low_0_b_below_a_values(2 *
-            i - 1);
-        end if;
+      map_of_low_0_c_below_b_choices(1) := choice(is_set(map_low_0(2), 0), not is_set(map_low_0(1), 1),
+        map_of_low_0_b_below_a_is_equal);
+      map_of_low_0_c_below_b_choices(2) := choice(map_of_low_0_c_below_a_value, is_set(map_low_0(2), 0) or (not
+        is_set(map_low_0(1), 1)) or (not is_set(map_low_0(1), 0)), map_of_low_0_c_below_b_choices(1));
+      map_of_low_0_c_below_b_choices(3) := inverted_carry(map_of_low_0_c_below_b_choices(2), not is_set(map_low_0(2),
+        2), map_of_low_0_b_below_a_values(3));
+      for i in 4 to 7 loop
+        map_of_low_0_c_below_b_choices(i) := carry(map_of_low_0_c_below_b_choices(i - 1), not is_set(map_low_0(2), i -
+          1), map_of_low_0_b_below_a_values(2 * i - 3));
       end loop;
-      map_of_middle_0_b_below_a_value := is_set(map_middle_0(0), 1);
-      if is_set(map_middle_0(0), 0) then
-        map_of_middle_0_b_below_a_choice := (not is_set(map_middle_0(1), 1)) or (not is_set(map_middle_0(1), 0));
-      else
-        map_of_middle_0_b_below_a_choice := not is_set(map_middle_0(1), 1);
-      end if;
+      map_of_middle_0_b_below_a_values(1) := is_set(map_middle_0(0), 1);
+      map_of_middle_0_b_below_a_choices(1) := choice(is_set(map_middle_0(0), 0), (not is_set(map_middle_0(1), 1)) or
+        (not is_set(map_middle_0(1), 0)), not is_set(map_middle_0(1), 1));
       map_of_middle_0_b_below_a_is_equal := (map_middle_0(1) mod 4) = 0;
-      if map_of_middle_0_b_below_a_value then
-        map_of_middle_0_b_below_a_choices(2) := map_of_middle_0_b_below_a_choice;
-      else
-        map_of_middle_0_b_below_a_choices(2) := is_set(map_middle_0(0), 0) and map_of_middle_0_b_below_a_is_equal;
-      end if;
+      map_of_middle_0_b_below_a_choices(2) := choice(map_of_middle_0_b_below_a_values(1),
+        map_of_middle_0_b_below_a_choices(1), is_set(map_middle_0(0), 0) and map_of_middle_0_b_below_a_is_equal);
       map_of_middle_0_b_below_a_values(2) := is_set(map_middle_0(0), 2);
       map_of_middle_0_b_below_a_values(3) := is_set(map_middle_0(1), 2);
-      if map_of_middle_0_b_below_a_choices(2) then
-        map_of_middle_0_b_below_a_choices(3) := (not map_of_middle_0_b_below_a_values(2)) and
-          map_of_middle_0_b_below_a_values(3);
-      else
-        map_of_middle_0_b_below_a_choices(3) := (not map_of_middle_0_b_below_a_values(2)) or
-          map_of_middle_0_b_below_a_values(3);
-      end if;
+      map_of_middle_0_b_below_a_choices(3) := inverted_carry(map_of_middle_0_b_below_a_choices(2), not
+        map_of_middle_0_b_below_a_values(2), map_of_middle_0_b_below_a_values(3));
       for i in 3 to 6 loop
         map_of_middle_0_b_below_a_values(2 * i - 2) := is_set(map_middle_0(0), i);
         map_of_middle_0_b_below_a_values(2 * i - 1) := is_set(map_middle_0(1), i);
-        if map_of_middle_0_b_below_a_choices(i) then
-          map_of_middle_0_b_below_a_choices(i + 1) := (not map_of_middle_0_b_below_a_values(2 * i - 2)) or
-            map_of_middle_0_b_below_a_values(2 * i - 1);
-        else
-          map_of_middle_0_b_below_a_choices(i + 1) := (not map_of_middle_0_b_below_a_values(2 * i - 2)) and
-            map_of_middle_0_b_below_a_values(2 * i - 1);
-        end if;
+        map_of_middle_0_b_below_a_choices(i + 1) := carry(map_of_middle_0_b_below_a_choices(i), not
+          map_of_middle_0_b_below_a_values(2 * i - 2), map_of_middle_0_b_below_a_values(2 * i - 1));
       end loop;
       map_of_middle_0_c_below_a_value := is_set(map_middle_0(2), 1);
-      if is_set(map_middle_0(2), 0) then
-        map_of_middle_0_c_below_a_choice := not map_of_middle_0_b_below_a_value;
-      else
-        map_of_middle_0_c_below_a_choice := (map_middle_0(0) mod 4) = 0;
-      end if;
-      if map_of_middle_0_c_below_a_value then
-        map_of_middle_0_c_below_a_choices(2) := is_set(map_middle_0(2), 0) or (not map_of_middle_0_b_below_a_value) or
-          (not is_set(map_middle_0(0), 0));
-      else
-        map_of_middle_0_c_below_a_choices(2) := map_of_middle_0_c_below_a_choice;
-      end if;
-      if map_of_middle_0_c_below_a_choices(2) then
-        map_of_middle_0_c_below_a_choices(3) := (not is_set(map_middle_0(2), 2)) and
-          map_of_middle_0_b_below_a_values(2);
-      else
-        map_of_middle_0_c_below_a_choices(3) := (not is_set(map_middle_0(2), 2)) or map_of_middle_0_b_below_a_values(2);
-      end if;
-      for i in 3 to 6 loop
-        if map_of_middle_0_c_below_a_choices(i) then
-          map_of_middle_0_c_below_a_choices(i + 1) := (not is_set(map_middle_0(2), i)) or
-            map_of_middle_0_b_below_a_values(2 * i - 2);
-        else
-          map_of_middle_0_c_below_a_choices(i + 1) := (not is_set(map_middle_0(2), i)) and
-            map_of_middle_0_b_below_a_values(2 * i - 2);
-        end if;
+      map_of_middle_0_c_below_a_choices(1) := choice(is_set(map_middle_0(2), 0), not
+        map_of_middle_0_b_below_a_values(1), (map_middle_0(0) mod 4) = 0);
+      map_of_middle_0_c_below_a_choices(2) := choice(map_of_middle_0_c_below_a_value, is_set(map_middle_0(2), 0) or
+        (not map_of_middle_0_b_below_a_values(1)) or (not is_set(map_middle_0(0), 0)),
+        map_of_middle_0_c_below_a_choices(1));
+      map_of_middle_0_c_below_a_choices(3) := inverted_carry(map_of_middle_0_c_below_a_choices(2), not
+        is_set(map_middle_0(2), 2), map_of_middle_0_b_below_a_values(2));
+      for i in 4 to 7 loop
+        map_of_middle_0_c_below_a_choices(i) := carry(map_of_middle_0_c_below_a_choices(i - 1), not
+          is_set(map_middle_0(2), i - 1), map_of_middle_0_b_below_a_values(2 * i - 4));
       end loop;
-      if is_set(map_middle_0(2), 0) then
-        map_of_middle_0_c_below_b_choice := not is_set(map_middle_0(1), 1);
-      else
-        map_of_middle_0_c_below_b_choice := map_of_middle_0_b_below_a_is_equal;
-      end if;
-      if map_of_middle_0_c_below_a_value then
-        map_of_middle_0_c_below_b_choices(2) := is_set(map_middle_0(2), 0) or (not is_set(map_middle_0(1), 1)) or (not
-          is_set(map_middle_0(1), 0));
-      else
-        map_of_middle_0_c_below_b_choices(2) := map_of_middle_0_c_below_b_choice;
-      end if;
-      if map_of_middle_0_c_below_b_choices(2) then
-        map_of_middle_0_c_below_b_choices(3) := (not is_set(map_middle_0(2), 2)) and
-          map_of_middle_0_b_below_a_values(3);
-      else
-        map_of_middle_0_c_below_b_choices(3) := (not is_set(map_middle_0(2), 2)) or map_of_middle_0_b_below_a_values(3);
-      end if;
-      for i in 3 to 6 loop
-        if map_of_middle_0_c_below_b_choices(i) then
-          map_of_middle_0_c_below_b_choices(i + 1) := (not is_set(map_middle_0(2), i)) or
-            map_of_middle_0_b_below_a_values(2 * i - 1);
-        else
-          map_of_middle_0_c_below_b_choices(i + 1) := (not is_set(map_middle_0(2), i)) and
-            map_of_middle_0_b_below_a_values(2 * i - 1);
-        end if;
+      map_of_middle_0_c_below_b_choices(1) := choice(is_set(map_middle_0(2), 0), not is_set(map_middle_0(1), 1),
+        map_of_middle_0_b_below_a_is_equal);
+      map_of_middle_0_c_below_b_choices(2) := choice(map_of_middle_0_c_below_a_value, is_set(map_middle_0(2), 0) or
+        (not is_set(map_middle_0(1), 1)) or (not is_set(map_middle_0(1), 0)), map_of_middle_0_c_below_b_choices(1));
+      map_of_middle_0_c_below_b_choices(3) := inverted_carry(map_of_middle_0_c_below_b_choices(2), not
+        is_set(map_middle_0(2), 2), map_of_middle_0_b_below_a_values(3));
+      for i in 4 to 7 loop
+        map_of_middle_0_c_below_b_choices(i) := carry(map_of_middle_0_c_below_b_choices(i - 1), not
+          is_set(map_middle_0(2), i - 1), map_of_middle_0_b_below_a_values(2 * i - 3));
       end loop;
-      map_of_high_0_b_below_a_value := is_set(map_high_0(0), 1);
-      if is_set(map_high_0(0), 0) then
-        map_of_high_0_b_below_a_choice := (not is_set(map_high_0(1), 1)) or (not is_set(map_high_0(1), 0));
-      else
-        map_of_high_0_b_below_a_choice := not is_set(map_high_0(1), 1);
-      end if;
+      map_of_high_0_b_below_a_values(1) := is_set(map_high_0(0), 1);
+      map_of_high_0_b_below_a_choices(1) := choice(is_set(map_high_0(0), 0), (not is_set(map_high_0(1), 1)) or (not
+        is_set(map_high_0(1), 0)), not is_set(map_high_0(1), 1));
       map_of_high_0_b_below_a_is_equal := (map_high_0(1) mod 4) = 0;
-      if map_of_high_0_b_below_a_value then
-        map_of_high_0_b_below_a_choices(2) := map_of_high_0_b_below_a_choice;
-      else
-        map_of_high_0_b_below_a_choices(2) := is_set(map_high_0(0), 0) and map_of_high_0_b_below_a_is_equal;
-      end if;
+      map_of_high_0_b_below_a_choices(2) := choice(map_of_high_0_b_below_a_values(1),
+        map_of_high_0_b_below_a_choices(1), is_set(map_high_0(0), 0) and map_of_high_0_b_below_a_is_equal);
       map_of_high_0_b_below_a_values(2) := is_set(map_high_0(0), 2);
       map_of_high_0_b_below_a_values(3) := is_set(map_high_0(1), 2);
-      if map_of_high_0_b_below_a_choices(2) then
-        map_of_high_0_b_below_a_choices(3) := (not map_of_high_0_b_below_a_values(2)) and
-          map_of_high_0_b_below_a_values(3);
-      else
-        map_of_high_0_b_below_a_choices(3) := (not map_of_high_0_b_below_a_values(2)) or
-          map_of_high_0_b_below_a_values(3);
-      end if;
+      map_of_high_0_b_below_a_choices(3) := inverted_carry(map_of_high_0_b_below_a_choices(2), not
+        map_of_high_0_b_below_a_values(2), map_of_high_0_b_below_a_values(3));
       for i in 3 to 6 loop
         map_of_high_0_b_below_a_values(2 * i - 2) := is_set(map_high_0(0), i);
         map_of_high_0_b_below_a_values(2 * i - 1) := is_set(map_high_0(1), i);
-        if map_of_high_0_b_below_a_choices(i) then
-          map_of_high_0_b_below_a_choices(i + 1) := (not map_of_high_0_b_below_a_values(2 * i - 2)) or
-            map_of_high_0_b_below_a_values(2 * i - 1);
-        else
-          map_of_high_0_b_below_a_choices(i + 1) := (not map_of_high_0_b_below_a_values(2 * i - 2)) and
-            map_of_high_0_b_below_a_values(2 * i - 1);
-        end if;
+        map_of_high_0_b_below_a_choices(i + 1) := carry(map_of_high_0_b_below_a_choices(i), not
+          map_of_high_0_b_below_a_values(2 * i - 2), map_of_high_0_b_below_a_values(2 * i - 1));
       end loop;
       map_of_high_0_c_below_a_value := is_set(map_high_0(2), 1);
-      if is_set(map_high_0(2), 0) then
-        map_of_high_0_c_below_a_choice := not map_of_high_0_b_below_a_value;
-      else
-        map_of_high_0_c_below_a_choice := (map_high_0(0) mod 4) = 0;
-      end if;
-      if map_of_high_0_c_below_a_value then
-        map_of_high_0_c_below_a_choices(2) := is_set(map_high_0(2), 0) or (not map_of_high_0_b_below_a_value) or (not
-          is_set(map_high_0(0), 0));
-      else
-        map_of_high_0_c_below_a_choices(2) := map_of_high_0_c_below_a_choice;
-      end if;
-      if map_of_high_0_c_below_a_choices(2) then
-        map_of_high_0_c_below_a_choices(3) := (not is_set(map_high_0(2), 2)) and map_of_high_0_b_below_a_values(2);
-      else
-        map_of_high_0_c_below_a_choices(3) := (not is_set(map_high_0(2), 2)) or map_of_high_0_b_below_a_values(2);
-      end if;
-      for i in 3 to 6 loop
-        if map_of_high_0_c_below_a_choices(i) then
-          map_of_high_0_c_below_a_choices(i + 1) := (not is_set(map_high_0(2), i)) or map_of_high_0_b_below_a_values(2
-            * i - 2);
-        else
-          map_of_high_0_c_below_a_choices(i + 1) := (not is_set(map_high_0(2), i)) and map_of_high_0_b_below_a_values(2
-            * i - 2);
-        end if;
+      map_of_high_0_c_below_a_choices(1) := choice(is_set(map_high_0(2), 0), not map_of_high_0_b_below_a_values(1),
+        (map_high_0(0) mod 4) = 0);
+      map_of_high_0_c_below_a_choices(2) := choice(map_of_high_0_c_below_a_value, is_set(map_high_0(2), 0) or (not
+        map_of_high_0_b_below_a_values(1)) or (not is_set(map_high_0(0), 0)), map_of_high_0_c_below_a_choices(1));
+      map_of_high_0_c_below_a_choices(3) := inverted_carry(map_of_high_0_c_below_a_choices(2), not
+        is_set(map_high_0(2), 2), map_of_high_0_b_below_a_values(2));
+      for i in 4 to 7 loop
+        map_of_high_0_c_below_a_choices(i) := carry(map_of_high_0_c_below_a_choices(i - 1), not is_set(map_high_0(2), i
+          - 1), map_of_high_0_b_below_a_values(2 * i - 4));
       end loop;
-      if is_set(map_high_0(2), 0) then
-        map_of_high_0_c_below_b_choice := not is_set(map_high_0(1), 1);
-      else
-        map_of_high_0_c_below_b_choice := map_of_high_0_b_below_a_is_equal;
-      end if;
-      if map_of_high_0_c_below_a_value then
-        map_of_high_0_c_below_b_choices(2) := is_set(map_high_0(2), 0) or (not is_set(map_high_0(1), 1)) or (not
-          is_set(map_high_0(1), 0));
-      else
-        map_of_high_0_c_below_b_choices(2) := map_of_high_0_c_below_b_choice;
-      end if;
-      if map_of_high_0_c_below_b_choices(2) then
-        map_of_high_0_c_below_b_choices(3) := (not is_set(map_high_0(2), 2)) and map_of_high_0_b_below_a_values(3);
-      else
-        map_of_high_0_c_below_b_choices(3) := (not is_set(map_high_0(2), 2)) or map_of_high_0_b_below_a_values(3);
-      end if;
-      for i in 3 to 6 loop
-        if map_of_high_0_c_below_b_choices(i) then
-          map_of_high_0_c_below_b_choices(i + 1) := (not is_set(map_high_0(2), i)) or map_of_high_0_b_below_a_values(2
-            * i - 1);
-        else
-          map_of_high_0_c_below_b_choices(i + 1) := (not is_set(map_high_0(2), i)) and map_of_high_0_b_below_a_values(2
-            * i - 1);
-        end if;
+      map_of_high_0_c_below_b_choices(1) := choice(is_set(map_high_0(2), 0), not is_set(map_high_0(1), 1),
+        map_of_high_0_b_below_a_is_equal);
+      map_of_high_0_c_below_b_choices(2) := choice(map_of_high_0_c_below_a_value, is_set(map_high_0(2), 0) or (not
+        is_set(map_high_0(1), 1)) or (not is_set(map_high_0(1), 0)), map_of_high_0_c_below_b_choices(1));
+      map_of_high_0_c_below_b_choices(3) := inverted_carry(map_of_high_0_c_below_b_choices(2), not
+        is_set(map_high_0(2), 2), map_of_high_0_b_below_a_values(3));
+      for i in 4 to 7 loop
+        map_of_high_0_c_below_b_choices(i) := carry(map_of_high_0_c_below_b_choices(i - 1), not is_set(map_high_0(2), i
+          - 1), map_of_high_0_b_below_a_values(2 * i - 3));
       end loop;
-      if map_of_low_0_c_below_a then
-        map_largest_low_0_choice := map_of_low_0_a;
-      else
-        map_largest_low_0_choice := map_of_low_0_c;
-      end if;
-      if map_of_low_0_c_below_b then
-        map_largest_low_0_choice_2 := map_of_low_0_b;
-      else
-        map_largest_low_0_choice_2 := map_of_low_0_c;
-      end if;
-      if map_of_middle_0_c_below_a then
-        map_median_middle_0_choice := map_of_middle_0_c;
-      else
-        map_median_middle_0_choice := map_of_middle_0_a;
-      end if;
-      if map_of_middle_0_c_below_b then
-        map_median_middle_0_choices(2) := map_of_middle_0_b;
-      else
-        map_median_middle_0_choices(2) := map_median_middle_0_choice;
-      end if;
-      if map_of_middle_0_c_below_b then
-        map_median_middle_0_choices(3) := map_of_middle_0_c;
-      else
-        map_median_middle_0_choices(3) := map_of_middle_0_b;
-      end if;
-      if map_of_middle_0_c_below_a then
-        map_median_middle_0_choices(4) := map_of_middle_0_a;
-      else
-        map_median_middle_0_choices(4) := map_median_middle_0_choices(3);
-      end if;
-      if map_of_high_0_c_below_b then
-        map_smallest_high_0_choice := map_of_high_0_c;
-      else
-        map_smallest_high_0_choice := map_of_high_0_b;
-      end if;
-      if map_of_high_0_c_below_a then
-        map_smallest_high_0_choice_2 := map_of_high_0_c;
-      else
-        map_smallest_high_0_choice_2 := map_of_high_0_a;
-      end if;
-      map_of_all_0_b_below_a_value := is_set(map_largest_low_0, 1);
-      if is_set(map_largest_low_0, 0) then
-        map_of_all_0_b_below_a_choice := (not is_set(map_median_middle_0, 1)) or (not is_set(map_median_middle_0, 0));
-      else
-        map_of_all_0_b_below_a_choice := not is_set(map_median_middle_0, 1);
-      end if;
+      map_largest_low_0_choices(1) := choice(map_of_low_0_c_below_a, map_of_low_0_a, map_of_low_0_c);
+      map_largest_low_0_choices(2) := choice(map_of_low_0_c_below_b, map_of_low_0_b, map_of_low_0_c);
+      map_median_middle_0_choices(1) := choice(map_of_middle_0_c_below_a, map_of_middle_0_c, map_of_middle_0_a);
+      map_median_middle_0_choices(2) := choice(map_of_middle_0_c_below_b, map_of_middle_0_b,
+        map_median_middle_0_choices(1));
+      map_median_middle_0_choices(3) := choice(map_of_middle_0_c_below_b, map_of_middle_0_c, map_of_middle_0_b);
+      map_median_middle_0_choices(4) := choice(map_of_middle_0_c_below_a, map_of_middle_0_a,
+        map_median_middle_0_choices(3));
+      map_smallest_high_0_choices(1) := choice(map_of_high_0_c_below_b, map_of_high_0_c, map_of_high_0_b);
+      map_smallest_high_0_choices(2) := choice(map_of_high_0_c_below_a, map_of_high_0_c, map_of_high_0_a);
+      map_of_all_0_b_below_a_values(1) := is_set(map_largest_low_0, 1);
+      map_of_all_0_b_below_a_choices(1) := choice(is_set(map_largest_low_0, 0), (not is_set(map_median_middle_0, 1)) or
+        (not is_set(map_median_middle_0, 0)), not is_set(map_median_middle_0, 1));
       map_of_all_0_b_below_a_is_equal := (map_median_middle_0 mod 4) = 0;
-      if map_of_all_0_b_below_a_value then
-        map_of_all_0_b_below_a_choices(2) := map_of_all_0_b_below_a_choice;
-      else
-        map_of_all_0_b_below_a_choices(2) := is_set(map_largest_low_0, 0) and map_of_all_0_b_below_a_is_equal;
-      end if;
+      map_of_all_0_b_below_a_choices(2) := choice(map_of_all_0_b_below_a_values(1), map_of_all_0_b_below_a_choices(1),
+        is_set(map_largest_low_0, 0) and map_of_all_0_b_below_a_is_equal);
       map_of_all_0_b_below_a_values(2) := is_set(map_largest_low_0, 2);
       map_of_all_0_b_below_a_values(3) := is_set(map_median_middle_0, 2);
-      if map_of_all_0_b_below_a_choices(2) then
-        map_of_all_0_b_below_a_choices(3) := (not map_of_all_0_b_below_a_values(2)) and
-          map_of_all_0_b_below_a_values(3);
-      else
-        map_of_all_0_b_below_a_choices(3) := (not map_of_all_0_b_below_a_values(2)) or map_of_all_0_b_below_a_values(3);
-      end if;
+      map_of_all_0_b_below_a_choices(3) := inverted_carry(map_of_all_0_b_below_a_choices(2), not
+        map_of_all_0_b_below_a_values(2), map_of_all_0_b_below_a_values(3));
       for i in 3 to 6 loop
         map_of_all_0_b_below_a_values(2 * i - 2) := is_set(map_largest_low_0, i);
         map_of_all_0_b_below_a_values(2 * i - 1) := is_set(map_median_middle_0, i);
-        if map_of_all_0_b_below_a_choices(i) then
-          map_of_all_0_b_below_a_choices(i + 1) := (not map_of_all_0_b_below_a_values(2 * i - 2)) or
-            map_of_all_0_b_below_a_values(2 * i - 1);
-        else
-          map_of_all_0_b_below_a_choices(i + 1) := (not map_of_all_0_b_below_a_values(2 * i - 2)) and
-            map_of_all_0_b_below_a_values(2 * i - 1);
-        end if;
+        map_of_all_0_b_below_a_choices(i + 1) := carry(map_of_all_0_b_below_a_choices(i), not
+          map_of_all_0_b_below_a_values(2 * i - 2), map_of_all_0_b_below_a_values(2 * i - 1));
       end loop;
       map_of_all_0_c_below_a_value := is_set(map_smallest_high_0, 1);
-      if is_set(map_smallest_high_0, 0) then
-        map_of_all_0_c_below_a_choice := not map_of_all_0_b_below_a_value;
-      else
-        map_of_all_0_c_below_a_choice := (map_largest_low_0 mod 4) = 0;
-      end if;
-      if map_of_all_0_c_below_a_value then
-        map_of_all_0_c_below_a_choices(2) := is_set(map_smallest_high_0, 0) or (not map_of_all_0_b_below_a_value) or
-          (not is_set(map_largest_low_0, 0));
-      else
-        map_of_all_0_c_below_a_choices(2) := map_of_all_0_c_below_a_choice;
-      end if;
-      if map_of_all_0_c_below_a_choices(2) then
-        map_of_all_0_c_below_a_choices(3) := (not is_set(map_smallest_high_0, 2)) and map_of_all_0_b_below_a_values(2);
-      else
-        map_of_all_0_c_below_a_choices(3) := (not is_set(map_smallest_high_0, 2)) or map_of_all_0_b_below_a_values(2);
-      end if;
-      for i in 3 to 6 loop
-        if map_of_all_0_c_below_a_choices(i) then
-          map_of_all_0_c_below_a_choices(i + 1) := (not is_set(map_smallest_high_0, i)) or
-            map_of_all_0_b_below_a_values(2 * i - 2);
-        else
-          map_of_all_0_c_below_a_choices(i + 1) := (not is_set(map_smallest_high_0, i)) and
-            map_of_all_0_b_below_a_values(2 * i - 2);
-        end if;
+      map_of_all_0_c_below_a_choices(1) := choice(is_set(map_smallest_high_0, 0), not map_of_all_0_b_below_a_values(1),
+        (map_largest_low_0 mod 4) = 0);
+      map_of_all_0_c_below_a_choices(2) := choice(map_of_all_0_c_below_a_value, is_set(map_smallest_high_0, 0) or (not
+        map_of_all_0_b_below_a_values(1)) or (not is_set(map_largest_low_0, 0)), map_of_all_0_c_below_a_choices(1));
+      map_of_all_0_c_below_a_choices(3) := inverted_carry(map_of_all_0_c_below_a_choices(2), not
+        is_set(map_smallest_high_0, 2), map_of_all_0_b_below_a_values(2));
+      for i in 4 to 7 loop
+        map_of_all_0_c_below_a_choices(i) := carry(map_of_all_0_c_below_a_choices(i - 1), not
+          is_set(map_smallest_high_0, i - 1), map_of_all_0_b_below_a_values(2 * i - 4));
       end loop;
-      if is_set(map_smallest_high_0, 0) then
-        map_of_all_0_c_below_b_choice := not is_set(map_median_middle_0, 1);
-      else
-        map_of_all_0_c_below_b_choice := map_of_all_0_b_below_a_is_equal;
-      end if;
-      if map_of_all_0_c_below_a_value then
-        map_of_all_0_c_below_b_choices(2) := is_set(map_smallest_high_0, 0) or (not is_set(map_median_middle_0, 1)) or
-          (not is_set(map_median_middle_0, 0));
-      else
-        map_of_all_0_c_below_b_choices(2) := map_of_all_0_c_below_b_choice;
-      end if;
-      if map_of_all_0_c_below_b_choices(2) then
-        map_of_all_0_c_below_b_choices(3) := (not is_set(map_smallest_high_0, 2)) and map_of_all_0_b_below_a_values(3);
-      else
-        map_of_all_0_c_below_b_choices(3) := (not is_set(map_smallest_high_0, 2)) or map_of_all_0_b_below_a_values(3);
-      end if;
-      for i in 3 to 6 loop
-        if map_of_all_0_c_below_b_choices(i) then
-          map_of_all_0_c_below_b_choices(i + 1) := (not is_set(map_smallest_high_0, i)) or
-            map_of_all_0_b_below_a_values(2 * i - 1);
-        else
-          map_of_all_0_c_below_b_choices(i + 1) := (not is_set(map_smallest_high_0, i)) and
-            map_of_all_0_b_below_a_values(2 * i - 1);
-        end if;
+      map_of_all_0_c_below_b_choices(1) := choice(is_set(map_smallest_high_0, 0), not is_set(map_median_middle_0, 1),
+        map_of_all_0_b_below_a_is_equal);
+      map_of_all_0_c_below_b_choices(2) := choice(map_of_all_0_c_below_a_value, is_set(map_smallest_high_0, 0) or (not
+        is_set(map_median_middle_0, 1)) or (not is_set(map_median_middle_0, 0)), map_of_all_0_c_below_b_choices(1));
+      map_of_all_0_c_below_b_choices(3) := inverted_carry(map_of_all_0_c_below_b_choices(2), not
+        is_set(map_smallest_high_0, 2), map_of_all_0_b_below_a_values(3));
+      for i in 4 to 7 loop
+        map_of_all_0_c_below_b_choices(i) := carry(map_of_all_0_c_below_b_choices(i - 1), not
+          is_set(map_smallest_high_0, i - 1), map_of_all_0_b_below_a_values(2 * i - 3));
       end loop;
-      if map_of_all_0_c_below_a then
-        map_out_disparity_0_choice := map_of_all_0_c;
-      else
-        map_out_disparity_0_choice := map_of_all_0_a;
-      end if;
-      if map_of_all_0_c_below_b then
-        map_out_disparity_0_choices(2) := map_of_all_0_b;
-      else
-        map_out_disparity_0_choices(2) := map_out_disparity_0_choice;
-      end if;
-      if map_of_all_0_c_below_b then
-        map_out_disparity_0_choices(3) := map_of_all_0_c;
-      else
-        map_out_disparity_0_choices(3) := map_of_all_0_b;
-      end if;
-      if map_of_all_0_c_below_a then
-        map_out_disparity_0_choices(4) := map_of_all_0_a;
-      else
-        map_out_disparity_0_choices(4) := map_out_disparity_0_choices(3);
-      end if;
+      map_out_disparity_0_choices(1) := choice(map_of_all_0_c_below_a, map_of_all_0_c, map_of_all_0_a);
+      map_out_disparity_0_choices(2) := choice(map_of_all_0_c_below_b, map_of_all_0_b, map_out_disparity_0_choices(1));
+      map_out_disparity_0_choices(3) := choice(map_of_all_0_c_below_b, map_of_all_0_c, map_of_all_0_b);
+      map_out_disparity_0_choices(4) := choice(map_of_all_0_c_below_a, map_of_all_0_a, map_out_disparity_0_choices(3));
       map_counter_next_frame <= map_counter_next_frame_choices(4) or ((not other_0) and map_counter_next_frame);
       map_newest_0 <= (fill_out_disparity_0 * 2) + as_number(fill_out_passed_0);
       map_arrives <= other_0;
-      map_behind <= map_line_ended and lastwinner4_tag_valid;
+      map_behind <= map_line_ended and lastwinner4_tag.valid;
       map_rows_read_newest_0 <= map_newest_0;
       map_rows_ready_words_0 <= to_integer(map_rows_read_words_0);
       map_rows_ready_newest_0 <= map_rows_read_newest_0;
@@ -4626,164 +2714,70 @@ begin
       map_waiting_first(2) <= map_waiting_first(1);
       map_waiting_last(2) <= map_waiting_last(1);
       map_waiting_passed_0(0) <= map_passed_0(1);
-      map_waiting_passed_0(1) <= map_waiting_passed_0(0);
-      map_waiting_passed_0(2) <= map_waiting_passed_0(1);
+      map_waiting_passed_0(1 to 2) <= map_waiting_passed_0(0 to 1);
       map_out_passed_0 <= map_waiting_passed_0(2);
       map_out_valid <= map_waiting_complete(2);
       map_out_start_of_frame <= map_waiting_first(2) and map_waiting_complete(2);
       map_out_end_of_line <= map_waiting_last(2) and map_waiting_complete(2);
-      if other_0 and is_set(other(4), 0) then
-        map_counter_group <= map_counter_group_choice * 128;
-      else
-        map_counter_group <= map_counter_group_choices(3);
-      end if;
-      if fill_out_tag_map_column then
-        map_line_ended <= map_line_ended_choice;
-      else
-        map_line_ended <= (not lastwinner4_tag_valid) and map_line_ended;
-      end if;
-      if map_at_top then
-        map_of_column_0_a <= map_column(1) / 2;
-      else
-        map_of_column_0_a <= other_2 / 2;
-      end if;
-      if map_read_bottom then
-        map_of_column_0_c <= map_column(1) / 2;
-      else
-        map_of_column_0_c <= map_column(2) / 2;
-      end if;
-      if map_of_column_0_b_below_a_choices(9) then
-        map_of_column_0_b_below_a <= (not is_set(map_column(1), 8)) and is_set(other_2, 8) and (not map_at_top);
-      else
-        map_of_column_0_b_below_a <= (not is_set(map_column(1), 8)) or is_set(other_2, 8) or map_at_top;
-      end if;
-      if map_of_column_0_c_below_a_choices(18) then
-        map_of_column_0_c_below_a <= (not map_of_column_0_c_below_a_choices(19)) or
-          map_of_column_0_c_below_a_choices(20);
-      else
-        map_of_column_0_c_below_a <= (not map_of_column_0_c_below_a_choices(19)) and
-          map_of_column_0_c_below_a_choices(20);
-      end if;
-      if map_of_column_0_c_below_b_choices(6) then
-        map_of_column_0_c_below_b <= (not is_set(map_column(2), 8)) and is_set(map_column(1), 8) and (not
-          map_read_bottom);
-      else
-        map_of_column_0_c_below_b <= (not is_set(map_column(2), 8)) or is_set(map_column(1), 8) or map_read_bottom;
-      end if;
-      if map_of_column_0_b_below_a then
-        map_sorted_low_0 <= map_sorted_low_0_choice;
-        map_sorted_middle_0 <= map_sorted_middle_0_choice;
-        map_sorted_high_0 <= map_sorted_high_0_choice;
-      else
-        map_sorted_low_0 <= map_sorted_low_0_choice_2;
-        map_sorted_middle_0 <= map_sorted_middle_0_choice_2;
-        map_sorted_high_0 <= map_sorted_high_0_choice_2;
-      end if;
-      if map_passed_0(0) then
-        map_passed_0(1) <= map_passed_0(1) or map_sorted_arrives or map_sorted_behind;
-      else
-        map_passed_0(1) <= map_passed_0(1) and (not map_sorted_arrives) and (not map_sorted_behind);
-      end if;
-      if map_of_low_0_b_below_a_choices(7) then
-        map_of_low_0_b_below_a <= is_set(map_low_0(0), 7) and (not is_set(map_low_0(1), 7));
-      else
-        map_of_low_0_b_below_a <= is_set(map_low_0(0), 7) or (not is_set(map_low_0(1), 7));
-      end if;
-      if map_of_low_0_c_below_a_choices(7) then
-        map_of_low_0_c_below_a <= (not is_set(map_low_0(2), 7)) or is_set(map_low_0(0), 7);
-      else
-        map_of_low_0_c_below_a <= (not is_set(map_low_0(2), 7)) and is_set(map_low_0(0), 7);
-      end if;
-      if map_of_low_0_c_below_b_choices(7) then
-        map_of_low_0_c_below_b <= (not is_set(map_low_0(2), 7)) or is_set(map_low_0(1), 7);
-      else
-        map_of_low_0_c_below_b <= (not is_set(map_low_0(2), 7)) and is_set(map_low_0(1), 7);
-      end if;
-      if map_of_middle_0_b_below_a_choices(7) then
-        map_of_middle_0_b_below_a <= is_set(map_middle_0(0), 7) and (not is_set(map_middle_0(1), 7));
-      else
-        map_of_middle_0_b_below_a <= is_set(map_middle_0(0), 7) or (not is_set(map_middle_0(1), 7));
-      end if;
-      if map_of_middle_0_c_below_a_choices(7) then
-        map_of_middle_0_c_below_a <= (not is_set(map_middle_0(2), 7)) or is_set(map_middle_0(0), 7);
-      else
-        map_of_middle_0_c_below_a <= (not is_set(map_middle_0(2), 7)) and is_set(map_middle_0(0), 7);
-      end if;
-      if map_of_middle_0_c_below_b_choices(7) then
-        map_of_middle_0_c_below_b <= (not is_set(map_middle_0(2), 7)) or is_set(map_middle_0(1), 7);
-      else
-        map_of_middle_0_c_below_b <= (not is_set(map_middle_0(2), 7)) and is_set(map_middle_0(1), 7);
-      end if;
-      if map_of_high_0_b_below_a_choices(7) then
-        map_of_high_0_b_below_a <= is_set(map_high_0(0), 7) and (not is_set(map_high_0(1), 7));
-      else
-        map_of_high_0_b_below_a <= is_set(map_high_0(0), 7) or (not is_set(map_high_0(1), 7));
-      end if;
-      if map_of_high_0_c_below_a_choices(7) then
-        map_of_high_0_c_below_a <= (not is_set(map_high_0(2), 7)) or is_set(map_high_0(0), 7);
-      else
-        map_of_high_0_c_below_a <= (not is_set(map_high_0(2), 7)) and is_set(map_high_0(0), 7);
-      end if;
-      if map_of_high_0_c_below_b_choices(7) then
-        map_of_high_0_c_below_b <= (not is_set(map_high_0(2), 7)) or is_set(map_high_0(1), 7);
-      else
-        map_of_high_0_c_below_b <= (not is_set(map_high_0(2), 7)) and is_set(map_high_0(1), 7);
-      end if;
-      if map_of_low_0_b_below_a then
-        map_largest_low_0 <= map_largest_low_0_choice;
-      else
-        map_largest_low_0 <= map_largest_low_0_choice_2;
-      end if;
-      if map_of_middle_0_b_below_a then
-        map_median_middle_0 <= map_median_middle_0_choices(2);
-      else
-        map_median_middle_0 <= map_median_middle_0_choices(4);
-      end if;
-      if map_of_high_0_b_below_a then
-        map_smallest_high_0 <= map_smallest_high_0_choice;
-      else
-        map_smallest_high_0 <= map_smallest_high_0_choice_2;
-      end if;
-      if map_of_all_0_b_below_a_choices(7) then
-        map_of_all_0_b_below_a <= is_set(map_largest_low_0, 7) and (not is_set(map_median_middle_0, 7));
-      else
-        map_of_all_0_b_below_a <= is_set(map_largest_low_0, 7) or (not is_set(map_median_middle_0, 7));
-      end if;
-      if map_of_all_0_c_below_a_choices(7) then
-        map_of_all_0_c_below_a <= (not is_set(map_smallest_high_0, 7)) or is_set(map_largest_low_0, 7);
-      else
-        map_of_all_0_c_below_a <= (not is_set(map_smallest_high_0, 7)) and is_set(map_largest_low_0, 7);
-      end if;
-      if map_of_all_0_c_below_b_choices(7) then
-        map_of_all_0_c_below_b <= (not is_set(map_smallest_high_0, 7)) or is_set(map_median_middle_0, 7);
-      else
-        map_of_all_0_c_below_b <= (not is_set(map_smallest_high_0, 7)) and is_set(map_median_middle_0, 7);
-      end if;
-      if map_of_all_0_b_below_a then
-        map_out_disparity_0 <= map_out_disparity_0_choices(2);
-      else
-        map_out_disparity_0 <= map_out_disparity_0_choices(4);
-      end if;
+      map_counter_group <= choice(other_0 and is_set(other(4), 0), map_counter_group_choice * 128,
+        map_counter_group_choices(3));
+      map_line_ended <= choice(fill_out_tag_map_column, map_line_ended_choice, (not lastwinner4_tag.valid) and
+        map_line_ended);
+      map_of_column_0_a <= choice(map_at_top, map_column(1) / 2, other_2 / 2);
+      map_of_column_0_c <= choice(map_read_bottom, map_column(1) / 2, map_column(2) / 2);
+      map_of_column_0_b_below_a <= choice(map_of_column_0_b_below_a_choices(9), (not is_set(map_column(1), 8)) and
+        is_set(other_2, 8) and (not map_at_top), (not is_set(map_column(1), 8)) or is_set(other_2, 8) or map_at_top);
+      map_of_column_0_c_below_a <= carry(map_of_column_0_c_below_a_choices(18), not
+        map_of_column_0_c_below_a_choices(19), map_of_column_0_c_below_a_choices(20));
+      map_of_column_0_c_below_b <= choice(map_of_column_0_c_below_b_choices(6), (not is_set(map_column(2), 8)) and
+        is_set(map_column(1), 8) and (not map_read_bottom), (not is_set(map_column(2), 8)) or is_set(map_column(1), 8)
+        or map_read_bottom);
+      map_sorted_low_0 <= choice(map_of_column_0_b_below_a, map_sorted_low_0_choices(1), map_sorted_low_0_choices(2));
+      map_sorted_middle_0 <= choice(map_of_column_0_b_below_a, map_sorted_middle_0_choices(1),
+        map_sorted_middle_0_choices(2));
+      map_sorted_high_0 <= choice(map_of_column_0_b_below_a, map_sorted_high_0_choices(1),
+        map_sorted_high_0_choices(2));
+      map_passed_0(1) <= choice(map_passed_0(0), map_passed_0(1) or map_sorted_arrives or map_sorted_behind,
+        map_passed_0(1) and (not map_sorted_arrives) and (not map_sorted_behind));
+      map_of_low_0_b_below_a <= inverted_carry(map_of_low_0_b_below_a_choices(7), is_set(map_low_0(0), 7), not
+        is_set(map_low_0(1), 7));
+      map_of_low_0_c_below_a <= carry(map_of_low_0_c_below_a_choices(7), not is_set(map_low_0(2), 7),
+        is_set(map_low_0(0), 7));
+      map_of_low_0_c_below_b <= carry(map_of_low_0_c_below_b_choices(7), not is_set(map_low_0(2), 7),
+        is_set(map_low_0(1), 7));
+      map_of_middle_0_b_below_a <= inverted_carry(map_of_middle_0_b_below_a_choices(7), is_set(map_middle_0(0), 7), not
+        is_set(map_middle_0(1), 7));
+      map_of_middle_0_c_below_a <= carry(map_of_middle_0_c_below_a_choices(7), not is_set(map_middle_0(2), 7),
+        is_set(map_middle_0(0), 7));
+      map_of_middle_0_c_below_b <= carry(map_of_middle_0_c_below_b_choices(7), not is_set(map_middle_0(2), 7),
+        is_set(map_middle_0(1), 7));
+      map_of_high_0_b_below_a <= inverted_carry(map_of_high_0_b_below_a_choices(7), is_set(map_high_0(0), 7), not
+        is_set(map_high_0(1), 7));
+      map_of_high_0_c_below_a <= carry(map_of_high_0_c_below_a_choices(7), not is_set(map_high_0(2), 7),
+        is_set(map_high_0(0), 7));
+      map_of_high_0_c_below_b <= carry(map_of_high_0_c_below_b_choices(7), not is_set(map_high_0(2), 7),
+        is_set(map_high_0(1), 7));
+      map_largest_low_0 <= choice(map_of_low_0_b_below_a, map_largest_low_0_choices(1), map_largest_low_0_choices(2));
+      map_median_middle_0 <= choice(map_of_middle_0_b_below_a, map_median_middle_0_choices(2),
+        map_median_middle_0_choices(4));
+      map_smallest_high_0 <= choice(map_of_high_0_b_below_a, map_smallest_high_0_choices(1),
+        map_smallest_high_0_choices(2));
+      map_of_all_0_b_below_a <= inverted_carry(map_of_all_0_b_below_a_choices(7), is_set(map_largest_low_0, 7), not
+        is_set(map_median_middle_0, 7));
+      map_of_all_0_c_below_a <= carry(map_of_all_0_c_below_a_choices(7), not is_set(map_smallest_high_0, 7),
+        is_set(map_largest_low_0, 7));
+      map_of_all_0_c_below_b <= carry(map_of_all_0_c_below_b_choices(7), not is_set(map_smallest_high_0, 7),
+        is_set(map_median_middle_0, 7));
+      map_out_disparity_0 <= choice(map_of_all_0_b_below_a, map_out_disparity_0_choices(2),
+        map_out_disparity_0_choices(4));
       if map_at_arrives_value then
         map_rows_write_words_0 <= (map_rows_ready_words_0 / 512) + (map_rows_ready_newest_0 * 512);
         map_at_column <= to_integer(other_1(10 downto 0));
       end if;
-      if map_sorted_behind then
-        map_low_0_0_choice := map_low_0(0);
-      else
-        map_low_0_0_choice := map_sorted_low_0;
-      end if;
+      map_low_0_0_choice := choice(map_sorted_behind, map_low_0(0), map_sorted_low_0);
       map_low_0_all(1) := map_window_complete_is_equal and map_sorted_arrives;
-      if map_sorted_behind then
-        map_middle_0_0_choice := map_middle_0(0);
-      else
-        map_middle_0_0_choice := map_sorted_middle_0;
-      end if;
-      if map_sorted_behind then
-        map_high_0_0_choice := map_high_0(0);
-      else
-        map_high_0_0_choice := map_sorted_high_0;
-      end if;
+      map_middle_0_0_choice := choice(map_sorted_behind, map_middle_0(0), map_sorted_middle_0);
+      map_high_0_0_choice := choice(map_sorted_behind, map_high_0(0), map_sorted_high_0);
       map_low_0_all(0) := (not map_sorted_arrives) and (not map_sorted_behind);
       if not map_low_0_all(0) then
         map_low_0(0) <= map_low_0_0_choice;
@@ -4792,15 +2786,9 @@ begin
         map_middle_0(2) <= map_middle_0(1);
         map_high_0(0) <= map_high_0_0_choice;
         map_high_0(2) <= map_high_0(1);
-        if map_low_0_all(1) then
-          map_low_0(1) <= map_low_0_0_choice;
-          map_middle_0(1) <= map_middle_0_0_choice;
-          map_high_0(1) <= map_high_0_0_choice;
-        else
-          map_low_0(1) <= map_low_0(0);
-          map_middle_0(1) <= map_middle_0(0);
-          map_high_0(1) <= map_high_0(0);
-        end if;
+        map_low_0(1) <= choice(map_low_0_all(1), map_low_0_0_choice, map_low_0(0));
+        map_middle_0(1) <= choice(map_low_0_all(1), map_middle_0_0_choice, map_middle_0(0));
+        map_high_0(1) <= choice(map_low_0_all(1), map_high_0_0_choice, map_high_0(0));
       end if;
       if map_sorted_arrives then
         map_passed_0(0) <= map_column_passed_0(1);
@@ -4810,15 +2798,14 @@ begin
       other_1 <= other_3;
       other_2 <= ((map_rows_ready_words_0 mod 512) / 2) * 2;
       other_3 <= to_unsigned(as_number(((map_counter_group >= 1) and (map_counter_group < 641))), 1) &
-        to_unsigned(as_number(map_counter_group_is_equal_2), 8) & to_unsigned(as_number((map_counter_group = 1)), 8) &
-        to_unsigned(as_number(map_behind), 8) & to_unsigned(as_number(map_arrives), 8) &
+        to_unsigned(as_number(map_counter_group_is_equals(2)), 8) & to_unsigned(as_number((map_counter_group = 1)), 8)
+        & to_unsigned(as_number(map_behind), 8) & to_unsigned(as_number(map_arrives), 8) &
         to_unsigned(map_counter_column, 16);
       other(4) <= other(7);
-      other(5) <= (as_number(traceback_out_tag_end_of_line) * 256) + as_number(((not turn_order_inside) and
-        traceback_out_tag_map_column and last_tag_valid and turn_order_first and turn_order_output and
+      other(5) <= (as_number(traceback_out_tag.end_of_line) * 256) + as_number(((not turn_order_inside) and
+        traceback_out_tag.map_column and last_tag.valid and turn_order_first and turn_order_output and
         turn_order_complete));
-      other(6) <= other(5);
-      other(7) <= other(6);
+      other(6 to 7) <= other(5 to 6);
       if reset = '1' then
         transform_valid <= false;
         transform_counter_column <= 0;
@@ -4842,63 +2829,63 @@ begin
         raster_place_group <= 641;
         raster_place_next_frame <= false;
         delay_column <= 0;
-        delay_tag_valid <= false;
-        delay_tag_map_column <= false;
-        delay_tag_output_column <= false;
-        delay_tag_start_of_frame <= false;
-        delay_tag_end_of_line <= false;
+        delay_tag.valid <= false;
+        delay_tag.map_column <= false;
+        delay_tag.output_column <= false;
+        delay_tag.start_of_frame <= false;
+        delay_tag.end_of_line <= false;
         rows_read_column <= 0;
-        rows_read_tag_valid <= false;
-        rows_read_tag_map_column <= false;
-        rows_read_tag_output_column <= false;
-        rows_read_tag_start_of_frame <= false;
-        rows_read_tag_end_of_line <= false;
+        rows_read_tag.valid <= false;
+        rows_read_tag.map_column <= false;
+        rows_read_tag.output_column <= false;
+        rows_read_tag.start_of_frame <= false;
+        rows_read_tag.end_of_line <= false;
         rows_ready_column <= 0;
-        rows_ready_tag_valid <= false;
-        rows_ready_tag_map_column <= false;
-        rows_ready_tag_output_column <= false;
-        rows_ready_tag_start_of_frame <= false;
-        rows_ready_tag_end_of_line <= false;
+        rows_ready_tag.valid <= false;
+        rows_ready_tag.map_column <= false;
+        rows_ready_tag.output_column <= false;
+        rows_ready_tag.start_of_frame <= false;
+        rows_ready_tag.end_of_line <= false;
         rows_write_column <= 0;
-        rows_tag_valid <= false;
-        rows_tag_map_column <= false;
-        rows_tag_output_column <= false;
-        rows_tag_start_of_frame <= false;
-        rows_tag_end_of_line <= false;
-        slice0shift_tag_valid <= false;
-        slice0shift_tag_map_column <= false;
-        slice0shift_tag_output_column <= false;
-        slice0shift_tag_start_of_frame <= false;
-        slice0shift_tag_end_of_line <= false;
-        slice0cost_pixels_first_tag_valid <= false;
-        slice0cost_pixels_first_tag_map_column <= false;
-        slice0cost_pixels_first_tag_output_column <= false;
-        slice0cost_pixels_first_tag_start_of_frame <= false;
-        slice0cost_pixels_first_tag_end_of_line <= false;
-        slice0cost_pixels_tag_valid <= false;
-        slice0cost_pixels_tag_map_column <= false;
-        slice0cost_pixels_tag_output_column <= false;
-        slice0cost_pixels_tag_start_of_frame <= false;
-        slice0cost_pixels_tag_end_of_line <= false;
-        slice0cost_pair_tag_valid <= false;
-        slice0cost_pair_tag_map_column <= false;
-        slice0cost_pair_tag_output_column <= false;
-        slice0cost_pair_tag_start_of_frame <= false;
-        slice0cost_pair_tag_end_of_line <= false;
-        slice0cost_tag_valid <= false;
-        slice0cost_tag_map_column <= false;
-        slice0cost_tag_output_column <= false;
-        slice0cost_tag_start_of_frame <= false;
-        slice0cost_tag_end_of_line <= false;
+        rows_tag.valid <= false;
+        rows_tag.map_column <= false;
+        rows_tag.output_column <= false;
+        rows_tag.start_of_frame <= false;
+        rows_tag.end_of_line <= false;
+        slice0shift_tag.valid <= false;
+        slice0shift_tag.map_column <= false;
+        slice0shift_tag.output_column <= false;
+        slice0shift_tag.start_of_frame <= false;
+        slice0shift_tag.end_of_line <= false;
+        slice0cost_pixels_first_tag.valid <= false;
+        slice0cost_pixels_first_tag.map_column <= false;
+        slice0cost_pixels_first_tag.output_column <= false;
+        slice0cost_pixels_first_tag.start_of_frame <= false;
+        slice0cost_pixels_first_tag.end_of_line <= false;
+        slice0cost_pixels_tag.valid <= false;
+        slice0cost_pixels_tag.map_column <= false;
+        slice0cost_pixels_tag.output_column <= false;
+        slice0cost_pixels_tag.start_of_frame <= false;
+        slice0cost_pixels_tag.end_of_line <= false;
+        slice0cost_pair_tag.valid <= false;
+        slice0cost_pair_tag.map_column <= false;
+        slice0cost_pair_tag.output_column <= false;
+        slice0cost_pair_tag.start_of_frame <= false;
+        slice0cost_pair_tag.end_of_line <= false;
+        slice0cost_tag.valid <= false;
+        slice0cost_tag.map_column <= false;
+        slice0cost_tag.output_column <= false;
+        slice0cost_tag.start_of_frame <= false;
+        slice0cost_tag.end_of_line <= false;
         slice0window_centre_map_column_0 <= false;
         slice0window_centre_output_column_0 <= false;
         slice0window_centre_start_of_frame_0 <= false;
         slice0window_centre_end_of_line_0 <= false;
-        slice0window_tag_valid <= false;
-        slice0window_tag_map_column <= false;
-        slice0window_tag_output_column <= false;
-        slice0window_tag_start_of_frame <= false;
-        slice0window_tag_end_of_line <= false;
+        slice0window_tag.valid <= false;
+        slice0window_tag.map_column <= false;
+        slice0window_tag.output_column <= false;
+        slice0window_tag.start_of_frame <= false;
+        slice0window_tag.end_of_line <= false;
         for i in 0 to 3 loop
           slice0_tag_valid(i) <= false;
           slice0_tag_map_column(i) <= false;
@@ -4906,9 +2893,9 @@ begin
           slice0_tag_start_of_frame(i) <= false;
           slice0_tag_end_of_line(i) <= false;
         end loop;
-        entry_next_tag_valid <= false;
-        entry_next_tag_map_column <= false;
-        entry_next_tag_end_of_line <= false;
+        entry_next_tag.valid <= false;
+        entry_next_tag.map_column <= false;
+        entry_next_tag.end_of_line <= false;
         entry_next_top <= false;
         entry_order_address <= 0;
         entry_order_falls <= false;
@@ -4918,19 +2905,15 @@ begin
         entry_order_held_output <= false;
         entry_order_turned_output_column <= false;
         entry_order_turned_start_of_frame <= false;
-        entry_tag_valid <= false;
-        entry_tag_map_column <= false;
-        entry_tag_end_of_line <= false;
+        entry_tag.valid <= false;
+        entry_tag.map_column <= false;
+        entry_tag.end_of_line <= false;
         entry_place <= 0;
         entry_turned_output_column <= false;
         entry_turned_start_of_frame <= false;
         decisions_ready_inside <= false;
-        decisions_comes(0) <= false;
-        decisions_comes(1) <= false;
-        decisions_comes(2) <= false;
-        decisions_place(0) <= 0;
-        decisions_place(1) <= 0;
-        decisions_place(2) <= 0;
+        decisions_comes <= (others => false);
+        decisions_place <= (others => 0);
         decisions_write_place <= 0;
         last_tags_held_end_of_line(0) <= false;
         last_tags_held_map_column(1) <= false;
@@ -4938,35 +2921,18 @@ begin
         last_tags_held_map_column(2) <= false;
         last_tags_held_end_of_line(2) <= false;
         last_tags_moved <= false;
-        last_tag_valid <= false;
-        last_tag_map_column <= false;
-        last_tag_end_of_line <= false;
-        lastwinner1_tag_valid <= false;
-        lastwinner1_tag_map_column <= false;
-        lastwinner1_tag_end_of_line <= false;
-        lastwinner2_tag_valid <= false;
-        lastwinner2_tag_map_column <= false;
-        lastwinner2_tag_end_of_line <= false;
-        lastwinner3_tag_valid <= false;
-        lastwinner3_tag_map_column <= false;
-        lastwinner3_tag_end_of_line <= false;
-        lastwinner4_tag_valid <= false;
-        lastwinner4_tag_map_column <= false;
-        lastwinner4_tag_end_of_line <= false;
-        lastwinner5_tag_valid <= false;
-        lastwinner5_tag_map_column <= false;
-        lastwinner5_tag_end_of_line <= false;
-        lastwinner6_tag_valid <= false;
-        lastwinner6_tag_map_column <= false;
-        lastwinner6_tag_end_of_line <= false;
+        last_tag <= (others => false);
+        lastwinner1_tag <= (others => false);
+        lastwinner2_tag <= (others => false);
+        lastwinner3_tag <= (others => false);
+        lastwinner4_tag <= (others => false);
+        lastwinner5_tag <= (others => false);
+        lastwinner6_tag <= (others => false);
         traceback_tags_held_output_column(0) <= false;
         traceback_tags_held_start_of_frame(0) <= false;
         traceback_tags_held_output_column(1) <= false;
         traceback_tags_held_start_of_frame(1) <= false;
-        traceback_out_tag_map_column <= false;
-        traceback_out_tag_output_column <= false;
-        traceback_out_tag_start_of_frame <= false;
-        traceback_out_tag_end_of_line <= false;
+        traceback_out_tag <= (others => false);
         turn_order_address <= 0;
         turn_order_falls <= false;
         turn_order_inside <= false;
@@ -4975,9 +2941,9 @@ begin
         turn_order_first <= false;
         turn_order_turned_map_column <= false;
         turn_comes <= false;
-        turn_read_tag_map_column <= false;
+        turn_read_tag.map_column <= false;
         turn_write_place <= 0;
-        turn_ready_tag_map_column <= false;
+        turn_ready_tag.map_column <= false;
         fill_out_tag_map_column <= false;
         map_counter_column <= 0;
         map_counter_group <= 641;
@@ -5015,10 +2981,7 @@ begin
         other_0 <= false;
         other_1 <= to_unsigned(0, 49);
         other_3 <= to_unsigned(0, 49);
-        other(4) <= 0;
-        other(5) <= 0;
-        other(6) <= 0;
-        other(7) <= 0;
+        other <= (others => 0);
       end if;
     end if;
   end process;

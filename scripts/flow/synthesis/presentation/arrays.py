@@ -4,9 +4,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Container, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from itertools import groupby, product
+from math import prod
+
+from . import widths
+from .widths import Kind
+from .words import Words
 
 FEWEST = 2  # elements of an array
 _NUMBER = re.compile(r"(?<=_)(0|[1-9]\d*)(?=_|$)")
@@ -23,9 +28,10 @@ RESERVED = frozenset(
     strong subtype then to transport type unaffected units until use variable vmode vprop vunit wait when while
     with xnor xor""".split()
 )
+# The lowering counts variables of the same name: `choice`, `choice_2`, ...
+_COUNTED = "_#"
+_FILLED = 3  # of variables: their array has at most so many places for each
 Places = tuple[int, ...]
-# Of a kind and of what drives it: a process that drives one element drives the whole array.
-Kind = tuple[str, str]
 
 
 @dataclass(frozen=True)
@@ -34,6 +40,8 @@ class Array:
     pattern: str  # of the names of its elements, # for an index
     kind: Kind
     ranges: tuple[tuple[int, int], ...]
+    is_variable: bool = False
+    tops: tuple[int, ...] = ()  # of the elements' own ranges, where those are narrower; in their order
 
     @property
     def type_name(self) -> str:
@@ -49,13 +57,42 @@ class Array:
         return ", ".join(f"{first} to {last}" for first, last in self.ranges)
 
     @property
+    def first(self) -> Places:
+        return tuple(low for low, _ in self.ranges)
+
+    @property
+    def size(self) -> int:
+        return prod(last - low + 1 for low, last in self.ranges)
+
+    def reference(self, places: Places) -> Words:
+        """To an element, in words of VHDL."""
+        words = [word for place in places for word in (",", str(place))]
+        return self.name, "(", *words[1:], ")"
+
+    def is_spanned_by(self, names: Container[str]) -> bool:
+        """Whether these elements reach its bounds in each dimension."""
+        places = [indices for name, indices in self.elements() if name in names]
+        return tuple((min(one), max(one)) for one in zip(*places)) == self.ranges
+
+    @property
+    def remark(self) -> str:
+        return self.pattern + (f" up to {widths.said(self.tops)}" if self.tops else "")
+
+    @property
     def is_plain(self) -> bool:
-        """Whether its indices are behind its name."""
-        return self.pattern == self.name + "_#" * len(self.ranges)
+        """Whether its indices are behind its name, and its elements of its type."""
+        return not self.tops and self.pattern == self.name + "_#" * len(self.ranges)
+
+    def own_kinds(self) -> Iterable[tuple[str, str]]:
+        """(element, its type)"""
+        for at, (name, _) in enumerate(self.elements()):
+            yield name, widths.kind_of(self.tops[at]) if self.tops else self.kind[0]
 
     def element(self, indices: Sequence[int]) -> str:
         parts = iter(indices)
-        return re.sub("#", lambda _: str(next(parts)), self.pattern)
+        name = re.sub("#", lambda _: str(next(parts)), self.pattern)
+        is_first = self.is_variable and self.pattern.endswith(_COUNTED) and indices[-1] == 1
+        return name.removesuffix("_1") if is_first else name
 
     def elements(self) -> Iterable[tuple[str, Places]]:
         for indices in product(*(range(first, last + 1) for first, last in self.ranges)):
@@ -71,20 +108,70 @@ def _type_name(kind: str) -> str:
     return f"unsigned_{int(wide[1]) + 1}" if wide else kind
 
 
-def found_in(kinds: Mapping[str, Kind], taken: set[str]) -> list[Array]:
-    """`kinds`: of names, in the order of their declarations; `taken`: names that an array cannot have."""
-    families: dict[str, dict[Places, Kind]] = {}
+def found_in(kinds: Mapping[str, Kind], taken: set[str], selections: Container[str] = ()) -> list[Array]:
+    """Of signals. `kinds`: of names, in the order of their declarations; `taken`: names that an array cannot have;
+    `selections`: names whose upper bits cost nothing in a wider type."""
+    families: dict[str, dict[str, Kind]] = {}
     for name, kind in kinds.items():
         key = _NUMBER.sub("#", name)
         if key != name:
-            families.setdefault(key, {})[tuple(map(int, _NUMBER.findall(name)))] = kind
+            families.setdefault(key, {})[name] = kind
     arrays = []
     used = taken | RESERVED
     for key, members in families.items():
-        for kind, ranges in sorted(_boxes(members), key=lambda box: box[1]):
-            arrays.append(_named(key, kind, ranges, used))
+        found = _of_family(key, members, {}, used)
+        wide = _of_family(key, members, widths.common(members, selections), used)
+        single = len(members) - sum(array.size for array in found)
+        tops = [array.tops for array in wide]
+        is_better = len(wide) < len(found) + single and (single > 0 or all(map(widths.is_one, tops)))
+        if is_better and all(map(widths.is_sayable, tops)):
+            found = wide
+        arrays += found
+        used |= {array.name for array in found}
+    return arrays
+
+
+def _of_family(key: str, members: Mapping[str, Kind], common: Mapping[str, Kind], used: set[str]) -> list[Array]:
+    """`common`: types in place of their own."""
+    places = {tuple(map(int, _NUMBER.findall(name))): common.get(name, kind) for name, kind in members.items()}
+    arrays: list[Array] = []
+    for kind, ranges in sorted(_boxes(places), key=lambda box: box[1]):
+        array = _named(key, kind, ranges, used | {one.name for one in arrays})
+        joined, tops = widths.joined([members[name][0] for name, _ in array.elements()])
+        arrays.append(replace(array, kind=(joined, kind[1]), tops=tops))
+    return arrays
+
+
+def of_variables(kinds: Mapping[str, Kind], taken: set[str], kept: Container[str] = ()) -> list[Array]:
+    """Those may have places for variables that do not exist, which get a value and are not read (defaults.py). `kept`:
+    names that are in no such array."""
+    families: dict[tuple[str, Kind], list[Places]] = {}
+    keys = {_NUMBER.sub("#", name) for name in kinds}
+    full: set[tuple[str, Kind]] = set()
+    for name, kind in kinds.items():
+        counted = f"{name}_1" if _NUMBER.sub("#", name) + _COUNTED in keys else name
+        key = _NUMBER.sub("#", counted)
+        if key != counted:
+            families.setdefault((key, kind), []).append(tuple(map(int, _NUMBER.findall(counted))))
+            if name in kept:
+                full.add((key, kind))
+    arrays = []
+    used = taken | RESERVED
+    for (key, kind), members in families.items():
+        for ranges in _frames(members, 1 if (key, kind) in full else _FILLED):
+            arrays.append(replace(_named(key, kind, ranges, used), is_variable=True))
             used.add(arrays[-1].name)
     return arrays
+
+
+def _frames(members: Sequence[Places], most: int) -> list[tuple[tuple[int, int], ...]]:
+    """Bounds of arrays that have no more than `most` places for each of these."""
+    bounds = tuple((min(one), max(one)) for one in zip(*members))
+    if len(members) < FEWEST:
+        return []
+    if prod(last - low + 1 for low, last in bounds) <= most * len(members):
+        return [bounds]
+    return [ranges for _, ranges in _boxes(dict.fromkeys(members, ("", "")))]
 
 
 _Box = tuple[Kind, tuple[tuple[int, int], ...]]

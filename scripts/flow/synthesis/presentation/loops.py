@@ -14,7 +14,8 @@ LONGEST = 96  # statements of one turn
 VARIABLES = ("i", "j", "k", "l")
 _WIDTHS = ("to_unsigned", "resize")  # their second argument stays a number
 _FIXED = ("mod", "/", "*", "**")  # so does what is behind them
-_DELIMITERS = ("(", ",", "downto", ")")
+_BETWEEN = ("downto", "to")
+_DELIMITERS = ("(", ",", *_BETWEEN, ")")
 _shapes: dict[Any, int] = {}
 
 
@@ -65,9 +66,13 @@ _Node = Union[_Plain, _Choice, _Loop, _Note]
 
 def fold(statements: Sequence[Statement], reserved: set[str]) -> tuple[Statement, ...]:
     """`reserved`: names that no loop may take."""
-    variables = [name for name in VARIABLES if name not in reserved]
-    nodes = _folded([_node(one) for one in statements], len(variables))
-    return tuple(_statements(nodes, [(number, {}) for number in _numbers(nodes)], variables))
+    free = variables(reserved)
+    nodes = _folded([_node(one) for one in statements], len(free))
+    return tuple(_statements(nodes, [(number, {}) for number in _numbers(nodes)], free))
+
+
+def variables(reserved: set[str]) -> list[str]:
+    return [name for name in VARIABLES if name not in reserved]
 
 
 # --- from statements to nodes -----------------------------------------------------------------------------------------
@@ -106,7 +111,7 @@ def _plain(words: Words) -> _Plain:
             calls.pop()
         is_width = before == "," and calls and calls[-1] in _WIDTHS
         if word.isdigit() and before not in _FIXED and not is_width:
-            if before == "downto":
+            if before in _BETWEEN:
                 ties.append((len(numbers) - 1, len(numbers)))
             numbers.append(int(word))
             shown.append(None)
@@ -137,17 +142,23 @@ def _ties(nodes: Sequence[_Node]) -> tuple[tuple[int, int], ...]:
 
 
 def _folded(nodes: list[_Node], most: int) -> list[_Node]:
+    """Two turns may be so by chance: what has more comes first, and of two turns the longest."""
+    nodes = _all_runs(nodes, range(1, LONGEST + 1), most, 3)
+    return _all_runs(nodes, range(LONGEST, 0, -1), most, 2)
+
+
+def _all_runs(nodes: list[_Node], periods: Sequence[int], most: int, least: int) -> list[_Node]:
+    """`least`: turns of a loop."""
     before = -1
     while before != len(nodes):
         before = len(nodes)
-        for period in range(1, LONGEST + 1):
-            if 2 * period > len(nodes):
-                break
-            nodes = _runs(nodes, period, most)
+        for period in periods:
+            if least * period <= len(nodes):
+                nodes = _runs(nodes, period, most, least)
     return nodes
 
 
-def _runs(nodes: list[_Node], period: int, most: int) -> list[_Node]:
+def _runs(nodes: list[_Node], period: int, most: int, least: int) -> list[_Node]:
     alike = [0] * (len(nodes) + 1)  # how many from here on are as those one period later
     for at in range(len(nodes) - period - 1, -1, -1):
         alike[at] = alike[at + 1] + 1 if nodes[at].shape.number == nodes[at + period].shape.number else 0
@@ -159,7 +170,7 @@ def _runs(nodes: list[_Node], period: int, most: int) -> list[_Node]:
         if alike[at] >= period:
             turns, steps = _turns(nodes, at, period, most)
             rows = sum(node.shape.lines for node in nodes[at : at + period])
-            if turns >= 2 and rows * (turns - 1) >= 4:
+            if turns >= least and rows * (turns - 1) >= 4:
                 found.append(_loop(nodes[at : at + period], turns, steps))
                 at += period * turns
                 continue
@@ -268,6 +279,25 @@ def _product(step: int, name: str) -> list[str]:
     return [name] if step == 1 else [str(step), "*", name]
 
 
+# --- lists of words alone ---------------------------------------------------------------------------------------------
+
+
+def longest(lists: Sequence[Words]) -> tuple[int, tuple[int, ...]]:
+    """(how many from the first one on, steps of their numbers) of which a loop could be made"""
+    nodes: list[_Node] = [_plain(words) for words in lists]
+    if len(nodes) < 2 or nodes[0].shape.number != nodes[1].shape.number:
+        return 1, ()
+    return _turns(nodes, 0, 1, 1)
+
+
+def numbers_of(words: Words) -> tuple[int, ...]:
+    return _plain(words).numbers
+
+
+def with_numbers(words: Words, values: Sequence[_Value]) -> Words:
+    return _filled(_plain(words), values)
+
+
 # --- and back ---------------------------------------------------------------------------------------------------------
 
 
@@ -280,26 +310,27 @@ def unroll(statements: Sequence[Statement], values: dict[str, int] | None = None
             for number in range(one.first, one.last + 1):
                 found += unroll(one.body, {**known, one.variable: number})
         elif isinstance(one, Assign):
-            found.append(Assign(_evaluated(one.words, known)))
+            found.append(Assign(evaluated(one.words, known)))
         elif isinstance(one, If):
             otherwise = None if one.otherwise is None else unroll(one.otherwise, known)
-            found.append(If(_evaluated(one.test, known), unroll(one.then, known), otherwise))
+            found.append(If(evaluated(one.test, known), unroll(one.then, known), otherwise))
         else:
             found.append(one)
     return tuple(found)
 
 
-def _evaluated(words: Words, values: dict[str, int]) -> Words:
+def evaluated(words: Words, values: dict[str, int]) -> Words:
+    """With numbers in place of loop variables."""
     if not values or not any(word in values for word in words):
         return words
     found: list[str] = []
     at = 0
     while at < len(words):
         end = at
-        if found and found[-1] in _DELIMITERS[:3]:
+        if found and found[-1] in _DELIMITERS[:-1]:
             while end < len(words) and (words[end] in values or words[end].isdigit() or words[end] in "+-*"):
                 end += 1
-        is_sum = end > at and words[end] in (")", ",", "downto") and any(w in values for w in words[at:end])
+        is_sum = end > at and words[end] in _DELIMITERS[1:] and any(w in values for w in words[at:end])
         if is_sum:
             number = str(_sum(words[at:end], values))
             is_in_parentheses = found[-1] == "(" and words[end] == ")" and not any(map(is_callable, found[-2:-1]))

@@ -4,16 +4,18 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 
 from ...base.errors import FlowError
-from . import arrays, bits, core, loops, tree
+from . import arrays, bits, choices, core, defaults, functions, loops, memories, records, slices, tree, widths
 from .arrays import Array, Places
 from .core import Core, Names
-from .words import Words
+from .records import Record
+from .words import Words, joined, split
 
 _READ_DATA = re.compile(r"\bread_data => (\w+)")
-_REFERENCE = re.compile(r"\b(\w+)\((\d+(?:, \d+)*)\)")
+_REFERENCE = re.compile(r"\b(\w+)(?:\(\d+(?:, \d+)*\)|\.\w+)")
 _JOINED = re.compile(r"std_logic_vector\((.* & .*)\);$")
 _QUALIFIED = re.compile(r"std_logic_vector\(unsigned'\((.*)\)\);$")
 _NAME = re.compile(r"\b[a-z]\w*\b")
@@ -63,37 +65,99 @@ def _kinds(declarations: Iterable[str | Names | Array]) -> dict[str, str]:
 
 
 def _folded(scalar: Core) -> Core:
-    signals, variables = _kinds(scalar.declarations), _kinds(scalar.variables)
+    ports, cells = memories.read(scalar.concurrent, _kinds(scalar.declarations))
+    own = {f"{cell.label}_{name}" for cell in cells for name in cell.types()}
+    signals = {name: kind for name, kind in _kinds(scalar.declarations).items() if name not in own}
+    variables = _kinds(scalar.variables)
     kinds = signals | variables
-    concurrent = "\n".join(scalar.concurrent)
-    of_memories = set(_READ_DATA.findall(concurrent))
+    of_memories = set(_READ_DATA.findall("\n".join(scalar.concurrent)))
+    taken = set(_NAME.findall("\n".join(scalar.head + ports))) | kinds.keys() | memories.LOCAL | functions.NAMES
+    made = _arrays(scalar, signals, variables, of_memories, taken)
+    places = {
+        name: (array, indices)
+        for array in made
+        for name, indices in array.elements()
+        if not array.is_variable or kinds.get(name) == array.kind[0]
+    }
+    known = {array.name: array for array in made}
+    reserved = taken | kinds.keys() | known.keys()
+    tags = records.found_in({name: kind for name, kind in signals.items() if name not in places}, reserved)
+    fields = records.members(tags)
+
+    def shown(words: Words) -> Words:
+        return _renamed(_with_arrays(_with_bits(words, kinds), places), fields)
+
+    body = records.made(slices.made(choices.made(_mapped(scalar.body, shown)), known), tags)
+    filled = Counter(array.name for array, _ in places.values())
+    sparse = [array for array in made if array.is_variable and 0 < filled[array.name] < array.size]
+    shown_cells = [memories.in_words(cell, shown) for cell in cells]
+    types = kinds | {field: kinds[name] for name, field in fields.items()}
+    chosen = {known[words[0]].kind[0] if words[0] in known else types[words[0]] for words in _choices(body)}
+    used = {word for words in [*_all_words(body), *(cell.words for cell in shown_cells)] for word in words}
+    return Core(
+        scalar.head,
+        _grouped(_in_records(_without(scalar.declarations, own), tags, fields), places),
+        [_NAME.sub(lambda match: _reference(match[0], places, fields), _qualified(line)) for line in ports]
+        + memories.presented(shown_cells, loops.variables(reserved)[0], known, reserved | tags.keys()),
+        [one for one in _grouped(scalar.variables, places) if not isinstance(one, str)],
+        loops.fold(defaults.made(body, sparse), reserved),
+        scalar.end,
+        functions.needed(used, chosen),
+        known,
+        tags,
+    )
+
+
+def _renamed(words: Words, names: Mapping[str, str]) -> Words:
+    return tuple(names.get(word, word) for word in words)
+
+
+def _in_records(
+    declarations: Iterable[str | Names | Array], tags: Mapping[str, Record], fields: Mapping[str, str]
+) -> Iterable[str | Names | Array]:
+    """Tags where their first fields stood."""
+    there: set[str] = set()
+    for one in declarations:
+        if not isinstance(one, Names):
+            yield one
+            continue
+        for name in one.names:
+            tag, _, _ = fields.get(name, "").partition(".")
+            if not tag:
+                yield Names(one.kind, [name])
+            elif tag not in there:
+                there.add(tag)
+                yield Names(tags[tag].name, [tag])
+
+
+def _arrays(
+    scalar: Core, signals: Mapping[str, str], variables: Mapping[str, str], of_memories: set[str], taken: set[str]
+) -> list[Array]:
     clocked = _assigned(scalar.body)
-    taken = set(_NAME.findall("\n".join(scalar.head) + concurrent)) | kinds.keys()
     in_arrays = {
         name: (kind, "memory" if name in of_memories else "process")
         for name, kind in signals.items()
         if name in of_memories or name in clocked
     }
-    of_signals = arrays.found_in(in_arrays, taken)
-    taken |= {array.name for array in of_signals}
-    of_variables = arrays.found_in({name: (kind, "variable") for name, kind in variables.items()}, taken)
-    made = [*of_signals, *of_variables]
-    places = {name: (array, indices) for array in made for name, indices in array.elements()}
+    of_signals = arrays.found_in(in_arrays, taken, widths.selections(scalar.body, {**signals, **variables}))
+    taken = taken | {array.name for array in of_signals}
+    early = defaults.read_first(scalar.body, variables)
+    in_arrays = {name: (kind, "variable") for name, kind in variables.items()}
+    return [*of_signals, *arrays.of_variables(in_arrays, taken, early)]
 
-    def shown(words: Words) -> Words:
-        return _with_arrays(_with_bits(words, kinds), places)
 
-    body = loops.fold(_mapped(scalar.body, shown), taken | kinds.keys())
-    return Core(
-        scalar.head,
-        _grouped(scalar.declarations, places),
-        [_NAME.sub(lambda match: _reference(match[0], places), _qualified(line)) for line in scalar.concurrent],
-        [one for one in _grouped(scalar.variables, places) if not isinstance(one, str)],
-        body,
-        scalar.end,
-        any(bits.NAME in words for words in _all_words(body)),
-        {array.name: array for array in made},
-    )
+def _without(declarations: Iterable[str | Names | Array], names: set[str]) -> Iterable[str | Names | Array]:
+    for one in declarations:
+        if not isinstance(one, Names):
+            yield one
+        elif left := [name for name in one.names if name not in names]:
+            yield Names(one.kind, left)
+
+
+def _choices(statements: Iterable[tree.Statement]) -> Iterable[Words]:
+    for words in _all_words(statements):
+        if any(sign in words and words[words.index(sign) + 1] == choices.NAME for sign in ("<=", ":=")):
+            yield words
 
 
 def _assigned(statements: Iterable[tree.Statement]) -> set[str]:
@@ -155,9 +219,9 @@ def _qualified(line: str) -> str:
     return _JOINED.sub(r"std_logic_vector(unsigned'(\1));", line)
 
 
-def _reference(word: str, places: Mapping[str, tuple[Array, Places]]) -> str:
+def _reference(word: str, places: Mapping[str, tuple[Array, Places]], fields: Mapping[str, str]) -> str:
     if word not in places:
-        return word
+        return fields.get(word, word)
     array, indices = places[word]
     return f"{array.name}({', '.join(map(str, indices))})"
 
@@ -189,38 +253,65 @@ def _grouped(
 
 
 def _expanded(presented: Core) -> Core:
-    declarations = _single(presented.declarations)
-    variables = [one for one in _single(presented.variables) if not isinstance(one, str)]
-    kinds = _kinds([*declarations, *variables])
+    known = presented.arrays
+    ports, cells = memories.back(presented.concurrent)
+    names = {field: name for name, field in records.members(presented.records).items()}
+    there: set[tuple[str, str]] = set()  # (array, element) that are named; one of variables may have places for more
 
-    def plain(words: Words) -> Words:
-        return _value(_without_arrays(words, presented.arrays), bits.arithmetic, kinds)
+    def without_arrays(words: Words) -> Words:
+        return _renamed(_without_arrays(words, known, there), names)
 
     def name(match: re.Match[str]) -> str:
-        array = presented.arrays.get(match[1])
-        return match[0] if array is None else array.element([int(index) for index in match[2].split(", ")])
+        is_known = match[1] in known or match[0] in names
+        return joined(without_arrays(tuple(split(match[0])))) if is_known else match[0]
 
+    lines = [_REFERENCE.sub(name, _QUALIFIED.sub(r"std_logic_vector(\1);", line)) for line in ports]
+    with_defaults = loops.unroll(presented.body)
+    sparse, body = defaults.names(with_defaults, known), defaults.unmade(with_defaults, known)
+    by_fields = records.unmade(slices.unmade(body, known), presented.records)
+    with_elements = _mapped(by_fields, without_arrays)
+    cells = [memories.in_words(cell, without_arrays) for cell in cells]
+    declarations = _single(_by_fields(presented), there, sparse)
+    variables = [one for one in _single(presented.variables, there, sparse) if not isinstance(one, str)]
+    kinds = _kinds([*declarations, *variables])
+    cells = [memories.in_words(cell, lambda words: bits.arithmetic(words, kinds)) for cell in cells]
+    own = [Names(kind, [f"{cell.label}_{name}"]) for cell in cells for name, kind in cell.types().items()]
     return Core(
         presented.head,
-        declarations,
-        [_REFERENCE.sub(name, _QUALIFIED.sub(r"std_logic_vector(\1);", line)) for line in presented.concurrent],
+        [*declarations, *own],
+        memories.written(lines, cells),
         variables,
-        _mapped(loops.unroll(presented.body), plain),
+        _mapped(choices.unmade(with_elements), lambda words: _value(words, bits.arithmetic, kinds)),
         presented.end,
     )
 
 
-def _single(declarations: Iterable[str | Names | Array]) -> list[str | Names | Array]:
+def _by_fields(presented: Core) -> Iterable[str | Names | Array]:
+    for one in presented.declarations:
+        if isinstance(one, Names) and one.names[0] in presented.records:
+            for tag in one.names:
+                yield Names("boolean", [f"{tag}_{name}" for name in presented.records[tag].fields])
+        else:
+            yield one
+
+
+def _single(
+    declarations: Iterable[str | Names | Array], there: set[tuple[str, str]], sparse: set[str]
+) -> list[str | Names | Array]:
     found: list[str | Names | Array] = []
     for one in declarations:
-        if isinstance(one, Array):
-            found.append(Names(one.kind[0], [name for name, _ in one.elements()]))
-        else:
+        if not isinstance(one, Array):
             found.append(one)
+            continue
+        used = {name for name, _ in one.elements() if (one.name, name) in there}
+        if one.name in sparse and not one.is_spanned_by(used):
+            raise FlowError(f"unknown form of VHDL: nothing needs all of {one.name}")
+        found += [Names(kind, [name]) for name, kind in one.own_kinds() if one.name not in sparse or name in used]
     return found
 
 
-def _without_arrays(words: Words, known: Mapping[str, Array]) -> Words:
+def _without_arrays(words: Words, known: Mapping[str, Array], there: set[tuple[str, str]]) -> Words:
+    """`there` gets the elements, with the names of their arrays."""
     found: list[str] = []
     at = 0
     while at < len(words):
@@ -231,5 +322,6 @@ def _without_arrays(words: Words, known: Mapping[str, Array]) -> Words:
             continue
         end = words.index(")", at)
         found.append(array.element([int(word) for word in words[at + 2 : end] if word != ","]))
+        there.add((array.name, found[-1]))
         at = end + 1
     return tuple(found)

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterable, Sequence
 
 Words = tuple[str, ...]
-WORD = re.compile(r"--[^\n]*|\*\*|:=|<=|>=|/=|=>|'[01]'|\"[^\"]*\"|\w+|\S")
+WORD = re.compile(r"--[^\n]*|\*\*|:=|<=|>=|/=|=>|'[01]'|\"[^\"]*\"|\w+(?:\.\w+)?|\S")
 LINE = 120
 _OPERATORS = {"not", "and", "or", "xor", "mod", "if", "then", "downto", "to", "in", "when", "else"}
 
@@ -58,3 +58,20 @@ def wrapped(start: str, names: Sequence[str], end: str) -> list[str]:
             line = []
         line.append(name)
     return [*lines, start + ", ".join(line) + end]
+
+
+def sign_of(words: Words) -> int:
+    """The place of `<=` or `:=` in an assignment."""
+    return next(at for at, word in enumerate(words) if word in ("<=", ":="))
+
+
+def arguments(words: Words) -> list[Words]:
+    """What stands between the commas of a list."""
+    found: list[Words] = []
+    depth, start = 0, 0
+    for at, word in enumerate(words):
+        depth += {"(": 1, ")": -1}.get(word, 0)
+        if word == "," and depth == 0:
+            found.append(words[start:at])
+            start = at + 1
+    return [*found, words[start:]]

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The functions that presented VHDL has besides those of the lowering."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable
+
+from . import bits, carries, choices
+
+_NAMED = {bits.NAME: bits.FUNCTION, carries.NAME: carries.FUNCTION, carries.INVERTED: carries.INVERTED_FUNCTION}
+_OF_CHOICES = {kind: choices.function(kind) for kind in ("boolean", "integer", "unsigned")}
+NAMES = {*_NAMED, choices.NAME}
+ALL = (*_NAMED.values(), *_OF_CHOICES.values())
+
+
+def without(text: str) -> str:
+    for function in ALL:
+        text = text.replace(function, "", 1)
+    return text
+
+
+def needed(words: Collection[str], kinds_of_choices: Iterable[str]) -> str:
+    """`words`: all of the text; `kinds_of_choices`: types of their targets."""
+    bases = {"unsigned" if kind.startswith("unsigned") else kind for kind in kinds_of_choices}
+    used = {base if base in _OF_CHOICES else "integer" for base in bases}
+    named = "".join(text for name, text in _NAMED.items() if name in words)
+    return named + "".join(_OF_CHOICES[kind] for kind in sorted(used))
