@@ -100,7 +100,7 @@ def copy_of(folder, edit):
 
 
 def inverted(text):
-    return text.replace("if rows_ready_tag_valid then", "if not rows_ready_tag_valid then", 1)
+    return text.replace("if rows_ready_tag.valid then", "if not rows_ready_tag.valid then", 1)
 
 
 @pytest.mark.parametrize("keeps_seal", [True, False])

@@ -9,6 +9,7 @@ from typing import Any
 
 from ..base import committed
 from ..implementation import yosys
+from ..synthesis.presentation import scalars
 from .path_memories import semi_global
 from .path_shape import PathShape
 from .window_memories import Memory, block_matching
@@ -34,7 +35,8 @@ def memories_of(shape: WindowShape) -> list[Memory]:
 
 def memories_in_vhdl(config: str) -> list[Memory]:
     """Of a committed core of any family."""
-    text = (committed.folder(config) / f"{committed.entity(config)}.vhd").read_text()
+    (core,) = scalars.files([committed.folder(config) / f"{committed.entity(config)}.vhd"])
+    text = core.read_text()
     return [Memory(int(depth), int(width)) for depth, width in _MEMORY.findall(text)]
 
 

@@ -17,7 +17,7 @@ _SINGLE = re.compile(
   (?P=label)_read_address <= (?P<read_address>.*);
   (?P=label)_write_address <= (?P<write_address>.*);
   (?P=label)_write_data <= (?P<write_data>.*);
-  (?P=label) : entity work\.line_memory
+  (?P=label) : entity work\.(?P<unit>\w+)
     generic map \(depth => (?P<depth>\d+), width => (?P<width>\d+), address_bits => (?P<address_bits>\d+)\)
     port map \(
       clock => clock, read_enable => (?P=label)_read_enable,
@@ -25,14 +25,17 @@ _SINGLE = re.compile(
       write_address => (?P=label)_write_address, write_data => (?P=label)_write_data\);
 """
 )
-_FIELDS = ("read_enable", "read_address", "write_address", "write_data", "depth", "width", "address_bits", "read_data")
-_INPUTS, _GENERICS = _FIELDS[:4], _FIELDS[4:7]
+_INPUTS = ("read_enable", "read_address", "write_address", "write_data")
+_GENERICS = ("depth", "width", "address_bits")
+# A kit gives the unit another name. The register comes last.
+_FIELDS = (*_INPUTS, *_GENERICS, "unit", "read_data")
 LOCAL = {*_INPUTS, "cell"}  # names inside of the blocks
 _SUFFIX = "_memory"
 _TEXT = re.compile(
     r"  (\w+) : (?:block|for (\w+) in (\d+) (to|downto) (\d+) generate)\n(.*?)  end (?:block|generate);\n", re.DOTALL
 )
 _ASSIGNED = re.compile(r"^    (\w+) <= (.*?);$", re.MULTILINE | re.DOTALL)
+_UNIT = re.compile(r"entity work\.(\w+)")
 _MAPPED = re.compile(r"(\w+) => ((?:[^,()]|\([^()]*\))+)")
 
 
@@ -64,7 +67,7 @@ class Memory:
         label = self.label
         return (
             "".join(f"  {label}_{name} <= {said[name]};\n" for name in _INPUTS)
-            + f"  {label} : entity work.line_memory\n"
+            + f"  {label} : entity work.{said['unit']}\n"
             f"    generic map (depth => {said['depth']}, width => {said['width']}, "
             f"address_bits => {said['address_bits']})\n"
             "    port map (\n"
@@ -175,7 +178,7 @@ def _framed(start: str, end: str, memory: Memory, known: Container[str]) -> list
     order = ("read_enable", "read_address", "read_data", "write_address", "write_data")
     ports = ", ".join(f"{name} => {sources[name]}" for name in order)
     generics = ", ".join(f"{name} => {said[name]}" for name in _GENERICS)
-    lines += ["    cell : entity work.line_memory", f"      generic map ({generics})"]
+    lines += [f"    cell : entity work.{said['unit']}", f"      generic map ({generics})"]
     return [*lines, *folded(f"      port map (clock => clock, {ports});"), f"  end {end};", ""]
 
 
@@ -206,6 +209,7 @@ def _read(body: str) -> Memory:
     values = {name: " ".join(value.split()) for name, value in _ASSIGNED.findall(assignments)}
     _, generics, ports = re.split(r"generic map|port map", " ".join(assignments.split()))
     said = dict(_MAPPED.findall(generics.strip()[1:-1])) | dict(_MAPPED.findall(ports.strip()[1:-2])) | values
+    [said["unit"]] = _UNIT.findall(body)
     return Memory({name: tuple(split(said[name])) for name in _FIELDS})
 
 
