@@ -4,6 +4,7 @@ statements."""
 
 from __future__ import annotations
 
+import functools
 import hashlib
 from collections.abc import Iterable
 from pathlib import Path
@@ -12,6 +13,12 @@ from ...base import files as written
 from ...base.errors import FlowError
 from ...base.places import build_folder
 from .present import expand, is_presented
+
+
+@functools.lru_cache(maxsize=None)
+def _expansion() -> str:
+    """Another one where the code that expands is another."""
+    return "".join(source.read_text() for source in sorted(Path(__file__).parent.glob("*.py")))
 
 
 def files(paths: Iterable[Path]) -> list[Path]:
@@ -25,7 +32,8 @@ def _of(path: Path) -> Path:
         text = path.read_text()
         if not is_presented(text):
             return path
-        copy = build_folder() / "scalars" / hashlib.sha256(text.encode()).hexdigest()[:20] / path.name
+        key = hashlib.sha256(_expansion().encode() + text.encode()).hexdigest()[:20]
+        copy = build_folder() / "scalars" / key / path.name
         if not copy.is_file():
             written.write(copy, expand(text))
     except (OSError, UnicodeDecodeError, FlowError):
