@@ -15,7 +15,7 @@ from ...base.places import build_folder
 from .present import expand, is_presented
 
 
-@functools.lru_cache(maxsize=None)
+@functools.cache
 def _expansion() -> str:
     """Another one where the code that expands is another."""
     return "".join(source.read_text() for source in sorted(Path(__file__).parent.glob("*.py")))
