@@ -319,6 +319,7 @@ def cell(place, address="column", depth=16):
             "depth": (str(depth),),
             "width": ("8",),
             "address_bits": ("4",),
+            "unit": ("line_memory_of_a_kit",),
             "read_data": tuple(split(f"held({place})")),
         }
     )
