@@ -13,6 +13,7 @@ from flow.base.configurations import option
 from flow.base.errors import FlowError
 from flow.base.tools import find_stereo_hls, run
 from flow.implementation import figures
+from flow.rendering import pictures
 from flow.system import frame, pipeline, play, record, streams, summary, template
 from flow_commands import call, refused
 
@@ -365,9 +366,8 @@ def test_calibrated_pair_end_to_end(simulation, tmp_path):
     run(command)
     tables = [pipeline.read_table(tmp_path / "made" / f"{side}_table.hex", STAGE) for side in ("left", "right")]
     assert any(node != (0, 0) for row in tables[0] for node in row)
-    words = pipeline.depth_frame(
-        TINY, tmp_path / "made" / "left.png", tmp_path / "made" / "right.png", DEPTHS, tmp_path
-    )
+    rectified = [tmp_path / "made" / f"{side}.png" for side in ("left", "right")]
+    words = pipeline.depth_frame(TINY, *rectified, DEPTHS, tmp_path, pictures.load(rectified[0]).tolist())
     left, right = play.beats(pair[0]), play.beats(pair[1])
     seen = simulation.play(play.table_writes(tables, DEPTHS), left, right, tmp_path / "out")
     check_all_exact(seen, [words])

@@ -14,13 +14,13 @@ from flow.synthesis.presentation import (
     loops,
     memories,
     records,
+    scalars,
     slices,
     tree,
     widths,
 )
 from flow.synthesis.presentation.present import expand, present
 from flow.synthesis.presentation.words import joined, split
-from flow.synthesis.structure import structure_digest
 
 FLAG, BYTE = type_of(0, 1), type_of(0, 255)
 
@@ -306,69 +306,24 @@ def test_two_turns_by_chance_are_no_loop():
     assert folded[0] == "for i in 0 to 1 loop" and not any("*" in line for line in folded)
 
 
-# --- memories ---------------------------------------------------------------------------------------------------------
-
-
-def cell(place, address="column", depth=16):
-    return memories.Memory(
-        {
-            "read_enable": ("true",),
-            "read_address": tuple(split(f"to_unsigned({address}, 4)")),
-            "write_address": tuple(split("to_unsigned(next_column, 4)")),
-            "write_data": tuple(split(f"to_unsigned(words({place}), 8)")),
-            "depth": (str(depth),),
-            "width": ("8",),
-            "address_bits": ("4",),
-            "unit": ("line_memory_of_a_kit",),
-            "read_data": tuple(split(f"held({place})")),
-        }
-    )
-
-
-@pytest.mark.parametrize(
-    ("cells", "count"),
-    [
-        ([cell(0), cell(1), cell(2)], 1),
-        ([cell(2), cell(1), cell(0)], 1),
-        ([cell(0), cell(1, "other")], 2),
-        ([cell(0), cell(2), cell(3)], 2),  # every other one is no range of a `generate`
-        ([cell(0), cell(1, depth=17)], 2),
-    ],
-)
-def test_memories(cells, count):
-    shown = memories.presented(cells, "i", {"held"}, {"taken"})
-    assert sum(line.endswith((" generate", " : block")) and not line.startswith("  end") for line in shown) == count
-    assert memories.back(shown)[1] == cells
-    assert max(map(len, shown)) <= 120
-
-
-def test_labels_of_memories_are_unique():
-    cells = [cell(0), cell(1), cell(2, depth=17), cell(3, depth=17)]
-    labels = [
-        line.split()[0] for line in memories.presented(cells, "i", {"held"}, ()) if "generate" in line and ":" in line
-    ]
-    assert labels == ["held_memory", "held_2_memory"]
-    assert memories.presented(cells[:1], "i", {"held"}, {"held_0_memory"})[0] == "  held_0_memory_2 : block"
-
-
-def test_another_form_of_a_memory_stays():
-    single = memories.in_words(cell(0), lambda words: ("held_0",) if words[0] == "held" else words)
-    plain = memories.written(["  ports <= 1;", ""], [single])
-    changed = [line.replace("clock => clock", "clock => other") for line in plain]
-    assert memories.read(changed) == (changed, [])
-    assert memories.read(plain, ["held", "column"])[1] == [single]
-    assert memories.read(plain, ["write_data"]) == (plain, [])  # would be another signal in the block
-
-
 # --- all of it --------------------------------------------------------------------------------------------------------
 
 
-def test_a_changed_function_is_no_presented_core(text_of_tiny):
-    """What the functions do counts: they are taken out word for word."""
+def test_a_changed_function_is_no_presented_core(text_of_tiny, tmp_path):
+    """What the functions do counts: they are taken out word for word. So tools see the file as it is."""
     assert present(expand(text_of_tiny)) == text_of_tiny
     changed = text_of_tiny.replace("      return yes;\n", "      return no;\n", 1)
     assert changed != text_of_tiny
-    assert structure_digest(changed) != structure_digest(text_of_tiny)
+    with pytest.raises(FlowError, match="unknown form of VHDL: the function choice was edited"):
+        expand(changed)
+    edited = tmp_path / "edited.vhd"
+    edited.write_text(changed)
+    assert scalars.files([edited]) == [edited]
+
+
+def test_a_slice_of_another_length_is_refused():
+    with pytest.raises(FlowError, match=r"unknown form of VHDL: 'a\(0 to 3\) <= b\(1 to 2\)'"):
+        slices.unmade(read("a(0 to 3) <= b(1 to 2);"), KNOWN)
 
 
 def with_fault(fault):

@@ -78,7 +78,7 @@ def kept_pixels(row: Configuration) -> int:
     return max(kept, row["width_px"])
 
 
-def _vector(bits: int) -> str:
+def vector(bits: int) -> str:
     return f"std_logic_vector({bits - 1} downto 0)"
 
 
@@ -86,12 +86,12 @@ def signals(beside: Beside) -> dict[str, str]:
     """{names: type}"""
     if beside.word_bits == DEPTH_BITS:
         return {}
-    found = {"has_depth, measured": _vector(1)} if beside.filled else {}
+    found = {"has_depth, measured": vector(1)} if beside.filled else {}
     if beside.mark_bits:
-        found["marks, depth_marks"] = _vector(beside.mark_bits)
+        found["marks, depth_marks"] = vector(beside.mark_bits)
     if beside.pixel_bits:
-        found["image_pixel"] = _vector(beside.pixel_bits)
-    return found | {"word": _vector(beside.word_bits), "word_tdata": _vector(beside.word_bits + FLAGS_BITS)}
+        found["image_pixel"] = vector(beside.pixel_bits)
+    return found | {"word": vector(beside.word_bits), "word_tdata": vector(beside.word_bits + FLAGS_BITS)}
 
 
 def statements(beside: Beside) -> list[str]:

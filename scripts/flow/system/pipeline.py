@@ -80,11 +80,8 @@ def write_pgm(path: Path, image: Image, pixel_bits: int = rtl.PIXEL_BITS) -> Pat
     return path
 
 
-def depth_frame(
-    system: System, left: Path, right: Path, depths: Sequence[int], work: Path, image: Image | None = None
-) -> list[int]:
-    """The beats of m_axis for a rectified pair, as examples/camera_system/README.md says. `image`: the left one, for a
-    system that shows it."""
+def depth_frame(system: System, left: Path, right: Path, depths: Sequence[int], work: Path, image: Image) -> list[int]:
+    """The beats of m_axis for a rectified pair, as examples/camera_system/README.md says. `image`: the left one."""
     command: list[Word] = [
         find_stereo_hls(),
         "vectors",
@@ -101,7 +98,7 @@ def depth_frame(
     more, beats = beside_of(system), []
     first = rows_of(system)[1]["output_first_column"]
     for output in vectors.read_expected(work / "expected.txt")[0]:
-        pixel = image[output.y][first + output.x] if image is not None and system.left_image else 0
+        pixel = image[output.y][first + output.x] if system.left_image else 0
         beats.append(more.beat(output.disparity, output.flags >> 2 & 1, depths, pixel))
     return beats
 

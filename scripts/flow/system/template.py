@@ -16,7 +16,7 @@ from ..shell import design, registers
 from ..shell.template import core_id, instance, lane_bits, pace_generics, pixel_generics
 from ..synthesis import manifest
 from . import beside
-from .beside import DEPTH_BITS, Beside
+from .beside import DEPTH_BITS, Beside, vector
 
 FOLDER = ROOT / "examples" / "camera_system"
 PARTS = ("camera_tables", "camera_depth")
@@ -87,17 +87,13 @@ SYSTEMS = {
 }
 
 
-def _vector(bits: int) -> str:
-    return f"std_logic_vector({bits - 1} downto 0)"
-
-
 def _map(beat_bits: int) -> tuple[tuple[str, str, str], ...]:
     """The stream of depths."""
     return (
         ("m_axis_tvalid", "out", "std_logic"),
         ("m_axis_tready", "in", "std_logic"),
-        ("m_axis_tdata", "out", _vector(beat_bits)),
-        ("m_axis_tuser", "out", _vector(2)),
+        ("m_axis_tdata", "out", vector(beat_bits)),
+        ("m_axis_tuser", "out", vector(2)),
         ("m_axis_tlast", "out", "std_logic"),
     )
 
@@ -110,8 +106,8 @@ def _cameras(pixel_bits: int) -> tuple[tuple[str, str, str], ...]:
         for name, direction, kind in (
             ("tvalid", "in", "std_logic"),
             ("tready", "out", "std_logic"),
-            ("tdata", "in", _vector(lane_bits(pixel_bits))),
-            ("tuser", "in", _vector(1)),
+            ("tdata", "in", vector(lane_bits(pixel_bits))),
+            ("tuser", "in", vector(1)),
             ("tlast", "in", "std_logic"),
         )
     )
@@ -155,15 +151,15 @@ def _signals(pixel_bits: int, disparity_bits: int) -> dict[str, str]:
     words = {f"pair_tdata, {node}": pair} if pair == NODE_BITS else {"pair_tdata": pair, node: NODE_BITS}
     return {
         "reset, core_reset, pair_tvalid, pair_tready, pair_tlast": "std_logic",
-        **{names: _vector(bits) for names, bits in words.items()},
-        "skew_lines, write_disparity, write_mm, depth_mm": _vector(DEPTH_BITS),
-        "pair_tuser, pixel_valid, depth_known": _vector(1),
-        "faults": _vector(3),
-        "left_pixel, right_pixel, rectified_left, rectified_right": _vector(pixel_bits),
+        **{names: vector(bits) for names, bits in words.items()},
+        "skew_lines, write_disparity, write_mm, depth_mm": vector(DEPTH_BITS),
+        "pair_tuser, pixel_valid, depth_known": vector(1),
+        "faults": vector(3),
+        "left_pixel, right_pixel, rectified_left, rectified_right": vector(pixel_bits),
         "start_of_frame, valid, node_valid, node_right, rectified_start_of_frame, rectified_valid": "std_logic",
         "disparity_valid, disparity_start_of_frame, disparity_end_of_line": "std_logic",
         "depth_valid, depth_start_of_frame, depth_end_of_line": "std_logic",
-        "disparity": _vector(disparity_bits),
+        "disparity": vector(disparity_bits),
     }
 
 
@@ -203,7 +199,7 @@ def text(system: System) -> str:
     stage_bits, pixel_bits = (rtl.pixel_bits_of(manifest_of["parameters"]) for manifest_of in (before, entry))
     lowest = option(entry["parameters"], "min_disparity")
     _check(system, stage | {"pixel_bits": stage_bits}, core | {"pixel_bits": pixel_bits}, lowest)
-    table, more = depths_of(entry["parameters"]), beside.of(entry["parameters"], system.left_image)
+    table, more = depths_of(entry["parameters"]), beside_of(system)
     is_more = more.word_bits > DEPTH_BITS
     signals, cameras = _signals(pixel_bits, core["disparity_bits"]), _cameras(pixel_bits)
     stream = _map(more.beat_bits)

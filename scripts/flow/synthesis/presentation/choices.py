@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from . import carries
-from .tree import Assign, For, If, Statement
+from .tree import Assign, For, If, Statement, inside
 from .words import arguments, sign_of
 
 NAME = "choice"
@@ -37,8 +37,7 @@ def made(statements: Iterable[Statement]) -> tuple[Statement, ...]:
         elif (chosen := _chosen(one)) is not None:
             found += chosen
         else:
-            otherwise = None if one.otherwise is None else made(one.otherwise)
-            found.append(If(one.test, made(one.then), otherwise))
+            found.append(inside(one, made))
     return tuple(found)
 
 
@@ -72,7 +71,7 @@ def _single(statements: Iterable[Statement]) -> Iterator[Statement]:
         if isinstance(one, Assign):
             yield _if(one)
         elif isinstance(one, If):
-            yield If(one.test, unmade(one.then), None if one.otherwise is None else unmade(one.otherwise))
+            yield inside(one, unmade)
         else:
             assert not isinstance(one, For)
             yield one

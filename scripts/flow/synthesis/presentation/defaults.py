@@ -10,7 +10,7 @@ from itertools import takewhile
 
 from .arrays import Array
 from .tree import Assign, Comment, If, Statement
-from .words import Words, sign_of
+from .words import Words, others, sign_of
 
 REMARK = "no bit without a value, where an array has places for more"
 _RANGE = re.compile(r"(?:natural|integer) range (-?\d+) to (-?\d+)")
@@ -74,10 +74,8 @@ def _is_default(one: Statement, known: Mapping[str, Array]) -> bool:
 def _value(array: Array) -> Words:
     kind = array.kind[0]
     bounds = _RANGE.fullmatch(kind)
-    value: Words = ("false",) if kind == "boolean" else ("(", "others", "=>", "'0'", ")")
+    value: Words = ("false",) if kind == "boolean" else others(("'0'",), 1)
     if bounds:
         number = min(max(0, int(bounds[1])), int(bounds[2]))
         value = (str(number),) if number >= 0 else ("-", str(-number))
-    for _ in array.ranges:
-        value = ("(", "others", "=>", *value, ")")
-    return value
+    return others(value, len(array.ranges))

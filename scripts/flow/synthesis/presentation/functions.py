@@ -3,19 +3,24 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterable
 
+from ...base.errors import FlowError
 from . import bits, carries, choices
 
 _NAMED = {bits.NAME: bits.FUNCTION, carries.NAME: carries.FUNCTION, carries.INVERTED: carries.INVERTED_FUNCTION}
 _OF_CHOICES = {kind: choices.function(kind) for kind in ("boolean", "integer", "unsigned")}
 NAMES = {*_NAMED, choices.NAME}
 ALL = (*_NAMED.values(), *_OF_CHOICES.values())
+_OWN = re.compile(rf"^\s*function ({'|'.join(sorted(NAMES))})\b", re.MULTILINE)
 
 
 def without(text: str) -> str:
     for function in ALL:
         text = text.replace(function, "", 1)
+    if match := _OWN.search(text):
+        raise FlowError(f"unknown form of VHDL: the function {match[1]} was edited")
     return text
 
 

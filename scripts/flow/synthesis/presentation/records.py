@@ -8,13 +8,12 @@ import re
 from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from .tree import Assign, If, Statement
-from .words import Words, wrapped
+from .tree import Assign, If, Statement, inside
+from .words import Words, is_flag, others, wrapped
 
 FEWEST = 2  # fields of a record
 _MEMBER = re.compile(r"(\w+_tag)_([a-z]\w*)")
 _KIND = "boolean"  # of all fields
-_CONSTANTS = (("false",), ("true",))
 _TYPE = re.compile(rf"  type (\w+) is record\n((?:    [\w, ]+ : {_KIND};\n)+)  end record;\n")
 
 
@@ -75,8 +74,7 @@ def made(statements: Sequence[Statement], records: Mapping[str, Record]) -> tupl
     while at < len(statements):
         one = statements[at]
         if isinstance(one, If):
-            otherwise = None if one.otherwise is None else made(one.otherwise, records)
-            one = If(one.test, made(one.then, records), otherwise)
+            one = inside(one, lambda branch: made(branch, records))
         size, whole = _whole(statements, at, records)
         found.append(whole or one)
         at += size
@@ -96,8 +94,8 @@ def _whole(statements: Sequence[Statement], at: int, records: Mapping[str, Recor
     source, _, _ = value[0].partition(".")
     if len(value) == 1 and value[0] == f"{source}.{name}" and records.get(source) == record:
         said: Words = (source,)
-    elif value in _CONSTANTS:
-        said = ("(", "others", "=>", *value, ")")
+    elif is_flag(value):
+        said = others(value, 1)
     else:
         return 1, None
     whole = Assign((tag, one.words[1], *said))
@@ -119,8 +117,7 @@ def unmade(statements: Iterable[Statement], records: Mapping[str, Record]) -> tu
     found: list[Statement] = []
     for one in statements:
         if isinstance(one, If):
-            otherwise = None if one.otherwise is None else unmade(one.otherwise, records)
-            found.append(If(one.test, unmade(one.then, records), otherwise))
+            found.append(inside(one, lambda branch: unmade(branch, records)))
         elif isinstance(one, Assign) and one.words[0] in records:
             found += _fields_of(one, records)
         else:

@@ -7,12 +7,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import product
 
+from ...base.errors import FlowError
 from .arrays import Array, Places
-from .tree import Assign, If, Statement
-from .words import Words, sign_of
+from .tree import Assign, If, Statement, inside
+from .words import Words, is_flag, joined, others, sign_of
 
 _Element = tuple[Array, Places]
-_CONSTANTS = (("false",), ("true",))
 
 
 def made(statements: Sequence[Statement], known: Mapping[str, Array]) -> tuple[Statement, ...]:
@@ -21,8 +21,7 @@ def made(statements: Sequence[Statement], known: Mapping[str, Array]) -> tuple[S
     while at < len(statements):
         one = statements[at]
         if isinstance(one, If):
-            otherwise = None if one.otherwise is None else made(one.otherwise, known)
-            one = If(one.test, made(one.then, known), otherwise)
+            one = inside(one, lambda branch: made(branch, known))
         elif isinstance(one, Assign):
             size, whole = _run(statements, at, known)
             if whole is not None:
@@ -43,7 +42,7 @@ def _element(words: Words, known: Mapping[str, Array]) -> _Element | None:
 
 
 def _is_constant(words: Words) -> bool:
-    return words in _CONSTANTS or (len(words) == 1 and words[0].isdigit())
+    return is_flag(words) or (len(words) == 1 and words[0].isdigit())
 
 
 def _run(statements: Sequence[Statement], at: int, known: Mapping[str, Array]) -> tuple[int, Assign | None]:
@@ -112,18 +111,12 @@ def _next(array: Array, places: Places) -> Places:
 def _shown(value: Words, source: _Element | None, size: int, target: Array) -> Words:
     """What so many elements get; nothing where that has no short form."""
     if source is None:
-        return _others(value, len(target.ranges))
+        return others(value, len(target.ranges))
     array, places = source
     if size == array.size and places == array.first:
         shapes = [[last - low for low, last in one.ranges] for one in (array, target)]
         return (array.name,) if shapes[0] == shapes[1] else ()
     return _reference(array, places[0], size) if len(array.ranges) == 1 else ()
-
-
-def _others(value: Words, dimensions: int) -> Words:
-    for _ in range(dimensions):
-        value = ("(", "others", "=>", *value, ")")
-    return value
 
 
 def _reference(array: Array, first: int, size: int) -> Words:
@@ -140,7 +133,7 @@ def unmade(statements: Iterable[Statement], known: Mapping[str, Array]) -> tuple
 def _single(statements: Iterable[Statement], known: Mapping[str, Array]) -> Iterator[Statement]:
     for one in statements:
         if isinstance(one, If):
-            yield If(one.test, unmade(one.then, known), one.otherwise and unmade(one.otherwise, known))
+            yield inside(one, lambda branch: unmade(branch, known))
         elif isinstance(one, Assign):
             yield from _elements_of(one, known)
         else:
@@ -153,12 +146,13 @@ def _elements_of(one: Assign, known: Mapping[str, Array]) -> Iterator[Statement]
     if targets is None:
         yield one
         return
-    sources: Iterable[Words]
     if value[:2] == ("(", "others"):
         dimensions = value.count("others")
         sources = [value[3 * dimensions : -dimensions]] * len(targets)
     else:
         sources = _elements(value, known) or []
+    if len(sources) != len(targets):  # edited by hand
+        raise FlowError(f"unknown form of VHDL: '{joined(one.words)}'")
     for target, source in zip(targets, sources):
         yield Assign((*target, one.words[middle], *source))
 

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Union
 
@@ -37,6 +37,11 @@ class For:
 
 
 Statement = Union[Comment, Assign, If, For]
+
+
+def inside(one: If, change: Callable[[tuple[Statement, ...]], tuple[Statement, ...]]) -> If:
+    """The same with its branches changed."""
+    return If(one.test, change(one.then), None if one.otherwise is None else change(one.otherwise))
 
 
 def read(words: Sequence[str]) -> tuple[Statement, ...]:

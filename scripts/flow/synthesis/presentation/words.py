@@ -60,6 +60,17 @@ def wrapped(start: str, names: Sequence[str], end: str) -> list[str]:
     return [*lines, start + ", ".join(line) + end]
 
 
+def is_flag(words: Words) -> bool:
+    return words in (("false",), ("true",))
+
+
+def others(value: Words, dimensions: int) -> Words:
+    """All elements of an array, or all fields of a record."""
+    for _ in range(dimensions):
+        value = ("(", "others", "=>", *value, ")")
+    return value
+
+
 def sign_of(words: Words) -> int:
     """The place of `<=` or `:=` in an assignment."""
     return next(at for at, word in enumerate(words) if word in ("<=", ":="))

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Memory cells of a core as blocks, neighbours as one `for ... generate`, and back."""
+
+import pytest
+
+from flow.synthesis.presentation import memories
+from flow.synthesis.presentation.words import split
+
+
+def cell(place, address="column", depth=16):
+    return memories.Memory(
+        {
+            "read_enable": ("true",),
+            "read_address": tuple(split(f"to_unsigned({address}, 4)")),
+            "write_address": tuple(split("to_unsigned(next_column, 4)")),
+            "write_data": tuple(split(f"to_unsigned(words({place}), 8)")),
+            "depth": (str(depth),),
+            "width": ("8",),
+            "address_bits": ("4",),
+            "unit": ("line_memory_of_a_kit",),
+            "read_data": tuple(split(f"held({place})")),
+        }
+    )
+
+
+@pytest.mark.parametrize(
+    ("cells", "count"),
+    [
+        ([cell(0), cell(1), cell(2)], 1),
+        ([cell(2), cell(1), cell(0)], 1),
+        ([cell(0), cell(1, "other")], 2),
+        ([cell(0), cell(2), cell(3)], 2),  # every other one is no range of a `generate`
+        ([cell(0), cell(1, depth=17)], 2),
+    ],
+)
+def test_memories(cells, count):
+    shown = memories.presented(cells, "i", {"held"}, {"taken"})
+    assert sum(line.endswith((" generate", " : block")) and not line.startswith("  end") for line in shown) == count
+    assert memories.back(shown)[1] == cells
+    assert max(map(len, shown)) <= 120
+
+
+def test_labels_of_memories_are_unique():
+    cells = [cell(0), cell(1), cell(2, depth=17), cell(3, depth=17)]
+    labels = [
+        line.split()[0] for line in memories.presented(cells, "i", {"held"}, ()) if "generate" in line and ":" in line
+    ]
+    assert labels == ["held_memory", "held_2_memory"]
+    assert memories.presented(cells[:1], "i", {"held"}, {"held_0_memory"})[0] == "  held_0_memory_2 : block"
+
+
+def test_another_form_of_a_memory_stays():
+    single = memories.in_words(cell(0), lambda words: ("held_0",) if words[0] == "held" else words)
+    plain = memories.written(["  ports <= 1;", ""], [single])
+    changed = [line.replace("clock => clock", "clock => other") for line in plain]
+    assert memories.read(changed) == (changed, [])
+    assert memories.read(plain, ["held", "column"])[1] == [single]
+    assert memories.read(plain, ["write_data"]) == (plain, [])  # would be another signal in the block
