@@ -61,7 +61,7 @@ struct Config : Image, Matching, Structure {
    constexpr int block_rows() const { return height_px / kBlock; }
 
    constexpr MapConfig map() const {
-      MapConfig config{Image(*this)};
+      MapConfig config{Image(*this), {}};
       config.share(*this);
       return config;
    }
