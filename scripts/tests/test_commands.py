@@ -38,7 +38,7 @@ def test_help_names_the_exit_codes():
     for command in ("cosim.py", "synthesize.py"):
         process = call(command, "--help")
         assert process.returncode == 0
-        assert "exit codes: 0 done, 1 the result differs" in " ".join(process.stdout.split())
+        assert "exit codes: 0 done, 1 the answer is no" in " ".join(process.stdout.split())
 
 
 def test_a_reader_that_leaves_early_is_no_failure_to_report():

@@ -291,7 +291,7 @@ def test_a_device_of_unknown_size_needs_all_numbers(monkeypatch):
 
 def test_help():
     process = call("plan.py", "--help")
-    assert process.returncode == 0 and "exit codes: 0 done, 1 the result differs" in " ".join(process.stdout.split())
+    assert process.returncode == 0 and "exit codes: 0 done, 1 the answer is no" in " ".join(process.stdout.split())
 
 
 # --- the page ---------------------------------------------------------------------------------------------------------

@@ -17,7 +17,10 @@ EXIT_MISSING_TOOL = 3  # a program this step needs is not installed
 EXIT_TOOL_FAILED = 4  # a tool crashed, hung, or gave something this flow does not understand
 EXIT_INTERRUPTED = 128 + signal.SIGINT
 
-EXIT_CODES_HELP = "exit codes: 0 done, 1 the result differs, 2 bad usage or input, 3 missing tool, 4 a tool failed"
+EXIT_CODES_HELP = (
+    "exit codes: 0 done, 1 the answer is no (outputs differ, nothing fits), 2 bad usage or input, 3 missing tool, "
+    "4 a tool failed"
+)
 
 
 class FlowError(Exception):
