@@ -153,6 +153,7 @@ stereo_add_unit_tests(
   program/io/npy_test.cpp
   program/io/pfm_test.cpp
   program/io/plain_yaml_test.cpp
+  program/io/png_mark_test.cpp
   program/rectification/map_table_test.cpp
   program/video/frame_names_test.cpp
   scene/scene_test.cpp

@@ -14,6 +14,7 @@ from typing import Any
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from flow.base import files
+from flow.base.configurations import configurations
 from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command
 from flow.pages import plan as page
 from flow.pages.plan_algorithms import algorithms
@@ -128,7 +129,10 @@ def camera_of(options: Namespace) -> Camera:
     width, height = options.size
     if width <= options.disparities:
         raise FlowError("--size must be wider than --disparities")
-    settings = candidates.checked(dict(options.settings))
+    settings = dict(options.settings)
+    for name in settings:
+        if sum(other == name for other, _ in options.settings) > 1:
+            raise FlowError(f"--set {name} appears twice")
     fixed = {"width_px", "height_px", "disparities"} & settings.keys()
     if fixed:
         raise FlowError(f"--set {fixed.pop()}: the camera's size and range have options of their own")
@@ -154,6 +158,9 @@ def main() -> int:
     camera, place = camera_of(options), place_of(options)
     if options.name is not None and not re.fullmatch(r"[a-z]\w{0,60}", options.name):
         raise FlowError("--name must be a C++ name that begins with a small letter")
+    if options.name in configurations():
+        raise FlowError(f"--name {options.name}: is a configuration already")
+    candidates.check(camera, algorithms())
     planner = search.Planner(algorithms())
     plans = planner.plan(camera, place)
     chosen = search.best(plans)

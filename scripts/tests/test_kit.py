@@ -229,14 +229,21 @@ def test_refuses_a_manifest_without_a_size(tmp_path, monkeypatch):
         contents.of("vivado", "tiny", 100)
 
 
-def test_refuses_vhdl_that_was_edited(tmp_path, monkeypatch):
+@pytest.mark.parametrize(
+    "edited, said",
+    [
+        ("stereo_core_tiny.vhd", "differs from its manifest"),
+        ("stereo_ip_tiny.vhd", "stereo_ip_tiny.vhd differs from what its manifest gives"),
+    ],
+)
+def test_refuses_vhdl_that_was_edited(tmp_path, monkeypatch, edited, said):
     folder = tmp_path / "family" / "tiny"
     folder.mkdir(parents=True)
     for path in committed.folder("tiny").iterdir():
-        (folder / path.name).write_text(path.read_text() + ("\n" if path.name == "stereo_core_tiny.vhd" else ""))
+        (folder / path.name).write_text(path.read_text() + ("\n" if path.name == edited else ""))
     monkeypatch.setattr(committed, "GENERATED_RTL", tmp_path)
     monkeypatch.setattr(committed, "EVIDENCE", tmp_path / "evidence")
-    with pytest.raises(FlowError, match="differs from its manifest"):
+    with pytest.raises(FlowError, match=said):
         contents.of("vivado", "tiny", 100)
 
 

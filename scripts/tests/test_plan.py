@@ -267,6 +267,18 @@ def test_nothing_fits():
         ([*VGA, "--set", "p1=5000"], "p1 cannot be 5000"),
         ([*VGA, "--set", "cost=mad"], "cost cannot be mad"),
         ([*VGA, "--set", "width_px=320"], "have options of their own"),
+        ([*VGA, "--set", "p2=30", "--set", "p2=40"], "--set p2 appears twice"),
+        ([*VGA, "--set", "pixel_bits=9"], "must be 8, 10 or 12"),
+        ([*VGA, "--set", "confidence=true"], "confidence needs a support threshold"),
+        ([*VGA, "--set", "path_left=false", "--set", "path_right=false", "--set", "path_above=false"], "one path must"),
+        ([*VGA, "--set", "census_width_px=4"], "both sides must be odd"),
+        ([*VGA, "--set", "census_pattern=sparse", "--set", "census_width_px=3", "--set", "census_height_px=3"], "3x3"),
+        ([*VGA, "--set", "border_cost=3"], "border_cost needs a map of full width"),
+        ([*VGA, "--set", "median=false", "--with", "median"], "turns off what --with median asks for"),
+        ([*VGA, "--set", "left_right_threshold=-1", "--with", "left_right"], "turns off what --with left_right"),
+        ([*VGA, "--set", "pixels_per_clock=3"], "can have pixels_per_clock 3"),
+        ([*VGA, "--set", "clocks_per_pixel=3"], "64 disparities and 480 rows can have clocks_per_pixel 3"),
+        ([*VGA, "--name", "tiny"], "is a configuration already"),
         ([*VGA, "--fill", "0"], "'0' is no number from 1"),
         ([*VGA, "--margin", "nan"], "'nan' is no number"),
         ([*VGA, "--luts", "0"], "--luts must be 1 or more"),
@@ -279,6 +291,21 @@ def test_nothing_fits():
 )
 def test_bad_options(words, said):
     refused(call("plan.py", *words), 2, said)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["--set", "border_cost=3", "--with", "full_width"],
+        ["--set", "first_disparity=3", "--with", "full_width"],
+        ["--set", "prefilter_cap=252", "--set", "pixel_bits=10"],
+        ["--set", "left_right_threshold=2", "--with", "left_right"],
+        ["--set", "support_threshold=5", "--set", "confidence=true"],
+    ],
+)
+def test_options_that_others_allow(words):
+    process = call("plan.py", *VGA, "--device", "ecp5", *words)
+    assert process.returncode == 0, process.stderr
 
 
 def test_a_device_of_unknown_size_needs_all_numbers(monkeypatch):

@@ -3,6 +3,7 @@
 leaves no half of a file."""
 
 import importlib
+import os
 import re
 import resource
 import signal
@@ -35,6 +36,21 @@ def stale(monkeypatch, tmp_path):
     monkeypatch.setattr(clock_logic, "picture", lambda points: "old")
     monkeypatch.setattr(registers, "made_files", lambda: {page: "new"})
     return page
+
+
+@pytest.mark.parametrize("kind", ["pipe", "link", "dangling"])
+def test_what_is_no_regular_file_is_not_replaced(tmp_path, kind):
+    path = tmp_path / kind
+    if kind == "pipe":
+        os.mkfifo(path)
+    else:
+        path.symlink_to(tmp_path / "there")
+    if kind == "link":
+        (tmp_path / "there").write_text("the user's own")
+    with pytest.raises(FlowError, match=f"cannot write .*{kind}: it is no regular file"):
+        files.write(path, "new")
+    assert path.is_fifo() or path.is_symlink()
+    assert kind != "link" or path.read_text() == "the user's own"
 
 
 @pytest.mark.parametrize("command", ["performance", "features", "registers"])

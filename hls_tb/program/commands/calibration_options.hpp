@@ -6,6 +6,7 @@
 #include <charconv>
 #include <opencv2/core/types.hpp>
 #include <string>
+#include <vector>
 
 #include "program/depth/calibration.hpp"
 
@@ -30,6 +31,11 @@ struct CalibrationOptions {
 
    /// Empty: not given.
    cv::Size size() const { return size_of_word(calibrated_size); }
+   /// All files that a command with these reads, besides `others`.
+   std::vector<std::string> with(std::vector<std::string> others) const {
+      others.insert(others.end(), {files.path, files.right, files.extrinsics});
+      return others;
+   }
 };
 
 inline void add_calibration_options(CLI::App& command, CalibrationOptions& options) {

@@ -18,6 +18,12 @@ inline std::string check_positive_number(const std::string& text) {
    return is_number && std::isfinite(value) && value > 0 ? "" : text + " is not a number above 0";
 }
 
+/// A number that is not "nan", which the check of a range lets pass.
+inline std::string check_number(const std::string& text) {
+   double value = 0;
+   return CLI::detail::lexical_cast(text, value) && std::isfinite(value) ? "" : text + " is not a number";
+}
+
 /// A whole number that a seed can hold. CLI11 makes another number of a larger one.
 inline std::string check_seed(const std::string& text) {
    const std::string largest = std::to_string(std::numeric_limits<uint64_t>::max());

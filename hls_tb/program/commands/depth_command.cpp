@@ -174,19 +174,17 @@ void depth(const Arguments& arguments) {
    const Depths depths = depths_of(image);
    const cv::Mat& reference = map_geometry.reference == Reference::left ? pair.left : pair.right;
 
-   OutputFolder out(arguments.out);
+   OutputFolder out(arguments.out, arguments.calibration.with({arguments.left, arguments.right}));
    out.add("depth.png", encode(image));
    if (arguments.tiff)
-      out.add("depth.tiff", encode_tiff(float_depth_image(points, shown.left.width, shown.left.height)),
-              OutputFolder::Runs::some);
-   else out.leave_out("depth.tiff", {arguments.left, arguments.right});
+      out.add("depth.tiff", encode_tiff(float_depth_image(points, shown.left.width, shown.left.height)));
    out.add("cloud.ply", encode_ply(points, shown_image(reference, pair.bits), axes_of(pair.geometry), arguments.ply));
    out.add("preview.png", encode_overview_png(shown, map, map_geometry));
-   for (const auto& [name, rectified] : {std::pair{"left.png", pair.left}, {"right.png", pair.right}}) {
-      if (arguments.rectified) out.leave_out(name, {arguments.left, arguments.right});
-      else out.add(name, encode(rectified));
+   if (!arguments.rectified) {
+      out.add("left.png", encode(pair.left));
+      out.add("right.png", encode(pair.right));
    }
-   out.add_json("depth.json", facts(arguments, pair, *algorithm, depths, left_out, milliseconds));
+   out.add_facts("depth.json", facts(arguments, pair, *algorithm, depths, left_out, milliseconds));
    const auto known = std::count_if(points.begin(), points.end(), [](const Point& point) { return point.z_m != 0; });
    std::cout << unit_hint(pair.geometry.baseline() * pair.unit_mm, pair.unit_mm, int(known), depths.known);
    std::cout << summary(pair, pair.geometry.baseline() * pair.unit_mm, depths);

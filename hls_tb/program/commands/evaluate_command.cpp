@@ -27,6 +27,8 @@
 namespace stereo::app {
 namespace {
 
+constexpr double kLargestChange = 65535;  ///< of a grey value
+
 struct Arguments {
    std::string left, right, truth_left, truth_right, json;
    std::string visible_left, visible_right;
@@ -208,9 +210,12 @@ void follow_set_disparities(Arguments& arguments) {
              << ")\n";
 }
 
-void write_json(const std::string& path, const nlohmann::json& json) {
-   const std::filesystem::path file(path);
-   OutputFolder out(file.parent_path().empty() ? "." : file.parent_path().string(), "--json");
+void write_json(const Arguments& arguments, const nlohmann::json& json) {
+   std::vector<std::string> inputs = arguments.disparities;
+   inputs.insert(inputs.end(), {arguments.left, arguments.right, arguments.truth_left, arguments.truth_right,
+                                arguments.visible_left, arguments.visible_right});
+   const std::filesystem::path file(arguments.json);
+   OutputFolder out(file.parent_path().empty() ? "." : file.parent_path().string(), inputs, "--json");
    out.add_json(file.filename().string(), json);
    out.commit();
 }
@@ -225,7 +230,9 @@ void evaluate(Arguments arguments) {
       throw InputError("--set: changes the options of configurations; name one with --config");
    if (arguments.configs.empty() && (arguments.engine == Engine::clocked || arguments.postprocessing.rejects()))
       throw InputError(
-          "--engine clocked, --speckle-window and --least-confidence are for configurations; name one with --config");
+          "--engine clocked, --speckle-window, --least-confidence, --surest and --measured-only are for "
+          "configurations; "
+          "name one with --config");
    require_settable(arguments.engine, arguments.settings);
    for (const std::string& name : arguments.configs) named_algorithm(name, arguments.settings);  // throws
    follow_set_disparities(arguments);
@@ -245,7 +252,7 @@ void evaluate(Arguments arguments) {
       evaluation.methods.push_back(evaluate_file(
           arguments.disparities[i], arguments.references.empty() ? "" : arguments.references[i], arguments, truth));
    std::cout << evaluation_text(evaluation);
-   if (!arguments.json.empty()) write_json(arguments.json, evaluation_json(evaluation));
+   if (!arguments.json.empty()) write_json(arguments, evaluation_json(evaluation));
 }
 
 void add_methods(CLI::App& command, Arguments& arguments) {
@@ -313,10 +320,13 @@ void add_evaluate(CLI::App& app) {
        ->add_option("--gain", arguments.cameras.gain,
                     "multiply the grey values of the right image by this before matching")
        ->check(check_positive_number)
+       ->check(CLI::Range(0.0, kLargestChange))
        ->capture_default_str();
    command
        ->add_option("--offset", arguments.cameras.offset,
                     "add this to the grey values of the right image before matching")
+       ->check(check_number)
+       ->check(CLI::Range(-kLargestChange, kLargestChange))
        ->capture_default_str();
    command
        ->add_option("--noise", arguments.cameras.noise,

@@ -173,27 +173,20 @@ void match_pair(const Arguments& arguments, const Algorithm& algorithm, const Pa
    if (!arguments.truth.empty())
       add_truth(facts, arguments, load_and_score(arguments, map, geometry, reference, range_of(algorithm)));
 
-   OutputFolder out(arguments.out);
+   OutputFolder out(arguments.out, {arguments.left, arguments.right, arguments.truth, arguments.visible});
    out.add(kMapName, encode_png(map));
    out.add("disparity_color.png", encode_color_png(map, geometry.disparities));
-   const std::vector<std::string> inputs{arguments.left, arguments.right, arguments.truth, arguments.visible};
-   if (geometry.has_check || arguments.postprocessing.rejects())
-      out.add(kValidName, encode_valid_png(map), OutputFolder::Runs::some);
-   else out.leave_out(kValidName, inputs);
-   if (!map.filled.empty()) out.add(kFilledName, encode_filled_png(map), OutputFolder::Runs::some);
-   else out.leave_out(kFilledName, inputs);
+   if (geometry.has_check || arguments.postprocessing.rejects()) out.add(kValidName, encode_valid_png(map));
+   if (!map.filled.empty()) out.add(kFilledName, encode_filled_png(map));
    if (confidence && (arguments.postprocessing.wants_confidence || !map.confidence.empty()))
-      out.add("confidence.png", encode_png(*confidence), OutputFolder::Runs::some);
-   else out.leave_out("confidence.png", inputs);
-   for (const auto& [word, format] : kFormats) {
-      if (!wants(arguments, word)) out.leave_out(format.file, inputs);
-      else out.add(format.file, format.encode(at_image_size(map, geometry, pair.left.width)), OutputFolder::Runs::some);
-   }
+      out.add("confidence.png", encode_png(*confidence));
+   for (const auto& [word, format] : kFormats)
+      if (wants(arguments, word)) out.add(format.file, format.encode(at_image_size(map, geometry, pair.left.width)));
    if (const int lost = beyond_kitti(at_image_size(map, geometry, pair.left.width));
        wants(arguments, "kitti") && lost > 0)
       facts.text << kKittiName << " leaves " << lost << " disparities out, which its 16 bits cannot hold\n";
    out.add("overview.png", encode_overview_png(pair, map, geometry));
-   out.add_json(kFactsName, facts.json);
+   out.add_facts(kFactsName, facts.json);
    std::cout << facts.text.str();
    out.commit();
 }

@@ -4,8 +4,11 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <string>
+#include <vector>
 
 #include "program/commands/configurations_json.hpp"
+#include "program/commands/named_matching.hpp"
+#include "program/commands/options_json.hpp"
 
 namespace stereo::app {
 namespace {
@@ -22,6 +25,8 @@ std::string limits_of(const nlohmann::json& option) {
    return words;
 }
 
+std::string word_of(const nlohmann::json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
+
 void list(bool as_json) {
    const nlohmann::json all = all_options_json();
    if (as_json) {
@@ -32,19 +37,42 @@ void list(bool as_json) {
       std::cout << family << ":\n";
       for (const auto& [name, option] : options.items()) {
          const nlohmann::json& standard = option["default"];
-         std::cout << "  " << name << ' ' << (standard.is_string() ? standard.get<std::string>() : standard.dump())
-                   << " (" << limits_of(option) << ")\n";
+         std::cout << "  " << name << ' ' << word_of(standard) << " (" << limits_of(option) << ")\n";
       }
    }
 }
 
+void show(const Algorithm& algorithm, bool as_json) {
+   const nlohmann::json options = options_json(algorithm.options());
+   if (as_json) std::cout << options.dump(2) << '\n';
+   else
+      for (const auto& [name, value] : options.items()) std::cout << name << ' ' << word_of(value) << '\n';
+}
+
+struct Arguments {
+   std::string config;
+   std::vector<std::string> settings;
+   bool as_json = false;
+};
+
 }  // namespace
 
 void add_options(CLI::App& app) {
-   static bool as_json = false;
-   CLI::App* command = app.add_subcommand("options", "list the options of each family, with defaults and limits");
-   command->add_flag("--json", as_json, "as JSON, for scripts");
-   command->callback([] { list(as_json); });
+   static Arguments arguments;
+   CLI::App* command = app.add_subcommand(
+       "options", "list the options of each family, with defaults and limits, or those of a configuration's algorithm");
+   CLI::Option* const config =
+       command->add_option("--config", arguments.config, "a configuration: its options, of those that --set takes");
+   command
+       ->add_option("--set", arguments.settings,
+                    "NAME=VALUE: override an option of it; what cannot be is refused, for images of any size")
+       ->needs(config)
+       ->allow_extra_args(false);
+   command->add_flag("--json", arguments.as_json, "as JSON, for scripts");
+   command->callback([] {
+      if (arguments.config.empty()) list(arguments.as_json);
+      else show(*named_algorithm(arguments.config, arguments.settings), arguments.as_json);
+   });
 }
 
 }  // namespace stereo::app

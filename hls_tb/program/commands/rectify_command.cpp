@@ -156,13 +156,10 @@ void rectify(const Arguments& arguments) {
                std::max(cameras[0].needed.below, cameras[1].needed.below));
    require_possible(config);
 
-   OutputFolder out(arguments.out);
+   OutputFolder out(arguments.out, arguments.calibration.with({arguments.left, arguments.right}));
    for (Camera& camera : cameras) {
       out.add(camera.name + "_table.hex", table_text(camera.table, config.offset_bits));
-      if (sized) {
-         out.leave_out(camera.name + ".png");
-         continue;
-      }
+      if (sized) continue;
       const auto add_image = [&](const auto& images) {
          const auto& source = camera.name == "left" ? images.left : images.right;
          const auto made = rectified(source, camera.table, config);
@@ -171,7 +168,7 @@ void rectify(const Arguments& arguments) {
       };
       std::visit(add_image, pair);
    }
-   out.add_json("rectify.json", facts(arguments, config, cameras));
+   out.add_facts("rectify.json", facts(arguments, config, cameras));
    std::cout << summary(config, cameras);
    out.commit();
 }

@@ -3,7 +3,7 @@
 
 import json
 
-from stereo_hls_program import DISPARITIES, HEIGHT, WIDTH, succeed
+from stereo_hls_program import DISPARITIES, HEIGHT, WIDTH, fail, succeed
 
 
 def test_configurations_as_json():
@@ -52,3 +52,15 @@ def test_options_as_text():
     lines = succeed("options").splitlines()
     assert "block_matching:" in lines and "  cost sad (sad, ssd, census)" in lines
     assert "  cost_clocks 3 (1 ... 3)" in lines and "  window_px 3 (at least 1)" in lines
+
+
+def test_options_of_one_algorithm(tmp_path):
+    """As `match` takes them: what it refuses is refused here, without images."""
+    words = ["options", "--config", "tiny_sgm", "--set"]
+    shown = json.loads(succeed(*words, "p1=2", "--json"))
+    assert shown["p1"] == 2 and shown["subpixel"] is False and "clocks_per_pixel" not in shown
+    assert "p1 2" in succeed(*words, "p1=2").splitlines()
+    fail(tmp_path, *words, "pixel_bits=9", says=["--set pixel_bits=9", "must be 8, 10 or 12"])
+    fail(tmp_path, *words, "clocks_per_pixel=4", says=["there is no such option"])
+    fail(tmp_path, "options", "--set", "p1=2", says=["--set", "--config"])
+    fail(tmp_path, "options", "--config", "nope", says=["nope", "tiny"])

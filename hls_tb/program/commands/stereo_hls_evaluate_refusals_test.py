@@ -30,6 +30,12 @@ from truth_files import pfm
         (["--truth-left", "T", "--truth-scale", "nan", "--config", "tiny"], ["--truth-scale", "not a number above 0"]),
         (["--truth-left", "GREY", "--truth-scale", "1e-300", "--config", "tiny"], ["--truth-left", "so small a scale"]),
         (["--truth-left", "T", "--border", "-1", "--config", "tiny"], ["--border"]),
+        *(
+            (["--truth-left", "T", option, value, "--config", "tiny"], [option])
+            for option in ("--offset", "--gain")
+            for value in ("nan", "inf", "-1e300", "1e300")
+        ),
+        (["--truth-left", "T", "--opencv", "bm", "--surest", "50"], ["--surest", "name one with --config"]),
         (["--truth-left", "no.pfm", "--config", "tiny"], ["no.pfm", "no such file"]),
         (["--truth-left", "WIDE", "--config", "tiny"], ["--truth-left", "33x12", "32x12"]),
         (["--truth-left", "T", "--disparity", "WIDE", "--reference", "left"], ["--disparity", "33x12"]),

@@ -6,6 +6,7 @@ import random
 
 import pytest
 
+import plane_scene
 from stereo_hls_program import HEIGHT, WIDTH, changed, deep_image, fail, gray_image, png_depth, succeed
 
 
@@ -184,3 +185,25 @@ def test_video_of_folders_of_pixels_of_more_bits(tmp_path):
     out = ["--out", tmp_path / "none"]
     fail(tmp_path, "video", *cameras, "--config", "tiny", *out, says=["0.pgm", "16 bits a channel but must have 8"])
     fail(tmp_path, "video", *cameras, "--config", "tiny_10bit", *out, says=["0.pgm", "at most 1023"])
+
+
+@pytest.mark.parametrize("deep_side", ["left", "right"])
+@pytest.mark.parametrize("command", ["match", "evaluate", "depth", "rectify", "video"])
+def test_one_image_of_8_bits_beside_one_of_16_is_refused(tmp_path, command, deep_side):
+    for side in ("left", "right"):
+        (tmp_path / side).mkdir()
+        made = deep_image if side == deep_side else gray_image
+        made(tmp_path / side / "0.pgm", lambda x, y: (x * y) % 256, plane_scene.WIDTH, plane_scene.HEIGHT)
+    words = [word for side in ("left", "right") for word in (f"--{side}", tmp_path / side / "0.pgm")]
+    if command == "video":
+        words = ["--left", tmp_path / "left", "--right", tmp_path / "right"]
+    if command in ("depth", "rectify"):
+        words += ["--calibration", plane_scene.calibration(tmp_path / "c.yml")]
+    words += ["--set", "pixel_bits=10"] if command == "rectify" else ["--config", "tiny_10bit"]
+    words += (
+        ["--truth-left", tmp_path / "left" / "0.pgm"]
+        if command == "evaluate"
+        else ["--out", "out", *(["--fit", "crop"] if command == "match" else [])]
+    )
+    bits = {"left": "16 bits a channel and the right one 8", "right": "8 bits a channel and the right one 16"}
+    fail(tmp_path, command, *words, says=[bits[deep_side]])

@@ -159,6 +159,20 @@ def test_videos_in_and_out(tmp_path, video, cameras):
     assert names(tmp_path / "deep") == ["first.avi"] and len(names(tmp_path / "third")) == FRAMES
 
 
+def test_a_video_that_is_cut_off(tmp_path, video, cameras):
+    """OpenCV reads what is there."""
+    out = video.index("--out") + 1
+    video[out] = tmp_path / "whole.avi"
+    succeed(*video, *cameras)
+    data = (tmp_path / "whole.avi").read_bytes()
+    cut = tmp_path / "cut.avi"
+    cut.write_bytes(data[: data.index(b"\xff\xd8\xff", data.index(b"\xff\xd8\xff") + 3)])
+    video[out] = tmp_path / "maps"
+    said = succeed(*video, "--left", cut, "--right", cut)
+    assert f"warning: --left {cut}: ends after 1 frames, but its header says {FRAMES}\n" in said
+    assert "warning" not in succeed(*video, "--left", tmp_path / "whole.avi", "--right", tmp_path / "whole.avi")
+
+
 def test_side_by_side_is_the_same_as_two_folders(tmp_path, video, cameras):
     both = tmp_path / "both"
     both.mkdir()

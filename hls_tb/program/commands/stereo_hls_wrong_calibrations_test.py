@@ -2,6 +2,7 @@
 """Calibrations that the command depth refuses."""
 
 import math
+import re
 
 import pytest
 
@@ -122,3 +123,29 @@ def test_the_size_of_a_matrix_is_looked_at_before_there_is_memory_for_it(tmp_pat
         *plane(tmp_path),
         says=["h.yml: its matrix M1", f"{rows}x{columns} but must be 3x3"],
     )
+
+
+@pytest.mark.parametrize("ending", [".yml", ".json", ".xml"])
+@pytest.mark.parametrize("command", [["depth", "--config", "study"], ["rectify"]])
+def test_keys_that_appear_twice(tmp_path, ending, command):
+    """The first one would count, and nobody knows which one is meant."""
+    images = plane(tmp_path)
+    text = calibration(tmp_path / "c.yml").read_text()
+    matrices = re.findall(r"(\w+): !!opencv-matrix\n   rows: (\d)\n   cols: (\d)\n   dt: d\n   data: (.*)\n", text)
+    matrices.append(matrices[-1])
+    if ending == ".yml":
+        text += text[text.index("T: ") :]
+    elif ending == ".json":
+        form = '"%s": {"type_id": "opencv-matrix", "rows": %s, "cols": %s, "dt": "d", "data": %s}'
+        text = "{" + ",\n".join(form % one for one in matrices) + "}"
+    else:
+        form = '<%s type_id="opencv-matrix"><rows>%s</rows><cols>%s</cols><dt>d</dt><data>%s</data></%s>'
+        numbers = [(*one[:3], one[3].strip("[] ").replace(",", " "), one[0]) for one in matrices]
+        text = (
+            '<?xml version="1.0"?>\n<opencv_storage>\n'
+            + "\n".join(form % one for one in numbers)
+            + "\n</opencv_storage>\n"
+        )
+    file = tmp_path / f"twice{ending}"
+    file.write_text(text)
+    fail(tmp_path, *command, "--calibration", file, *images, "--out", "out", says=["T appears twice"])

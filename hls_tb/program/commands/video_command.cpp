@@ -86,7 +86,9 @@ void video(const Arguments& arguments) {
       const cv::Mat& reference = geometry.reference == Reference::left ? frames.left : frames.right;
       const cv::Mat page = beside(shown_image(reference, bits), map, geometry);
       size = frames.left.size();
-      if (!sink) sink = make_frame_sink(arguments.out, rate, page.size());
+      if (!sink)
+         sink = make_frame_sink(arguments.out, rate, page.size(),
+                                {arguments.left, arguments.right, arguments.side_by_side});
       sink->add(page);
       progress.frame_done();
    }

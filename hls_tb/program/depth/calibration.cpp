@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <opencv2/core.hpp>
+#include <set>
 #include <sstream>
 #include <string_view>
 
@@ -105,11 +106,21 @@ int side_at(const cv::FileNode& node, const char* name) {
    return side_of(node.isInt() ? int(node) : 0, name);
 }
 
+/// cv::FileStorage takes the first of several.
+void require_each_key_once(const cv::FileNode& map) {
+   std::set<std::string> seen;
+   for (const cv::FileNode& child : map) {
+      if (child.isMap()) require_each_key_once(child);
+      if (!seen.insert(child.name()).second) throw InputError("the key " + child.name() + " appears twice");
+   }
+}
+
 /// Of OpenCV's files.
 Calibration read_storage(const std::string& path, const std::string& sentence) {
    const SilentStderr silent;
    const cv::FileStorage file(path, cv::FileStorage::READ);
    if (!file.isOpened() || !file.root().isMap()) throw InputError(sentence);
+   require_each_key_once(file.root());
    Calibration calibration;
    for (const Entry& entry : kEntries) take(calibration, file[entry.name], entry, entry.name);
    // As the documentation of cv::fisheye and of cv::stereoRectify has them.

@@ -114,11 +114,13 @@ cv::Mat read_camera_image(const std::string& path, int bits) {
 }
 
 AnyPair gray_pair(const cv::Mat& left, const cv::Mat& right) {
-   if (left.depth() == CV_8U && right.depth() == CV_8U) return ImagePair{gray_of_any(left), gray_of_any(right)};
-   const auto deep = [](const cv::Mat& mat) {
-      return mat.depth() == CV_8U ? widened(gray_of_any(mat)) : deep_from_mat(mat);
-   };
-   return DeepPair{deep(left), deep(right)};
+   // 8 bits are the lower ones of a deeper camera: no way to know by how much the other image is to be divided.
+   if (left.depth() != right.depth())
+      throw InputError("the left image has " + std::to_string(8 * left.elemSize1()) +
+                       " bits a channel and the right one " + std::to_string(8 * right.elemSize1()) +
+                       "; give both with the same number of bits");
+   if (left.depth() == CV_8U) return ImagePair{gray_of_any(left), gray_of_any(right)};
+   return DeepPair{deep_from_mat(left), deep_from_mat(right)};
 }
 
 cv::Mat shown_image(const cv::Mat& mat, int bits) {

@@ -25,6 +25,12 @@ struct Facts {
    Reference reference;
    int width, height, map_width, first_column, min_disparity;
    double steps_per_px;
+   std::optional<std::vector<std::string>> files;  ///< none: of a version that did not list them
+
+   /// Whether a file beside the map is of the same run.
+   bool lists(const char* name) const {
+      return !files || std::find(files->begin(), files->end(), name) != files->end();
+   }
 };
 
 std::optional<Facts> facts_beside(const fs::path& path) {
@@ -32,13 +38,15 @@ std::optional<Facts> facts_beside(const fs::path& path) {
    const auto json = nlohmann::json::parse(file, nullptr, false);
    if (!json.is_object() || json.value("format", nlohmann::json()) != kFactsFormat) return std::nullopt;
    try {
-      return Facts{json.at("reference") == word_of(Reference::left) ? Reference::left : Reference::right,
-                   json.at("width_px"),
-                   json.at("height_px"),
-                   json.at("output_width_px"),
-                   json.at("output_first_column"),
-                   json.value("min_disparity", 0),
-                   json.at("disparity_steps_per_px")};
+      return Facts{
+          json.at("reference") == word_of(Reference::left) ? Reference::left : Reference::right,
+          json.at("width_px"),
+          json.at("height_px"),
+          json.at("output_width_px"),
+          json.at("output_first_column"),
+          json.value("min_disparity", 0),
+          json.at("disparity_steps_per_px"),
+          json.contains("files") ? std::optional(json["files"].get<std::vector<std::string>>()) : std::nullopt};
    } catch (const nlohmann::json::exception&) {
       return std::nullopt;
    }
@@ -51,12 +59,12 @@ OwnMap own_map(const std::string& option, const fs::path& path, const Facts& fac
        facts.first_column + map.width > facts.width)
       throw InputError(option + " " + path.string() + ": is not the map that " + kFactsName + " beside it describes");
    const fs::path valid_path = path.parent_path() / kValidName;
-   const bool checked = fs::is_regular_file(valid_path);
+   const bool checked = facts.lists(kValidName) && fs::is_regular_file(valid_path);
    const GrayImage valid = checked ? load_gray(valid_path.string()) : GrayImage(map.width, map.height, 255);
    if (!map.same_size(valid))
       throw InputError(option + " " + path.string() + ": " + kValidName + " beside it is of another size");
    const fs::path filled_path = path.parent_path() / kFilledName;
-   const bool fills = fs::is_regular_file(filled_path);
+   const bool fills = facts.lists(kFilledName) && fs::is_regular_file(filled_path);
    const GrayImage filled = fills ? load_gray(filled_path.string()) : GrayImage(map.width, map.height);
    if (!map.same_size(filled))
       throw InputError(option + " " + path.string() + ": " + kFilledName + " beside it is of another size");

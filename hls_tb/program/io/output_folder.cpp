@@ -15,8 +15,15 @@ namespace stereo::app {
 
 namespace fs = std::filesystem;
 
-OutputFolder::OutputFolder(const std::string& path, const std::string& option)
-    : path_(path), option_(option), made_(path_) {
+namespace {
+
+constexpr const char* kFiles = "files";      ///< of this run
+constexpr const char* kKept = "kept_files";  ///< of earlier ones, where this one reads them
+
+}  // namespace
+
+OutputFolder::OutputFolder(const std::string& path, std::vector<std::string> inputs, const std::string& option)
+    : path_(path), inputs_(std::move(inputs)), option_(option), made_(path_) {
    std::error_code ignored;
    if (!fs::is_directory(path_, ignored))
       throw InputError(option_ + " " + path + ": the folder cannot be created" +
@@ -27,12 +34,24 @@ fs::path OutputFolder::temporary(const std::string& name) const {
    return path_ / ("." + name + ".partial-" + std::to_string(getpid()));
 }
 
-void OutputFolder::add(const std::string& name, const std::string& content, Runs writers) {
+bool OutputFolder::is_input(const fs::path& path) const {
+   return std::any_of(inputs_.begin(), inputs_.end(), [&](const std::string& input) {
+      std::error_code ignored;
+      return !input.empty() && fs::equivalent(path, input, ignored);
+   });
+}
+
+void OutputFolder::add(const std::string& name, const std::string& content) {
    std::error_code ignored;
-   if (fs::is_directory(path_ / name, ignored))
-      throw InputError((path_ / name).string() + ": is a folder; give another " + option_);
+   const fs::path path = path_ / name;
+   const fs::file_type type = fs::symlink_status(path, ignored).type();
+   const char* const hindrance = type == fs::file_type::directory ? "is a folder"
+                                 : is_input(path)                 ? "is an input"
+                                 : type != fs::file_type::regular && type != fs::file_type::not_found
+                                     ? "is no regular file"
+                                     : nullptr;
+   if (hindrance) throw InputError(path.string() + ": " + hindrance + "; give another " + option_);
    names_.push_back(name);
-   if (writers == Runs::all) always_.push_back(name);
    partial_.push_back(std::make_unique<PartialFile>(temporary(name)));
    std::ofstream file(temporary(name), std::ios::binary);
    file << content;
@@ -42,33 +61,48 @@ void OutputFolder::add(const std::string& name, const std::string& content, Runs
                        " cannot be written there; check free space and permissions");
 }
 
-void OutputFolder::add_json(const std::string& name, const nlohmann::json& json) {
+void OutputFolder::add_json(const std::string& name, nlohmann::json json) {
    // A path in it may hold bytes that are no UTF-8.
    add(name, json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
-void OutputFolder::leave_out(const std::string& name, const std::vector<std::string>& inputs) {
-   std::error_code ignored;
-   const fs::path path = path_ / name;
-   const bool is_input = std::any_of(inputs.begin(), inputs.end(),
-                                     [&](const std::string& input) { return fs::equivalent(path, input, ignored); });
-   if (!is_input && fs::is_regular_file(path, ignored)) left_out_.push_back(name);
+void OutputFolder::add_facts(const std::string& name, nlohmann::json json) {
+   std::vector<std::string> kept;
+   for (const std::string& file : files_of_earlier_runs(name)) {
+      if (std::find(names_.begin(), names_.end(), file) != names_.end()) continue;
+      if (is_input(path_ / file)) kept.push_back(file);
+      else remove(file);
+   }
+   json[kFiles] = names_;
+   if (!kept.empty()) json[kKept] = kept;
+   add_json(name, std::move(json));
 }
 
-/// Else a file of that name is the user's own.
-bool OutputFolder::holds_earlier_result() const {
-   return std::all_of(always_.begin(), always_.end(), [this](const std::string& name) {
-      std::error_code ignored;
-      return fs::exists(path_ / name, ignored);
-   });
+void OutputFolder::remove(const std::string& name) { stale_.push_back(name); }
+
+/// Those of them that are still there. Nothing of a list that somebody else has written leads out of the folder.
+std::vector<std::string> OutputFolder::files_of_earlier_runs(const std::string& facts) const {
+   std::ifstream file(path_ / facts);
+   const auto json = nlohmann::json::parse(file, nullptr, false);
+   std::vector<std::string> found;
+   for (const char* const list : {kFiles, kKept}) {
+      if (!json.is_object() || !json.contains(list) || !json[list].is_array()) continue;
+      for (const auto& entry : json[list]) {
+         if (!entry.is_string()) continue;
+         const fs::path name = entry.get<std::string>();
+         std::error_code ignored;
+         const bool is_there = fs::symlink_status(path_ / name, ignored).type() == fs::file_type::regular;
+         if (name == name.filename() && is_there) found.push_back(name.string());
+      }
+   }
+   return found;
 }
 
 void OutputFolder::commit(Says says) {
    if (says == Says::every_path)
       for (const std::string& name : names_) std::cout << (path_ / name).string() << '\n';
    require_printed();
-   if (holds_earlier_result())
-      for (const std::string& name : left_out_) fs::remove(path_ / name);
+   for (const std::string& name : stale_) fs::remove(path_ / name);
    for (const std::string& name : names_) fs::rename(temporary(name), path_ / name);
    names_.clear();
    partial_.clear();

@@ -17,19 +17,23 @@ namespace stereo::app {
 class OutputFolder {
   public:
    /// Creates the folder where it is missing. Throws InputError, which names the option, when that fails.
-   explicit OutputFolder(const std::string& path, const std::string& option = "--out");
+   /// `inputs`: files that the command reads, which it must not replace; an empty name stands for none.
+   explicit OutputFolder(const std::string& path, std::vector<std::string> inputs = {},
+                         const std::string& option = "--out");
    /// Removes what was not committed, and the folders that were made for it.
    ~OutputFolder() = default;
    OutputFolder(const OutputFolder&) = delete;
    OutputFolder& operator=(const OutputFolder&) = delete;
 
-   enum class Runs { all, some };
-   /// A file that all runs of the command write, or only some. Throws InputError when it cannot be written or replaced.
-   void add(const std::string& name, const std::string& content, Runs writers = Runs::all);
-   void add_json(const std::string& name, const nlohmann::json& json);
-   /// A file that only other runs of the command write: where `commit` replaces a whole result of an earlier run, it
-   /// removes this one too. A file of `inputs` stays, whatever its name.
-   void leave_out(const std::string& name, const std::vector<std::string>& inputs = {});
+   /// Throws InputError when the file cannot be written, or must not be replaced: an input, a folder, a device, a link.
+   void add(const std::string& name, const std::string& content);
+   void add_json(const std::string& name, nlohmann::json json);
+   /// The same with the files of this run as "files", so it comes last. Where an earlier run has left such a file,
+   /// `commit` removes what only that run has written; what is an input now stays, and is listed as "kept_files".
+   void add_facts(const std::string& name, nlohmann::json json);
+
+   /// Where `commit` is to remove a file of an earlier run.
+   void remove(const std::string& name);
 
    enum class Says { every_path, nothing };
    /// On stdout. Throws std::runtime_error, and writes nothing, where what was printed has not arrived.
@@ -37,15 +41,16 @@ class OutputFolder {
 
   private:
    std::filesystem::path temporary(const std::string& name) const;
-   bool holds_earlier_result() const;
+   bool is_input(const std::filesystem::path& path) const;
+   std::vector<std::string> files_of_earlier_runs(const std::string& facts) const;
 
    std::filesystem::path path_;
+   std::vector<std::string> inputs_;
    std::string option_;
    MadeFolders made_;
    std::vector<std::string> names_;
-   std::vector<std::string> always_;  ///< of these, what all runs write
    std::vector<std::unique_ptr<PartialFile>> partial_;
-   std::vector<std::string> left_out_;
+   std::vector<std::string> stale_;  ///< names that only an earlier run has written
 };
 
 }  // namespace stereo::app

@@ -76,6 +76,23 @@ TEST(Speckles, AreThoseOfOpenCv) {
          }
 }
 
+TEST(Speckles, HaveFilledPixelsLikeMeasuredOnes) {
+   Random random(test_seed());
+   for (const int window_px : {1, 3, 20, 400}) {
+      DisparityMap map = rough_map(60, 40, random, 40, 20);
+      for (const uint8_t valid : map.valid) map.filled.push_back(valid == 0 && random.percent(60) ? 1 : 0);
+      DisparityMap shown = map;
+      for (std::size_t i = 0; i < map.valid.size(); ++i) shown.valid[i] |= map.filled[i];
+      const DisparityMap before = map;
+      remove_speckles(map, window_px, 1);
+      remove_speckles(shown, window_px, 1);
+      for (std::size_t i = 0; i < map.valid.size(); ++i) {
+         EXPECT_EQ(map.valid[i] | map.filled[i], shown.valid[i]) << "window " << window_px << ", pixel " << i;
+         EXPECT_LE(map.filled[i], before.filled[i]);
+      }
+   }
+}
+
 TEST(Confidence, IsThatOfOpenCv) {
    Random random(test_seed());
    constexpr int kWidth = 90, kHeight = 50;

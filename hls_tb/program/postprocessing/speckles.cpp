@@ -12,7 +12,7 @@ class Sets {
   public:
    Sets(const DisparityMap& map, int largest_step) : map_(map), step_(largest_step), seen_(map.valid.size()) {}
 
-   /// The joined set of a valid pixel that no set has yet; else none.
+   /// The joined set of a pixel with a value that no set has yet; else none.
    const std::vector<std::size_t>& from(std::size_t first) {
       set_.clear();
       take(first);
@@ -22,9 +22,12 @@ class Sets {
 
   private:
    void take(std::size_t pixel) {
-      if (seen_[pixel] || map_.valid[pixel] == 0) return;
+      if (seen_[pixel] || !has_value(pixel)) return;
       seen_[pixel] = true;
       set_.push_back(pixel);
+   }
+   bool has_value(std::size_t pixel) const {
+      return map_.valid[pixel] != 0 || (!map_.filled.empty() && map_.filled[pixel] != 0);
    }
    void join_neighbours(std::size_t pixel) {
       const auto width = std::size_t(map_.width);
@@ -52,7 +55,10 @@ void remove_speckles(DisparityMap& map, int window_px, int range_px) {
    for (std::size_t first = 0; first < whole.valid.size(); ++first) {
       const std::vector<std::size_t>& set = sets.from(first);
       if (set.size() > std::size_t(window_px)) continue;
-      for (const std::size_t pixel : set) map.valid[pixel] = 0;
+      for (const std::size_t pixel : set) {
+         map.valid[pixel] = 0;
+         if (!map.filled.empty()) map.filled[pixel] = 0;
+      }
    }
 }
 

@@ -10,6 +10,7 @@
 #include "program/io/file_ending.hpp"
 #include "program/io/opencv_images.hpp"
 #include "program/io/output_folder.hpp"
+#include "program/io/png_mark.hpp"
 #include "program/video/video_files.hpp"
 
 namespace stereo::app {
@@ -28,25 +29,33 @@ class FolderSink : public FrameSink {
   public:
    explicit FolderSink(const std::string& path) : path_(path), folder_(path) {}
 
-   void add(const cv::Mat& frame) override { folder_.add(frame_name(frames_++), encode(frame)); }
+   void add(const cv::Mat& frame) override { folder_.add(frame_name(frames_++), marked_png(encode(frame))); }
 
    void commit() override {
-      // The last frames of a longer result would stand behind these.
-      for (std::size_t more = frames_; std::filesystem::exists(std::filesystem::path(path_) / frame_name(more)); ++more)
-         folder_.leave_out(frame_name(more));
-      std::cout << path_ << '\n';
+      // The last frames of a longer result would stand behind these. Others are the user's own.
+      for (std::size_t more = frames_; std::filesystem::exists(path_ / frame_name(more)); ++more) {
+         if (is_marked_png(path_ / frame_name(more))) folder_.remove(frame_name(more));
+         else std::cout << "warning: " << (path_ / frame_name(more)).string() << " stays: no run has written it\n";
+      }
+      std::cout << path_.string() << '\n';
       folder_.commit(OutputFolder::Says::nothing);
    }
 
   private:
-   std::string path_;
+   std::filesystem::path path_;
    OutputFolder folder_;
    std::size_t frames_ = 0;
 };
 
 }  // namespace
 
-std::unique_ptr<FrameSink> make_frame_sink(const std::string& path, double frames_per_second, cv::Size size) {
+std::unique_ptr<FrameSink> make_frame_sink(const std::string& path, double frames_per_second, cv::Size size,
+                                           const std::vector<std::string>& inputs) {
+   for (const std::string& input : inputs) {
+      std::error_code ignored;
+      if (std::filesystem::equivalent(path, input, ignored))
+         throw InputError("--out " + path + ": is an input; give another name");
+   }
    const std::string ending = lower_ending(path);
    if (ending == ".avi") return make_avi(path, frames_per_second, size);
    if (std::find(kOtherVideoEndings.begin(), kOtherVideoEndings.end(), ending) != kOtherVideoEndings.end())

@@ -4,6 +4,7 @@
 #include <memory>
 #include <opencv2/core/mat.hpp>
 #include <string>
+#include <vector>
 
 namespace stereo::app {
 
@@ -17,7 +18,9 @@ class FrameSink {
 };
 
 /// A Motion JPEG video where the path ends with .avi, else a folder of frame_000000.png, frame_000001.png ...
-/// Throws InputError, which names --out, when it cannot be made or the path ends as another kind of video does.
-std::unique_ptr<FrameSink> make_frame_sink(const std::string& path, double frames_per_second, cv::Size size);
+/// `inputs`: what the frames come from. Throws InputError, which names --out, when it cannot be made, is an input or
+/// ends as another kind of video does.
+std::unique_ptr<FrameSink> make_frame_sink(const std::string& path, double frames_per_second, cv::Size size,
+                                           const std::vector<std::string>& inputs);
 
 }  // namespace stereo::app

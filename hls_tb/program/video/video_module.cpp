@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -50,12 +51,23 @@ class VideoSource : public FrameSource {
          throw InputError(name_ + ": frame " + std::to_string(taken_ + 1) + " cannot be read");
       }
       if (!waiting_.empty() && !frame.empty()) require_size_of(waiting_, frame, name_);
+      if (waiting_.empty() && !frame.empty()) say_what_is_missing();
       return frame;
    }
 
    double frames_per_second() const override { return std::max(0.0, video_.get(cv::CAP_PROP_FPS)); }
 
   private:
+   /// OpenCV takes a part of a file that it cannot read for the end. Of some formats it only estimates the number, so
+   /// one frame is no reason.
+   void say_what_is_missing() const {
+      const double wanted = video_.get(cv::CAP_PROP_FRAME_COUNT);
+      if (wanted > taken_ + 1 && wanted < kMostFrames)
+         std::cout << "warning: " << name_ << ": ends after " << taken_ << " frames, but its header says "
+                   << std::lround(wanted) << "\n";
+   }
+
+   static constexpr double kMostFrames = 1e8;  ///< of files that know none the number is huge
    std::string name_;
    cv::VideoCapture video_;
    cv::Mat waiting_;  ///< the frame after the last one given; empty at the end

@@ -97,6 +97,14 @@ def options() -> dict[str, dict[str, dict[str, Any]]]:
     return _listed("options")
 
 
+def matching_options(config: str, settings: Mapping[str, str] | None = None) -> dict[str, Any]:
+    """The options of a configuration's algorithm, some of them set. A FlowError says why that cannot be."""
+    words = [word for name, value in (settings or {}).items() for word in ("--set", f"{name}={value}")]
+    text = run([find_stereo_hls(), "options", "--config", config, *words, "--json"], passes_errors=True)
+    found: dict[str, Any] = json.loads(text)
+    return found
+
+
 def designs() -> dict[str, Configuration]:
     """Of matching cores and of stages, which have no disparities: all that VHDL is made of."""
     return configurations() | _listed("configurations", "--stages")

@@ -14,7 +14,9 @@ from .tools import ROOT
 
 
 def write(path: Path, content: str | bytes) -> None:
-    """The whole file or none."""
+    """The whole file or none. A device, a pipe or a link that has the name stays."""
+    if path.is_symlink() or (path.exists() and not path.is_file() and not path.is_dir()):
+        raise FlowError(f"cannot write {path}: it is no regular file")
     temporary: Path | None = None
     data = content.encode() if isinstance(content, str) else content
     try:

@@ -4,7 +4,12 @@
 from collections.abc import Callable
 from pathlib import Path
 
+from ..base import committed
+from ..base.errors import FlowError
+from ..base.files import shown
 from ..base.tools import ROOT
+from ..shell import template
+from ..synthesis import manifest
 from . import bench, constraints, fusesoc, ipxact, naming, quartus, software, vivado
 from .fill import fill
 from .subject import Subject, wrapper, wrapper_file
@@ -28,6 +33,9 @@ START = {
 def of(kit: str, config: str, mhz: float, pads_map: bool = False) -> Files:
     """All files of a kit for the tool `kit`."""
     subject = Subject(config, pads_map)
+    if not template.is_fresh(config, manifest.read(committed.folder(config))):
+        again = f"scripts/synthesize.py --refresh --config {config}"
+        raise FlowError(f"{shown(template.path(config))} differs from what its manifest gives; run {again}")
     texts = {path.name: path.read_text() for path in subject.sources} | {wrapper_file(subject): wrapper(subject)}
     rtl = {Path("rtl") / name: text for name, text in naming.of_vhdl(config, subject.own_units, texts).items()}
     if kit == "quartus":

@@ -7,10 +7,11 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import cache
 from typing import Any
 
-from ..base.configurations import configuration, configurations, options
-from ..base.errors import FlowError
+from ..base.configurations import configuration, configurations, matching_options, options
+from ..base.errors import EXIT_USAGE, FlowError
 from ..implementation import figures
 from . import cores
 from .path_shape import PathShape
@@ -29,6 +30,7 @@ CHECKS: dict[str, dict[str, Options]] = {
 }
 THRESHOLDS = {"left_right_threshold", "uniqueness_percent", "uniqueness_distance", "texture_threshold"}
 SAME_MAP = {"front_clocks"}  # a row with more of them serves as one with fewer: the same map, hardly more logic
+SPEED = ("clocks_per_pixel", "pixels_per_clock")
 PARALLEL = (2, 4)  # pixel pairs a clock, beside one
 
 
@@ -87,22 +89,60 @@ def value_of(text: str) -> Any:
         return text
 
 
-def checked(settings: Options) -> Options:
-    """Options of any family by their names; refused where no family has one, or its limits leave the value out."""
+def check(camera: Camera, algorithms: Iterable[Algorithm]) -> None:
+    """Refuses settings that no algorithm can have: where no family has the option, the checks need another value, or
+    the program refuses them all."""
     known = [options()[family] for family in cores.FAMILIES]
-    for name, value in settings.items():
+    for name, value in camera.settings.items():
         found = [option[name] for option in known if name in option]
         if not found:
             raise FlowError(f"no family has the option '{name}'; docs/options.md lists all")
-        if not any(_allows(option, value) for option in found):
+        if "words" in found[0] and not any(_allows(option, value) for option in found):
             raise FlowError(f"{name} cannot be {_text(value)}; docs/options.md has its values")
-    return settings
+        for one in camera.checks:
+            of_check = {key: wish for wishes in CHECKS[one].values() for key, wish in wishes.items()}
+            if name in of_check and value == found[0]["default"] != of_check[name]:
+                raise FlowError(f"--set {name}={_text(value)} turns off what --with {one} asks for")
+    if not _speeds(camera, camera.settings):
+        said = " and ".join(f"{name} {camera.settings[name]}" for name in SPEED if name in camera.settings)
+        raise FlowError(f"no core of {camera.disparities} disparities and {camera.height_px} rows can have {said}")
+    refusals = []
+    for algorithm in algorithms:
+        wishes, reason = _wishes(camera, configuration(algorithm.config)["family"])
+        if not reason:
+            refusals.append(_refusal(algorithm.config, algorithm.settings | wishes))
+    if camera.settings and refusals and all(refusals):
+        for name, value in camera.settings.items():
+            if not any(_allows(option[name], value) for option in known if name in option):
+                raise FlowError(f"{name} cannot be {_text(value)}; docs/options.md has its values")
+        raise FlowError(refusals[0])
+
+
+def _refusal(config: str, changes: Options) -> str:
+    """Why the program cannot match with these options; empty when it can."""
+    known = _known(config)
+    try:
+        matching_options(config, {name: _text(value) for name, value in changes.items() if name in known})
+    except FlowError as error:
+        if error.exit_code != EXIT_USAGE:
+            raise
+        return str(error)
+    return ""
+
+
+@cache
+def _known(config: str) -> frozenset[str]:
+    return frozenset(matching_options(config))
 
 
 def _allows(option: Mapping[str, Any], value: Any) -> bool:
+    """As far as it does not depend on other options: what only some of them allow has one value here."""
     if "words" in option:
         return _text(value) in option["words"]
-    return type(value) is int and option["low"] <= value and (option["high"] is None or value <= option["high"])
+    if type(value) is not int:
+        return False
+    is_free = option["low"] == option["high"]
+    return is_free or (option["low"] <= value and (option["high"] is None or value <= option["high"]))
 
 
 def _text(value: Any) -> str:
@@ -134,6 +174,7 @@ def candidates(camera: Camera, algorithms: Iterable[Algorithm]) -> Iterator[Cand
         base: Options = {name: value for name, value in dict(row).items() if name in names}
         size = {"width_px": camera.width_px, "height_px": camera.height_px, "disparities": camera.disparities}
         wishes, reason = _wishes(camera, family)
+        last = "" if reason else _refusal(algorithm.config, algorithm.settings | wishes)
         wanted = base | algorithm.settings | size | wishes
         for (clocks, pixels), sums in itertools.product(_speeds(camera, wanted), _sums(camera, family)):
             chosen = wanted | {"clocks_per_pixel": clocks, "pixels_per_clock": pixels} | sums
@@ -141,7 +182,7 @@ def candidates(camera: Camera, algorithms: Iterable[Algorithm]) -> Iterator[Cand
                 chosen["sign_memory"] &= clocks == 1 and _takes_sign_memory(chosen)
             changes = {name: chosen[name] for name in names if chosen[name] != base[name]}
             whole = chosen | {"family": family}
-            yield Candidate(algorithm, whole, changes, reason or problem(cores.shape_of(whole)))
+            yield Candidate(algorithm, whole, changes, reason or problem(cores.shape_of(whole)) or last)
 
 
 def _sums(camera: Camera, family: str) -> list[Options]:
@@ -155,7 +196,7 @@ def _speeds(camera: Camera, wanted: Options) -> list[tuple[int, int]]:
     """(clocks a pixel pair, pixel pairs a clock), the slowest first; what settings say of either is kept."""
     speeds = [(clocks, 1) for clocks in range(camera.disparities // 2, 0, -1) if camera.disparities % clocks == 0]
     speeds += [(1, pixels) for pixels in PARALLEL if camera.height_px % pixels == 0]
-    for place, name in enumerate(("clocks_per_pixel", "pixels_per_clock")):
+    for place, name in enumerate(SPEED):
         if name in camera.settings:
             speeds = [speed for speed in speeds if speed[place] == wanted[name]]
     return speeds
