@@ -42,6 +42,7 @@ def test_match_writes_its_facts(tmp_path, match, pair):
     facts = match_facts(tmp_path)
     assert facts.pop("milliseconds") >= 0
     assert facts.pop("threads") == len(os.sched_getaffinity(0))
+    assert facts.pop("files") == ["disparity.png", "disparity_color.png", "overview.png"]
     assert facts == {
         "format": "stereo-hls match 1",
         "config": "tiny",
