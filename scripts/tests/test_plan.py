@@ -279,6 +279,11 @@ def test_nothing_fits():
         ([*VGA, "--set", "pixels_per_clock=3"], "can have pixels_per_clock 3"),
         ([*VGA, "--set", "clocks_per_pixel=3"], "64 disparities and 480 rows can have clocks_per_pixel 3"),
         ([*VGA, "--name", "tiny"], "is a configuration already"),
+        *(
+            ([*VGA, "--set", f"{name}={value}"], f"{name} cannot be {value}")
+            for name in ("slice_disparities", "winner_group", "front_clocks", "clocks_per_pixel", "cost_clocks")
+            for value in ("0", "-5", "many")
+        ),
         ([*VGA, "--fill", "0"], "'0' is no number from 1"),
         ([*VGA, "--margin", "nan"], "'nan' is no number"),
         ([*VGA, "--luts", "0"], "--luts must be 1 or more"),

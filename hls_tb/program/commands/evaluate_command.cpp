@@ -231,8 +231,7 @@ void evaluate(Arguments arguments) {
    if (arguments.configs.empty() && (arguments.engine == Engine::clocked || arguments.postprocessing.rejects()))
       throw InputError(
           "--engine clocked, --speckle-window, --least-confidence, --surest and --measured-only are for "
-          "configurations; "
-          "name one with --config");
+          "configurations; name one with --config");
    require_settable(arguments.engine, arguments.settings);
    for (const std::string& name : arguments.configs) named_algorithm(name, arguments.settings);  // throws
    follow_set_disparities(arguments);

@@ -132,10 +132,12 @@ def test_frames_of_the_user_stay(tmp_path):
         for number in range(2):
             write_image(tmp_path / side / f"{number}.pgm", seed=number)
     words = ["video", "--config", "tiny", "--left", tmp_path / "l", "--right", tmp_path / "r", "--out"]
-    own(tmp_path / "out", "frame_000002.png")
+    names = ["frame_000002.png", "frame_000003.png"]
+    own(tmp_path / "out", *names)
     for _ in range(2):
-        assert "frame_000002.png stays" in succeed(*words, tmp_path / "out")
-        assert are_kept(tmp_path / "out", "frame_000002.png")
+        said = succeed(*words, tmp_path / "out")
+        assert "out also holds 2 frames that no run has written, from frame_000002.png on; they stay\n" in said
+        assert are_kept(tmp_path / "out", *names)
     fail(tmp_path, *words, tmp_path / "l", says=["--out", "is an input"])
     film = tmp_path / "film.avi"
     succeed(*words, film)

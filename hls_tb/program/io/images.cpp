@@ -114,7 +114,7 @@ cv::Mat read_camera_image(const std::string& path, int bits) {
 }
 
 AnyPair gray_pair(const cv::Mat& left, const cv::Mat& right) {
-   // 8 bits are the lower ones of a deeper camera: no way to know by how much the other image is to be divided.
+   // An image of 8 bits is taken without scaling, so its grey values would be those of a far darker camera.
    if (left.depth() != right.depth())
       throw InputError("the left image has " + std::to_string(8 * left.elemSize1()) +
                        " bits a channel and the right one " + std::to_string(8 * right.elemSize1()) +

@@ -22,6 +22,13 @@ constexpr const char* kKept = "kept_files";  ///< of earlier ones, where this on
 
 }  // namespace
 
+bool is_one_of(const fs::path& path, const std::vector<std::string>& files) {
+   return std::any_of(files.begin(), files.end(), [&](const std::string& file) {
+      std::error_code ignored;
+      return fs::equivalent(path, file, ignored);
+   });
+}
+
 OutputFolder::OutputFolder(const std::string& path, std::vector<std::string> inputs, const std::string& option)
     : path_(path), inputs_(std::move(inputs)), option_(option), made_(path_) {
    std::error_code ignored;
@@ -34,19 +41,12 @@ fs::path OutputFolder::temporary(const std::string& name) const {
    return path_ / ("." + name + ".partial-" + std::to_string(getpid()));
 }
 
-bool OutputFolder::is_input(const fs::path& path) const {
-   return std::any_of(inputs_.begin(), inputs_.end(), [&](const std::string& input) {
-      std::error_code ignored;
-      return !input.empty() && fs::equivalent(path, input, ignored);
-   });
-}
-
 void OutputFolder::add(const std::string& name, const std::string& content) {
    std::error_code ignored;
    const fs::path path = path_ / name;
    const fs::file_type type = fs::symlink_status(path, ignored).type();
    const char* const hindrance = type == fs::file_type::directory ? "is a folder"
-                                 : is_input(path)                 ? "is an input"
+                                 : is_one_of(path, inputs_)       ? "is an input"
                                  : type != fs::file_type::regular && type != fs::file_type::not_found
                                      ? "is no regular file"
                                      : nullptr;
@@ -70,7 +70,7 @@ void OutputFolder::add_facts(const std::string& name, nlohmann::json json) {
    std::vector<std::string> kept;
    for (const std::string& file : files_of_earlier_runs(name)) {
       if (std::find(names_.begin(), names_.end(), file) != names_.end()) continue;
-      if (is_input(path_ / file)) kept.push_back(file);
+      if (is_one_of(path_ / file, inputs_)) kept.push_back(file);
       else remove(file);
    }
    json[kFiles] = names_;

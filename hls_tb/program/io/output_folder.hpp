@@ -13,6 +13,9 @@
 
 namespace stereo::app {
 
+/// Whether a path leads to one of these files or folders, by whatever name.
+bool is_one_of(const std::filesystem::path& path, const std::vector<std::string>& files);
+
 /// Writes all of a command's files or none: they stand under temporary names until `commit` gives them their own.
 class OutputFolder {
   public:
@@ -41,7 +44,6 @@ class OutputFolder {
 
   private:
    std::filesystem::path temporary(const std::string& name) const;
-   bool is_input(const std::filesystem::path& path) const;
    std::vector<std::string> files_of_earlier_runs(const std::string& facts) const;
 
    std::filesystem::path path_;

@@ -33,10 +33,15 @@ class FolderSink : public FrameSink {
 
    void commit() override {
       // The last frames of a longer result would stand behind these. Others are the user's own.
+      std::vector<std::string> own;
       for (std::size_t more = frames_; std::filesystem::exists(path_ / frame_name(more)); ++more) {
          if (is_marked_png(path_ / frame_name(more))) folder_.remove(frame_name(more));
-         else std::cout << "warning: " << (path_ / frame_name(more)).string() << " stays: no run has written it\n";
+         else own.push_back(frame_name(more));
       }
+      if (!own.empty())
+         std::cout << "warning: " << path_.string() << " also holds " << own.size()
+                   << (own.size() == 1 ? " frame" : " frames") << " that no run has written, from " << own.front()
+                   << " on; they stay\n";
       std::cout << path_.string() << '\n';
       folder_.commit(OutputFolder::Says::nothing);
    }
@@ -51,11 +56,7 @@ class FolderSink : public FrameSink {
 
 std::unique_ptr<FrameSink> make_frame_sink(const std::string& path, double frames_per_second, cv::Size size,
                                            const std::vector<std::string>& inputs) {
-   for (const std::string& input : inputs) {
-      std::error_code ignored;
-      if (std::filesystem::equivalent(path, input, ignored))
-         throw InputError("--out " + path + ": is an input; give another name");
-   }
+   if (is_one_of(path, inputs)) throw InputError("--out " + path + ": is an input; give another name");
    const std::string ending = lower_ending(path);
    if (ending == ".avi") return make_avi(path, frames_per_second, size);
    if (std::find(kOtherVideoEndings.begin(), kOtherVideoEndings.end(), ending) != kOtherVideoEndings.end())

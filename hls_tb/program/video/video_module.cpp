@@ -63,8 +63,8 @@ class VideoSource : public FrameSource {
    void say_what_is_missing() const {
       const double wanted = video_.get(cv::CAP_PROP_FRAME_COUNT);
       if (wanted > taken_ + 1 && wanted < kMostFrames)
-         std::cout << "warning: " << name_ << ": ends after " << taken_ << " frames, but its header says "
-                   << std::lround(wanted) << "\n";
+         std::cout << "warning: " << name_ << ": only " << taken_ << " of " << std::lround(wanted)
+                   << " frames can be read\n";
    }
 
    static constexpr double kMostFrames = 1e8;  ///< of files that know none the number is huge

@@ -93,11 +93,14 @@ def check(camera: Camera, algorithms: Iterable[Algorithm]) -> None:
     """Refuses settings that no algorithm can have: where no family has the option, the checks need another value, or
     the program refuses them all."""
     known = [options()[family] for family in cores.FAMILIES]
+    algorithms = list(algorithms)
+    of_program = frozenset[str]().union(*(_known(algorithm.config) for algorithm in algorithms))
     for name, value in camera.settings.items():
         found = [option[name] for option in known if name in option]
         if not found:
             raise FlowError(f"no family has the option '{name}'; docs/options.md lists all")
-        if "words" in found[0] and not any(_allows(option, value) for option in found):
+        # Limits of other options may depend on each other: of those the program decides.
+        if (name not in of_program or "words" in found[0]) and not any(_allows(option, value) for option in found):
             raise FlowError(f"{name} cannot be {_text(value)}; docs/options.md has its values")
         for one in camera.checks:
             of_check = {key: wish for wishes in CHECKS[one].values() for key, wish in wishes.items()}
@@ -121,8 +124,13 @@ def check(camera: Camera, algorithms: Iterable[Algorithm]) -> None:
 def _refusal(config: str, changes: Options) -> str:
     """Why the program cannot match with these options; empty when it can."""
     known = _known(config)
+    return _refused(config, tuple((name, _text(value)) for name, value in changes.items() if name in known))
+
+
+@cache
+def _refused(config: str, settings: tuple[tuple[str, str], ...]) -> str:
     try:
-        matching_options(config, {name: _text(value) for name, value in changes.items() if name in known})
+        matching_options(config, dict(settings))
     except FlowError as error:
         if error.exit_code != EXIT_USAGE:
             raise
