@@ -44,6 +44,17 @@ def parse() -> Namespace:
     )
     options = parser.parse_args()
     check(options)
+    measured = ["--system", "--record"]
+    if options.implement:
+        parser.refuse_beside("--implement", *measured, "--seeds", "--router", "--target")
+    elif options.frame:
+        parser.refuse_beside("--frame", *measured, "--pair")
+    elif options.streams is not None:
+        parser.refuse_beside("--streams", *measured)
+    else:
+        for mode in ("--write", "--check", "--show"):
+            if getattr(options, mode[2:]):
+                parser.refuse_beside(mode, "--system")
     return options
 
 

@@ -45,6 +45,8 @@ out=$(name_of "$out")
 [ -z "$left" ] || left=$(name_of "$left") right=$(name_of "$right")
 cd "$root"
 mkdir -p -- "$out" 2>/dev/null || refuse "--out $out: the folder cannot be created"
+[ ! -e "$out/report.html" ] || [ -e "$out/match/match.json" ] ||
+   refuse "$out/report.html is no result of an earlier run, and would be replaced; name another folder"
 rm -f -- "$out/report.html"
 export STEREO_PRESET=${STEREO_PRESET:-release}
 

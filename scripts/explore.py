@@ -9,7 +9,7 @@ from argparse import Namespace
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow.base import farm
+from flow.base import farm, places
 from flow.base.errors import EXIT_OK, ArgumentParser, FlowError, run_command
 from flow.base.options import a_path
 from flow.base.tools import ROOT
@@ -107,10 +107,7 @@ def check(options: Namespace) -> None:
         for path in paths:
             if path != "-" and not Path(path).is_file():
                 raise FlowError(f"{path}: there is no such file")
-    try:
-        options.out.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise FlowError(f"cannot create {options.out}: {error.strerror}") from None
+    places.results_folder(options.out, explore.RESULTS)
 
 
 def given_pairs(options: Namespace) -> list[explore.Pair]:
@@ -155,7 +152,7 @@ def main() -> int:
     for name in without_truth:
         print(f"{name} is left out: its reference is the other image, and no option changes that.")
     with farm.of(options) as workers:
-        methods = explore.evaluate(pairs, choices, workers, Kept(options.out / "evaluations.jsonl"))
+        methods = explore.evaluate(pairs, choices, workers, Kept(options.out / explore.EVALUATIONS))
     for remark in explore.remarks(pairs, methods):
         print(remark)
     table = explore.rows(pairs, choices, methods, family, options.mask)

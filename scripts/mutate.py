@@ -8,9 +8,9 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow.base import files
+from flow.base import files, places
 from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command
-from flow.base.options import a_path
+from flow.base.options import a_path, one_or_more
 from flow.mutation import record
 from flow.mutation.judges import WORK
 from flow.mutation.run import Run
@@ -41,20 +41,20 @@ def main() -> int:
         metavar="N",
         help="stress streams of other seeds that look for what the default one does not show (default 10)",
     )
-    parser.add_argument("--jobs", type=int, default=2, help="mutants at a time (default 2)")
+    parser.add_argument("--jobs", type=one_or_more, default=2, help="mutants at a time (default 2)")
     parser.add_argument("--out", type=a_path, default=WORK, help="folder of report.json (default build/mutation)")
     parser.add_argument("--record", action="store_true", help="keep the result beside the VHDL; with --shell 0")
     parser.add_argument("--page", action="store_true", help="run nothing: write the table of kept results")
     parser.add_argument("--check", action="store_true", help="the same; exit code 1 when it is not up to date")
     options = parser.parse_args()
     if options.page or options.check:
+        parser.refuse_beside(*(("--page", "--check") if options.page else ("--check",)))
         return files.update({record.PAGE: record.page()}, options.check, "scripts/mutate.py --page")
     if options.record and (options.shell or options.core < FEW):
         raise FlowError(f"--record keeps what a run gives of the core: it needs --shell 0 and --core {FEW} or more")
-    if min(options.core, options.shell, options.others) < 0 or options.core + options.shell < 1 or options.jobs < 1:
-        raise FlowError(
-            "--core, --shell and --others must be 0 or more, --core and --shell together and --jobs 1 or more"
-        )
+    if min(options.core, options.shell, options.others) < 0 or options.core + options.shell < 1:
+        raise FlowError("--core, --shell and --others must be 0 or more, --core and --shell together 1 or more")
+    places.results_folder(options.out, ("report.json",))
     (options.out / "report.json").unlink(missing_ok=True)  # a run that breaks off leaves none of an earlier one
     together = options.core >= FEW
     run = Run(

@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow.base import files, python_module
+from flow.base import files, places, python_module
 from flow.base.errors import EXIT_OK, EXIT_TOOL_FAILED, ArgumentParser, FlowError, run_command
 from flow.base.options import a_path
 from flow.base.tools import ROOT, run
@@ -26,10 +26,12 @@ def main() -> int:
     options = parser.parse_args()
     if not options.notebook.is_file():
         raise FlowError(f"{options.notebook}: there is no such file")
-    out = options.out.resolve()
-    out.mkdir(parents=True, exist_ok=True)
+    out, stem = options.out.resolve(), options.notebook.stem
+    if out == options.notebook.resolve().parent:
+        raise FlowError(f"--out {options.out}: the notebook itself would be replaced; name another folder")
+    places.results_folder(out, (f"{stem}.ipynb", f"{stem}_1.png", f"{stem}.log", "jupyter"))
     programs = python_module.install()
-    for path in write(execute(programs, options.notebook.resolve(), out), out / options.notebook.stem):
+    for path in write(execute(programs, options.notebook.resolve(), out), out / stem):
         print(path)
     return EXIT_OK
 

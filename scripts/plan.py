@@ -117,7 +117,10 @@ def parse() -> Namespace:
         "--page", action="store_true", help="instead write docs/plan.md: estimates beside all measured cores"
     )
     pages.add_argument("--check", action="store_true", help="instead only say whether docs/plan.md is up to date")
-    return parser.parse_args()
+    options = parser.parse_args()
+    if options.page or options.check:
+        parser.refuse_beside("--page" if options.page else "--check")
+    return options
 
 
 def camera_of(options: Namespace) -> Camera:

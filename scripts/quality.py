@@ -41,6 +41,8 @@ def main() -> int:
     arguments = parser.parse_args()
     pairs = read_pairs(arguments.pairs or OWN_LIST)
     missing = [str(path) for pair in pairs for path in pair.missing]
+    if arguments.check:
+        parser.refuse_beside("--check", "--pair")
     if arguments.pairs or arguments.pictures:
         if missing:
             raise FlowError(f"a pair of the list is not complete: {missing[0]} is missing")

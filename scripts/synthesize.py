@@ -123,6 +123,8 @@ def main() -> int:
     names = options.config or sorted(name for name, row in table.items() if row["use"] != PLANNED)
     for name in names:
         configuration(name, table)
+    if options.check or options.refresh:
+        parser.refuse_beside("--check" if options.check else "--refresh", "--config")
     if options.check:
         return check(names, table)
     if options.refresh:

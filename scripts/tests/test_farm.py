@@ -201,5 +201,5 @@ def test_threads_give_what_jobs_give():
 
 
 def test_bad_options():
-    refused(call("random_configurations.py", "--jobs", 0), 2, "--jobs must be at least 1")
+    refused(call("random_configurations.py", "--jobs", 0), 2, "--jobs: '0' is no whole number, 1 or more")
     refused(call("cosim.py", "--config", "tiny", "--scheduler", "tcp://x:1"), 2, "are for several configurations")

@@ -283,7 +283,7 @@ def test_two_configurations_are_two_runs(ghdl, tmp_path):
         (["--config", "tiny", "tiny_p2", "--rtl", "x"], ["--rtl is for one"]),
         (["--config", "all", "--wave", "x.vcd"], ["--wave is for one"]),
         (["--config", "tiny", "--jobs", "2"], ["--jobs", "several"]),
-        (["--config", "all", "--jobs", "0"], ["--jobs must be at least 1"]),
+        (["--config", "all", "--jobs", "0"], ["--jobs: '0' is no whole number, 1 or more"]),
         (["--config", "huge*"], ["'huge*'"]),
     ],
 )

@@ -36,6 +36,17 @@ int report(const std::string& problem, int exit_code) {
    return exit_code;
 }
 
+/// --help and --version.
+int answer(const CLI::App& app, const CLI::ParseError& asked) {
+   app.exit(asked);
+   try {
+      require_printed();
+      return 0;
+   } catch (const std::exception& error) {
+      return report(std::string("internal failure: ") + error.what(), kInternalError);
+   }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -63,7 +74,7 @@ int main(int argc, char** argv) {
       require_printed();
       return 0;
    } catch (const CLI::ParseError& error) {
-      if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+      if (error.get_exit_code() == 0) return answer(app, error);
       if (argc > 1 && app.get_subcommands().empty())
          return report(std::string(argv[1]) + ": unknown command; see stereo_hls --help", kInputError);
       return report(std::string(error.what()) + "; see stereo_hls --help", kInputError);

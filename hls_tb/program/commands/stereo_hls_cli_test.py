@@ -65,7 +65,15 @@ def fail_to_print(folder, *arguments):
 
 
 @pytest.mark.parametrize(
-    "command", [["configurations"], ["configurations", "--json"], ["scene", "--seed", "1", "--out", "deep/scene"]]
+    "command",
+    [
+        ["configurations"],
+        ["configurations", "--json"],
+        ["scene", "--seed", "1", "--out", "deep/scene"],
+        ["--help"],
+        ["match", "--help"],
+        ["--version"],
+    ],
 )
 def test_a_result_that_does_not_reach_stdout_is_a_failure(tmp_path, command):
     fail_to_print(tmp_path, *command)

@@ -40,6 +40,22 @@ class ArgumentParser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
         raise FlowError(f"{message} (see {self.prog} --help)")
 
+    def refuse_beside(self, mode: str, *allowed: str) -> None:
+        """Raises FlowError where the command line gives an option that has no effect beside the option `mode`.
+        `allowed`: those that have one."""
+        saved = {action: action.default for action in self._actions}
+        try:
+            for action in self._actions:
+                action.default = argparse.SUPPRESS  # what is in the result was given
+            given = vars(self.parse_args())
+        finally:
+            for action, default in saved.items():
+                action.default = default
+        for action in self._actions:
+            option = action.option_strings[-1] if action.option_strings else action.dest
+            if action.dest in given and option not in (mode, *allowed):
+                raise FlowError(f"{option} has no effect beside {mode}")
+
 
 def _interrupt(number: int, _: object) -> NoReturn:
     raise KeyboardInterrupt(number)

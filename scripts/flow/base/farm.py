@@ -19,6 +19,7 @@ from typing import Any, TypeVar
 from urllib.parse import urlsplit
 
 from .errors import EXIT_MISMATCH, EXIT_MISSING_TOOL, EXIT_OK, EXIT_TOOL_FAILED, FlowError
+from .options import one_or_more
 from .tools import ROOT, find_stereo_hls
 
 Result = TypeVar("Result")
@@ -31,7 +32,7 @@ _running: set[subprocess.Popen[bytes]] = set()  # in this process, of `run_logge
 
 def add_options(parser: ArgumentParser, jobs: int, what: str) -> None:
     parser.add_argument(
-        "--jobs", type=int, default=jobs, metavar="N", help=f"{what} at a time on this machine (default {jobs})"
+        "--jobs", type=one_or_more, default=jobs, metavar="N", help=f"{what} at a time on this machine (default {jobs})"
     )
     parser.add_argument(
         "--scheduler",
@@ -46,8 +47,6 @@ def no_tools() -> dict[str, str]:
 
 def of(options: Namespace, versions: Versions = no_tools) -> Farm:
     """`versions`: of the tools that the jobs call, which must be the same on each worker."""
-    if options.jobs < 1:
-        raise FlowError("--jobs must be at least 1")
     return Farm(options.jobs, options.scheduler, versions)
 
 

@@ -20,3 +20,14 @@ def a_path(text: str) -> Path:
     if not text:  # else it would be the current folder
         raise argparse.ArgumentTypeError("must not be empty")
     return Path(text)
+
+
+def one_or_more(text: str) -> int:
+    """A count that cannot be 0."""
+    try:
+        number = int(text)
+    except ValueError:
+        number = 0
+    if number < 1:
+        raise argparse.ArgumentTypeError(f"'{text}' is no whole number, 1 or more")
+    return number

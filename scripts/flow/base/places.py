@@ -6,11 +6,15 @@ from __future__ import annotations
 
 import hashlib
 import os
+import shutil
+from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
 
 from .errors import FlowError
 from .tools import ROOT
+
+MARK = ".stereo_hls_results"  # the file that says that a folder's results are of this project
 
 
 def build_folder() -> Path:
@@ -32,4 +36,36 @@ def _cached(here: Path, named: str) -> Path:
         usable = False
     if not usable:
         raise FlowError(f"{here} cannot be written, nor a folder in ~/.cache; name one in the variable XDG_CACHE_HOME")
+    return folder
+
+
+def results_folder(folder: Path, names: Iterable[str]) -> Path:
+    """Makes the folder of a command's results. Raises FlowError where one of the names is there that a command would
+    replace and no command has made."""
+    if not _is_ours(folder) and (found := [name for name in names if os.path.lexists(folder / name)]):
+        raise FlowError(
+            f"{folder / found[0]} is no result of an earlier run, and would be replaced: name another folder"
+        )
+    return _marked(folder)
+
+
+def emptied_folder(folder: Path) -> Path:
+    """Makes the folder, empty. Raises FlowError where there are files in it that no command has made."""
+    if folder.is_dir():
+        if not _is_ours(folder) and any(folder.iterdir()):
+            raise FlowError(f"{folder} is not empty, and not of an earlier run: name another folder")
+        shutil.rmtree(folder.resolve(), ignore_errors=True)
+    return _marked(folder)
+
+
+def _is_ours(folder: Path) -> bool:
+    return (folder / MARK).is_file() or folder.resolve().is_relative_to(ROOT / "build")
+
+
+def _marked(folder: Path) -> Path:
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / MARK).touch()
+    except OSError as error:
+        raise FlowError(f"cannot create {folder}: {error.strerror}") from None
     return folder

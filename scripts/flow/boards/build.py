@@ -8,7 +8,7 @@ import shutil
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from ..base import committed, ghdl
+from ..base import committed, ghdl, places
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..base.tools import Say, Word, find_tool, run
 from ..implementation import nextpnr, yosys
@@ -32,8 +32,7 @@ class Built(NamedTuple):
 def build(board: Board, config: str, work: Path, seed: int = 1, say: Say = print) -> Built:
     """Makes everything in the folder `work`."""
     board_vhdl.sizes(config)  # refuses what the board's design cannot hold, before a folder is emptied
-    shutil.rmtree(work, ignore_errors=True)
-    work.mkdir(parents=True)
+    places.emptied_folder(work)
     family = board.target.family
     assert isinstance(family, RoutedFamily)
     router = nextpnr.find_nextpnr(family, say)

@@ -18,6 +18,7 @@ from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..base.tools import Word, find_tool, run
 
 DATA = "coverage.dat"  # that Verilator's program writes
+FILES = (DATA, "coverage.json", "coverage.info", "coverage")
 SECONDS = 30  # for the proof of a bit
 _UNNAMED = re.compile(r"n\d+_\w+")
 _DECLARED = re.compile(r"^  (?:wire|reg) (?:\[\d+:0\] )?(\w+) *;.*$", re.MULTILINE)

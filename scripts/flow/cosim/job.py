@@ -14,7 +14,7 @@ from ..base import committed, files, locks, progress, rtl
 from ..base.configurations import Parameters, configuration, designs
 from ..base.errors import EXIT_MISMATCH, EXIT_OK, EXIT_TOOL_FAILED, FlowError
 from ..base.facts import facts
-from ..base.places import build_folder
+from ..base.places import build_folder, results_folder
 from ..base.tools import Word, find_stereo_hls, run
 from ..synthesis import generate, manifest
 from ..synthesis.bambu import original_files
@@ -26,6 +26,9 @@ from .simulators import IN_GHDL, SIMULATORS, Clocks, CoreSimulation, Covered, Gh
 
 AUTOMATIC_WAVE_CLOCKS = 100_000  # later mismatches would take GHDL minutes
 STAGE_DISPARITIES = 16  # of the scene that a stage gets
+
+OF_LAST_RUN = ("report.json", "junit.xml", *mismatch.FILES)  # a run that breaks off leaves none of them
+RESULTS = (*OF_LAST_RUN, "stimulus.txt", "expected.txt", "observed.txt", *coverage.FILES)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -154,7 +157,7 @@ def run_job(job: Job) -> Report:
         configuration(job.config, designs())  # no name of a folder
     out = _folder(job)
     with locks.exclusive(out):
-        for stale in ("report.json", "junit.xml", *mismatch.FILES):
+        for stale in OF_LAST_RUN:
             (out / stale).unlink(missing_ok=True)
         try:
             return _run(job, out)
@@ -302,12 +305,7 @@ def _vhdl_files(job: Job, parameters: Parameters) -> tuple[list[Path], list[str]
 
 def _folder(job: Job) -> Path:
     """For the results."""
-    out = job.out_directory()
-    try:
-        out.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise FlowError(f"cannot create {out}: {error.strerror}") from None
-    return out
+    return results_folder(job.out_directory(), RESULTS)
 
 
 def _simulation(job: Job, design: list[Path], parameters: Parameters) -> CoreSimulation:

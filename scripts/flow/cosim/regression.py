@@ -17,7 +17,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal
 
-from ..base import committed, facts, farm, files, json_files, locks, rtl
+from ..base import committed, facts, farm, files, json_files, locks, places, rtl
 from ..base.configurations import designs
 from ..base.errors import EXIT_INTERRUPTED, EXIT_MISMATCH, EXIT_OK, EXIT_TOOL_FAILED, FlowError
 from ..base.tools import ROOT, find_stereo_hls
@@ -27,6 +27,7 @@ from .simulators import BENCH, SIMULATORS
 FORMAT = "stereo-hls regression 1"
 ALL = "all"
 INTERRUPTED = "interrupted"
+RESULTS = ("summary.json", "junit.xml", overview.NAME)  # in the folder of all
 Outcome = Literal["pass", "FAIL", "ERROR", "unchanged", "not run"]
 
 
@@ -82,14 +83,14 @@ class Regression:
     def run(self) -> int:
         """Returns the exit code: 1 when anything differs, else the highest of all. What an interruption leaves is
         written before it goes on."""
-        self.out.mkdir(parents=True, exist_ok=True)
+        places.results_folder(self.out, RESULTS)
         with locks.exclusive(self.out):
             return self._run()
 
     def _run(self) -> int:
         started = time.monotonic()
         earlier = self._earlier() if self.only_changed else {}
-        for name in ("summary.json", "junit.xml", overview.NAME):
+        for name in RESULTS:
             (self.out / name).unlink(missing_ok=True)
         entries = [Entry(config) for config in self.configs]
         lock = threading.Lock()

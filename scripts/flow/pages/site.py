@@ -9,7 +9,7 @@ import shutil
 from collections.abc import Iterator
 from pathlib import Path
 
-from ..base import venv
+from ..base import places, venv
 from ..base.tools import ROOT, Say, run
 from . import links
 
@@ -46,8 +46,7 @@ def tables_of_contents(root: Path) -> str:
 
 def stage(out: Path, root: Path, version: str) -> None:
     """Copies the pages and what they link to. README.md becomes index.md."""
-    shutil.rmtree(out, ignore_errors=True)
-    out.mkdir(parents=True)
+    places.emptied_folder(out)
     pages = {page.resolve() for page in links.pages(root)}
     for page in sorted(pages):
         text = page.read_text()
@@ -91,7 +90,7 @@ def build(out: Path, version: str, root: Path = ROOT, say: Say = print) -> Path:
     programs = venv.ensure("venv-site", REQUIREMENTS, "the site generator (Sphinx)", say)
     source, html = out / "source", out / "html"
     stage(source, root, version)
-    shutil.rmtree(html, ignore_errors=True)
+    places.emptied_folder(html)
     run(
         [programs / "sphinx-build", "-q", "-W", "--keep-going", "-b", "html", "-d", out / "doctrees", source, html],
         log=out / "site.log",

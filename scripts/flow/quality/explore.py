@@ -25,6 +25,8 @@ from .evaluation import Method
 from .kept import Kept
 
 FORMAT = "stereo-hls exploration 1"
+EVALUATIONS = "evaluations.jsonl"
+RESULTS = ("explore.json", "explore.csv", "front.png", EVALUATIONS)
 PROGRAM = "build/release/stereo_hls"
 # Each option by the configuration that has it beside the plain core: its settings are those that were synthesised.
 COSTS = {"sad": hardware_cost.BASE, "ssd": "study_ssd", "census": "study_census"}

@@ -2,11 +2,11 @@
 """The registers of stereo_ip. One description, hls/rtl/registers.json, becomes the VHDL package of their addresses and
 the table in docs/integration.md."""
 
-import json
 from pathlib import Path
 from typing import Any, TypedDict
 
-from ..base import markdown
+from ..base import files, json_files, markdown
+from ..base.errors import FlowError
 from ..base.newer_python import NotRequired
 from ..base.tools import ROOT
 
@@ -36,9 +36,30 @@ class Register(TypedDict):
 
 
 def description() -> list[Register]:
-    """Of all families. Two names of a word are two registers."""
-    registers: list[Register] = json.loads(DESCRIPTION.read_text())["registers"]
+    """Of all families. Two names of a word are two registers. Raises FlowError where the file is damaged."""
+    try:
+        content = json_files.load(DESCRIPTION)
+        registers: list[Register] = content["registers"]
+        is_whole = bool(registers) and all(_is_register(one) for one in registers)
+    except ValueError as error:
+        raise FlowError(f"damaged {files.shown(DESCRIPTION)}: {error}") from None
+    except (KeyError, TypeError):
+        is_whole = False
+    if not is_whole:
+        raise FlowError(f"damaged {files.shown(DESCRIPTION)}: it does not describe the registers of stereo_ip")
     return registers
+
+
+def _is_register(one: Any) -> bool:
+    return (
+        all(isinstance(one[key], str) for key in ("name", "access"))
+        and isinstance(one["offset"], int)
+        and all(isinstance(one[key], str) for key in ("text", "family") if key in one)
+        and all(
+            all(isinstance(field[key], kind) for key, kind in Field.__annotations__.items())
+            for field in one.get("fields", [])
+        )
+    )
 
 
 def description_of(family: str) -> list[Register]:

@@ -12,7 +12,7 @@ from collections.abc import Iterable
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 
-from ..base import files, rtl
+from ..base import files, places, rtl
 from ..base.configurations import Parameters, clocks_per_pixel, configuration
 from ..base.errors import EXIT_MISMATCH, EXIT_OK
 from ..base.tools import ROOT, Say
@@ -27,6 +27,7 @@ from .selections import GAPS, SETTINGS, other_generics
 from .verilated import Observation, Verilated
 
 WORK = ROOT / "build" / "axi"
+RESULTS = ("report.json", "junit.xml")
 CHUNK_FRAMES = 50  # correct frames of one simulation
 # Some of them without stalls. With options: left reference and checks; a gap between frames; frames that are shorter
 # than their way through the core, in beats of more than 64 bits.
@@ -140,7 +141,8 @@ class Verification:
     def __init__(self, seed: int, out: Path, say: Say = print) -> None:
         self.seed, self.out, self.say = seed, out, say
         self.cases: list[Case] = []
-        for name in ("report.json", "junit.xml"):  # a run that breaks off leaves no result of an earlier one
+        places.results_folder(out, RESULTS)
+        for name in RESULTS:  # a run that breaks off leaves no result of an earlier one
             (out / name).unlink(missing_ok=True)
 
     def add(self, case: Case) -> None:
