@@ -97,6 +97,8 @@ def main() -> int:
     farm.add_options(parser, 1, "configurations")
     options = parser.parse_args()
     work = jobs(options)
+    for one in work:
+        job.checked_manifest(one)  # before tools are installed
     find_ghdl()
     yosys.find_yosys()
     if not options.scheduler and (len(work) == 1 or options.jobs == 1):

@@ -151,7 +151,7 @@ def test_no_vhdl_for_this_configuration(pair, nothing_written, tmp_path):
     refused(
         cosim("tiny", pair, nothing_written, "--rtl", tmp_path / "empty"),
         2,
-        "manifest.json is missing",
+        "it has no manifest.json",
         "synthesize.py",
     )
 

@@ -143,10 +143,18 @@ def _implement(
     return result, netlist.lost
 
 
+def checked_manifest(job: Job) -> manifest.Manifest:
+    """That of the job's VHDL, which must be that of its configuration, as it was made."""
+    entry = manifest.read(job.vhdl)
+    if entry["configuration"] != job.config:
+        raise FlowError(f"{job.vhdl} holds the VHDL of {entry['configuration']}, not of {job.config}")
+    manifest.vhdl_files(job.vhdl)
+    return entry
+
+
 def run_job(job: Job) -> int:
     """Implements one configuration on its targets. Returns the exit code."""
-    entry = manifest.read(job.vhdl)
-    manifest.vhdl_files(job.vhdl)  # is the VHDL as it was made?
+    entry = checked_manifest(job)
     if job.out is not None:
         check_writable(job.out)
     all_lost: list[str] = []

@@ -139,12 +139,12 @@ def write(directory: Path, manifest: Manifest) -> None:
 
 def read(directory: Path) -> Manifest:
     """The manifest of one folder, checked for its keys."""
-    path, name = directory / "manifest.json", directory.name
+    path = directory / "manifest.json"
     try:
         manifest = json_files.load(path)
     except FileNotFoundError:
         raise FlowError(
-            f"no generated VHDL for '{name}': {path} is missing; run scripts/synthesize.py --config {name}"
+            f"{directory} is no folder of generated VHDL: it has no {path.name}, which scripts/synthesize.py writes"
         ) from None
     except (OSError, ValueError) as error:
         raise FlowError(f"damaged manifest {path}: {getattr(error, 'strerror', None) or error}") from None
