@@ -8,10 +8,10 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from flow.base import files
-from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, run_command
+from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command
 from flow.base.options import a_path
 from flow.base.tools import ROOT
-from flow.boards import boards, build
+from flow.boards import boards, build, record
 from flow.shell import board_vhdl
 
 
@@ -22,7 +22,7 @@ def parse() -> Namespace:
     )
     own = ", ".join(f"{board.name} {board.config}" for board in boards.BOARDS.values())
     parser.add_argument("--config", metavar="NAME", help=f"the core (default: {own})")
-    parser.add_argument("--seed", type=int, default=1, help="seed of place and route (default 1)")
+    parser.add_argument("--seed", type=int, default=record.SEED, help="seed of place and route (default %(default)s)")
     parser.add_argument(
         "--out", type=a_path, help="folder of everything that is made (default build/example/BOARD)", metavar="FOLDER"
     )
@@ -32,17 +32,33 @@ def parse() -> Namespace:
         metavar="FILE",
         help=f"only write {board_vhdl.CORE_FILE} of the core, for a flow of your own",
     )
-    return parser.parse_args()
+    parser.add_argument("--record", action="store_true", help=f"keep area and clock in {files.shown(record.FILE)}")
+    pages = parser.add_mutually_exclusive_group()
+    pages.add_argument("--page", action="store_true", help="build nothing: write the table of what was kept")
+    pages.add_argument("--check", action="store_true", help="the same; exit code 1 when it is not up to date")
+    options = parser.parse_args()
+    if options.page or options.check:
+        parser.refuse_beside("--page" if options.page else "--check")
+    if options.core:
+        parser.refuse_beside("--core", "--board", "--config")
+    if options.seed < 1:
+        raise FlowError("--seed must be 1 or more")
+    if options.record and options.seed != record.SEED:
+        raise FlowError(f"--record keeps what seed {record.SEED} gives")
+    return options
 
 
 def main() -> int:
     options = parse()
+    if options.page or options.check:
+        return files.update({record.PAGE: record.page()}, options.check, "scripts/build_example.py --page")
     board = boards.named(options.board)
     config = options.config or board.config
     if options.core:
         files.write(options.core, board_vhdl.core_text(config))
         return EXIT_OK
     out = options.out or ROOT / "build" / "example" / board.name
+    made_of = record.digest(board, config)
     result = build.build(board, config, out.resolve(), options.seed)
     holds = board.target.holds
     assert holds is not None
@@ -50,6 +66,8 @@ def main() -> int:
     print(f"{result.flip_flops} flip-flops, {result.block_rams} of {holds.block_rams} block RAMs")
     print(f"{result.fmax_mhz} MHz routed where {board.clock_mhz} are needed")
     print(f"bit stream: {files.shown(result.bit_stream)} ({result.bit_stream.stat().st_size} bytes)")
+    if options.record:
+        record.keep(board, config, result, made_of)
     return EXIT_OK if result.fmax_mhz >= board.clock_mhz else EXIT_MISMATCH
 
 

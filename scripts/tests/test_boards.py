@@ -2,6 +2,7 @@
 """examples/boards: the serial line by itself, the whole board in simulation against the program's map, and the command
 that speaks to a board, at a pseudo-terminal with a stand-in for the board. The bit streams: test_example.py."""
 
+import dataclasses
 import os
 import pty
 import shutil
@@ -13,8 +14,9 @@ import pytest
 
 from conftest import ROOT, need
 from cover import with_slow
+from flow.base.errors import FlowError
 from flow.base.ghdl import STANDARD
-from flow.boards import compared, line, protocol
+from flow.boards import compared, line, protocol, record
 from flow.boards.boards import BOARDS
 from flow.boards.play import NO_STOP_BIT, Played
 from flow.shell import board_vhdl
@@ -294,6 +296,41 @@ def test_what_is_no_line(pair, tmp_path):
     refused(call("board.py", "--port", tmp_path / "file", *words), 2, "file is no serial line")
     refused(call("board.py", "--port", tmp_path / "file", "--baud", "999", *words), 2, "999 baud", "115200")
     refused(call("board.py", *words), 2, "--port", "--simulate")
+
+
+@pytest.mark.parametrize("board", BOARDS)
+def test_each_board_reaches_its_clock_and_the_page_says_it(board):
+    """A change of the design needs `scripts/build_example.py --board NAME --record`, also with `--config tiny`."""
+    for config in record.configurations(BOARDS[board]):
+        kept = record.read(BOARDS[board], config)
+        assert kept is not None, f"{config} on {board} has changed since it was measured"
+        assert kept["fmax_mhz"] >= BOARDS[board].clock_mhz
+        assert kept["lut_sites"] <= BOARDS[board].target.holds.lut_sites
+    process = call("build_example.py", "--check")
+    assert process.returncode == 0, process.stderr
+
+
+def test_a_result_of_another_design_is_none(monkeypatch, tmp_path):
+    monkeypatch.setattr(record, "FILE", tmp_path / "measured.json")
+    board, built = BOARDS["icebreaker"], record.Built(1, 2, 3, 4.5, tmp_path)
+    record.keep(board, "tiny", built, record.digest(board, "tiny"))
+    assert record.read(board, "tiny") == {"lut_sites": 1, "flip_flops": 2, "block_rams": 3, "fmax_mhz": 4.5}
+    assert record.read(board, "ambrosch2007_f20") is None
+    for change in ({"clock_mhz": 13}, {"constraints": "ulx3s.lpf"}, {"held_high": ("pin",)}, {"leds": 3}):
+        assert record.read(dataclasses.replace(board, **change), "tiny") is None
+    monkeypatch.setattr(record.manifest, "design", lambda entry: {"structure": "another"})
+    assert record.read(board, "tiny") is None
+    with pytest.raises(FlowError, match="changed in the meantime"):
+        record.keep(board, "tiny", built, "digest of before")
+
+
+@pytest.mark.parametrize("text", ["{", "[]", '{"format": "stereo-hls boards 1", "builds": {"icebreaker": 3}}'])
+def test_damaged_results_of_boards_are_refused(monkeypatch, tmp_path, text):
+    path = tmp_path / "measured.json"
+    path.write_text(text)
+    monkeypatch.setattr(record, "FILE", path)
+    with pytest.raises(FlowError, match="damaged"):
+        record.read(BOARDS["icebreaker"], "tiny")
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,7 @@ from __future__ import annotations
 import json
 import shutil
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 from ..base import committed, ghdl, places
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
@@ -17,19 +17,10 @@ from ..shell import board_vhdl
 from ..synthesis import manifest
 from ..synthesis.presentation import scalars
 from .boards import Board
+from .record import SEED, Built
 
 
-class Built(NamedTuple):
-    """What was made."""
-
-    lut_sites: int
-    flip_flops: int
-    block_rams: int
-    fmax_mhz: float
-    bit_stream: Path
-
-
-def build(board: Board, config: str, work: Path, seed: int = 1, say: Say = print) -> Built:
+def build(board: Board, config: str, work: Path, seed: int = SEED, say: Say = print) -> Built:
     """Makes everything in the folder `work`."""
     board_vhdl.sizes(config)  # refuses what the board's design cannot hold, before a folder is emptied
     places.emptied_folder(work)
