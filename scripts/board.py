@@ -9,8 +9,8 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from flow.base import files
-from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, run_command
-from flow.base.options import a_path
+from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command
+from flow.base.options import a_path, one_or_more
 from flow.base.tools import find_stereo_hls
 from flow.boards import boards, compared, line, play, protocol
 from flow.shell import board_vhdl
@@ -30,18 +30,23 @@ def parse() -> Namespace:
     parser.add_argument("--left", type=a_path, required=True, metavar="IMAGE", help="of the size that the core takes")
     parser.add_argument("--right", type=a_path, required=True, metavar="IMAGE")
     parser.add_argument("--out", type=a_path, required=True, metavar="PNG", help="grey value = disparity in pixels")
-    parser.add_argument("--baud", type=int, help="of --port (default: that of the board's bit stream)")
+    parser.add_argument("--baud", type=one_or_more, help="of --port (default: that of the board's bit stream)")
     parser.add_argument("--compare", action="store_true", help="exit code 1 if the program's map is another one")
     parser.add_argument(
         "--simulator", choices=play.SIMULATORS, help="of --simulate (default: ghdl, for large images verilator)"
     )
-    return parser.parse_args()
+    options = parser.parse_args()
+    for name, needed, other in (("baud", "port", "simulate"), ("simulator", "simulate", "port")):
+        if getattr(options, name) and not getattr(options, needed):
+            raise FlowError(f"--{name} has no effect beside --{other}")
+    return options
 
 
 def main() -> int:
     options = parse()
+    files.refuse_input(options.out, (options.left, options.right))
     board = boards.named(options.board)
-    config = options.config or board.config
+    config = board.config if options.config is None else options.config
     sizes = board_vhdl.sizes(config)
     left, right = (compared.pixels(path, config, sizes) for path in (options.left, options.right))
     compare = options.compare or options.simulate

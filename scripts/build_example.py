@@ -53,7 +53,7 @@ def main() -> int:
     if options.page or options.check:
         return files.update({record.PAGE: record.page()}, options.check, "scripts/build_example.py --page")
     board = boards.named(options.board)
-    config = options.config or board.config
+    config = board.config if options.config is None else options.config
     if options.core:
         files.write(options.core, board_vhdl.core_text(config))
         return EXIT_OK

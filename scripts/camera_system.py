@@ -29,7 +29,9 @@ def parse() -> Namespace:
     what.add_argument(
         "--frame", action="store_true", help="one whole frame of 640x480 in Verilator, and the latency of its rows"
     )
-    what.add_argument("--streams", type=int, metavar="N", help="N frames of random streams, some broken, in Verilator")
+    what.add_argument(
+        "--streams", type=int, metavar="N", help="N or more frames of random streams, some broken, in Verilator"
+    )
     what.add_argument("--show", action="store_true", help="print what camera_system_NAME.json says")
     parser.add_argument("--record", action="store_true", help="keep the result in camera_system_NAME.json")
     parser.add_argument(
@@ -52,9 +54,8 @@ def parse() -> Namespace:
     elif options.streams is not None:
         parser.refuse_beside("--streams", *measured)
     else:
-        for mode in ("--write", "--check", "--show"):
-            if getattr(options, mode[2:]):
-                parser.refuse_beside(mode, "--system")
+        modes = [mode for mode in ("--write", "--check", "--show") if getattr(options, mode[2:])]
+        parser.refuse_beside(*(modes or ["the list of files"]), "--system")
     return options
 
 

@@ -49,7 +49,11 @@ def shell_of(path: Path) -> Path:
 def verdict(before: str, after: str) -> str:
     if before == after:
         return "the same text"
-    if structure_digest(before) == structure_digest(after):
+    try:
+        is_same = structure_digest(before) == structure_digest(after)
+    except FlowError as error:
+        return f"another netlist ({error})"
+    if is_same:
         return "the same netlist; names, comments or order differ"
     return "another netlist"
 
@@ -68,9 +72,13 @@ def main() -> int:
             raise FlowError(f"{options.against} has no VHDL of '{name}'")
     changed = []
     for name in names:
-        said = verdict(earlier[name], (committed.folder(name) / f"{committed.entity(name)}.vhd").read_text())
+        path = committed.folder(name) / f"{committed.entity(name)}.vhd"
+        try:
+            said = verdict(earlier[name], path.read_text())
+        except UnicodeDecodeError:
+            raise FlowError(f"damaged {path}: it is no text") from None
         print(f"{name}: {said}", flush=True)
-        changed += [name] if said == "another netlist" else []
+        changed += [name] if said.startswith("another netlist") else []
     print(f"{len(names) - len(changed)} of {len(names)} cores have the netlist of {options.against}")
     if changed:
         raise FlowError(f"another netlist: {', '.join(changed)}", EXIT_MISMATCH)

@@ -17,6 +17,12 @@ from flow.cosim.simulators import SIMULATORS
 
 MOST_SECONDS = 1e6
 
+# What counts where the stream comes from a file.
+WITH_A_FILE = (
+    *("--config", "--stimulus", "--expected", "--simulator", "--rtl", "--allow-edited", "--out", "--wave"),
+    *("--coverage", "--watchdog", "--jobs", "--scheduler", "--fail-fast", "--changed", "--record"),
+)
+
 
 def main() -> int:
     parser = ArgumentParser(prog="cosim.py", description=__doc__)
@@ -75,7 +81,7 @@ def main() -> int:
     parser.add_argument(
         "--fit", choices=("none", "crop", "resize"), default="none", help="how to adapt images of another size"
     )
-    parser.add_argument("--simulator", choices=sorted(SIMULATORS), default="ghdl")
+    parser.add_argument("--simulator", choices=sorted(SIMULATORS), help="default ghdl, with --coverage verilator")
     parser.add_argument("--rtl", type=a_path, help="folder with manifest.json and VHDL (default: the committed ones)")
     parser.add_argument(
         "--allow-edited", action="store_true", help="take VHDL that differs from its manifest, for experiments"
@@ -112,10 +118,13 @@ def main() -> int:
         "docs/performance.md, or with --stimulus stress that of the stress stream",
     )
     options = parser.parse_args()
-    if options.coverage:
-        options.simulator = "verilator"
+    if options.coverage and options.simulator not in (None, "verilator"):
+        raise FlowError(f"--coverage runs in verilator, not in {options.simulator}")
+    options.simulator = options.simulator or ("verilator" if options.coverage else "ghdl")
     _choose_stimulus(options)
     _check(options)
+    if options.stimulus:
+        parser.refuse_beside("--stimulus FILE", *WITH_A_FILE)
     if len(set(options.configs)) > 1 or regression.is_pattern(options.configs[0]):
         return _several(options)
     if options.jobs != 1 or options.scheduler or options.fail_fast or options.changed:
@@ -154,6 +163,8 @@ def _check(options: argparse.Namespace) -> None:
             raise FlowError(f"--{one} and --{other} go together: both are required")
     if options.stimulus and (options.left or options.rows or options.broken or options.stall_percent):
         raise FlowError("--stimulus takes the place of images, --rows, --broken and --stall-percent")
+    if options.fit != "none" and not options.left:
+        raise FlowError("--fit is for --left and --right")
     if options.stress_clocks is not None and not options.stress:
         raise FlowError(
             "--stress-clocks needs the stress stream, which --record alone and another --stimulus leave out"

@@ -9,7 +9,7 @@ from argparse import Namespace
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from flow.base import farm, places
+from flow.base import farm, files, places
 from flow.base.errors import EXIT_OK, ArgumentParser, FlowError, run_command
 from flow.base.options import a_path
 from flow.base.tools import ROOT
@@ -107,6 +107,17 @@ def check(options: Namespace) -> None:
         for path in paths:
             if path != "-" and not Path(path).is_file():
                 raise FlowError(f"{path}: there is no such file")
+    if options.truth_scale and not options.pair:
+        raise FlowError("--truth-scale needs --pair")
+    written = [options.out / name for name in explore.RESULTS]
+    written += [
+        path
+        for seed in range(1, (options.scenes or 0) + 1)
+        for path in explore.scene_folder(options.out, seed).glob("*")
+    ]
+    inputs = [Path(path) for paths in options.pair for path in paths if path != "-"]
+    for path in written:
+        files.refuse_input(path, inputs)
     places.results_folder(options.out, explore.RESULTS)
 
 
@@ -141,7 +152,7 @@ def main() -> int:
     choices, refused = explore.choices(sweep, family, known)
     if not choices:
         raise FlowError("no choice is left: census takes no x-Sobel, and the texture check needs it")
-    named, without_truth = explore.named_choices(options.config, sweep.ranges, known)
+    named, without_truth = explore.named_choices(list(dict.fromkeys(options.config)), sweep.ranges, known)
     choices += named
     pairs += explore.generated_scenes(number, max(sweep.ranges), options.out)
     names = ", ".join(pair.name for pair in pairs)

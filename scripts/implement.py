@@ -17,6 +17,7 @@ from flow.implementation import job, nextpnr, yosys
 from flow.implementation.targets import TARGETS, USUAL
 
 DEFAULT_SEEDS = [1, 2, 3]
+ALONE = ("--target", "--shell", "--seeds", "--router", "--rtl", "--out")  # have an effect beside one --config
 
 
 def chosen(given: list[str], known: Collection[str], what: str) -> list[str]:
@@ -97,6 +98,12 @@ def main() -> int:
     farm.add_options(parser, 1, "configurations")
     options = parser.parse_args()
     work = jobs(options)
+    if len(work) == 1 and not options.scheduler:
+        parser.refuse_beside("one --config", "--config", *ALONE)
+    if not any(TARGETS[name].device for one in work for name in one.targets):
+        for option, value in (("--seeds", options.seeds != DEFAULT_SEEDS), ("--router", options.router)):
+            if value:
+                raise FlowError(f"{option} is for place and route, which none of these targets has")
     for one in work:
         job.checked_manifest(one)  # before tools are installed
     find_ghdl()

@@ -29,6 +29,10 @@ def main() -> int:
     )
     parser.add_argument("--out", type=a_path, help="file to write (default: standard output); of a kit: a new folder")
     options = parser.parse_args()
+    folder = committed.folder(options.config)
+    if options.config not in committed.known_configurations() and folder.parent.name in committed.STAGES:
+        raise FlowError(f"'{options.config}' is a stage in front of a core; it has no stereo_ip")
+    manifest.require_as_made(folder)
     if options.kit:
         if options.out is None:
             raise FlowError("--kit needs --out FOLDER")
@@ -37,7 +41,7 @@ def main() -> int:
     for name, value in (("--mhz", options.mhz), ("--pad-map", options.pad_map)):
         if value:
             raise FlowError(f"{name} is for --kit")
-    entry = manifest.read(committed.folder(options.config))
+    entry = manifest.read(folder)
     make = template.user_instance if options.instance else template.entity
     text = make(options.config, entry)
     if options.out is None:

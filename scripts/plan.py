@@ -42,7 +42,7 @@ def size(text: str) -> tuple[int, int]:
 
 def count(text: str) -> int:
     if not re.fullmatch(r"\d{1,7}", text):
-        raise ArgumentTypeError(f"'{text}' is no whole number")
+        raise ArgumentTypeError(f"'{text}' is no whole number below 10,000,000")
     return int(text)
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from flow.base import files
-from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, run_command
+from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command
 from flow.base.options import a_path
 from flow.pages import demo_folder, report
 
@@ -17,6 +17,8 @@ def main() -> int:
     parser.add_argument("--demo", required=True, type=a_path, metavar="DIR", help="folder of scripts/demo.sh")
     parser.add_argument("--out", type=a_path, metavar="FILE", help="the page (default DIR/report.html)")
     options = parser.parse_args()
+    if options.out and options.out.suffix != ".html":
+        raise FlowError(f"--out {options.out}: the name of a page ends in .html")
     demo = demo_folder.read_demo(options.demo)
     page = options.out or options.demo / "report.html"
     files.write(page, report.render(demo))

@@ -24,6 +24,7 @@ WITHOUT_CORES = {
     "test_explore",
     "test_explore_truth",
     "test_features",
+    "test_kit_vhdl",
     "test_mutation_families",
     "test_packaging",
     "test_reference",

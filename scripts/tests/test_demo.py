@@ -351,7 +351,8 @@ def test_a_folder_without_a_demo(tmp_path):
 def test_a_page_that_cannot_be_written(filled, tmp_path):
     (tmp_path / "file").write_text("")
     refused(call("report.py", "--demo", filled, "--out", tmp_path / "file" / "page.html"), 2, "cannot write")
-    (tmp_path / "folder").mkdir()
-    refused(call("report.py", "--demo", filled, "--out", tmp_path / "folder"), 2, "cannot write")
-    assert list((tmp_path / "folder").iterdir()) == []
+    (tmp_path / "folder.html").mkdir()
+    refused(call("report.py", "--demo", filled, "--out", tmp_path / "folder.html"), 2, "cannot write")
+    assert list((tmp_path / "folder.html").iterdir()) == []
+    refused(call("report.py", "--demo", filled, "--out", filled / "match" / "disparity.png"), 2, "ends in .html")
     assert not [path for path in tmp_path.iterdir() if path.name.startswith(".")]

@@ -59,9 +59,10 @@ def bench(ghdl, kit, *options):
 
 
 CONFIGURATIONS = ["tiny", "tiny_p4", "tiny_subpixel", "tiny_left_min_negative", "tiny_sgm", "tiny_trellis", "example"]
+CONFIGURATIONS += ["tiny_dense", "tiny_dense_p2", "tiny_confidence"]  # with bits above the disparity
 
 
-@pytest.mark.parametrize("config", with_slow(CONFIGURATIONS, ["tiny_p4", "tiny_sgm"]))
+@pytest.mark.parametrize("config", with_slow(CONFIGURATIONS, ["tiny_p4", "tiny_sgm", "tiny_dense"]))
 def test_two_frames_go_through(ghdl, tmp_path, config):
     """In the kit whose files differ most from the committed ones; with the latency that the documentation states."""
     process = bench(ghdl, kits.make(tmp_path / "kit", "quartus", config))

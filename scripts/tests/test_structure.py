@@ -6,6 +6,8 @@ import re
 import pytest
 
 from flow.base import committed, rtl
+from flow.base.errors import FlowError
+from flow.synthesis.presentation import present
 from flow.synthesis.presentation.present import expand
 from flow.synthesis.structure import structure_digest
 from flow_commands import call, refused
@@ -62,6 +64,30 @@ def test_two_exchanged_registers_count(rng):
     b, second = rng.choice([(n, m) for n, m in found if m[2] != first[2]])
     lines[a], lines[b] = lines[a].replace(first[2], second[2]), lines[b].replace(second[2], first[2])
     assert structure_digest("\n".join(lines)) != structure_digest(TINY)
+
+
+@pytest.mark.parametrize(
+    "before, after",
+    [
+        ("write_address => write_address", "write_address => read_address"),
+        ("write_data => write_data)", "write_data => write_address)"),
+        ("clock => clock", "clock => reset"),
+        ("(clock => clock, ", "("),
+        ("depth => 32, ", ""),
+    ],
+)
+def test_a_memory_that_is_connected_in_another_way_is_no_known_form(before, after):
+    """Of presented text: what every memory has is not read there, but written anew."""
+    presented = present.present(TINY)
+    assert structure_digest(presented) == structure_digest(TINY) and before in presented
+    with pytest.raises(FlowError, match="unknown form of VHDL"):
+        structure_digest(presented.replace(before, after, 1))
+
+
+@pytest.mark.parametrize("text", ["", "entity", "library ieee;"])
+def test_what_is_no_core_is_no_known_form(text):
+    with pytest.raises(FlowError, match="unknown form of VHDL"):
+        structure_digest(text)
 
 
 def test_command_refuses():

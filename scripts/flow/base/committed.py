@@ -7,6 +7,7 @@ decides. Configurations of the user's own stand in their folder: nothing that li
 from __future__ import annotations
 
 import os
+import re
 import shutil
 from collections.abc import Iterable, Mapping
 from itertools import groupby
@@ -15,7 +16,7 @@ from typing import NamedTuple, Union
 
 from . import archive, files
 from .builds import Build, build_once
-from .errors import FlowError
+from .errors import FlowError, alike
 from .locks import exclusive
 from .places import build_folder
 from .rtl import CORE, STAGES
@@ -56,11 +57,14 @@ def _folders() -> list[Path]:
 
 def folder(config: str) -> Path:
     """FAMILY/NAME of a configuration whose VHDL was made, to be read: `keep` changes what is in it."""
+    if not re.fullmatch(r"\w+", config):  # no pattern, and no path
+        raise FlowError(f"'{config}' is no name of a configuration")
     found = [path.parent for path in GENERATED_RTL.glob(f"*/{config}/{MANIFEST}")]
     found = found or [root / config for root in _unpacked() if (root / config / MANIFEST).is_file()]
     found = found or [path.parent for path in _own().glob(f"*/{config}/{MANIFEST}")]
     if len(found) != 1:
-        raise FlowError(f"no generated VHDL for '{config}'; run scripts/synthesize.py --config {config}")
+        meant = alike(config, known_designs())
+        raise FlowError(f"no generated VHDL for '{config}'; {meant or f'run scripts/synthesize.py --config {config}'}")
     return found[0]
 
 

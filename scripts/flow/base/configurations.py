@@ -10,7 +10,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any, TypedDict, cast
 
-from .errors import EXIT_TOOL_FAILED, FlowError
+from .errors import EXIT_TOOL_FAILED, FlowError, alike
 from .tools import find_stereo_hls, run
 
 
@@ -114,5 +114,6 @@ def configuration(name: str, table: dict[str, Configuration] | None = None) -> C
     """One row of the table, which is asked for where it is not given."""
     table = configurations() if table is None else table
     if name not in table:
-        raise FlowError(f"unknown configuration '{name}'; known are: {', '.join(sorted(table))}")
+        known = alike(name, table) or f"known are: {', '.join(sorted(table))}"
+        raise FlowError(f"unknown configuration '{name}'; {known}")
     return table[name]

@@ -4,11 +4,13 @@
 from __future__ import annotations
 
 import argparse
+import difflib
+import io
 import os
 import signal
 import sys
-from collections.abc import Callable
-from typing import NoReturn
+from collections.abc import Callable, Iterable
+from typing import Any, NoReturn
 
 EXIT_OK = 0
 EXIT_MISMATCH = 1  # the job ran, and its answer is no: outputs differ, or the VHDL is stale
@@ -23,6 +25,12 @@ EXIT_CODES_HELP = (
 )
 
 
+def alike(name: str, known: Iterable[str]) -> str:
+    """A sentence that names those of the known names that may be meant; empty where there are none."""
+    found = difflib.get_close_matches(name, sorted(known), cutoff=0.8)
+    return f"did you mean {' or '.join(found)}?" if found else ""
+
+
 class FlowError(Exception):
     """One sentence for the user and the exit code that goes with it."""
 
@@ -31,11 +39,36 @@ class FlowError(Exception):
         self.exit_code = exit_code
 
 
+class _Once(argparse.Action):
+    """Takes the values of an option, which must not be given again: the last one would win without a word."""
+
+    def __call__(
+        self,
+        parser: argparse.ArgumentParser,
+        namespace: argparse.Namespace,
+        values: object,
+        option_string: str | None = None,
+    ) -> None:
+        assert isinstance(parser, ArgumentParser)
+        if option_string and self.dest in parser.given:
+            parser.error(f"{option_string} appears twice")
+        parser.given.add(self.dest)
+        setattr(namespace, self.dest, values)
+
+
 class ArgumentParser(argparse.ArgumentParser):
     """argparse that says one sentence on stderr instead of the whole usage."""
 
     def __init__(self, prog: str, description: str | None) -> None:
         super().__init__(prog=prog, description=description, epilog=EXIT_CODES_HELP)
+        self.given: set[str] = set()  # options of one value, so far
+        self.register("action", None, _Once)
+        self.register("action", "store", _Once)
+
+    def parse_args(self, args: Any = None, namespace: Any = None) -> argparse.Namespace:  # type: ignore[override]
+        self.given = set()
+        parsed: argparse.Namespace = super().parse_args(args, namespace)
+        return parsed
 
     def error(self, message: str) -> NoReturn:
         raise FlowError(f"{message} (see {self.prog} --help)")
@@ -66,7 +99,12 @@ def run_command(main: Callable[[], int]) -> NoReturn:
     the exit code."""
     program = sys.argv[0].rsplit("/", 1)[-1]
     signal.signal(signal.SIGTERM, _interrupt)  # of `timeout` or a CI service: what we started ends with us
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="backslashreplace")  # names of files need not be text
     try:
+        if sys.stdout is None:
+            raise FlowError("standard output is closed")
         code = main()
         sys.stdout.flush()
         sys.exit(code)

@@ -6,7 +6,7 @@ from __future__ import annotations
 import os
 import re
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
 from .errors import EXIT_MISMATCH, EXIT_OK, FlowError
@@ -18,7 +18,7 @@ def write(path: Path, content: str | bytes) -> None:
     if path.is_symlink() or (path.exists() and not path.is_file() and not path.is_dir()):
         raise FlowError(f"cannot write {path}: it is no regular file")
     temporary: Path | None = None
-    data = content.encode() if isinstance(content, str) else content
+    data = content.encode(errors="surrogateescape") if isinstance(content, str) else content
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.NamedTemporaryFile("wb", dir=path.parent, prefix=f".{path.name}.", delete=False) as file:
@@ -32,6 +32,13 @@ def write(path: Path, content: str | bytes) -> None:
     finally:  # of an interruption, too
         if temporary is not None:
             temporary.unlink(missing_ok=True)
+
+
+def refuse_input(out: Path, inputs: Iterable[Path]) -> None:
+    """Raises FlowError where a file that is to be written is one of a command's inputs, by whatever name."""
+    for path in inputs:
+        if out.resolve() == path.resolve():
+            raise FlowError(f"{out} is an input of this command, and would be replaced: name another file")
 
 
 def shown(path: Path) -> str:

@@ -5,9 +5,10 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args, get_origin, get_type_hints
 
 from .errors import FlowError
+from .newer_python import required
 
 
 def load(path: Path) -> Any:
@@ -36,3 +37,21 @@ def load_result(path: Path, form: str) -> dict[str, Any] | None:
 
 def damaged(path: Path, form: str) -> FlowError:
     return FlowError(f"damaged {path}: not of format '{form}'; remove it, and make it again")
+
+
+def fits(value: object, kind: Any) -> bool:
+    """Whether a value has the type that an annotation names: a TypedDict, a dict with names, a list, or a plain one."""
+    if kind is Any:
+        return True
+    if get_origin(kind) is dict:
+        return isinstance(value, dict) and all(fits(one, get_args(kind)[1]) for one in value.values())
+    if get_origin(kind) is list:
+        return isinstance(value, list) and all(fits(one, get_args(kind)[0]) for one in value)
+    if hasattr(kind, "__total__"):
+        hints = {key: required(hint) for key, hint in get_type_hints(kind, include_extras=True).items()}
+        return isinstance(value, dict) and all(
+            fits(value[key], hint) if key in value else not is_needed for key, (hint, is_needed) in hints.items()
+        )
+    if isinstance(value, bool):
+        return kind is bool
+    return isinstance(value, (int, float) if kind is float else kind)

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import platform
 import sys
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any, get_args, get_origin
 
 from .errors import EXIT_MISSING_TOOL, FlowError
 
@@ -14,13 +14,20 @@ if TYPE_CHECKING or sys.version_info >= (3, 11):
 else:
 
     class NotRequired:
-        """Of a key of a TypedDict. Says nothing at run time."""
+        """Of a key of a TypedDict."""
 
         def __class_getitem__(cls, kind: Any) -> Any:
-            return kind
+            return Annotated[kind, cls]
 
 
-__all__ = ["NotRequired", "need_python"]
+__all__ = ["NotRequired", "need_python", "required"]
+
+
+def required(kind: Any) -> tuple[Any, bool]:
+    """(kind of a key of a TypedDict without NotRequired, whether the key must be there)"""
+    arguments = get_args(kind)
+    is_optional = get_origin(kind) is NotRequired or NotRequired in arguments[1:]
+    return (arguments[0], False) if is_optional else (kind, True)
 
 
 def need_python(version: tuple[int, int], what: str) -> None:

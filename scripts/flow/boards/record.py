@@ -41,6 +41,10 @@ class Figures(TypedDict):
     fmax_mhz: float
 
 
+class Kept(Figures):
+    design: str  # digest
+
+
 _KEPT = get_type_hints(Figures)
 
 
@@ -65,8 +69,8 @@ def digest(board: Board, config: str) -> str:
 def _load() -> dict[str, Any]:
     """{board: {configuration: figures with their digest}}"""
     content = json_files.load_result(FILE, FORMAT)
-    builds = content.get("builds") if content else {}
-    if not isinstance(builds, dict) or not all(isinstance(of_board, dict) for of_board in builds.values()):
+    builds: dict[str, Any] = content.get("builds", {}) if content else {}
+    if not json_files.fits(builds, dict[str, dict[str, Kept]]):
         raise json_files.damaged(FILE, FORMAT)
     return builds
 
@@ -76,8 +80,6 @@ def read(board: Board, config: str) -> Figures | None:
     entry = _load().get(board.name, {}).get(config)
     if entry is None:
         return None
-    if not isinstance(entry, dict) or entry.keys() != {*_KEPT, "design"}:
-        raise json_files.damaged(FILE, FORMAT)
     if entry["design"] != digest(board, config):
         return None
     kept: Figures = {name: entry[name] for name in _KEPT}  # type: ignore[assignment]

@@ -170,7 +170,7 @@ def _run(job: Job, out: Path) -> Report:
     parameters = configuration(job.config, designs())
     kind = rtl.kind_of(parameters)
     if job.rows is not None and re.fullmatch("[1-9][0-9]*", job.rows):
-        job = dataclasses.replace(job, rows=middle_rows(parameters, int(job.rows)))
+        job = dataclasses.replace(job, rows=middle_rows(parameters, int(job.rows)) or f"0:{parameters['height_px']}")
     _check_wave(job)
     design, edited = _vhdl_files(job, parameters)
     stimulus_path, expected_path, images_from = make_vectors(job, out, parameters)

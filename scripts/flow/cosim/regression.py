@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 from ..base import committed, facts, farm, files, json_files, locks, places, rtl
-from ..base.configurations import designs
+from ..base.configurations import configuration, designs
 from ..base.errors import EXIT_INTERRUPTED, EXIT_MISMATCH, EXIT_OK, EXIT_TOOL_FAILED, FlowError
 from ..base.tools import ROOT, find_stereo_hls
 from . import overview, record, report
@@ -46,7 +46,7 @@ def select(words: Iterable[str]) -> list[str]:
         chosen += found
     unknown = [name for name in chosen if name not in table]
     if unknown:
-        raise FlowError(f"unknown configuration '{unknown[0]}'; known are: {', '.join(sorted(table))}")
+        configuration(unknown[0], table)  # refuses it
     return list(dict.fromkeys(chosen))
 
 

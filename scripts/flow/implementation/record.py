@@ -92,10 +92,7 @@ def read(directory: Path) -> Record | None:
     content = json_files.load_result(path, FORMAT)
     if content is None:
         return None
-    if not all(isinstance(content.get(key), dict) for key in ("targets", "design")):
-        raise json_files.damaged(path, FORMAT)
-    shell = content.get("shell", {"targets": {}, "design": {}})
-    if not isinstance(shell, dict) or not all(isinstance(shell.get(key), dict) for key in ("targets", "design")):
+    if not json_files.fits(content, Record):
         raise json_files.damaged(path, FORMAT)
     return cast(Record, content)
 

@@ -26,9 +26,17 @@ def _moved(subject: Subject) -> dict[str, int]:
     return {"shift": cast(int, lowest) + MOVED_PX, "expected": MOVED_PX * steps, "tolerance": steps // 2}
 
 
+def _value_bits(subject: Subject) -> int:
+    """Of the disparity alone: a row of the map may have `filled` and the confidence above it."""
+    of_option = {"fill_holes": 1, "confidence": 8}
+    above = sum(bits for name, bits in of_option.items() if option(subject.entry["parameters"], name))
+    return subject.generics["disparity_bits"] - above
+
+
 def text(subject: Subject) -> str:
     sizes = ("width_px", "height_px", "pixels_per_clock", "output_width_px", "disparity_bits")
     constants = {size: subject.generics[size] for size in sizes} | _moved(subject)
+    constants["value_bits"] = _value_bits(subject)
     constants |= {"pixel_bits": subject.pixel_bits, "lane_bits": template.lane_bits(subject.pixel_bits)}
     return fill(
         "tb_stereo.vhd",

@@ -8,7 +8,7 @@ from ..base import committed
 from ..base.errors import FlowError
 from ..base.files import shown
 from ..base.tools import ROOT
-from ..shell import template
+from ..shell import registers, template
 from ..synthesis import manifest
 from . import bench, constraints, fusesoc, ipxact, naming, quartus, software, vivado
 from .fill import fill
@@ -32,6 +32,7 @@ START = {
 
 def of(kit: str, config: str, mhz: float, pads_map: bool = False) -> Files:
     """All files of a kit for the tool `kit`."""
+    registers.require_in_step()
     subject = Subject(config, pads_map)
     if not template.is_fresh(config, manifest.read(committed.folder(config))):
         again = f"scripts/synthesize.py --refresh --config {config}"
@@ -52,7 +53,7 @@ def of(kit: str, config: str, mhz: float, pads_map: bool = False) -> Files:
         Path("manifest.json"): subject.manifest_file.read_text(),
         Path("LICENSE"): (ROOT / "LICENSE").read_text(),
         ORDER: "\n".join(sources) + "\n",
-        Path("README.md"): _readme(kit, subject, bench_file),
+        Path("README.md"): _readme(kit, subject, bench_file, _options(mhz, pads_map)),
     }
     return files | _SCRIPTS[kit](subject, sources, bench_file.as_posix())
 
@@ -79,12 +80,19 @@ _SCRIPTS: dict[str, Callable[[Subject, list[str], str], Files]] = {
 }
 
 
-def _readme(kit: str, subject: Subject, bench_file: Path) -> str:
+def _options(mhz: float, pads_map: bool) -> str:
+    """What of the command is not its default."""
+    given = "" if mhz == constraints.DEFAULT_MHZ else f" --mhz {mhz:g}"
+    return given + (" --pad-map" if pads_map else "")
+
+
+def _readme(kit: str, subject: Subject, bench_file: Path, options: str) -> str:
     return fill(
         "README.md",
         config=subject.config,
         tool=TOOLS[kit],
         kit=kit,
+        options=options,
         top=subject.top,
         start=START[kit].format(top=subject.top),
         tried=TRIED[kit],

@@ -49,7 +49,7 @@ def read(directory: Path, entry: manifest.Manifest) -> Result | None:
     if content is None or content.get("design") != manifest.design(entry):
         return None
     result = content.get("result")
-    if not isinstance(result, dict) or result.keys() != _KEPT.keys():
+    if not json_files.fits(result, Result):
         raise json_files.damaged(path, FORMAT)
     kept: Result = result  # type: ignore[assignment]
     return kept

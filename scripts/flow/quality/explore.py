@@ -143,11 +143,15 @@ def _is_possible(cost: str, switches: tuple[str, ...]) -> bool:
     return "texture" not in switches or "xsobel" in switches
 
 
+def scene_folder(out: Path, seed: int) -> Path:
+    return out / f"scene{seed}"
+
+
 def generated_scenes(number: int, disparities: int, folder: Path) -> list[Pair]:
     """Pairs with truth of both images; `disparities`: the largest range that is explored."""
     pairs = []
     for seed in range(1, number + 1):
-        made = evaluation.scene(seed, disparities, folder / f"scene{seed}")
+        made = evaluation.scene(seed, disparities, scene_folder(folder, seed))
         truths = made["--truth-left"], made["--truth-right"]
         pairs.append(Pair(f"scene {seed}", made["--left"], made["--right"], *truths))
     return pairs

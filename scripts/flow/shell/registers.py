@@ -40,7 +40,7 @@ def description() -> list[Register]:
     try:
         content = json_files.load(DESCRIPTION)
         registers: list[Register] = content["registers"]
-        is_whole = bool(registers) and all(_is_register(one) for one in registers)
+        is_whole = _is_register_map(registers)
     except ValueError as error:
         raise FlowError(f"damaged {files.shown(DESCRIPTION)}: {error}") from None
     except (KeyError, TypeError):
@@ -50,16 +50,15 @@ def description() -> list[Register]:
     return registers
 
 
-def _is_register(one: Any) -> bool:
-    return (
-        all(isinstance(one[key], str) for key in ("name", "access"))
-        and isinstance(one["offset"], int)
-        and all(isinstance(one[key], str) for key in ("text", "family") if key in one)
-        and all(
-            all(isinstance(field[key], kind) for key, kind in Field.__annotations__.items())
-            for field in one.get("fields", [])
-        )
-    )
+def _is_register_map(registers: list[Register]) -> bool:
+    """Whether all is there, and each register of a family has a word of its own."""
+    if not registers or not json_files.fits(registers, list[Register]):
+        return False
+    for family in {PLAIN, *(one["family"] for one in registers if "family" in one)}:
+        offsets = [one["offset"] for one in registers if one.get("family", family) == family]
+        if len(set(offsets)) < len(offsets) or any(offset % 4 or offset < 0 for offset in offsets):
+            return False
+    return True
 
 
 def description_of(family: str) -> list[Register]:
@@ -152,9 +151,15 @@ def table() -> str:
     return "\n".join(rows)
 
 
+def require_in_step() -> None:
+    """Raises FlowError where the VHDL has other addresses than the description."""
+    if not PACKAGE.is_file() or PACKAGE.read_text() != vhdl_package():
+        raise FlowError(f"{files.shown(PACKAGE)} does not follow from {DESCRIPTION.name}; run scripts/registers.py")
+
+
 def made_files() -> dict[Path, str]:
     """{path: text that belongs there}"""
-    files = {PACKAGE: vhdl_package()}
+    made = {PACKAGE: vhdl_package()}
     if DOCUMENT.is_file():
-        files[DOCUMENT] = markdown.replaced(DOCUMENT, TABLE_BEGIN, TABLE_END, table())
-    return files
+        made[DOCUMENT] = markdown.replaced(DOCUMENT, TABLE_BEGIN, TABLE_END, table())
+    return made

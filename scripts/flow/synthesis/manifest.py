@@ -244,6 +244,12 @@ def edit_reasons(directory: Path, reads_vhdl: bool = True) -> list[str]:
     return reasons
 
 
+def require_as_made(directory: Path) -> None:
+    """Raises FlowError where the VHDL of a folder or its manifest was edited."""
+    for reason in edit_reasons(directory, reads_vhdl=False):
+        raise FlowError(f"{directory}: {reason}")
+
+
 class Freshness(NamedTuple):
     """Whether the VHDL of a configuration follows from the sources, and is what was made."""
 

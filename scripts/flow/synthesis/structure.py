@@ -23,7 +23,10 @@ _AS_BITS = re.compile(r"to_stdlogicvector\(to_bitvector\((\w+)\)\)")  # the same
 
 def structure_digest(vhdl: str) -> str:
     """Of the text of one core, as the lowering writes it or as it is presented."""
-    return Structure(expand(vhdl)).digest()
+    try:
+        return Structure(expand(vhdl)).digest()
+    except (ValueError, LookupError) as error:
+        raise FlowError(f"unknown form of VHDL: {error}") from None
 
 
 class Structure:

@@ -79,8 +79,7 @@ def read(system: System) -> Record | None:
     content = json_files.load_result(path(system), FORMAT)
     if content is None:
         return None
-    known = all(isinstance(content.get(key, {}), dict) for key in SECTIONS)
-    if not known or not isinstance(content.get("design"), dict):
+    if not json_files.fits(content, Record):
         raise json_files.damaged(path(system), FORMAT)
     return cast(Record, content) if content["design"] == design(system) else None
 

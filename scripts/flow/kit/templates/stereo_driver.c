@@ -95,7 +95,8 @@ uint32_t stereo_largest(const stereo_device *device, uint32_t offset) { return g
 uint32_t stereo_setting(const stereo_device *device, uint32_t offset) { return get(device, offset) & 0xffffu; }
 
 int stereo_set(const stereo_device *device, uint32_t offset, uint32_t value) {
-   if (value > stereo_largest(device, offset)) return 0;
+   const uint32_t largest = stereo_largest(device, offset);
+   if (largest == 0 || value > largest) return 0; /* 0: this core has no such setting */
    set(device, offset, value);
    return stereo_setting(device, offset) == value;
 }

@@ -51,9 +51,10 @@ uint32_t stereo_broken_frames(const stereo_device *device); /* modulo 2^32 */
 uint32_t stereo_frame_clocks(const stereo_device *device);  /* of the last frame */
 
 /* A setting of the next frames, such as STEREO_LEFT_RIGHT_THRESHOLD_OFFSET; which ones there are is a matter of the
-   family (docs/integration.md), and stereo_registers.h has those of this core. stereo_set: 0 when the value is above
-   stereo_largest, or the core refuses it, as it does what is too small, an image or a penalty (an error then, too); the
-   old one then stays. To change several at once, as width and height of the images, stop before and start behind them. */
+   family (docs/integration.md), and stereo_registers.h has those of this core. stereo_set: 0 when the core has no such
+   setting, when the value is above stereo_largest, or when the core refuses it, as it does what is too small, an image or
+   a penalty (an error then, too); the old one then stays. To change several at once, as width and height of the images,
+   stop before and start behind them. */
 uint32_t stereo_largest(const stereo_device *device, uint32_t offset); /* 0: the core has no such setting */
 uint32_t stereo_setting(const stereo_device *device, uint32_t offset);
 int stereo_set(const stereo_device *device, uint32_t offset, uint32_t value);

@@ -102,7 +102,8 @@ begin
       assert (m_axis_tlast = '1') = (beat mod output_width_px = output_width_px - 1)
         report "end of line is wrong at beat " & to_string(beat) severity failure;
       for lane in 0 to pixels_per_clock - 1 loop
-        shown := to_integer(unsigned(m_axis_tdata(disparity_bits * (lane + 1) - 1 downto disparity_bits * lane)));
+        shown := to_integer(unsigned(
+          m_axis_tdata(disparity_bits * lane + value_bits - 1 downto disparity_bits * lane)));
         if abs (shown - expected) <= tolerance then
           as_expected := as_expected + 1;
         end if;

@@ -206,9 +206,22 @@ def back(concurrent: Sequence[str]) -> tuple[list[str], list[Memory]]:
 
 def _read(body: str) -> Memory:
     _, assignments = body.split("  begin\n", 1)
-    values = {name: " ".join(value.split()) for name, value in _ASSIGNED.findall(assignments)}
+    assigned = [(name, " ".join(value.split())) for name, value in _ASSIGNED.findall(assignments)]
+    values = dict(assigned)
     _, generics, ports = re.split(r"generic map|port map", " ".join(assignments.split()))
-    said = dict(_MAPPED.findall(generics.strip()[1:-1])) | dict(_MAPPED.findall(ports.strip()[1:-2])) | values
+    generic_map, port_map = (_MAPPED.findall(text) for text in (generics.strip()[1:-1], ports.strip()[1:-2]))
+    said = dict(generic_map) | dict(port_map)
+    # `Memory.text` writes the connections that every memory has: they must be these.
+    if (
+        len(values) != len(assigned)
+        or any(said.get(name) != name for name in values)
+        or said.get("clock") != "clock"
+        or [name for name, _ in generic_map] != list(_GENERICS)
+        or {name for name, _ in port_map} != {"clock", *_INPUTS, "read_data"}
+        or len(port_map) != len(_INPUTS) + 2
+    ):
+        raise ValueError("a memory is connected in another way")
+    said |= values
     [said["unit"]] = _UNIT.findall(body)
     return Memory({name: tuple(split(said[name])) for name in _FIELDS})
 
