@@ -28,6 +28,7 @@ class Painter {
    void periodic();
    void constant();
    void opposed();
+   void slopes();
    void ramp();
    void patchwork();
 
@@ -54,7 +55,8 @@ class Painter {
    }
    /// Rectangles of black and white, of any size up to a third of the image.
    void draw_blocks(DeepImage& image) {
-      const int wide = 1 + random_.below(std::min(12, shape_.width)), high = 1 + random_.below(std::min(9, shape_.height));
+      const int wide = 1 + random_.below(std::min(12, shape_.width)),
+                high = 1 + random_.below(std::min(9, shape_.height));
       std::vector<uint16_t> levels;
       const int columns = shape_.width / wide + 1, rows = shape_.height / high + 1;
       for (int i = 0; i < columns * rows; ++i) levels.push_back(either_end());
@@ -70,7 +72,8 @@ void Painter::scene() {
    // Wide enough for a scene of the whole range; the part at random.
    const int disparities = std::clamp(last_disparity() + 1, 2, 256);
    const int width = std::max(shape_.width, disparities + 1);
-   Scene made = make_scene({.width = width, .height = shape_.height, .disparities = disparities, .seed = random_.bits()});
+   Scene made =
+       make_scene({.width = width, .height = shape_.height, .disparities = disparities, .seed = random_.bits()});
    const DeepPair deep = shape_.pixel_bits > 8 ? deepened(made.images, shape_.pixel_bits, random_.bits())
                                                : DeepPair{widened(made.images.left), widened(made.images.right)};
    const int from = random_.below(width - shape_.width + 1);
@@ -113,7 +116,8 @@ void Painter::steps(Jumps jumps) {
       if (jumps == Jumps::anywhere) return any_disparity();
       // Back to an end now and then, else it would be left for long.
       if (random_.percent(20)) now = random_.percent(70) ? last_disparity() : shape_.first_disparity;
-      now = std::clamp(now + (random_.percent(30) ? random_.below(7) - 3 : random_.below(3) - 1), shape_.first_disparity, last_disparity());
+      now = std::clamp(now + (random_.percent(30) ? random_.below(7) - 3 : random_.below(3) - 1),
+                       shape_.first_disparity, last_disparity());
       return now;
    };
    for (int y = 0; y < shape_.height;) {
@@ -158,6 +162,19 @@ void Painter::opposed() {
       const int x = random_.below(shape_.width), y = random_.below(shape_.height);
       pair.right.at(x, y) ^= uint16_t(top_);
    }
+}
+
+void Painter::slopes() {
+   // As steep as the grey levels allow without a jump back to the first one, in images that are not too wide.
+   const auto step = [&](int levels, int length) { return random_.below(std::clamp(levels / length, 1, 8)) + 1; };
+   const int across = step(top_ + 1, shape_.width), left_over = top_ + 1 - across * shape_.width;
+   const int down = random_.percent(30) ? 0 : step(left_over, shape_.height);
+   const bool left_rises = random_.percent(50);
+   fill(pair.left, [&](int x, int y) {
+      const int level = (across * x + down * y) & top_;
+      return uint16_t(left_rises ? level : top_ - level);
+   });
+   fill(pair.right, [&](int x, int y) { return uint16_t(top_ - pair.left.at(x, y)); });
 }
 
 void Painter::ramp() {
@@ -220,6 +237,9 @@ DeepPair stress_pair(StressClass kind, const StressShape& shape, Random& random)
          break;
       case StressClass::opposed:
          painter.opposed();
+         break;
+      case StressClass::slopes:
+         painter.slopes();
          break;
       case StressClass::ramp:
          painter.ramp();

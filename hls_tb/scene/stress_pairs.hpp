@@ -12,24 +12,25 @@ namespace stereo {
 /// What a pair brings, and the faults that need it. "Matched": left(x + d, y) = right(x, y) for some d of the search
 /// range.
 enum class StressClass {
-   scene,        ///< surfaces with texture: most values of every register
-   noise,        ///< all grey levels, unrelated: large costs
-   few_levels,   ///< 2 to 5 levels, far apart or next to each other: ties everywhere
-   blocks,       ///< black and white rectangles, matched, unrelated or inverted: sums at both ends of their range
-   steps,        ///< texture matched at disparities that jump between the first and the last of the range
-   edges,        ///< the same with the jumps from one end of the range to the other, and beyond it
-   stairs,       ///< the same in short steps to neighbours, at both ends of the range
-   periodic,     ///< the same pattern again and again: ties between disparities that lie apart
-   constant,     ///< one level, also black or white, with a few other pixels: no texture
-   opposed,      ///< one image bright where the other is dark: the largest cost in all windows
-   ramp,         ///< slopes that are matched or not: costs that rise and fall by little, subpixel steps
-   patchwork,    ///< rectangles of the other classes
+   scene,       ///< surfaces with texture: most values of every register
+   noise,       ///< all grey levels, unrelated: large costs
+   few_levels,  ///< 2 to 5 levels, far apart or next to each other: ties everywhere
+   blocks,      ///< black and white rectangles, matched, unrelated or inverted: sums at both ends of their range
+   steps,       ///< texture matched at disparities that jump between the first and the last of the range
+   edges,       ///< the same with the jumps from one end of the range to the other, and beyond it
+   stairs,      ///< the same in short steps to neighbours, at both ends of the range
+   periodic,    ///< the same pattern again and again: ties between disparities that lie apart
+   constant,    ///< one level, also black or white, with a few other pixels: no texture
+   opposed,     ///< one image bright where the other is dark: the largest cost in all windows
+   slopes,      ///< one image rises where the other falls: all bits of a census differ, for all costs of all windows
+   ramp,        ///< slopes that are matched or not: costs that rise and fall by little, subpixel steps
+   patchwork,   ///< rectangles of the other classes
 };
 
 inline constexpr std::array kStressClasses{
-    StressClass::scene,   StressClass::noise,    StressClass::few_levels, StressClass::blocks,
-    StressClass::steps,   StressClass::edges,    StressClass::stairs,     StressClass::periodic,
-    StressClass::constant, StressClass::opposed, StressClass::ramp,       StressClass::patchwork,
+    StressClass::scene,  StressClass::noise,  StressClass::few_levels, StressClass::blocks,   StressClass::steps,
+    StressClass::edges,  StressClass::stairs, StressClass::periodic,   StressClass::constant, StressClass::opposed,
+    StressClass::slopes, StressClass::ramp,   StressClass::patchwork,
 };
 
 /// What the pair must fit.

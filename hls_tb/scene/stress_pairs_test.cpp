@@ -101,6 +101,17 @@ TEST(StressPairs, OpposedImagesDifferAllOverByLargeDifferences) {
    EXPECT_GT(largest, kPairs / 4 * 40 * 12) << "a part of them without noise";
 }
 
+TEST(StressPairs, OneImageRisesWhereTheOtherFalls) {
+   for (const DeepPair& pair : pairs(StressClass::slopes, kShape))
+      for (int y = 0; y < kShape.height; ++y)
+         for (int x = 1; x < kShape.width; ++x) {
+            const int left = pair.left.at(x, y) - pair.left.at(x - 1, y);
+            const int right = pair.right.at(x, y) - pair.right.at(x - 1, y);
+            ASSERT_EQ(left, -right);
+            ASSERT_NE(left, 0);
+         }
+}
+
 TEST(StressPairs, FewLevelsAndPeriodsTie) {
    for (const StressClass kind : {StressClass::few_levels, StressClass::periodic, StressClass::constant}) {
       int ties = 0;

@@ -136,8 +136,9 @@ def test_500_frames_of_random_streams_are_exact(system):
 def test_a_record_of_another_design_does_not_count(monkeypatch, tmp_path):
     monkeypatch.setattr(record, "path", lambda system: tmp_path / "record.json")
     now = record.design(TINY)
-    record.keep(TINY, "streams", {"frames": 1}, now)
-    assert record.read(TINY)["streams"] == {"frames": 1}
+    played = {"command": "", "frames": 1, "broken": 0, "exact": 1, "mismatches": 0, "hangs": 0}
+    record.keep(TINY, "streams", played, now)
+    assert record.read(TINY)["streams"] == played
     monkeypatch.setattr(record, "design", lambda system: now | {"hls/rtl/stereo_axis.vhd": "0"})
     assert record.read(TINY) is None
     with pytest.raises(FlowError, match="changed in the meantime"):

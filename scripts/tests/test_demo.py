@@ -125,6 +125,8 @@ def test_demo_of_a_given_pair_crops_and_says_so(ghdl, verilator, tmp_path):
 
 def test_a_tool_that_fails_makes_the_demo_fail(ghdl, tmp_path):
     (tmp_path / "report.html").write_text("of an earlier demo")
+    (tmp_path / "match").mkdir()
+    (tmp_path / "match" / "match.json").write_text("{}")
     process = demo("--config", "tiny", "--out", tmp_path, environment={"GHDL": "/bin/false"})
     assert process.returncode == 4, process.stdout
     assert "demo.sh: stopped with exit code 4 of: ./scripts/cosim.py" in process.stderr

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from flow.base import committed
+from flow.base import committed, places
 from flow.base.configurations import configurations
 from flow.base.tools import find_stereo_hls
 from flow.implementation import figures, results
@@ -283,7 +283,7 @@ def test_an_evaluation_that_fails(tmp_path, answer, code, words):
     options = "--scenes 1 --window 3 --cost sad --switch --range 16 --out".split()
     process = call("explore.py", *options, tmp_path / "out", environment=stand_in(tmp_path, answer))
     refused(process, code, *words)
-    assert not [name for name in os.listdir(tmp_path / "out") if not name.startswith("scene")]
+    assert [name for name in os.listdir(tmp_path / "out") if not name.startswith("scene")] == [places.MARK]
 
 
 # --- the picture ------------------------------------------------------------------------------------------------------

@@ -13,7 +13,8 @@ from flow.quality import explore, given_truth, hardware_cost
 from flow_commands import call, refused
 from test_explore import stand_in
 
-SWEEP = ["--window", 3, "--cost", "sad", "--switch", "--range", 16, "--config", "sgm_450", "--jobs", 1]
+NARROW = ["--window", 3, "--cost", "sad", "--range", 16, "--jobs", 1]
+SWEEP = [*NARROW, "--switch", "--config", "sgm_450"]
 
 
 class Truth:
@@ -96,7 +97,15 @@ def content(out):
 
 def test_a_pair_like_kittis(scene, tmp_path):
     process = call(
-        "explore.py", *pair(scene, right="-"), *SWEEP, "--config", "sgm_450", "tiny_dynamic", "--out", tmp_path
+        "explore.py",
+        *pair(scene, right="-"),
+        *NARROW,
+        "--switch",
+        "--config",
+        "sgm_450",
+        "tiny_dynamic",
+        "--out",
+        tmp_path,
     )
     assert process.returncode == 0, process.stderr
     assert "Only the left images have truth" in process.stdout and "tiny_dynamic is left out" in process.stdout
@@ -116,7 +125,7 @@ def test_what_cannot_be_is_refused_before_anything_runs(scene, tmp_path):
     out = ["--out", tmp_path / "out"]
     for words, says in (
         ([*one, *SWEEP, "--mask", "non_occluded"], "--mask non_occluded: needs the truth of both images"),
-        ([*one, *SWEEP, "--switch", "left"], "--switch left"),
+        ([*one, *NARROW, "--switch", "left"], "--switch left"),
         ([*one, *pair(scene, left="-"), *SWEEP], "left image of every pair, or those of the right"),
         ([*pair(scene, "-", "-"), *SWEEP], "left image of every pair, or those of the right"),
         ([*one, *SWEEP, "--truth-scale", 1, 2], "one for each of the 1 pairs"),

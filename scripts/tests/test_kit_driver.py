@@ -63,7 +63,8 @@ FAULTS = [  # (file, what, instead, what the test says)
     ("stereo_driver.c", "OFFSET, control | ", "OFFSET, (control ^ 1u) | ", "changes enable"),
     ("stereo_driver.c", "return STEREO_NO_ANSWER;", "return STEREO_OK;", "does not end is not noticed"),
     ("stereo_driver.c", "get(device, offset) >> 16", "get(device, offset) >> 8", "the largest value of a setting"),
-    ("stereo_driver.c", "if (value > stereo_largest(device, offset)) return 0;", "", "beyond the limit is taken"),
+    ("stereo_driver.c", " || value > largest", "", "beyond the limit is taken"),
+    ("stereo_driver.c", "largest == 0 || ", "", "a core without a setting takes 0"),
     ("stereo_driver.c", "INTERRUPT_OFFSET, value)", "INTERRUPT_OFFSET, 0)", "not cleared"),
     ("stereo_registers.h", "HEIGHT_PX_SHIFT 16", "HEIGHT_PX_SHIFT 8", "size of the image"),
 ]

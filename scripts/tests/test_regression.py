@@ -14,7 +14,7 @@ import xml.etree.ElementTree as xml
 import pytest
 
 from cover import with_slow
-from flow.base import committed
+from flow.base import committed, places
 from flow.base.errors import FlowError
 from flow.base.farm import Farm
 from flow.base.tools import ROOT, find_stereo_hls
@@ -363,7 +363,7 @@ def test_bad_input_and_missing_tools_leave_a_report(pair, tmp_path, code, left, 
     """None of an earlier run."""
     out = tmp_path / "out"
     out.mkdir()
-    for name in ("report.json", "junit.xml"):
+    for name in ("report.json", "junit.xml", places.MARK):
         (out / name).write_text("of an earlier run")
     refused(cosim("tiny", (left or pair[0], pair[1]), out, environment=environment), code, says)
     error = report(out)["error"]

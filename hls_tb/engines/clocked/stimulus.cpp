@@ -68,6 +68,27 @@ std::vector<uint32_t> random_settings(const SettingList& ports, Random& random) 
    return values;
 }
 
+bool counts_as_the_limit(const Setting& port) {
+   constexpr std::string_view kClamped[] = {"p1",       "p2",        "p2_least",      "above_p1",
+                                            "above_p2", "drop_cost", "occlusion_cost"};
+   return std::ranges::find(kClamped, std::string_view(port.name)) != std::end(kClamped) && port.largest > 0;
+}
+
+void go_beyond_limits(std::vector<uint32_t>& values, const SettingList& ports, Random& random) {
+   for (int i = 0; i < ports.count; ++i) {
+      const Setting& port = ports.setting[i];
+      uint32_t& value = values[std::size_t(i)];
+      if (!counts_as_the_limit(port) || random.percent(50)) continue;
+      const int beyond = (1 << port.bits) - 1 - port.largest;
+      if (int(value) == port.largest && beyond > 0) {
+         // By little, or in the upper bits.
+         value += uint32_t(1 + random.below(random.percent(50) ? std::min(beyond, port.largest + 1) : beyond));
+      } else if (int(value) == port.least && port.least > 0) {
+         value = uint32_t(random.below(port.least));
+      }
+   }
+}
+
 bool has_size_ports(const SettingList& ports) { return held_setting(ports, "image_width") != nullptr; }
 
 Image random_size(const CoreShape& core, Random& random) {
@@ -137,13 +158,14 @@ void set_sizes(Stimulus& stimulus, const std::vector<SizeChange>& sizes) {
 }
 
 void set_random_frames(Stimulus& stimulus, const SettingList& ports, uint64_t seed,
-                       const std::vector<SizeChange>& sizes) {
+                       const std::vector<SizeChange>& sizes, Limits limits) {
    Random random(seed ^ 0x5e77);
    bool first = true;
    const auto next = [&] {
       std::vector<uint32_t> values = random_settings(ports, random);
       if (first)
          for (int i = 0; i < ports.count; ++i) values[std::size_t(i)] = uint32_t(ports.setting[i].start);
+      else if (limits == Limits::exceeded) go_beyond_limits(values, ports, random);
       first = false;
       return values;
    };

@@ -171,6 +171,15 @@ PairOf<Pixel> cropped(const PairOf<Pixel>& pair, int width, int height);
 /// Random settings within their limits; what is held, as the size is, stays what the configuration says.
 std::vector<uint32_t> random_settings(const SettingList& ports, Random& random);
 
+/// Whether the core takes a value beyond the limits of a setting as the limit: of penalties and costs
+/// (docs/integration.md).
+bool counts_as_the_limit(const Setting& port);
+
+enum class Limits { kept, exceeded };
+
+/// Replaces half of the values that are limits by values beyond them, where they count as the limit.
+void go_beyond_limits(std::vector<uint32_t>& values, const SettingList& ports, Random& random);
+
 /// Lets the ports of the size show these from their clocks on, and the configuration's size before.
 void set_sizes(Stimulus& stimulus, const std::vector<SizeChange>& sizes);
 
@@ -197,9 +206,10 @@ void set_frames(Stimulus& stimulus, const SettingList& ports, Random& random, Ne
    set_sizes(stimulus, sizes);
 }
 
-/// The first frame has the settings of the row, the others random ones.
+/// The first frame has the settings of the row, the others random ones; with Limits::exceeded some of them are beyond
+/// the limits.
 void set_random_frames(Stimulus& stimulus, const SettingList& ports, uint64_t seed,
-                       const std::vector<SizeChange>& sizes);
+                       const std::vector<SizeChange>& sizes, Limits limits = Limits::kept);
 
 /// Gives the outputs of a core their places, in the order in which they come.
 class OutputLocator {

@@ -14,7 +14,9 @@ constexpr int kWantedClocks = 25000;  // of a core with short frames; the first 
 constexpr int kRowsBeyondFirst = 2;   // groups of rows of a long frame beyond those that give the first output
 constexpr int kShortLives = 1000;     // clocks of them all
 constexpr int kLeastShortLives = 3;
-constexpr int kLeastWildFrames = 6;        // so that each event comes
+constexpr int kLeastWildFrames = 6;  // so that each event comes
+constexpr int kMostFlushRows = 6;
+constexpr int kResetsWithinAMap = 6;
 constexpr uint64_t kNextSeed = 1'000'003;  // from a stream to the one behind it: no seed that people try next
 
 /// Gives each of some things once before any comes again, in another order each time.
@@ -47,6 +49,7 @@ class Stress {
       // What a reset leaves out shows only before the first start of frame.
       writer_.random_records(1 + random_.below(2 * size_.width_px));
       short_lives();
+      resets_within_a_map();
       tidy_round();
       wild_frames(is_short() ? kWantedClocks : 0);
       frame(StressClass::patchwork);
@@ -145,9 +148,35 @@ class Stress {
    /// take either for the end of the frame go on wrongly.
    void broken_at_row_ends() {
       const int width = size_.width_px, rows = frame_records() / width;
+      starts_in_the_flush();
       first_records(StressClass::patchwork, width * (1 + random_.below(std::max(1, rows - 1))) - 1);
       frame(StressClass::steps);
       first_records(StressClass::patchwork, width * rows - 1 - random_.below(width - 1));
+   }
+
+   /// A whole frame, then some of its flush rows as a frame that is broken off, then the next one: a start in the very
+   /// clock in which a block ends the frame before.
+   void starts_in_the_flush() {
+      if (!is_short()) return;
+      const int width = size_.width_px;
+      const int rows = std::min(kMostFlushRows, (core_.schedule.flush_groups + width - 1) / width);
+      for (int row = 1; row <= rows && row * width < frame_groups(); ++row) {
+         frame(StressClass::noise);
+         first_records(StressClass::noise, row * width);
+      }
+      frame(StressClass::noise);
+   }
+
+   /// A reset in the first rows of a map, then records without a start: what a block still holds would come out.
+   void resets_within_a_map() {
+      if (!is_short()) return;
+      for (int i = 0; i < kResetsWithinAMap; ++i) {
+         reset(any_size());
+         first_records(StressClass::noise, 1 + random_.below(schedule().groups_to_first_output + size_.width_px));
+         reset(size_);
+         writer_.random_records(schedule().groups_to_first_output + 2 * size_.width_px);
+      }
+      reset(core_.image);
    }
 
    enum class Event { reset, at_once, flush, gap, false_start };
@@ -215,7 +244,7 @@ Stimulus one_stream(const std::string& config_name, const CoreShape& core, uint6
    StimulusWriter writer = Stress(core, seed).make();
    Stimulus stimulus{config_name, core.image.pixels_per_clock, std::move(writer.clocks), std::move(writer.resets)};
    stimulus.pixel_bits = core.pixel_bits;
-   set_random_frames(stimulus, core.settings, seed, writer.sizes);
+   set_random_frames(stimulus, core.settings, seed, writer.sizes, Limits::exceeded);
    return stimulus;
 }
 

@@ -126,6 +126,55 @@ TEST(Stress, SettingsAndSizesChangeWithTheFrames) {
    }
 }
 
+TEST(Stress, PenaltiesAndCostsGoBeyondTheirLimitsAndCountAsThese) {
+   for (const char* const name : {"tiny_sgm_settings", "tiny_trellis_settings"}) {
+      const CoreModule& core = core_module(name);
+      const Stimulus made = make_stress_stimulus(core.name, core.shape, test_seed());
+      std::vector<std::size_t> starts;
+      for (std::size_t clock = 0; clock < made.clocks.size(); ++clock)
+         if (made.clocks[clock].valid && made.clocks[clock].start_of_frame) starts.push_back(clock);
+      Stimulus limited = made;
+      int beyond = 0;
+      for (std::size_t change = 0; change < limited.settings.size(); ++change) {
+         if (!std::ranges::binary_search(starts, limited.settings[change].clock)) continue;
+         for (int i = 0; i < made.ports.count; ++i) {
+            const Setting& port = made.ports.setting[i];
+            uint32_t& value = limited.settings[change].values[std::size_t(i)];
+            if (!counts_as_the_limit(port)) continue;
+            const uint32_t limit = uint32_t(std::clamp(int(value), port.least, port.largest));
+            beyond += value != limit;
+            value = limit;
+         }
+      }
+      EXPECT_GT(beyond, 3) << name;
+      const std::vector<CoreOutput> shown = run_core(core, made), expected = run_core(core, limited);
+      ASSERT_EQ(shown.size(), expected.size());
+      for (std::size_t i = 0; i < shown.size(); ++i) ASSERT_EQ(shown[i].disparity, expected[i].disparity) << name;
+   }
+}
+
+TEST(Stress, AFrameStartsInEachRowOfTheFlush) {
+   for (const char* const name : {"tiny", "tiny_sgm"}) {
+      const CoreModule& core = core_module(name);
+      const Stimulus made = make_stress_stimulus(core.name, core.shape, test_seed());
+      const int width = core.shape.image.width_px, frame = width * core.shape.image.row_groups();
+      std::vector<int> lengths;  // of the frames behind whole ones
+      int records = 0;
+      bool was_whole = false;
+      for (std::size_t clock = 0; clock < made.clocks.size(); ++clock) {
+         if (!made.clocks[clock].valid) continue;
+         if (made.clocks[clock].start_of_frame) {
+            if (was_whole) lengths.push_back(records);
+            was_whole = records == frame;
+            records = 0;
+         }
+         ++records;
+      }
+      for (int row = 1; row * width <= core.shape.schedule.flush_groups; ++row)
+         EXPECT_TRUE(std::ranges::find(lengths, row * width) != lengths.end()) << name << ": " << row << " rows";
+   }
+}
+
 TEST(Stress, AnAppendedStreamGivesWhatItGivesAlone) {
    for (const char* const name : {"tiny", "tiny_settings", "tiny_size"}) {
       const CoreModule& core = core_module(name);
