@@ -15,7 +15,7 @@ constexpr int kRowsBeyondFirst = 2;   // groups of rows of a long frame beyond t
 constexpr int kShortLives = 1000;     // clocks of them all
 constexpr int kLeastShortLives = 3;
 constexpr int kLeastWildFrames = 6;  // so that each event comes
-constexpr int kMostFlushRows = 6;
+constexpr int kFlushClocks = 5000;   // for starts within the flush
 constexpr int kResetsWithinAMap = 6;
 constexpr uint64_t kNextSeed = 1'000'003;  // from a stream to the one behind it: no seed that people try next
 
@@ -49,9 +49,9 @@ class Stress {
       // What a reset leaves out shows only before the first start of frame.
       writer_.random_records(1 + random_.below(2 * size_.width_px));
       short_lives();
-      resets_within_a_map();
       tidy_round();
       wild_frames(is_short() ? kWantedClocks : 0);
+      resets_within_a_map();
       frame(StressClass::patchwork);
       if (is_short()) writer_.flush(core_.schedule);
       writer_.drain(core_.schedule);
@@ -159,10 +159,12 @@ class Stress {
    void starts_in_the_flush() {
       if (!is_short()) return;
       const int width = size_.width_px;
-      const int rows = std::min(kMostFlushRows, (core_.schedule.flush_groups + width - 1) / width);
-      for (int row = 1; row <= rows && row * width < frame_groups(); ++row) {
+      const int rows = (core_.schedule.flush_groups + width - 1) / width;
+      const int most = std::max(1, kFlushClocks / (frame_groups() * core_.schedule.clocks_per_group));
+      for (int i = 1; i <= std::min(rows, most); ++i) {
+         const int row = rows <= most ? i : 1 + random_.below(rows);
          frame(StressClass::noise);
-         first_records(StressClass::noise, row * width);
+         first_records(StressClass::noise, std::min(row * width, frame_groups()));
       }
       frame(StressClass::noise);
    }
