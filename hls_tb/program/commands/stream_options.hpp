@@ -12,7 +12,7 @@ namespace stereo::app {
 
 struct StreamArguments {
    bool stress = false;         ///< the stream that is made to find faults; that of the images comes behind it
-   int stress_clocks = 40'000;  ///< at least; two streams of a small core
+   int stress_clocks = 80'000;  ///< at least; three streams of a small core
    std::string left, right;
    std::string rows;  ///< "A:B"; empty for all
    Fit fit = Fit::none;
