@@ -16,7 +16,8 @@ constexpr int kShortLives = 1000;     // clocks of them all
 constexpr int kLeastShortLives = 3;
 constexpr int kLeastWildFrames = 6;  // so that each event comes
 constexpr int kFlushClocks = 5000;   // for starts within the flush
-constexpr int kResetsWithinAMap = 6;
+constexpr int kResetClocks = 4000;  // for resets within a map
+constexpr int kLeastResets = 3;
 constexpr uint64_t kNextSeed = 1'000'003;  // from a stream to the one behind it: no seed that people try next
 
 /// Gives each of some things once before any comes again, in another order each time.
@@ -172,10 +173,12 @@ class Stress {
    /// A reset in the first rows of a map, then records without a start: what a block still holds would come out.
    void resets_within_a_map() {
       if (!is_short()) return;
-      for (int i = 0; i < kResetsWithinAMap; ++i) {
+      const std::size_t end = writer_.clocks.size() + kResetClocks;
+      for (int i = 0; i < kLeastResets || writer_.clocks.size() < end; ++i) {
          reset(any_size());
          first_records(StressClass::noise, 1 + random_.below(schedule().groups_to_first_output + size_.width_px));
-         reset(size_);
+         if (has_size_ports(core_.settings)) reset(size_);
+         else writer_.reset(1);
          writer_.random_records(schedule().groups_to_first_output + 2 * size_.width_px);
       }
       reset(core_.image);
