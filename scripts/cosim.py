@@ -54,8 +54,8 @@ def main() -> int:
         "--stress-clocks",
         type=int,
         metavar="N",
-        help="at least N clocks of the stress stream: streams of other seeds follow each other (default 80000, three of "
-        "a small core)",
+        help="at least N clocks of the stress stream: streams of other seeds follow each other (default 80000, three "
+        "of a small core)",
     )
     parser.add_argument("--expected", type=a_path, help="the expected.txt of your own stimulus.txt")
     parser.add_argument(
