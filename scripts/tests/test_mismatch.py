@@ -352,3 +352,33 @@ def test_a_value_that_is_no_number(tmp_path):
     with open(tmp_path / "cut.vcd", "w", encoding="ascii") as file:
         cut(iter([line.replace("b111 #", "b1U1 #") for line in DUMP]), file.write, 10, 20)
     assert Values(tmp_path / "cut.vcd").at("tb.dut.sum", 12) == "X"
+
+
+class Dump:
+    """As vcd.Values: {register: its values, clock by clock}."""
+
+    def __init__(self, values):
+        self._values = {waveform.CORE + name: seen for name, seen in values.items()}
+        self.names = list(self._values)
+
+    def at(self, name, time):
+        return next(
+            (seen for clock, seen in enumerate(self._values.get(name, ())) if waveform.start_ns(clock) == time), None
+        )
+
+    def bits(self, name):
+        return 8
+
+
+@pytest.mark.parametrize("reset", [(), ("memory", "sum")])
+def test_what_a_memory_gives_before_it_was_written_counts_last(reset):
+    trace = {"in_valid": [1] * 6, "memory": [0, 0, 0, 7, 8, 9], "sum": [1, 2, 3, 4, 5, 6]}
+    shown = {"memory": [0, "X", "X", 7, 8, 9], "sum": [1, 2, 3, 4, 5, 7]}
+
+    def found(values):
+        return registers.Registers(Dump(values), trace, 0, ["memory", "sum"], reset).divergence(0)
+
+    assert str(found(shown)) == "first register that differs: sum, clock 5: 6 in C++, 7 in VHDL"
+    same = {**shown, "sum": trace["sum"]}
+    assert str(found(same)) == "first register that differs: memory, clock 1: 0 in C++, X in VHDL"
+    assert found({**same, "memory": trace["memory"]}) is None

@@ -7,7 +7,8 @@ count:
 - registers whose name is a guess, as they never changed in the trace that gave it (synthesis/lowering/naming);
 - what needs no reset keeps what it held, where the C++ core begins anew: the first clocks, and behind a reset in
   mid-stream all until both agree;
-- of these, counters of rings, which may stand anywhere: they never agree.
+- of these, counters of rings, which may stand anywhere: they never agree;
+- what a memory gives before it was written, X in VHDL: it counts where nothing else differs.
 """
 
 from __future__ import annotations
@@ -74,12 +75,15 @@ class Registers:
             for name in self._shared
         }
 
-    def _first_difference(self, name: str, settled: int, resets: set[int]) -> int | None:
+    def _first_difference(self, name: str, settled: int, resets: set[int], x_counts: bool) -> int | None:
+        def is_left_out(clock: int) -> bool:
+            return not x_counts and self.vhdl(name, clock) == "X"
+
         if name in self._reset:
-            return next((clock for clock in self.clocks if self.differs(name, clock)), None)
+            return next((clock for clock in self.clocks if self.differs(name, clock) and not is_left_out(clock)), None)
         found, agreed, agreed_ever = None, True, False
         for clock in self.clocks[max(settled - self.clocks.start, 0) :]:
-            agreed = agreed and clock not in resets
+            agreed = agreed and clock not in resets and not is_left_out(clock)
             if not self.differs(name, clock):
                 agreed = agreed_ever = True
             elif agreed and found is None:
@@ -93,11 +97,12 @@ class Registers:
         times = {clock: waveform.start_ns(clock) for clock in self.clocks}
         resets = {clock + 1 for clock, time in times.items() if self._values.at(waveform.CORE + "reset", time) == 1}
         steps = [step for step, is_taken in ((True, resets or only_reset), (False, not only_reset)) if is_taken]
-        return next((found for step in steps if (found := self._earliest(settled, resets, step))), None)
+        tries = [(step, x_counts) for x_counts in (False, True) for step in steps]
+        return next((found for one in tries if (found := self._earliest(settled, resets, *one))), None)
 
-    def _earliest(self, settled: int, resets: set[int], only_reset: bool) -> Divergence | None:
+    def _earliest(self, settled: int, resets: set[int], only_reset: bool, x_counts: bool) -> Divergence | None:
         names = [name for name in self.names if name in self._reset or not only_reset]
-        found = {name: self._first_difference(name, settled, resets) for name in names}
+        found = {name: self._first_difference(name, settled, resets, x_counts) for name in names}
         earliest = min((clock for clock in found.values() if clock is not None), default=None)
         if earliest is None:
             return None
