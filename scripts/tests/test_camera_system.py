@@ -137,13 +137,15 @@ def test_a_record_of_another_design_does_not_count(monkeypatch, tmp_path):
     monkeypatch.setattr(record, "path", lambda system: tmp_path / "record.json")
     now = record.design(TINY)
     played = {"command": "", "frames": 1, "broken": 0, "exact": 1, "mismatches": 0, "hangs": 0}
+    seen = {"command": "", "scene": "", "depths": 1, "known": 1, "mismatches": 0, "clocks": 1}
+    seen["latency"] = {"first_clocks": 1, "last_clocks": 1}
     record.keep(TINY, "streams", played, now)
     assert record.read(TINY)["streams"] == played
     monkeypatch.setattr(record, "design", lambda system: now | {"hls/rtl/stereo_axis.vhd": "0"})
     assert record.read(TINY) is None
     with pytest.raises(FlowError, match="changed in the meantime"):
-        record.keep(TINY, "frame", {}, now)
-    record.keep(TINY, "frame", {}, record.design(TINY))
+        record.keep(TINY, "frame", seen, now)
+    record.keep(TINY, "frame", seen, record.design(TINY))
     assert "streams" not in record.read(TINY)
 
 
