@@ -14,6 +14,8 @@ from flow_commands import call
 
 AREA = {
     "luts": 5000,
+    "synthesis": "synth_ecp5",
+    "tools": {"yosys": "Yosys 0.70"},
     "ffs": 4000,
     "memory_bits": 1088,
     "block_rams": 2,

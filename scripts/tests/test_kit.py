@@ -199,9 +199,21 @@ def test_map_padded_to_a_power_of_two(config, bits):
         check_component(padded, config)
         wide = kits.entity_of(padded[top]).ports["m_axis_tdata"][1]
         assert wide == {16: 16, 24: 32, 40: 64}[bits]
-        assert (plain == padded) == (wide == bits)
+        assert " --pad-map`" in padded[Path("README.md")]
+        assert (without_page(plain) == without_page(padded)) == (wide == bits)
         zeros = f"  m_axis_tdata({wide - 1} downto {bits}) <= (others => '0');"
         assert (zeros in padded[top]) == (wide != bits)
+
+
+def without_page(files):
+    return {path: text for path, text in files.items() if path.name != "README.md"}
+
+
+def test_the_page_says_the_command(tmp_path):
+    for options, words in (((), "tiny`"), (("--mhz", 50, "--pad-map"), "tiny --mhz 50 --pad-map`")):
+        call("instantiate.py", "--kit", "vivado", "--config", "tiny", *options, "--out", tmp_path / str(len(options)))
+        text = (tmp_path / str(len(options)) / "README.md").read_text()
+        assert f"Made by `scripts/instantiate.py --kit vivado --config {words}" in text
 
 
 def test_takes_an_empty_folder(tmp_path):

@@ -204,7 +204,7 @@ def test_an_argument_names_a_test_and_holds_for_its_statements_only(tmp_path):
     assert not any(arguments.of(mutant) for mutant in mutants.mutants_of(path))
 
 
-@pytest.mark.parametrize("options", [["--core", "-1"], ["--core", "0", "--shell", "0"], ["--jobs", "0"]])
+@pytest.mark.parametrize("options", [["--core", "-1"], ["--core", "0", "--shell", "0"]])
 def test_bad_options(options):
     refused(call("mutate.py", *options), 2, "must be")
 

@@ -18,6 +18,7 @@ from flow.synthesis import manifest
 from flow_commands import call, refused
 
 AREA = {"ffs": 1500, "memory_bits": 1088, "block_rams": 2, "memory_in_flip_flops": False, "cells": {}}
+AREA |= {"synthesis": "synth_ecp5", "tools": {"yosys": "Yosys 0.70"}}
 ECP5 = {
     **AREA,
     "luts": 1000,

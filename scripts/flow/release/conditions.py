@@ -24,6 +24,7 @@ PAGE_COMMANDS = (
     ("quality.py", "--check"),
     ("post_processing.py", "--check"),
     ("plan.py", "--check"),
+    ("build_example.py", "--check"),
     ("mutate.py", "--check"),
 )
 VHDL_COMMANDS = (("synthesize.py", "--check"),)
