@@ -85,7 +85,15 @@ def test_results_of_an_earlier_run_are_replaced(tmp_path):
 def test_a_folder_of_an_earlier_run_is_emptied(tmp_path):
     folder = places.emptied_folder(tmp_path / "new")
     (folder / "routed").write_text("of the first run")
-    assert [path.name for path in places.emptied_folder(folder).iterdir()] == [places.MARK]
+    assert [path.name for path in places.emptied_folder(folder).iterdir()] == [places.MARK_OF_ALL]
+
+
+def test_a_folder_of_results_beside_files_of_the_user_is_not_emptied(tmp_path):
+    (tmp_path / "mine.txt").write_text("the user's own")
+    places.results_folder(tmp_path, ["report.json"])
+    with pytest.raises(FlowError, match="is not empty"):
+        places.emptied_folder(tmp_path)
+    assert (tmp_path / "mine.txt").is_file()
 
 
 def test_a_link_to_a_folder_of_the_user_is_not_emptied(tmp_path):

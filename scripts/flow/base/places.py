@@ -14,7 +14,8 @@ from pathlib import Path
 from .errors import FlowError
 from .tools import ROOT
 
-MARK = ".stereo_hls_results"  # the file that says that a folder's results are of this project
+# Files that say of a folder: results in it are of this project, beside files of the user; or all of it is.
+MARK, MARK_OF_ALL = ".stereo_hls_results", ".stereo_hls_work"
 
 
 def build_folder() -> Path:
@@ -42,30 +43,31 @@ def _cached(here: Path, named: str) -> Path:
 def results_folder(folder: Path, names: Iterable[str]) -> Path:
     """Makes the folder of a command's results. Raises FlowError where one of the names is there that a command would
     replace and no command has made."""
-    if not _is_ours(folder) and (found := [name for name in names if os.path.lexists(folder / name)]):
+    if not _has(folder, MARK) and (found := [name for name in names if os.path.lexists(folder / name)]):
         raise FlowError(
             f"{folder / found[0]} is no result of an earlier run, and would be replaced: name another folder"
         )
-    return _marked(folder)
+    return _marked(folder, MARK)
 
 
 def emptied_folder(folder: Path) -> Path:
-    """Makes the folder, empty. Raises FlowError where there are files in it that no command has made."""
+    """Makes the folder, empty. Raises FlowError where there are files in it, unless it was empty when it was first
+    given."""
     if folder.is_dir():
-        if not _is_ours(folder) and any(folder.iterdir()):
+        if not _has(folder, MARK_OF_ALL) and any(folder.iterdir()):
             raise FlowError(f"{folder} is not empty, and not of an earlier run: name another folder")
         shutil.rmtree(folder.resolve(), ignore_errors=True)
-    return _marked(folder)
+    return _marked(folder, MARK_OF_ALL)
 
 
-def _is_ours(folder: Path) -> bool:
-    return (folder / MARK).is_file() or folder.resolve().is_relative_to(ROOT / "build")
+def _has(folder: Path, mark: str) -> bool:
+    return (folder / mark).is_file() or folder.resolve().is_relative_to(ROOT / "build")
 
 
-def _marked(folder: Path) -> Path:
+def _marked(folder: Path, mark: str) -> Path:
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        (folder / MARK).touch()
+        (folder / mark).touch()
     except OSError as error:
         raise FlowError(f"cannot create {folder}: {error.strerror}") from None
     return folder
