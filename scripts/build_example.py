@@ -60,15 +60,15 @@ def main() -> int:
     out = options.out or ROOT / "build" / "example" / board.name
     made_of = record.digest(board, config)
     result = build.build(board, config, out.resolve(), options.seed)
-    holds = board.target.holds
+    found, holds = result.figures, board.target.holds
     assert holds is not None
-    print(f"{board.title}, {config}: {result.lut_sites} of {holds.lut_sites} LUT sites")
-    print(f"{result.flip_flops} flip-flops, {result.block_rams} of {holds.block_rams} block RAMs")
-    print(f"{result.fmax_mhz} MHz routed where {board.clock_mhz} are needed")
+    print(f"{board.title}, {config}: {found['lut_sites']} of {holds.lut_sites} LUT sites")
+    print(f"{found['flip_flops']} flip-flops, {found['block_rams']} of {holds.block_rams} block RAMs")
+    print(f"{found['fmax_mhz']} MHz routed where {board.clock_mhz} are needed")
     print(f"bit stream: {files.shown(result.bit_stream)} ({result.bit_stream.stat().st_size} bytes)")
     if options.record:
         record.keep(board, config, result, made_of)
-    return EXIT_OK if result.fmax_mhz >= board.clock_mhz else EXIT_MISMATCH
+    return EXIT_OK if found["fmax_mhz"] >= board.clock_mhz else EXIT_MISMATCH
 
 
 if __name__ == "__main__":

@@ -194,6 +194,14 @@ class Bench:
             await ClockCycles(self.dut.aclk, 20)
             assert self.watch.clock - start < 10 * HANG_CLOCKS, "beats come out without end"
 
+    async def clocks_until_irq(self, level):
+        """Counted from now."""
+        start = self.watch.clock
+        while int(self.dut.irq.value) != level:
+            await FallingEdge(self.dut.aclk)
+            assert self.watch.clock - start < HANG_CLOCKS, f"irq does not become {level}"
+        return self.watch.clock - start
+
     async def reset(self, clocks):
         """Drops what the source still has to send, as its own reset would."""
         self.dut.aresetn.value = 0

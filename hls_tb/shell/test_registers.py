@@ -2,9 +2,9 @@
 """stereo_ip in GHDL under cocotb: registers, alone and while frames run."""
 
 import cocotb
-from cocotb.triggers import ClockCycles, FallingEdge, RisingEdge, with_timeout
+from cocotb.triggers import ClockCycles, RisingEdge, with_timeout
 
-from bench import HANG_CLOCKS, PERIOD_NS, Bench, add_tests
+from bench import PERIOD_NS, Bench, add_tests
 from flow.shell import registers, script
 from flow.shell.broken import beats_of
 from flow.shell.contract import LAST, RESULT_ERROR, START, expect
@@ -74,15 +74,6 @@ async def interrupt_follows_frames_and_errors(dut):
     assert (await bench.read("interrupt"), await level()) == (both, 0)
 
 
-async def clocks_until(bench, level):
-    """Of irq, counted from now."""
-    begin = bench.watch.clock
-    while int(bench.dut.irq.value) != level:
-        await FallingEdge(bench.dut.aclk)
-        assert bench.watch.clock - begin < HANG_CLOCKS, f"irq does not become {level}"
-    return bench.watch.clock - begin
-
-
 async def stays_if_it_happens_while_it_is_cleared(dut, register, field):
     """A bit is cleared some clocks before its event, in the very clock of the event, and behind it. Only the last one
     clears it."""
@@ -102,10 +93,10 @@ async def stays_if_it_happens_while_it_is_cleared(dut, register, field):
     left = []
     for offset in range(-3, 4):
         await begin()
-        to_event = await clocks_until(bench, 1)
+        to_event = await bench.clocks_until_irq(1)
         await bench.quiet()
         clearing = cocotb.start_soon(bench.write(register, clears))
-        to_clear = await clocks_until(bench, 0)
+        to_clear = await bench.clocks_until_irq(0)
         await clearing.join()
         await begin()
         await ClockCycles(dut.aclk, to_event - to_clear + offset)
@@ -115,12 +106,8 @@ async def stays_if_it_happens_while_it_is_cleared(dut, register, field):
     assert left == [1, 1, 1, 1, 0, 0, 0], left
 
 
-add_tests(
-    globals(),
-    "stays",
-    stays_if_it_happens_while_it_is_cleared,
-    [("interrupt", "frame_done"), ("status", "early_start")],
-)
+EVENTS = [("interrupt", "frame_done"), ("status", "early_start")]
+add_tests(globals(), "stays", stays_if_it_happens_while_it_is_cleared, EVENTS)
 
 
 @cocotb.test()

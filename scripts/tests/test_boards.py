@@ -312,9 +312,12 @@ def test_each_board_reaches_its_clock_and_the_page_says_it(board):
 
 def test_a_result_of_another_design_is_none(monkeypatch, tmp_path):
     monkeypatch.setattr(record, "FILE", tmp_path / "measured.json")
-    board, built = BOARDS["icebreaker"], record.Built(1, 2, 3, 4.5, tmp_path)
+    board, built = (
+        BOARDS["icebreaker"],
+        record.Built({"lut_sites": 1, "flip_flops": 2, "block_rams": 3, "fmax_mhz": 4.5}, tmp_path),
+    )
     record.keep(board, "tiny", built, record.digest(board, "tiny"))
-    assert record.read(board, "tiny") == {"lut_sites": 1, "flip_flops": 2, "block_rams": 3, "fmax_mhz": 4.5}
+    assert record.read(board, "tiny") == built.figures
     assert record.read(board, "ambrosch2007_f20") is None
     for change in ({"clock_mhz": 13}, {"constraints": "ulx3s.lpf"}, {"held_high": ("pin",)}, {"leds": 3}):
         assert record.read(dataclasses.replace(board, **change), "tiny") is None

@@ -13,6 +13,7 @@
 #include "definition/disparity_map.hpp"
 #include "definition/gray_image.hpp"
 #include "engines/clocked/core_shape.hpp"
+#include "engines/clocked/random_settings.hpp"
 #include "scene/random.hpp"
 #include "support/ports.hpp"
 
@@ -167,18 +168,6 @@ CoreShape shape_at(CoreShape core, const Image& size);
 /// The left upper part of the images.
 template <class Pixel>
 PairOf<Pixel> cropped(const PairOf<Pixel>& pair, int width, int height);
-
-/// Random settings within their limits; what is held, as the size is, stays what the configuration says.
-std::vector<uint32_t> random_settings(const SettingList& ports, Random& random);
-
-/// Whether the core takes a value beyond the limits of a setting as the limit: of penalties and costs
-/// (docs/integration.md).
-bool counts_as_the_limit(const Setting& port);
-
-enum class Limits { kept, exceeded };
-
-/// Replaces half of the values that are limits by values beyond them, where they count as the limit.
-void go_beyond_limits(std::vector<uint32_t>& values, const SettingList& ports, Random& random);
 
 /// Lets the ports of the size show these from their clocks on, and the configuration's size before.
 void set_sizes(Stimulus& stimulus, const std::vector<SizeChange>& sizes);

@@ -17,7 +17,7 @@ from ..shell import board_vhdl
 from ..synthesis import manifest
 from ..synthesis.presentation import scalars
 from .boards import Board
-from .record import SEED, Built
+from .record import SEED, Built, Figures
 
 
 def build(board: Board, config: str, work: Path, seed: int = SEED, say: Say = print) -> Built:
@@ -72,13 +72,13 @@ def _read(family: RoutedFamily, work: Path, bit_stream: Path) -> Built:
     try:
         report: dict[str, Any] = json.loads((work / "report.json").read_text())
         cells = json.loads((work / "netlist.json").read_text())["modules"][board_vhdl.TOP]["cells"].values()
-        return Built(
-            family.lut_sites(report["utilization"]),
-            sum(cell["type"].startswith(family.ffs) for cell in cells),
-            sum(cell["type"].startswith(family.block_rams) for cell in cells),
-            nextpnr.fmax_mhz(report),
-            bit_stream,
-        )
+        figures: Figures = {
+            "lut_sites": family.lut_sites(report["utilization"]),
+            "flip_flops": sum(cell["type"].startswith(family.ffs) for cell in cells),
+            "block_rams": sum(cell["type"].startswith(family.block_rams) for cell in cells),
+            "fmax_mhz": nextpnr.fmax_mhz(report),
+        }
+        return Built(figures, bit_stream)
     except (OSError, ValueError, KeyError, StopIteration) as error:
         raise FlowError(
             f"nextpnr wrote no usable report ({error}); see {work / 'nextpnr.log'}", EXIT_TOOL_FAILED

@@ -7,7 +7,7 @@ from __future__ import annotations
 import hashlib
 import json
 from pathlib import Path
-from typing import Any, NamedTuple, TypedDict, get_type_hints
+from typing import Any, NamedTuple, TypedDict
 
 from ..base import committed, files, json_files
 from ..base.errors import EXIT_MISMATCH, FlowError
@@ -22,30 +22,22 @@ BEGIN, END = "<!-- area and clock: made by scripts/build_example.py --page -->",
 SEED = 1  # of place and route
 
 
+class Figures(TypedDict):
+    lut_sites: int
+    flip_flops: int
+    block_rams: int
+    fmax_mhz: float
+
+
 class Built(NamedTuple):
     """What was made."""
 
-    lut_sites: int
-    flip_flops: int
-    block_rams: int
-    fmax_mhz: float
+    figures: Figures
     bit_stream: Path
-
-
-class Figures(TypedDict):
-    """What is kept of it."""
-
-    lut_sites: int
-    flip_flops: int
-    block_rams: int
-    fmax_mhz: float
 
 
 class Kept(Figures):
     design: str  # digest
-
-
-_KEPT = get_type_hints(Figures)
 
 
 def digest(board: Board, config: str) -> str:
@@ -78,11 +70,10 @@ def _load() -> dict[str, Any]:
 def read(board: Board, config: str) -> Figures | None:
     """None where there is no record, or one of another design."""
     entry = _load().get(board.name, {}).get(config)
-    if entry is None:
+    if entry is None or entry["design"] != digest(board, config):
         return None
-    if entry["design"] != digest(board, config):
-        return None
-    kept: Figures = {name: entry[name] for name in _KEPT}  # type: ignore[assignment]
+    entry.pop("design")
+    kept: Figures = entry
     return kept
 
 
@@ -92,7 +83,7 @@ def keep(board: Board, config: str, built: Built, made_of: str) -> None:
         raise FlowError(f"the design of {board.name} changed in the meantime; nothing recorded", EXIT_MISMATCH)
     builds = _load()
     of_board = builds.setdefault(board.name, {})
-    of_board[config] = {**{name: getattr(built, name) for name in _KEPT}, "design": made_of}
+    of_board[config] = {**built.figures, "design": made_of}
     content = {"format": FORMAT, "builds": builds}
     files.write(FILE, json.dumps(content, indent=2, sort_keys=True) + "\n")
 

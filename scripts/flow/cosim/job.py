@@ -155,7 +155,7 @@ def run_job(job: Job) -> Report:
     written, too."""
     if job.out is None and not re.fullmatch(r"\w+", job.config):
         configuration(job.config, designs())  # no name of a folder
-    out = _folder(job)
+    out = results_folder(job.out_directory(), RESULTS)
     with locks.exclusive(out):
         for stale in OF_LAST_RUN:
             (out / stale).unlink(missing_ok=True)
@@ -301,11 +301,6 @@ def _vhdl_files(job: Job, parameters: Parameters) -> tuple[list[Path], list[str]
     for reason in manifest.edit_reasons(folder):
         raise FlowError(f"{folder}: {reason}; --allow-edited takes it, for experiments")
     return made, []
-
-
-def _folder(job: Job) -> Path:
-    """For the results."""
-    return results_folder(job.out_directory(), RESULTS)
 
 
 def _simulation(job: Job, design: list[Path], parameters: Parameters) -> CoreSimulation:
