@@ -22,16 +22,19 @@ def tools(ghdl):
     need("verilator", "VERILATOR")
 
 
-def shows_the_same(config, changes, work):
-    """`changes`: {pattern of a line: what stands there instead}."""
+RESET = "      if reset = '1' then\n"
+
+
+def shows_the_same(config, changes, work, at_reset=False):
+    """`changes`: {pattern of a line: what stands there instead}; `at_reset`: only in what a reset sets."""
     *others, file = scalars.files(manifest.core_files(config))
-    text = file.read_text()
+    before, reset, text = file.read_text().partition(RESET) if at_reset else ("", "", file.read_text())
     for pattern, new in changes.items():
         text, count = re.subn(rf"(?m)^( +){pattern}$", rf"\1{new}", text)
         assert count, pattern
     work.mkdir()
     changed = work / file.name
-    changed.write_text(text)
+    changed.write_text(before + reset + text)
     core = judges.Core(config)
     simulator = CoreSimulation(
         SIMULATORS["verilator"], config, [*others, changed], work / "core", core.lanes, core.bits, kind=core.kind
@@ -70,3 +73,84 @@ def test_a_pixel_that_is_not_held_back_as_long_as_the_others_shows(tmp_path):
     assert not shows_the_same(
         "tiny", {r"delay_ring_read_address <= 1;": "delay_ring_read_address <= 2;"}, tmp_path / "one"
     )
+
+
+@pytest.mark.parametrize(
+    "config, register", [("tiny_sgm", "entry_next_tag|slice0window_tag"), ("tiny_trellis", r"slice0_tag_\d+")]
+)
+def test_a_column_in_the_clock_of_a_reset_changes_nothing(config, register, tmp_path):
+    change = {rf"({register})_valid <= false;": r"\2_valid <= true;"}
+    assert shows_the_same(config, change, tmp_path / "one", at_reset=True)
+
+
+@pytest.mark.parametrize("config", ["tiny_sgm", "tiny_trellis"])
+def test_a_row_that_begins_with_a_reset_counts_as_none(config, tmp_path):
+    begun = "slice0window_centre_map_column_0 <= true;"
+    assert shows_the_same(config, {begun.replace("true", "false"): begun}, tmp_path / "one", at_reset=True)
+
+
+def test_rows_that_count_show(tmp_path):
+    counts = {rf"(entry_order_{flag}) <= false;": r"\2 <= true;" for flag in ("complete", "output")}
+    assert not shows_the_same("tiny_sgm", counts, tmp_path / "one", at_reset=True)
+
+
+def test_records_before_a_start_may_have_any_column(tmp_path):
+    change = {r"raster_place_column <= 0;": "raster_place_column <= 20;"}
+    assert shows_the_same("tiny_trellis", change, tmp_path / "one", at_reset=True)
+
+
+INSIDE = r"(delay_row_inside_{}) <= .*;"
+
+
+def test_rows_beside_the_map_may_have_any_cost(tmp_path):
+    assert shows_the_same("tiny_sgm", {INSIDE.format(1): r"\2 <= true;"}, tmp_path / "one")
+
+
+def test_other_rows_beside_the_image_may_not(tmp_path):
+    assert not shows_the_same("tiny_sgm", {INSIDE.format(2): r"\2 <= true;"}, tmp_path / "one")
+
+
+@pytest.mark.parametrize("config", ["tiny_sgm", "tiny_trellis"])
+def test_the_first_row_may_be_turned_downward(config, tmp_path):
+    change = {r"(\w*order_falls) <= false;": r"\2 <= true;"}
+    assert shows_the_same(config, change, tmp_path / "one", at_reset=True)
+
+
+@pytest.mark.parametrize("config", ["tiny_sgm", "tiny_trellis"])
+def test_the_first_place_that_is_written_may_be_any(config, tmp_path):
+    change = {r"(\w*turn_write_place) <= 0;": r"\2 <= 11;"}
+    assert shows_the_same(config, change, tmp_path / "one", at_reset=True)
+
+
+FALLS = r"(forward_path_{}_value) := .*;"
+
+
+def test_the_last_state_never_falls(tmp_path):
+    assert shows_the_same("tiny_trellis", {FALLS.format(11): r"\2 := false;"}, tmp_path / "one")
+
+
+def test_the_state_below_falls(tmp_path):
+    assert not shows_the_same("tiny_trellis", {FALLS.format(10): r"\2 := false;"}, tmp_path / "one")
+
+
+FAR_OFF = r"forward_{}_\d+ <= 128;"
+
+
+def test_what_a_row_leaves_loses_against_the_next_one(tmp_path):
+    assert shows_the_same("tiny_trellis", {FAR_OFF.format("occluding"): "null;"}, tmp_path / "one")
+
+
+def test_how_a_row_has_fallen_does_not(tmp_path):
+    assert not shows_the_same("tiny_trellis", {FAR_OFF.format("dropped"): "null;"}, tmp_path / "one")
+
+
+FAR = r"(forward_far_\d+_any) := .*;"
+
+
+def test_the_column_before_a_row_may_fall_anyhow(tmp_path):
+    value = "entry_tag_valid or (not forward_next_first)"
+    assert shows_the_same("tiny_trellis", {FAR: rf"\2 := {value};"}, tmp_path / "one")
+
+
+def test_other_columns_may_not_fall_anyhow(tmp_path):
+    assert not shows_the_same("tiny_trellis", {FAR: r"\2 := false;"}, tmp_path / "one")

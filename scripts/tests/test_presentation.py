@@ -11,7 +11,7 @@ from flow.base import committed
 from flow.base.errors import FlowError
 from flow.synthesis import manifest
 from flow.synthesis.lowering.vhdl_text import type_of
-from flow.synthesis.presentation import arrays, bits, loops, scalars, tree
+from flow.synthesis.presentation import arrays, bits, comparisons, loops, scalars, tree
 from flow.synthesis.presentation.present import expand, present
 from flow.synthesis.presentation.words import joined, split
 from flow.synthesis.structure import structure_digest
@@ -40,7 +40,7 @@ def test_committed(name):
     """It is presented as it is now done, and stands for the design that was made."""
     text = text_of(name)
     scalar = expand(text)
-    assert not re.search(rf"\bloop\b| is array |\b{bits.NAME}\b", scalar)
+    assert not re.search(rf"\bloop\b| is array |\b({bits.NAME}|{comparisons.NAME})\b", scalar)
     assert present(scalar) == text == present(text)
     assert structure_digest(scalar) == manifest.read(committed.folder(name))["structure"]
 
@@ -57,6 +57,8 @@ CHANGES = {
     "an index": r"\(\w [+-] (\d+)",
     "an index outside a loop": r"\w\((\d+)\) <=",
     "a bit": r"is_set\([^()]*(?:\([^()]*\))?, (\d+)\)",
+    "the first bit of a comparison": r"is_larger\([^;]*, (\d+), \d+, ",
+    "the last bit": r"is_larger\([^;]*, \d+, (\d+), ",
     "the bounds of an array": r"_\dd\(\d+ to (\d+)",
     "the type of elements": r"array \(natural range <>\) of natural range 0 to (\d+)",
     "the function for bits": r"/ (2) \*\* place",
@@ -139,11 +141,14 @@ def test_arrays_have_no_holes_and_one_type():
     names = {f"a_{x}_{y}": byte for x in range(3) for y in range(4)} | {"a_3_0": flag, "b_1": byte, "b_3": byte}
     names |= {f"c_{x}_sum": byte if x < 2 else flag for x in range(4)} | {"c_sum": byte, "d_01": byte, "d_02": byte}
     names |= {"other": byte} | {f"other_{x}": byte for x in range(3)}
+    names |= {f"e_{x}_{y}": byte for x in (0, 2, 4) for y in (3, 6)} | {"f_1": byte, "f_3": byte, "f_5": byte}
     found = {(one.name, one.pattern, one.kind[0], one.ranges) for one in arrays.found_in(names, set(names))}
     assert found == {
         ("a", "a_#_#", byte[0], ((0, 2), (0, 3))),
         ("c_sums", "c_#_sum", byte[0], ((0, 1),)),
         ("c_sums_from_2", "c_#_sum", flag[0], ((2, 3),)),
+        ("e_3", "e_2#_3", byte[0], ((0, 2),)),
+        ("e_6", "e_2#_6", byte[0], ((0, 2),)),
         ("others_from_0", "other_#", byte[0], ((0, 2),)),  # `others` is a word of VHDL
     }
 

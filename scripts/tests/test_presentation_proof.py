@@ -13,8 +13,8 @@ from flow.synthesis import manifest
 from flow.synthesis.presentation.present import expand, present
 
 FAST = ["tiny"]
-# The last two have arrays with places for more.
-CASES = ["tiny", "tiny_p2", "tiny_f2", "tiny_sgm_f5_forward"]
+# Arrays with places for more: from the third on; comparisons in steps: of numbers, from false and from true, of words.
+CASES = ["tiny", "tiny_p2", "tiny_f2", "tiny_sgm_f5_forward", "tiny_median", "tiny_sgm_f6_relief_rows"]
 
 
 @pytest.fixture(scope="module", autouse=True)

@@ -113,6 +113,16 @@ architecture rtl of stereo_core_census_450_dense is
     return a or b;
   end function;
 
+  -- whether a > b, of bits `low` to `high`; of equal ones, `before`: bit by bit, as the tool has split it
+  function is_larger(a : natural; b : natural; low : natural; high : natural; before : boolean) return boolean is
+    variable is_not : boolean := not before;
+  begin
+    for place in low to high loop
+      is_not := carry(is_not, not is_set(a, place), is_set(b, place));
+    end loop;
+    return not is_not;
+  end function;
+
   function choice(test : boolean; yes : boolean; no : boolean) return boolean is
   begin
     if test then
@@ -198,20 +208,15 @@ architecture rtl of stereo_core_census_450_dense is
   signal transform_left_filter_column, transform_right_filter_column : natural_255_2d(0 to 8, 0 to 4);
   signal transform_valid, transform_counter_next_frame : boolean;
   signal transform_read_row_inside : boolean_1d(0 to 4);
-  signal transform_read_column_inside_0, transform_read_column_inside_2, transform_read_column_inside_4 : boolean;
-  signal transform_read_column_inside_6, transform_read_column_inside_8, transform_read_start_of_frame : boolean;
-  signal transform_read_valid : boolean;
+  signal transform_read_column_inside : boolean_1d(0 to 4);  -- transform_read_column_inside_2#
+  signal transform_read_start_of_frame, transform_read_valid : boolean;
   signal transform_ready_row_inside : boolean_1d(0 to 4);
-  signal transform_ready_column_inside_0, transform_ready_column_inside_2, transform_ready_column_inside_4 : boolean;
-  signal transform_ready_column_inside_6, transform_ready_column_inside_8, transform_ready_start_of_frame : boolean;
-  signal transform_ready_valid : boolean;
+  signal transform_ready_column_inside : boolean_1d(0 to 4);  -- transform_ready_column_inside_2#
+  signal transform_ready_start_of_frame, transform_ready_valid : boolean;
   signal transform_columns_row_inside : boolean_1d(0 to 4);
-  signal transform_columns_column_inside_0, transform_columns_column_inside_2 : boolean;
-  signal transform_columns_column_inside_4, transform_columns_column_inside_6 : boolean;
-  signal transform_columns_column_inside_8, transform_columns_start_of_frame, transform_columns_valid : boolean;
-  signal transform_filtering_0_column_inside_0, transform_filtering_0_column_inside_2 : boolean;
-  signal transform_filtering_0_column_inside_4, transform_filtering_0_column_inside_6 : boolean;
-  signal transform_filtering_0_column_inside_8 : boolean;
+  signal transform_columns_column_inside : boolean_1d(0 to 4);  -- transform_columns_column_inside_2#
+  signal transform_columns_start_of_frame, transform_columns_valid : boolean;
+  signal transform_filtering_0_column_inside : boolean_1d(0 to 4);  -- transform_filtering_0_column_inside_2#
   signal transform_filtering_start_of_frame : boolean_1d(0 to 1);  -- transform_filtering_#_start_of_frame
   signal transform_filtering_valid : boolean_1d(0 to 1);  -- transform_filtering_#_valid
   signal transform_counter_column, transform_counter_group, transform_read_column : natural range 0 to 511;
@@ -287,8 +292,8 @@ architecture rtl of stereo_core_census_450_dense is
   signal slice0winner1_best_late_cost_0 : natural_2047_1d(0 to 7);
   signal slice0winner1_best_but_first_0 : natural_2047_1d(1 to 7);
   signal slice0winner1_best_but_last_0 : natural_2047_1d(0 to 7);
-  signal slice0winner1_best_index_0_0, slice0winner1_best_place_0_2, slice0winner1_best_place_0_4 : boolean;
-  signal slice0winner1_best_place_0_6 : boolean;
+  signal slice0winner1_best_index_0_0 : boolean;
+  signal slice0winner1_best_place_0 : boolean_1d(1 to 3);  -- slice0winner1_best_place_0_2#
   signal slice0winner1_tag : tag_6;
   signal slice0winner1_best_index_0 : natural_15_1d(1 to 7);  -- slice0winner1_best_index_0_# up to 3, 5 .. 15
   -- slice0winner2
@@ -360,8 +365,8 @@ architecture rtl of stereo_core_census_450_dense is
   signal slice1winner1_best_cost_0, slice1winner1_best_below_0, slice1winner1_best_above_0 : natural_2047_1d(0 to 7);
   signal slice1winner1_best_late_cost_0, slice1winner1_best_but_first_0 : natural_2047_1d(0 to 7);
   signal slice1winner1_best_but_last_0 : natural_2047_1d(0 to 7);
-  signal slice1winner1_best_index_0_0, slice1winner1_best_place_0_2, slice1winner1_best_place_0_4 : boolean;
-  signal slice1winner1_best_place_0_6 : boolean;
+  signal slice1winner1_best_index_0_0 : boolean;
+  signal slice1winner1_best_place_0 : boolean_1d(1 to 3);  -- slice1winner1_best_place_0_2#
   signal slice1winner1_best_index_0 : natural_15_1d(1 to 7);  -- slice1winner1_best_index_0_# up to 3, 5 .. 15
   -- slice1winner2
   signal slice1winner2_best_cost_0, slice1winner2_best_below_0, slice1winner2_best_above_0 : natural_2047_1d(0 to 3);
@@ -425,8 +430,8 @@ architecture rtl of stereo_core_census_450_dense is
   signal slice2winner1_best_cost_0, slice2winner1_best_below_0, slice2winner1_best_above_0 : natural_2047_1d(0 to 7);
   signal slice2winner1_best_late_cost_0, slice2winner1_best_but_first_0 : natural_2047_1d(0 to 7);
   signal slice2winner1_best_but_last_0 : natural_2047_1d(0 to 6);
-  signal slice2winner1_best_index_0_0, slice2winner1_best_place_0_2, slice2winner1_best_place_0_4 : boolean;
-  signal slice2winner1_best_place_0_6 : boolean;
+  signal slice2winner1_best_index_0_0 : boolean;
+  signal slice2winner1_best_place_0 : boolean_1d(1 to 3);  -- slice2winner1_best_place_0_2#
   signal slice2winner1_best_index_0 : natural_15_1d(1 to 7);  -- slice2winner1_best_index_0_# up to 3, 5 .. 15
   -- slice2winner2
   signal slice2winner2_best_cost_0, slice2winner2_best_below_0, slice2winner2_best_above_0 : natural_2047_1d(0 to 3);
@@ -911,11 +916,11 @@ begin
     variable transform_read_column_inside_0_is_less : boolean;
     variable transform_left_filter_feature_0_values : boolean_1d(1 to 11);  -- transform_left_filter_feature_0_value_#
     variable transform_left_filter_feature_0_any : boolean;
-    variable transform_left_filter_feature_0_choices : boolean_1d(1 to 193);  -- transform_left_filter_feature_0_choice_#
+    variable transform_left_filter_feature_0_choice : boolean_1d(7 to 193);
     variable transform_left_filter_feature_0_is_equal : boolean;
     variable transform_right_filter_feature_0_values : boolean_1d(1 to 11);  -- transform_right_filter_feature_0_value_#
     variable transform_right_filter_feature_0_any : boolean;
-    variable transform_right_filter_feature_0_choices : boolean_1d(1 to 193);  -- transform_right_filter_feature_0_choice_#
+    variable transform_right_filter_feature_0_choice : boolean_1d(7 to 193);
     variable transform_right_filter_feature_0_is_equal : boolean;
     variable transform_counter_next_frame_choices : boolean_1d(1 to 2);  -- transform_counter_next_frame_choice_#
     variable raster_place_group_is_equal, delay_tag_map_column_is_less, delay_tag_first_column_is_equal : boolean;
@@ -1065,6 +1070,8 @@ begin
   begin
     if rising_edge(clock) then
       -- no bit without a value, where an array has places for more
+      transform_left_filter_feature_0_choice := (others => false);
+      transform_right_filter_feature_0_choice := (others => false);
       slice0cost_pixels_first_0_count_value := (others => (others => (others => false)));
       slice1cost_pixels_first_0_count_value := (others => (others => (others => false)));
       slice2cost_pixels_first_0_count_value := (others => (others => (others => false)));
@@ -1084,458 +1091,193 @@ begin
       transform_left_filter_feature_0_values(1) := is_set(transform_left_filter_column(4, 2), 1);
       transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_values(1)) or (not
         is_set(transform_left_filter_column(4, 2), 0));
-      transform_left_filter_feature_0_choices(1) := choice(is_set(transform_left_filter_column(0, 1), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
       transform_left_filter_feature_0_is_equal := (transform_left_filter_column(4, 2) mod 4) = 0;
-      transform_left_filter_feature_0_choices(2) := choice(is_set(transform_left_filter_column(0, 1), 1),
-        transform_left_filter_feature_0_choices(1), is_set(transform_left_filter_column(0, 1), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_values(2) := is_set(transform_left_filter_column(4, 2), 2);
-      transform_left_filter_feature_0_choices(3) := inverted_carry(transform_left_filter_feature_0_choices(2), not
-        is_set(transform_left_filter_column(0, 1), 2), transform_left_filter_feature_0_values(2));
-      for i in 3 to 6 loop
+      for i in 2 to 6 loop
         transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(4, 2), i);
-        transform_left_filter_feature_0_choices(i + 1) := carry(transform_left_filter_feature_0_choices(i), not
-          is_set(transform_left_filter_column(0, 1), i), transform_left_filter_feature_0_values(i));
       end loop;
-      transform_left_filter_feature_0_choices(8) := choice(transform_left_filter_feature_0_choices(7),
-        transform_filtering_0_column_inside_0 and is_set(transform_left_filter_column(0, 1), 7) and (not
-        is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_0_column_inside_0 and
-        (is_set(transform_left_filter_column(0, 1), 7) or (not is_set(transform_left_filter_column(4, 2), 7))));
-      transform_left_filter_feature_0_choices(9) := choice(is_set(transform_left_filter_column(0, 3), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(10) := choice(is_set(transform_left_filter_column(0, 3), 1),
-        transform_left_filter_feature_0_choices(9), is_set(transform_left_filter_column(0, 3), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(11) := inverted_carry(transform_left_filter_feature_0_choices(10), not
-        is_set(transform_left_filter_column(0, 3), 2), transform_left_filter_feature_0_values(2));
-      for i in 12 to 15 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column(0, 3), i - 9), transform_left_filter_feature_0_values(i - 9));
+      for i in 0 to 1 loop
+        transform_left_filter_feature_0_choice(8 * i + 7) := not is_larger(transform_left_filter_column(0, 2 * i + 1),
+          transform_left_filter_column(4, 2), 0, 6, false);
+        transform_left_filter_feature_0_choice(8 * i + 8) := choice(transform_left_filter_feature_0_choice(8 * i + 7),
+          transform_filtering_0_column_inside(0) and is_set(transform_left_filter_column(0, 2 * i + 1), 7) and (not
+          is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_0_column_inside(0) and
+          (is_set(transform_left_filter_column(0, 2 * i + 1), 7) or (not is_set(transform_left_filter_column(4, 2),
+          7))));
       end loop;
-      transform_left_filter_feature_0_choices(16) := choice(transform_left_filter_feature_0_choices(15),
-        transform_filtering_0_column_inside_0 and is_set(transform_left_filter_column(0, 3), 7) and (not
-        is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_0_column_inside_0 and
-        (is_set(transform_left_filter_column(0, 3), 7) or (not is_set(transform_left_filter_column(4, 2), 7))));
-      transform_left_filter_feature_0_choices(17) := choice(is_set(transform_left_filter_column(0, 0), 0),
+      transform_left_filter_feature_0_choice(17) := choice(is_set(transform_left_filter_column(0, 0), 0),
         (transform_left_filter_column(4, 2) mod 4) = 3, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(18) := choice(is_set(transform_left_filter_column(0, 0), 1),
-        transform_left_filter_feature_0_choices(17), (not is_set(transform_left_filter_column(0, 0), 0)) or
+      transform_left_filter_feature_0_choice(18) := choice(is_set(transform_left_filter_column(0, 0), 1),
+        transform_left_filter_feature_0_choice(17), (not is_set(transform_left_filter_column(0, 0), 0)) or
         transform_left_filter_feature_0_values(1) or is_set(transform_left_filter_column(4, 2), 0));
       transform_left_filter_feature_0_values(7) := is_set(transform_left_filter_column(0, 0), 2);
-      transform_left_filter_feature_0_choices(19) := inverted_carry(transform_left_filter_feature_0_choices(18),
+      transform_left_filter_feature_0_choice(19) := inverted_carry(transform_left_filter_feature_0_choice(18),
         transform_left_filter_feature_0_values(7), not transform_left_filter_feature_0_values(2));
       for i in 8 to 11 loop
         transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(0, 0), i - 5);
-        transform_left_filter_feature_0_choices(i + 12) := carry(transform_left_filter_feature_0_choices(i + 11),
+        transform_left_filter_feature_0_choice(i + 12) := carry(transform_left_filter_feature_0_choice(i + 11),
           transform_left_filter_feature_0_values(i), not transform_left_filter_feature_0_values(i - 5));
       end loop;
-      transform_left_filter_feature_0_choices(24) := choice(is_set(transform_left_filter_column(0, 0), 7),
-        transform_filtering_0_column_inside_0, transform_filtering_0_column_inside_0 and (not
+      transform_left_filter_feature_0_choice(24) := choice(is_set(transform_left_filter_column(0, 0), 7),
+        transform_filtering_0_column_inside(0), transform_filtering_0_column_inside(0) and (not
         is_set(transform_left_filter_column(4, 2), 7)));
-      transform_left_filter_feature_0_choices(25) := choice(transform_left_filter_feature_0_choices(23),
-        transform_left_filter_feature_0_choices(24), is_set(transform_left_filter_column(0, 0), 7) and
-        transform_filtering_0_column_inside_0 and (not is_set(transform_left_filter_column(4, 2), 7)));
+      transform_left_filter_feature_0_choice(25) := choice(transform_left_filter_feature_0_choice(23),
+        transform_left_filter_feature_0_choice(24), is_set(transform_left_filter_column(0, 0), 7) and
+        transform_filtering_0_column_inside(0) and (not is_set(transform_left_filter_column(4, 2), 7)));
       for i in 0 to 1 loop
-        transform_left_filter_feature_0_choices(8 * i + 26) := choice(is_set(transform_left_filter_column(0, 2 * i +
-          2), 0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(8 * i + 27) := choice(is_set(transform_left_filter_column(0, 2 * i +
-          2), 1), transform_left_filter_feature_0_choices(8 * i + 26), is_set(transform_left_filter_column(0, 2 * i +
-          2), 0) and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(8 * i + 28) := inverted_carry(transform_left_filter_feature_0_choices(8
-          * i + 27), not is_set(transform_left_filter_column(0, 2 * i + 2), 2),
-          transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(8 * i + j + 26) := carry(transform_left_filter_feature_0_choices(8 *
-            i + j + 25), not is_set(transform_left_filter_column(0, 2 * i + 2), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(8 * i + 33) := choice(transform_left_filter_feature_0_choices(8 * i +
-          32), transform_filtering_0_column_inside_0 and is_set(transform_left_filter_column(0, 2 * i + 2), 7) and (not
-          is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_0_column_inside_0 and
-          (is_set(transform_left_filter_column(0, 2 * i + 2), 7) or (not is_set(transform_left_filter_column(4, 2),
+        transform_left_filter_feature_0_choice(72 * i + 32) := not is_larger(transform_left_filter_column(4 * i, 2 -
+          i), transform_left_filter_column(4, 2), 0, 6, false);
+        transform_left_filter_feature_0_choice(72 * i + 33) := choice(transform_left_filter_feature_0_choice(72 * i +
+          32), transform_filtering_0_column_inside(2 * i) and is_set(transform_left_filter_column(4 * i, 2 - i), 7) and
+          (not is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_0_column_inside(2 * i) and
+          (is_set(transform_left_filter_column(4 * i, 2 - i), 7) or (not is_set(transform_left_filter_column(4, 2),
           7))));
-      end loop;
-      for i in 0 to 1 loop
-        transform_left_filter_feature_0_choices(8 * i + 42) := choice(is_set(transform_left_filter_column(2, 3 - 2 *
-          i), 0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(8 * i + 43) := choice(is_set(transform_left_filter_column(2, 3 - 2 *
-          i), 1), transform_left_filter_feature_0_choices(8 * i + 42), is_set(transform_left_filter_column(2, 3 - 2 *
-          i), 0) and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(8 * i + 44) := inverted_carry(transform_left_filter_feature_0_choices(8
-          * i + 43), not is_set(transform_left_filter_column(2, 3 - 2 * i), 2),
-          transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(8 * i + j + 42) := carry(transform_left_filter_feature_0_choices(8 *
-            i + j + 41), not is_set(transform_left_filter_column(2, 3 - 2 * i), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(8 * i + 49) := choice(transform_left_filter_feature_0_choices(8 * i +
-          48), transform_filtering_0_column_inside_2 and is_set(transform_left_filter_column(2, 3 - 2 * i), 7) and (not
-          is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_0_column_inside_2 and
-          (is_set(transform_left_filter_column(2, 3 - 2 * i), 7) or (not is_set(transform_left_filter_column(4, 2),
+        transform_left_filter_feature_0_choice(72 * i + 40) := not is_larger(transform_left_filter_column(4 * i, 4),
+          transform_left_filter_column(4, 2), 0, 6, false);
+        transform_left_filter_feature_0_choice(72 * i + 41) := choice(transform_left_filter_feature_0_choice(72 * i +
+          40), transform_filtering_0_column_inside(2 * i) and is_set(transform_left_filter_column(4 * i, 4), 7) and
+          (not is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_0_column_inside(2 * i) and
+          (is_set(transform_left_filter_column(4 * i, 4), 7) or (not is_set(transform_left_filter_column(4, 2), 7))));
+        transform_left_filter_feature_0_choice(72 * i + 48) := not is_larger(transform_left_filter_column(4 * i + 2,
+          3), transform_left_filter_column(4, 2), 0, 6, false);
+        transform_left_filter_feature_0_choice(72 * i + 49) := choice(transform_left_filter_feature_0_choice(72 * i +
+          48), transform_filtering_0_column_inside(2 * i + 1) and is_set(transform_left_filter_column(4 * i + 2, 3), 7)
+          and (not is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_0_column_inside(2 * i + 1) and
+          (is_set(transform_left_filter_column(4 * i + 2, 3), 7) or (not is_set(transform_left_filter_column(4, 2),
           7))));
-      end loop;
-      for i in 0 to 2 loop
-        transform_left_filter_feature_0_choices(8 * i + 58) := choice(is_set(transform_left_filter_column(2, 2 * i),
-          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(8 * i + 59) := choice(is_set(transform_left_filter_column(2, 2 * i),
-          1), transform_left_filter_feature_0_choices(8 * i + 58), is_set(transform_left_filter_column(2, 2 * i), 0)
-          and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(8 * i + 60) := inverted_carry(transform_left_filter_feature_0_choices(8
-          * i + 59), not is_set(transform_left_filter_column(2, 2 * i), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(8 * i + j + 58) := carry(transform_left_filter_feature_0_choices(8 *
-            i + j + 57), not is_set(transform_left_filter_column(2, 2 * i), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(8 * i + 65) := choice(transform_left_filter_feature_0_choices(8 * i +
-          64), transform_filtering_0_column_inside_2 and is_set(transform_left_filter_column(2, 2 * i), 7) and (not
-          is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_0_column_inside_2 and
-          (is_set(transform_left_filter_column(2, 2 * i), 7) or (not is_set(transform_left_filter_column(4, 2), 7))));
-      end loop;
-      for i in 0 to 1 loop
-        transform_left_filter_feature_0_choices(16 * i + 82) := choice(is_set(transform_left_filter_column(4, 3 - 2 *
-          i), 0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(16 * i + 83) := choice(is_set(transform_left_filter_column(4, 3 - 2 *
-          i), 1), transform_left_filter_feature_0_choices(16 * i + 82), is_set(transform_left_filter_column(4, 3 - 2 *
-          i), 0) and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(16 * i + 84) :=
-          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 83), not
-          is_set(transform_left_filter_column(4, 3 - 2 * i), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(16 * i + j + 82) := carry(transform_left_filter_feature_0_choices(16
-            * i + j + 81), not is_set(transform_left_filter_column(4, 3 - 2 * i), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(16 * i + 89) := choice(transform_left_filter_feature_0_choices(16 * i +
-          88), transform_filtering_0_column_inside_4 and is_set(transform_left_filter_column(4, 3 - 2 * i), 7) and (not
-          is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_0_column_inside_4 and
-          (is_set(transform_left_filter_column(4, 3 - 2 * i), 7) or (not is_set(transform_left_filter_column(4, 2),
+        transform_left_filter_feature_0_choice(72 * i + 56) := not is_larger(transform_left_filter_column(4 * i + 2,
+          1), transform_left_filter_column(4, 2), 0, 6, false);
+        transform_left_filter_feature_0_choice(72 * i + 57) := choice(transform_left_filter_feature_0_choice(72 * i +
+          56), transform_filtering_0_column_inside(2 * i + 1) and is_set(transform_left_filter_column(4 * i + 2, 1), 7)
+          and (not is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_0_column_inside(2 * i + 1) and
+          (is_set(transform_left_filter_column(4 * i + 2, 1), 7) or (not is_set(transform_left_filter_column(4, 2),
           7))));
-        transform_left_filter_feature_0_choices(16 * i + 90) := choice(is_set(transform_left_filter_column(4, 4 * i),
-          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(16 * i + 91) := choice(is_set(transform_left_filter_column(4, 4 * i),
-          1), transform_left_filter_feature_0_choices(16 * i + 90), is_set(transform_left_filter_column(4, 4 * i), 0)
-          and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(16 * i + 92) :=
-          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 91), not
-          is_set(transform_left_filter_column(4, 4 * i), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(16 * i + j + 90) := carry(transform_left_filter_feature_0_choices(16
-            * i + j + 89), not is_set(transform_left_filter_column(4, 4 * i), j),
-            transform_left_filter_feature_0_values(j));
+        for j in 0 to 2 loop
+          transform_left_filter_feature_0_choice(72 * i + 8 * j + 64) := not is_larger(transform_left_filter_column(4 *
+            i + 2, 2 * j), transform_left_filter_column(4, 2), 0, 6, false);
+          transform_left_filter_feature_0_choice(72 * i + 8 * j + 65) :=
+            choice(transform_left_filter_feature_0_choice(72 * i + 8 * j + 64), transform_filtering_0_column_inside(2 *
+            i + 1) and is_set(transform_left_filter_column(4 * i + 2, 2 * j), 7) and (not
+            is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_0_column_inside(2 * i + 1) and
+            (is_set(transform_left_filter_column(4 * i + 2, 2 * j), 7) or (not is_set(transform_left_filter_column(4,
+            2), 7))));
         end loop;
-        transform_left_filter_feature_0_choices(16 * i + 97) := choice(transform_left_filter_feature_0_choices(16 * i +
-          96), transform_filtering_0_column_inside_4 and is_set(transform_left_filter_column(4, 4 * i), 7) and (not
-          is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_0_column_inside_4 and
-          (is_set(transform_left_filter_column(4, 4 * i), 7) or (not is_set(transform_left_filter_column(4, 2), 7))));
-      end loop;
-      for i in 0 to 1 loop
-        transform_left_filter_feature_0_choices(8 * i + 114) := choice(is_set(transform_left_filter_column(6, 3 - 2 *
-          i), 0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(8 * i + 115) := choice(is_set(transform_left_filter_column(6, 3 - 2 *
-          i), 1), transform_left_filter_feature_0_choices(8 * i + 114), is_set(transform_left_filter_column(6, 3 - 2 *
-          i), 0) and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(8 * i + 116) :=
-          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 115), not
-          is_set(transform_left_filter_column(6, 3 - 2 * i), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(8 * i + j + 114) := carry(transform_left_filter_feature_0_choices(8 *
-            i + j + 113), not is_set(transform_left_filter_column(6, 3 - 2 * i), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(8 * i + 121) := choice(transform_left_filter_feature_0_choices(8 * i +
-          120), transform_filtering_0_column_inside_6 and is_set(transform_left_filter_column(6, 3 - 2 * i), 7) and
-          (not is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_0_column_inside_6 and
-          (is_set(transform_left_filter_column(6, 3 - 2 * i), 7) or (not is_set(transform_left_filter_column(4, 2),
+        transform_left_filter_feature_0_choice(72 * i + 88) := not is_larger(transform_left_filter_column(4 * i + 4,
+          3), transform_left_filter_column(4, 2), 0, 6, false);
+        transform_left_filter_feature_0_choice(72 * i + 89) := choice(transform_left_filter_feature_0_choice(72 * i +
+          88), transform_filtering_0_column_inside(2 * i + 2) and is_set(transform_left_filter_column(4 * i + 4, 3), 7)
+          and (not is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_0_column_inside(2 * i + 2) and
+          (is_set(transform_left_filter_column(4 * i + 4, 3), 7) or (not is_set(transform_left_filter_column(4, 2),
+          7))));
+        transform_left_filter_feature_0_choice(72 * i + 96) := not is_larger(transform_left_filter_column(4 * i + 4,
+          i), transform_left_filter_column(4, 2), 0, 6, false);
+        transform_left_filter_feature_0_choice(72 * i + 97) := choice(transform_left_filter_feature_0_choice(72 * i +
+          96), transform_filtering_0_column_inside(2 * i + 2) and is_set(transform_left_filter_column(4 * i + 4, i), 7)
+          and (not is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_0_column_inside(2 * i + 2) and
+          (is_set(transform_left_filter_column(4 * i + 4, i), 7) or (not is_set(transform_left_filter_column(4, 2),
           7))));
       end loop;
       for i in 0 to 2 loop
-        transform_left_filter_feature_0_choices(8 * i + 130) := choice(is_set(transform_left_filter_column(6, 2 * i),
-          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(8 * i + 131) := choice(is_set(transform_left_filter_column(6, 2 * i),
-          1), transform_left_filter_feature_0_choices(8 * i + 130), is_set(transform_left_filter_column(6, 2 * i), 0)
-          and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(8 * i + 132) :=
-          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 131), not
-          is_set(transform_left_filter_column(6, 2 * i), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(8 * i + j + 130) := carry(transform_left_filter_feature_0_choices(8 *
-            i + j + 129), not is_set(transform_left_filter_column(6, 2 * i), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(8 * i + 137) := choice(transform_left_filter_feature_0_choices(8 * i +
-          136), transform_filtering_0_column_inside_6 and is_set(transform_left_filter_column(6, 2 * i), 7) and (not
-          is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_0_column_inside_6 and
-          (is_set(transform_left_filter_column(6, 2 * i), 7) or (not is_set(transform_left_filter_column(4, 2), 7))));
-      end loop;
-      for i in 0 to 1 loop
-        transform_left_filter_feature_0_choices(8 * i + 154) := choice(is_set(transform_left_filter_column(8, 3 - 2 *
-          i), 0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(8 * i + 155) := choice(is_set(transform_left_filter_column(8, 3 - 2 *
-          i), 1), transform_left_filter_feature_0_choices(8 * i + 154), is_set(transform_left_filter_column(8, 3 - 2 *
-          i), 0) and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(8 * i + 156) :=
-          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 155), not
-          is_set(transform_left_filter_column(8, 3 - 2 * i), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(8 * i + j + 154) := carry(transform_left_filter_feature_0_choices(8 *
-            i + j + 153), not is_set(transform_left_filter_column(8, 3 - 2 * i), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(8 * i + 161) := choice(transform_left_filter_feature_0_choices(8 * i +
-          160), transform_filtering_0_column_inside_8 and is_set(transform_left_filter_column(8, 3 - 2 * i), 7) and
-          (not is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_0_column_inside_8 and
-          (is_set(transform_left_filter_column(8, 3 - 2 * i), 7) or (not is_set(transform_left_filter_column(4, 2),
-          7))));
-      end loop;
-      for i in 0 to 2 loop
-        transform_left_filter_feature_0_choices(8 * i + 170) := choice(is_set(transform_left_filter_column(8, 2 * i),
-          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(8 * i + 171) := choice(is_set(transform_left_filter_column(8, 2 * i),
-          1), transform_left_filter_feature_0_choices(8 * i + 170), is_set(transform_left_filter_column(8, 2 * i), 0)
-          and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(8 * i + 172) :=
-          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 171), not
-          is_set(transform_left_filter_column(8, 2 * i), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(8 * i + j + 170) := carry(transform_left_filter_feature_0_choices(8 *
-            i + j + 169), not is_set(transform_left_filter_column(8, 2 * i), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(8 * i + 177) := choice(transform_left_filter_feature_0_choices(8 * i +
-          176), transform_filtering_0_column_inside_8 and is_set(transform_left_filter_column(8, 2 * i), 7) and (not
-          is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_0_column_inside_8 and
+        transform_left_filter_feature_0_choice(8 * i + 176) := not is_larger(transform_left_filter_column(8, 2 * i),
+          transform_left_filter_column(4, 2), 0, 6, false);
+        transform_left_filter_feature_0_choice(8 * i + 177) := choice(transform_left_filter_feature_0_choice(8 * i +
+          176), transform_filtering_0_column_inside(4) and is_set(transform_left_filter_column(8, 2 * i), 7) and (not
+          is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_0_column_inside(4) and
           (is_set(transform_left_filter_column(8, 2 * i), 7) or (not is_set(transform_left_filter_column(4, 2), 7))));
       end loop;
       transform_right_filter_feature_0_values(1) := is_set(transform_right_filter_column(4, 2), 1);
       transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_values(1)) or (not
         is_set(transform_right_filter_column(4, 2), 0));
-      transform_right_filter_feature_0_choices(1) := choice(is_set(transform_right_filter_column(0, 1), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
       transform_right_filter_feature_0_is_equal := (transform_right_filter_column(4, 2) mod 4) = 0;
-      transform_right_filter_feature_0_choices(2) := choice(is_set(transform_right_filter_column(0, 1), 1),
-        transform_right_filter_feature_0_choices(1), is_set(transform_right_filter_column(0, 1), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_values(2) := is_set(transform_right_filter_column(4, 2), 2);
-      transform_right_filter_feature_0_choices(3) := inverted_carry(transform_right_filter_feature_0_choices(2), not
-        is_set(transform_right_filter_column(0, 1), 2), transform_right_filter_feature_0_values(2));
-      for i in 3 to 6 loop
+      for i in 2 to 6 loop
         transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(4, 2), i);
-        transform_right_filter_feature_0_choices(i + 1) := carry(transform_right_filter_feature_0_choices(i), not
-          is_set(transform_right_filter_column(0, 1), i), transform_right_filter_feature_0_values(i));
       end loop;
-      transform_right_filter_feature_0_choices(8) := choice(transform_right_filter_feature_0_choices(7),
-        transform_filtering_0_column_inside_0 and is_set(transform_right_filter_column(0, 1), 7) and (not
-        is_set(transform_right_filter_column(4, 2), 7)), transform_filtering_0_column_inside_0 and
-        (is_set(transform_right_filter_column(0, 1), 7) or (not is_set(transform_right_filter_column(4, 2), 7))));
-      transform_right_filter_feature_0_choices(9) := choice(is_set(transform_right_filter_column(0, 3), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(10) := choice(is_set(transform_right_filter_column(0, 3), 1),
-        transform_right_filter_feature_0_choices(9), is_set(transform_right_filter_column(0, 3), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(11) := inverted_carry(transform_right_filter_feature_0_choices(10), not
-        is_set(transform_right_filter_column(0, 3), 2), transform_right_filter_feature_0_values(2));
-      for i in 12 to 15 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column(0, 3), i - 9), transform_right_filter_feature_0_values(i - 9));
+      for i in 0 to 1 loop
+        transform_right_filter_feature_0_choice(8 * i + 7) := not is_larger(transform_right_filter_column(0, 2 * i +
+          1), transform_right_filter_column(4, 2), 0, 6, false);
+        transform_right_filter_feature_0_choice(8 * i + 8) := choice(transform_right_filter_feature_0_choice(8 * i +
+          7), transform_filtering_0_column_inside(0) and is_set(transform_right_filter_column(0, 2 * i + 1), 7) and
+          (not is_set(transform_right_filter_column(4, 2), 7)), transform_filtering_0_column_inside(0) and
+          (is_set(transform_right_filter_column(0, 2 * i + 1), 7) or (not is_set(transform_right_filter_column(4, 2),
+          7))));
       end loop;
-      transform_right_filter_feature_0_choices(16) := choice(transform_right_filter_feature_0_choices(15),
-        transform_filtering_0_column_inside_0 and is_set(transform_right_filter_column(0, 3), 7) and (not
-        is_set(transform_right_filter_column(4, 2), 7)), transform_filtering_0_column_inside_0 and
-        (is_set(transform_right_filter_column(0, 3), 7) or (not is_set(transform_right_filter_column(4, 2), 7))));
-      transform_right_filter_feature_0_choices(17) := choice(is_set(transform_right_filter_column(0, 0), 0),
+      transform_right_filter_feature_0_choice(17) := choice(is_set(transform_right_filter_column(0, 0), 0),
         (transform_right_filter_column(4, 2) mod 4) = 3, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(18) := choice(is_set(transform_right_filter_column(0, 0), 1),
-        transform_right_filter_feature_0_choices(17), (not is_set(transform_right_filter_column(0, 0), 0)) or
+      transform_right_filter_feature_0_choice(18) := choice(is_set(transform_right_filter_column(0, 0), 1),
+        transform_right_filter_feature_0_choice(17), (not is_set(transform_right_filter_column(0, 0), 0)) or
         transform_right_filter_feature_0_values(1) or is_set(transform_right_filter_column(4, 2), 0));
       transform_right_filter_feature_0_values(7) := is_set(transform_right_filter_column(0, 0), 2);
-      transform_right_filter_feature_0_choices(19) := inverted_carry(transform_right_filter_feature_0_choices(18),
+      transform_right_filter_feature_0_choice(19) := inverted_carry(transform_right_filter_feature_0_choice(18),
         transform_right_filter_feature_0_values(7), not transform_right_filter_feature_0_values(2));
       for i in 8 to 11 loop
         transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(0, 0), i - 5);
-        transform_right_filter_feature_0_choices(i + 12) := carry(transform_right_filter_feature_0_choices(i + 11),
+        transform_right_filter_feature_0_choice(i + 12) := carry(transform_right_filter_feature_0_choice(i + 11),
           transform_right_filter_feature_0_values(i), not transform_right_filter_feature_0_values(i - 5));
       end loop;
-      transform_right_filter_feature_0_choices(24) := choice(is_set(transform_right_filter_column(0, 0), 7),
-        transform_filtering_0_column_inside_0, transform_filtering_0_column_inside_0 and (not
+      transform_right_filter_feature_0_choice(24) := choice(is_set(transform_right_filter_column(0, 0), 7),
+        transform_filtering_0_column_inside(0), transform_filtering_0_column_inside(0) and (not
         is_set(transform_right_filter_column(4, 2), 7)));
-      transform_right_filter_feature_0_choices(25) := choice(transform_right_filter_feature_0_choices(23),
-        transform_right_filter_feature_0_choices(24), is_set(transform_right_filter_column(0, 0), 7) and
-        transform_filtering_0_column_inside_0 and (not is_set(transform_right_filter_column(4, 2), 7)));
+      transform_right_filter_feature_0_choice(25) := choice(transform_right_filter_feature_0_choice(23),
+        transform_right_filter_feature_0_choice(24), is_set(transform_right_filter_column(0, 0), 7) and
+        transform_filtering_0_column_inside(0) and (not is_set(transform_right_filter_column(4, 2), 7)));
       for i in 0 to 1 loop
-        transform_right_filter_feature_0_choices(8 * i + 26) := choice(is_set(transform_right_filter_column(0, 2 * i +
-          2), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(8 * i + 27) := choice(is_set(transform_right_filter_column(0, 2 * i +
-          2), 1), transform_right_filter_feature_0_choices(8 * i + 26), is_set(transform_right_filter_column(0, 2 * i +
-          2), 0) and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(8 * i + 28) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 27), not
-          is_set(transform_right_filter_column(0, 2 * i + 2), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(8 * i + j + 26) := carry(transform_right_filter_feature_0_choices(8
-            * i + j + 25), not is_set(transform_right_filter_column(0, 2 * i + 2), j),
-            transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(8 * i + 33) := choice(transform_right_filter_feature_0_choices(8 * i +
-          32), transform_filtering_0_column_inside_0 and is_set(transform_right_filter_column(0, 2 * i + 2), 7) and
-          (not is_set(transform_right_filter_column(4, 2), 7)), transform_filtering_0_column_inside_0 and
-          (is_set(transform_right_filter_column(0, 2 * i + 2), 7) or (not is_set(transform_right_filter_column(4, 2),
+        transform_right_filter_feature_0_choice(72 * i + 32) := not is_larger(transform_right_filter_column(4 * i, 2 -
+          i), transform_right_filter_column(4, 2), 0, 6, false);
+        transform_right_filter_feature_0_choice(72 * i + 33) := choice(transform_right_filter_feature_0_choice(72 * i +
+          32), transform_filtering_0_column_inside(2 * i) and is_set(transform_right_filter_column(4 * i, 2 - i), 7)
+          and (not is_set(transform_right_filter_column(4, 2), 7)), transform_filtering_0_column_inside(2 * i) and
+          (is_set(transform_right_filter_column(4 * i, 2 - i), 7) or (not is_set(transform_right_filter_column(4, 2),
           7))));
-      end loop;
-      for i in 0 to 1 loop
-        transform_right_filter_feature_0_choices(8 * i + 42) := choice(is_set(transform_right_filter_column(2, 3 - 2 *
-          i), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(8 * i + 43) := choice(is_set(transform_right_filter_column(2, 3 - 2 *
-          i), 1), transform_right_filter_feature_0_choices(8 * i + 42), is_set(transform_right_filter_column(2, 3 - 2 *
-          i), 0) and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(8 * i + 44) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 43), not
-          is_set(transform_right_filter_column(2, 3 - 2 * i), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(8 * i + j + 42) := carry(transform_right_filter_feature_0_choices(8
-            * i + j + 41), not is_set(transform_right_filter_column(2, 3 - 2 * i), j),
-            transform_right_filter_feature_0_values(j));
+        transform_right_filter_feature_0_choice(72 * i + 40) := not is_larger(transform_right_filter_column(4 * i, 4),
+          transform_right_filter_column(4, 2), 0, 6, false);
+        transform_right_filter_feature_0_choice(72 * i + 41) := choice(transform_right_filter_feature_0_choice(72 * i +
+          40), transform_filtering_0_column_inside(2 * i) and is_set(transform_right_filter_column(4 * i, 4), 7) and
+          (not is_set(transform_right_filter_column(4, 2), 7)), transform_filtering_0_column_inside(2 * i) and
+          (is_set(transform_right_filter_column(4 * i, 4), 7) or (not is_set(transform_right_filter_column(4, 2), 7))));
+        transform_right_filter_feature_0_choice(72 * i + 48) := not is_larger(transform_right_filter_column(4 * i + 2,
+          3), transform_right_filter_column(4, 2), 0, 6, false);
+        transform_right_filter_feature_0_choice(72 * i + 49) := choice(transform_right_filter_feature_0_choice(72 * i +
+          48), transform_filtering_0_column_inside(2 * i + 1) and is_set(transform_right_filter_column(4 * i + 2, 3),
+          7) and (not is_set(transform_right_filter_column(4, 2), 7)), transform_filtering_0_column_inside(2 * i + 1)
+          and (is_set(transform_right_filter_column(4 * i + 2, 3), 7) or (not is_set(transform_right_filter_column(4,
+          2), 7))));
+        transform_right_filter_feature_0_choice(72 * i + 56) := not is_larger(transform_right_filter_column(4 * i + 2,
+          1), transform_right_filter_column(4, 2), 0, 6, false);
+        transform_right_filter_feature_0_choice(72 * i + 57) := choice(transform_right_filter_feature_0_choice(72 * i +
+          56), transform_filtering_0_column_inside(2 * i + 1) and is_set(transform_right_filter_column(4 * i + 2, 1),
+          7) and (not is_set(transform_right_filter_column(4, 2), 7)), transform_filtering_0_column_inside(2 * i + 1)
+          and (is_set(transform_right_filter_column(4 * i + 2, 1), 7) or (not is_set(transform_right_filter_column(4,
+          2), 7))));
+        for j in 0 to 2 loop
+          transform_right_filter_feature_0_choice(72 * i + 8 * j + 64) := not is_larger(transform_right_filter_column(4
+            * i + 2, 2 * j), transform_right_filter_column(4, 2), 0, 6, false);
+          transform_right_filter_feature_0_choice(72 * i + 8 * j + 65) :=
+            choice(transform_right_filter_feature_0_choice(72 * i + 8 * j + 64), transform_filtering_0_column_inside(2
+            * i + 1) and is_set(transform_right_filter_column(4 * i + 2, 2 * j), 7) and (not
+            is_set(transform_right_filter_column(4, 2), 7)), transform_filtering_0_column_inside(2 * i + 1) and
+            (is_set(transform_right_filter_column(4 * i + 2, 2 * j), 7) or (not is_set(transform_right_filter_column(4,
+            2), 7))));
         end loop;
-        transform_right_filter_feature_0_choices(8 * i + 49) := choice(transform_right_filter_feature_0_choices(8 * i +
-          48), transform_filtering_0_column_inside_2 and is_set(transform_right_filter_column(2, 3 - 2 * i), 7) and
-          (not is_set(transform_right_filter_column(4, 2), 7)), transform_filtering_0_column_inside_2 and
-          (is_set(transform_right_filter_column(2, 3 - 2 * i), 7) or (not is_set(transform_right_filter_column(4, 2),
-          7))));
+        transform_right_filter_feature_0_choice(72 * i + 88) := not is_larger(transform_right_filter_column(4 * i + 4,
+          3), transform_right_filter_column(4, 2), 0, 6, false);
+        transform_right_filter_feature_0_choice(72 * i + 89) := choice(transform_right_filter_feature_0_choice(72 * i +
+          88), transform_filtering_0_column_inside(2 * i + 2) and is_set(transform_right_filter_column(4 * i + 4, 3),
+          7) and (not is_set(transform_right_filter_column(4, 2), 7)), transform_filtering_0_column_inside(2 * i + 2)
+          and (is_set(transform_right_filter_column(4 * i + 4, 3), 7) or (not is_set(transform_right_filter_column(4,
+          2), 7))));
+        transform_right_filter_feature_0_choice(72 * i + 96) := not is_larger(transform_right_filter_column(4 * i + 4,
+          i), transform_right_filter_column(4, 2), 0, 6, false);
+        transform_right_filter_feature_0_choice(72 * i + 97) := choice(transform_right_filter_feature_0_choice(72 * i +
+          96), transform_filtering_0_column_inside(2 * i + 2) and is_set(transform_right_filter_column(4 * i + 4, i),
+          7) and (not is_set(transform_right_filter_column(4, 2), 7)), transform_filtering_0_column_inside(2 * i + 2)
+          and (is_set(transform_right_filter_column(4 * i + 4, i), 7) or (not is_set(transform_right_filter_column(4,
+          2), 7))));
       end loop;
       for i in 0 to 2 loop
-        transform_right_filter_feature_0_choices(8 * i + 58) := choice(is_set(transform_right_filter_column(2, 2 * i),
-          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(8 * i + 59) := choice(is_set(transform_right_filter_column(2, 2 * i),
-          1), transform_right_filter_feature_0_choices(8 * i + 58), is_set(transform_right_filter_column(2, 2 * i), 0)
-          and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(8 * i + 60) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 59), not
-          is_set(transform_right_filter_column(2, 2 * i), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(8 * i + j + 58) := carry(transform_right_filter_feature_0_choices(8
-            * i + j + 57), not is_set(transform_right_filter_column(2, 2 * i), j),
-            transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(8 * i + 65) := choice(transform_right_filter_feature_0_choices(8 * i +
-          64), transform_filtering_0_column_inside_2 and is_set(transform_right_filter_column(2, 2 * i), 7) and (not
-          is_set(transform_right_filter_column(4, 2), 7)), transform_filtering_0_column_inside_2 and
-          (is_set(transform_right_filter_column(2, 2 * i), 7) or (not is_set(transform_right_filter_column(4, 2), 7))));
-      end loop;
-      for i in 0 to 1 loop
-        transform_right_filter_feature_0_choices(16 * i + 82) := choice(is_set(transform_right_filter_column(4, 3 - 2 *
-          i), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(16 * i + 83) := choice(is_set(transform_right_filter_column(4, 3 - 2 *
-          i), 1), transform_right_filter_feature_0_choices(16 * i + 82), is_set(transform_right_filter_column(4, 3 - 2
-          * i), 0) and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(16 * i + 84) :=
-          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 83), not
-          is_set(transform_right_filter_column(4, 3 - 2 * i), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(16 * i + j + 82) :=
-            carry(transform_right_filter_feature_0_choices(16 * i + j + 81), not
-            is_set(transform_right_filter_column(4, 3 - 2 * i), j), transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(16 * i + 89) := choice(transform_right_filter_feature_0_choices(16 * i
-          + 88), transform_filtering_0_column_inside_4 and is_set(transform_right_filter_column(4, 3 - 2 * i), 7) and
-          (not is_set(transform_right_filter_column(4, 2), 7)), transform_filtering_0_column_inside_4 and
-          (is_set(transform_right_filter_column(4, 3 - 2 * i), 7) or (not is_set(transform_right_filter_column(4, 2),
-          7))));
-        transform_right_filter_feature_0_choices(16 * i + 90) := choice(is_set(transform_right_filter_column(4, 4 * i),
-          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(16 * i + 91) := choice(is_set(transform_right_filter_column(4, 4 * i),
-          1), transform_right_filter_feature_0_choices(16 * i + 90), is_set(transform_right_filter_column(4, 4 * i), 0)
-          and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(16 * i + 92) :=
-          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 91), not
-          is_set(transform_right_filter_column(4, 4 * i), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(16 * i + j + 90) :=
-            carry(transform_right_filter_feature_0_choices(16 * i + j + 89), not
-            is_set(transform_right_filter_column(4, 4 * i), j), transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(16 * i + 97) := choice(transform_right_filter_feature_0_choices(16 * i
-          + 96), transform_filtering_0_column_inside_4 and is_set(transform_right_filter_column(4, 4 * i), 7) and (not
-          is_set(transform_right_filter_column(4, 2), 7)), transform_filtering_0_column_inside_4 and
-          (is_set(transform_right_filter_column(4, 4 * i), 7) or (not is_set(transform_right_filter_column(4, 2), 7))));
-      end loop;
-      for i in 0 to 1 loop
-        transform_right_filter_feature_0_choices(8 * i + 114) := choice(is_set(transform_right_filter_column(6, 3 - 2 *
-          i), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(8 * i + 115) := choice(is_set(transform_right_filter_column(6, 3 - 2 *
-          i), 1), transform_right_filter_feature_0_choices(8 * i + 114), is_set(transform_right_filter_column(6, 3 - 2
-          * i), 0) and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(8 * i + 116) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 115), not
-          is_set(transform_right_filter_column(6, 3 - 2 * i), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(8 * i + j + 114) := carry(transform_right_filter_feature_0_choices(8
-            * i + j + 113), not is_set(transform_right_filter_column(6, 3 - 2 * i), j),
-            transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(8 * i + 121) := choice(transform_right_filter_feature_0_choices(8 * i
-          + 120), transform_filtering_0_column_inside_6 and is_set(transform_right_filter_column(6, 3 - 2 * i), 7) and
-          (not is_set(transform_right_filter_column(4, 2), 7)), transform_filtering_0_column_inside_6 and
-          (is_set(transform_right_filter_column(6, 3 - 2 * i), 7) or (not is_set(transform_right_filter_column(4, 2),
-          7))));
-      end loop;
-      for i in 0 to 2 loop
-        transform_right_filter_feature_0_choices(8 * i + 130) := choice(is_set(transform_right_filter_column(6, 2 * i),
-          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(8 * i + 131) := choice(is_set(transform_right_filter_column(6, 2 * i),
-          1), transform_right_filter_feature_0_choices(8 * i + 130), is_set(transform_right_filter_column(6, 2 * i), 0)
-          and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(8 * i + 132) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 131), not
-          is_set(transform_right_filter_column(6, 2 * i), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(8 * i + j + 130) := carry(transform_right_filter_feature_0_choices(8
-            * i + j + 129), not is_set(transform_right_filter_column(6, 2 * i), j),
-            transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(8 * i + 137) := choice(transform_right_filter_feature_0_choices(8 * i
-          + 136), transform_filtering_0_column_inside_6 and is_set(transform_right_filter_column(6, 2 * i), 7) and (not
-          is_set(transform_right_filter_column(4, 2), 7)), transform_filtering_0_column_inside_6 and
-          (is_set(transform_right_filter_column(6, 2 * i), 7) or (not is_set(transform_right_filter_column(4, 2), 7))));
-      end loop;
-      for i in 0 to 1 loop
-        transform_right_filter_feature_0_choices(8 * i + 154) := choice(is_set(transform_right_filter_column(8, 3 - 2 *
-          i), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(8 * i + 155) := choice(is_set(transform_right_filter_column(8, 3 - 2 *
-          i), 1), transform_right_filter_feature_0_choices(8 * i + 154), is_set(transform_right_filter_column(8, 3 - 2
-          * i), 0) and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(8 * i + 156) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 155), not
-          is_set(transform_right_filter_column(8, 3 - 2 * i), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(8 * i + j + 154) := carry(transform_right_filter_feature_0_choices(8
-            * i + j + 153), not is_set(transform_right_filter_column(8, 3 - 2 * i), j),
-            transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(8 * i + 161) := choice(transform_right_filter_feature_0_choices(8 * i
-          + 160), transform_filtering_0_column_inside_8 and is_set(transform_right_filter_column(8, 3 - 2 * i), 7) and
-          (not is_set(transform_right_filter_column(4, 2), 7)), transform_filtering_0_column_inside_8 and
-          (is_set(transform_right_filter_column(8, 3 - 2 * i), 7) or (not is_set(transform_right_filter_column(4, 2),
-          7))));
-      end loop;
-      for i in 0 to 2 loop
-        transform_right_filter_feature_0_choices(8 * i + 170) := choice(is_set(transform_right_filter_column(8, 2 * i),
-          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(8 * i + 171) := choice(is_set(transform_right_filter_column(8, 2 * i),
-          1), transform_right_filter_feature_0_choices(8 * i + 170), is_set(transform_right_filter_column(8, 2 * i), 0)
-          and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(8 * i + 172) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 171), not
-          is_set(transform_right_filter_column(8, 2 * i), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(8 * i + j + 170) := carry(transform_right_filter_feature_0_choices(8
-            * i + j + 169), not is_set(transform_right_filter_column(8, 2 * i), j),
-            transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(8 * i + 177) := choice(transform_right_filter_feature_0_choices(8 * i
-          + 176), transform_filtering_0_column_inside_8 and is_set(transform_right_filter_column(8, 2 * i), 7) and (not
-          is_set(transform_right_filter_column(4, 2), 7)), transform_filtering_0_column_inside_8 and
+        transform_right_filter_feature_0_choice(8 * i + 176) := not is_larger(transform_right_filter_column(8, 2 * i),
+          transform_right_filter_column(4, 2), 0, 6, false);
+        transform_right_filter_feature_0_choice(8 * i + 177) := choice(transform_right_filter_feature_0_choice(8 * i +
+          176), transform_filtering_0_column_inside(4) and is_set(transform_right_filter_column(8, 2 * i), 7) and (not
+          is_set(transform_right_filter_column(4, 2), 7)), transform_filtering_0_column_inside(4) and
           (is_set(transform_right_filter_column(8, 2 * i), 7) or (not is_set(transform_right_filter_column(4, 2), 7))));
       end loop;
       transform_left_0 <= in_left_pixel;
@@ -1555,20 +1297,16 @@ begin
         (transform_counter_group mod 2)) < 375;
       transform_read_row_inside(3) <= (transform_counter_group >= 1) and (transform_counter_group < 376);
       transform_read_row_inside(4) <= transform_counter_group < 375;
-      transform_read_column_inside_0 <= transform_read_column_inside_0_is_less;
-      transform_read_column_inside_2 <= (transform_counter_column < 2) /= transform_read_column_inside_0_is_less;
-      transform_read_column_inside_4 <= (transform_counter_column < 4) /= transform_read_column_inside_0_is_less;
-      transform_read_column_inside_6 <= (transform_counter_column < 6) /= transform_read_column_inside_0_is_less;
-      transform_read_column_inside_8 <= (transform_counter_column < 8) /= transform_read_column_inside_0_is_less;
+      transform_read_column_inside(0) <= transform_read_column_inside_0_is_less;
+      for i in 1 to 4 loop
+        transform_read_column_inside(i) <= (transform_counter_column < (2 * i)) /=
+          transform_read_column_inside_0_is_less;
+      end loop;
       transform_read_start_of_frame <= (transform_counter_group = 2) and (transform_counter_column = 4);
       transform_read_valid <= transform_valid;
       transform_ready_column <= transform_read_column;
       transform_ready_row_inside <= transform_read_row_inside;
-      transform_ready_column_inside_0 <= transform_read_column_inside_0;
-      transform_ready_column_inside_2 <= transform_read_column_inside_2;
-      transform_ready_column_inside_4 <= transform_read_column_inside_4;
-      transform_ready_column_inside_6 <= transform_read_column_inside_6;
-      transform_ready_column_inside_8 <= transform_read_column_inside_8;
+      transform_ready_column_inside <= transform_read_column_inside;
       transform_ready_start_of_frame <= transform_read_start_of_frame;
       transform_ready_valid <= transform_read_valid;
       transform_left_column(0) <= to_integer(transform_left_rows_ready_words_0(7 downto 0));
@@ -1582,66 +1320,57 @@ begin
       transform_right_column(3) <= to_integer(transform_right_rows_ready_words_0(31 downto 24));
       transform_right_column(4) <= transform_right_rows_ready_newest_0;
       transform_columns_row_inside <= transform_ready_row_inside;
-      transform_columns_column_inside_0 <= transform_ready_column_inside_0;
-      transform_columns_column_inside_2 <= transform_ready_column_inside_2;
-      transform_columns_column_inside_4 <= transform_ready_column_inside_4;
-      transform_columns_column_inside_6 <= transform_ready_column_inside_6;
-      transform_columns_column_inside_8 <= transform_ready_column_inside_8;
+      transform_columns_column_inside <= transform_ready_column_inside;
       transform_columns_start_of_frame <= transform_ready_start_of_frame;
       transform_columns_valid <= transform_ready_valid;
-      transform_left_filter_feature_0 <= (as_number(transform_left_filter_feature_0_choices(8)) * 2) +
-        (as_number(transform_left_filter_feature_0_choices(16)) * 8) +
-        as_number(transform_left_filter_feature_0_choices(25)) +
-        (as_number(transform_left_filter_feature_0_choices(33)) * 4) +
-        (as_number(transform_left_filter_feature_0_choices(41)) * 16) +
-        (as_number(transform_left_filter_feature_0_choices(49)) * 256) +
-        (as_number(transform_left_filter_feature_0_choices(57)) * 64) +
-        (as_number(transform_left_filter_feature_0_choices(65)) * 32) +
-        (as_number(transform_left_filter_feature_0_choices(73)) * 128) +
-        (as_number(transform_left_filter_feature_0_choices(81)) * 512) +
-        (as_number(transform_left_filter_feature_0_choices(89)) * 4096) +
-        (as_number(transform_left_filter_feature_0_choices(97)) * 1024) +
-        (as_number(transform_left_filter_feature_0_choices(105)) * 2048) +
-        (as_number(transform_left_filter_feature_0_choices(113)) * 8192) +
-        (as_number(transform_left_filter_feature_0_choices(121)) * 131072) +
-        (as_number(transform_left_filter_feature_0_choices(129)) * 32768) +
-        (as_number(transform_left_filter_feature_0_choices(137)) * 16384) +
-        (as_number(transform_left_filter_feature_0_choices(145)) * 65536) +
-        (as_number(transform_left_filter_feature_0_choices(153)) * 262144) +
-        (as_number(transform_left_filter_feature_0_choices(161)) * 4194304) +
-        (as_number(transform_left_filter_feature_0_choices(169)) * 1048576) +
-        (as_number(transform_left_filter_feature_0_choices(177)) * 524288) +
-        (as_number(transform_left_filter_feature_0_choices(185)) * 2097152) +
-        (as_number(transform_left_filter_feature_0_choices(193)) * 8388608);
-      transform_right_filter_feature_0 <= (as_number(transform_right_filter_feature_0_choices(8)) * 2) +
-        (as_number(transform_right_filter_feature_0_choices(16)) * 8) +
-        as_number(transform_right_filter_feature_0_choices(25)) +
-        (as_number(transform_right_filter_feature_0_choices(33)) * 4) +
-        (as_number(transform_right_filter_feature_0_choices(41)) * 16) +
-        (as_number(transform_right_filter_feature_0_choices(49)) * 256) +
-        (as_number(transform_right_filter_feature_0_choices(57)) * 64) +
-        (as_number(transform_right_filter_feature_0_choices(65)) * 32) +
-        (as_number(transform_right_filter_feature_0_choices(73)) * 128) +
-        (as_number(transform_right_filter_feature_0_choices(81)) * 512) +
-        (as_number(transform_right_filter_feature_0_choices(89)) * 4096) +
-        (as_number(transform_right_filter_feature_0_choices(97)) * 1024) +
-        (as_number(transform_right_filter_feature_0_choices(105)) * 2048) +
-        (as_number(transform_right_filter_feature_0_choices(113)) * 8192) +
-        (as_number(transform_right_filter_feature_0_choices(121)) * 131072) +
-        (as_number(transform_right_filter_feature_0_choices(129)) * 32768) +
-        (as_number(transform_right_filter_feature_0_choices(137)) * 16384) +
-        (as_number(transform_right_filter_feature_0_choices(145)) * 65536) +
-        (as_number(transform_right_filter_feature_0_choices(153)) * 262144) +
-        (as_number(transform_right_filter_feature_0_choices(161)) * 4194304) +
-        (as_number(transform_right_filter_feature_0_choices(169)) * 1048576) +
-        (as_number(transform_right_filter_feature_0_choices(177)) * 524288) +
-        (as_number(transform_right_filter_feature_0_choices(185)) * 2097152) +
-        (as_number(transform_right_filter_feature_0_choices(193)) * 8388608);
-      transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
-      transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
-      transform_filtering_0_column_inside_4 <= transform_columns_column_inside_4;
-      transform_filtering_0_column_inside_6 <= transform_columns_column_inside_6;
-      transform_filtering_0_column_inside_8 <= transform_columns_column_inside_8;
+      transform_left_filter_feature_0 <= (as_number(transform_left_filter_feature_0_choice(8)) * 2) +
+        (as_number(transform_left_filter_feature_0_choice(16)) * 8) +
+        as_number(transform_left_filter_feature_0_choice(25)) + (as_number(transform_left_filter_feature_0_choice(33))
+        * 4) + (as_number(transform_left_filter_feature_0_choice(41)) * 16) +
+        (as_number(transform_left_filter_feature_0_choice(49)) * 256) +
+        (as_number(transform_left_filter_feature_0_choice(57)) * 64) +
+        (as_number(transform_left_filter_feature_0_choice(65)) * 32) +
+        (as_number(transform_left_filter_feature_0_choice(73)) * 128) +
+        (as_number(transform_left_filter_feature_0_choice(81)) * 512) +
+        (as_number(transform_left_filter_feature_0_choice(89)) * 4096) +
+        (as_number(transform_left_filter_feature_0_choice(97)) * 1024) +
+        (as_number(transform_left_filter_feature_0_choice(105)) * 2048) +
+        (as_number(transform_left_filter_feature_0_choice(113)) * 8192) +
+        (as_number(transform_left_filter_feature_0_choice(121)) * 131072) +
+        (as_number(transform_left_filter_feature_0_choice(129)) * 32768) +
+        (as_number(transform_left_filter_feature_0_choice(137)) * 16384) +
+        (as_number(transform_left_filter_feature_0_choice(145)) * 65536) +
+        (as_number(transform_left_filter_feature_0_choice(153)) * 262144) +
+        (as_number(transform_left_filter_feature_0_choice(161)) * 4194304) +
+        (as_number(transform_left_filter_feature_0_choice(169)) * 1048576) +
+        (as_number(transform_left_filter_feature_0_choice(177)) * 524288) +
+        (as_number(transform_left_filter_feature_0_choice(185)) * 2097152) +
+        (as_number(transform_left_filter_feature_0_choice(193)) * 8388608);
+      transform_right_filter_feature_0 <= (as_number(transform_right_filter_feature_0_choice(8)) * 2) +
+        (as_number(transform_right_filter_feature_0_choice(16)) * 8) +
+        as_number(transform_right_filter_feature_0_choice(25)) +
+        (as_number(transform_right_filter_feature_0_choice(33)) * 4) +
+        (as_number(transform_right_filter_feature_0_choice(41)) * 16) +
+        (as_number(transform_right_filter_feature_0_choice(49)) * 256) +
+        (as_number(transform_right_filter_feature_0_choice(57)) * 64) +
+        (as_number(transform_right_filter_feature_0_choice(65)) * 32) +
+        (as_number(transform_right_filter_feature_0_choice(73)) * 128) +
+        (as_number(transform_right_filter_feature_0_choice(81)) * 512) +
+        (as_number(transform_right_filter_feature_0_choice(89)) * 4096) +
+        (as_number(transform_right_filter_feature_0_choice(97)) * 1024) +
+        (as_number(transform_right_filter_feature_0_choice(105)) * 2048) +
+        (as_number(transform_right_filter_feature_0_choice(113)) * 8192) +
+        (as_number(transform_right_filter_feature_0_choice(121)) * 131072) +
+        (as_number(transform_right_filter_feature_0_choice(129)) * 32768) +
+        (as_number(transform_right_filter_feature_0_choice(137)) * 16384) +
+        (as_number(transform_right_filter_feature_0_choice(145)) * 65536) +
+        (as_number(transform_right_filter_feature_0_choice(153)) * 262144) +
+        (as_number(transform_right_filter_feature_0_choice(161)) * 4194304) +
+        (as_number(transform_right_filter_feature_0_choice(169)) * 1048576) +
+        (as_number(transform_right_filter_feature_0_choice(177)) * 524288) +
+        (as_number(transform_right_filter_feature_0_choice(185)) * 2097152) +
+        (as_number(transform_right_filter_feature_0_choice(193)) * 8388608);
+      transform_filtering_0_column_inside <= transform_columns_column_inside;
       transform_filtering_start_of_frame(0) <= transform_columns_start_of_frame;
       transform_filtering_valid(0) <= transform_columns_valid;
       transform_filtering_start_of_frame(1) <= transform_filtering_start_of_frame(0);
@@ -1971,9 +1700,9 @@ begin
       end loop;
       slice0winner1_held_0 <= slice0winner1_held_0_any;
       slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_is_less(0);
-      slice0winner1_best_place_0_2 <= slice0winner1_best_cost_0_is_less(2);
-      slice0winner1_best_place_0_4 <= slice0winner1_best_cost_0_is_less(4);
-      slice0winner1_best_place_0_6 <= slice0winner1_best_cost_0_is_less(6);
+      slice0winner1_best_place_0(1) <= slice0winner1_best_cost_0_is_less(2);
+      slice0winner1_best_place_0(2) <= slice0winner1_best_cost_0_is_less(4);
+      slice0winner1_best_place_0(3) <= slice0winner1_best_cost_0_is_less(6);
       slice0winner1_best_late_cost_0 <= slice0winner1_best_cost_0;
       for i in 1 to 7 loop
         slice0winner1_best_but_first_0(i) <= slice0winner1_held_0(2 * i + 1);
@@ -2021,12 +1750,10 @@ begin
         slice0winner1_best_below_0(7));
       slice0winner2_best_above_0_choice(0) := choice(slice0winner1_best_index_0_0, slice0winner1_held_0(2),
         slice0winner1_best_above_0(0));
-      slice0winner2_best_above_0_choice(1) := choice(slice0winner1_best_place_0_2, slice0winner1_held_0(6),
-        slice0winner1_best_above_0(2));
-      slice0winner2_best_above_0_choice(2) := choice(slice0winner1_best_place_0_4, slice0winner1_held_0(10),
-        slice0winner1_best_above_0(4));
-      slice0winner2_best_above_0_choice(3) := choice(slice0winner1_best_place_0_6, slice0winner1_held_0(14),
-        slice0winner1_best_above_0(6));
+      for i in 1 to 3 loop
+        slice0winner2_best_above_0_choice(i) := choice(slice0winner1_best_place_0(i), slice0winner1_held_0(4 * i + 2),
+          slice0winner1_best_above_0(2 * i));
+      end loop;
       for i in 0 to 3 loop
         slice0winner2_best_second_0_choice(i, 1) := choice(slice0winner2_best_place_0(i), 2047,
           slice0winner1_best_late_cost_0(2 * i + 1));
@@ -2055,12 +1782,10 @@ begin
         slice0winner2_best_cost_0_is_less(3);
       slice0winner2_best_at_end_0(0) <= slice0winner1_best_index_0_0 and ((slice0winner1_best_cost_0(1) -
         slice0winner1_best_cost_0(0)) >= 0);
-      slice0winner2_best_at_end_0(1) <= slice0winner1_best_place_0_2 and ((slice0winner1_best_cost_0(3) -
-        slice0winner1_best_cost_0(2)) >= 0);
-      slice0winner2_best_at_end_0(2) <= slice0winner1_best_place_0_4 and ((slice0winner1_best_cost_0(5) -
-        slice0winner1_best_cost_0(4)) >= 0);
-      slice0winner2_best_at_end_0(3) <= slice0winner1_best_place_0_6 and ((slice0winner1_best_cost_0(7) -
-        slice0winner1_best_cost_0(6)) >= 0);
+      for i in 1 to 3 loop
+        slice0winner2_best_at_end_0(i) <= slice0winner1_best_place_0(i) and ((slice0winner1_best_cost_0(2 * i + 1) -
+          slice0winner1_best_cost_0(2 * i)) >= 0);
+      end loop;
       slice0winner2_best_late_cost_0 <= slice0winner2_best_cost_0;
       slice0winner2_tag <= slice0winner1_tag;
       slice0winner2_best_cost_0(0) <= choice(slice0winner2_best_cost_0_is_less(0), slice0winner1_best_cost_0(1),
@@ -2405,9 +2130,9 @@ begin
       end loop;
       slice1winner1_held_0 <= slice1winner1_held_0_any;
       slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_is_less(0);
-      slice1winner1_best_place_0_2 <= slice1winner1_best_cost_0_is_less(2);
-      slice1winner1_best_place_0_4 <= slice1winner1_best_cost_0_is_less(4);
-      slice1winner1_best_place_0_6 <= slice1winner1_best_cost_0_is_less(6);
+      slice1winner1_best_place_0(1) <= slice1winner1_best_cost_0_is_less(2);
+      slice1winner1_best_place_0(2) <= slice1winner1_best_cost_0_is_less(4);
+      slice1winner1_best_place_0(3) <= slice1winner1_best_cost_0_is_less(6);
       slice1winner1_best_late_cost_0 <= slice1winner1_best_cost_0;
       for i in 0 to 7 loop
         slice1winner1_best_but_first_0(i) <= slice1winner1_held_0(2 * i + 1);
@@ -2447,12 +2172,10 @@ begin
         slice1winner1_best_below_0(7));
       slice1winner2_best_above_0_choice(0) := choice(slice1winner1_best_index_0_0, slice1winner1_held_0(2),
         slice1winner1_best_above_0(0));
-      slice1winner2_best_above_0_choice(1) := choice(slice1winner1_best_place_0_2, slice1winner1_held_0(6),
-        slice1winner1_best_above_0(2));
-      slice1winner2_best_above_0_choice(2) := choice(slice1winner1_best_place_0_4, slice1winner1_held_0(10),
-        slice1winner1_best_above_0(4));
-      slice1winner2_best_above_0_choice(3) := choice(slice1winner1_best_place_0_6, slice1winner1_held_0(14),
-        slice1winner1_best_above_0(6));
+      for i in 1 to 3 loop
+        slice1winner2_best_above_0_choice(i) := choice(slice1winner1_best_place_0(i), slice1winner1_held_0(4 * i + 2),
+          slice1winner1_best_above_0(2 * i));
+      end loop;
       for i in 0 to 3 loop
         slice1winner2_best_second_0_choice(i, 1) := choice(slice1winner2_best_place_0(i), 2047,
           slice1winner1_best_late_cost_0(2 * i + 1));
@@ -2482,12 +2205,10 @@ begin
         slice1winner2_best_cost_0_is_less(3);
       slice1winner2_best_at_end_0(0) <= slice1winner1_best_index_0_0 and ((slice1winner1_best_cost_0(1) -
         slice1winner1_best_cost_0(0)) >= 0);
-      slice1winner2_best_at_end_0(1) <= slice1winner1_best_place_0_2 and ((slice1winner1_best_cost_0(3) -
-        slice1winner1_best_cost_0(2)) >= 0);
-      slice1winner2_best_at_end_0(2) <= slice1winner1_best_place_0_4 and ((slice1winner1_best_cost_0(5) -
-        slice1winner1_best_cost_0(4)) >= 0);
-      slice1winner2_best_at_end_0(3) <= slice1winner1_best_place_0_6 and ((slice1winner1_best_cost_0(7) -
-        slice1winner1_best_cost_0(6)) >= 0);
+      for i in 1 to 3 loop
+        slice1winner2_best_at_end_0(i) <= slice1winner1_best_place_0(i) and ((slice1winner1_best_cost_0(2 * i + 1) -
+          slice1winner1_best_cost_0(2 * i)) >= 0);
+      end loop;
       slice1winner2_best_late_cost_0 <= slice1winner2_best_cost_0;
       slice1winner2_best_cost_0(0) <= choice(slice1winner2_best_cost_0_is_less(0), slice1winner1_best_cost_0(1),
         slice1winner1_best_cost_0(0));
@@ -2854,9 +2575,9 @@ begin
       end loop;
       slice2winner1_held_0 <= slice2winner1_held_0_any;
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_is_less(0);
-      slice2winner1_best_place_0_2 <= slice2winner1_best_cost_0_is_less(2);
-      slice2winner1_best_place_0_4 <= slice2winner1_best_cost_0_is_less(4);
-      slice2winner1_best_place_0_6 <= slice2winner1_best_cost_0_is_less(6);
+      slice2winner1_best_place_0(1) <= slice2winner1_best_cost_0_is_less(2);
+      slice2winner1_best_place_0(2) <= slice2winner1_best_cost_0_is_less(4);
+      slice2winner1_best_place_0(3) <= slice2winner1_best_cost_0_is_less(6);
       slice2winner1_best_late_cost_0 <= slice2winner1_best_cost_0;
       for i in 0 to 7 loop
         slice2winner1_best_but_first_0(i) <= slice2winner1_held_0(2 * i + 1);
@@ -2896,12 +2617,10 @@ begin
         slice2winner1_best_below_0(7));
       slice2winner2_best_above_0_choice(0) := choice(slice2winner1_best_index_0_0, slice2winner1_held_0(2),
         slice2winner1_best_above_0(0));
-      slice2winner2_best_above_0_choice(1) := choice(slice2winner1_best_place_0_2, slice2winner1_held_0(6),
-        slice2winner1_best_above_0(2));
-      slice2winner2_best_above_0_choice(2) := choice(slice2winner1_best_place_0_4, slice2winner1_held_0(10),
-        slice2winner1_best_above_0(4));
-      slice2winner2_best_above_0_choice(3) := choice(slice2winner1_best_place_0_6, slice2winner1_held_0(14),
-        slice2winner1_best_above_0(6));
+      for i in 1 to 3 loop
+        slice2winner2_best_above_0_choice(i) := choice(slice2winner1_best_place_0(i), slice2winner1_held_0(4 * i + 2),
+          slice2winner1_best_above_0(2 * i));
+      end loop;
       for i in 0 to 3 loop
         slice2winner2_best_second_0_choice(i, 1) := choice(slice2winner2_best_place_0(i), 2047,
           slice2winner1_best_late_cost_0(2 * i + 1));
@@ -2930,12 +2649,10 @@ begin
         slice2winner2_best_cost_0_is_less(3);
       slice2winner2_best_at_end_0(0) <= slice2winner1_best_index_0_0 and ((slice2winner1_best_cost_0(1) -
         slice2winner1_best_cost_0(0)) >= 0);
-      slice2winner2_best_at_end_0(1) <= slice2winner1_best_place_0_2 and ((slice2winner1_best_cost_0(3) -
-        slice2winner1_best_cost_0(2)) >= 0);
-      slice2winner2_best_at_end_0(2) <= slice2winner1_best_place_0_4 and ((slice2winner1_best_cost_0(5) -
-        slice2winner1_best_cost_0(4)) >= 0);
-      slice2winner2_best_at_end_0(3) <= slice2winner1_best_place_0_6 and ((slice2winner1_best_cost_0(7) -
-        slice2winner1_best_cost_0(6)) >= 0);
+      for i in 1 to 3 loop
+        slice2winner2_best_at_end_0(i) <= slice2winner1_best_place_0(i) and ((slice2winner1_best_cost_0(2 * i + 1) -
+          slice2winner1_best_cost_0(2 * i)) >= 0);
+      end loop;
       slice2winner2_best_late_cost_0 <= slice2winner2_best_cost_0;
       slice2winner2_best_cost_0(0) <= choice(slice2winner2_best_cost_0_is_less(0), slice2winner1_best_cost_0(1),
         slice2winner1_best_cost_0(0));
@@ -3854,42 +3571,26 @@ begin
         transform_right_rows_write_words_0 <= to_unsigned(0, 32);
         transform_read_column <= 0;
         transform_read_row_inside <= (others => false);
-        transform_read_column_inside_0 <= false;
-        transform_read_column_inside_2 <= false;
-        transform_read_column_inside_4 <= false;
-        transform_read_column_inside_6 <= false;
-        transform_read_column_inside_8 <= false;
+        transform_read_column_inside <= (others => false);
         transform_read_start_of_frame <= false;
         transform_read_valid <= false;
         transform_ready_column <= 0;
         transform_ready_row_inside <= (others => false);
-        transform_ready_column_inside_0 <= false;
-        transform_ready_column_inside_2 <= false;
-        transform_ready_column_inside_4 <= false;
-        transform_ready_column_inside_6 <= false;
-        transform_ready_column_inside_8 <= false;
+        transform_ready_column_inside <= (others => false);
         transform_ready_start_of_frame <= false;
         transform_ready_valid <= false;
         transform_write_column <= 0;
         transform_left_column <= (others => 0);
         transform_right_column <= (others => 0);
         transform_columns_row_inside <= (others => false);
-        transform_columns_column_inside_0 <= false;
-        transform_columns_column_inside_2 <= false;
-        transform_columns_column_inside_4 <= false;
-        transform_columns_column_inside_6 <= false;
-        transform_columns_column_inside_8 <= false;
+        transform_columns_column_inside <= (others => false);
         transform_columns_start_of_frame <= false;
         transform_columns_valid <= false;
         transform_left_filter_column <= (others => (others => 0));
         transform_left_filter_feature_0 <= 0;
         transform_right_filter_column <= (others => (others => 0));
         transform_right_filter_feature_0 <= 0;
-        transform_filtering_0_column_inside_0 <= false;
-        transform_filtering_0_column_inside_2 <= false;
-        transform_filtering_0_column_inside_4 <= false;
-        transform_filtering_0_column_inside_6 <= false;
-        transform_filtering_0_column_inside_8 <= false;
+        transform_filtering_0_column_inside <= (others => false);
         transform_filtering_start_of_frame(0) <= false;
         transform_filtering_valid(0) <= false;
         transform_filtering_start_of_frame(1) <= false;
@@ -3974,9 +3675,7 @@ begin
         slice0winner1_best_index_0 <= (others => 0);
         slice0winner1_best_below_0 <= (others => 0);
         slice0winner1_best_above_0 <= (others => 0);
-        slice0winner1_best_place_0_2 <= false;
-        slice0winner1_best_place_0_4 <= false;
-        slice0winner1_best_place_0_6 <= false;
+        slice0winner1_best_place_0 <= (others => false);
         slice0winner1_best_late_cost_0 <= (others => 0);
         slice0winner1_best_but_first_0 <= (others => 2047);
         slice0winner1_best_but_last_0 <= (others => 2047);
@@ -4081,9 +3780,7 @@ begin
         slice1winner1_best_index_0 <= (others => 0);
         slice1winner1_best_below_0 <= (others => 0);
         slice1winner1_best_above_0 <= (others => 0);
-        slice1winner1_best_place_0_2 <= false;
-        slice1winner1_best_place_0_4 <= false;
-        slice1winner1_best_place_0_6 <= false;
+        slice1winner1_best_place_0 <= (others => false);
         slice1winner1_best_late_cost_0 <= (others => 0);
         slice1winner1_best_but_first_0 <= (others => 2047);
         slice1winner1_best_but_last_0 <= (others => 2047);
@@ -4180,9 +3877,7 @@ begin
         slice2winner1_best_index_0 <= (others => 0);
         slice2winner1_best_below_0 <= (others => 0);
         slice2winner1_best_above_0 <= (others => 0);
-        slice2winner1_best_place_0_2 <= false;
-        slice2winner1_best_place_0_4 <= false;
-        slice2winner1_best_place_0_6 <= false;
+        slice2winner1_best_place_0 <= (others => false);
         slice2winner1_best_late_cost_0 <= (others => 0);
         slice2winner1_best_but_first_0 <= (others => 2047);
         slice2winner1_best_but_last_0 <= (others => 2047);

@@ -104,12 +104,14 @@ architecture rtl of stereo_core_census_640_f8 is
     return a and b;
   end function;
 
-  function inverted_carry(before : boolean; a : boolean; b : boolean) return boolean is
+  -- whether a > b, of bits `low` to `high`; of equal ones, `before`: bit by bit, as the tool has split it
+  function is_larger(a : natural; b : natural; low : natural; high : natural; before : boolean) return boolean is
+    variable is_not : boolean := not before;
   begin
-    if before then
-      return a and b;
-    end if;
-    return a or b;
+    for place in low to high loop
+      is_not := carry(is_not, not is_set(a, place), is_set(b, place));
+    end loop;
+    return not is_not;
   end function;
 
   function choice(test : boolean; yes : boolean; no : boolean) return boolean is
@@ -666,11 +668,11 @@ begin
     variable transform_read_column_inside_0_is_less : boolean;
     variable transform_left_filter_feature_0_values : boolean_1d(1 to 11);  -- transform_left_filter_feature_0_value_#
     variable transform_left_filter_feature_0_any : boolean;
-    variable transform_left_filter_feature_0_choices : boolean_1d(1 to 212);  -- transform_left_filter_feature_0_choice_#
+    variable transform_left_filter_feature_0_choice : boolean_1d(8 to 212);
     variable transform_left_filter_feature_0_is_equal : boolean;
     variable transform_right_filter_feature_0_values : boolean_1d(1 to 11);  -- transform_right_filter_feature_0_value_#
     variable transform_right_filter_feature_0_any : boolean;
-    variable transform_right_filter_feature_0_choices : boolean_1d(1 to 212);  -- transform_right_filter_feature_0_choice_#
+    variable transform_right_filter_feature_0_choice : boolean_1d(8 to 212);
     variable transform_right_filter_feature_0_is_equal : boolean;
     variable transform_counter_next_frame_choices : boolean_1d(1 to 2);  -- transform_counter_next_frame_choice_#
     variable raster_place_group_is_equal, delay_tag_first_column_is_equal, passes_row_is_equal : boolean;
@@ -683,9 +685,8 @@ begin
     variable passes_read_tag_leaves_window_differs, passes_read_tag_map_column_is_equal : boolean;
     variable passes_read_tag_map_column_choice : boolean;
     variable slice0cost_pixels_first_0_count_value : boolean_3d(0 to 1, 0 to 8, 1 to 3);  -- slice0cost_pixels_first_#_0_count_#_value_#
-    variable slice0other_cost_0_1_all : boolean;
+    variable slice0other_cost_0_all : boolean_1d(1 to 7);  -- slice0other_cost_0_#_all
     variable slice0other_cost_0_choice : boolean_1d(1 to 6);  -- slice0other_cost_0_#_choice
-    variable slice0other_cost_0_7_all : boolean;
     variable slice0winner1_best_cost_0_is_less : boolean_1d(0 to 3);  -- slice0winner1_best_cost_0_#_is_less
     variable slice0winner2_best_cost_0_is_less : boolean_1d(0 to 1);  -- slice0winner2_best_cost_0_#_is_less
     variable slice0winner2_best_below_0_is_equal : boolean_1d(0 to 1);  -- slice0winner2_best_below_0_#_is_equal
@@ -765,9 +766,10 @@ begin
   begin
     if rising_edge(clock) then
       -- no bit without a value, where an array has places for more
-      transform_left_filter_feature_0_choices := (others => false);
-      transform_right_filter_feature_0_choices := (others => false);
+      transform_left_filter_feature_0_choice := (others => false);
+      transform_right_filter_feature_0_choice := (others => false);
       slice0cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice0other_cost_0_all := (others => false);
       best_best_second_0_0_choices := (others => 0);
       -- transform
       transform_counter_group_is_equals(1) := transform_counter_group = 479;
@@ -783,413 +785,154 @@ begin
       transform_left_filter_feature_0_values(1) := is_set(transform_left_filter_column(4, 1), 1);
       transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_values(1)) or (not
         is_set(transform_left_filter_column(4, 1), 0));
-      transform_left_filter_feature_0_choices(1) := choice(is_set(transform_left_filter_column(8, 0), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
       transform_left_filter_feature_0_is_equal := (transform_left_filter_column(4, 1) mod 4) = 0;
-      transform_left_filter_feature_0_choices(2) := choice(is_set(transform_left_filter_column(8, 0), 1),
-        transform_left_filter_feature_0_choices(1), is_set(transform_left_filter_column(8, 0), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_values(2) := is_set(transform_left_filter_column(4, 1), 2);
-      transform_left_filter_feature_0_choices(3) := inverted_carry(transform_left_filter_feature_0_choices(2), not
-        is_set(transform_left_filter_column(8, 0), 2), transform_left_filter_feature_0_values(2));
-      for i in 3 to 6 loop
+      for i in 2 to 6 loop
         transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(4, 1), i);
-        transform_left_filter_feature_0_choices(i + 1) := carry(transform_left_filter_feature_0_choices(i), not
-          is_set(transform_left_filter_column(8, 0), i), transform_left_filter_feature_0_values(i));
       end loop;
-      for i in 0 to 1 loop
-        transform_left_filter_feature_0_choices(8 * i + 8) := inverted_carry(transform_left_filter_feature_0_choices(8
-          * i + 7), is_set(transform_left_filter_column(8, i), 7), not is_set(transform_left_filter_column(4, 1), 7));
-        transform_left_filter_feature_0_choices(8 * i + 9) := choice(is_set(transform_left_filter_column(8, i + 1), 0),
-          transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(8 * i + 10) := choice(is_set(transform_left_filter_column(8, i + 1),
-          1), transform_left_filter_feature_0_choices(8 * i + 9), is_set(transform_left_filter_column(8, i + 1), 0) and
-          transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(8 * i + 11) := inverted_carry(transform_left_filter_feature_0_choices(8
-          * i + 10), not is_set(transform_left_filter_column(8, i + 1), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(8 * i + j + 9) := carry(transform_left_filter_feature_0_choices(8 * i
-            + j + 8), not is_set(transform_left_filter_column(8, i + 1), j), transform_left_filter_feature_0_values(j));
-        end loop;
-      end loop;
-      transform_left_filter_feature_0_choices(24) := inverted_carry(transform_left_filter_feature_0_choices(23),
-        is_set(transform_left_filter_column(8, 2), 7), not is_set(transform_left_filter_column(4, 1), 7));
-      for i in 0 to 2 loop
+      for i in 0 to 3 loop
         for j in 0 to 2 loop
-          transform_left_filter_feature_0_choices(24 * i + 8 * j + 25) := choice(is_set(transform_left_filter_column(7
-            - i, j), 0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-          transform_left_filter_feature_0_choices(24 * i + 8 * j + 26) := choice(is_set(transform_left_filter_column(7
-            - i, j), 1), transform_left_filter_feature_0_choices(24 * i + 8 * j + 25),
-            is_set(transform_left_filter_column(7 - i, j), 0) and transform_left_filter_feature_0_is_equal);
-          transform_left_filter_feature_0_choices(24 * i + 8 * j + 27) :=
-            inverted_carry(transform_left_filter_feature_0_choices(24 * i + 8 * j + 26), not
-            is_set(transform_left_filter_column(7 - i, j), 2), transform_left_filter_feature_0_values(2));
-          for k in 3 to 6 loop
-            transform_left_filter_feature_0_choices(24 * i + 8 * j + k + 25) :=
-              carry(transform_left_filter_feature_0_choices(24 * i + 8 * j + k + 24), not
-              is_set(transform_left_filter_column(7 - i, j), k), transform_left_filter_feature_0_values(k));
-          end loop;
-          transform_left_filter_feature_0_choices(24 * i + 8 * j + 32) :=
-            inverted_carry(transform_left_filter_feature_0_choices(24 * i + 8 * j + 31),
-            is_set(transform_left_filter_column(7 - i, j), 7), not is_set(transform_left_filter_column(4, 1), 7));
+          transform_left_filter_feature_0_choice(24 * i + 8 * j + 8) := is_larger(transform_left_filter_column(8 - i,
+            j), transform_left_filter_column(4, 1), 0, 7, false);
         end loop;
       end loop;
-      transform_left_filter_feature_0_choices(97) := choice(is_set(transform_left_filter_column(4, 2), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(98) := choice(is_set(transform_left_filter_column(4, 2), 1),
-        transform_left_filter_feature_0_choices(97), is_set(transform_left_filter_column(4, 2), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(99) := inverted_carry(transform_left_filter_feature_0_choices(98), not
-        is_set(transform_left_filter_column(4, 2), 2), transform_left_filter_feature_0_values(2));
-      for i in 100 to 103 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column(4, 2), i - 97), transform_left_filter_feature_0_values(i - 97));
-      end loop;
-      transform_left_filter_feature_0_choices(104) := choice(transform_left_filter_feature_0_choices(103),
+      transform_left_filter_feature_0_choice(103) := not is_larger(transform_left_filter_column(4, 2),
+        transform_left_filter_column(4, 1), 0, 6, false);
+      transform_left_filter_feature_0_choice(104) := choice(transform_left_filter_feature_0_choice(103),
         transform_filtering_0_column_inside(4) and is_set(transform_left_filter_column(4, 2), 7) and (not
         is_set(transform_left_filter_column(4, 1), 7)), transform_filtering_0_column_inside(4) and
         (is_set(transform_left_filter_column(4, 2), 7) or (not is_set(transform_left_filter_column(4, 1), 7))));
       for i in 0 to 2 loop
-        transform_left_filter_feature_0_choices(24 * i + 105) := choice(is_set(transform_left_filter_column(3 - i, 1),
-          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(24 * i + 106) := choice(is_set(transform_left_filter_column(3 - i, 1),
-          1), transform_left_filter_feature_0_choices(24 * i + 105), is_set(transform_left_filter_column(3 - i, 1), 0)
-          and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(24 * i + 107) :=
-          inverted_carry(transform_left_filter_feature_0_choices(24 * i + 106), not
-          is_set(transform_left_filter_column(3 - i, 1), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(24 * i + j + 105) := carry(transform_left_filter_feature_0_choices(24
-            * i + j + 104), not is_set(transform_left_filter_column(3 - i, 1), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(24 * i + 112) :=
-          inverted_carry(transform_left_filter_feature_0_choices(24 * i + 111), is_set(transform_left_filter_column(3 -
-          i, 1), 7), not is_set(transform_left_filter_column(4, 1), 7));
-        transform_left_filter_feature_0_choices(24 * i + 113) := choice(is_set(transform_left_filter_column(3 - i, 2),
-          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(24 * i + 114) := choice(is_set(transform_left_filter_column(3 - i, 2),
-          1), transform_left_filter_feature_0_choices(24 * i + 113), is_set(transform_left_filter_column(3 - i, 2), 0)
-          and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(24 * i + 115) :=
-          inverted_carry(transform_left_filter_feature_0_choices(24 * i + 114), not
-          is_set(transform_left_filter_column(3 - i, 2), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(24 * i + j + 113) := carry(transform_left_filter_feature_0_choices(24
-            * i + j + 112), not is_set(transform_left_filter_column(3 - i, 2), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(24 * i + 120) :=
-          inverted_carry(transform_left_filter_feature_0_choices(24 * i + 119), is_set(transform_left_filter_column(3 -
-          i, 2), 7), not is_set(transform_left_filter_column(4, 1), 7));
-        transform_left_filter_feature_0_choices(24 * i + 121) := choice(is_set(transform_left_filter_column(3 - i, 0),
-          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(24 * i + 122) := choice(is_set(transform_left_filter_column(3 - i, 0),
-          1), transform_left_filter_feature_0_choices(24 * i + 121), is_set(transform_left_filter_column(3 - i, 0), 0)
-          and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(24 * i + 123) :=
-          inverted_carry(transform_left_filter_feature_0_choices(24 * i + 122), not
-          is_set(transform_left_filter_column(3 - i, 0), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(24 * i + j + 121) := carry(transform_left_filter_feature_0_choices(24
-            * i + j + 120), not is_set(transform_left_filter_column(3 - i, 0), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(24 * i + 128) :=
-          inverted_carry(transform_left_filter_feature_0_choices(24 * i + 127), is_set(transform_left_filter_column(3 -
-          i, 0), 7), not is_set(transform_left_filter_column(4, 1), 7));
+        transform_left_filter_feature_0_choice(24 * i + 112) := is_larger(transform_left_filter_column(3 - i, 1),
+          transform_left_filter_column(4, 1), 0, 7, false);
+        transform_left_filter_feature_0_choice(24 * i + 120) := is_larger(transform_left_filter_column(3 - i, 2),
+          transform_left_filter_column(4, 1), 0, 7, false);
+        transform_left_filter_feature_0_choice(24 * i + 128) := is_larger(transform_left_filter_column(3 - i, 0),
+          transform_left_filter_column(4, 1), 0, 7, false);
       end loop;
-      for i in 1 to 2 loop
-        transform_left_filter_feature_0_choices(8 * i + 169) := choice(is_set(transform_left_filter_column(0, i), 0),
-          transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(8 * i + 170) := choice(is_set(transform_left_filter_column(0, i), 1),
-          transform_left_filter_feature_0_choices(8 * i + 169), is_set(transform_left_filter_column(0, i), 0) and
-          transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(8 * i + 171) :=
-          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 170), not
-          is_set(transform_left_filter_column(0, i), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(8 * i + j + 169) := carry(transform_left_filter_feature_0_choices(8 *
-            i + j + 168), not is_set(transform_left_filter_column(0, i), j), transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(8 * i + 176) :=
-          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 175), is_set(transform_left_filter_column(0,
-          i), 7), not is_set(transform_left_filter_column(4, 1), 7));
-      end loop;
-      transform_left_filter_feature_0_choices(193) := choice(is_set(transform_left_filter_column(4, 1), 0), not
-        is_set(transform_left_filter_column(0, 0), 1), (transform_left_filter_column(0, 0) mod 4) = 0);
-      transform_left_filter_feature_0_choices(194) := choice(transform_left_filter_feature_0_values(1),
-        is_set(transform_left_filter_column(4, 1), 0) or (not is_set(transform_left_filter_column(0, 0), 1)) or (not
-        is_set(transform_left_filter_column(0, 0), 0)), transform_left_filter_feature_0_choices(193));
-      transform_left_filter_feature_0_values(7) := is_set(transform_left_filter_column(0, 0), 2);
-      transform_left_filter_feature_0_choices(195) := inverted_carry(transform_left_filter_feature_0_choices(194), not
-        transform_left_filter_feature_0_values(2), transform_left_filter_feature_0_values(7));
-      for i in 8 to 11 loop
+      transform_left_filter_feature_0_choice(184) := is_larger(transform_left_filter_column(0, 1),
+        transform_left_filter_column(4, 1), 0, 7, false);
+      transform_left_filter_feature_0_choice(192) := is_larger(transform_left_filter_column(0, 2),
+        transform_left_filter_column(4, 1), 0, 7, false);
+      for i in 7 to 11 loop
         transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(0, 0), i - 5);
-        transform_left_filter_feature_0_choices(i + 188) := carry(transform_left_filter_feature_0_choices(i + 187), not
-          transform_left_filter_feature_0_values(i - 5), transform_left_filter_feature_0_values(i));
       end loop;
-      transform_left_filter_feature_0_choices(200) := carry(transform_left_filter_feature_0_choices(199), not
-        is_set(transform_left_filter_column(4, 1), 7), is_set(transform_left_filter_column(0, 0), 7));
+      transform_left_filter_feature_0_choice(200) := not is_larger(transform_left_filter_column(4, 1),
+        transform_left_filter_column(0, 0), 0, 7, true);
       transform_left_filter_feature_0_choice_201 := choice(transform_filtering_0_column_inside(0),
-        (as_number(transform_left_filter_feature_0_choices(184)) * 2) +
-        (as_number(transform_left_filter_feature_0_choices(192)) * 4) +
-        as_number(transform_left_filter_feature_0_choices(200)), 0);
+        (as_number(transform_left_filter_feature_0_choice(184)) * 2) +
+        (as_number(transform_left_filter_feature_0_choice(192)) * 4) +
+        as_number(transform_left_filter_feature_0_choice(200)), 0);
       transform_left_filter_feature_0_choice_202 := choice(transform_filtering_0_column_inside(1),
-        (as_number(transform_left_filter_feature_0_choices(160)) * 16) +
-        (as_number(transform_left_filter_feature_0_choices(168)) * 32) +
-        (as_number(transform_left_filter_feature_0_choices(176)) * 8) + transform_left_filter_feature_0_choice_201,
+        (as_number(transform_left_filter_feature_0_choice(160)) * 16) +
+        (as_number(transform_left_filter_feature_0_choice(168)) * 32) +
+        (as_number(transform_left_filter_feature_0_choice(176)) * 8) + transform_left_filter_feature_0_choice_201,
         transform_left_filter_feature_0_choice_201);
       transform_left_filter_feature_0_choice_203 := choice(transform_filtering_0_column_inside(2),
-        (as_number(transform_left_filter_feature_0_choices(136)) * 128) +
-        (as_number(transform_left_filter_feature_0_choices(144)) * 256) +
-        (as_number(transform_left_filter_feature_0_choices(152)) * 64) + transform_left_filter_feature_0_choice_202,
+        (as_number(transform_left_filter_feature_0_choice(136)) * 128) +
+        (as_number(transform_left_filter_feature_0_choice(144)) * 256) +
+        (as_number(transform_left_filter_feature_0_choice(152)) * 64) + transform_left_filter_feature_0_choice_202,
         transform_left_filter_feature_0_choice_202);
       transform_left_filter_feature_0_choice_204 := choice(transform_filtering_0_column_inside(3),
-        (as_number(transform_left_filter_feature_0_choices(112)) * 1024) +
-        (as_number(transform_left_filter_feature_0_choices(120)) * 2048) +
-        (as_number(transform_left_filter_feature_0_choices(128)) * 512) + transform_left_filter_feature_0_choice_203,
+        (as_number(transform_left_filter_feature_0_choice(112)) * 1024) +
+        (as_number(transform_left_filter_feature_0_choice(120)) * 2048) +
+        (as_number(transform_left_filter_feature_0_choice(128)) * 512) + transform_left_filter_feature_0_choice_203,
         transform_left_filter_feature_0_choice_203);
-      transform_left_filter_feature_0_choices(205) := choice(is_set(transform_left_filter_column(4, 0), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(206) := choice(is_set(transform_left_filter_column(4, 0), 1),
-        transform_left_filter_feature_0_choices(205), is_set(transform_left_filter_column(4, 0), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(207) := inverted_carry(transform_left_filter_feature_0_choices(206), not
-        is_set(transform_left_filter_column(4, 0), 2), transform_left_filter_feature_0_values(2));
-      for i in 208 to 211 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column(4, 0), i - 205), transform_left_filter_feature_0_values(i - 205));
-      end loop;
-      transform_left_filter_feature_0_choices(212) := inverted_carry(transform_left_filter_feature_0_choices(211),
-        is_set(transform_left_filter_column(4, 0), 7), not is_set(transform_left_filter_column(4, 1), 7));
+      transform_left_filter_feature_0_choice(212) := is_larger(transform_left_filter_column(4, 0),
+        transform_left_filter_column(4, 1), 0, 7, false);
       transform_left_filter_feature_0_choice_213 := choice(transform_filtering_0_column_inside(4),
-        transform_left_filter_feature_0_choice_204 + (as_number(transform_left_filter_feature_0_choices(212)) * 4096),
+        transform_left_filter_feature_0_choice_204 + (as_number(transform_left_filter_feature_0_choice(212)) * 4096),
         transform_left_filter_feature_0_choice_204);
       transform_left_filter_feature_0_choice_214 := choice(transform_filtering_0_column_inside(5),
-        (as_number(transform_left_filter_feature_0_choices(80)) * 16384) +
-        (as_number(transform_left_filter_feature_0_choices(88)) * 32768) +
-        (as_number(transform_left_filter_feature_0_choices(96)) * 65536) +
-        (as_number(transform_left_filter_feature_0_choices(104)) * 8192) + transform_left_filter_feature_0_choice_213,
-        (as_number(transform_left_filter_feature_0_choices(104)) * 8192) + transform_left_filter_feature_0_choice_213);
+        (as_number(transform_left_filter_feature_0_choice(80)) * 16384) +
+        (as_number(transform_left_filter_feature_0_choice(88)) * 32768) +
+        (as_number(transform_left_filter_feature_0_choice(96)) * 65536) +
+        (as_number(transform_left_filter_feature_0_choice(104)) * 8192) + transform_left_filter_feature_0_choice_213,
+        (as_number(transform_left_filter_feature_0_choice(104)) * 8192) + transform_left_filter_feature_0_choice_213);
       transform_left_filter_feature_0_choice_215 := choice(transform_filtering_0_column_inside(6),
-        (as_number(transform_left_filter_feature_0_choices(56)) * 131072) +
-        (as_number(transform_left_filter_feature_0_choices(64)) * 262144) +
-        (as_number(transform_left_filter_feature_0_choices(72)) * 524288) + transform_left_filter_feature_0_choice_214,
+        (as_number(transform_left_filter_feature_0_choice(56)) * 131072) +
+        (as_number(transform_left_filter_feature_0_choice(64)) * 262144) +
+        (as_number(transform_left_filter_feature_0_choice(72)) * 524288) + transform_left_filter_feature_0_choice_214,
         transform_left_filter_feature_0_choice_214);
       transform_left_filter_feature_0_choice_216 := choice(transform_filtering_0_column_inside(7),
-        (as_number(transform_left_filter_feature_0_choices(32)) * 1048576) +
-        (as_number(transform_left_filter_feature_0_choices(40)) * 2097152) +
-        (as_number(transform_left_filter_feature_0_choices(48)) * 4194304) +
-        transform_left_filter_feature_0_choice_215, transform_left_filter_feature_0_choice_215);
+        (as_number(transform_left_filter_feature_0_choice(32)) * 1048576) +
+        (as_number(transform_left_filter_feature_0_choice(40)) * 2097152) +
+        (as_number(transform_left_filter_feature_0_choice(48)) * 4194304) + transform_left_filter_feature_0_choice_215,
+        transform_left_filter_feature_0_choice_215);
       transform_right_filter_feature_0_values(1) := is_set(transform_right_filter_column(4, 1), 1);
       transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_values(1)) or (not
         is_set(transform_right_filter_column(4, 1), 0));
-      transform_right_filter_feature_0_choices(1) := choice(is_set(transform_right_filter_column(8, 0), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
       transform_right_filter_feature_0_is_equal := (transform_right_filter_column(4, 1) mod 4) = 0;
-      transform_right_filter_feature_0_choices(2) := choice(is_set(transform_right_filter_column(8, 0), 1),
-        transform_right_filter_feature_0_choices(1), is_set(transform_right_filter_column(8, 0), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_values(2) := is_set(transform_right_filter_column(4, 1), 2);
-      transform_right_filter_feature_0_choices(3) := inverted_carry(transform_right_filter_feature_0_choices(2), not
-        is_set(transform_right_filter_column(8, 0), 2), transform_right_filter_feature_0_values(2));
-      for i in 3 to 6 loop
+      for i in 2 to 6 loop
         transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(4, 1), i);
-        transform_right_filter_feature_0_choices(i + 1) := carry(transform_right_filter_feature_0_choices(i), not
-          is_set(transform_right_filter_column(8, 0), i), transform_right_filter_feature_0_values(i));
       end loop;
-      for i in 0 to 1 loop
-        transform_right_filter_feature_0_choices(8 * i + 8) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 7), is_set(transform_right_filter_column(8,
-          i), 7), not is_set(transform_right_filter_column(4, 1), 7));
-        transform_right_filter_feature_0_choices(8 * i + 9) := choice(is_set(transform_right_filter_column(8, i + 1),
-          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(8 * i + 10) := choice(is_set(transform_right_filter_column(8, i + 1),
-          1), transform_right_filter_feature_0_choices(8 * i + 9), is_set(transform_right_filter_column(8, i + 1), 0)
-          and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(8 * i + 11) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 10), not
-          is_set(transform_right_filter_column(8, i + 1), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(8 * i + j + 9) := carry(transform_right_filter_feature_0_choices(8 *
-            i + j + 8), not is_set(transform_right_filter_column(8, i + 1), j),
-            transform_right_filter_feature_0_values(j));
-        end loop;
-      end loop;
-      transform_right_filter_feature_0_choices(24) := inverted_carry(transform_right_filter_feature_0_choices(23),
-        is_set(transform_right_filter_column(8, 2), 7), not is_set(transform_right_filter_column(4, 1), 7));
-      for i in 0 to 2 loop
+      for i in 0 to 3 loop
         for j in 0 to 2 loop
-          transform_right_filter_feature_0_choices(24 * i + 8 * j + 25) :=
-            choice(is_set(transform_right_filter_column(7 - i, j), 0), transform_right_filter_feature_0_any, not
-            transform_right_filter_feature_0_values(1));
-          transform_right_filter_feature_0_choices(24 * i + 8 * j + 26) :=
-            choice(is_set(transform_right_filter_column(7 - i, j), 1), transform_right_filter_feature_0_choices(24 * i
-            + 8 * j + 25), is_set(transform_right_filter_column(7 - i, j), 0) and
-            transform_right_filter_feature_0_is_equal);
-          transform_right_filter_feature_0_choices(24 * i + 8 * j + 27) :=
-            inverted_carry(transform_right_filter_feature_0_choices(24 * i + 8 * j + 26), not
-            is_set(transform_right_filter_column(7 - i, j), 2), transform_right_filter_feature_0_values(2));
-          for k in 3 to 6 loop
-            transform_right_filter_feature_0_choices(24 * i + 8 * j + k + 25) :=
-              carry(transform_right_filter_feature_0_choices(24 * i + 8 * j + k + 24), not
-              is_set(transform_right_filter_column(7 - i, j), k), transform_right_filter_feature_0_values(k));
-          end loop;
-          transform_right_filter_feature_0_choices(24 * i + 8 * j + 32) :=
-            inverted_carry(transform_right_filter_feature_0_choices(24 * i + 8 * j + 31),
-            is_set(transform_right_filter_column(7 - i, j), 7), not is_set(transform_right_filter_column(4, 1), 7));
+          transform_right_filter_feature_0_choice(24 * i + 8 * j + 8) := is_larger(transform_right_filter_column(8 - i,
+            j), transform_right_filter_column(4, 1), 0, 7, false);
         end loop;
       end loop;
-      transform_right_filter_feature_0_choices(97) := choice(is_set(transform_right_filter_column(4, 2), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(98) := choice(is_set(transform_right_filter_column(4, 2), 1),
-        transform_right_filter_feature_0_choices(97), is_set(transform_right_filter_column(4, 2), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(99) := inverted_carry(transform_right_filter_feature_0_choices(98), not
-        is_set(transform_right_filter_column(4, 2), 2), transform_right_filter_feature_0_values(2));
-      for i in 100 to 103 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column(4, 2), i - 97), transform_right_filter_feature_0_values(i - 97));
-      end loop;
-      transform_right_filter_feature_0_choices(104) := choice(transform_right_filter_feature_0_choices(103),
+      transform_right_filter_feature_0_choice(103) := not is_larger(transform_right_filter_column(4, 2),
+        transform_right_filter_column(4, 1), 0, 6, false);
+      transform_right_filter_feature_0_choice(104) := choice(transform_right_filter_feature_0_choice(103),
         transform_filtering_0_column_inside(4) and is_set(transform_right_filter_column(4, 2), 7) and (not
         is_set(transform_right_filter_column(4, 1), 7)), transform_filtering_0_column_inside(4) and
         (is_set(transform_right_filter_column(4, 2), 7) or (not is_set(transform_right_filter_column(4, 1), 7))));
       for i in 0 to 2 loop
-        transform_right_filter_feature_0_choices(24 * i + 105) := choice(is_set(transform_right_filter_column(3 - i,
-          1), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(24 * i + 106) := choice(is_set(transform_right_filter_column(3 - i,
-          1), 1), transform_right_filter_feature_0_choices(24 * i + 105), is_set(transform_right_filter_column(3 - i,
-          1), 0) and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(24 * i + 107) :=
-          inverted_carry(transform_right_filter_feature_0_choices(24 * i + 106), not
-          is_set(transform_right_filter_column(3 - i, 1), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(24 * i + j + 105) :=
-            carry(transform_right_filter_feature_0_choices(24 * i + j + 104), not
-            is_set(transform_right_filter_column(3 - i, 1), j), transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(24 * i + 112) :=
-          inverted_carry(transform_right_filter_feature_0_choices(24 * i + 111), is_set(transform_right_filter_column(3
-          - i, 1), 7), not is_set(transform_right_filter_column(4, 1), 7));
-        transform_right_filter_feature_0_choices(24 * i + 113) := choice(is_set(transform_right_filter_column(3 - i,
-          2), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(24 * i + 114) := choice(is_set(transform_right_filter_column(3 - i,
-          2), 1), transform_right_filter_feature_0_choices(24 * i + 113), is_set(transform_right_filter_column(3 - i,
-          2), 0) and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(24 * i + 115) :=
-          inverted_carry(transform_right_filter_feature_0_choices(24 * i + 114), not
-          is_set(transform_right_filter_column(3 - i, 2), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(24 * i + j + 113) :=
-            carry(transform_right_filter_feature_0_choices(24 * i + j + 112), not
-            is_set(transform_right_filter_column(3 - i, 2), j), transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(24 * i + 120) :=
-          inverted_carry(transform_right_filter_feature_0_choices(24 * i + 119), is_set(transform_right_filter_column(3
-          - i, 2), 7), not is_set(transform_right_filter_column(4, 1), 7));
-        transform_right_filter_feature_0_choices(24 * i + 121) := choice(is_set(transform_right_filter_column(3 - i,
-          0), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(24 * i + 122) := choice(is_set(transform_right_filter_column(3 - i,
-          0), 1), transform_right_filter_feature_0_choices(24 * i + 121), is_set(transform_right_filter_column(3 - i,
-          0), 0) and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(24 * i + 123) :=
-          inverted_carry(transform_right_filter_feature_0_choices(24 * i + 122), not
-          is_set(transform_right_filter_column(3 - i, 0), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(24 * i + j + 121) :=
-            carry(transform_right_filter_feature_0_choices(24 * i + j + 120), not
-            is_set(transform_right_filter_column(3 - i, 0), j), transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(24 * i + 128) :=
-          inverted_carry(transform_right_filter_feature_0_choices(24 * i + 127), is_set(transform_right_filter_column(3
-          - i, 0), 7), not is_set(transform_right_filter_column(4, 1), 7));
+        transform_right_filter_feature_0_choice(24 * i + 112) := is_larger(transform_right_filter_column(3 - i, 1),
+          transform_right_filter_column(4, 1), 0, 7, false);
+        transform_right_filter_feature_0_choice(24 * i + 120) := is_larger(transform_right_filter_column(3 - i, 2),
+          transform_right_filter_column(4, 1), 0, 7, false);
+        transform_right_filter_feature_0_choice(24 * i + 128) := is_larger(transform_right_filter_column(3 - i, 0),
+          transform_right_filter_column(4, 1), 0, 7, false);
       end loop;
-      for i in 1 to 2 loop
-        transform_right_filter_feature_0_choices(8 * i + 169) := choice(is_set(transform_right_filter_column(0, i), 0),
-          transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(8 * i + 170) := choice(is_set(transform_right_filter_column(0, i), 1),
-          transform_right_filter_feature_0_choices(8 * i + 169), is_set(transform_right_filter_column(0, i), 0) and
-          transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(8 * i + 171) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 170), not
-          is_set(transform_right_filter_column(0, i), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(8 * i + j + 169) := carry(transform_right_filter_feature_0_choices(8
-            * i + j + 168), not is_set(transform_right_filter_column(0, i), j),
-            transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(8 * i + 176) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 175), is_set(transform_right_filter_column(0,
-          i), 7), not is_set(transform_right_filter_column(4, 1), 7));
-      end loop;
-      transform_right_filter_feature_0_choices(193) := choice(is_set(transform_right_filter_column(4, 1), 0), not
-        is_set(transform_right_filter_column(0, 0), 1), (transform_right_filter_column(0, 0) mod 4) = 0);
-      transform_right_filter_feature_0_choices(194) := choice(transform_right_filter_feature_0_values(1),
-        is_set(transform_right_filter_column(4, 1), 0) or (not is_set(transform_right_filter_column(0, 0), 1)) or (not
-        is_set(transform_right_filter_column(0, 0), 0)), transform_right_filter_feature_0_choices(193));
-      transform_right_filter_feature_0_values(7) := is_set(transform_right_filter_column(0, 0), 2);
-      transform_right_filter_feature_0_choices(195) := inverted_carry(transform_right_filter_feature_0_choices(194),
-        not transform_right_filter_feature_0_values(2), transform_right_filter_feature_0_values(7));
-      for i in 8 to 11 loop
+      transform_right_filter_feature_0_choice(184) := is_larger(transform_right_filter_column(0, 1),
+        transform_right_filter_column(4, 1), 0, 7, false);
+      transform_right_filter_feature_0_choice(192) := is_larger(transform_right_filter_column(0, 2),
+        transform_right_filter_column(4, 1), 0, 7, false);
+      for i in 7 to 11 loop
         transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(0, 0), i - 5);
-        transform_right_filter_feature_0_choices(i + 188) := carry(transform_right_filter_feature_0_choices(i + 187),
-          not transform_right_filter_feature_0_values(i - 5), transform_right_filter_feature_0_values(i));
       end loop;
-      transform_right_filter_feature_0_choices(200) := carry(transform_right_filter_feature_0_choices(199), not
-        is_set(transform_right_filter_column(4, 1), 7), is_set(transform_right_filter_column(0, 0), 7));
+      transform_right_filter_feature_0_choice(200) := not is_larger(transform_right_filter_column(4, 1),
+        transform_right_filter_column(0, 0), 0, 7, true);
       transform_right_filter_feature_0_choice_201 := choice(transform_filtering_0_column_inside(0),
-        (as_number(transform_right_filter_feature_0_choices(184)) * 2) +
-        (as_number(transform_right_filter_feature_0_choices(192)) * 4) +
-        as_number(transform_right_filter_feature_0_choices(200)), 0);
+        (as_number(transform_right_filter_feature_0_choice(184)) * 2) +
+        (as_number(transform_right_filter_feature_0_choice(192)) * 4) +
+        as_number(transform_right_filter_feature_0_choice(200)), 0);
       transform_right_filter_feature_0_choice_202 := choice(transform_filtering_0_column_inside(1),
-        (as_number(transform_right_filter_feature_0_choices(160)) * 16) +
-        (as_number(transform_right_filter_feature_0_choices(168)) * 32) +
-        (as_number(transform_right_filter_feature_0_choices(176)) * 8) + transform_right_filter_feature_0_choice_201,
+        (as_number(transform_right_filter_feature_0_choice(160)) * 16) +
+        (as_number(transform_right_filter_feature_0_choice(168)) * 32) +
+        (as_number(transform_right_filter_feature_0_choice(176)) * 8) + transform_right_filter_feature_0_choice_201,
         transform_right_filter_feature_0_choice_201);
       transform_right_filter_feature_0_choice_203 := choice(transform_filtering_0_column_inside(2),
-        (as_number(transform_right_filter_feature_0_choices(136)) * 128) +
-        (as_number(transform_right_filter_feature_0_choices(144)) * 256) +
-        (as_number(transform_right_filter_feature_0_choices(152)) * 64) + transform_right_filter_feature_0_choice_202,
+        (as_number(transform_right_filter_feature_0_choice(136)) * 128) +
+        (as_number(transform_right_filter_feature_0_choice(144)) * 256) +
+        (as_number(transform_right_filter_feature_0_choice(152)) * 64) + transform_right_filter_feature_0_choice_202,
         transform_right_filter_feature_0_choice_202);
       transform_right_filter_feature_0_choice_204 := choice(transform_filtering_0_column_inside(3),
-        (as_number(transform_right_filter_feature_0_choices(112)) * 1024) +
-        (as_number(transform_right_filter_feature_0_choices(120)) * 2048) +
-        (as_number(transform_right_filter_feature_0_choices(128)) * 512) + transform_right_filter_feature_0_choice_203,
+        (as_number(transform_right_filter_feature_0_choice(112)) * 1024) +
+        (as_number(transform_right_filter_feature_0_choice(120)) * 2048) +
+        (as_number(transform_right_filter_feature_0_choice(128)) * 512) + transform_right_filter_feature_0_choice_203,
         transform_right_filter_feature_0_choice_203);
-      transform_right_filter_feature_0_choices(205) := choice(is_set(transform_right_filter_column(4, 0), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(206) := choice(is_set(transform_right_filter_column(4, 0), 1),
-        transform_right_filter_feature_0_choices(205), is_set(transform_right_filter_column(4, 0), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(207) := inverted_carry(transform_right_filter_feature_0_choices(206),
-        not is_set(transform_right_filter_column(4, 0), 2), transform_right_filter_feature_0_values(2));
-      for i in 208 to 211 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column(4, 0), i - 205), transform_right_filter_feature_0_values(i - 205));
-      end loop;
-      transform_right_filter_feature_0_choices(212) := inverted_carry(transform_right_filter_feature_0_choices(211),
-        is_set(transform_right_filter_column(4, 0), 7), not is_set(transform_right_filter_column(4, 1), 7));
+      transform_right_filter_feature_0_choice(212) := is_larger(transform_right_filter_column(4, 0),
+        transform_right_filter_column(4, 1), 0, 7, false);
       transform_right_filter_feature_0_choice_213 := choice(transform_filtering_0_column_inside(4),
-        transform_right_filter_feature_0_choice_204 + (as_number(transform_right_filter_feature_0_choices(212)) *
-        4096), transform_right_filter_feature_0_choice_204);
+        transform_right_filter_feature_0_choice_204 + (as_number(transform_right_filter_feature_0_choice(212)) * 4096),
+        transform_right_filter_feature_0_choice_204);
       transform_right_filter_feature_0_choice_214 := choice(transform_filtering_0_column_inside(5),
-        (as_number(transform_right_filter_feature_0_choices(80)) * 16384) +
-        (as_number(transform_right_filter_feature_0_choices(88)) * 32768) +
-        (as_number(transform_right_filter_feature_0_choices(96)) * 65536) +
-        (as_number(transform_right_filter_feature_0_choices(104)) * 8192) +
-        transform_right_filter_feature_0_choice_213, (as_number(transform_right_filter_feature_0_choices(104)) * 8192)
-        + transform_right_filter_feature_0_choice_213);
+        (as_number(transform_right_filter_feature_0_choice(80)) * 16384) +
+        (as_number(transform_right_filter_feature_0_choice(88)) * 32768) +
+        (as_number(transform_right_filter_feature_0_choice(96)) * 65536) +
+        (as_number(transform_right_filter_feature_0_choice(104)) * 8192) + transform_right_filter_feature_0_choice_213,
+        (as_number(transform_right_filter_feature_0_choice(104)) * 8192) + transform_right_filter_feature_0_choice_213);
       transform_right_filter_feature_0_choice_215 := choice(transform_filtering_0_column_inside(6),
-        (as_number(transform_right_filter_feature_0_choices(56)) * 131072) +
-        (as_number(transform_right_filter_feature_0_choices(64)) * 262144) +
-        (as_number(transform_right_filter_feature_0_choices(72)) * 524288) +
+        (as_number(transform_right_filter_feature_0_choice(56)) * 131072) +
+        (as_number(transform_right_filter_feature_0_choice(64)) * 262144) +
+        (as_number(transform_right_filter_feature_0_choice(72)) * 524288) +
         transform_right_filter_feature_0_choice_214, transform_right_filter_feature_0_choice_214);
       transform_right_filter_feature_0_choice_216 := choice(transform_filtering_0_column_inside(7),
-        (as_number(transform_right_filter_feature_0_choices(32)) * 1048576) +
-        (as_number(transform_right_filter_feature_0_choices(40)) * 2097152) +
-        (as_number(transform_right_filter_feature_0_choices(48)) * 4194304) +
+        (as_number(transform_right_filter_feature_0_choice(32)) * 1048576) +
+        (as_number(transform_right_filter_feature_0_choice(40)) * 2097152) +
+        (as_number(transform_right_filter_feature_0_choice(48)) * 4194304) +
         transform_right_filter_feature_0_choice_215, transform_right_filter_feature_0_choice_215);
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
@@ -1241,14 +984,14 @@ begin
       transform_counter_group <= choice(in_valid and in_start_of_frame, transform_counter_group_choice * 32,
         transform_counter_group_choices(3));
       transform_left_filter_feature_0 <= choice(transform_filtering_0_column_inside(8),
-        (as_number(transform_left_filter_feature_0_choices(8)) * 8388608) +
-        (as_number(transform_left_filter_feature_0_choices(16)) * 16777216) +
-        (as_number(transform_left_filter_feature_0_choices(24)) * 33554432) +
+        (as_number(transform_left_filter_feature_0_choice(8)) * 8388608) +
+        (as_number(transform_left_filter_feature_0_choice(16)) * 16777216) +
+        (as_number(transform_left_filter_feature_0_choice(24)) * 33554432) +
         transform_left_filter_feature_0_choice_216, transform_left_filter_feature_0_choice_216);
       transform_right_filter_feature_0 <= choice(transform_filtering_0_column_inside(8),
-        (as_number(transform_right_filter_feature_0_choices(8)) * 8388608) +
-        (as_number(transform_right_filter_feature_0_choices(16)) * 16777216) +
-        (as_number(transform_right_filter_feature_0_choices(24)) * 33554432) +
+        (as_number(transform_right_filter_feature_0_choice(8)) * 8388608) +
+        (as_number(transform_right_filter_feature_0_choice(16)) * 16777216) +
+        (as_number(transform_right_filter_feature_0_choice(24)) * 33554432) +
         transform_right_filter_feature_0_choice_216, transform_right_filter_feature_0_choice_216);
       transform_counter_next_frame_choices(1) := choice(transform_counter_group_is_equals(2), (transform_counter_group
         /= 480) and transform_counter_next_frame, transform_counter_next_frame);
@@ -1612,12 +1355,12 @@ begin
         slice0window_centre_first_column(1 to 3) <= slice0window_centre_first_column(0 to 2);
       end if;
       -- slice0other
-      slice0other_cost_0_1_all := slice0window_tag.output_column and slice0window_tag.first_column;
+      slice0other_cost_0_all(1) := slice0window_tag.output_column and slice0window_tag.first_column;
       for i in 1 to 6 loop
         slice0other_cost_0_choice(i) := choice((slice0window_sum_0(i) - slice0other_cost_0(i - 1)) < 0,
-          slice0window_tag.output_column, slice0other_cost_0_1_all);
+          slice0window_tag.output_column, slice0other_cost_0_all(1));
       end loop;
-      slice0other_cost_0_7_all := slice0window_tag.output_column and (((slice0window_sum_0(7) - slice0other_cost_0(6))
+      slice0other_cost_0_all(7) := slice0window_tag.output_column and (((slice0window_sum_0(7) - slice0other_cost_0(6))
         < 0) or slice0window_tag.first_column);
       if slice0window_tag.valid then
         slice0other_winner_0_1 <= slice0other_cost_0_choice(1);
@@ -1630,8 +1373,8 @@ begin
             1));
           slice0other_winner_0(i) <= choice(slice0other_cost_0_choice(i), i, slice0other_winner_0(i - 1));
         end loop;
-        slice0other_cost_0(7) <= choice(slice0other_cost_0_7_all, slice0window_sum_0(7), slice0other_cost_0(6));
-        slice0other_winner_0(7) <= choice(slice0other_cost_0_7_all, 7, slice0other_winner_0(6));
+        slice0other_cost_0(7) <= choice(slice0other_cost_0_all(7), slice0window_sum_0(7), slice0other_cost_0(6));
+        slice0other_winner_0(7) <= choice(slice0other_cost_0_all(7), 7, slice0other_winner_0(6));
       end if;
       slice0other_cost_out_0 <= slice0other_cost_0(7);
       -- slice0winner1

@@ -103,12 +103,14 @@ architecture rtl of stereo_core_deepsea_512 is
     return a and b;
   end function;
 
-  function inverted_carry(before : boolean; a : boolean; b : boolean) return boolean is
+  -- whether a > b, of bits `low` to `high`; of equal ones, `before`: bit by bit, as the tool has split it
+  function is_larger(a : natural; b : natural; low : natural; high : natural; before : boolean) return boolean is
+    variable is_not : boolean := not before;
   begin
-    if before then
-      return a and b;
-    end if;
-    return a or b;
+    for place in low to high loop
+      is_not := carry(is_not, not is_set(a, place), is_set(b, place));
+    end loop;
+    return not is_not;
   end function;
 
   function choice(test : boolean; yes : boolean; no : boolean) return boolean is
@@ -692,11 +694,11 @@ begin
     variable transform_read_column_inside_0_is_less : boolean;
     variable transform_left_filter_feature_0_values : boolean_1d(1 to 11);  -- transform_left_filter_feature_0_value_#
     variable transform_left_filter_feature_0_any : boolean;
-    variable transform_left_filter_feature_0_choices : boolean_1d(1 to 384);  -- transform_left_filter_feature_0_choice_#
+    variable transform_left_filter_feature_0_choice : boolean_1d(8 to 384);
     variable transform_left_filter_feature_0_is_equal : boolean;
     variable transform_right_filter_feature_0_values : boolean_1d(1 to 11);  -- transform_right_filter_feature_0_value_#
     variable transform_right_filter_feature_0_any : boolean;
-    variable transform_right_filter_feature_0_choices : boolean_1d(1 to 384);  -- transform_right_filter_feature_0_choice_#
+    variable transform_right_filter_feature_0_choice : boolean_1d(8 to 384);
     variable transform_right_filter_feature_0_is_equal : boolean;
     variable transform_counter_next_frame_choices : boolean_1d(1 to 2);  -- transform_counter_next_frame_choice_#
     variable raster_place_group_is_equal, delay_tag_first_cost_is_equal : boolean;
@@ -749,6 +751,8 @@ begin
   begin
     if rising_edge(clock) then
       -- no bit without a value, where an array has places for more
+      transform_left_filter_feature_0_choice := (others => false);
+      transform_right_filter_feature_0_choice := (others => false);
       slice0cost_pixels_first_0_count_value := (others => (others => (others => false)));
       slice1cost_pixels_first_0_count_value := (others => (others => (others => false)));
       slice2cost_pixels_first_0_count_value := (others => (others => (others => false)));
@@ -767,268 +771,111 @@ begin
       transform_left_filter_feature_0_values(1) := is_set(transform_left_filter_column(3, 3), 1);
       transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_values(1)) or (not
         is_set(transform_left_filter_column(3, 3), 0));
-      transform_left_filter_feature_0_choices(1) := choice(is_set(transform_left_filter_column(6, 0), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
       transform_left_filter_feature_0_is_equal := (transform_left_filter_column(3, 3) mod 4) = 0;
-      transform_left_filter_feature_0_choices(2) := choice(is_set(transform_left_filter_column(6, 0), 1),
-        transform_left_filter_feature_0_choices(1), is_set(transform_left_filter_column(6, 0), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_values(2) := is_set(transform_left_filter_column(3, 3), 2);
-      transform_left_filter_feature_0_choices(3) := inverted_carry(transform_left_filter_feature_0_choices(2), not
-        is_set(transform_left_filter_column(6, 0), 2), transform_left_filter_feature_0_values(2));
-      for i in 3 to 6 loop
+      for i in 2 to 6 loop
         transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(3, 3), i);
-        transform_left_filter_feature_0_choices(i + 1) := carry(transform_left_filter_feature_0_choices(i), not
-          is_set(transform_left_filter_column(6, 0), i), transform_left_filter_feature_0_values(i));
       end loop;
-      for i in 0 to 5 loop
-        transform_left_filter_feature_0_choices(8 * i + 8) := inverted_carry(transform_left_filter_feature_0_choices(8
-          * i + 7), is_set(transform_left_filter_column(6, i), 7), not is_set(transform_left_filter_column(3, 3), 7));
-        transform_left_filter_feature_0_choices(8 * i + 9) := choice(is_set(transform_left_filter_column(6, i + 1), 0),
-          transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(8 * i + 10) := choice(is_set(transform_left_filter_column(6, i + 1),
-          1), transform_left_filter_feature_0_choices(8 * i + 9), is_set(transform_left_filter_column(6, i + 1), 0) and
-          transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(8 * i + 11) := inverted_carry(transform_left_filter_feature_0_choices(8
-          * i + 10), not is_set(transform_left_filter_column(6, i + 1), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(8 * i + j + 9) := carry(transform_left_filter_feature_0_choices(8 * i
-            + j + 8), not is_set(transform_left_filter_column(6, i + 1), j), transform_left_filter_feature_0_values(j));
-        end loop;
-      end loop;
-      transform_left_filter_feature_0_choices(56) := inverted_carry(transform_left_filter_feature_0_choices(55),
-        is_set(transform_left_filter_column(6, 6), 7), not is_set(transform_left_filter_column(3, 3), 7));
-      for i in 0 to 1 loop
+      for i in 0 to 2 loop
         for j in 0 to 6 loop
-          transform_left_filter_feature_0_choices(56 * i + 8 * j + 57) := choice(is_set(transform_left_filter_column(5
-            - i, j), 0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-          transform_left_filter_feature_0_choices(56 * i + 8 * j + 58) := choice(is_set(transform_left_filter_column(5
-            - i, j), 1), transform_left_filter_feature_0_choices(56 * i + 8 * j + 57),
-            is_set(transform_left_filter_column(5 - i, j), 0) and transform_left_filter_feature_0_is_equal);
-          transform_left_filter_feature_0_choices(56 * i + 8 * j + 59) :=
-            inverted_carry(transform_left_filter_feature_0_choices(56 * i + 8 * j + 58), not
-            is_set(transform_left_filter_column(5 - i, j), 2), transform_left_filter_feature_0_values(2));
-          for k in 3 to 6 loop
-            transform_left_filter_feature_0_choices(56 * i + 8 * j + k + 57) :=
-              carry(transform_left_filter_feature_0_choices(56 * i + 8 * j + k + 56), not
-              is_set(transform_left_filter_column(5 - i, j), k), transform_left_filter_feature_0_values(k));
-          end loop;
-          transform_left_filter_feature_0_choices(56 * i + 8 * j + 64) :=
-            inverted_carry(transform_left_filter_feature_0_choices(56 * i + 8 * j + 63),
-            is_set(transform_left_filter_column(5 - i, j), 7), not is_set(transform_left_filter_column(3, 3), 7));
+          transform_left_filter_feature_0_choice(56 * i + 8 * j + 8) := is_larger(transform_left_filter_column(6 - i,
+            j), transform_left_filter_column(3, 3), 0, 7, false);
         end loop;
       end loop;
-      transform_left_filter_feature_0_choices(169) := choice(is_set(transform_left_filter_column(3, 6), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(170) := choice(is_set(transform_left_filter_column(3, 6), 1),
-        transform_left_filter_feature_0_choices(169), is_set(transform_left_filter_column(3, 6), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(171) := inverted_carry(transform_left_filter_feature_0_choices(170), not
-        is_set(transform_left_filter_column(3, 6), 2), transform_left_filter_feature_0_values(2));
-      for i in 172 to 175 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column(3, 6), i - 169), transform_left_filter_feature_0_values(i - 169));
-      end loop;
-      transform_left_filter_feature_0_choices(176) := choice(transform_left_filter_feature_0_choices(175),
+      transform_left_filter_feature_0_choice(175) := not is_larger(transform_left_filter_column(3, 6),
+        transform_left_filter_column(3, 3), 0, 6, false);
+      transform_left_filter_feature_0_choice(176) := choice(transform_left_filter_feature_0_choice(175),
         transform_filtering_0_column_inside(3) and is_set(transform_left_filter_column(3, 6), 7) and (not
         is_set(transform_left_filter_column(3, 3), 7)), transform_filtering_0_column_inside(3) and
         (is_set(transform_left_filter_column(3, 6), 7) or (not is_set(transform_left_filter_column(3, 3), 7))));
-      for i in 0 to 1 loop
-        transform_left_filter_feature_0_choices(8 * i + 177) := choice(is_set(transform_left_filter_column(3, 5 - i),
-          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(8 * i + 178) := choice(is_set(transform_left_filter_column(3, 5 - i),
-          1), transform_left_filter_feature_0_choices(8 * i + 177), is_set(transform_left_filter_column(3, 5 - i), 0)
-          and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(8 * i + 179) :=
-          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 178), not
-          is_set(transform_left_filter_column(3, 5 - i), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(8 * i + j + 177) := carry(transform_left_filter_feature_0_choices(8 *
-            i + j + 176), not is_set(transform_left_filter_column(3, 5 - i), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(8 * i + 184) :=
-          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 183), is_set(transform_left_filter_column(3, 5
-          - i), 7), not is_set(transform_left_filter_column(3, 3), 7));
-      end loop;
+      transform_left_filter_feature_0_choice(184) := is_larger(transform_left_filter_column(3, 5),
+        transform_left_filter_column(3, 3), 0, 7, false);
+      transform_left_filter_feature_0_choice(192) := is_larger(transform_left_filter_column(3, 4),
+        transform_left_filter_column(3, 3), 0, 7, false);
       for i in 0 to 2 loop
-        transform_left_filter_feature_0_choices(8 * i + 193) := choice(is_set(transform_left_filter_column(3, 2 - i),
-          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(8 * i + 194) := choice(is_set(transform_left_filter_column(3, 2 - i),
-          1), transform_left_filter_feature_0_choices(8 * i + 193), is_set(transform_left_filter_column(3, 2 - i), 0)
-          and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(8 * i + 195) :=
-          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 194), not
-          is_set(transform_left_filter_column(3, 2 - i), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(8 * i + j + 193) := carry(transform_left_filter_feature_0_choices(8 *
-            i + j + 192), not is_set(transform_left_filter_column(3, 2 - i), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(8 * i + 200) :=
-          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 199), is_set(transform_left_filter_column(3, 2
-          - i), 7), not is_set(transform_left_filter_column(3, 3), 7));
+        transform_left_filter_feature_0_choice(8 * i + 200) := is_larger(transform_left_filter_column(3, 2 - i),
+          transform_left_filter_column(3, 3), 0, 7, false);
       end loop;
       for i in 0 to 1 loop
-        transform_left_filter_feature_0_choices(56 * i + 217) := choice(is_set(transform_left_filter_column(2 - i, 5),
-          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(56 * i + 218) := choice(is_set(transform_left_filter_column(2 - i, 5),
-          1), transform_left_filter_feature_0_choices(56 * i + 217), is_set(transform_left_filter_column(2 - i, 5), 0)
-          and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(56 * i + 219) :=
-          inverted_carry(transform_left_filter_feature_0_choices(56 * i + 218), not
-          is_set(transform_left_filter_column(2 - i, 5), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(56 * i + j + 217) := carry(transform_left_filter_feature_0_choices(56
-            * i + j + 216), not is_set(transform_left_filter_column(2 - i, 5), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(56 * i + 224) :=
-          inverted_carry(transform_left_filter_feature_0_choices(56 * i + 223), is_set(transform_left_filter_column(2 -
-          i, 5), 7), not is_set(transform_left_filter_column(3, 3), 7));
-        transform_left_filter_feature_0_choices(56 * i + 225) := choice(is_set(transform_left_filter_column(2 - i, 6),
-          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(56 * i + 226) := choice(is_set(transform_left_filter_column(2 - i, 6),
-          1), transform_left_filter_feature_0_choices(56 * i + 225), is_set(transform_left_filter_column(2 - i, 6), 0)
-          and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(56 * i + 227) :=
-          inverted_carry(transform_left_filter_feature_0_choices(56 * i + 226), not
-          is_set(transform_left_filter_column(2 - i, 6), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(56 * i + j + 225) := carry(transform_left_filter_feature_0_choices(56
-            * i + j + 224), not is_set(transform_left_filter_column(2 - i, 6), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(56 * i + 232) :=
-          inverted_carry(transform_left_filter_feature_0_choices(56 * i + 231), is_set(transform_left_filter_column(2 -
-          i, 6), 7), not is_set(transform_left_filter_column(3, 3), 7));
+        transform_left_filter_feature_0_choice(56 * i + 224) := is_larger(transform_left_filter_column(2 - i, 5),
+          transform_left_filter_column(3, 3), 0, 7, false);
+        transform_left_filter_feature_0_choice(56 * i + 232) := is_larger(transform_left_filter_column(2 - i, 6),
+          transform_left_filter_column(3, 3), 0, 7, false);
         for j in 0 to 4 loop
-          transform_left_filter_feature_0_choices(56 * i + 8 * j + 233) := choice(is_set(transform_left_filter_column(2
-            - i, 4 - j), 0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-          transform_left_filter_feature_0_choices(56 * i + 8 * j + 234) := choice(is_set(transform_left_filter_column(2
-            - i, 4 - j), 1), transform_left_filter_feature_0_choices(56 * i + 8 * j + 233),
-            is_set(transform_left_filter_column(2 - i, 4 - j), 0) and transform_left_filter_feature_0_is_equal);
-          transform_left_filter_feature_0_choices(56 * i + 8 * j + 235) :=
-            inverted_carry(transform_left_filter_feature_0_choices(56 * i + 8 * j + 234), not
-            is_set(transform_left_filter_column(2 - i, 4 - j), 2), transform_left_filter_feature_0_values(2));
-          for k in 3 to 6 loop
-            transform_left_filter_feature_0_choices(56 * i + 8 * j + k + 233) :=
-              carry(transform_left_filter_feature_0_choices(56 * i + 8 * j + k + 232), not
-              is_set(transform_left_filter_column(2 - i, 4 - j), k), transform_left_filter_feature_0_values(k));
-          end loop;
-          transform_left_filter_feature_0_choices(56 * i + 8 * j + 240) :=
-            inverted_carry(transform_left_filter_feature_0_choices(56 * i + 8 * j + 239),
-            is_set(transform_left_filter_column(2 - i, 4 - j), 7), not is_set(transform_left_filter_column(3, 3), 7));
+          transform_left_filter_feature_0_choice(56 * i + 8 * j + 240) := is_larger(transform_left_filter_column(2 - i,
+            4 - j), transform_left_filter_column(3, 3), 0, 7, false);
         end loop;
       end loop;
-      for i in 5 to 6 loop
-        transform_left_filter_feature_0_choices(8 * i + 289) := choice(is_set(transform_left_filter_column(0, i), 0),
-          transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(8 * i + 290) := choice(is_set(transform_left_filter_column(0, i), 1),
-          transform_left_filter_feature_0_choices(8 * i + 289), is_set(transform_left_filter_column(0, i), 0) and
-          transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(8 * i + 291) :=
-          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 290), not
-          is_set(transform_left_filter_column(0, i), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(8 * i + j + 289) := carry(transform_left_filter_feature_0_choices(8 *
-            i + j + 288), not is_set(transform_left_filter_column(0, i), j), transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(8 * i + 296) :=
-          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 295), is_set(transform_left_filter_column(0,
-          i), 7), not is_set(transform_left_filter_column(3, 3), 7));
-      end loop;
+      transform_left_filter_feature_0_choice(336) := is_larger(transform_left_filter_column(0, 5),
+        transform_left_filter_column(3, 3), 0, 7, false);
+      transform_left_filter_feature_0_choice(344) := is_larger(transform_left_filter_column(0, 6),
+        transform_left_filter_column(3, 3), 0, 7, false);
       for i in 0 to 3 loop
-        transform_left_filter_feature_0_choices(8 * i + 345) := choice(is_set(transform_left_filter_column(0, 4 - i),
-          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(8 * i + 346) := choice(is_set(transform_left_filter_column(0, 4 - i),
-          1), transform_left_filter_feature_0_choices(8 * i + 345), is_set(transform_left_filter_column(0, 4 - i), 0)
-          and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(8 * i + 347) :=
-          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 346), not
-          is_set(transform_left_filter_column(0, 4 - i), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(8 * i + j + 345) := carry(transform_left_filter_feature_0_choices(8 *
-            i + j + 344), not is_set(transform_left_filter_column(0, 4 - i), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(8 * i + 352) :=
-          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 351), is_set(transform_left_filter_column(0, 4
-          - i), 7), not is_set(transform_left_filter_column(3, 3), 7));
+        transform_left_filter_feature_0_choice(8 * i + 352) := is_larger(transform_left_filter_column(0, 4 - i),
+          transform_left_filter_column(3, 3), 0, 7, false);
       end loop;
-      transform_left_filter_feature_0_choices(377) := choice(is_set(transform_left_filter_column(3, 3), 0), not
-        is_set(transform_left_filter_column(0, 0), 1), (transform_left_filter_column(0, 0) mod 4) = 0);
-      transform_left_filter_feature_0_choices(378) := choice(transform_left_filter_feature_0_values(1),
-        is_set(transform_left_filter_column(3, 3), 0) or (not is_set(transform_left_filter_column(0, 0), 1)) or (not
-        is_set(transform_left_filter_column(0, 0), 0)), transform_left_filter_feature_0_choices(377));
-      transform_left_filter_feature_0_values(7) := is_set(transform_left_filter_column(0, 0), 2);
-      transform_left_filter_feature_0_choices(379) := inverted_carry(transform_left_filter_feature_0_choices(378), not
-        transform_left_filter_feature_0_values(2), transform_left_filter_feature_0_values(7));
-      for i in 8 to 11 loop
+      for i in 7 to 11 loop
         transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(0, 0), i - 5);
-        transform_left_filter_feature_0_choices(i + 372) := carry(transform_left_filter_feature_0_choices(i + 371), not
-          transform_left_filter_feature_0_values(i - 5), transform_left_filter_feature_0_values(i));
       end loop;
-      transform_left_filter_feature_0_choices(384) := carry(transform_left_filter_feature_0_choices(383), not
-        is_set(transform_left_filter_column(3, 3), 7), is_set(transform_left_filter_column(0, 0), 7));
+      transform_left_filter_feature_0_choice(384) := not is_larger(transform_left_filter_column(3, 3),
+        transform_left_filter_column(0, 0), 0, 7, true);
       transform_left_filter_feature_0_choice_385 := choice(transform_filtering_0_column_inside(0),
-        (as_number(transform_left_filter_feature_0_choices(336)) * 32) +
-        (as_number(transform_left_filter_feature_0_choices(344)) * 64) +
-        (as_number(transform_left_filter_feature_0_choices(352)) * 16) +
-        (as_number(transform_left_filter_feature_0_choices(360)) * 8) +
-        (as_number(transform_left_filter_feature_0_choices(368)) * 4) +
-        (as_number(transform_left_filter_feature_0_choices(376)) * 2) +
-        as_number(transform_left_filter_feature_0_choices(384)), 0);
+        (as_number(transform_left_filter_feature_0_choice(336)) * 32) +
+        (as_number(transform_left_filter_feature_0_choice(344)) * 64) +
+        (as_number(transform_left_filter_feature_0_choice(352)) * 16) +
+        (as_number(transform_left_filter_feature_0_choice(360)) * 8) +
+        (as_number(transform_left_filter_feature_0_choice(368)) * 4) +
+        (as_number(transform_left_filter_feature_0_choice(376)) * 2) +
+        as_number(transform_left_filter_feature_0_choice(384)), 0);
       transform_left_filter_feature_0_choice_386 := choice(transform_filtering_0_column_inside(1),
-        (as_number(transform_left_filter_feature_0_choices(280)) * 4096) +
-        (as_number(transform_left_filter_feature_0_choices(288)) * 8192) +
-        (as_number(transform_left_filter_feature_0_choices(296)) * 2048) +
-        (as_number(transform_left_filter_feature_0_choices(304)) * 1024) +
-        (as_number(transform_left_filter_feature_0_choices(312)) * 512) +
-        (as_number(transform_left_filter_feature_0_choices(320)) * 256) +
-        (as_number(transform_left_filter_feature_0_choices(328)) * 128) + transform_left_filter_feature_0_choice_385,
+        (as_number(transform_left_filter_feature_0_choice(280)) * 4096) +
+        (as_number(transform_left_filter_feature_0_choice(288)) * 8192) +
+        (as_number(transform_left_filter_feature_0_choice(296)) * 2048) +
+        (as_number(transform_left_filter_feature_0_choice(304)) * 1024) +
+        (as_number(transform_left_filter_feature_0_choice(312)) * 512) +
+        (as_number(transform_left_filter_feature_0_choice(320)) * 256) +
+        (as_number(transform_left_filter_feature_0_choice(328)) * 128) + transform_left_filter_feature_0_choice_385,
         transform_left_filter_feature_0_choice_385);
       transform_left_filter_feature_0_choice_387 := choice(transform_filtering_0_column_inside(2),
-        (as_number(transform_left_filter_feature_0_choices(224)) * 524288) +
-        (as_number(transform_left_filter_feature_0_choices(232)) * 1048576) +
-        (as_number(transform_left_filter_feature_0_choices(240)) * 262144) +
-        (as_number(transform_left_filter_feature_0_choices(248)) * 131072) +
-        (as_number(transform_left_filter_feature_0_choices(256)) * 65536) +
-        (as_number(transform_left_filter_feature_0_choices(264)) * 32768) +
-        (as_number(transform_left_filter_feature_0_choices(272)) * 16384) + transform_left_filter_feature_0_choice_386,
+        (as_number(transform_left_filter_feature_0_choice(224)) * 524288) +
+        (as_number(transform_left_filter_feature_0_choice(232)) * 1048576) +
+        (as_number(transform_left_filter_feature_0_choice(240)) * 262144) +
+        (as_number(transform_left_filter_feature_0_choice(248)) * 131072) +
+        (as_number(transform_left_filter_feature_0_choice(256)) * 65536) +
+        (as_number(transform_left_filter_feature_0_choice(264)) * 32768) +
+        (as_number(transform_left_filter_feature_0_choice(272)) * 16384) + transform_left_filter_feature_0_choice_386,
         transform_left_filter_feature_0_choice_386);
       transform_left_filter_feature_0_choice_388 := choice(transform_filtering_0_column_inside(3),
-        (as_number(transform_left_filter_feature_0_choices(184)) * 33554432) +
-        (as_number(transform_left_filter_feature_0_choices(192)) * 16777216) +
-        (as_number(transform_left_filter_feature_0_choices(200)) * 8388608) +
-        (as_number(transform_left_filter_feature_0_choices(208)) * 4194304) +
-        (as_number(transform_left_filter_feature_0_choices(216)) * 2097152) +
+        (as_number(transform_left_filter_feature_0_choice(184)) * 33554432) +
+        (as_number(transform_left_filter_feature_0_choice(192)) * 16777216) +
+        (as_number(transform_left_filter_feature_0_choice(200)) * 8388608) +
+        (as_number(transform_left_filter_feature_0_choice(208)) * 4194304) +
+        (as_number(transform_left_filter_feature_0_choice(216)) * 2097152) +
         transform_left_filter_feature_0_choice_387, transform_left_filter_feature_0_choice_387);
       if transform_filtering_0_column_inside(4) then
         transform_left_filter_feature_0_choice_389 :=
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(168)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(160)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(152)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(144)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(136)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(128)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(120)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(176)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(168)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(160)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(152)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(144)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(136)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(128)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(120)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(176)), 1) &
           to_unsigned(transform_left_filter_feature_0_choice_388, 26);
       else
         transform_left_filter_feature_0_choice_389 :=
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(176)), 8) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(176)), 8) &
           to_unsigned(transform_left_filter_feature_0_choice_388, 26);
       end if;
       if transform_filtering_0_column_inside(5) then
         transform_left_filter_feature_0_choice_390 :=
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(112)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(104)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(96)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(88)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(80)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(72)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(64)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(112)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(104)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(96)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(88)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(80)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(72)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(64)), 1) &
           transform_left_filter_feature_0_choice_389(33 downto 0);
       else
         transform_left_filter_feature_0_choice_390 := resize(transform_left_filter_feature_0_choice_389, 41);
@@ -1036,276 +883,111 @@ begin
       transform_right_filter_feature_0_values(1) := is_set(transform_right_filter_column(3, 3), 1);
       transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_values(1)) or (not
         is_set(transform_right_filter_column(3, 3), 0));
-      transform_right_filter_feature_0_choices(1) := choice(is_set(transform_right_filter_column(6, 0), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
       transform_right_filter_feature_0_is_equal := (transform_right_filter_column(3, 3) mod 4) = 0;
-      transform_right_filter_feature_0_choices(2) := choice(is_set(transform_right_filter_column(6, 0), 1),
-        transform_right_filter_feature_0_choices(1), is_set(transform_right_filter_column(6, 0), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_values(2) := is_set(transform_right_filter_column(3, 3), 2);
-      transform_right_filter_feature_0_choices(3) := inverted_carry(transform_right_filter_feature_0_choices(2), not
-        is_set(transform_right_filter_column(6, 0), 2), transform_right_filter_feature_0_values(2));
-      for i in 3 to 6 loop
+      for i in 2 to 6 loop
         transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(3, 3), i);
-        transform_right_filter_feature_0_choices(i + 1) := carry(transform_right_filter_feature_0_choices(i), not
-          is_set(transform_right_filter_column(6, 0), i), transform_right_filter_feature_0_values(i));
       end loop;
-      for i in 0 to 5 loop
-        transform_right_filter_feature_0_choices(8 * i + 8) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 7), is_set(transform_right_filter_column(6,
-          i), 7), not is_set(transform_right_filter_column(3, 3), 7));
-        transform_right_filter_feature_0_choices(8 * i + 9) := choice(is_set(transform_right_filter_column(6, i + 1),
-          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(8 * i + 10) := choice(is_set(transform_right_filter_column(6, i + 1),
-          1), transform_right_filter_feature_0_choices(8 * i + 9), is_set(transform_right_filter_column(6, i + 1), 0)
-          and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(8 * i + 11) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 10), not
-          is_set(transform_right_filter_column(6, i + 1), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(8 * i + j + 9) := carry(transform_right_filter_feature_0_choices(8 *
-            i + j + 8), not is_set(transform_right_filter_column(6, i + 1), j),
-            transform_right_filter_feature_0_values(j));
-        end loop;
-      end loop;
-      transform_right_filter_feature_0_choices(56) := inverted_carry(transform_right_filter_feature_0_choices(55),
-        is_set(transform_right_filter_column(6, 6), 7), not is_set(transform_right_filter_column(3, 3), 7));
-      for i in 0 to 1 loop
+      for i in 0 to 2 loop
         for j in 0 to 6 loop
-          transform_right_filter_feature_0_choices(56 * i + 8 * j + 57) :=
-            choice(is_set(transform_right_filter_column(5 - i, j), 0), transform_right_filter_feature_0_any, not
-            transform_right_filter_feature_0_values(1));
-          transform_right_filter_feature_0_choices(56 * i + 8 * j + 58) :=
-            choice(is_set(transform_right_filter_column(5 - i, j), 1), transform_right_filter_feature_0_choices(56 * i
-            + 8 * j + 57), is_set(transform_right_filter_column(5 - i, j), 0) and
-            transform_right_filter_feature_0_is_equal);
-          transform_right_filter_feature_0_choices(56 * i + 8 * j + 59) :=
-            inverted_carry(transform_right_filter_feature_0_choices(56 * i + 8 * j + 58), not
-            is_set(transform_right_filter_column(5 - i, j), 2), transform_right_filter_feature_0_values(2));
-          for k in 3 to 6 loop
-            transform_right_filter_feature_0_choices(56 * i + 8 * j + k + 57) :=
-              carry(transform_right_filter_feature_0_choices(56 * i + 8 * j + k + 56), not
-              is_set(transform_right_filter_column(5 - i, j), k), transform_right_filter_feature_0_values(k));
-          end loop;
-          transform_right_filter_feature_0_choices(56 * i + 8 * j + 64) :=
-            inverted_carry(transform_right_filter_feature_0_choices(56 * i + 8 * j + 63),
-            is_set(transform_right_filter_column(5 - i, j), 7), not is_set(transform_right_filter_column(3, 3), 7));
+          transform_right_filter_feature_0_choice(56 * i + 8 * j + 8) := is_larger(transform_right_filter_column(6 - i,
+            j), transform_right_filter_column(3, 3), 0, 7, false);
         end loop;
       end loop;
-      transform_right_filter_feature_0_choices(169) := choice(is_set(transform_right_filter_column(3, 6), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(170) := choice(is_set(transform_right_filter_column(3, 6), 1),
-        transform_right_filter_feature_0_choices(169), is_set(transform_right_filter_column(3, 6), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(171) := inverted_carry(transform_right_filter_feature_0_choices(170),
-        not is_set(transform_right_filter_column(3, 6), 2), transform_right_filter_feature_0_values(2));
-      for i in 172 to 175 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column(3, 6), i - 169), transform_right_filter_feature_0_values(i - 169));
-      end loop;
-      transform_right_filter_feature_0_choices(176) := choice(transform_right_filter_feature_0_choices(175),
+      transform_right_filter_feature_0_choice(175) := not is_larger(transform_right_filter_column(3, 6),
+        transform_right_filter_column(3, 3), 0, 6, false);
+      transform_right_filter_feature_0_choice(176) := choice(transform_right_filter_feature_0_choice(175),
         transform_filtering_0_column_inside(3) and is_set(transform_right_filter_column(3, 6), 7) and (not
         is_set(transform_right_filter_column(3, 3), 7)), transform_filtering_0_column_inside(3) and
         (is_set(transform_right_filter_column(3, 6), 7) or (not is_set(transform_right_filter_column(3, 3), 7))));
-      for i in 0 to 1 loop
-        transform_right_filter_feature_0_choices(8 * i + 177) := choice(is_set(transform_right_filter_column(3, 5 - i),
-          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(8 * i + 178) := choice(is_set(transform_right_filter_column(3, 5 - i),
-          1), transform_right_filter_feature_0_choices(8 * i + 177), is_set(transform_right_filter_column(3, 5 - i), 0)
-          and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(8 * i + 179) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 178), not
-          is_set(transform_right_filter_column(3, 5 - i), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(8 * i + j + 177) := carry(transform_right_filter_feature_0_choices(8
-            * i + j + 176), not is_set(transform_right_filter_column(3, 5 - i), j),
-            transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(8 * i + 184) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 183), is_set(transform_right_filter_column(3,
-          5 - i), 7), not is_set(transform_right_filter_column(3, 3), 7));
-      end loop;
+      transform_right_filter_feature_0_choice(184) := is_larger(transform_right_filter_column(3, 5),
+        transform_right_filter_column(3, 3), 0, 7, false);
+      transform_right_filter_feature_0_choice(192) := is_larger(transform_right_filter_column(3, 4),
+        transform_right_filter_column(3, 3), 0, 7, false);
       for i in 0 to 2 loop
-        transform_right_filter_feature_0_choices(8 * i + 193) := choice(is_set(transform_right_filter_column(3, 2 - i),
-          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(8 * i + 194) := choice(is_set(transform_right_filter_column(3, 2 - i),
-          1), transform_right_filter_feature_0_choices(8 * i + 193), is_set(transform_right_filter_column(3, 2 - i), 0)
-          and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(8 * i + 195) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 194), not
-          is_set(transform_right_filter_column(3, 2 - i), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(8 * i + j + 193) := carry(transform_right_filter_feature_0_choices(8
-            * i + j + 192), not is_set(transform_right_filter_column(3, 2 - i), j),
-            transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(8 * i + 200) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 199), is_set(transform_right_filter_column(3,
-          2 - i), 7), not is_set(transform_right_filter_column(3, 3), 7));
+        transform_right_filter_feature_0_choice(8 * i + 200) := is_larger(transform_right_filter_column(3, 2 - i),
+          transform_right_filter_column(3, 3), 0, 7, false);
       end loop;
       for i in 0 to 1 loop
-        transform_right_filter_feature_0_choices(56 * i + 217) := choice(is_set(transform_right_filter_column(2 - i,
-          5), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(56 * i + 218) := choice(is_set(transform_right_filter_column(2 - i,
-          5), 1), transform_right_filter_feature_0_choices(56 * i + 217), is_set(transform_right_filter_column(2 - i,
-          5), 0) and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(56 * i + 219) :=
-          inverted_carry(transform_right_filter_feature_0_choices(56 * i + 218), not
-          is_set(transform_right_filter_column(2 - i, 5), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(56 * i + j + 217) :=
-            carry(transform_right_filter_feature_0_choices(56 * i + j + 216), not
-            is_set(transform_right_filter_column(2 - i, 5), j), transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(56 * i + 224) :=
-          inverted_carry(transform_right_filter_feature_0_choices(56 * i + 223), is_set(transform_right_filter_column(2
-          - i, 5), 7), not is_set(transform_right_filter_column(3, 3), 7));
-        transform_right_filter_feature_0_choices(56 * i + 225) := choice(is_set(transform_right_filter_column(2 - i,
-          6), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(56 * i + 226) := choice(is_set(transform_right_filter_column(2 - i,
-          6), 1), transform_right_filter_feature_0_choices(56 * i + 225), is_set(transform_right_filter_column(2 - i,
-          6), 0) and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(56 * i + 227) :=
-          inverted_carry(transform_right_filter_feature_0_choices(56 * i + 226), not
-          is_set(transform_right_filter_column(2 - i, 6), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(56 * i + j + 225) :=
-            carry(transform_right_filter_feature_0_choices(56 * i + j + 224), not
-            is_set(transform_right_filter_column(2 - i, 6), j), transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(56 * i + 232) :=
-          inverted_carry(transform_right_filter_feature_0_choices(56 * i + 231), is_set(transform_right_filter_column(2
-          - i, 6), 7), not is_set(transform_right_filter_column(3, 3), 7));
+        transform_right_filter_feature_0_choice(56 * i + 224) := is_larger(transform_right_filter_column(2 - i, 5),
+          transform_right_filter_column(3, 3), 0, 7, false);
+        transform_right_filter_feature_0_choice(56 * i + 232) := is_larger(transform_right_filter_column(2 - i, 6),
+          transform_right_filter_column(3, 3), 0, 7, false);
         for j in 0 to 4 loop
-          transform_right_filter_feature_0_choices(56 * i + 8 * j + 233) :=
-            choice(is_set(transform_right_filter_column(2 - i, 4 - j), 0), transform_right_filter_feature_0_any, not
-            transform_right_filter_feature_0_values(1));
-          transform_right_filter_feature_0_choices(56 * i + 8 * j + 234) :=
-            choice(is_set(transform_right_filter_column(2 - i, 4 - j), 1), transform_right_filter_feature_0_choices(56
-            * i + 8 * j + 233), is_set(transform_right_filter_column(2 - i, 4 - j), 0) and
-            transform_right_filter_feature_0_is_equal);
-          transform_right_filter_feature_0_choices(56 * i + 8 * j + 235) :=
-            inverted_carry(transform_right_filter_feature_0_choices(56 * i + 8 * j + 234), not
-            is_set(transform_right_filter_column(2 - i, 4 - j), 2), transform_right_filter_feature_0_values(2));
-          for k in 3 to 6 loop
-            transform_right_filter_feature_0_choices(56 * i + 8 * j + k + 233) :=
-              carry(transform_right_filter_feature_0_choices(56 * i + 8 * j + k + 232), not
-              is_set(transform_right_filter_column(2 - i, 4 - j), k), transform_right_filter_feature_0_values(k));
-          end loop;
-          transform_right_filter_feature_0_choices(56 * i + 8 * j + 240) :=
-            inverted_carry(transform_right_filter_feature_0_choices(56 * i + 8 * j + 239),
-            is_set(transform_right_filter_column(2 - i, 4 - j), 7), not is_set(transform_right_filter_column(3, 3), 7));
+          transform_right_filter_feature_0_choice(56 * i + 8 * j + 240) := is_larger(transform_right_filter_column(2 -
+            i, 4 - j), transform_right_filter_column(3, 3), 0, 7, false);
         end loop;
       end loop;
-      for i in 5 to 6 loop
-        transform_right_filter_feature_0_choices(8 * i + 289) := choice(is_set(transform_right_filter_column(0, i), 0),
-          transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(8 * i + 290) := choice(is_set(transform_right_filter_column(0, i), 1),
-          transform_right_filter_feature_0_choices(8 * i + 289), is_set(transform_right_filter_column(0, i), 0) and
-          transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(8 * i + 291) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 290), not
-          is_set(transform_right_filter_column(0, i), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(8 * i + j + 289) := carry(transform_right_filter_feature_0_choices(8
-            * i + j + 288), not is_set(transform_right_filter_column(0, i), j),
-            transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(8 * i + 296) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 295), is_set(transform_right_filter_column(0,
-          i), 7), not is_set(transform_right_filter_column(3, 3), 7));
-      end loop;
+      transform_right_filter_feature_0_choice(336) := is_larger(transform_right_filter_column(0, 5),
+        transform_right_filter_column(3, 3), 0, 7, false);
+      transform_right_filter_feature_0_choice(344) := is_larger(transform_right_filter_column(0, 6),
+        transform_right_filter_column(3, 3), 0, 7, false);
       for i in 0 to 3 loop
-        transform_right_filter_feature_0_choices(8 * i + 345) := choice(is_set(transform_right_filter_column(0, 4 - i),
-          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(8 * i + 346) := choice(is_set(transform_right_filter_column(0, 4 - i),
-          1), transform_right_filter_feature_0_choices(8 * i + 345), is_set(transform_right_filter_column(0, 4 - i), 0)
-          and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(8 * i + 347) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 346), not
-          is_set(transform_right_filter_column(0, 4 - i), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(8 * i + j + 345) := carry(transform_right_filter_feature_0_choices(8
-            * i + j + 344), not is_set(transform_right_filter_column(0, 4 - i), j),
-            transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(8 * i + 352) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 351), is_set(transform_right_filter_column(0,
-          4 - i), 7), not is_set(transform_right_filter_column(3, 3), 7));
+        transform_right_filter_feature_0_choice(8 * i + 352) := is_larger(transform_right_filter_column(0, 4 - i),
+          transform_right_filter_column(3, 3), 0, 7, false);
       end loop;
-      transform_right_filter_feature_0_choices(377) := choice(is_set(transform_right_filter_column(3, 3), 0), not
-        is_set(transform_right_filter_column(0, 0), 1), (transform_right_filter_column(0, 0) mod 4) = 0);
-      transform_right_filter_feature_0_choices(378) := choice(transform_right_filter_feature_0_values(1),
-        is_set(transform_right_filter_column(3, 3), 0) or (not is_set(transform_right_filter_column(0, 0), 1)) or (not
-        is_set(transform_right_filter_column(0, 0), 0)), transform_right_filter_feature_0_choices(377));
-      transform_right_filter_feature_0_values(7) := is_set(transform_right_filter_column(0, 0), 2);
-      transform_right_filter_feature_0_choices(379) := inverted_carry(transform_right_filter_feature_0_choices(378),
-        not transform_right_filter_feature_0_values(2), transform_right_filter_feature_0_values(7));
-      for i in 8 to 11 loop
+      for i in 7 to 11 loop
         transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(0, 0), i - 5);
-        transform_right_filter_feature_0_choices(i + 372) := carry(transform_right_filter_feature_0_choices(i + 371),
-          not transform_right_filter_feature_0_values(i - 5), transform_right_filter_feature_0_values(i));
       end loop;
-      transform_right_filter_feature_0_choices(384) := carry(transform_right_filter_feature_0_choices(383), not
-        is_set(transform_right_filter_column(3, 3), 7), is_set(transform_right_filter_column(0, 0), 7));
+      transform_right_filter_feature_0_choice(384) := not is_larger(transform_right_filter_column(3, 3),
+        transform_right_filter_column(0, 0), 0, 7, true);
       transform_right_filter_feature_0_choice_385 := choice(transform_filtering_0_column_inside(0),
-        (as_number(transform_right_filter_feature_0_choices(336)) * 32) +
-        (as_number(transform_right_filter_feature_0_choices(344)) * 64) +
-        (as_number(transform_right_filter_feature_0_choices(352)) * 16) +
-        (as_number(transform_right_filter_feature_0_choices(360)) * 8) +
-        (as_number(transform_right_filter_feature_0_choices(368)) * 4) +
-        (as_number(transform_right_filter_feature_0_choices(376)) * 2) +
-        as_number(transform_right_filter_feature_0_choices(384)), 0);
+        (as_number(transform_right_filter_feature_0_choice(336)) * 32) +
+        (as_number(transform_right_filter_feature_0_choice(344)) * 64) +
+        (as_number(transform_right_filter_feature_0_choice(352)) * 16) +
+        (as_number(transform_right_filter_feature_0_choice(360)) * 8) +
+        (as_number(transform_right_filter_feature_0_choice(368)) * 4) +
+        (as_number(transform_right_filter_feature_0_choice(376)) * 2) +
+        as_number(transform_right_filter_feature_0_choice(384)), 0);
       transform_right_filter_feature_0_choice_386 := choice(transform_filtering_0_column_inside(1),
-        (as_number(transform_right_filter_feature_0_choices(280)) * 4096) +
-        (as_number(transform_right_filter_feature_0_choices(288)) * 8192) +
-        (as_number(transform_right_filter_feature_0_choices(296)) * 2048) +
-        (as_number(transform_right_filter_feature_0_choices(304)) * 1024) +
-        (as_number(transform_right_filter_feature_0_choices(312)) * 512) +
-        (as_number(transform_right_filter_feature_0_choices(320)) * 256) +
-        (as_number(transform_right_filter_feature_0_choices(328)) * 128) + transform_right_filter_feature_0_choice_385,
+        (as_number(transform_right_filter_feature_0_choice(280)) * 4096) +
+        (as_number(transform_right_filter_feature_0_choice(288)) * 8192) +
+        (as_number(transform_right_filter_feature_0_choice(296)) * 2048) +
+        (as_number(transform_right_filter_feature_0_choice(304)) * 1024) +
+        (as_number(transform_right_filter_feature_0_choice(312)) * 512) +
+        (as_number(transform_right_filter_feature_0_choice(320)) * 256) +
+        (as_number(transform_right_filter_feature_0_choice(328)) * 128) + transform_right_filter_feature_0_choice_385,
         transform_right_filter_feature_0_choice_385);
       transform_right_filter_feature_0_choice_387 := choice(transform_filtering_0_column_inside(2),
-        (as_number(transform_right_filter_feature_0_choices(224)) * 524288) +
-        (as_number(transform_right_filter_feature_0_choices(232)) * 1048576) +
-        (as_number(transform_right_filter_feature_0_choices(240)) * 262144) +
-        (as_number(transform_right_filter_feature_0_choices(248)) * 131072) +
-        (as_number(transform_right_filter_feature_0_choices(256)) * 65536) +
-        (as_number(transform_right_filter_feature_0_choices(264)) * 32768) +
-        (as_number(transform_right_filter_feature_0_choices(272)) * 16384) +
+        (as_number(transform_right_filter_feature_0_choice(224)) * 524288) +
+        (as_number(transform_right_filter_feature_0_choice(232)) * 1048576) +
+        (as_number(transform_right_filter_feature_0_choice(240)) * 262144) +
+        (as_number(transform_right_filter_feature_0_choice(248)) * 131072) +
+        (as_number(transform_right_filter_feature_0_choice(256)) * 65536) +
+        (as_number(transform_right_filter_feature_0_choice(264)) * 32768) +
+        (as_number(transform_right_filter_feature_0_choice(272)) * 16384) +
         transform_right_filter_feature_0_choice_386, transform_right_filter_feature_0_choice_386);
       transform_right_filter_feature_0_choice_388 := choice(transform_filtering_0_column_inside(3),
-        (as_number(transform_right_filter_feature_0_choices(184)) * 33554432) +
-        (as_number(transform_right_filter_feature_0_choices(192)) * 16777216) +
-        (as_number(transform_right_filter_feature_0_choices(200)) * 8388608) +
-        (as_number(transform_right_filter_feature_0_choices(208)) * 4194304) +
-        (as_number(transform_right_filter_feature_0_choices(216)) * 2097152) +
+        (as_number(transform_right_filter_feature_0_choice(184)) * 33554432) +
+        (as_number(transform_right_filter_feature_0_choice(192)) * 16777216) +
+        (as_number(transform_right_filter_feature_0_choice(200)) * 8388608) +
+        (as_number(transform_right_filter_feature_0_choice(208)) * 4194304) +
+        (as_number(transform_right_filter_feature_0_choice(216)) * 2097152) +
         transform_right_filter_feature_0_choice_387, transform_right_filter_feature_0_choice_387);
       if transform_filtering_0_column_inside(4) then
         transform_right_filter_feature_0_choice_389 :=
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(168)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(160)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(152)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(144)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(136)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(128)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(120)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(176)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(168)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(160)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(152)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(144)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(136)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(128)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(120)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(176)), 1) &
           to_unsigned(transform_right_filter_feature_0_choice_388, 26);
       else
         transform_right_filter_feature_0_choice_389 :=
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(176)), 8) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(176)), 8) &
           to_unsigned(transform_right_filter_feature_0_choice_388, 26);
       end if;
       if transform_filtering_0_column_inside(5) then
         transform_right_filter_feature_0_choice_390 :=
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(112)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(104)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(96)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(88)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(80)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(72)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(64)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(112)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(104)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(96)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(88)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(80)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(72)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(64)), 1) &
           transform_right_filter_feature_0_choice_389(33 downto 0);
       else
         transform_right_filter_feature_0_choice_390 := resize(transform_right_filter_feature_0_choice_389, 41);
@@ -1371,21 +1053,21 @@ begin
       transform_counter_group <= choice(in_valid and in_start_of_frame, transform_counter_group_choice * 32,
         transform_counter_group_choices(3));
       if transform_filtering_0_column_inside(6) then
-        transform_left_filter_feature_0 <= to_unsigned(as_number(transform_left_filter_feature_0_choices(56)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(48)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(40)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(32)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(24)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(16)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(8)), 1) &
+        transform_left_filter_feature_0 <= to_unsigned(as_number(transform_left_filter_feature_0_choice(56)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(48)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(40)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(32)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(24)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(16)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(8)), 1) &
           transform_left_filter_feature_0_choice_390(40 downto 0);
-        transform_right_filter_feature_0 <= to_unsigned(as_number(transform_right_filter_feature_0_choices(56)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(48)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(40)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(32)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(24)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(16)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(8)), 1) &
+        transform_right_filter_feature_0 <= to_unsigned(as_number(transform_right_filter_feature_0_choice(56)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(48)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(40)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(32)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(24)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(16)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(8)), 1) &
           transform_right_filter_feature_0_choice_390(40 downto 0);
       else
         transform_left_filter_feature_0 <= resize(transform_left_filter_feature_0_choice_390, 48);

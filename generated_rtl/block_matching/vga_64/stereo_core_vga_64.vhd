@@ -104,12 +104,14 @@ architecture rtl of stereo_core_vga_64 is
     return a and b;
   end function;
 
-  function inverted_carry(before : boolean; a : boolean; b : boolean) return boolean is
+  -- whether a > b, of bits `low` to `high`; of equal ones, `before`: bit by bit, as the tool has split it
+  function is_larger(a : natural; b : natural; low : natural; high : natural; before : boolean) return boolean is
+    variable is_not : boolean := not before;
   begin
-    if before then
-      return a and b;
-    end if;
-    return a or b;
+    for place in low to high loop
+      is_not := carry(is_not, not is_set(a, place), is_set(b, place));
+    end loop;
+    return not is_not;
   end function;
 
   function choice(test : boolean; yes : boolean; no : boolean) return boolean is
@@ -275,8 +277,8 @@ architecture rtl of stereo_core_vga_64 is
   signal slice0winner1_best_late_cost_0 : natural_4095_1d(0 to 7);
   signal slice0winner1_best_but_first_0 : natural_4095_1d(1 to 7);
   signal slice0winner1_best_but_last_0 : natural_4095_1d(0 to 7);
-  signal slice0winner1_best_index_0_0, slice0winner1_best_place_0_2, slice0winner1_best_place_0_4 : boolean;
-  signal slice0winner1_best_place_0_6 : boolean;
+  signal slice0winner1_best_index_0_0 : boolean;
+  signal slice0winner1_best_place_0 : boolean_1d(1 to 3);  -- slice0winner1_best_place_0_2#
   signal slice0winner1_tag : tag_4;
   signal slice0winner1_best_index_0 : natural_15_1d(1 to 7);  -- slice0winner1_best_index_0_# up to 3, 5 .. 15
   -- slice0winner2
@@ -345,8 +347,8 @@ architecture rtl of stereo_core_vga_64 is
   signal slice1winner1_best_cost_0, slice1winner1_best_below_0, slice1winner1_best_above_0 : natural_4095_1d(0 to 7);
   signal slice1winner1_best_late_cost_0, slice1winner1_best_but_first_0 : natural_4095_1d(0 to 7);
   signal slice1winner1_best_but_last_0 : natural_4095_1d(0 to 7);
-  signal slice1winner1_best_index_0_0, slice1winner1_best_place_0_2, slice1winner1_best_place_0_4 : boolean;
-  signal slice1winner1_best_place_0_6 : boolean;
+  signal slice1winner1_best_index_0_0 : boolean;
+  signal slice1winner1_best_place_0 : boolean_1d(1 to 3);  -- slice1winner1_best_place_0_2#
   signal slice1winner1_tag : tag_2;
   signal slice1winner1_best_index_0 : natural_15_1d(1 to 7);  -- slice1winner1_best_index_0_# up to 3, 5 .. 15
   -- slice1winner2
@@ -410,8 +412,8 @@ architecture rtl of stereo_core_vga_64 is
   signal slice2winner1_best_cost_0, slice2winner1_best_below_0, slice2winner1_best_above_0 : natural_4095_1d(0 to 7);
   signal slice2winner1_best_late_cost_0, slice2winner1_best_but_first_0 : natural_4095_1d(0 to 7);
   signal slice2winner1_best_but_last_0 : natural_4095_1d(0 to 7);
-  signal slice2winner1_best_index_0_0, slice2winner1_best_place_0_2, slice2winner1_best_place_0_4 : boolean;
-  signal slice2winner1_best_place_0_6 : boolean;
+  signal slice2winner1_best_index_0_0 : boolean;
+  signal slice2winner1_best_place_0 : boolean_1d(1 to 3);  -- slice2winner1_best_place_0_2#
   signal slice2winner1_best_index_0 : natural_15_1d(1 to 7);  -- slice2winner1_best_index_0_# up to 3, 5 .. 15
   -- slice2winner2
   signal slice2winner2_best_cost_0, slice2winner2_best_below_0, slice2winner2_best_above_0 : natural_4095_1d(0 to 3);
@@ -472,8 +474,8 @@ architecture rtl of stereo_core_vga_64 is
   signal slice3winner1_best_cost_0, slice3winner1_best_below_0, slice3winner1_best_above_0 : natural_4095_1d(0 to 7);
   signal slice3winner1_best_late_cost_0, slice3winner1_best_but_first_0 : natural_4095_1d(0 to 7);
   signal slice3winner1_best_but_last_0 : natural_4095_1d(0 to 6);
-  signal slice3winner1_best_index_0_0, slice3winner1_best_place_0_2, slice3winner1_best_place_0_4 : boolean;
-  signal slice3winner1_best_place_0_6 : boolean;
+  signal slice3winner1_best_index_0_0 : boolean;
+  signal slice3winner1_best_place_0 : boolean_1d(1 to 3);  -- slice3winner1_best_place_0_2#
   signal slice3winner1_best_index_0 : natural_15_1d(1 to 7);  -- slice3winner1_best_index_0_# up to 3, 5 .. 15
   -- slice3winner2
   signal slice3winner2_best_cost_0, slice3winner2_best_below_0, slice3winner2_best_above_0 : natural_4095_1d(0 to 3);
@@ -797,18 +799,17 @@ begin
     variable transform_read_column_inside_0_is_less : boolean;
     variable transform_left_filter_feature_0_values : boolean_1d(1 to 11);  -- transform_left_filter_feature_0_value_#
     variable transform_left_filter_feature_0_any : boolean;
-    variable transform_left_filter_feature_0_choices : boolean_1d(1 to 212);  -- transform_left_filter_feature_0_choice_#
+    variable transform_left_filter_feature_0_choice : boolean_1d(8 to 212);
     variable transform_left_filter_feature_0_is_equal : boolean;
     variable transform_right_filter_feature_0_values : boolean_1d(1 to 11);  -- transform_right_filter_feature_0_value_#
     variable transform_right_filter_feature_0_any : boolean;
-    variable transform_right_filter_feature_0_choices : boolean_1d(1 to 212);  -- transform_right_filter_feature_0_choice_#
+    variable transform_right_filter_feature_0_choice : boolean_1d(8 to 212);
     variable transform_right_filter_feature_0_is_equal : boolean;
     variable transform_counter_next_frame_choices : boolean_1d(1 to 2);  -- transform_counter_next_frame_choice_#
     variable raster_place_group_is_equal, delay_tag_map_column_is_less, delay_tag_first_column_is_equal : boolean;
     variable slice0cost_pixels_first_0_count_value : boolean_3d(0 to 1, 0 to 8, 1 to 3);  -- slice0cost_pixels_first_#_0_count_#_value_#
-    variable slice0other_cost_0_1_all : boolean;
+    variable slice0other_cost_0_all : boolean_1d(1 to 15);  -- slice0other_cost_0_#_all
     variable slice0other_cost_0_choice : boolean_1d(1 to 14);  -- slice0other_cost_0_#_choice
-    variable slice0other_cost_0_15_all : boolean;
     variable slice0winner1_best_cost_0_is_less : boolean_1d(0 to 7);  -- slice0winner1_best_cost_0_#_is_less
     variable slice0winner2_best_cost_0_is_less : boolean_1d(0 to 3);  -- slice0winner2_best_cost_0_#_is_less
     variable slice0winner2_best_below_0_is_equal : boolean_1d(0 to 3);  -- slice0winner2_best_below_0_#_is_equal
@@ -818,9 +819,8 @@ begin
     variable slice0winner4_best_cost_0_0_is_less, slice0winner4_best_below_0_0_is_equal : boolean;
     variable slice0winner4_best_above_0_0_is_equal : boolean;
     variable slice1cost_pixels_first_0_count_value : boolean_3d(0 to 1, 0 to 8, 1 to 3);  -- slice1cost_pixels_first_#_0_count_#_value_#
-    variable slice1other_cost_0_0_any : boolean;
+    variable slice1other_cost_0_any : boolean_1d(0 to 15);  -- slice1other_cost_0_#_any
     variable slice1other_cost_0_choice : boolean_1d(0 to 14);  -- slice1other_cost_0_#_choice
-    variable slice1other_cost_0_15_any : boolean;
     variable slice1winner1_best_cost_0_is_less : boolean_1d(0 to 7);  -- slice1winner1_best_cost_0_#_is_less
     variable slice1winner2_best_cost_0_is_less : boolean_1d(0 to 3);  -- slice1winner2_best_cost_0_#_is_less
     variable slice1winner2_best_below_0_is_equal : boolean_1d(0 to 3);  -- slice1winner2_best_below_0_#_is_equal
@@ -831,9 +831,8 @@ begin
     variable slice1winner4_best_above_0_0_is_equal, slice1_best_cost_0_0_is_less : boolean;
     variable slice1_best_below_0_0_is_equal, slice1_best_above_0_0_is_equal : boolean;
     variable slice2cost_pixels_first_0_count_value : boolean_3d(0 to 1, 0 to 8, 1 to 3);  -- slice2cost_pixels_first_#_0_count_#_value_#
-    variable slice2other_cost_0_0_any : boolean;
+    variable slice2other_cost_0_any : boolean_1d(0 to 15);  -- slice2other_cost_0_#_any
     variable slice2other_cost_0_choice : boolean_1d(0 to 14);  -- slice2other_cost_0_#_choice
-    variable slice2other_cost_0_15_any : boolean;
     variable slice2winner1_best_cost_0_is_less : boolean_1d(0 to 7);  -- slice2winner1_best_cost_0_#_is_less
     variable slice2winner2_best_cost_0_is_less : boolean_1d(0 to 3);  -- slice2winner2_best_cost_0_#_is_less
     variable slice2winner2_best_below_0_is_equal : boolean_1d(0 to 3);  -- slice2winner2_best_below_0_#_is_equal
@@ -950,11 +949,14 @@ begin
   begin
     if rising_edge(clock) then
       -- no bit without a value, where an array has places for more
-      transform_left_filter_feature_0_choices := (others => false);
-      transform_right_filter_feature_0_choices := (others => false);
+      transform_left_filter_feature_0_choice := (others => false);
+      transform_right_filter_feature_0_choice := (others => false);
       slice0cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice0other_cost_0_all := (others => false);
       slice1cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice1other_cost_0_any := (others => false);
       slice2cost_pixels_first_0_count_value := (others => (others => (others => false)));
+      slice2other_cost_0_any := (others => false);
       slice3cost_pixels_first_0_count_value := (others => (others => (others => false)));
       -- transform
       transform_counter_group_is_equals(1) := transform_counter_group = 479;
@@ -970,413 +972,154 @@ begin
       transform_left_filter_feature_0_values(1) := is_set(transform_left_filter_column(4, 1), 1);
       transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_values(1)) or (not
         is_set(transform_left_filter_column(4, 1), 0));
-      transform_left_filter_feature_0_choices(1) := choice(is_set(transform_left_filter_column(8, 0), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
       transform_left_filter_feature_0_is_equal := (transform_left_filter_column(4, 1) mod 4) = 0;
-      transform_left_filter_feature_0_choices(2) := choice(is_set(transform_left_filter_column(8, 0), 1),
-        transform_left_filter_feature_0_choices(1), is_set(transform_left_filter_column(8, 0), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_values(2) := is_set(transform_left_filter_column(4, 1), 2);
-      transform_left_filter_feature_0_choices(3) := inverted_carry(transform_left_filter_feature_0_choices(2), not
-        is_set(transform_left_filter_column(8, 0), 2), transform_left_filter_feature_0_values(2));
-      for i in 3 to 6 loop
+      for i in 2 to 6 loop
         transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(4, 1), i);
-        transform_left_filter_feature_0_choices(i + 1) := carry(transform_left_filter_feature_0_choices(i), not
-          is_set(transform_left_filter_column(8, 0), i), transform_left_filter_feature_0_values(i));
       end loop;
-      for i in 0 to 1 loop
-        transform_left_filter_feature_0_choices(8 * i + 8) := inverted_carry(transform_left_filter_feature_0_choices(8
-          * i + 7), is_set(transform_left_filter_column(8, i), 7), not is_set(transform_left_filter_column(4, 1), 7));
-        transform_left_filter_feature_0_choices(8 * i + 9) := choice(is_set(transform_left_filter_column(8, i + 1), 0),
-          transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(8 * i + 10) := choice(is_set(transform_left_filter_column(8, i + 1),
-          1), transform_left_filter_feature_0_choices(8 * i + 9), is_set(transform_left_filter_column(8, i + 1), 0) and
-          transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(8 * i + 11) := inverted_carry(transform_left_filter_feature_0_choices(8
-          * i + 10), not is_set(transform_left_filter_column(8, i + 1), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(8 * i + j + 9) := carry(transform_left_filter_feature_0_choices(8 * i
-            + j + 8), not is_set(transform_left_filter_column(8, i + 1), j), transform_left_filter_feature_0_values(j));
-        end loop;
-      end loop;
-      transform_left_filter_feature_0_choices(24) := inverted_carry(transform_left_filter_feature_0_choices(23),
-        is_set(transform_left_filter_column(8, 2), 7), not is_set(transform_left_filter_column(4, 1), 7));
-      for i in 0 to 2 loop
+      for i in 0 to 3 loop
         for j in 0 to 2 loop
-          transform_left_filter_feature_0_choices(24 * i + 8 * j + 25) := choice(is_set(transform_left_filter_column(7
-            - i, j), 0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-          transform_left_filter_feature_0_choices(24 * i + 8 * j + 26) := choice(is_set(transform_left_filter_column(7
-            - i, j), 1), transform_left_filter_feature_0_choices(24 * i + 8 * j + 25),
-            is_set(transform_left_filter_column(7 - i, j), 0) and transform_left_filter_feature_0_is_equal);
-          transform_left_filter_feature_0_choices(24 * i + 8 * j + 27) :=
-            inverted_carry(transform_left_filter_feature_0_choices(24 * i + 8 * j + 26), not
-            is_set(transform_left_filter_column(7 - i, j), 2), transform_left_filter_feature_0_values(2));
-          for k in 3 to 6 loop
-            transform_left_filter_feature_0_choices(24 * i + 8 * j + k + 25) :=
-              carry(transform_left_filter_feature_0_choices(24 * i + 8 * j + k + 24), not
-              is_set(transform_left_filter_column(7 - i, j), k), transform_left_filter_feature_0_values(k));
-          end loop;
-          transform_left_filter_feature_0_choices(24 * i + 8 * j + 32) :=
-            inverted_carry(transform_left_filter_feature_0_choices(24 * i + 8 * j + 31),
-            is_set(transform_left_filter_column(7 - i, j), 7), not is_set(transform_left_filter_column(4, 1), 7));
+          transform_left_filter_feature_0_choice(24 * i + 8 * j + 8) := is_larger(transform_left_filter_column(8 - i,
+            j), transform_left_filter_column(4, 1), 0, 7, false);
         end loop;
       end loop;
-      transform_left_filter_feature_0_choices(97) := choice(is_set(transform_left_filter_column(4, 2), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(98) := choice(is_set(transform_left_filter_column(4, 2), 1),
-        transform_left_filter_feature_0_choices(97), is_set(transform_left_filter_column(4, 2), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(99) := inverted_carry(transform_left_filter_feature_0_choices(98), not
-        is_set(transform_left_filter_column(4, 2), 2), transform_left_filter_feature_0_values(2));
-      for i in 100 to 103 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column(4, 2), i - 97), transform_left_filter_feature_0_values(i - 97));
-      end loop;
-      transform_left_filter_feature_0_choices(104) := choice(transform_left_filter_feature_0_choices(103),
+      transform_left_filter_feature_0_choice(103) := not is_larger(transform_left_filter_column(4, 2),
+        transform_left_filter_column(4, 1), 0, 6, false);
+      transform_left_filter_feature_0_choice(104) := choice(transform_left_filter_feature_0_choice(103),
         transform_filtering_0_column_inside(4) and is_set(transform_left_filter_column(4, 2), 7) and (not
         is_set(transform_left_filter_column(4, 1), 7)), transform_filtering_0_column_inside(4) and
         (is_set(transform_left_filter_column(4, 2), 7) or (not is_set(transform_left_filter_column(4, 1), 7))));
       for i in 0 to 2 loop
-        transform_left_filter_feature_0_choices(24 * i + 105) := choice(is_set(transform_left_filter_column(3 - i, 1),
-          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(24 * i + 106) := choice(is_set(transform_left_filter_column(3 - i, 1),
-          1), transform_left_filter_feature_0_choices(24 * i + 105), is_set(transform_left_filter_column(3 - i, 1), 0)
-          and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(24 * i + 107) :=
-          inverted_carry(transform_left_filter_feature_0_choices(24 * i + 106), not
-          is_set(transform_left_filter_column(3 - i, 1), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(24 * i + j + 105) := carry(transform_left_filter_feature_0_choices(24
-            * i + j + 104), not is_set(transform_left_filter_column(3 - i, 1), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(24 * i + 112) :=
-          inverted_carry(transform_left_filter_feature_0_choices(24 * i + 111), is_set(transform_left_filter_column(3 -
-          i, 1), 7), not is_set(transform_left_filter_column(4, 1), 7));
-        transform_left_filter_feature_0_choices(24 * i + 113) := choice(is_set(transform_left_filter_column(3 - i, 2),
-          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(24 * i + 114) := choice(is_set(transform_left_filter_column(3 - i, 2),
-          1), transform_left_filter_feature_0_choices(24 * i + 113), is_set(transform_left_filter_column(3 - i, 2), 0)
-          and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(24 * i + 115) :=
-          inverted_carry(transform_left_filter_feature_0_choices(24 * i + 114), not
-          is_set(transform_left_filter_column(3 - i, 2), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(24 * i + j + 113) := carry(transform_left_filter_feature_0_choices(24
-            * i + j + 112), not is_set(transform_left_filter_column(3 - i, 2), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(24 * i + 120) :=
-          inverted_carry(transform_left_filter_feature_0_choices(24 * i + 119), is_set(transform_left_filter_column(3 -
-          i, 2), 7), not is_set(transform_left_filter_column(4, 1), 7));
-        transform_left_filter_feature_0_choices(24 * i + 121) := choice(is_set(transform_left_filter_column(3 - i, 0),
-          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(24 * i + 122) := choice(is_set(transform_left_filter_column(3 - i, 0),
-          1), transform_left_filter_feature_0_choices(24 * i + 121), is_set(transform_left_filter_column(3 - i, 0), 0)
-          and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(24 * i + 123) :=
-          inverted_carry(transform_left_filter_feature_0_choices(24 * i + 122), not
-          is_set(transform_left_filter_column(3 - i, 0), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(24 * i + j + 121) := carry(transform_left_filter_feature_0_choices(24
-            * i + j + 120), not is_set(transform_left_filter_column(3 - i, 0), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(24 * i + 128) :=
-          inverted_carry(transform_left_filter_feature_0_choices(24 * i + 127), is_set(transform_left_filter_column(3 -
-          i, 0), 7), not is_set(transform_left_filter_column(4, 1), 7));
+        transform_left_filter_feature_0_choice(24 * i + 112) := is_larger(transform_left_filter_column(3 - i, 1),
+          transform_left_filter_column(4, 1), 0, 7, false);
+        transform_left_filter_feature_0_choice(24 * i + 120) := is_larger(transform_left_filter_column(3 - i, 2),
+          transform_left_filter_column(4, 1), 0, 7, false);
+        transform_left_filter_feature_0_choice(24 * i + 128) := is_larger(transform_left_filter_column(3 - i, 0),
+          transform_left_filter_column(4, 1), 0, 7, false);
       end loop;
-      for i in 1 to 2 loop
-        transform_left_filter_feature_0_choices(8 * i + 169) := choice(is_set(transform_left_filter_column(0, i), 0),
-          transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(8 * i + 170) := choice(is_set(transform_left_filter_column(0, i), 1),
-          transform_left_filter_feature_0_choices(8 * i + 169), is_set(transform_left_filter_column(0, i), 0) and
-          transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(8 * i + 171) :=
-          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 170), not
-          is_set(transform_left_filter_column(0, i), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(8 * i + j + 169) := carry(transform_left_filter_feature_0_choices(8 *
-            i + j + 168), not is_set(transform_left_filter_column(0, i), j), transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(8 * i + 176) :=
-          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 175), is_set(transform_left_filter_column(0,
-          i), 7), not is_set(transform_left_filter_column(4, 1), 7));
-      end loop;
-      transform_left_filter_feature_0_choices(193) := choice(is_set(transform_left_filter_column(4, 1), 0), not
-        is_set(transform_left_filter_column(0, 0), 1), (transform_left_filter_column(0, 0) mod 4) = 0);
-      transform_left_filter_feature_0_choices(194) := choice(transform_left_filter_feature_0_values(1),
-        is_set(transform_left_filter_column(4, 1), 0) or (not is_set(transform_left_filter_column(0, 0), 1)) or (not
-        is_set(transform_left_filter_column(0, 0), 0)), transform_left_filter_feature_0_choices(193));
-      transform_left_filter_feature_0_values(7) := is_set(transform_left_filter_column(0, 0), 2);
-      transform_left_filter_feature_0_choices(195) := inverted_carry(transform_left_filter_feature_0_choices(194), not
-        transform_left_filter_feature_0_values(2), transform_left_filter_feature_0_values(7));
-      for i in 8 to 11 loop
+      transform_left_filter_feature_0_choice(184) := is_larger(transform_left_filter_column(0, 1),
+        transform_left_filter_column(4, 1), 0, 7, false);
+      transform_left_filter_feature_0_choice(192) := is_larger(transform_left_filter_column(0, 2),
+        transform_left_filter_column(4, 1), 0, 7, false);
+      for i in 7 to 11 loop
         transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(0, 0), i - 5);
-        transform_left_filter_feature_0_choices(i + 188) := carry(transform_left_filter_feature_0_choices(i + 187), not
-          transform_left_filter_feature_0_values(i - 5), transform_left_filter_feature_0_values(i));
       end loop;
-      transform_left_filter_feature_0_choices(200) := carry(transform_left_filter_feature_0_choices(199), not
-        is_set(transform_left_filter_column(4, 1), 7), is_set(transform_left_filter_column(0, 0), 7));
+      transform_left_filter_feature_0_choice(200) := not is_larger(transform_left_filter_column(4, 1),
+        transform_left_filter_column(0, 0), 0, 7, true);
       transform_left_filter_feature_0_choice_201 := choice(transform_filtering_0_column_inside(0),
-        (as_number(transform_left_filter_feature_0_choices(184)) * 2) +
-        (as_number(transform_left_filter_feature_0_choices(192)) * 4) +
-        as_number(transform_left_filter_feature_0_choices(200)), 0);
+        (as_number(transform_left_filter_feature_0_choice(184)) * 2) +
+        (as_number(transform_left_filter_feature_0_choice(192)) * 4) +
+        as_number(transform_left_filter_feature_0_choice(200)), 0);
       transform_left_filter_feature_0_choice_202 := choice(transform_filtering_0_column_inside(1),
-        (as_number(transform_left_filter_feature_0_choices(160)) * 16) +
-        (as_number(transform_left_filter_feature_0_choices(168)) * 32) +
-        (as_number(transform_left_filter_feature_0_choices(176)) * 8) + transform_left_filter_feature_0_choice_201,
+        (as_number(transform_left_filter_feature_0_choice(160)) * 16) +
+        (as_number(transform_left_filter_feature_0_choice(168)) * 32) +
+        (as_number(transform_left_filter_feature_0_choice(176)) * 8) + transform_left_filter_feature_0_choice_201,
         transform_left_filter_feature_0_choice_201);
       transform_left_filter_feature_0_choice_203 := choice(transform_filtering_0_column_inside(2),
-        (as_number(transform_left_filter_feature_0_choices(136)) * 128) +
-        (as_number(transform_left_filter_feature_0_choices(144)) * 256) +
-        (as_number(transform_left_filter_feature_0_choices(152)) * 64) + transform_left_filter_feature_0_choice_202,
+        (as_number(transform_left_filter_feature_0_choice(136)) * 128) +
+        (as_number(transform_left_filter_feature_0_choice(144)) * 256) +
+        (as_number(transform_left_filter_feature_0_choice(152)) * 64) + transform_left_filter_feature_0_choice_202,
         transform_left_filter_feature_0_choice_202);
       transform_left_filter_feature_0_choice_204 := choice(transform_filtering_0_column_inside(3),
-        (as_number(transform_left_filter_feature_0_choices(112)) * 1024) +
-        (as_number(transform_left_filter_feature_0_choices(120)) * 2048) +
-        (as_number(transform_left_filter_feature_0_choices(128)) * 512) + transform_left_filter_feature_0_choice_203,
+        (as_number(transform_left_filter_feature_0_choice(112)) * 1024) +
+        (as_number(transform_left_filter_feature_0_choice(120)) * 2048) +
+        (as_number(transform_left_filter_feature_0_choice(128)) * 512) + transform_left_filter_feature_0_choice_203,
         transform_left_filter_feature_0_choice_203);
-      transform_left_filter_feature_0_choices(205) := choice(is_set(transform_left_filter_column(4, 0), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(206) := choice(is_set(transform_left_filter_column(4, 0), 1),
-        transform_left_filter_feature_0_choices(205), is_set(transform_left_filter_column(4, 0), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(207) := inverted_carry(transform_left_filter_feature_0_choices(206), not
-        is_set(transform_left_filter_column(4, 0), 2), transform_left_filter_feature_0_values(2));
-      for i in 208 to 211 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column(4, 0), i - 205), transform_left_filter_feature_0_values(i - 205));
-      end loop;
-      transform_left_filter_feature_0_choices(212) := inverted_carry(transform_left_filter_feature_0_choices(211),
-        is_set(transform_left_filter_column(4, 0), 7), not is_set(transform_left_filter_column(4, 1), 7));
+      transform_left_filter_feature_0_choice(212) := is_larger(transform_left_filter_column(4, 0),
+        transform_left_filter_column(4, 1), 0, 7, false);
       transform_left_filter_feature_0_choice_213 := choice(transform_filtering_0_column_inside(4),
-        transform_left_filter_feature_0_choice_204 + (as_number(transform_left_filter_feature_0_choices(212)) * 4096),
+        transform_left_filter_feature_0_choice_204 + (as_number(transform_left_filter_feature_0_choice(212)) * 4096),
         transform_left_filter_feature_0_choice_204);
       transform_left_filter_feature_0_choice_214 := choice(transform_filtering_0_column_inside(5),
-        (as_number(transform_left_filter_feature_0_choices(80)) * 16384) +
-        (as_number(transform_left_filter_feature_0_choices(88)) * 32768) +
-        (as_number(transform_left_filter_feature_0_choices(96)) * 65536) +
-        (as_number(transform_left_filter_feature_0_choices(104)) * 8192) + transform_left_filter_feature_0_choice_213,
-        (as_number(transform_left_filter_feature_0_choices(104)) * 8192) + transform_left_filter_feature_0_choice_213);
+        (as_number(transform_left_filter_feature_0_choice(80)) * 16384) +
+        (as_number(transform_left_filter_feature_0_choice(88)) * 32768) +
+        (as_number(transform_left_filter_feature_0_choice(96)) * 65536) +
+        (as_number(transform_left_filter_feature_0_choice(104)) * 8192) + transform_left_filter_feature_0_choice_213,
+        (as_number(transform_left_filter_feature_0_choice(104)) * 8192) + transform_left_filter_feature_0_choice_213);
       transform_left_filter_feature_0_choice_215 := choice(transform_filtering_0_column_inside(6),
-        (as_number(transform_left_filter_feature_0_choices(56)) * 131072) +
-        (as_number(transform_left_filter_feature_0_choices(64)) * 262144) +
-        (as_number(transform_left_filter_feature_0_choices(72)) * 524288) + transform_left_filter_feature_0_choice_214,
+        (as_number(transform_left_filter_feature_0_choice(56)) * 131072) +
+        (as_number(transform_left_filter_feature_0_choice(64)) * 262144) +
+        (as_number(transform_left_filter_feature_0_choice(72)) * 524288) + transform_left_filter_feature_0_choice_214,
         transform_left_filter_feature_0_choice_214);
       transform_left_filter_feature_0_choice_216 := choice(transform_filtering_0_column_inside(7),
-        (as_number(transform_left_filter_feature_0_choices(32)) * 1048576) +
-        (as_number(transform_left_filter_feature_0_choices(40)) * 2097152) +
-        (as_number(transform_left_filter_feature_0_choices(48)) * 4194304) +
-        transform_left_filter_feature_0_choice_215, transform_left_filter_feature_0_choice_215);
+        (as_number(transform_left_filter_feature_0_choice(32)) * 1048576) +
+        (as_number(transform_left_filter_feature_0_choice(40)) * 2097152) +
+        (as_number(transform_left_filter_feature_0_choice(48)) * 4194304) + transform_left_filter_feature_0_choice_215,
+        transform_left_filter_feature_0_choice_215);
       transform_right_filter_feature_0_values(1) := is_set(transform_right_filter_column(4, 1), 1);
       transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_values(1)) or (not
         is_set(transform_right_filter_column(4, 1), 0));
-      transform_right_filter_feature_0_choices(1) := choice(is_set(transform_right_filter_column(8, 0), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
       transform_right_filter_feature_0_is_equal := (transform_right_filter_column(4, 1) mod 4) = 0;
-      transform_right_filter_feature_0_choices(2) := choice(is_set(transform_right_filter_column(8, 0), 1),
-        transform_right_filter_feature_0_choices(1), is_set(transform_right_filter_column(8, 0), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_values(2) := is_set(transform_right_filter_column(4, 1), 2);
-      transform_right_filter_feature_0_choices(3) := inverted_carry(transform_right_filter_feature_0_choices(2), not
-        is_set(transform_right_filter_column(8, 0), 2), transform_right_filter_feature_0_values(2));
-      for i in 3 to 6 loop
+      for i in 2 to 6 loop
         transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(4, 1), i);
-        transform_right_filter_feature_0_choices(i + 1) := carry(transform_right_filter_feature_0_choices(i), not
-          is_set(transform_right_filter_column(8, 0), i), transform_right_filter_feature_0_values(i));
       end loop;
-      for i in 0 to 1 loop
-        transform_right_filter_feature_0_choices(8 * i + 8) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 7), is_set(transform_right_filter_column(8,
-          i), 7), not is_set(transform_right_filter_column(4, 1), 7));
-        transform_right_filter_feature_0_choices(8 * i + 9) := choice(is_set(transform_right_filter_column(8, i + 1),
-          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(8 * i + 10) := choice(is_set(transform_right_filter_column(8, i + 1),
-          1), transform_right_filter_feature_0_choices(8 * i + 9), is_set(transform_right_filter_column(8, i + 1), 0)
-          and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(8 * i + 11) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 10), not
-          is_set(transform_right_filter_column(8, i + 1), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(8 * i + j + 9) := carry(transform_right_filter_feature_0_choices(8 *
-            i + j + 8), not is_set(transform_right_filter_column(8, i + 1), j),
-            transform_right_filter_feature_0_values(j));
-        end loop;
-      end loop;
-      transform_right_filter_feature_0_choices(24) := inverted_carry(transform_right_filter_feature_0_choices(23),
-        is_set(transform_right_filter_column(8, 2), 7), not is_set(transform_right_filter_column(4, 1), 7));
-      for i in 0 to 2 loop
+      for i in 0 to 3 loop
         for j in 0 to 2 loop
-          transform_right_filter_feature_0_choices(24 * i + 8 * j + 25) :=
-            choice(is_set(transform_right_filter_column(7 - i, j), 0), transform_right_filter_feature_0_any, not
-            transform_right_filter_feature_0_values(1));
-          transform_right_filter_feature_0_choices(24 * i + 8 * j + 26) :=
-            choice(is_set(transform_right_filter_column(7 - i, j), 1), transform_right_filter_feature_0_choices(24 * i
-            + 8 * j + 25), is_set(transform_right_filter_column(7 - i, j), 0) and
-            transform_right_filter_feature_0_is_equal);
-          transform_right_filter_feature_0_choices(24 * i + 8 * j + 27) :=
-            inverted_carry(transform_right_filter_feature_0_choices(24 * i + 8 * j + 26), not
-            is_set(transform_right_filter_column(7 - i, j), 2), transform_right_filter_feature_0_values(2));
-          for k in 3 to 6 loop
-            transform_right_filter_feature_0_choices(24 * i + 8 * j + k + 25) :=
-              carry(transform_right_filter_feature_0_choices(24 * i + 8 * j + k + 24), not
-              is_set(transform_right_filter_column(7 - i, j), k), transform_right_filter_feature_0_values(k));
-          end loop;
-          transform_right_filter_feature_0_choices(24 * i + 8 * j + 32) :=
-            inverted_carry(transform_right_filter_feature_0_choices(24 * i + 8 * j + 31),
-            is_set(transform_right_filter_column(7 - i, j), 7), not is_set(transform_right_filter_column(4, 1), 7));
+          transform_right_filter_feature_0_choice(24 * i + 8 * j + 8) := is_larger(transform_right_filter_column(8 - i,
+            j), transform_right_filter_column(4, 1), 0, 7, false);
         end loop;
       end loop;
-      transform_right_filter_feature_0_choices(97) := choice(is_set(transform_right_filter_column(4, 2), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(98) := choice(is_set(transform_right_filter_column(4, 2), 1),
-        transform_right_filter_feature_0_choices(97), is_set(transform_right_filter_column(4, 2), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(99) := inverted_carry(transform_right_filter_feature_0_choices(98), not
-        is_set(transform_right_filter_column(4, 2), 2), transform_right_filter_feature_0_values(2));
-      for i in 100 to 103 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column(4, 2), i - 97), transform_right_filter_feature_0_values(i - 97));
-      end loop;
-      transform_right_filter_feature_0_choices(104) := choice(transform_right_filter_feature_0_choices(103),
+      transform_right_filter_feature_0_choice(103) := not is_larger(transform_right_filter_column(4, 2),
+        transform_right_filter_column(4, 1), 0, 6, false);
+      transform_right_filter_feature_0_choice(104) := choice(transform_right_filter_feature_0_choice(103),
         transform_filtering_0_column_inside(4) and is_set(transform_right_filter_column(4, 2), 7) and (not
         is_set(transform_right_filter_column(4, 1), 7)), transform_filtering_0_column_inside(4) and
         (is_set(transform_right_filter_column(4, 2), 7) or (not is_set(transform_right_filter_column(4, 1), 7))));
       for i in 0 to 2 loop
-        transform_right_filter_feature_0_choices(24 * i + 105) := choice(is_set(transform_right_filter_column(3 - i,
-          1), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(24 * i + 106) := choice(is_set(transform_right_filter_column(3 - i,
-          1), 1), transform_right_filter_feature_0_choices(24 * i + 105), is_set(transform_right_filter_column(3 - i,
-          1), 0) and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(24 * i + 107) :=
-          inverted_carry(transform_right_filter_feature_0_choices(24 * i + 106), not
-          is_set(transform_right_filter_column(3 - i, 1), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(24 * i + j + 105) :=
-            carry(transform_right_filter_feature_0_choices(24 * i + j + 104), not
-            is_set(transform_right_filter_column(3 - i, 1), j), transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(24 * i + 112) :=
-          inverted_carry(transform_right_filter_feature_0_choices(24 * i + 111), is_set(transform_right_filter_column(3
-          - i, 1), 7), not is_set(transform_right_filter_column(4, 1), 7));
-        transform_right_filter_feature_0_choices(24 * i + 113) := choice(is_set(transform_right_filter_column(3 - i,
-          2), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(24 * i + 114) := choice(is_set(transform_right_filter_column(3 - i,
-          2), 1), transform_right_filter_feature_0_choices(24 * i + 113), is_set(transform_right_filter_column(3 - i,
-          2), 0) and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(24 * i + 115) :=
-          inverted_carry(transform_right_filter_feature_0_choices(24 * i + 114), not
-          is_set(transform_right_filter_column(3 - i, 2), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(24 * i + j + 113) :=
-            carry(transform_right_filter_feature_0_choices(24 * i + j + 112), not
-            is_set(transform_right_filter_column(3 - i, 2), j), transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(24 * i + 120) :=
-          inverted_carry(transform_right_filter_feature_0_choices(24 * i + 119), is_set(transform_right_filter_column(3
-          - i, 2), 7), not is_set(transform_right_filter_column(4, 1), 7));
-        transform_right_filter_feature_0_choices(24 * i + 121) := choice(is_set(transform_right_filter_column(3 - i,
-          0), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(24 * i + 122) := choice(is_set(transform_right_filter_column(3 - i,
-          0), 1), transform_right_filter_feature_0_choices(24 * i + 121), is_set(transform_right_filter_column(3 - i,
-          0), 0) and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(24 * i + 123) :=
-          inverted_carry(transform_right_filter_feature_0_choices(24 * i + 122), not
-          is_set(transform_right_filter_column(3 - i, 0), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(24 * i + j + 121) :=
-            carry(transform_right_filter_feature_0_choices(24 * i + j + 120), not
-            is_set(transform_right_filter_column(3 - i, 0), j), transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(24 * i + 128) :=
-          inverted_carry(transform_right_filter_feature_0_choices(24 * i + 127), is_set(transform_right_filter_column(3
-          - i, 0), 7), not is_set(transform_right_filter_column(4, 1), 7));
+        transform_right_filter_feature_0_choice(24 * i + 112) := is_larger(transform_right_filter_column(3 - i, 1),
+          transform_right_filter_column(4, 1), 0, 7, false);
+        transform_right_filter_feature_0_choice(24 * i + 120) := is_larger(transform_right_filter_column(3 - i, 2),
+          transform_right_filter_column(4, 1), 0, 7, false);
+        transform_right_filter_feature_0_choice(24 * i + 128) := is_larger(transform_right_filter_column(3 - i, 0),
+          transform_right_filter_column(4, 1), 0, 7, false);
       end loop;
-      for i in 1 to 2 loop
-        transform_right_filter_feature_0_choices(8 * i + 169) := choice(is_set(transform_right_filter_column(0, i), 0),
-          transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(8 * i + 170) := choice(is_set(transform_right_filter_column(0, i), 1),
-          transform_right_filter_feature_0_choices(8 * i + 169), is_set(transform_right_filter_column(0, i), 0) and
-          transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(8 * i + 171) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 170), not
-          is_set(transform_right_filter_column(0, i), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(8 * i + j + 169) := carry(transform_right_filter_feature_0_choices(8
-            * i + j + 168), not is_set(transform_right_filter_column(0, i), j),
-            transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(8 * i + 176) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 175), is_set(transform_right_filter_column(0,
-          i), 7), not is_set(transform_right_filter_column(4, 1), 7));
-      end loop;
-      transform_right_filter_feature_0_choices(193) := choice(is_set(transform_right_filter_column(4, 1), 0), not
-        is_set(transform_right_filter_column(0, 0), 1), (transform_right_filter_column(0, 0) mod 4) = 0);
-      transform_right_filter_feature_0_choices(194) := choice(transform_right_filter_feature_0_values(1),
-        is_set(transform_right_filter_column(4, 1), 0) or (not is_set(transform_right_filter_column(0, 0), 1)) or (not
-        is_set(transform_right_filter_column(0, 0), 0)), transform_right_filter_feature_0_choices(193));
-      transform_right_filter_feature_0_values(7) := is_set(transform_right_filter_column(0, 0), 2);
-      transform_right_filter_feature_0_choices(195) := inverted_carry(transform_right_filter_feature_0_choices(194),
-        not transform_right_filter_feature_0_values(2), transform_right_filter_feature_0_values(7));
-      for i in 8 to 11 loop
+      transform_right_filter_feature_0_choice(184) := is_larger(transform_right_filter_column(0, 1),
+        transform_right_filter_column(4, 1), 0, 7, false);
+      transform_right_filter_feature_0_choice(192) := is_larger(transform_right_filter_column(0, 2),
+        transform_right_filter_column(4, 1), 0, 7, false);
+      for i in 7 to 11 loop
         transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(0, 0), i - 5);
-        transform_right_filter_feature_0_choices(i + 188) := carry(transform_right_filter_feature_0_choices(i + 187),
-          not transform_right_filter_feature_0_values(i - 5), transform_right_filter_feature_0_values(i));
       end loop;
-      transform_right_filter_feature_0_choices(200) := carry(transform_right_filter_feature_0_choices(199), not
-        is_set(transform_right_filter_column(4, 1), 7), is_set(transform_right_filter_column(0, 0), 7));
+      transform_right_filter_feature_0_choice(200) := not is_larger(transform_right_filter_column(4, 1),
+        transform_right_filter_column(0, 0), 0, 7, true);
       transform_right_filter_feature_0_choice_201 := choice(transform_filtering_0_column_inside(0),
-        (as_number(transform_right_filter_feature_0_choices(184)) * 2) +
-        (as_number(transform_right_filter_feature_0_choices(192)) * 4) +
-        as_number(transform_right_filter_feature_0_choices(200)), 0);
+        (as_number(transform_right_filter_feature_0_choice(184)) * 2) +
+        (as_number(transform_right_filter_feature_0_choice(192)) * 4) +
+        as_number(transform_right_filter_feature_0_choice(200)), 0);
       transform_right_filter_feature_0_choice_202 := choice(transform_filtering_0_column_inside(1),
-        (as_number(transform_right_filter_feature_0_choices(160)) * 16) +
-        (as_number(transform_right_filter_feature_0_choices(168)) * 32) +
-        (as_number(transform_right_filter_feature_0_choices(176)) * 8) + transform_right_filter_feature_0_choice_201,
+        (as_number(transform_right_filter_feature_0_choice(160)) * 16) +
+        (as_number(transform_right_filter_feature_0_choice(168)) * 32) +
+        (as_number(transform_right_filter_feature_0_choice(176)) * 8) + transform_right_filter_feature_0_choice_201,
         transform_right_filter_feature_0_choice_201);
       transform_right_filter_feature_0_choice_203 := choice(transform_filtering_0_column_inside(2),
-        (as_number(transform_right_filter_feature_0_choices(136)) * 128) +
-        (as_number(transform_right_filter_feature_0_choices(144)) * 256) +
-        (as_number(transform_right_filter_feature_0_choices(152)) * 64) + transform_right_filter_feature_0_choice_202,
+        (as_number(transform_right_filter_feature_0_choice(136)) * 128) +
+        (as_number(transform_right_filter_feature_0_choice(144)) * 256) +
+        (as_number(transform_right_filter_feature_0_choice(152)) * 64) + transform_right_filter_feature_0_choice_202,
         transform_right_filter_feature_0_choice_202);
       transform_right_filter_feature_0_choice_204 := choice(transform_filtering_0_column_inside(3),
-        (as_number(transform_right_filter_feature_0_choices(112)) * 1024) +
-        (as_number(transform_right_filter_feature_0_choices(120)) * 2048) +
-        (as_number(transform_right_filter_feature_0_choices(128)) * 512) + transform_right_filter_feature_0_choice_203,
+        (as_number(transform_right_filter_feature_0_choice(112)) * 1024) +
+        (as_number(transform_right_filter_feature_0_choice(120)) * 2048) +
+        (as_number(transform_right_filter_feature_0_choice(128)) * 512) + transform_right_filter_feature_0_choice_203,
         transform_right_filter_feature_0_choice_203);
-      transform_right_filter_feature_0_choices(205) := choice(is_set(transform_right_filter_column(4, 0), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(206) := choice(is_set(transform_right_filter_column(4, 0), 1),
-        transform_right_filter_feature_0_choices(205), is_set(transform_right_filter_column(4, 0), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(207) := inverted_carry(transform_right_filter_feature_0_choices(206),
-        not is_set(transform_right_filter_column(4, 0), 2), transform_right_filter_feature_0_values(2));
-      for i in 208 to 211 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column(4, 0), i - 205), transform_right_filter_feature_0_values(i - 205));
-      end loop;
-      transform_right_filter_feature_0_choices(212) := inverted_carry(transform_right_filter_feature_0_choices(211),
-        is_set(transform_right_filter_column(4, 0), 7), not is_set(transform_right_filter_column(4, 1), 7));
+      transform_right_filter_feature_0_choice(212) := is_larger(transform_right_filter_column(4, 0),
+        transform_right_filter_column(4, 1), 0, 7, false);
       transform_right_filter_feature_0_choice_213 := choice(transform_filtering_0_column_inside(4),
-        transform_right_filter_feature_0_choice_204 + (as_number(transform_right_filter_feature_0_choices(212)) *
-        4096), transform_right_filter_feature_0_choice_204);
+        transform_right_filter_feature_0_choice_204 + (as_number(transform_right_filter_feature_0_choice(212)) * 4096),
+        transform_right_filter_feature_0_choice_204);
       transform_right_filter_feature_0_choice_214 := choice(transform_filtering_0_column_inside(5),
-        (as_number(transform_right_filter_feature_0_choices(80)) * 16384) +
-        (as_number(transform_right_filter_feature_0_choices(88)) * 32768) +
-        (as_number(transform_right_filter_feature_0_choices(96)) * 65536) +
-        (as_number(transform_right_filter_feature_0_choices(104)) * 8192) +
-        transform_right_filter_feature_0_choice_213, (as_number(transform_right_filter_feature_0_choices(104)) * 8192)
-        + transform_right_filter_feature_0_choice_213);
+        (as_number(transform_right_filter_feature_0_choice(80)) * 16384) +
+        (as_number(transform_right_filter_feature_0_choice(88)) * 32768) +
+        (as_number(transform_right_filter_feature_0_choice(96)) * 65536) +
+        (as_number(transform_right_filter_feature_0_choice(104)) * 8192) + transform_right_filter_feature_0_choice_213,
+        (as_number(transform_right_filter_feature_0_choice(104)) * 8192) + transform_right_filter_feature_0_choice_213);
       transform_right_filter_feature_0_choice_215 := choice(transform_filtering_0_column_inside(6),
-        (as_number(transform_right_filter_feature_0_choices(56)) * 131072) +
-        (as_number(transform_right_filter_feature_0_choices(64)) * 262144) +
-        (as_number(transform_right_filter_feature_0_choices(72)) * 524288) +
+        (as_number(transform_right_filter_feature_0_choice(56)) * 131072) +
+        (as_number(transform_right_filter_feature_0_choice(64)) * 262144) +
+        (as_number(transform_right_filter_feature_0_choice(72)) * 524288) +
         transform_right_filter_feature_0_choice_214, transform_right_filter_feature_0_choice_214);
       transform_right_filter_feature_0_choice_216 := choice(transform_filtering_0_column_inside(7),
-        (as_number(transform_right_filter_feature_0_choices(32)) * 1048576) +
-        (as_number(transform_right_filter_feature_0_choices(40)) * 2097152) +
-        (as_number(transform_right_filter_feature_0_choices(48)) * 4194304) +
+        (as_number(transform_right_filter_feature_0_choice(32)) * 1048576) +
+        (as_number(transform_right_filter_feature_0_choice(40)) * 2097152) +
+        (as_number(transform_right_filter_feature_0_choice(48)) * 4194304) +
         transform_right_filter_feature_0_choice_215, transform_right_filter_feature_0_choice_215);
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
@@ -1424,14 +1167,14 @@ begin
       transform_counter_group <= choice(in_valid and in_start_of_frame, transform_counter_group_choice * 32,
         transform_counter_group_choices(3));
       transform_left_filter_feature_0 <= choice(transform_filtering_0_column_inside(8),
-        (as_number(transform_left_filter_feature_0_choices(8)) * 8388608) +
-        (as_number(transform_left_filter_feature_0_choices(16)) * 16777216) +
-        (as_number(transform_left_filter_feature_0_choices(24)) * 33554432) +
+        (as_number(transform_left_filter_feature_0_choice(8)) * 8388608) +
+        (as_number(transform_left_filter_feature_0_choice(16)) * 16777216) +
+        (as_number(transform_left_filter_feature_0_choice(24)) * 33554432) +
         transform_left_filter_feature_0_choice_216, transform_left_filter_feature_0_choice_216);
       transform_right_filter_feature_0 <= choice(transform_filtering_0_column_inside(8),
-        (as_number(transform_right_filter_feature_0_choices(8)) * 8388608) +
-        (as_number(transform_right_filter_feature_0_choices(16)) * 16777216) +
-        (as_number(transform_right_filter_feature_0_choices(24)) * 33554432) +
+        (as_number(transform_right_filter_feature_0_choice(8)) * 8388608) +
+        (as_number(transform_right_filter_feature_0_choice(16)) * 16777216) +
+        (as_number(transform_right_filter_feature_0_choice(24)) * 33554432) +
         transform_right_filter_feature_0_choice_216, transform_right_filter_feature_0_choice_216);
       transform_counter_next_frame_choices(1) := choice(transform_counter_group_is_equals(2), (transform_counter_group
         /= 480) and transform_counter_next_frame, transform_counter_next_frame);
@@ -1706,12 +1449,12 @@ begin
         slice0window_tag.first_column <= slice1window_centre_first_column(2);
       end if;
       -- slice0other
-      slice0other_cost_0_1_all := slice1window_centre_output_column(3) and slice1window_centre_first_column(3);
+      slice0other_cost_0_all(1) := slice1window_centre_output_column(3) and slice1window_centre_first_column(3);
       for i in 1 to 14 loop
         slice0other_cost_0_choice(i) := choice((slice0window_sum_0(i) - slice0other_cost_0(i - 1)) < 0,
-          slice1window_centre_output_column(3), slice0other_cost_0_1_all);
+          slice1window_centre_output_column(3), slice0other_cost_0_all(1));
       end loop;
-      slice0other_cost_0_15_all := slice1window_centre_output_column(3) and (((slice0window_sum_0(15) -
+      slice0other_cost_0_all(15) := slice1window_centre_output_column(3) and (((slice0window_sum_0(15) -
         slice0other_cost_0(14)) < 0) or slice1window_centre_first_column(3));
       if slice0window_tag.valid then
         slice0other_winner_0_1 <= slice0other_cost_0_choice(1);
@@ -1724,8 +1467,8 @@ begin
             1));
           slice0other_winner_0(i) <= choice(slice0other_cost_0_choice(i), i, slice0other_winner_0(i - 1));
         end loop;
-        slice0other_cost_0(15) <= choice(slice0other_cost_0_15_all, slice0window_sum_0(15), slice0other_cost_0(14));
-        slice0other_winner_0(15) <= choice(slice0other_cost_0_15_all, 15, slice0other_winner_0(14));
+        slice0other_cost_0(15) <= choice(slice0other_cost_0_all(15), slice0window_sum_0(15), slice0other_cost_0(14));
+        slice0other_winner_0(15) <= choice(slice0other_cost_0_all(15), 15, slice0other_winner_0(14));
       end if;
       slice0other_cost_out_0 <= slice0other_cost_0(15);
       slice0other_winner_out_0 <= slice0other_winner_0(15);
@@ -1735,9 +1478,9 @@ begin
       end loop;
       slice0winner1_held_0 <= slice0window_sum_0;
       slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_is_less(0);
-      slice0winner1_best_place_0_2 <= slice0winner1_best_cost_0_is_less(2);
-      slice0winner1_best_place_0_4 <= slice0winner1_best_cost_0_is_less(4);
-      slice0winner1_best_place_0_6 <= slice0winner1_best_cost_0_is_less(6);
+      slice0winner1_best_place_0(1) <= slice0winner1_best_cost_0_is_less(2);
+      slice0winner1_best_place_0(2) <= slice0winner1_best_cost_0_is_less(4);
+      slice0winner1_best_place_0(3) <= slice0winner1_best_cost_0_is_less(6);
       slice0winner1_best_late_cost_0 <= slice0winner1_best_cost_0;
       for i in 1 to 7 loop
         slice0winner1_best_but_first_0(i) <= slice0winner1_held_0(2 * i + 1);
@@ -1781,12 +1524,10 @@ begin
         slice0winner1_best_below_0(7));
       slice0winner2_best_above_0_choice(0) := choice(slice0winner1_best_index_0_0, slice0winner1_held_0(2),
         slice0winner1_best_above_0(0));
-      slice0winner2_best_above_0_choice(1) := choice(slice0winner1_best_place_0_2, slice0winner1_held_0(6),
-        slice0winner1_best_above_0(2));
-      slice0winner2_best_above_0_choice(2) := choice(slice0winner1_best_place_0_4, slice0winner1_held_0(10),
-        slice0winner1_best_above_0(4));
-      slice0winner2_best_above_0_choice(3) := choice(slice0winner1_best_place_0_6, slice0winner1_held_0(14),
-        slice0winner1_best_above_0(6));
+      for i in 1 to 3 loop
+        slice0winner2_best_above_0_choice(i) := choice(slice0winner1_best_place_0(i), slice0winner1_held_0(4 * i + 2),
+          slice0winner1_best_above_0(2 * i));
+      end loop;
       for i in 0 to 3 loop
         slice0winner2_best_second_0_choice(i, 1) := choice(slice0winner2_best_place_0(i), 4095,
           slice0winner1_best_late_cost_0(2 * i + 1));
@@ -1815,12 +1556,10 @@ begin
         slice0winner2_best_cost_0_is_less(3);
       slice0winner2_best_at_end_0(0) <= slice0winner1_best_index_0_0 and ((slice0winner1_best_cost_0(1) -
         slice0winner1_best_cost_0(0)) >= 0);
-      slice0winner2_best_at_end_0(1) <= slice0winner1_best_place_0_2 and ((slice0winner1_best_cost_0(3) -
-        slice0winner1_best_cost_0(2)) >= 0);
-      slice0winner2_best_at_end_0(2) <= slice0winner1_best_place_0_4 and ((slice0winner1_best_cost_0(5) -
-        slice0winner1_best_cost_0(4)) >= 0);
-      slice0winner2_best_at_end_0(3) <= slice0winner1_best_place_0_6 and ((slice0winner1_best_cost_0(7) -
-        slice0winner1_best_cost_0(6)) >= 0);
+      for i in 1 to 3 loop
+        slice0winner2_best_at_end_0(i) <= slice0winner1_best_place_0(i) and ((slice0winner1_best_cost_0(2 * i + 1) -
+          slice0winner1_best_cost_0(2 * i)) >= 0);
+      end loop;
       slice0winner2_best_late_cost_0 <= slice0winner2_best_cost_0;
       slice0winner2_tag.valid <= slice0winner1_tag.valid;
       slice0winner2_tag.output_column <= slice1window_tag.output_column;
@@ -2132,14 +1871,14 @@ begin
         slice1window_tag.first_column <= slice2window_centre_first_column(2);
       end if;
       -- slice1other
-      slice1other_cost_0_0_any := (not slice0winner1_tag.output_column) or (not slice0winner1_tag.first_column);
+      slice1other_cost_0_any(0) := (not slice0winner1_tag.output_column) or (not slice0winner1_tag.first_column);
       slice1other_cost_0_choice(0) := choice((slice1window_sum_0(0) - slice0other_cost_out_0) < 0, not
-        slice0winner1_tag.output_column, slice1other_cost_0_0_any);
+        slice0winner1_tag.output_column, slice1other_cost_0_any(0));
       for i in 1 to 14 loop
         slice1other_cost_0_choice(i) := choice((slice1window_sum_0(i) - slice1other_cost_0(i - 1)) < 0, not
-          slice0winner1_tag.output_column, slice1other_cost_0_0_any);
+          slice0winner1_tag.output_column, slice1other_cost_0_any(0));
       end loop;
-      slice1other_cost_0_15_any := (not slice0winner1_tag.output_column) or ((not slice0winner1_tag.first_column) and
+      slice1other_cost_0_any(15) := (not slice0winner1_tag.output_column) or ((not slice0winner1_tag.first_column) and
         ((slice1window_sum_0(15) - slice1other_cost_0(14)) >= 0));
       if slice0winner1_tag.valid then
         slice1other_cost_0(0) <= choice(slice1other_cost_0_choice(0), slice0other_cost_out_0, slice1window_sum_0(0));
@@ -2149,8 +1888,8 @@ begin
             slice1window_sum_0(i));
           slice1other_winner_0(i) <= choice(slice1other_cost_0_choice(i), slice1other_winner_0(i - 1), i + 16);
         end loop;
-        slice1other_cost_0(15) <= choice(slice1other_cost_0_15_any, slice1other_cost_0(14), slice1window_sum_0(15));
-        slice1other_winner_0(15) <= choice(slice1other_cost_0_15_any, slice1other_winner_0(14), 31);
+        slice1other_cost_0(15) <= choice(slice1other_cost_0_any(15), slice1other_cost_0(14), slice1window_sum_0(15));
+        slice1other_winner_0(15) <= choice(slice1other_cost_0_any(15), slice1other_winner_0(14), 31);
       end if;
       slice1other_cost_out_0 <= slice1other_cost_0(15);
       slice1other_winner_out_0 <= slice1other_winner_0(15);
@@ -2160,9 +1899,9 @@ begin
       end loop;
       slice1winner1_held_0 <= slice1window_sum_0;
       slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_is_less(0);
-      slice1winner1_best_place_0_2 <= slice1winner1_best_cost_0_is_less(2);
-      slice1winner1_best_place_0_4 <= slice1winner1_best_cost_0_is_less(4);
-      slice1winner1_best_place_0_6 <= slice1winner1_best_cost_0_is_less(6);
+      slice1winner1_best_place_0(1) <= slice1winner1_best_cost_0_is_less(2);
+      slice1winner1_best_place_0(2) <= slice1winner1_best_cost_0_is_less(4);
+      slice1winner1_best_place_0(3) <= slice1winner1_best_cost_0_is_less(6);
       slice1winner1_best_late_cost_0 <= slice1winner1_best_cost_0;
       for i in 0 to 7 loop
         slice1winner1_best_but_first_0(i) <= slice1winner1_held_0(2 * i + 1);
@@ -2204,12 +1943,10 @@ begin
         slice1winner1_best_below_0(7));
       slice1winner2_best_above_0_choice(0) := choice(slice1winner1_best_index_0_0, slice1winner1_held_0(2),
         slice1winner1_best_above_0(0));
-      slice1winner2_best_above_0_choice(1) := choice(slice1winner1_best_place_0_2, slice1winner1_held_0(6),
-        slice1winner1_best_above_0(2));
-      slice1winner2_best_above_0_choice(2) := choice(slice1winner1_best_place_0_4, slice1winner1_held_0(10),
-        slice1winner1_best_above_0(4));
-      slice1winner2_best_above_0_choice(3) := choice(slice1winner1_best_place_0_6, slice1winner1_held_0(14),
-        slice1winner1_best_above_0(6));
+      for i in 1 to 3 loop
+        slice1winner2_best_above_0_choice(i) := choice(slice1winner1_best_place_0(i), slice1winner1_held_0(4 * i + 2),
+          slice1winner1_best_above_0(2 * i));
+      end loop;
       for i in 0 to 3 loop
         slice1winner2_best_second_0_choice(i, 1) := choice(slice1winner2_best_place_0(i), 4095,
           slice1winner1_best_late_cost_0(2 * i + 1));
@@ -2239,12 +1976,10 @@ begin
         slice1winner2_best_cost_0_is_less(3);
       slice1winner2_best_at_end_0(0) <= slice1winner1_best_index_0_0 and ((slice1winner1_best_cost_0(1) -
         slice1winner1_best_cost_0(0)) >= 0);
-      slice1winner2_best_at_end_0(1) <= slice1winner1_best_place_0_2 and ((slice1winner1_best_cost_0(3) -
-        slice1winner1_best_cost_0(2)) >= 0);
-      slice1winner2_best_at_end_0(2) <= slice1winner1_best_place_0_4 and ((slice1winner1_best_cost_0(5) -
-        slice1winner1_best_cost_0(4)) >= 0);
-      slice1winner2_best_at_end_0(3) <= slice1winner1_best_place_0_6 and ((slice1winner1_best_cost_0(7) -
-        slice1winner1_best_cost_0(6)) >= 0);
+      for i in 1 to 3 loop
+        slice1winner2_best_at_end_0(i) <= slice1winner1_best_place_0(i) and ((slice1winner1_best_cost_0(2 * i + 1) -
+          slice1winner1_best_cost_0(2 * i)) >= 0);
+      end loop;
       slice1winner2_best_late_cost_0 <= slice1winner2_best_cost_0;
       slice1winner2_best_cost_0(0) <= choice(slice1winner2_best_cost_0_is_less(0), slice1winner1_best_cost_0(1),
         slice1winner1_best_cost_0(0));
@@ -2565,14 +2300,14 @@ begin
         slice2window_centre_first_column(1 to 2) <= slice2window_centre_first_column(0 to 1);
       end if;
       -- slice2other
-      slice2other_cost_0_0_any := (not slice0winner2_tag.output_column) or (not slice0winner2_tag.first_column);
+      slice2other_cost_0_any(0) := (not slice0winner2_tag.output_column) or (not slice0winner2_tag.first_column);
       slice2other_cost_0_choice(0) := choice((slice2window_sum_0(0) - slice1other_cost_out_0) < 0, not
-        slice0winner2_tag.output_column, slice2other_cost_0_0_any);
+        slice0winner2_tag.output_column, slice2other_cost_0_any(0));
       for i in 1 to 14 loop
         slice2other_cost_0_choice(i) := choice((slice2window_sum_0(i) - slice2other_cost_0(i - 1)) < 0, not
-          slice0winner2_tag.output_column, slice2other_cost_0_0_any);
+          slice0winner2_tag.output_column, slice2other_cost_0_any(0));
       end loop;
-      slice2other_cost_0_15_any := (not slice0winner2_tag.output_column) or ((not slice0winner2_tag.first_column) and
+      slice2other_cost_0_any(15) := (not slice0winner2_tag.output_column) or ((not slice0winner2_tag.first_column) and
         ((slice2window_sum_0(15) - slice2other_cost_0(14)) >= 0));
       if slice0winner2_tag.valid then
         slice2other_cost_0(0) <= choice(slice2other_cost_0_choice(0), slice1other_cost_out_0, slice2window_sum_0(0));
@@ -2582,8 +2317,8 @@ begin
             slice2window_sum_0(i));
           slice2other_winner_0(i) <= choice(slice2other_cost_0_choice(i), slice2other_winner_0(i - 1), i + 32);
         end loop;
-        slice2other_cost_0(15) <= choice(slice2other_cost_0_15_any, slice2other_cost_0(14), slice2window_sum_0(15));
-        slice2other_winner_0(15) <= choice(slice2other_cost_0_15_any, slice2other_winner_0(14), 47);
+        slice2other_cost_0(15) <= choice(slice2other_cost_0_any(15), slice2other_cost_0(14), slice2window_sum_0(15));
+        slice2other_winner_0(15) <= choice(slice2other_cost_0_any(15), slice2other_winner_0(14), 47);
       end if;
       slice2other_cost_out_0 <= slice2other_cost_0(15);
       slice2other_winner_out_0 <= slice2other_winner_0(15);
@@ -2593,9 +2328,9 @@ begin
       end loop;
       slice2winner1_held_0 <= slice2window_sum_0;
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_is_less(0);
-      slice2winner1_best_place_0_2 <= slice2winner1_best_cost_0_is_less(2);
-      slice2winner1_best_place_0_4 <= slice2winner1_best_cost_0_is_less(4);
-      slice2winner1_best_place_0_6 <= slice2winner1_best_cost_0_is_less(6);
+      slice2winner1_best_place_0(1) <= slice2winner1_best_cost_0_is_less(2);
+      slice2winner1_best_place_0(2) <= slice2winner1_best_cost_0_is_less(4);
+      slice2winner1_best_place_0(3) <= slice2winner1_best_cost_0_is_less(6);
       slice2winner1_best_late_cost_0 <= slice2winner1_best_cost_0;
       for i in 0 to 7 loop
         slice2winner1_best_but_first_0(i) <= slice2winner1_held_0(2 * i + 1);
@@ -2633,12 +2368,10 @@ begin
         slice2winner1_best_below_0(7));
       slice2winner2_best_above_0_choice(0) := choice(slice2winner1_best_index_0_0, slice2winner1_held_0(2),
         slice2winner1_best_above_0(0));
-      slice2winner2_best_above_0_choice(1) := choice(slice2winner1_best_place_0_2, slice2winner1_held_0(6),
-        slice2winner1_best_above_0(2));
-      slice2winner2_best_above_0_choice(2) := choice(slice2winner1_best_place_0_4, slice2winner1_held_0(10),
-        slice2winner1_best_above_0(4));
-      slice2winner2_best_above_0_choice(3) := choice(slice2winner1_best_place_0_6, slice2winner1_held_0(14),
-        slice2winner1_best_above_0(6));
+      for i in 1 to 3 loop
+        slice2winner2_best_above_0_choice(i) := choice(slice2winner1_best_place_0(i), slice2winner1_held_0(4 * i + 2),
+          slice2winner1_best_above_0(2 * i));
+      end loop;
       for i in 0 to 3 loop
         slice2winner2_best_second_0_choice(i, 1) := choice(slice2winner2_best_place_0(i), 4095,
           slice2winner1_best_late_cost_0(2 * i + 1));
@@ -2668,12 +2401,10 @@ begin
         slice2winner2_best_cost_0_is_less(3);
       slice2winner2_best_at_end_0(0) <= slice2winner1_best_index_0_0 and ((slice2winner1_best_cost_0(1) -
         slice2winner1_best_cost_0(0)) >= 0);
-      slice2winner2_best_at_end_0(1) <= slice2winner1_best_place_0_2 and ((slice2winner1_best_cost_0(3) -
-        slice2winner1_best_cost_0(2)) >= 0);
-      slice2winner2_best_at_end_0(2) <= slice2winner1_best_place_0_4 and ((slice2winner1_best_cost_0(5) -
-        slice2winner1_best_cost_0(4)) >= 0);
-      slice2winner2_best_at_end_0(3) <= slice2winner1_best_place_0_6 and ((slice2winner1_best_cost_0(7) -
-        slice2winner1_best_cost_0(6)) >= 0);
+      for i in 1 to 3 loop
+        slice2winner2_best_at_end_0(i) <= slice2winner1_best_place_0(i) and ((slice2winner1_best_cost_0(2 * i + 1) -
+          slice2winner1_best_cost_0(2 * i)) >= 0);
+      end loop;
       slice2winner2_best_late_cost_0 <= slice2winner2_best_cost_0;
       slice2winner2_best_cost_0(0) <= choice(slice2winner2_best_cost_0_is_less(0), slice2winner1_best_cost_0(1),
         slice2winner1_best_cost_0(0));
@@ -3014,9 +2745,9 @@ begin
       end loop;
       slice3winner1_held_0 <= slice3window_sum_0;
       slice3winner1_best_index_0_0 <= slice3winner1_best_cost_0_is_less(0);
-      slice3winner1_best_place_0_2 <= slice3winner1_best_cost_0_is_less(2);
-      slice3winner1_best_place_0_4 <= slice3winner1_best_cost_0_is_less(4);
-      slice3winner1_best_place_0_6 <= slice3winner1_best_cost_0_is_less(6);
+      slice3winner1_best_place_0(1) <= slice3winner1_best_cost_0_is_less(2);
+      slice3winner1_best_place_0(2) <= slice3winner1_best_cost_0_is_less(4);
+      slice3winner1_best_place_0(3) <= slice3winner1_best_cost_0_is_less(6);
       slice3winner1_best_late_cost_0 <= slice3winner1_best_cost_0;
       for i in 0 to 7 loop
         slice3winner1_best_but_first_0(i) <= slice3winner1_held_0(2 * i + 1);
@@ -3054,12 +2785,10 @@ begin
         slice3winner1_best_below_0(7));
       slice3winner2_best_above_0_choice(0) := choice(slice3winner1_best_index_0_0, slice3winner1_held_0(2),
         slice3winner1_best_above_0(0));
-      slice3winner2_best_above_0_choice(1) := choice(slice3winner1_best_place_0_2, slice3winner1_held_0(6),
-        slice3winner1_best_above_0(2));
-      slice3winner2_best_above_0_choice(2) := choice(slice3winner1_best_place_0_4, slice3winner1_held_0(10),
-        slice3winner1_best_above_0(4));
-      slice3winner2_best_above_0_choice(3) := choice(slice3winner1_best_place_0_6, slice3winner1_held_0(14),
-        slice3winner1_best_above_0(6));
+      for i in 1 to 3 loop
+        slice3winner2_best_above_0_choice(i) := choice(slice3winner1_best_place_0(i), slice3winner1_held_0(4 * i + 2),
+          slice3winner1_best_above_0(2 * i));
+      end loop;
       for i in 0 to 3 loop
         slice3winner2_best_second_0_choice(i, 1) := choice(slice3winner2_best_place_0(i), 4095,
           slice3winner1_best_late_cost_0(2 * i + 1));
@@ -3088,12 +2817,10 @@ begin
         slice3winner2_best_cost_0_is_less(3);
       slice3winner2_best_at_end_0(0) <= slice3winner1_best_index_0_0 and ((slice3winner1_best_cost_0(1) -
         slice3winner1_best_cost_0(0)) >= 0);
-      slice3winner2_best_at_end_0(1) <= slice3winner1_best_place_0_2 and ((slice3winner1_best_cost_0(3) -
-        slice3winner1_best_cost_0(2)) >= 0);
-      slice3winner2_best_at_end_0(2) <= slice3winner1_best_place_0_4 and ((slice3winner1_best_cost_0(5) -
-        slice3winner1_best_cost_0(4)) >= 0);
-      slice3winner2_best_at_end_0(3) <= slice3winner1_best_place_0_6 and ((slice3winner1_best_cost_0(7) -
-        slice3winner1_best_cost_0(6)) >= 0);
+      for i in 1 to 3 loop
+        slice3winner2_best_at_end_0(i) <= slice3winner1_best_place_0(i) and ((slice3winner1_best_cost_0(2 * i + 1) -
+          slice3winner1_best_cost_0(2 * i)) >= 0);
+      end loop;
       slice3winner2_best_late_cost_0 <= slice3winner2_best_cost_0;
       slice3winner2_best_cost_0(0) <= choice(slice3winner2_best_cost_0_is_less(0), slice3winner1_best_cost_0(1),
         slice3winner1_best_cost_0(0));

@@ -110,6 +110,16 @@ architecture rtl of stereo_core_masrani_640 is
     return a or b;
   end function;
 
+  -- whether a > b, of bits `low` to `high`; of equal ones, `before`: bit by bit, as the tool has split it
+  function is_larger(a : natural; b : natural; low : natural; high : natural; before : boolean) return boolean is
+    variable is_not : boolean := not before;
+  begin
+    for place in low to high loop
+      is_not := carry(is_not, not is_set(a, place), is_set(b, place));
+    end loop;
+    return not is_not;
+  end function;
+
   function choice(test : boolean; yes : boolean; no : boolean) return boolean is
   begin
     if test then
@@ -148,6 +158,7 @@ architecture rtl of stereo_core_masrani_640 is
   type natural_16777215_1d is array (natural range <>) of natural range 0 to 16777215;
   type natural_168_1d is array (natural range <>) of natural range 0 to 168;
   type natural_19_2d is array (natural range <>, natural range <>) of natural range 0 to 19;
+  type natural_2016_1d is array (natural range <>) of natural range 0 to 2016;
   type natural_2041_1d is array (natural range <>) of natural range 0 to 2041;
   type natural_2047_1d is array (natural range <>) of natural range 0 to 2047;
   type natural_2049_to_8190_1d is array (natural range <>) of natural range 2049 to 8190;
@@ -1454,22 +1465,17 @@ begin
     variable highwinner3_best_above_0_choice : natural_2047_1d(0 to 1);  -- highwinner3_best_above_0_#_choice
     variable highwinner4_best_below_0_0_choice, highwinner4_best_above_0_0_choice : natural range 0 to 2047;
     variable refinement_divisor_0_0_choice : natural range 0 to 2047;
-    variable ranges_pair_0_choice_7, ranges_pair_0_choice_17, ranges_range_choice_7 : natural range 0 to 31;
-    variable ranges_range_choice_14, targets_column_range_choice_38 : natural range 0 to 31;
+    variable ranges_pair_0_choices_from_7 : natural_31_1d(7 to 17);  -- ranges_pair_0_choice_#
+    variable ranges_range_choices_from_7 : natural_31_1d(7 to 14);  -- ranges_range_choice_#
+    variable targets_column_range_choices_from_38 : natural_31_1d(38 to 78);  -- targets_column_range_choice_#
     variable targets_column_range_values_from_21 : natural_31_1d(21 to 22);  -- targets_column_range_value_#
-    variable targets_column_range_choices_from_59 : natural_31_1d(59 to 62);  -- targets_column_range_choice_#
-    variable targets_column_range_choice_65 : natural range 0 to 31;
-    variable targets_column_range_choices_from_76 : natural_31_1d(76 to 78);  -- targets_column_range_choice_#
-    variable targets_around_choice_23, targets_around_choice_31, targets_around_choice_33 : natural range 0 to 31;
-    variable targets_around_choices_from_48 : natural_31_1d(48 to 49);  -- targets_around_choice_#
-    variable rows_address_0_value_2, rows_address_4_value_2, rows_address_8_value_2 : natural range 0 to 31;
-    variable rows_address_12_value_2 : natural range 0 to 31;
+    variable targets_around_choices_from_23 : natural_31_1d(23 to 49);  -- targets_around_choice_#
+    variable rows_address_value_2 : natural_31_1d(0 to 3);  -- rows_address_4#_value_2
     variable ranges_pair_0_choice_16 : natural range 0 to 63;
     variable targets_around_choices_from_29 : natural_63_1d(29 to 30);  -- targets_around_choice_#
     variable rows_write_word_choices : natural_63_1d(1 to 3);  -- rows_write_word_choice_#
     variable targets_column_range_value_10 : natural range 0 to 1023;
-    variable targets_column_range_choices_from_35 : natural_1023_1d(35 to 37);  -- targets_column_range_choice_#
-    variable targets_column_range_choices_from_63 : natural_1023_1d(63 to 64);  -- targets_column_range_choice_#
+    variable targets_column_range_choices_from_35 : natural_1023_1d(35 to 64);  -- targets_column_range_choice_#
     variable targets_around_choice_32, bases_address_0_value, bases_address_0_choice : natural range 0 to 1023;
     variable targets_low_wish_value : natural range 0 to 124;
     variable targets_low_wish_choices : natural_124_1d(1 to 2);  -- targets_low_wish_choice_#
@@ -1489,8 +1495,7 @@ begin
     variable rows_newest_column_sum : natural range 1 to 65536;
     variable rows_newest_row_sum : natural range 5 to 2052;
     variable rows_position_sum : natural_9214_2d(0 to 1, 0 to 1);  -- rows_position_#_#_sum
-    variable rows_address_0_value, rows_address_4_value, rows_address_8_value : natural range 0 to 2016;
-    variable rows_address_12_value : natural range 0 to 2016;
+    variable rows_address_value : natural_2016_1d(0 to 3);  -- rows_address_4#_value
     variable refinement_remainder_1_0_difference : natural range 2049 to 6143;
     variable refinement_remainder_0_difference : natural_2049_to_8190_1d(2 to 7);  -- refinement_remainder_#_0_difference
     variable refinement_fraction_0_difference : integer range -15 to 0;
@@ -1505,6 +1510,11 @@ begin
       targets_column_range_values := (others => false);
       targets_column_range_choices := (others => false);
       targets_around_choices := (others => false);
+      ranges_pair_0_choices_from_7 := (others => 0);
+      ranges_range_choices_from_7 := (others => 0);
+      targets_column_range_choices_from_38 := (others => 0);
+      targets_around_choices_from_23 := (others => 0);
+      targets_column_range_choices_from_35 := (others => 0);
       targets_low_choices := (others => 0);
       targets_high_choices := (others => 0);
       rows_codes_choice := (others => (others => (others => (others => 0))));
@@ -2355,7 +2365,7 @@ begin
       ranges_pair_0_choices(5) := choice(ranges_pair_0_choices(3), ranges_pair_0_choices(4), (not
         is_set(ranges_first_of_pair, 10)) and is_set(ranges_disparity, 4) and ranges_counts);
       ranges_pair_0_choice_6 := choice(ranges_counts, (((ranges_disparity * 32) + ranges_disparity) * 2) + 1, 0);
-      ranges_pair_0_choice_7 := choice((not ranges_pair_0_choices(5)) and is_set(ranges_first_of_pair, 0),
+      ranges_pair_0_choices_from_7(7) := choice((not ranges_pair_0_choices(5)) and is_set(ranges_first_of_pair, 0),
         ranges_first_of_pair / 64, ranges_pair_0_choice_6 / 64);
       ranges_pair_0_choices(8) := choice(ranges_pair_0_values(1), (not is_set(ranges_first_of_pair, 2)) or
         ranges_counts, not is_set(ranges_first_of_pair, 2));
@@ -2374,7 +2384,7 @@ begin
       ranges_pair_0_choices(15) := choice(ranges_pair_0_choices(13), (not is_set(ranges_disparity, 4)) and
         ranges_pair_0_values(4) and ranges_counts, ranges_pair_0_choices(14));
       ranges_pair_0_choice_16 := choice(ranges_counts, (ranges_disparity * 2) + 1, 0);
-      ranges_pair_0_choice_17 := choice((not ranges_pair_0_choices(15)) and is_set(ranges_first_of_pair, 0),
+      ranges_pair_0_choices_from_7(17) := choice((not ranges_pair_0_choices(15)) and is_set(ranges_first_of_pair, 0),
         (ranges_first_of_pair mod 64) / 2, ranges_pair_0_choice_16 / 2);
       ranges_range_values(1) := is_set(ranges_pairs_ready_newest_0, 6);
       ranges_range_choices(1) := choice(ranges_range_values(1), not is_set(ranges_pairs_ready_words_0, 7),
@@ -2382,16 +2392,14 @@ begin
       ranges_range_choices(2) := choice(is_set(ranges_pairs_ready_newest_0, 7), ranges_range_values(1) or (not
         is_set(ranges_pairs_ready_words_0, 7)) or (not is_set(ranges_pairs_ready_words_0, 6)), ranges_range_choices(1));
       ranges_range_values(2) := is_set(ranges_pairs_ready_words_0, 8);
-      ranges_range_choices(3) := inverted_carry(ranges_range_choices(2), not is_set(ranges_pairs_ready_newest_0, 8),
-        ranges_range_values(2));
       ranges_range_values(3) := is_set(ranges_pairs_ready_words_0, 9);
-      ranges_range_choices(4) := carry(ranges_range_choices(3), not is_set(ranges_pairs_ready_newest_0, 9),
-        ranges_range_values(3));
+      ranges_range_choices(4) := not is_larger(ranges_pairs_ready_newest_0, ranges_pairs_ready_words_0, 8, 9,
+        ranges_range_choices(2));
       ranges_range_choices(5) := choice(is_set(ranges_pairs_ready_newest_0, 10), is_set(ranges_pairs_ready_newest_0,
         0), (not is_set(ranges_pairs_ready_words_0, 10)) and is_set(ranges_pairs_ready_newest_0, 0));
       ranges_range_choices(6) := choice(ranges_range_choices(4), is_set(ranges_pairs_ready_newest_0, 10) and (not
         is_set(ranges_pairs_ready_words_0, 10)) and is_set(ranges_pairs_ready_newest_0, 0), ranges_range_choices(5));
-      ranges_range_choice_7 := choice((not ranges_range_choices(6)) and is_set(ranges_pairs_ready_words_0, 0),
+      ranges_range_choices_from_7(7) := choice((not ranges_range_choices(6)) and is_set(ranges_pairs_ready_words_0, 0),
         ranges_pairs_ready_words_0 / 64, ranges_pairs_ready_newest_0 / 64);
       ranges_range_values(4) := is_set(ranges_pairs_ready_newest_0, 1);
       ranges_range_choices(8) := choice(ranges_range_values(4), (not is_set(ranges_pairs_ready_words_0, 2)) or (not
@@ -2399,19 +2407,17 @@ begin
       ranges_range_choices(9) := choice(is_set(ranges_pairs_ready_newest_0, 2), ranges_range_choices(8),
         ranges_range_values(4) and (((ranges_pairs_ready_words_0 / 2) mod 4) = 0));
       ranges_range_values(5) := is_set(ranges_pairs_ready_words_0, 3);
-      ranges_range_choices(10) := inverted_carry(ranges_range_choices(9), not is_set(ranges_pairs_ready_newest_0, 3),
-        ranges_range_values(5));
       ranges_range_values(6) := is_set(ranges_pairs_ready_words_0, 4);
-      ranges_range_choices(11) := carry(ranges_range_choices(10), not is_set(ranges_pairs_ready_newest_0, 4),
-        ranges_range_values(6));
+      ranges_range_choices(11) := not is_larger(ranges_pairs_ready_newest_0, ranges_pairs_ready_words_0, 3, 4,
+        ranges_range_choices(9));
       ranges_range_values(7) := is_set(ranges_pairs_ready_newest_0, 5);
       ranges_range_values(8) := is_set(ranges_pairs_ready_words_0, 5);
       ranges_range_choices(12) := choice(ranges_range_values(7), ranges_range_values(8) and
         is_set(ranges_pairs_ready_newest_0, 0), is_set(ranges_pairs_ready_newest_0, 0));
       ranges_range_choices(13) := choice(ranges_range_choices(11), ranges_range_choices(12), (not
         ranges_range_values(7)) and ranges_range_values(8) and is_set(ranges_pairs_ready_newest_0, 0));
-      ranges_range_choice_14 := choice((not ranges_range_choices(13)) and is_set(ranges_pairs_ready_words_0, 0),
-        (ranges_pairs_ready_words_0 mod 64) / 2, (ranges_pairs_ready_newest_0 mod 64) / 2);
+      ranges_range_choices_from_7(14) := choice((not ranges_range_choices(13)) and is_set(ranges_pairs_ready_words_0,
+        0), (ranges_pairs_ready_words_0 mod 64) / 2, (ranges_pairs_ready_newest_0 mod 64) / 2);
       ranges_row <= (ranges_row_choice + as_number(((not ranges_row_choice_2) and (not ranges_column_alls(2)) and
         ranges_column_is_equal and ranges_column_choices(3) and ranges_column_anys(2)))) mod 128;
       ranges_pixel_0 <= (as_number((coarseleftright_checked_tag.valid and coarseleftright_checked_tag.output_column and
@@ -2455,10 +2461,10 @@ begin
         ranges_centre_valid_differs and ranges_ready_valid, ranges_centre_valid_differs and ranges_ready_valid);
       ranges_counts <= choice(is_set(ranges_counts_sum_2, 2), is_set(ranges_middle, 5), is_set(ranges_counts_sum_2, 1)
         and is_set(ranges_middle, 5));
-      ranges_pair_0 <= choice((not is_set(ranges_first_of_pair, 0)) and (not ranges_counts), 0, (ranges_pair_0_choice_7
-        * 64) + (ranges_pair_0_choice_17 * 2) + 1);
+      ranges_pair_0 <= choice((not is_set(ranges_first_of_pair, 0)) and (not ranges_counts), 0,
+        (ranges_pair_0_choices_from_7(7) * 64) + (ranges_pair_0_choices_from_7(17) * 2) + 1);
       ranges_range <= choice((not is_set(ranges_pairs_ready_words_0, 0)) and (not is_set(ranges_pairs_ready_newest_0,
-        0)), 0, (ranges_range_choice_7 * 64) + (ranges_range_choice_14 * 2) + 1);
+        0)), 0, (ranges_range_choices_from_7(7) * 64) + (ranges_range_choices_from_7(14) * 2) + 1);
       if ranges_ready_valid then
         ranges_pixels_write_words_0 <= (ranges_pixels_ready_words_0 / 64) + (ranges_pixels_ready_newest_0 * 64);
         ranges_pixels_written <= ranges_ready_column;
@@ -2592,8 +2598,8 @@ begin
         targets_column_range_choices_from_35(35), 0);
       targets_column_range_choices_from_35(37) := choice(targets_ready_walk_has_below, targets_rows_ready_words_0 /
         4096, targets_rows_ready_words_1 / 2);
-      targets_column_range_choice_38 := choice(targets_column_range_alls(3), (targets_column_range_choices_from_35(36)
-        * 2) / 64, (targets_column_range_choices_from_35(37) * 2) / 64);
+      targets_column_range_choices_from_38(38) := choice(targets_column_range_alls(3),
+        (targets_column_range_choices_from_35(36) * 2) / 64, (targets_column_range_choices_from_35(37) * 2) / 64);
       for i in 0 to 1 loop
         targets_column_range_values(2 * i + 11) := is_set(targets_rows_ready_words_0, 13 - i);
         targets_column_range_values(2 * i + 12) := is_set(targets_rows_ready_words_1, 2 - i);
@@ -2647,21 +2653,21 @@ begin
         targets_column_range_choices(22));
       targets_column_range_alls(5) := (not targets_column_range_choices(58)) and targets_column_range_choices(2);
       targets_column_range_values_from_21(21) := (targets_rows_ready_words_0 / 4096) mod 32;
-      targets_column_range_choices_from_59(59) := choice(targets_ready_walk_has_below, targets_column_range_value_10
+      targets_column_range_choices_from_38(59) := choice(targets_ready_walk_has_below, targets_column_range_value_10
         mod 32, targets_column_range_values_from_21(21));
-      targets_column_range_choices_from_59(60) := choice(targets_ready_walk_has_above,
-        targets_column_range_choices_from_59(59), 0);
+      targets_column_range_choices_from_38(60) := choice(targets_ready_walk_has_above,
+        targets_column_range_choices_from_38(59), 0);
       targets_column_range_values_from_21(22) := (targets_rows_ready_words_1 / 2) mod 32;
-      targets_column_range_choices_from_59(61) := choice(targets_ready_walk_has_below,
+      targets_column_range_choices_from_38(61) := choice(targets_ready_walk_has_below,
         targets_column_range_values_from_21(21), targets_column_range_values_from_21(22));
-      targets_column_range_choices_from_59(62) := choice(targets_column_range_alls(5),
-        targets_column_range_choices_from_59(60), targets_column_range_choices_from_59(61));
-      targets_column_range_choices_from_63(63) := choice(targets_column_range_alls(2), 0,
-        (targets_column_range_choice_38 * 32) + targets_column_range_choices_from_59(62));
-      targets_column_range_choices_from_63(64) := choice(targets_ready_walk_has_below, targets_rows_ready_words_1 / 2,
+      targets_column_range_choices_from_38(62) := choice(targets_column_range_alls(5),
+        targets_column_range_choices_from_38(60), targets_column_range_choices_from_38(61));
+      targets_column_range_choices_from_35(63) := choice(targets_column_range_alls(2), 0,
+        (targets_column_range_choices_from_38(38) * 32) + targets_column_range_choices_from_38(62));
+      targets_column_range_choices_from_35(64) := choice(targets_ready_walk_has_below, targets_rows_ready_words_1 / 2,
         0);
-      targets_column_range_choice_65 := choice(targets_column_range_choices(34),
-        (targets_column_range_choices_from_63(63) * 2) / 64, (targets_column_range_choices_from_63(64) * 2) / 64);
+      targets_column_range_choices_from_38(65) := choice(targets_column_range_choices(34),
+        (targets_column_range_choices_from_35(63) * 2) / 64, (targets_column_range_choices_from_35(64) * 2) / 64);
       targets_column_range_choices(66) := choice(targets_column_range_alls(5), targets_column_range_choices(41),
         targets_column_range_choices(39));
       targets_column_range_choices(67) := choice(targets_column_range_alls(5), targets_column_range_choices(44),
@@ -2683,15 +2689,15 @@ begin
       end loop;
       targets_column_range_choices(75) := choice(targets_column_range_choices(74), not targets_column_range_alls(2),
         targets_column_range_alls(4));
-      targets_column_range_choices_from_76(76) := choice(targets_column_range_alls(2), 0,
-        targets_column_range_choices_from_59(62));
-      targets_column_range_choices_from_76(77) := choice(targets_ready_walk_has_below,
+      targets_column_range_choices_from_38(76) := choice(targets_column_range_alls(2), 0,
+        targets_column_range_choices_from_38(62));
+      targets_column_range_choices_from_38(77) := choice(targets_ready_walk_has_below,
         targets_column_range_values_from_21(22), 0);
-      targets_column_range_choices_from_76(78) := choice(targets_column_range_choices(75),
-        targets_column_range_choices_from_76(76), targets_column_range_choices_from_76(77));
+      targets_column_range_choices_from_38(78) := choice(targets_column_range_choices(75),
+        targets_column_range_choices_from_38(76), targets_column_range_choices_from_38(77));
       targets_column_range_choice_79 := choice((not targets_column_range_choices(2)) and
-        targets_column_range_choices(3) and targets_column_range_any, 0, (targets_column_range_choice_65 * 64) +
-        (targets_column_range_choices_from_76(78) * 2) + 1);
+        targets_column_range_choices(3) and targets_column_range_any, 0, (targets_column_range_choices_from_38(65) *
+        64) + (targets_column_range_choices_from_38(78) * 2) + 1);
       targets_around_is_equal := targets_column_walk_column = 79;
       targets_around_choices(1) := choice(is_set(targets_here, 0), targets_around_is_equal, (not is_set(targets_behind,
         0)) or targets_around_is_equal);
@@ -2747,7 +2753,7 @@ begin
         targets_around_alls(4)) and is_set(targets_column_range, 10) and is_set(targets_column_range, 0));
       targets_around_choices_from_21(21) := choice(targets_around_is_equal, 0, targets_behind);
       targets_around_choices_from_21(22) := choice(targets_around_is_equal, 0, targets_here);
-      targets_around_choice_23 := choice(targets_around_choices(6), targets_around_choices_from_21(21) / 64,
+      targets_around_choices_from_23(23) := choice(targets_around_choices(6), targets_around_choices_from_21(21) / 64,
         targets_around_choices_from_21(22) / 64);
       targets_around_values(12) := is_set(targets_here, 1);
       targets_around_values(13) := is_set(targets_behind, 1);
@@ -2767,11 +2773,11 @@ begin
       targets_around_choices(28) := choice(targets_around_choices(27), targets_around_alls(2), targets_around_alls(1));
       targets_around_choices_from_29(29) := choice(targets_around_is_equal, 0, targets_behind mod 64);
       targets_around_choices_from_29(30) := choice(targets_around_is_equal, 0, targets_here mod 64);
-      targets_around_choice_31 := choice(targets_around_choices(28), targets_around_choices_from_29(29) / 2,
+      targets_around_choices_from_23(31) := choice(targets_around_choices(28), targets_around_choices_from_29(29) / 2,
         targets_around_choices_from_29(30) / 2);
-      targets_around_choice_32 := choice(targets_around_choices(1), 0, (targets_around_choice_23 * 32) +
-        targets_around_choice_31);
-      targets_around_choice_33 := choice((not targets_around_choices(20)) and targets_around_choices(9),
+      targets_around_choice_32 := choice(targets_around_choices(1), 0, (targets_around_choices_from_23(23) * 32) +
+        targets_around_choices_from_23(31));
+      targets_around_choices_from_23(33) := choice((not targets_around_choices(20)) and targets_around_choices(9),
         (targets_around_choice_32 * 2) / 64, targets_column_range / 64);
       targets_around_choices(34) := choice(targets_around_choices(28), targets_around_values(13) and
         targets_around_differs, targets_around_values(12) and targets_around_differs);
@@ -2795,9 +2801,9 @@ begin
       targets_around_choices(47) := choice(targets_around_choices(44), targets_around_choices(45) and
         targets_around_choices(9) and (not is_set(targets_column_range, 5)) and is_set(targets_column_range, 0),
         targets_around_choices(46));
-      targets_around_choices_from_48(48) := choice(targets_around_choices(1), 0, targets_around_choice_31);
-      targets_around_choices_from_48(49) := choice((not targets_around_choices(47)) and targets_around_choices(9),
-        targets_around_choices_from_48(48), (targets_column_range mod 64) / 2);
+      targets_around_choices_from_23(48) := choice(targets_around_choices(1), 0, targets_around_choices_from_23(31));
+      targets_around_choices_from_23(49) := choice((not targets_around_choices(47)) and targets_around_choices(9),
+        targets_around_choices_from_23(48), (targets_column_range mod 64) / 2);
       targets_low_wish_value := (((targets_around mod 64) * 2) / 4) * 4;
       targets_low_wish_choices(1) := choice(targets_low_wish_value < 118, targets_low_wish_value, 118);
       targets_low_wish_choices(2) := choice(targets_low_wish_choices(1) < 6, 6, targets_low_wish_choices(1));
@@ -2872,7 +2878,7 @@ begin
       targets_walk_place <= choice(targets_walked_alls(2), targets_walk_place_choices(2), 79);
       targets_column_range <= choice(targets_ready_walk_column < 80, targets_column_range_choice_79, 0);
       targets_around <= choice((not is_set(targets_column_range, 0)) and targets_around_choices(1), 0,
-        (targets_around_choice_33 * 64) + (targets_around_choices_from_48(49) * 2) + 1);
+        (targets_around_choices_from_23(33) * 64) + (targets_around_choices_from_23(49) * 2) + 1);
       if targets_pause_all then
         targets_again <= ranges_block_row = 59;
       end if;
@@ -3507,14 +3513,12 @@ begin
       rows_position_sum(0, 1) := bases_from(0, 1) + bases_stands_column;
       rows_position_sum(1, 0) := bases_from(1, 0) + bases_stands_column;
       rows_position_sum(1, 1) := bases_from(1, 1) + bases_stands_column;
-      rows_address_0_value := (((rows_enter_row / 32) + (rows_position(0, 0) / 128)) mod 64) * 32;
-      rows_address_0_value_2 := (rows_position(0, 0) / 4) mod 32;
-      rows_address_4_value := (((rows_leave_row / 32) + (rows_position(0, 1) / 128)) mod 64) * 32;
-      rows_address_4_value_2 := (rows_position(0, 1) / 4) mod 32;
-      rows_address_8_value := (((rows_enter_row / 32) + (rows_position(1, 0) / 128)) mod 64) * 32;
-      rows_address_8_value_2 := (rows_position(1, 0) / 4) mod 32;
-      rows_address_12_value := (((rows_leave_row / 32) + (rows_position(1, 1) / 128)) mod 64) * 32;
-      rows_address_12_value_2 := (rows_position(1, 1) / 4) mod 32;
+      for i in 0 to 1 loop
+        rows_address_value(2 * i) := (((rows_enter_row / 32) + (rows_position(i, 0) / 128)) mod 64) * 32;
+        rows_address_value_2(2 * i) := (rows_position(i, 0) / 4) mod 32;
+        rows_address_value(2 * i + 1) := (((rows_leave_row / 32) + (rows_position(i, 1) / 128)) mod 64) * 32;
+        rows_address_value_2(2 * i + 1) := (rows_position(i, 1) / 4) mod 32;
+      end loop;
       for i in 0 to 1 loop
         rows_codes_choice(i, 0, 0, 1) := choice(is_set(rows_ready_first_bank(i, 0), 1), rows_ready_codes(8 * i + 3),
           rows_ready_codes(8 * i + 1));
@@ -3549,31 +3553,22 @@ begin
       rows_wanted_one(1, 0) <= (not bases_falls(1, 0)) and (not bases_rises(1, 0));
       rows_wanted_one(1, 1) <= (not bases_falls(1, 1)) and (not bases_rises(1, 1));
       rows_wanted_four <= bases_rises;
-      rows_address(0) <= (rows_address_0_value + rows_address_0_value_2 + as_number((is_set(rows_wanted_first_bank(0,
-        0), 1) or is_set(rows_wanted_first_bank(0, 0), 0)))) mod 2048;
-      rows_address(1) <= (rows_address_0_value + rows_address_0_value_2 + (rows_wanted_first_bank(0, 0) / 2)) mod 2048;
-      rows_address(2) <= (rows_address_0_value + rows_address_0_value_2 + as_number((rows_wanted_first_bank(0, 0) =
-        3))) mod 2048;
-      rows_address(3) <= rows_address_0_value + rows_address_0_value_2;
-      rows_address(4) <= (rows_address_4_value + rows_address_4_value_2 + as_number((is_set(rows_wanted_first_bank(0,
-        1), 1) or is_set(rows_wanted_first_bank(0, 1), 0)))) mod 2048;
-      rows_address(5) <= (rows_address_4_value + rows_address_4_value_2 + (rows_wanted_first_bank(0, 1) / 2)) mod 2048;
-      rows_address(6) <= (rows_address_4_value + rows_address_4_value_2 + as_number((rows_wanted_first_bank(0, 1) =
-        3))) mod 2048;
-      rows_address(7) <= rows_address_4_value + rows_address_4_value_2;
-      rows_address(8) <= (rows_address_8_value + rows_address_8_value_2 + as_number((is_set(rows_wanted_first_bank(1,
-        0), 1) or is_set(rows_wanted_first_bank(1, 0), 0)))) mod 2048;
-      rows_address(9) <= (rows_address_8_value + rows_address_8_value_2 + (rows_wanted_first_bank(1, 0) / 2)) mod 2048;
-      rows_address(10) <= (rows_address_8_value + rows_address_8_value_2 + as_number((rows_wanted_first_bank(1, 0) =
-        3))) mod 2048;
-      rows_address(11) <= rows_address_8_value + rows_address_8_value_2;
-      rows_address(12) <= (rows_address_12_value + rows_address_12_value_2 +
-        as_number((is_set(rows_wanted_first_bank(1, 1), 1) or is_set(rows_wanted_first_bank(1, 1), 0)))) mod 2048;
-      rows_address(13) <= (rows_address_12_value + rows_address_12_value_2 + (rows_wanted_first_bank(1, 1) / 2)) mod
-        2048;
-      rows_address(14) <= (rows_address_12_value + rows_address_12_value_2 + as_number((rows_wanted_first_bank(1, 1) =
-        3))) mod 2048;
-      rows_address(15) <= rows_address_12_value + rows_address_12_value_2;
+      for i in 0 to 1 loop
+        rows_address(8 * i) <= (rows_address_value(2 * i) + rows_address_value_2(2 * i) +
+          as_number((is_set(rows_wanted_first_bank(i, 0), 1) or is_set(rows_wanted_first_bank(i, 0), 0)))) mod 2048;
+        rows_address(8 * i + 1) <= (rows_address_value(2 * i) + rows_address_value_2(2 * i) +
+          (rows_wanted_first_bank(i, 0) / 2)) mod 2048;
+        rows_address(8 * i + 2) <= (rows_address_value(2 * i) + rows_address_value_2(2 * i) +
+          as_number((rows_wanted_first_bank(i, 0) = 3))) mod 2048;
+        rows_address(8 * i + 3) <= rows_address_value(2 * i) + rows_address_value_2(2 * i);
+        rows_address(8 * i + 4) <= (rows_address_value(2 * i + 1) + rows_address_value_2(2 * i + 1) +
+          as_number((is_set(rows_wanted_first_bank(i, 1), 1) or is_set(rows_wanted_first_bank(i, 1), 0)))) mod 2048;
+        rows_address(8 * i + 5) <= (rows_address_value(2 * i + 1) + rows_address_value_2(2 * i + 1) +
+          (rows_wanted_first_bank(i, 1) / 2)) mod 2048;
+        rows_address(8 * i + 6) <= (rows_address_value(2 * i + 1) + rows_address_value_2(2 * i + 1) +
+          as_number((rows_wanted_first_bank(i, 1) = 3))) mod 2048;
+        rows_address(8 * i + 7) <= rows_address_value(2 * i + 1) + rows_address_value_2(2 * i + 1);
+      end loop;
       rows_asked_first_bank <= rows_wanted_first_bank;
       rows_asked_one <= rows_wanted_one;
       rows_asked_four <= rows_wanted_four;

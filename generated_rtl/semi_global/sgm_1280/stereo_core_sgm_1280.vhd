@@ -111,6 +111,16 @@ architecture rtl of stereo_core_sgm_1280 is
     return a or b;
   end function;
 
+  -- whether a > b, of bits `low` to `high`; of equal ones, `before`: bit by bit, as the tool has split it
+  function is_larger(a : natural; b : natural; low : natural; high : natural; before : boolean) return boolean is
+    variable is_not : boolean := not before;
+  begin
+    for place in low to high loop
+      is_not := carry(is_not, not is_set(a, place), is_set(b, place));
+    end loop;
+    return not is_not;
+  end function;
+
   function choice(test : boolean; yes : boolean; no : boolean) return boolean is
   begin
     if test then
@@ -658,12 +668,12 @@ begin
     variable transform_counter_group_is_equals : boolean_1d(1 to 2);  -- transform_counter_group_is_equal_#
     variable transform_counter_group_all, transform_counter_group_differs : boolean;
     variable transform_read_column_inside_0_is_less, transform_left_filter_feature_0_any : boolean;
-    variable transform_left_filter_feature_0_choices : boolean_1d(1 to 189);  -- transform_left_filter_feature_0_choice_#
+    variable transform_left_filter_feature_0_choice : boolean_1d(7 to 189);
     variable transform_left_filter_feature_0_is_equal : boolean;
     variable transform_left_filter_feature_0_values : boolean_1d(1 to 5);  -- transform_left_filter_feature_0_value_#
     variable transform_left_filter_feature_0_alls : boolean_1d(1 to 4);  -- transform_left_filter_feature_0_all_#
     variable transform_right_filter_feature_0_any : boolean;
-    variable transform_right_filter_feature_0_choices : boolean_1d(1 to 198);  -- transform_right_filter_feature_0_choice_#
+    variable transform_right_filter_feature_0_choice : boolean_1d(7 to 198);
     variable transform_right_filter_feature_0_is_equal : boolean;
     variable transform_right_filter_feature_0_values : boolean_1d(1 to 5);  -- transform_right_filter_feature_0_value_#
     variable transform_right_filter_feature_0_alls : boolean_1d(1 to 9);  -- transform_right_filter_feature_0_all_#
@@ -676,57 +686,20 @@ begin
     variable slice3cost_pixels_first_0_0_count_value : boolean_2d(0 to 6, 1 to 3);  -- slice3cost_pixels_first_0_0_count_#_value_#
     variable entry_order_falls_any, entry_order_falls_all, entry_order_complete_all, entry_order_complete_any : boolean;
     variable entry_order_turned_output_column_choice, forward_left_start_cost_0_any : boolean;
-    variable forward_left_start_cost_0_choices : boolean_1d(1 to 6);  -- forward_left_start_cost_0_choice_#
+    variable forward_left_start_cost_0_choice_6 : boolean;
     variable forward_left_start_cost_0_values : boolean_1d(1 to 3);  -- forward_left_start_cost_0_value_#
-    variable forward_left_start_cost_0_is_less, sums_right_start_cost_0_any : boolean;
-    variable sums_right_start_cost_0_choices : boolean_1d(1 to 6);  -- sums_right_start_cost_0_choice_#
+    variable forward_left_start_cost_0_is_less, sums_right_start_cost_0_any, sums_right_start_cost_0_choice_6 : boolean;
     variable sums_right_start_cost_0_values : boolean_1d(1 to 3);  -- sums_right_start_cost_0_value_#
     variable sums_right_start_cost_0_is_less, sums_turn_writes_copy_0_choice : boolean;
-    variable winnerswinner1_of_pair_0_choice : boolean_2d(0 to 62, 1 to 8);  -- winnerswinner1_of_pair_0_#_choice_#
-    variable winnerswinner1_of_pair_0_value : boolean_2d(0 to 62, 1 to 5);  -- winnerswinner1_of_pair_0_#_value_#
-    variable winnerswinner1_of_four_0_0_choices : boolean_1d(1 to 8);  -- winnerswinner1_of_four_0_0_choice_#
-    variable winnerswinner1_of_four_0_0_values : boolean_1d(1 to 12);  -- winnerswinner1_of_four_0_0_value_#
-    variable winnerswinner1_of_four_0_4_choices : boolean_1d(1 to 8);  -- winnerswinner1_of_four_0_4_choice_#
-    variable winnerswinner1_of_four_0_4_values : boolean_1d(1 to 12);  -- winnerswinner1_of_four_0_4_value_#
-    variable winnerswinner1_of_four_0_8_choices : boolean_1d(1 to 8);  -- winnerswinner1_of_four_0_8_choice_#
-    variable winnerswinner1_of_four_0_8_values : boolean_1d(1 to 12);  -- winnerswinner1_of_four_0_8_value_#
-    variable winnerswinner1_of_four_0_12_choices : boolean_1d(1 to 8);  -- winnerswinner1_of_four_0_12_choice_#
-    variable winnerswinner1_of_four_0_12_values : boolean_1d(1 to 12);  -- winnerswinner1_of_four_0_12_value_#
-    variable winnerswinner1_of_four_0_16_choices : boolean_1d(1 to 8);  -- winnerswinner1_of_four_0_16_choice_#
-    variable winnerswinner1_of_four_0_16_values : boolean_1d(1 to 12);  -- winnerswinner1_of_four_0_16_value_#
-    variable winnerswinner1_of_four_0_20_choices : boolean_1d(1 to 8);  -- winnerswinner1_of_four_0_20_choice_#
-    variable winnerswinner1_of_four_0_20_values : boolean_1d(1 to 12);  -- winnerswinner1_of_four_0_20_value_#
-    variable winnerswinner1_of_four_0_24_choices : boolean_1d(1 to 8);  -- winnerswinner1_of_four_0_24_choice_#
-    variable winnerswinner1_of_four_0_24_values : boolean_1d(1 to 12);  -- winnerswinner1_of_four_0_24_value_#
-    variable winnerswinner1_of_four_0_28_choices : boolean_1d(1 to 8);  -- winnerswinner1_of_four_0_28_choice_#
-    variable winnerswinner1_of_four_0_28_values : boolean_1d(1 to 12);  -- winnerswinner1_of_four_0_28_value_#
-    variable winnerswinner1_of_four_0_32_choices : boolean_1d(1 to 8);  -- winnerswinner1_of_four_0_32_choice_#
-    variable winnerswinner1_of_four_0_32_values : boolean_1d(1 to 12);  -- winnerswinner1_of_four_0_32_value_#
-    variable winnerswinner1_of_four_0_36_choices : boolean_1d(1 to 8);  -- winnerswinner1_of_four_0_36_choice_#
-    variable winnerswinner1_of_four_0_36_values : boolean_1d(1 to 12);  -- winnerswinner1_of_four_0_36_value_#
-    variable winnerswinner1_of_four_0_40_choices : boolean_1d(1 to 8);  -- winnerswinner1_of_four_0_40_choice_#
-    variable winnerswinner1_of_four_0_40_values : boolean_1d(1 to 12);  -- winnerswinner1_of_four_0_40_value_#
-    variable winnerswinner1_of_four_0_44_choices : boolean_1d(1 to 8);  -- winnerswinner1_of_four_0_44_choice_#
-    variable winnerswinner1_of_four_0_44_values : boolean_1d(1 to 12);  -- winnerswinner1_of_four_0_44_value_#
-    variable winnerswinner1_of_four_0_48_choices : boolean_1d(1 to 8);  -- winnerswinner1_of_four_0_48_choice_#
-    variable winnerswinner1_of_four_0_48_values : boolean_1d(1 to 12);  -- winnerswinner1_of_four_0_48_value_#
-    variable winnerswinner1_of_four_0_52_choices : boolean_1d(1 to 8);  -- winnerswinner1_of_four_0_52_choice_#
-    variable winnerswinner1_of_four_0_52_values : boolean_1d(1 to 12);  -- winnerswinner1_of_four_0_52_value_#
-    variable winnerswinner1_of_four_0_56_choices : boolean_1d(1 to 8);  -- winnerswinner1_of_four_0_56_choice_#
-    variable winnerswinner1_of_four_0_56_values : boolean_1d(1 to 12);  -- winnerswinner1_of_four_0_56_value_#
-    variable winnerswinner1_of_four_0_60_choices : boolean_1d(1 to 8);  -- winnerswinner1_of_four_0_60_choice_#
-    variable winnerswinner1_of_four_0_60_values : boolean_1d(1 to 12);  -- winnerswinner1_of_four_0_60_value_#
-    variable winnerswinner2_of_pair_0_choice : boolean_2d(0 to 14, 1 to 8);  -- winnerswinner2_of_pair_0_#_choice_#
-    variable winnerswinner2_of_pair_0_value : boolean_2d(0 to 14, 1 to 5);  -- winnerswinner2_of_pair_0_#_value_#
-    variable winnerswinner2_of_four_0_0_choices : boolean_1d(1 to 8);  -- winnerswinner2_of_four_0_0_choice_#
-    variable winnerswinner2_of_four_0_0_values : boolean_1d(1 to 12);  -- winnerswinner2_of_four_0_0_value_#
-    variable winnerswinner2_of_four_0_4_choices : boolean_1d(1 to 8);  -- winnerswinner2_of_four_0_4_choice_#
-    variable winnerswinner2_of_four_0_4_values : boolean_1d(1 to 12);  -- winnerswinner2_of_four_0_4_value_#
-    variable winnerswinner2_of_four_0_8_choices : boolean_1d(1 to 8);  -- winnerswinner2_of_four_0_8_choice_#
-    variable winnerswinner2_of_four_0_8_values : boolean_1d(1 to 12);  -- winnerswinner2_of_four_0_8_value_#
-    variable winnerswinner2_of_four_0_12_choices : boolean_1d(1 to 8);  -- winnerswinner2_of_four_0_12_choice_#
-    variable winnerswinner2_of_four_0_12_values : boolean_1d(1 to 12);  -- winnerswinner2_of_four_0_12_value_#
-    variable winnerswinner3_of_pair_0_choice : boolean_2d(0 to 2, 1 to 8);  -- winnerswinner3_of_pair_0_#_choice_#
+    variable winnerswinner1_of_pair_0_choice_8 : boolean_1d(0 to 31);  -- winnerswinner1_of_pair_0_2#_choice_8
+    variable winnerswinner1_of_pair_0_value : boolean_2d(0 to 31, 1 to 5);  -- winnerswinner1_of_pair_0_2#_value_#
+    variable winnerswinner1_of_four_0_choice : boolean_2d(0 to 15, 1 to 8);  -- winnerswinner1_of_four_0_4#_choice_#
+    variable winnerswinner1_of_four_0_value : boolean_2d(0 to 15, 1 to 12);  -- winnerswinner1_of_four_0_4#_value_#
+    variable winnerswinner2_of_pair_0_choice_8 : boolean_1d(0 to 7);  -- winnerswinner2_of_pair_0_2#_choice_8
+    variable winnerswinner2_of_pair_0_value : boolean_2d(0 to 7, 1 to 5);  -- winnerswinner2_of_pair_0_2#_value_#
+    variable winnerswinner2_of_four_0_choice : boolean_2d(0 to 3, 1 to 8);  -- winnerswinner2_of_four_0_4#_choice_#
+    variable winnerswinner2_of_four_0_value : boolean_2d(0 to 3, 1 to 12);  -- winnerswinner2_of_four_0_4#_value_#
+    variable winnerswinner3_of_pair_0_choice_8 : boolean_1d(0 to 2);  -- winnerswinner3_of_pair_0_#_choice_8
     variable winnerswinner3_of_pair_0_value : boolean_2d(0 to 2, 1 to 5);  -- winnerswinner3_of_pair_0_#_value_#
     variable winnerswinner3_four_index_0_0_choices : boolean_1d(1 to 8);  -- winnerswinner3_four_index_0_0_choice_#
     variable winnerswinner3_four_index_0_0_values : boolean_1d(1 to 12);  -- winnerswinner3_four_index_0_0_value_#
@@ -743,27 +716,21 @@ begin
     variable map_of_column_0_c_below_b_choices : boolean_1d(1 to 4);  -- map_of_column_0_c_below_b_choice_#
     variable map_window_complete_is_equal, map_window_complete_choice : boolean;
     variable map_of_low_0_b_below_a_values : boolean_1d(1 to 7);  -- map_of_low_0_b_below_a_value_#
-    variable map_of_low_0_b_below_a_choices : boolean_1d(1 to 5);  -- map_of_low_0_b_below_a_choice_#
-    variable map_of_low_0_b_below_a_is_equal, map_of_low_0_c_below_a_value : boolean;
-    variable map_of_low_0_c_below_a_choices : boolean_1d(1 to 5);  -- map_of_low_0_c_below_a_choice_#
-    variable map_of_low_0_c_below_b_choices : boolean_1d(1 to 5);  -- map_of_low_0_c_below_b_choice_#
+    variable map_of_low_0_b_below_a_choice_5, map_of_low_0_b_below_a_is_equal, map_of_low_0_c_below_a_value : boolean;
+    variable map_of_low_0_c_below_a_choice_5, map_of_low_0_c_below_b_choice_5 : boolean;
     variable map_of_middle_0_b_below_a_values : boolean_1d(1 to 7);  -- map_of_middle_0_b_below_a_value_#
-    variable map_of_middle_0_b_below_a_choices : boolean_1d(1 to 5);  -- map_of_middle_0_b_below_a_choice_#
-    variable map_of_middle_0_b_below_a_is_equal, map_of_middle_0_c_below_a_value : boolean;
-    variable map_of_middle_0_c_below_a_choices : boolean_1d(1 to 5);  -- map_of_middle_0_c_below_a_choice_#
-    variable map_of_middle_0_c_below_b_choices : boolean_1d(1 to 5);  -- map_of_middle_0_c_below_b_choice_#
+    variable map_of_middle_0_b_below_a_choice_5, map_of_middle_0_b_below_a_is_equal : boolean;
+    variable map_of_middle_0_c_below_a_value, map_of_middle_0_c_below_a_choice_5 : boolean;
+    variable map_of_middle_0_c_below_b_choice_5 : boolean;
     variable map_of_high_0_b_below_a_values : boolean_1d(1 to 7);  -- map_of_high_0_b_below_a_value_#
-    variable map_of_high_0_b_below_a_choices : boolean_1d(1 to 5);  -- map_of_high_0_b_below_a_choice_#
-    variable map_of_high_0_b_below_a_is_equal, map_of_high_0_c_below_a_value : boolean;
-    variable map_of_high_0_c_below_a_choices : boolean_1d(1 to 5);  -- map_of_high_0_c_below_a_choice_#
-    variable map_of_high_0_c_below_b_choices : boolean_1d(1 to 5);  -- map_of_high_0_c_below_b_choice_#
+    variable map_of_high_0_b_below_a_choice_5, map_of_high_0_b_below_a_is_equal : boolean;
+    variable map_of_high_0_c_below_a_value, map_of_high_0_c_below_a_choice_5 : boolean;
+    variable map_of_high_0_c_below_b_choice_5 : boolean;
     variable map_of_all_0_b_below_a_values : boolean_1d(1 to 7);  -- map_of_all_0_b_below_a_value_#
-    variable map_of_all_0_b_below_a_choices : boolean_1d(1 to 5);  -- map_of_all_0_b_below_a_choice_#
-    variable map_of_all_0_b_below_a_is_equal, map_of_all_0_c_below_a_value : boolean;
-    variable map_of_all_0_c_below_a_choices : boolean_1d(1 to 5);  -- map_of_all_0_c_below_a_choice_#
-    variable map_of_all_0_c_below_b_choices : boolean_1d(1 to 5);  -- map_of_all_0_c_below_b_choice_#
+    variable map_of_all_0_b_below_a_choice_5, map_of_all_0_b_below_a_is_equal, map_of_all_0_c_below_a_value : boolean;
+    variable map_of_all_0_c_below_a_choice_5, map_of_all_0_c_below_b_choice_5 : boolean;
     variable map_low_0_all : boolean_1d(0 to 1);  -- map_low_#_0_all
-    variable relief_newest_choices : boolean_1d(1 to 16);  -- relief_newest_choice_#
+    variable relief_newest_choice : boolean_1d(7 to 16);
     variable relief_newest_values : boolean_1d(1 to 5);  -- relief_newest_value_#
     variable transform_counter_group_choice, map_counter_group_choice : natural range 0 to 45;
     variable transform_counter_group_choices : natural_1023_1d(2 to 3);  -- transform_counter_group_choice_#
@@ -778,13 +745,13 @@ begin
     variable sums_right_g_copy_0_value, sums_right_g_less_copy_0_value : natural range 0 to 127;
     variable sums_right_cost_choice : natural_127_2d(0 to 63, 1 to 2);  -- sums_right_cost_#_choice_#
     variable sums_right_arrived_choice : natural_127_2d(0 to 63, 1 to 2);  -- sums_right_arrived_#_choice_#
-    variable forward_left_start_cost_0_choices_from_7 : natural_63_1d(7 to 9);  -- forward_left_start_cost_0_choice_#
+    variable forward_left_start_cost_0_choice : natural_63_1d(7 to 9);
     variable forward_left_room_value : natural range 0 to 63;
     variable forward_left_room_choices : natural_63_1d(1 to 3);  -- forward_left_room_choice_#
     variable forward_left_smallest_choice, forward_left_relief_pairs_0_choice : natural range 0 to 63;
     variable forward_left_relief_older_choice, forward_left_relief_recent_choice : natural range 0 to 63;
     variable forward_left_relief_largest_choice : natural range 0 to 63;
-    variable sums_right_start_cost_0_choices_from_7 : natural_63_1d(7 to 9);  -- sums_right_start_cost_0_choice_#
+    variable sums_right_start_cost_0_choice : natural_63_1d(7 to 9);
     variable sums_right_room_value : natural range 0 to 63;
     variable sums_right_room_choices : natural_63_1d(1 to 3);  -- sums_right_room_choice_#
     variable sums_right_smallest_choice, sums_right_relief_pairs_0_choice : natural range 0 to 63;
@@ -811,34 +778,17 @@ begin
     variable forward_above_total_choice : natural_31_1d(0 to 63);  -- forward_above_total_#_choice
     variable forward_above_write_words_choice : natural_68_2d(0 to 10, 1 to 6);  -- forward_above_write_words_#_choice_#
     variable sums_right_smallest_difference : integer range -63 to 63;
-    variable other_20_choice, other_22_choice, other_24_choice, other_26_choice : natural range 0 to 11;
-    variable other_28_choice, other_30_choice, other_32_choice, other_34_choice : natural range 0 to 11;
-    variable other_36_choice, other_38_choice, other_40_choice, other_42_choice : natural range 0 to 11;
-    variable other_44_choice, other_46_choice, other_48_choice, other_50_choice : natural range 0 to 11;
-    variable other_52_choice, other_54_choice, other_56_choice, other_58_choice : natural range 0 to 11;
-    variable other_60_choice, other_62_choice, other_64_choice, other_66_choice : natural range 0 to 11;
-    variable other_68_choice, other_70_choice, other_72_choice, other_74_choice : natural range 0 to 11;
-    variable other_76_choice, other_78_choice, other_80_choice, other_82_choice : natural range 0 to 11;
-    variable other_84_choice, other_86_choice, other_88_choice, other_90_choice : natural range 0 to 11;
-    variable other_92_choice, other_94_choice, other_96_choice, other_98_choice : natural range 0 to 11;
-    variable other_100_choice, other_102_choice, other_104_choice, other_106_choice : natural range 0 to 11;
-    variable other_108_choice, other_110_choice, other_112_choice, other_114_choice : natural range 0 to 11;
-    variable other_116_choice, other_118_choice, other_120_choice, other_122_choice : natural range 0 to 11;
-    variable other_124_choice, other_126_choice, other_128_choice, other_130_choice : natural range 0 to 11;
-    variable other_132_choice, other_134_choice, other_136_choice, other_138_choice : natural range 0 to 11;
-    variable other_140_choice, other_142_choice, other_144_choice, other_146_choice : natural range 0 to 11;
+    variable other_choices : natural_11_1d(10 to 73);  -- other_2#_choice
   begin
     if rising_edge(clock) then
       -- no bit without a value, where an array has places for more
+      transform_left_filter_feature_0_choice := (others => false);
+      transform_right_filter_feature_0_choice := (others => false);
       slice0cost_pixels_first_0_0_count_value := (others => (others => false));
       slice1cost_pixels_first_0_0_count_value := (others => (others => false));
       slice2cost_pixels_first_0_0_count_value := (others => (others => false));
       slice3cost_pixels_first_0_0_count_value := (others => (others => false));
-      winnerswinner1_of_pair_0_choice := (others => (others => false));
-      winnerswinner1_of_pair_0_value := (others => (others => false));
-      winnerswinner2_of_pair_0_choice := (others => (others => false));
-      winnerswinner2_of_pair_0_value := (others => (others => false));
-      winnerswinner3_of_pair_0_choice := (others => (others => false));
+      winnerswinner3_of_pair_0_choice_8 := (others => false);
       winnerswinner3_of_pair_0_value := (others => (others => false));
       forward_left_arrived_choice := (others => (others => 0));
       sums_right_arrived_choice := (others => (others => 0));
@@ -856,527 +806,244 @@ begin
       transform_read_column_inside_0_is_less := 3 < transform_counter_column;
       transform_left_filter_feature_0_any := (not is_set(transform_left_filter_column(4, 2), 1)) or (not
         is_set(transform_left_filter_column(4, 2), 0));
-      transform_left_filter_feature_0_choices(1) := choice(is_set(transform_left_filter_column(5, 1), 0),
-        transform_left_filter_feature_0_any, not is_set(transform_left_filter_column(4, 2), 1));
       transform_left_filter_feature_0_is_equal := (transform_left_filter_column(4, 2) mod 4) = 0;
-      transform_left_filter_feature_0_choices(2) := choice(is_set(transform_left_filter_column(5, 1), 1),
-        transform_left_filter_feature_0_choices(1), is_set(transform_left_filter_column(5, 1), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_values(1) := is_set(transform_left_filter_column(4, 2), 2);
-      transform_left_filter_feature_0_choices(3) := inverted_carry(transform_left_filter_feature_0_choices(2), not
-        is_set(transform_left_filter_column(5, 1), 2), transform_left_filter_feature_0_values(1));
-      for i in 2 to 5 loop
+      for i in 1 to 5 loop
         transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(4, 2), i + 1);
-        transform_left_filter_feature_0_choices(i + 2) := carry(transform_left_filter_feature_0_choices(i + 1), not
-          is_set(transform_left_filter_column(5, 1), i + 1), transform_left_filter_feature_0_values(i));
       end loop;
-      transform_left_filter_feature_0_choices(8) := choice(transform_left_filter_feature_0_choices(7),
+      transform_left_filter_feature_0_choice(7) := not is_larger(transform_left_filter_column(5, 1),
+        transform_left_filter_column(4, 2), 0, 6, false);
+      transform_left_filter_feature_0_choice(8) := choice(transform_left_filter_feature_0_choice(7),
         transform_filtering_0_column_inside(5) and is_set(transform_left_filter_column(5, 1), 7) and (not
         is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_0_column_inside(5) and
         (is_set(transform_left_filter_column(5, 1), 7) or (not is_set(transform_left_filter_column(4, 2), 7))));
-      transform_left_filter_feature_0_choices(9) := choice(is_set(transform_left_filter_column(4, 4), 0),
-        transform_left_filter_feature_0_any, not is_set(transform_left_filter_column(4, 2), 1));
-      transform_left_filter_feature_0_choices(10) := choice(is_set(transform_left_filter_column(4, 4), 1),
-        transform_left_filter_feature_0_choices(9), is_set(transform_left_filter_column(4, 4), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(11) := inverted_carry(transform_left_filter_feature_0_choices(10), not
-        is_set(transform_left_filter_column(4, 4), 2), transform_left_filter_feature_0_values(1));
-      for i in 12 to 15 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column(4, 4), i - 9), transform_left_filter_feature_0_values(i - 10));
-      end loop;
-      transform_left_filter_feature_0_choices(16) := choice(is_set(transform_left_filter_column(4, 4), 7),
+      transform_left_filter_feature_0_choice(15) := not is_larger(transform_left_filter_column(4, 4),
+        transform_left_filter_column(4, 2), 0, 6, false);
+      transform_left_filter_feature_0_choice(16) := choice(is_set(transform_left_filter_column(4, 4), 7),
         transform_filtering_0_column_inside(4), transform_filtering_0_column_inside(4) and (not
         is_set(transform_left_filter_column(4, 2), 7)));
-      transform_left_filter_feature_0_choices(17) := choice(transform_left_filter_feature_0_choices(15),
+      transform_left_filter_feature_0_choice(17) := choice(transform_left_filter_feature_0_choice(15),
         is_set(transform_left_filter_column(4, 4), 7) and transform_filtering_0_column_inside(4) and (not
-        is_set(transform_left_filter_column(4, 2), 7)), transform_left_filter_feature_0_choices(16));
+        is_set(transform_left_filter_column(4, 2), 7)), transform_left_filter_feature_0_choice(16));
       for i in 0 to 1 loop
-        transform_left_filter_feature_0_choices(34 * i + 18) := choice(is_set(transform_left_filter_column(5 - 2 * i,
-          3), 0), transform_left_filter_feature_0_any, not is_set(transform_left_filter_column(4, 2), 1));
-        transform_left_filter_feature_0_choices(34 * i + 19) := choice(is_set(transform_left_filter_column(5 - 2 * i,
-          3), 1), transform_left_filter_feature_0_choices(34 * i + 18), is_set(transform_left_filter_column(5 - 2 * i,
-          3), 0) and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(34 * i + 20) :=
-          inverted_carry(transform_left_filter_feature_0_choices(34 * i + 19), not
-          is_set(transform_left_filter_column(5 - 2 * i, 3), 2), transform_left_filter_feature_0_values(1));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(34 * i + j + 18) := carry(transform_left_filter_feature_0_choices(34
-            * i + j + 17), not is_set(transform_left_filter_column(5 - 2 * i, 3), j),
-            transform_left_filter_feature_0_values(j - 1));
-        end loop;
-        transform_left_filter_feature_0_choices(34 * i + 25) := choice(is_set(transform_left_filter_column(5 - 2 * i,
+        transform_left_filter_feature_0_choice(34 * i + 24) := not is_larger(transform_left_filter_column(5 - 2 * i,
+          3), transform_left_filter_column(4, 2), 0, 6, false);
+        transform_left_filter_feature_0_choice(34 * i + 25) := choice(is_set(transform_left_filter_column(5 - 2 * i,
           3), 7), transform_filtering_0_column_inside(5 - 2 * i), transform_filtering_0_column_inside(5 - 2 * i) and
           (not is_set(transform_left_filter_column(4, 2), 7)));
-        transform_left_filter_feature_0_choices(34 * i + 26) := choice(transform_left_filter_feature_0_choices(34 * i +
+        transform_left_filter_feature_0_choice(34 * i + 26) := choice(transform_left_filter_feature_0_choice(34 * i +
           24), is_set(transform_left_filter_column(5 - 2 * i, 3), 7) and transform_filtering_0_column_inside(5 - 2 * i)
-          and (not is_set(transform_left_filter_column(4, 2), 7)), transform_left_filter_feature_0_choices(34 * i +
-          25));
-        transform_left_filter_feature_0_choices(34 * i + 27) := choice(is_set(transform_left_filter_column(7 - 4 * i,
-          1), 0), transform_left_filter_feature_0_any, not is_set(transform_left_filter_column(4, 2), 1));
-        transform_left_filter_feature_0_choices(34 * i + 28) := choice(is_set(transform_left_filter_column(7 - 4 * i,
-          1), 1), transform_left_filter_feature_0_choices(34 * i + 27), is_set(transform_left_filter_column(7 - 4 * i,
-          1), 0) and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(34 * i + 29) :=
-          inverted_carry(transform_left_filter_feature_0_choices(34 * i + 28), not
-          is_set(transform_left_filter_column(7 - 4 * i, 1), 2), transform_left_filter_feature_0_values(1));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(34 * i + j + 27) := carry(transform_left_filter_feature_0_choices(34
-            * i + j + 26), not is_set(transform_left_filter_column(7 - 4 * i, 1), j),
-            transform_left_filter_feature_0_values(j - 1));
-        end loop;
-        transform_left_filter_feature_0_choices(34 * i + 34) := choice(transform_left_filter_feature_0_choices(34 * i +
+          and (not is_set(transform_left_filter_column(4, 2), 7)), transform_left_filter_feature_0_choice(34 * i + 25));
+        transform_left_filter_feature_0_choice(34 * i + 33) := not is_larger(transform_left_filter_column(7 - 4 * i,
+          1), transform_left_filter_column(4, 2), 0, 6, false);
+        transform_left_filter_feature_0_choice(34 * i + 34) := choice(transform_left_filter_feature_0_choice(34 * i +
           33), transform_filtering_0_column_inside(7 - 4 * i) and is_set(transform_left_filter_column(7 - 4 * i, 1), 7)
           and (not is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_0_column_inside(7 - 4 * i) and
           (is_set(transform_left_filter_column(7 - 4 * i, 1), 7) or (not is_set(transform_left_filter_column(4, 2),
           7))));
-        transform_left_filter_feature_0_choices(34 * i + 35) := choice(is_set(transform_left_filter_column(7 - 6 * i,
-          3), 0), transform_left_filter_feature_0_any, not is_set(transform_left_filter_column(4, 2), 1));
-        transform_left_filter_feature_0_choices(34 * i + 36) := choice(is_set(transform_left_filter_column(7 - 6 * i,
-          3), 1), transform_left_filter_feature_0_choices(34 * i + 35), is_set(transform_left_filter_column(7 - 6 * i,
-          3), 0) and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(34 * i + 37) :=
-          inverted_carry(transform_left_filter_feature_0_choices(34 * i + 36), not
-          is_set(transform_left_filter_column(7 - 6 * i, 3), 2), transform_left_filter_feature_0_values(1));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(34 * i + j + 35) := carry(transform_left_filter_feature_0_choices(34
-            * i + j + 34), not is_set(transform_left_filter_column(7 - 6 * i, 3), j),
-            transform_left_filter_feature_0_values(j - 1));
-        end loop;
-        transform_left_filter_feature_0_choices(34 * i + 42) := choice(is_set(transform_left_filter_column(7 - 6 * i,
+        transform_left_filter_feature_0_choice(34 * i + 41) := not is_larger(transform_left_filter_column(7 - 6 * i,
+          3), transform_left_filter_column(4, 2), 0, 6, false);
+        transform_left_filter_feature_0_choice(34 * i + 42) := choice(is_set(transform_left_filter_column(7 - 6 * i,
           3), 7), transform_filtering_0_column_inside(7 - 6 * i), transform_filtering_0_column_inside(7 - 6 * i) and
           (not is_set(transform_left_filter_column(4, 2), 7)));
-        transform_left_filter_feature_0_choices(34 * i + 43) := choice(transform_left_filter_feature_0_choices(34 * i +
+        transform_left_filter_feature_0_choice(34 * i + 43) := choice(transform_left_filter_feature_0_choice(34 * i +
           41), is_set(transform_left_filter_column(7 - 6 * i, 3), 7) and transform_filtering_0_column_inside(7 - 6 * i)
-          and (not is_set(transform_left_filter_column(4, 2), 7)), transform_left_filter_feature_0_choices(34 * i +
-          42));
-        transform_left_filter_feature_0_choices(34 * i + 44) := choice(is_set(transform_left_filter_column(4 - 3 * i,
-          i), 0), transform_left_filter_feature_0_any, not is_set(transform_left_filter_column(4, 2), 1));
-        transform_left_filter_feature_0_choices(34 * i + 45) := choice(is_set(transform_left_filter_column(4 - 3 * i,
-          i), 1), transform_left_filter_feature_0_choices(34 * i + 44), is_set(transform_left_filter_column(4 - 3 * i,
-          i), 0) and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(34 * i + 46) :=
-          inverted_carry(transform_left_filter_feature_0_choices(34 * i + 45), not
-          is_set(transform_left_filter_column(4 - 3 * i, i), 2), transform_left_filter_feature_0_values(1));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(34 * i + j + 44) := carry(transform_left_filter_feature_0_choices(34
-            * i + j + 43), not is_set(transform_left_filter_column(4 - 3 * i, i), j),
-            transform_left_filter_feature_0_values(j - 1));
-        end loop;
-        transform_left_filter_feature_0_choices(34 * i + 51) := choice(transform_left_filter_feature_0_choices(34 * i +
+          and (not is_set(transform_left_filter_column(4, 2), 7)), transform_left_filter_feature_0_choice(34 * i + 42));
+        transform_left_filter_feature_0_choice(34 * i + 50) := not is_larger(transform_left_filter_column(4 - 3 * i,
+          i), transform_left_filter_column(4, 2), 0, 6, false);
+        transform_left_filter_feature_0_choice(34 * i + 51) := choice(transform_left_filter_feature_0_choice(34 * i +
           50), transform_filtering_0_column_inside(4 - 3 * i) and is_set(transform_left_filter_column(4 - 3 * i, i), 7)
           and (not is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_0_column_inside(4 - 3 * i) and
           (is_set(transform_left_filter_column(4 - 3 * i, i), 7) or (not is_set(transform_left_filter_column(4, 2),
           7))));
       end loop;
       for i in 1 to 2 loop
-        transform_left_filter_feature_0_choices(26 * i + 60) := choice(is_set(transform_left_filter_column(2 * i - 2,
-          2), 0), transform_left_filter_feature_0_any, not is_set(transform_left_filter_column(4, 2), 1));
-        transform_left_filter_feature_0_choices(26 * i + 61) := choice(is_set(transform_left_filter_column(2 * i - 2,
-          2), 1), transform_left_filter_feature_0_choices(26 * i + 60), is_set(transform_left_filter_column(2 * i - 2,
-          2), 0) and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(26 * i + 62) :=
-          inverted_carry(transform_left_filter_feature_0_choices(26 * i + 61), not
-          is_set(transform_left_filter_column(2 * i - 2, 2), 2), transform_left_filter_feature_0_values(1));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(26 * i + j + 60) := carry(transform_left_filter_feature_0_choices(26
-            * i + j + 59), not is_set(transform_left_filter_column(2 * i - 2, 2), j),
-            transform_left_filter_feature_0_values(j - 1));
-        end loop;
+        transform_left_filter_feature_0_choice(26 * i + 66) := not is_larger(transform_left_filter_column(2 * i - 2,
+          2), transform_left_filter_column(4, 2), 0, 6, false);
         transform_left_filter_feature_0_alls(i) := transform_filtering_0_column_inside(2 * i - 2) and (not
           is_set(transform_left_filter_column(4, 2), 7));
-        transform_left_filter_feature_0_choices(26 * i + 67) := choice(is_set(transform_left_filter_column(2 * i - 2,
+        transform_left_filter_feature_0_choice(26 * i + 67) := choice(is_set(transform_left_filter_column(2 * i - 2,
           2), 7), transform_filtering_0_column_inside(2 * i - 2), transform_left_filter_feature_0_alls(i));
-        transform_left_filter_feature_0_choices(26 * i + 68) := choice(transform_left_filter_feature_0_choices(26 * i +
+        transform_left_filter_feature_0_choice(26 * i + 68) := choice(transform_left_filter_feature_0_choice(26 * i +
           66), is_set(transform_left_filter_column(2 * i - 2, 2), 7) and transform_filtering_0_column_inside(2 * i - 2)
-          and (not is_set(transform_left_filter_column(4, 2), 7)), transform_left_filter_feature_0_choices(26 * i +
-          67));
-        transform_left_filter_feature_0_choices(26 * i + 69) := choice(is_set(transform_left_filter_column(2 * i - 2,
-          0), 0), transform_left_filter_feature_0_any, not is_set(transform_left_filter_column(4, 2), 1));
-        transform_left_filter_feature_0_choices(26 * i + 70) := choice(is_set(transform_left_filter_column(2 * i - 2,
-          0), 1), transform_left_filter_feature_0_choices(26 * i + 69), is_set(transform_left_filter_column(2 * i - 2,
-          0), 0) and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(26 * i + 71) :=
-          inverted_carry(transform_left_filter_feature_0_choices(26 * i + 70), not
-          is_set(transform_left_filter_column(2 * i - 2, 0), 2), transform_left_filter_feature_0_values(1));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(26 * i + j + 69) := carry(transform_left_filter_feature_0_choices(26
-            * i + j + 68), not is_set(transform_left_filter_column(2 * i - 2, 0), j),
-            transform_left_filter_feature_0_values(j - 1));
-        end loop;
-        transform_left_filter_feature_0_choices(26 * i + 76) := choice(is_set(transform_left_filter_column(2 * i - 2,
+          and (not is_set(transform_left_filter_column(4, 2), 7)), transform_left_filter_feature_0_choice(26 * i + 67));
+        transform_left_filter_feature_0_choice(26 * i + 75) := not is_larger(transform_left_filter_column(2 * i - 2,
+          0), transform_left_filter_column(4, 2), 0, 6, false);
+        transform_left_filter_feature_0_choice(26 * i + 76) := choice(is_set(transform_left_filter_column(2 * i - 2,
           0), 7), transform_filtering_0_column_inside(2 * i - 2), transform_left_filter_feature_0_alls(i));
-        transform_left_filter_feature_0_choices(26 * i + 77) := choice(transform_left_filter_feature_0_choices(26 * i +
+        transform_left_filter_feature_0_choice(26 * i + 77) := choice(transform_left_filter_feature_0_choice(26 * i +
           75), is_set(transform_left_filter_column(2 * i - 2, 0), 7) and transform_filtering_0_column_inside(2 * i - 2)
-          and (not is_set(transform_left_filter_column(4, 2), 7)), transform_left_filter_feature_0_choices(26 * i +
-          76));
-        transform_left_filter_feature_0_choices(26 * i + 78) := choice(is_set(transform_left_filter_column(2 * i - 2,
-          4), 0), transform_left_filter_feature_0_any, not is_set(transform_left_filter_column(4, 2), 1));
-        transform_left_filter_feature_0_choices(26 * i + 79) := choice(is_set(transform_left_filter_column(2 * i - 2,
-          4), 1), transform_left_filter_feature_0_choices(26 * i + 78), is_set(transform_left_filter_column(2 * i - 2,
-          4), 0) and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(26 * i + 80) :=
-          inverted_carry(transform_left_filter_feature_0_choices(26 * i + 79), not
-          is_set(transform_left_filter_column(2 * i - 2, 4), 2), transform_left_filter_feature_0_values(1));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(26 * i + j + 78) := carry(transform_left_filter_feature_0_choices(26
-            * i + j + 77), not is_set(transform_left_filter_column(2 * i - 2, 4), j),
-            transform_left_filter_feature_0_values(j - 1));
-        end loop;
-        transform_left_filter_feature_0_choices(26 * i + 85) := choice(transform_left_filter_feature_0_choices(26 * i +
+          and (not is_set(transform_left_filter_column(4, 2), 7)), transform_left_filter_feature_0_choice(26 * i + 76));
+        transform_left_filter_feature_0_choice(26 * i + 84) := not is_larger(transform_left_filter_column(2 * i - 2,
+          4), transform_left_filter_column(4, 2), 0, 6, false);
+        transform_left_filter_feature_0_choice(26 * i + 85) := choice(transform_left_filter_feature_0_choice(26 * i +
           84), transform_filtering_0_column_inside(2 * i - 2) and is_set(transform_left_filter_column(2 * i - 2, 4), 7)
           and (not is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_0_column_inside(2 * i - 2) and
           (is_set(transform_left_filter_column(2 * i - 2, 4), 7) or (not is_set(transform_left_filter_column(4, 2),
           7))));
       end loop;
-      transform_left_filter_feature_0_choices(138) := choice(is_set(transform_left_filter_column(6, 2), 0),
-        transform_left_filter_feature_0_any, not is_set(transform_left_filter_column(4, 2), 1));
-      transform_left_filter_feature_0_choices(139) := choice(is_set(transform_left_filter_column(6, 2), 1),
-        transform_left_filter_feature_0_choices(138), is_set(transform_left_filter_column(6, 2), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(140) := inverted_carry(transform_left_filter_feature_0_choices(139), not
-        is_set(transform_left_filter_column(6, 2), 2), transform_left_filter_feature_0_values(1));
-      for i in 141 to 144 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column(6, 2), i - 138), transform_left_filter_feature_0_values(i - 139));
-      end loop;
+      transform_left_filter_feature_0_choice(144) := not is_larger(transform_left_filter_column(6, 2),
+        transform_left_filter_column(4, 2), 0, 6, false);
       transform_left_filter_feature_0_alls(3) := transform_filtering_0_column_inside(6) and (not
         is_set(transform_left_filter_column(4, 2), 7));
       for i in 0 to 1 loop
-        transform_left_filter_feature_0_choices(9 * i + 145) := choice(is_set(transform_left_filter_column(6, 2 - 2 *
+        transform_left_filter_feature_0_choice(9 * i + 145) := choice(is_set(transform_left_filter_column(6, 2 - 2 *
           i), 7), transform_filtering_0_column_inside(6), transform_left_filter_feature_0_alls(3));
-        transform_left_filter_feature_0_choices(9 * i + 146) := choice(transform_left_filter_feature_0_choices(9 * i +
+        transform_left_filter_feature_0_choice(9 * i + 146) := choice(transform_left_filter_feature_0_choice(9 * i +
           144), is_set(transform_left_filter_column(6, 2 - 2 * i), 7) and transform_filtering_0_column_inside(6) and
-          (not is_set(transform_left_filter_column(4, 2), 7)), transform_left_filter_feature_0_choices(9 * i + 145));
-        transform_left_filter_feature_0_choices(9 * i + 147) := choice(is_set(transform_left_filter_column(6, 4 * i),
-          0), transform_left_filter_feature_0_any, not is_set(transform_left_filter_column(4, 2), 1));
-        transform_left_filter_feature_0_choices(9 * i + 148) := choice(is_set(transform_left_filter_column(6, 4 * i),
-          1), transform_left_filter_feature_0_choices(9 * i + 147), is_set(transform_left_filter_column(6, 4 * i), 0)
-          and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(9 * i + 149) :=
-          inverted_carry(transform_left_filter_feature_0_choices(9 * i + 148), not
-          is_set(transform_left_filter_column(6, 4 * i), 2), transform_left_filter_feature_0_values(1));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(9 * i + j + 147) := carry(transform_left_filter_feature_0_choices(9 *
-            i + j + 146), not is_set(transform_left_filter_column(6, 4 * i), j),
-            transform_left_filter_feature_0_values(j - 1));
-        end loop;
+          (not is_set(transform_left_filter_column(4, 2), 7)), transform_left_filter_feature_0_choice(9 * i + 145));
+        transform_left_filter_feature_0_choice(9 * i + 153) := not is_larger(transform_left_filter_column(6, 4 * i),
+          transform_left_filter_column(4, 2), 0, 6, false);
       end loop;
-      transform_left_filter_feature_0_choices(163) := choice(transform_left_filter_feature_0_choices(162),
+      transform_left_filter_feature_0_choice(163) := choice(transform_left_filter_feature_0_choice(162),
         transform_filtering_0_column_inside(6) and is_set(transform_left_filter_column(6, 4), 7) and (not
         is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_0_column_inside(6) and
         (is_set(transform_left_filter_column(6, 4), 7) or (not is_set(transform_left_filter_column(4, 2), 7))));
-      transform_left_filter_feature_0_choices(164) := choice(is_set(transform_left_filter_column_8_2, 0),
-        transform_left_filter_feature_0_any, not is_set(transform_left_filter_column(4, 2), 1));
-      transform_left_filter_feature_0_choices(165) := choice(is_set(transform_left_filter_column_8_2, 1),
-        transform_left_filter_feature_0_choices(164), is_set(transform_left_filter_column_8_2, 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(166) := inverted_carry(transform_left_filter_feature_0_choices(165), not
-        is_set(transform_left_filter_column_8_2, 2), transform_left_filter_feature_0_values(1));
-      for i in 167 to 170 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_8_2, i - 164), transform_left_filter_feature_0_values(i - 165));
-      end loop;
+      transform_left_filter_feature_0_choice(170) := not is_larger(transform_left_filter_column_8_2,
+        transform_left_filter_column(4, 2), 0, 6, false);
       transform_left_filter_feature_0_alls(4) := transform_filtering_0_column_inside(8) and (not
         is_set(transform_left_filter_column(4, 2), 7));
-      transform_left_filter_feature_0_choices(171) := choice(is_set(transform_left_filter_column_8_2, 7),
+      transform_left_filter_feature_0_choice(171) := choice(is_set(transform_left_filter_column_8_2, 7),
         transform_filtering_0_column_inside(8), transform_left_filter_feature_0_alls(4));
-      transform_left_filter_feature_0_choices(172) := choice(transform_left_filter_feature_0_choices(170),
+      transform_left_filter_feature_0_choice(172) := choice(transform_left_filter_feature_0_choice(170),
         is_set(transform_left_filter_column_8_2, 7) and transform_filtering_0_column_inside(8) and (not
-        is_set(transform_left_filter_column(4, 2), 7)), transform_left_filter_feature_0_choices(171));
-      transform_left_filter_feature_0_choices(173) := choice(is_set(transform_left_filter_column_8_0, 0),
-        transform_left_filter_feature_0_any, not is_set(transform_left_filter_column(4, 2), 1));
-      transform_left_filter_feature_0_choices(174) := choice(is_set(transform_left_filter_column_8_0, 1),
-        transform_left_filter_feature_0_choices(173), is_set(transform_left_filter_column_8_0, 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(175) := inverted_carry(transform_left_filter_feature_0_choices(174), not
-        is_set(transform_left_filter_column_8_0, 2), transform_left_filter_feature_0_values(1));
-      for i in 176 to 179 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_8_0, i - 173), transform_left_filter_feature_0_values(i - 174));
-      end loop;
-      transform_left_filter_feature_0_choices(180) := choice(is_set(transform_left_filter_column_8_0, 7),
+        is_set(transform_left_filter_column(4, 2), 7)), transform_left_filter_feature_0_choice(171));
+      transform_left_filter_feature_0_choice(179) := not is_larger(transform_left_filter_column_8_0,
+        transform_left_filter_column(4, 2), 0, 6, false);
+      transform_left_filter_feature_0_choice(180) := choice(is_set(transform_left_filter_column_8_0, 7),
         transform_filtering_0_column_inside(8), transform_left_filter_feature_0_alls(4));
-      transform_left_filter_feature_0_choices(181) := choice(transform_left_filter_feature_0_choices(179),
+      transform_left_filter_feature_0_choice(181) := choice(transform_left_filter_feature_0_choice(179),
         is_set(transform_left_filter_column_8_0, 7) and transform_filtering_0_column_inside(8) and (not
-        is_set(transform_left_filter_column(4, 2), 7)), transform_left_filter_feature_0_choices(180));
-      transform_left_filter_feature_0_choices(182) := choice(is_set(transform_left_filter_column_8_4, 0),
-        transform_left_filter_feature_0_any, not is_set(transform_left_filter_column(4, 2), 1));
-      transform_left_filter_feature_0_choices(183) := choice(is_set(transform_left_filter_column_8_4, 1),
-        transform_left_filter_feature_0_choices(182), is_set(transform_left_filter_column_8_4, 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(184) := inverted_carry(transform_left_filter_feature_0_choices(183), not
-        is_set(transform_left_filter_column_8_4, 2), transform_left_filter_feature_0_values(1));
-      for i in 185 to 188 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_8_4, i - 182), transform_left_filter_feature_0_values(i - 183));
-      end loop;
-      transform_left_filter_feature_0_choices(189) := choice(transform_left_filter_feature_0_choices(188),
+        is_set(transform_left_filter_column(4, 2), 7)), transform_left_filter_feature_0_choice(180));
+      transform_left_filter_feature_0_choice(188) := not is_larger(transform_left_filter_column_8_4,
+        transform_left_filter_column(4, 2), 0, 6, false);
+      transform_left_filter_feature_0_choice(189) := choice(transform_left_filter_feature_0_choice(188),
         transform_filtering_0_column_inside(8) and is_set(transform_left_filter_column_8_4, 7) and (not
         is_set(transform_left_filter_column(4, 2), 7)), transform_filtering_0_column_inside(8) and
         (is_set(transform_left_filter_column_8_4, 7) or (not is_set(transform_left_filter_column(4, 2), 7))));
       transform_right_filter_feature_0_any := (not is_set(transform_right_filter_column(4, 2), 1)) or (not
         is_set(transform_right_filter_column(4, 2), 0));
-      transform_right_filter_feature_0_choices(1) := choice(is_set(transform_right_filter_column(5, 1), 0),
-        transform_right_filter_feature_0_any, not is_set(transform_right_filter_column(4, 2), 1));
       transform_right_filter_feature_0_is_equal := (transform_right_filter_column(4, 2) mod 4) = 0;
-      transform_right_filter_feature_0_choices(2) := choice(is_set(transform_right_filter_column(5, 1), 1),
-        transform_right_filter_feature_0_choices(1), is_set(transform_right_filter_column(5, 1), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_values(1) := is_set(transform_right_filter_column(4, 2), 2);
-      transform_right_filter_feature_0_choices(3) := inverted_carry(transform_right_filter_feature_0_choices(2), not
-        is_set(transform_right_filter_column(5, 1), 2), transform_right_filter_feature_0_values(1));
-      for i in 2 to 5 loop
+      for i in 1 to 5 loop
         transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(4, 2), i + 1);
-        transform_right_filter_feature_0_choices(i + 2) := carry(transform_right_filter_feature_0_choices(i + 1), not
-          is_set(transform_right_filter_column(5, 1), i + 1), transform_right_filter_feature_0_values(i));
       end loop;
+      transform_right_filter_feature_0_choice(7) := not is_larger(transform_right_filter_column(5, 1),
+        transform_right_filter_column(4, 2), 0, 6, false);
       transform_right_filter_feature_0_alls(1) := (not is_set(transform_right_filter_column(4, 2), 7)) and
         transform_filtering_0_column_inside(5);
       for i in 1 to 2 loop
-        transform_right_filter_feature_0_choices(45 * i - 37) := choice(is_set(transform_right_filter_column(6 - i, 2 -
+        transform_right_filter_feature_0_choice(45 * i - 37) := choice(is_set(transform_right_filter_column(6 - i, 2 -
           i), 7), transform_filtering_0_column_inside(6 - i), transform_right_filter_feature_0_alls(i));
-        transform_right_filter_feature_0_choices(45 * i - 36) := choice(transform_right_filter_feature_0_choices(45 * i
-          - 38), is_set(transform_right_filter_column(6 - i, 2 - i), 7) and (not
-          is_set(transform_right_filter_column(4, 2), 7)) and transform_filtering_0_column_inside(6 - i),
-          transform_right_filter_feature_0_choices(45 * i - 37));
-        transform_right_filter_feature_0_choices(45 * i - 35) := choice(is_set(transform_right_filter_column(5 - i, 5 -
-          i), 0), transform_right_filter_feature_0_any, not is_set(transform_right_filter_column(4, 2), 1));
-        transform_right_filter_feature_0_choices(45 * i - 34) := choice(is_set(transform_right_filter_column(5 - i, 5 -
-          i), 1), transform_right_filter_feature_0_choices(45 * i - 35), is_set(transform_right_filter_column(5 - i, 5
-          - i), 0) and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(45 * i - 33) :=
-          inverted_carry(transform_right_filter_feature_0_choices(45 * i - 34), not
-          is_set(transform_right_filter_column(5 - i, 5 - i), 2), transform_right_filter_feature_0_values(1));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(45 * i + j - 35) :=
-            carry(transform_right_filter_feature_0_choices(45 * i + j - 36), not is_set(transform_right_filter_column(5
-            - i, 5 - i), j), transform_right_filter_feature_0_values(j - 1));
-        end loop;
+        transform_right_filter_feature_0_choice(45 * i - 36) := choice(transform_right_filter_feature_0_choice(45 * i -
+          38), is_set(transform_right_filter_column(6 - i, 2 - i), 7) and (not is_set(transform_right_filter_column(4,
+          2), 7)) and transform_filtering_0_column_inside(6 - i), transform_right_filter_feature_0_choice(45 * i - 37));
+        transform_right_filter_feature_0_choice(45 * i - 29) := not is_larger(transform_right_filter_column(5 - i, 5 -
+          i), transform_right_filter_column(4, 2), 0, 6, false);
         transform_right_filter_feature_0_alls(2 * i) := (not is_set(transform_right_filter_column(4, 2), 7)) and
           transform_filtering_0_column_inside(5 - i);
-        transform_right_filter_feature_0_choices(45 * i - 28) := choice(is_set(transform_right_filter_column(5 - i, 5 -
+        transform_right_filter_feature_0_choice(45 * i - 28) := choice(is_set(transform_right_filter_column(5 - i, 5 -
           i), 7), transform_filtering_0_column_inside(5 - i), transform_right_filter_feature_0_alls(2 * i));
-        transform_right_filter_feature_0_choices(45 * i - 27) := choice(transform_right_filter_feature_0_choices(45 * i
-          - 29), is_set(transform_right_filter_column(5 - i, 5 - i), 7) and (not
-          is_set(transform_right_filter_column(4, 2), 7)) and transform_filtering_0_column_inside(5 - i),
-          transform_right_filter_feature_0_choices(45 * i - 28));
-        transform_right_filter_feature_0_choices(45 * i - 26) := choice(is_set(transform_right_filter_column(7 - 2 * i,
-          5 - 2 * i), 0), transform_right_filter_feature_0_any, not is_set(transform_right_filter_column(4, 2), 1));
-        transform_right_filter_feature_0_choices(45 * i - 25) := choice(is_set(transform_right_filter_column(7 - 2 * i,
-          5 - 2 * i), 1), transform_right_filter_feature_0_choices(45 * i - 26), is_set(transform_right_filter_column(7
-          - 2 * i, 5 - 2 * i), 0) and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(45 * i - 24) :=
-          inverted_carry(transform_right_filter_feature_0_choices(45 * i - 25), not
-          is_set(transform_right_filter_column(7 - 2 * i, 5 - 2 * i), 2), transform_right_filter_feature_0_values(1));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(45 * i + j - 26) :=
-            carry(transform_right_filter_feature_0_choices(45 * i + j - 27), not is_set(transform_right_filter_column(7
-            - 2 * i, 5 - 2 * i), j), transform_right_filter_feature_0_values(j - 1));
-        end loop;
-        transform_right_filter_feature_0_choices(45 * i - 19) := choice(is_set(transform_right_filter_column(7 - 2 * i,
+        transform_right_filter_feature_0_choice(45 * i - 27) := choice(transform_right_filter_feature_0_choice(45 * i -
+          29), is_set(transform_right_filter_column(5 - i, 5 - i), 7) and (not is_set(transform_right_filter_column(4,
+          2), 7)) and transform_filtering_0_column_inside(5 - i), transform_right_filter_feature_0_choice(45 * i - 28));
+        transform_right_filter_feature_0_choice(45 * i - 20) := not is_larger(transform_right_filter_column(7 - 2 * i,
+          5 - 2 * i), transform_right_filter_column(4, 2), 0, 6, false);
+        transform_right_filter_feature_0_choice(45 * i - 19) := choice(is_set(transform_right_filter_column(7 - 2 * i,
           5 - 2 * i), 7), transform_filtering_0_column_inside(7 - 2 * i), transform_right_filter_feature_0_alls(3 * i -
           2));
-        transform_right_filter_feature_0_choices(45 * i - 18) := choice(transform_right_filter_feature_0_choices(45 * i
-          - 20), is_set(transform_right_filter_column(7 - 2 * i, 5 - 2 * i), 7) and (not
+        transform_right_filter_feature_0_choice(45 * i - 18) := choice(transform_right_filter_feature_0_choice(45 * i -
+          20), is_set(transform_right_filter_column(7 - 2 * i, 5 - 2 * i), 7) and (not
           is_set(transform_right_filter_column(4, 2), 7)) and transform_filtering_0_column_inside(7 - 2 * i),
-          transform_right_filter_feature_0_choices(45 * i - 19));
-        transform_right_filter_feature_0_choices(45 * i - 17) := choice(is_set(transform_right_filter_column(13 - 6 *
-          i, 2 * i - 1), 0), transform_right_filter_feature_0_any, not is_set(transform_right_filter_column(4, 2), 1));
-        transform_right_filter_feature_0_choices(45 * i - 16) := choice(is_set(transform_right_filter_column(13 - 6 *
-          i, 2 * i - 1), 1), transform_right_filter_feature_0_choices(45 * i - 17),
-          is_set(transform_right_filter_column(13 - 6 * i, 2 * i - 1), 0) and
-          transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(45 * i - 15) :=
-          inverted_carry(transform_right_filter_feature_0_choices(45 * i - 16), not
-          is_set(transform_right_filter_column(13 - 6 * i, 2 * i - 1), 2), transform_right_filter_feature_0_values(1));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(45 * i + j - 17) :=
-            carry(transform_right_filter_feature_0_choices(45 * i + j - 18), not
-            is_set(transform_right_filter_column(13 - 6 * i, 2 * i - 1), j), transform_right_filter_feature_0_values(j
-            - 1));
-        end loop;
+          transform_right_filter_feature_0_choice(45 * i - 19));
+        transform_right_filter_feature_0_choice(45 * i - 11) := not is_larger(transform_right_filter_column(13 - 6 * i,
+          2 * i - 1), transform_right_filter_column(4, 2), 0, 6, false);
         transform_right_filter_feature_0_alls(2 * i + 1) := (not is_set(transform_right_filter_column(4, 2), 7)) and
           transform_filtering_0_column_inside(13 - 6 * i);
-        transform_right_filter_feature_0_choices(45 * i - 10) := choice(is_set(transform_right_filter_column(13 - 6 *
-          i, 2 * i - 1), 7), transform_filtering_0_column_inside(13 - 6 * i), transform_right_filter_feature_0_alls(2 *
-          i + 1));
-        transform_right_filter_feature_0_choices(45 * i - 9) := choice(transform_right_filter_feature_0_choices(45 * i
-          - 11), is_set(transform_right_filter_column(13 - 6 * i, 2 * i - 1), 7) and (not
+        transform_right_filter_feature_0_choice(45 * i - 10) := choice(is_set(transform_right_filter_column(13 - 6 * i,
+          2 * i - 1), 7), transform_filtering_0_column_inside(13 - 6 * i), transform_right_filter_feature_0_alls(2 * i
+          + 1));
+        transform_right_filter_feature_0_choice(45 * i - 9) := choice(transform_right_filter_feature_0_choice(45 * i -
+          11), is_set(transform_right_filter_column(13 - 6 * i, 2 * i - 1), 7) and (not
           is_set(transform_right_filter_column(4, 2), 7)) and transform_filtering_0_column_inside(13 - 6 * i),
-          transform_right_filter_feature_0_choices(45 * i - 10));
-        transform_right_filter_feature_0_choices(45 * i - 8) := choice(is_set(transform_right_filter_column(13 - 6 * i,
-          5 - 2 * i), 0), transform_right_filter_feature_0_any, not is_set(transform_right_filter_column(4, 2), 1));
-        transform_right_filter_feature_0_choices(45 * i - 7) := choice(is_set(transform_right_filter_column(13 - 6 * i,
-          5 - 2 * i), 1), transform_right_filter_feature_0_choices(45 * i - 8), is_set(transform_right_filter_column(13
-          - 6 * i, 5 - 2 * i), 0) and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(45 * i - 6) :=
-          inverted_carry(transform_right_filter_feature_0_choices(45 * i - 7), not
-          is_set(transform_right_filter_column(13 - 6 * i, 5 - 2 * i), 2), transform_right_filter_feature_0_values(1));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(45 * i + j - 8) := carry(transform_right_filter_feature_0_choices(45
-            * i + j - 9), not is_set(transform_right_filter_column(13 - 6 * i, 5 - 2 * i), j),
-            transform_right_filter_feature_0_values(j - 1));
-        end loop;
-        transform_right_filter_feature_0_choices(45 * i - 1) := choice(is_set(transform_right_filter_column(13 - 6 * i,
+          transform_right_filter_feature_0_choice(45 * i - 10));
+        transform_right_filter_feature_0_choice(45 * i - 2) := not is_larger(transform_right_filter_column(13 - 6 * i,
+          5 - 2 * i), transform_right_filter_column(4, 2), 0, 6, false);
+        transform_right_filter_feature_0_choice(45 * i - 1) := choice(is_set(transform_right_filter_column(13 - 6 * i,
           5 - 2 * i), 7), transform_filtering_0_column_inside(13 - 6 * i), transform_right_filter_feature_0_alls(2 * i
           + 1));
-        transform_right_filter_feature_0_choices(45 * i) := choice(transform_right_filter_feature_0_choices(45 * i -
-          2), is_set(transform_right_filter_column(13 - 6 * i, 5 - 2 * i), 7) and (not
+        transform_right_filter_feature_0_choice(45 * i) := choice(transform_right_filter_feature_0_choice(45 * i - 2),
+          is_set(transform_right_filter_column(13 - 6 * i, 5 - 2 * i), 7) and (not
           is_set(transform_right_filter_column(4, 2), 7)) and transform_filtering_0_column_inside(13 - 6 * i),
-          transform_right_filter_feature_0_choices(45 * i - 1));
-        transform_right_filter_feature_0_choices(45 * i + 1) := choice(is_set(transform_right_filter_column(8 - 4 * i,
-          2 * i - 2), 0), transform_right_filter_feature_0_any, not is_set(transform_right_filter_column(4, 2), 1));
-        transform_right_filter_feature_0_choices(45 * i + 2) := choice(is_set(transform_right_filter_column(8 - 4 * i,
-          2 * i - 2), 1), transform_right_filter_feature_0_choices(45 * i + 1), is_set(transform_right_filter_column(8
-          - 4 * i, 2 * i - 2), 0) and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(45 * i + 3) :=
-          inverted_carry(transform_right_filter_feature_0_choices(45 * i + 2), not
-          is_set(transform_right_filter_column(8 - 4 * i, 2 * i - 2), 2), transform_right_filter_feature_0_values(1));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(45 * i + j + 1) := carry(transform_right_filter_feature_0_choices(45
-            * i + j), not is_set(transform_right_filter_column(8 - 4 * i, 2 * i - 2), j),
-            transform_right_filter_feature_0_values(j - 1));
-        end loop;
+          transform_right_filter_feature_0_choice(45 * i - 1));
+        transform_right_filter_feature_0_choice(45 * i + 7) := not is_larger(transform_right_filter_column(8 - 4 * i, 2
+          * i - 2), transform_right_filter_column(4, 2), 0, 6, false);
       end loop;
       for i in 6 to 7 loop
         transform_right_filter_feature_0_alls(i) := transform_filtering_0_column_inside(2 * i - 12) and (not
           is_set(transform_right_filter_column(4, 2), 7));
-        transform_right_filter_feature_0_choices(27 * i - 64) := choice(is_set(transform_right_filter_column(2 * i -
-          12, 2), 7), transform_filtering_0_column_inside(2 * i - 12), transform_right_filter_feature_0_alls(i));
-        transform_right_filter_feature_0_choices(27 * i - 63) := choice(transform_right_filter_feature_0_choices(27 * i
-          - 65), is_set(transform_right_filter_column(2 * i - 12, 2), 7) and transform_filtering_0_column_inside(2 * i
-          - 12) and (not is_set(transform_right_filter_column(4, 2), 7)), transform_right_filter_feature_0_choices(27 *
-          i - 64));
-        transform_right_filter_feature_0_choices(27 * i - 62) := choice(is_set(transform_right_filter_column(2 * i -
-          12, 0), 0), transform_right_filter_feature_0_any, not is_set(transform_right_filter_column(4, 2), 1));
-        transform_right_filter_feature_0_choices(27 * i - 61) := choice(is_set(transform_right_filter_column(2 * i -
-          12, 0), 1), transform_right_filter_feature_0_choices(27 * i - 62), is_set(transform_right_filter_column(2 * i
-          - 12, 0), 0) and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(27 * i - 60) :=
-          inverted_carry(transform_right_filter_feature_0_choices(27 * i - 61), not
-          is_set(transform_right_filter_column(2 * i - 12, 0), 2), transform_right_filter_feature_0_values(1));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(27 * i + j - 62) :=
-            carry(transform_right_filter_feature_0_choices(27 * i + j - 63), not is_set(transform_right_filter_column(2
-            * i - 12, 0), j), transform_right_filter_feature_0_values(j - 1));
-        end loop;
-        transform_right_filter_feature_0_choices(27 * i - 55) := choice(is_set(transform_right_filter_column(2 * i -
-          12, 0), 7), transform_filtering_0_column_inside(2 * i - 12), transform_right_filter_feature_0_alls(i));
-        transform_right_filter_feature_0_choices(27 * i - 54) := choice(transform_right_filter_feature_0_choices(27 * i
-          - 56), is_set(transform_right_filter_column(2 * i - 12, 0), 7) and transform_filtering_0_column_inside(2 * i
-          - 12) and (not is_set(transform_right_filter_column(4, 2), 7)), transform_right_filter_feature_0_choices(27 *
-          i - 55));
-        transform_right_filter_feature_0_choices(27 * i - 53) := choice(is_set(transform_right_filter_column(2 * i -
-          12, 4), 0), transform_right_filter_feature_0_any, not is_set(transform_right_filter_column(4, 2), 1));
-        transform_right_filter_feature_0_choices(27 * i - 52) := choice(is_set(transform_right_filter_column(2 * i -
-          12, 4), 1), transform_right_filter_feature_0_choices(27 * i - 53), is_set(transform_right_filter_column(2 * i
-          - 12, 4), 0) and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(27 * i - 51) :=
-          inverted_carry(transform_right_filter_feature_0_choices(27 * i - 52), not
-          is_set(transform_right_filter_column(2 * i - 12, 4), 2), transform_right_filter_feature_0_values(1));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(27 * i + j - 53) :=
-            carry(transform_right_filter_feature_0_choices(27 * i + j - 54), not is_set(transform_right_filter_column(2
-            * i - 12, 4), j), transform_right_filter_feature_0_values(j - 1));
-        end loop;
-        transform_right_filter_feature_0_choices(27 * i - 46) := choice(is_set(transform_right_filter_column(2 * i -
-          12, 4), 7), transform_filtering_0_column_inside(2 * i - 12), transform_right_filter_feature_0_alls(i));
-        transform_right_filter_feature_0_choices(27 * i - 45) := choice(transform_right_filter_feature_0_choices(27 * i
-          - 47), is_set(transform_right_filter_column(2 * i - 12, 4), 7) and transform_filtering_0_column_inside(2 * i
-          - 12) and (not is_set(transform_right_filter_column(4, 2), 7)), transform_right_filter_feature_0_choices(27 *
-          i - 46));
-        transform_right_filter_feature_0_choices(27 * i - 44) := choice(is_set(transform_right_filter_column(4 * i -
-          22, 2), 0), transform_right_filter_feature_0_any, not is_set(transform_right_filter_column(4, 2), 1));
-        transform_right_filter_feature_0_choices(27 * i - 43) := choice(is_set(transform_right_filter_column(4 * i -
-          22, 2), 1), transform_right_filter_feature_0_choices(27 * i - 44), is_set(transform_right_filter_column(4 * i
-          - 22, 2), 0) and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(27 * i - 42) :=
-          inverted_carry(transform_right_filter_feature_0_choices(27 * i - 43), not
-          is_set(transform_right_filter_column(4 * i - 22, 2), 2), transform_right_filter_feature_0_values(1));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(27 * i + j - 44) :=
-            carry(transform_right_filter_feature_0_choices(27 * i + j - 45), not is_set(transform_right_filter_column(4
-            * i - 22, 2), j), transform_right_filter_feature_0_values(j - 1));
-        end loop;
+        transform_right_filter_feature_0_choice(27 * i - 64) := choice(is_set(transform_right_filter_column(2 * i - 12,
+          2), 7), transform_filtering_0_column_inside(2 * i - 12), transform_right_filter_feature_0_alls(i));
+        transform_right_filter_feature_0_choice(27 * i - 63) := choice(transform_right_filter_feature_0_choice(27 * i -
+          65), is_set(transform_right_filter_column(2 * i - 12, 2), 7) and transform_filtering_0_column_inside(2 * i -
+          12) and (not is_set(transform_right_filter_column(4, 2), 7)), transform_right_filter_feature_0_choice(27 * i
+          - 64));
+        transform_right_filter_feature_0_choice(27 * i - 56) := not is_larger(transform_right_filter_column(2 * i - 12,
+          0), transform_right_filter_column(4, 2), 0, 6, false);
+        transform_right_filter_feature_0_choice(27 * i - 55) := choice(is_set(transform_right_filter_column(2 * i - 12,
+          0), 7), transform_filtering_0_column_inside(2 * i - 12), transform_right_filter_feature_0_alls(i));
+        transform_right_filter_feature_0_choice(27 * i - 54) := choice(transform_right_filter_feature_0_choice(27 * i -
+          56), is_set(transform_right_filter_column(2 * i - 12, 0), 7) and transform_filtering_0_column_inside(2 * i -
+          12) and (not is_set(transform_right_filter_column(4, 2), 7)), transform_right_filter_feature_0_choice(27 * i
+          - 55));
+        transform_right_filter_feature_0_choice(27 * i - 47) := not is_larger(transform_right_filter_column(2 * i - 12,
+          4), transform_right_filter_column(4, 2), 0, 6, false);
+        transform_right_filter_feature_0_choice(27 * i - 46) := choice(is_set(transform_right_filter_column(2 * i - 12,
+          4), 7), transform_filtering_0_column_inside(2 * i - 12), transform_right_filter_feature_0_alls(i));
+        transform_right_filter_feature_0_choice(27 * i - 45) := choice(transform_right_filter_feature_0_choice(27 * i -
+          47), is_set(transform_right_filter_column(2 * i - 12, 4), 7) and transform_filtering_0_column_inside(2 * i -
+          12) and (not is_set(transform_right_filter_column(4, 2), 7)), transform_right_filter_feature_0_choice(27 * i
+          - 46));
+        transform_right_filter_feature_0_choice(27 * i - 38) := not is_larger(transform_right_filter_column(4 * i - 22,
+          2), transform_right_filter_column(4, 2), 0, 6, false);
       end loop;
       transform_right_filter_feature_0_alls(8) := transform_filtering_0_column_inside(6) and (not
         is_set(transform_right_filter_column(4, 2), 7));
       for i in 0 to 1 loop
-        transform_right_filter_feature_0_choices(9 * i + 152) := choice(is_set(transform_right_filter_column(6, 2 - 2 *
+        transform_right_filter_feature_0_choice(9 * i + 152) := choice(is_set(transform_right_filter_column(6, 2 - 2 *
           i), 7), transform_filtering_0_column_inside(6), transform_right_filter_feature_0_alls(8));
-        transform_right_filter_feature_0_choices(9 * i + 153) := choice(transform_right_filter_feature_0_choices(9 * i
-          + 151), is_set(transform_right_filter_column(6, 2 - 2 * i), 7) and transform_filtering_0_column_inside(6) and
-          (not is_set(transform_right_filter_column(4, 2), 7)), transform_right_filter_feature_0_choices(9 * i + 152));
-        transform_right_filter_feature_0_choices(9 * i + 154) := choice(is_set(transform_right_filter_column(6, 4 * i),
-          0), transform_right_filter_feature_0_any, not is_set(transform_right_filter_column(4, 2), 1));
-        transform_right_filter_feature_0_choices(9 * i + 155) := choice(is_set(transform_right_filter_column(6, 4 * i),
-          1), transform_right_filter_feature_0_choices(9 * i + 154), is_set(transform_right_filter_column(6, 4 * i), 0)
-          and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(9 * i + 156) :=
-          inverted_carry(transform_right_filter_feature_0_choices(9 * i + 155), not
-          is_set(transform_right_filter_column(6, 4 * i), 2), transform_right_filter_feature_0_values(1));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(9 * i + j + 154) := carry(transform_right_filter_feature_0_choices(9
-            * i + j + 153), not is_set(transform_right_filter_column(6, 4 * i), j),
-            transform_right_filter_feature_0_values(j - 1));
-        end loop;
+        transform_right_filter_feature_0_choice(9 * i + 153) := choice(transform_right_filter_feature_0_choice(9 * i +
+          151), is_set(transform_right_filter_column(6, 2 - 2 * i), 7) and transform_filtering_0_column_inside(6) and
+          (not is_set(transform_right_filter_column(4, 2), 7)), transform_right_filter_feature_0_choice(9 * i + 152));
+        transform_right_filter_feature_0_choice(9 * i + 160) := not is_larger(transform_right_filter_column(6, 4 * i),
+          transform_right_filter_column(4, 2), 0, 6, false);
       end loop;
-      transform_right_filter_feature_0_choices(170) := choice(is_set(transform_right_filter_column(6, 4), 7),
+      transform_right_filter_feature_0_choice(170) := choice(is_set(transform_right_filter_column(6, 4), 7),
         transform_filtering_0_column_inside(6), transform_right_filter_feature_0_alls(8));
-      transform_right_filter_feature_0_choices(171) := choice(transform_right_filter_feature_0_choices(169),
+      transform_right_filter_feature_0_choice(171) := choice(transform_right_filter_feature_0_choice(169),
         is_set(transform_right_filter_column(6, 4), 7) and transform_filtering_0_column_inside(6) and (not
-        is_set(transform_right_filter_column(4, 2), 7)), transform_right_filter_feature_0_choices(170));
-      transform_right_filter_feature_0_choices(172) := choice(is_set(transform_right_filter_column_8_2, 0),
-        transform_right_filter_feature_0_any, not is_set(transform_right_filter_column(4, 2), 1));
-      transform_right_filter_feature_0_choices(173) := choice(is_set(transform_right_filter_column_8_2, 1),
-        transform_right_filter_feature_0_choices(172), is_set(transform_right_filter_column_8_2, 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(174) := inverted_carry(transform_right_filter_feature_0_choices(173),
-        not is_set(transform_right_filter_column_8_2, 2), transform_right_filter_feature_0_values(1));
-      for i in 175 to 178 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_8_2, i - 172), transform_right_filter_feature_0_values(i - 173));
-      end loop;
+        is_set(transform_right_filter_column(4, 2), 7)), transform_right_filter_feature_0_choice(170));
+      transform_right_filter_feature_0_choice(178) := not is_larger(transform_right_filter_column_8_2,
+        transform_right_filter_column(4, 2), 0, 6, false);
       transform_right_filter_feature_0_alls(9) := transform_filtering_0_column_inside(8) and (not
         is_set(transform_right_filter_column(4, 2), 7));
-      transform_right_filter_feature_0_choices(179) := choice(is_set(transform_right_filter_column_8_2, 7),
+      transform_right_filter_feature_0_choice(179) := choice(is_set(transform_right_filter_column_8_2, 7),
         transform_filtering_0_column_inside(8), transform_right_filter_feature_0_alls(9));
-      transform_right_filter_feature_0_choices(180) := choice(transform_right_filter_feature_0_choices(178),
+      transform_right_filter_feature_0_choice(180) := choice(transform_right_filter_feature_0_choice(178),
         is_set(transform_right_filter_column_8_2, 7) and transform_filtering_0_column_inside(8) and (not
-        is_set(transform_right_filter_column(4, 2), 7)), transform_right_filter_feature_0_choices(179));
-      transform_right_filter_feature_0_choices(181) := choice(is_set(transform_right_filter_column_8_0, 0),
-        transform_right_filter_feature_0_any, not is_set(transform_right_filter_column(4, 2), 1));
-      transform_right_filter_feature_0_choices(182) := choice(is_set(transform_right_filter_column_8_0, 1),
-        transform_right_filter_feature_0_choices(181), is_set(transform_right_filter_column_8_0, 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(183) := inverted_carry(transform_right_filter_feature_0_choices(182),
-        not is_set(transform_right_filter_column_8_0, 2), transform_right_filter_feature_0_values(1));
-      for i in 184 to 187 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_8_0, i - 181), transform_right_filter_feature_0_values(i - 182));
-      end loop;
-      transform_right_filter_feature_0_choices(188) := choice(is_set(transform_right_filter_column_8_0, 7),
+        is_set(transform_right_filter_column(4, 2), 7)), transform_right_filter_feature_0_choice(179));
+      transform_right_filter_feature_0_choice(187) := not is_larger(transform_right_filter_column_8_0,
+        transform_right_filter_column(4, 2), 0, 6, false);
+      transform_right_filter_feature_0_choice(188) := choice(is_set(transform_right_filter_column_8_0, 7),
         transform_filtering_0_column_inside(8), transform_right_filter_feature_0_alls(9));
-      transform_right_filter_feature_0_choices(189) := choice(transform_right_filter_feature_0_choices(187),
+      transform_right_filter_feature_0_choice(189) := choice(transform_right_filter_feature_0_choice(187),
         is_set(transform_right_filter_column_8_0, 7) and transform_filtering_0_column_inside(8) and (not
-        is_set(transform_right_filter_column(4, 2), 7)), transform_right_filter_feature_0_choices(188));
-      transform_right_filter_feature_0_choices(190) := choice(is_set(transform_right_filter_column_8_4, 0),
-        transform_right_filter_feature_0_any, not is_set(transform_right_filter_column(4, 2), 1));
-      transform_right_filter_feature_0_choices(191) := choice(is_set(transform_right_filter_column_8_4, 1),
-        transform_right_filter_feature_0_choices(190), is_set(transform_right_filter_column_8_4, 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(192) := inverted_carry(transform_right_filter_feature_0_choices(191),
-        not is_set(transform_right_filter_column_8_4, 2), transform_right_filter_feature_0_values(1));
-      for i in 193 to 196 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_8_4, i - 190), transform_right_filter_feature_0_values(i - 191));
-      end loop;
-      transform_right_filter_feature_0_choices(197) := choice(is_set(transform_right_filter_column_8_4, 7),
+        is_set(transform_right_filter_column(4, 2), 7)), transform_right_filter_feature_0_choice(188));
+      transform_right_filter_feature_0_choice(196) := not is_larger(transform_right_filter_column_8_4,
+        transform_right_filter_column(4, 2), 0, 6, false);
+      transform_right_filter_feature_0_choice(197) := choice(is_set(transform_right_filter_column_8_4, 7),
         transform_filtering_0_column_inside(8), transform_right_filter_feature_0_alls(9));
-      transform_right_filter_feature_0_choices(198) := choice(transform_right_filter_feature_0_choices(196),
+      transform_right_filter_feature_0_choice(198) := choice(transform_right_filter_feature_0_choice(196),
         is_set(transform_right_filter_column_8_4, 7) and transform_filtering_0_column_inside(8) and (not
-        is_set(transform_right_filter_column(4, 2), 7)), transform_right_filter_feature_0_choices(197));
+        is_set(transform_right_filter_column(4, 2), 7)), transform_right_filter_feature_0_choice(197));
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
@@ -1422,50 +1089,50 @@ begin
       transform_columns_column_inside <= transform_ready_column_inside;
       transform_columns_start_of_frame <= transform_ready_start_of_frame;
       transform_columns_valid <= transform_ready_valid;
-      transform_left_filter_feature_0 <= (as_number(transform_left_filter_feature_0_choices(8)) * 4096) +
-        (as_number(transform_left_filter_feature_0_choices(17)) * 2048) +
-        (as_number(transform_left_filter_feature_0_choices(26)) * 8192) +
-        (as_number(transform_left_filter_feature_0_choices(34)) * 131072) +
-        (as_number(transform_left_filter_feature_0_choices(43)) * 262144) +
-        (as_number(transform_left_filter_feature_0_choices(51)) * 1024) +
-        (as_number(transform_left_filter_feature_0_choices(60)) * 512) +
-        (as_number(transform_left_filter_feature_0_choices(68)) * 256) +
-        (as_number(transform_left_filter_feature_0_choices(77)) * 16) +
-        (as_number(transform_left_filter_feature_0_choices(85)) * 8) +
-        (as_number(transform_left_filter_feature_0_choices(94)) * 2) +
-        as_number(transform_left_filter_feature_0_choices(103)) +
-        (as_number(transform_left_filter_feature_0_choices(111)) * 4) +
-        (as_number(transform_left_filter_feature_0_choices(120)) * 64) +
-        (as_number(transform_left_filter_feature_0_choices(129)) * 32) +
-        (as_number(transform_left_filter_feature_0_choices(137)) * 128) +
-        (as_number(transform_left_filter_feature_0_choices(146)) * 32768) +
-        (as_number(transform_left_filter_feature_0_choices(155)) * 16384) +
-        (as_number(transform_left_filter_feature_0_choices(163)) * 65536) +
-        (as_number(transform_left_filter_feature_0_choices(172)) * 1048576) +
-        (as_number(transform_left_filter_feature_0_choices(181)) * 524288) +
-        (as_number(transform_left_filter_feature_0_choices(189)) * 2097152);
-      transform_right_filter_feature_0 <= (as_number(transform_right_filter_feature_0_choices(9)) * 4096) +
-        (as_number(transform_right_filter_feature_0_choices(18)) * 2048) +
-        (as_number(transform_right_filter_feature_0_choices(27)) * 8192) +
-        (as_number(transform_right_filter_feature_0_choices(36)) * 131072) +
-        (as_number(transform_right_filter_feature_0_choices(45)) * 262144) +
-        (as_number(transform_right_filter_feature_0_choices(54)) * 1024) +
-        (as_number(transform_right_filter_feature_0_choices(63)) * 512) +
-        (as_number(transform_right_filter_feature_0_choices(72)) * 256) +
-        (as_number(transform_right_filter_feature_0_choices(81)) * 16) +
-        (as_number(transform_right_filter_feature_0_choices(90)) * 8) +
-        (as_number(transform_right_filter_feature_0_choices(99)) * 2) +
-        as_number(transform_right_filter_feature_0_choices(108)) +
-        (as_number(transform_right_filter_feature_0_choices(117)) * 4) +
-        (as_number(transform_right_filter_feature_0_choices(126)) * 64) +
-        (as_number(transform_right_filter_feature_0_choices(135)) * 32) +
-        (as_number(transform_right_filter_feature_0_choices(144)) * 128) +
-        (as_number(transform_right_filter_feature_0_choices(153)) * 32768) +
-        (as_number(transform_right_filter_feature_0_choices(162)) * 16384) +
-        (as_number(transform_right_filter_feature_0_choices(171)) * 65536) +
-        (as_number(transform_right_filter_feature_0_choices(180)) * 1048576) +
-        (as_number(transform_right_filter_feature_0_choices(189)) * 524288) +
-        (as_number(transform_right_filter_feature_0_choices(198)) * 2097152);
+      transform_left_filter_feature_0 <= (as_number(transform_left_filter_feature_0_choice(8)) * 4096) +
+        (as_number(transform_left_filter_feature_0_choice(17)) * 2048) +
+        (as_number(transform_left_filter_feature_0_choice(26)) * 8192) +
+        (as_number(transform_left_filter_feature_0_choice(34)) * 131072) +
+        (as_number(transform_left_filter_feature_0_choice(43)) * 262144) +
+        (as_number(transform_left_filter_feature_0_choice(51)) * 1024) +
+        (as_number(transform_left_filter_feature_0_choice(60)) * 512) +
+        (as_number(transform_left_filter_feature_0_choice(68)) * 256) +
+        (as_number(transform_left_filter_feature_0_choice(77)) * 16) +
+        (as_number(transform_left_filter_feature_0_choice(85)) * 8) +
+        (as_number(transform_left_filter_feature_0_choice(94)) * 2) +
+        as_number(transform_left_filter_feature_0_choice(103)) +
+        (as_number(transform_left_filter_feature_0_choice(111)) * 4) +
+        (as_number(transform_left_filter_feature_0_choice(120)) * 64) +
+        (as_number(transform_left_filter_feature_0_choice(129)) * 32) +
+        (as_number(transform_left_filter_feature_0_choice(137)) * 128) +
+        (as_number(transform_left_filter_feature_0_choice(146)) * 32768) +
+        (as_number(transform_left_filter_feature_0_choice(155)) * 16384) +
+        (as_number(transform_left_filter_feature_0_choice(163)) * 65536) +
+        (as_number(transform_left_filter_feature_0_choice(172)) * 1048576) +
+        (as_number(transform_left_filter_feature_0_choice(181)) * 524288) +
+        (as_number(transform_left_filter_feature_0_choice(189)) * 2097152);
+      transform_right_filter_feature_0 <= (as_number(transform_right_filter_feature_0_choice(9)) * 4096) +
+        (as_number(transform_right_filter_feature_0_choice(18)) * 2048) +
+        (as_number(transform_right_filter_feature_0_choice(27)) * 8192) +
+        (as_number(transform_right_filter_feature_0_choice(36)) * 131072) +
+        (as_number(transform_right_filter_feature_0_choice(45)) * 262144) +
+        (as_number(transform_right_filter_feature_0_choice(54)) * 1024) +
+        (as_number(transform_right_filter_feature_0_choice(63)) * 512) +
+        (as_number(transform_right_filter_feature_0_choice(72)) * 256) +
+        (as_number(transform_right_filter_feature_0_choice(81)) * 16) +
+        (as_number(transform_right_filter_feature_0_choice(90)) * 8) +
+        (as_number(transform_right_filter_feature_0_choice(99)) * 2) +
+        as_number(transform_right_filter_feature_0_choice(108)) +
+        (as_number(transform_right_filter_feature_0_choice(117)) * 4) +
+        (as_number(transform_right_filter_feature_0_choice(126)) * 64) +
+        (as_number(transform_right_filter_feature_0_choice(135)) * 32) +
+        (as_number(transform_right_filter_feature_0_choice(144)) * 128) +
+        (as_number(transform_right_filter_feature_0_choice(153)) * 32768) +
+        (as_number(transform_right_filter_feature_0_choice(162)) * 16384) +
+        (as_number(transform_right_filter_feature_0_choice(171)) * 65536) +
+        (as_number(transform_right_filter_feature_0_choice(180)) * 1048576) +
+        (as_number(transform_right_filter_feature_0_choice(189)) * 524288) +
+        (as_number(transform_right_filter_feature_0_choice(198)) * 2097152);
       transform_filtering_0_column_inside <= transform_columns_column_inside;
       transform_filtering_start_of_frame(0) <= transform_columns_start_of_frame;
       transform_filtering_valid(0) <= transform_columns_valid;
@@ -1953,32 +1620,20 @@ begin
       end loop;
       forward_left_start_cost_0_any := ((((forward_left_tree_next_next_next_next_smallest_0 mod 64) +
         forward_left_relief_beyond) / 64) = 1) or is_set(forward_left_tree_next_next_next_next_smallest_0, 6);
-      forward_left_start_cost_0_choices(1) := choice(is_set(forward_left_relief_largest, 0), (not
-        is_set(forward_left_room, 1)) or (not is_set(forward_left_room, 0)), not is_set(forward_left_room, 1));
-      forward_left_start_cost_0_choices(2) := choice(is_set(forward_left_relief_largest, 1),
-        forward_left_start_cost_0_choices(1), is_set(forward_left_relief_largest, 0) and ((forward_left_room mod 4) =
-        0));
       forward_left_start_cost_0_values(1) := is_set(forward_left_room, 2);
-      forward_left_start_cost_0_choices(3) := inverted_carry(forward_left_start_cost_0_choices(2), not
-        is_set(forward_left_relief_largest, 2), forward_left_start_cost_0_values(1));
       forward_left_start_cost_0_values(2) := is_set(forward_left_room, 3);
-      forward_left_start_cost_0_choices(4) := carry(forward_left_start_cost_0_choices(3), not
-        is_set(forward_left_relief_largest, 3), forward_left_start_cost_0_values(2));
       forward_left_start_cost_0_values(3) := is_set(forward_left_room, 4);
-      forward_left_start_cost_0_choices(5) := carry(forward_left_start_cost_0_choices(4), not
-        is_set(forward_left_relief_largest, 4), forward_left_start_cost_0_values(3));
-      forward_left_start_cost_0_choices(6) := inverted_carry(forward_left_start_cost_0_choices(5),
-        is_set(forward_left_relief_largest, 5), not is_set(forward_left_room, 5));
-      forward_left_start_cost_0_choices_from_7(7) := choice(forward_left_start_cost_0_choices(6), 0, (forward_left_room
-        - forward_left_relief_largest) mod 64);
+      forward_left_start_cost_0_choice_6 := is_larger(forward_left_relief_largest, forward_left_room, 0, 5, false);
+      forward_left_start_cost_0_choice(7) := choice(forward_left_start_cost_0_choice_6, 0, (forward_left_room -
+        forward_left_relief_largest) mod 64);
       forward_left_start_cost_0_is_less := 127 < ((forward_left_tree_next_next_next_next_smallest_0 mod 64) +
         forward_left_relief_reach_of_best);
-      forward_left_start_cost_0_choices_from_7(8) := choice(forward_left_start_cost_0_is_less,
+      forward_left_start_cost_0_choice(8) := choice(forward_left_start_cost_0_is_less,
         (forward_left_tree_next_next_next_next_smallest_0 + forward_left_relief_reach_of_best) mod 64, 0);
-      forward_left_start_cost_0_choices_from_7(9) := choice(forward_left_start_cost_0_any,
-        forward_left_start_cost_0_choices_from_7(7), forward_left_start_cost_0_choices_from_7(8));
+      forward_left_start_cost_0_choice(9) := choice(forward_left_start_cost_0_any, forward_left_start_cost_0_choice(7),
+        forward_left_start_cost_0_choice(8));
       forward_left_room_value := (forward_left_start_cost(8) + forward_left_room) mod 64;
-      forward_left_room_choices(1) := choice(forward_left_start_cost_0_choices(6), forward_left_room_value,
+      forward_left_room_choices(1) := choice(forward_left_start_cost_0_choice_6, forward_left_room_value,
         (forward_left_start_cost(8) + forward_left_relief_largest) mod 64);
       forward_left_room_choices(2) := choice(forward_left_start_cost_0_is_less, (forward_left_relief_room_of_best -
         forward_left_tree_next_next_next_next_smallest_0) mod 64, forward_left_room_value);
@@ -1996,7 +1651,7 @@ begin
       forward_left_relief_largest_choice := choice((forward_reliefs_moved(4) - forward_left_relief_recent) < 0,
         forward_left_relief_recent, forward_reliefs_moved(4));
       forward_left_relief_reach_of_best_sum := forward_left_room + forward_left_relief_leaves;
-      forward_left_relief_reach_of_best_choice := choice(forward_left_start_cost_0_choices(6),
+      forward_left_relief_reach_of_best_choice := choice(forward_left_start_cost_0_choice_6,
         forward_left_relief_reach_of_best_sum, forward_left_relief_largest + forward_left_relief_leaves);
       forward_left_relief_reach_of_best_choices(2) := choice(forward_left_start_cost_0_is_less,
         (forward_left_relief_reach_again - (forward_left_tree_next_next_next_next_smallest_0 mod 64)) mod 256,
@@ -2269,7 +1924,7 @@ begin
         forward_left_tree_next_next_next_next_smallest_0 <= choice((forward_left_tree_next_next_next_smallest(1) -
           forward_left_tree_next_next_next_smallest(0)) < 0, forward_left_tree_next_next_next_smallest(1),
           forward_left_tree_next_next_next_smallest(0));
-        forward_left_start_cost(0) <= choice(forward_first(5), 60, forward_left_start_cost_0_choices_from_7(9));
+        forward_left_start_cost(0) <= choice(forward_first(5), 60, forward_left_start_cost_0_choice(9));
         for i in 1 to 8 loop
           forward_left_start_cost(i) <= choice(forward_first(5), 0, forward_left_start_cost(i - 1));
         end loop;
@@ -2370,31 +2025,20 @@ begin
       end loop;
       sums_right_start_cost_0_any := ((((sums_right_tree_next_next_next_next_smallest_0 mod 64) +
         sums_right_relief_beyond) / 64) = 1) or is_set(sums_right_tree_next_next_next_next_smallest_0, 6);
-      sums_right_start_cost_0_choices(1) := choice(is_set(sums_right_relief_largest, 0), (not is_set(sums_right_room,
-        1)) or (not is_set(sums_right_room, 0)), not is_set(sums_right_room, 1));
-      sums_right_start_cost_0_choices(2) := choice(is_set(sums_right_relief_largest, 1),
-        sums_right_start_cost_0_choices(1), is_set(sums_right_relief_largest, 0) and ((sums_right_room mod 4) = 0));
       sums_right_start_cost_0_values(1) := is_set(sums_right_room, 2);
-      sums_right_start_cost_0_choices(3) := inverted_carry(sums_right_start_cost_0_choices(2), not
-        is_set(sums_right_relief_largest, 2), sums_right_start_cost_0_values(1));
       sums_right_start_cost_0_values(2) := is_set(sums_right_room, 3);
-      sums_right_start_cost_0_choices(4) := carry(sums_right_start_cost_0_choices(3), not
-        is_set(sums_right_relief_largest, 3), sums_right_start_cost_0_values(2));
       sums_right_start_cost_0_values(3) := is_set(sums_right_room, 4);
-      sums_right_start_cost_0_choices(5) := carry(sums_right_start_cost_0_choices(4), not
-        is_set(sums_right_relief_largest, 4), sums_right_start_cost_0_values(3));
-      sums_right_start_cost_0_choices(6) := inverted_carry(sums_right_start_cost_0_choices(5),
-        is_set(sums_right_relief_largest, 5), not is_set(sums_right_room, 5));
-      sums_right_start_cost_0_choices_from_7(7) := choice(sums_right_start_cost_0_choices(6), 0, (sums_right_room -
+      sums_right_start_cost_0_choice_6 := is_larger(sums_right_relief_largest, sums_right_room, 0, 5, false);
+      sums_right_start_cost_0_choice(7) := choice(sums_right_start_cost_0_choice_6, 0, (sums_right_room -
         sums_right_relief_largest) mod 64);
       sums_right_start_cost_0_is_less := 127 < ((sums_right_tree_next_next_next_next_smallest_0 mod 64) +
         sums_right_relief_reach_of_best);
-      sums_right_start_cost_0_choices_from_7(8) := choice(sums_right_start_cost_0_is_less,
+      sums_right_start_cost_0_choice(8) := choice(sums_right_start_cost_0_is_less,
         (sums_right_tree_next_next_next_next_smallest_0 + sums_right_relief_reach_of_best) mod 64, 0);
-      sums_right_start_cost_0_choices_from_7(9) := choice(sums_right_start_cost_0_any,
-        sums_right_start_cost_0_choices_from_7(7), sums_right_start_cost_0_choices_from_7(8));
+      sums_right_start_cost_0_choice(9) := choice(sums_right_start_cost_0_any, sums_right_start_cost_0_choice(7),
+        sums_right_start_cost_0_choice(8));
       sums_right_room_value := (sums_right_start_cost(8) + sums_right_room) mod 64;
-      sums_right_room_choices(1) := choice(sums_right_start_cost_0_choices(6), sums_right_room_value,
+      sums_right_room_choices(1) := choice(sums_right_start_cost_0_choice_6, sums_right_room_value,
         (sums_right_start_cost(8) + sums_right_relief_largest) mod 64);
       sums_right_room_choices(2) := choice(sums_right_start_cost_0_is_less, (sums_right_relief_room_of_best -
         sums_right_tree_next_next_next_next_smallest_0) mod 64, sums_right_room_value);
@@ -2411,7 +2055,7 @@ begin
       sums_right_relief_largest_choice := choice(((sums_turn_ready_smallest_0 / 8) - sums_right_relief_recent) < 0,
         sums_right_relief_recent, sums_turn_ready_smallest_0 / 8);
       sums_right_relief_reach_of_best_sum := sums_right_room + sums_right_relief_leaves;
-      sums_right_relief_reach_of_best_choice := choice(sums_right_start_cost_0_choices(6),
+      sums_right_relief_reach_of_best_choice := choice(sums_right_start_cost_0_choice_6,
         sums_right_relief_reach_of_best_sum, sums_right_relief_largest + sums_right_relief_leaves);
       sums_right_relief_reach_of_best_choices(2) := choice(sums_right_start_cost_0_is_less,
         (sums_right_relief_reach_again - (sums_right_tree_next_next_next_next_smallest_0 mod 64)) mod 256,
@@ -2555,7 +2199,7 @@ begin
         sums_right_tree_next_next_next_next_smallest_0 <= choice((sums_right_tree_next_next_next_smallest(1) -
           sums_right_tree_next_next_next_smallest(0)) < 0, sums_right_tree_next_next_next_smallest(1),
           sums_right_tree_next_next_next_smallest(0));
-        sums_right_start_cost(0) <= choice(forward_first(0), 60, sums_right_start_cost_0_choices_from_7(9));
+        sums_right_start_cost(0) <= choice(forward_first(0), 60, sums_right_start_cost_0_choice(9));
         for i in 1 to 8 loop
           sums_right_start_cost(i) <= choice(forward_first(0), 0, sums_right_start_cost(i - 1));
         end loop;
@@ -2604,535 +2248,47 @@ begin
       end if;
       -- winnerswinner1
       for i in 0 to 31 loop
-        winnerswinner1_of_pair_0_choice(2 * i, 1) := choice(is_set(sums_sum_0(2 * i), 0), (not is_set(sums_sum_0(2 * i
-          + 1), 1)) or (not is_set(sums_sum_0(2 * i + 1), 0)), not is_set(sums_sum_0(2 * i + 1), 1));
-        winnerswinner1_of_pair_0_choice(2 * i, 2) := choice(is_set(sums_sum_0(2 * i), 1),
-          winnerswinner1_of_pair_0_choice(2 * i, 1), is_set(sums_sum_0(2 * i), 0) and ((sums_sum_0(2 * i + 1) mod 4) =
-          0));
-        winnerswinner1_of_pair_0_value(2 * i, 1) := is_set(sums_sum_0(2 * i + 1), 2);
-        winnerswinner1_of_pair_0_choice(2 * i, 3) := inverted_carry(winnerswinner1_of_pair_0_choice(2 * i, 2), not
-          is_set(sums_sum_0(2 * i), 2), winnerswinner1_of_pair_0_value(2 * i, 1));
-        for j in 2 to 5 loop
-          winnerswinner1_of_pair_0_value(2 * i, j) := is_set(sums_sum_0(2 * i + 1), j + 1);
-          winnerswinner1_of_pair_0_choice(2 * i, j + 2) := carry(winnerswinner1_of_pair_0_choice(2 * i, j + 1), not
-            is_set(sums_sum_0(2 * i), j + 1), winnerswinner1_of_pair_0_value(2 * i, j));
+        for j in 1 to 5 loop
+          winnerswinner1_of_pair_0_value(i, j) := is_set(sums_sum_0(2 * i + 1), j + 1);
         end loop;
-        winnerswinner1_of_pair_0_choice(2 * i, 8) := inverted_carry(winnerswinner1_of_pair_0_choice(2 * i, 7),
-          is_set(sums_sum_0(2 * i), 7), not is_set(sums_sum_0(2 * i + 1), 7));
+        winnerswinner1_of_pair_0_choice_8(i) := is_larger(sums_sum_0(2 * i), sums_sum_0(2 * i + 1), 0, 7, false);
       end loop;
-      winnerswinner1_of_four_0_0_choices(1) := choice(is_set(winnerswinner1_of_pair_0(1), 0), (not
-        is_set(winnerswinner1_of_pair_0(3), 0)) and (not is_set(winnerswinner1_of_pair_0(2), 0)),
-        is_set(winnerswinner1_of_pair_0(0), 0) and (not is_set(winnerswinner1_of_pair_0(3), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(2), 0)));
-      winnerswinner1_of_four_0_0_values(1) := is_set(winnerswinner1_of_pair_0(1), 1);
-      winnerswinner1_of_four_0_0_values(2) := is_set(winnerswinner1_of_pair_0(0), 1);
-      winnerswinner1_of_four_0_0_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(3), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(2), 1)), winnerswinner1_of_four_0_0_choices(1) or
-        winnerswinner1_of_four_0_0_values(1) or winnerswinner1_of_four_0_0_values(2),
-        winnerswinner1_of_four_0_0_choices(1) and (winnerswinner1_of_four_0_0_values(1) or
-        winnerswinner1_of_four_0_0_values(2)));
-      winnerswinner1_of_four_0_0_values(3) := is_set(winnerswinner1_of_pair_0(3), 2);
-      winnerswinner1_of_four_0_0_values(4) := is_set(winnerswinner1_of_pair_0(2), 2);
-      winnerswinner1_of_four_0_0_choices(3) := choice(winnerswinner1_of_four_0_0_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(1), 2)) and (not is_set(winnerswinner1_of_pair_0(0), 2)) and
-        (winnerswinner1_of_four_0_0_values(3) or winnerswinner1_of_four_0_0_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(1), 2)) and (not is_set(winnerswinner1_of_pair_0(0), 2))) or
-        winnerswinner1_of_four_0_0_values(3) or winnerswinner1_of_four_0_0_values(4));
-      for i in 3 to 6 loop
-        winnerswinner1_of_four_0_0_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(3), i);
-        winnerswinner1_of_four_0_0_values(2 * i) := is_set(winnerswinner1_of_pair_0(2), i);
-        winnerswinner1_of_four_0_0_choices(i + 1) := choice(winnerswinner1_of_four_0_0_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(1), i)) and (not is_set(winnerswinner1_of_pair_0(0), i))) or
-          winnerswinner1_of_four_0_0_values(2 * i - 1) or winnerswinner1_of_four_0_0_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(1), i)) and (not is_set(winnerswinner1_of_pair_0(0), i)) and
-          (winnerswinner1_of_four_0_0_values(2 * i - 1) or winnerswinner1_of_four_0_0_values(2 * i)));
+      for i in 0 to 15 loop
+        winnerswinner1_of_four_0_choice(i, 1) := choice(is_set(winnerswinner1_of_pair_0(4 * i + 1), 0), (not
+          is_set(winnerswinner1_of_pair_0(4 * i + 3), 0)) and (not is_set(winnerswinner1_of_pair_0(4 * i + 2), 0)),
+          is_set(winnerswinner1_of_pair_0(4 * i), 0) and (not is_set(winnerswinner1_of_pair_0(4 * i + 3), 0)) and (not
+          is_set(winnerswinner1_of_pair_0(4 * i + 2), 0)));
+        winnerswinner1_of_four_0_value(i, 1) := is_set(winnerswinner1_of_pair_0(4 * i + 1), 1);
+        winnerswinner1_of_four_0_value(i, 2) := is_set(winnerswinner1_of_pair_0(4 * i), 1);
+        winnerswinner1_of_four_0_choice(i, 2) := choice((not is_set(winnerswinner1_of_pair_0(4 * i + 3), 1)) and (not
+          is_set(winnerswinner1_of_pair_0(4 * i + 2), 1)), winnerswinner1_of_four_0_choice(i, 1) or
+          winnerswinner1_of_four_0_value(i, 1) or winnerswinner1_of_four_0_value(i, 2),
+          winnerswinner1_of_four_0_choice(i, 1) and (winnerswinner1_of_four_0_value(i, 1) or
+          winnerswinner1_of_four_0_value(i, 2)));
+        winnerswinner1_of_four_0_value(i, 3) := is_set(winnerswinner1_of_pair_0(4 * i + 3), 2);
+        winnerswinner1_of_four_0_value(i, 4) := is_set(winnerswinner1_of_pair_0(4 * i + 2), 2);
+        winnerswinner1_of_four_0_choice(i, 3) := choice(winnerswinner1_of_four_0_choice(i, 2), (not
+          is_set(winnerswinner1_of_pair_0(4 * i + 1), 2)) and (not is_set(winnerswinner1_of_pair_0(4 * i), 2)) and
+          (winnerswinner1_of_four_0_value(i, 3) or winnerswinner1_of_four_0_value(i, 4)), ((not
+          is_set(winnerswinner1_of_pair_0(4 * i + 1), 2)) and (not is_set(winnerswinner1_of_pair_0(4 * i), 2))) or
+          winnerswinner1_of_four_0_value(i, 3) or winnerswinner1_of_four_0_value(i, 4));
+        for j in 3 to 6 loop
+          winnerswinner1_of_four_0_value(i, 2 * j - 1) := is_set(winnerswinner1_of_pair_0(4 * i + 3), j);
+          winnerswinner1_of_four_0_value(i, 2 * j) := is_set(winnerswinner1_of_pair_0(4 * i + 2), j);
+          winnerswinner1_of_four_0_choice(i, j + 1) := choice(winnerswinner1_of_four_0_choice(i, j), ((not
+            is_set(winnerswinner1_of_pair_0(4 * i + 1), j)) and (not is_set(winnerswinner1_of_pair_0(4 * i), j))) or
+            winnerswinner1_of_four_0_value(i, 2 * j - 1) or winnerswinner1_of_four_0_value(i, 2 * j), (not
+            is_set(winnerswinner1_of_pair_0(4 * i + 1), j)) and (not is_set(winnerswinner1_of_pair_0(4 * i), j)) and
+            (winnerswinner1_of_four_0_value(i, 2 * j - 1) or winnerswinner1_of_four_0_value(i, 2 * j)));
+        end loop;
+        winnerswinner1_of_four_0_choice(i, 8) := choice(winnerswinner1_of_four_0_choice(i, 7), (not ((not
+          is_set(winnerswinner1_of_pair_0(4 * i + 1), 7)) and (not is_set(winnerswinner1_of_pair_0(4 * i), 7)))) and
+          (not is_set(winnerswinner1_of_pair_0(4 * i + 3), 7)) and (not is_set(winnerswinner1_of_pair_0(4 * i + 2),
+          7)), (not ((not is_set(winnerswinner1_of_pair_0(4 * i + 1), 7)) and (not is_set(winnerswinner1_of_pair_0(4 *
+          i), 7)))) or ((not is_set(winnerswinner1_of_pair_0(4 * i + 3), 7)) and (not is_set(winnerswinner1_of_pair_0(4
+          * i + 2), 7))));
       end loop;
-      winnerswinner1_of_four_0_0_choices(8) := choice(winnerswinner1_of_four_0_0_choices(7), (not ((not
-        is_set(winnerswinner1_of_pair_0(1), 7)) and (not is_set(winnerswinner1_of_pair_0(0), 7)))) and (not
-        is_set(winnerswinner1_of_pair_0(3), 7)) and (not is_set(winnerswinner1_of_pair_0(2), 7)), (not ((not
-        is_set(winnerswinner1_of_pair_0(1), 7)) and (not is_set(winnerswinner1_of_pair_0(0), 7)))) or ((not
-        is_set(winnerswinner1_of_pair_0(3), 7)) and (not is_set(winnerswinner1_of_pair_0(2), 7))));
-      winnerswinner1_of_four_0_4_choices(1) := choice(is_set(winnerswinner1_of_pair_0(5), 0), (not
-        is_set(winnerswinner1_of_pair_0(7), 0)) and (not is_set(winnerswinner1_of_pair_0(6), 0)),
-        is_set(winnerswinner1_of_pair_0(4), 0) and (not is_set(winnerswinner1_of_pair_0(7), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(6), 0)));
-      winnerswinner1_of_four_0_4_values(1) := is_set(winnerswinner1_of_pair_0(5), 1);
-      winnerswinner1_of_four_0_4_values(2) := is_set(winnerswinner1_of_pair_0(4), 1);
-      winnerswinner1_of_four_0_4_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(7), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(6), 1)), winnerswinner1_of_four_0_4_choices(1) or
-        winnerswinner1_of_four_0_4_values(1) or winnerswinner1_of_four_0_4_values(2),
-        winnerswinner1_of_four_0_4_choices(1) and (winnerswinner1_of_four_0_4_values(1) or
-        winnerswinner1_of_four_0_4_values(2)));
-      winnerswinner1_of_four_0_4_values(3) := is_set(winnerswinner1_of_pair_0(7), 2);
-      winnerswinner1_of_four_0_4_values(4) := is_set(winnerswinner1_of_pair_0(6), 2);
-      winnerswinner1_of_four_0_4_choices(3) := choice(winnerswinner1_of_four_0_4_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(5), 2)) and (not is_set(winnerswinner1_of_pair_0(4), 2)) and
-        (winnerswinner1_of_four_0_4_values(3) or winnerswinner1_of_four_0_4_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(5), 2)) and (not is_set(winnerswinner1_of_pair_0(4), 2))) or
-        winnerswinner1_of_four_0_4_values(3) or winnerswinner1_of_four_0_4_values(4));
-      for i in 3 to 6 loop
-        winnerswinner1_of_four_0_4_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(7), i);
-        winnerswinner1_of_four_0_4_values(2 * i) := is_set(winnerswinner1_of_pair_0(6), i);
-        winnerswinner1_of_four_0_4_choices(i + 1) := choice(winnerswinner1_of_four_0_4_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(5), i)) and (not is_set(winnerswinner1_of_pair_0(4), i))) or
-          winnerswinner1_of_four_0_4_values(2 * i - 1) or winnerswinner1_of_four_0_4_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(5), i)) and (not is_set(winnerswinner1_of_pair_0(4), i)) and
-          (winnerswinner1_of_four_0_4_values(2 * i - 1) or winnerswinner1_of_four_0_4_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_4_choices(8) := choice(winnerswinner1_of_four_0_4_choices(7), (not ((not
-        is_set(winnerswinner1_of_pair_0(5), 7)) and (not is_set(winnerswinner1_of_pair_0(4), 7)))) and (not
-        is_set(winnerswinner1_of_pair_0(7), 7)) and (not is_set(winnerswinner1_of_pair_0(6), 7)), (not ((not
-        is_set(winnerswinner1_of_pair_0(5), 7)) and (not is_set(winnerswinner1_of_pair_0(4), 7)))) or ((not
-        is_set(winnerswinner1_of_pair_0(7), 7)) and (not is_set(winnerswinner1_of_pair_0(6), 7))));
-      winnerswinner1_of_four_0_8_choices(1) := choice(is_set(winnerswinner1_of_pair_0(9), 0), (not
-        is_set(winnerswinner1_of_pair_0(11), 0)) and (not is_set(winnerswinner1_of_pair_0(10), 0)),
-        is_set(winnerswinner1_of_pair_0(8), 0) and (not is_set(winnerswinner1_of_pair_0(11), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(10), 0)));
-      winnerswinner1_of_four_0_8_values(1) := is_set(winnerswinner1_of_pair_0(9), 1);
-      winnerswinner1_of_four_0_8_values(2) := is_set(winnerswinner1_of_pair_0(8), 1);
-      winnerswinner1_of_four_0_8_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(11), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(10), 1)), winnerswinner1_of_four_0_8_choices(1) or
-        winnerswinner1_of_four_0_8_values(1) or winnerswinner1_of_four_0_8_values(2),
-        winnerswinner1_of_four_0_8_choices(1) and (winnerswinner1_of_four_0_8_values(1) or
-        winnerswinner1_of_four_0_8_values(2)));
-      winnerswinner1_of_four_0_8_values(3) := is_set(winnerswinner1_of_pair_0(11), 2);
-      winnerswinner1_of_four_0_8_values(4) := is_set(winnerswinner1_of_pair_0(10), 2);
-      winnerswinner1_of_four_0_8_choices(3) := choice(winnerswinner1_of_four_0_8_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(9), 2)) and (not is_set(winnerswinner1_of_pair_0(8), 2)) and
-        (winnerswinner1_of_four_0_8_values(3) or winnerswinner1_of_four_0_8_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(9), 2)) and (not is_set(winnerswinner1_of_pair_0(8), 2))) or
-        winnerswinner1_of_four_0_8_values(3) or winnerswinner1_of_four_0_8_values(4));
-      for i in 3 to 6 loop
-        winnerswinner1_of_four_0_8_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(11), i);
-        winnerswinner1_of_four_0_8_values(2 * i) := is_set(winnerswinner1_of_pair_0(10), i);
-        winnerswinner1_of_four_0_8_choices(i + 1) := choice(winnerswinner1_of_four_0_8_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(9), i)) and (not is_set(winnerswinner1_of_pair_0(8), i))) or
-          winnerswinner1_of_four_0_8_values(2 * i - 1) or winnerswinner1_of_four_0_8_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(9), i)) and (not is_set(winnerswinner1_of_pair_0(8), i)) and
-          (winnerswinner1_of_four_0_8_values(2 * i - 1) or winnerswinner1_of_four_0_8_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_8_choices(8) := choice(winnerswinner1_of_four_0_8_choices(7), (not ((not
-        is_set(winnerswinner1_of_pair_0(9), 7)) and (not is_set(winnerswinner1_of_pair_0(8), 7)))) and (not
-        is_set(winnerswinner1_of_pair_0(11), 7)) and (not is_set(winnerswinner1_of_pair_0(10), 7)), (not ((not
-        is_set(winnerswinner1_of_pair_0(9), 7)) and (not is_set(winnerswinner1_of_pair_0(8), 7)))) or ((not
-        is_set(winnerswinner1_of_pair_0(11), 7)) and (not is_set(winnerswinner1_of_pair_0(10), 7))));
-      winnerswinner1_of_four_0_12_choices(1) := choice(is_set(winnerswinner1_of_pair_0(13), 0), (not
-        is_set(winnerswinner1_of_pair_0(15), 0)) and (not is_set(winnerswinner1_of_pair_0(14), 0)),
-        is_set(winnerswinner1_of_pair_0(12), 0) and (not is_set(winnerswinner1_of_pair_0(15), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(14), 0)));
-      winnerswinner1_of_four_0_12_values(1) := is_set(winnerswinner1_of_pair_0(13), 1);
-      winnerswinner1_of_four_0_12_values(2) := is_set(winnerswinner1_of_pair_0(12), 1);
-      winnerswinner1_of_four_0_12_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(15), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(14), 1)), winnerswinner1_of_four_0_12_choices(1) or
-        winnerswinner1_of_four_0_12_values(1) or winnerswinner1_of_four_0_12_values(2),
-        winnerswinner1_of_four_0_12_choices(1) and (winnerswinner1_of_four_0_12_values(1) or
-        winnerswinner1_of_four_0_12_values(2)));
-      winnerswinner1_of_four_0_12_values(3) := is_set(winnerswinner1_of_pair_0(15), 2);
-      winnerswinner1_of_four_0_12_values(4) := is_set(winnerswinner1_of_pair_0(14), 2);
-      winnerswinner1_of_four_0_12_choices(3) := choice(winnerswinner1_of_four_0_12_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(13), 2)) and (not is_set(winnerswinner1_of_pair_0(12), 2)) and
-        (winnerswinner1_of_four_0_12_values(3) or winnerswinner1_of_four_0_12_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(13), 2)) and (not is_set(winnerswinner1_of_pair_0(12), 2))) or
-        winnerswinner1_of_four_0_12_values(3) or winnerswinner1_of_four_0_12_values(4));
-      for i in 3 to 6 loop
-        winnerswinner1_of_four_0_12_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(15), i);
-        winnerswinner1_of_four_0_12_values(2 * i) := is_set(winnerswinner1_of_pair_0(14), i);
-        winnerswinner1_of_four_0_12_choices(i + 1) := choice(winnerswinner1_of_four_0_12_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(13), i)) and (not is_set(winnerswinner1_of_pair_0(12), i))) or
-          winnerswinner1_of_four_0_12_values(2 * i - 1) or winnerswinner1_of_four_0_12_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(13), i)) and (not is_set(winnerswinner1_of_pair_0(12), i)) and
-          (winnerswinner1_of_four_0_12_values(2 * i - 1) or winnerswinner1_of_four_0_12_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_12_choices(8) := choice(winnerswinner1_of_four_0_12_choices(7), (not ((not
-        is_set(winnerswinner1_of_pair_0(13), 7)) and (not is_set(winnerswinner1_of_pair_0(12), 7)))) and (not
-        is_set(winnerswinner1_of_pair_0(15), 7)) and (not is_set(winnerswinner1_of_pair_0(14), 7)), (not ((not
-        is_set(winnerswinner1_of_pair_0(13), 7)) and (not is_set(winnerswinner1_of_pair_0(12), 7)))) or ((not
-        is_set(winnerswinner1_of_pair_0(15), 7)) and (not is_set(winnerswinner1_of_pair_0(14), 7))));
-      winnerswinner1_of_four_0_16_choices(1) := choice(is_set(winnerswinner1_of_pair_0(17), 0), (not
-        is_set(winnerswinner1_of_pair_0(19), 0)) and (not is_set(winnerswinner1_of_pair_0(18), 0)),
-        is_set(winnerswinner1_of_pair_0(16), 0) and (not is_set(winnerswinner1_of_pair_0(19), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(18), 0)));
-      winnerswinner1_of_four_0_16_values(1) := is_set(winnerswinner1_of_pair_0(17), 1);
-      winnerswinner1_of_four_0_16_values(2) := is_set(winnerswinner1_of_pair_0(16), 1);
-      winnerswinner1_of_four_0_16_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(19), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(18), 1)), winnerswinner1_of_four_0_16_choices(1) or
-        winnerswinner1_of_four_0_16_values(1) or winnerswinner1_of_four_0_16_values(2),
-        winnerswinner1_of_four_0_16_choices(1) and (winnerswinner1_of_four_0_16_values(1) or
-        winnerswinner1_of_four_0_16_values(2)));
-      winnerswinner1_of_four_0_16_values(3) := is_set(winnerswinner1_of_pair_0(19), 2);
-      winnerswinner1_of_four_0_16_values(4) := is_set(winnerswinner1_of_pair_0(18), 2);
-      winnerswinner1_of_four_0_16_choices(3) := choice(winnerswinner1_of_four_0_16_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(17), 2)) and (not is_set(winnerswinner1_of_pair_0(16), 2)) and
-        (winnerswinner1_of_four_0_16_values(3) or winnerswinner1_of_four_0_16_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(17), 2)) and (not is_set(winnerswinner1_of_pair_0(16), 2))) or
-        winnerswinner1_of_four_0_16_values(3) or winnerswinner1_of_four_0_16_values(4));
-      for i in 3 to 6 loop
-        winnerswinner1_of_four_0_16_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(19), i);
-        winnerswinner1_of_four_0_16_values(2 * i) := is_set(winnerswinner1_of_pair_0(18), i);
-        winnerswinner1_of_four_0_16_choices(i + 1) := choice(winnerswinner1_of_four_0_16_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(17), i)) and (not is_set(winnerswinner1_of_pair_0(16), i))) or
-          winnerswinner1_of_four_0_16_values(2 * i - 1) or winnerswinner1_of_four_0_16_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(17), i)) and (not is_set(winnerswinner1_of_pair_0(16), i)) and
-          (winnerswinner1_of_four_0_16_values(2 * i - 1) or winnerswinner1_of_four_0_16_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_16_choices(8) := choice(winnerswinner1_of_four_0_16_choices(7), (not ((not
-        is_set(winnerswinner1_of_pair_0(17), 7)) and (not is_set(winnerswinner1_of_pair_0(16), 7)))) and (not
-        is_set(winnerswinner1_of_pair_0(19), 7)) and (not is_set(winnerswinner1_of_pair_0(18), 7)), (not ((not
-        is_set(winnerswinner1_of_pair_0(17), 7)) and (not is_set(winnerswinner1_of_pair_0(16), 7)))) or ((not
-        is_set(winnerswinner1_of_pair_0(19), 7)) and (not is_set(winnerswinner1_of_pair_0(18), 7))));
-      winnerswinner1_of_four_0_20_choices(1) := choice(is_set(winnerswinner1_of_pair_0(21), 0), (not
-        is_set(winnerswinner1_of_pair_0(23), 0)) and (not is_set(winnerswinner1_of_pair_0(22), 0)),
-        is_set(winnerswinner1_of_pair_0(20), 0) and (not is_set(winnerswinner1_of_pair_0(23), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(22), 0)));
-      winnerswinner1_of_four_0_20_values(1) := is_set(winnerswinner1_of_pair_0(21), 1);
-      winnerswinner1_of_four_0_20_values(2) := is_set(winnerswinner1_of_pair_0(20), 1);
-      winnerswinner1_of_four_0_20_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(23), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(22), 1)), winnerswinner1_of_four_0_20_choices(1) or
-        winnerswinner1_of_four_0_20_values(1) or winnerswinner1_of_four_0_20_values(2),
-        winnerswinner1_of_four_0_20_choices(1) and (winnerswinner1_of_four_0_20_values(1) or
-        winnerswinner1_of_four_0_20_values(2)));
-      winnerswinner1_of_four_0_20_values(3) := is_set(winnerswinner1_of_pair_0(23), 2);
-      winnerswinner1_of_four_0_20_values(4) := is_set(winnerswinner1_of_pair_0(22), 2);
-      winnerswinner1_of_four_0_20_choices(3) := choice(winnerswinner1_of_four_0_20_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(21), 2)) and (not is_set(winnerswinner1_of_pair_0(20), 2)) and
-        (winnerswinner1_of_four_0_20_values(3) or winnerswinner1_of_four_0_20_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(21), 2)) and (not is_set(winnerswinner1_of_pair_0(20), 2))) or
-        winnerswinner1_of_four_0_20_values(3) or winnerswinner1_of_four_0_20_values(4));
-      for i in 3 to 6 loop
-        winnerswinner1_of_four_0_20_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(23), i);
-        winnerswinner1_of_four_0_20_values(2 * i) := is_set(winnerswinner1_of_pair_0(22), i);
-        winnerswinner1_of_four_0_20_choices(i + 1) := choice(winnerswinner1_of_four_0_20_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(21), i)) and (not is_set(winnerswinner1_of_pair_0(20), i))) or
-          winnerswinner1_of_four_0_20_values(2 * i - 1) or winnerswinner1_of_four_0_20_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(21), i)) and (not is_set(winnerswinner1_of_pair_0(20), i)) and
-          (winnerswinner1_of_four_0_20_values(2 * i - 1) or winnerswinner1_of_four_0_20_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_20_choices(8) := choice(winnerswinner1_of_four_0_20_choices(7), (not ((not
-        is_set(winnerswinner1_of_pair_0(21), 7)) and (not is_set(winnerswinner1_of_pair_0(20), 7)))) and (not
-        is_set(winnerswinner1_of_pair_0(23), 7)) and (not is_set(winnerswinner1_of_pair_0(22), 7)), (not ((not
-        is_set(winnerswinner1_of_pair_0(21), 7)) and (not is_set(winnerswinner1_of_pair_0(20), 7)))) or ((not
-        is_set(winnerswinner1_of_pair_0(23), 7)) and (not is_set(winnerswinner1_of_pair_0(22), 7))));
-      winnerswinner1_of_four_0_24_choices(1) := choice(is_set(winnerswinner1_of_pair_0(25), 0), (not
-        is_set(winnerswinner1_of_pair_0(27), 0)) and (not is_set(winnerswinner1_of_pair_0(26), 0)),
-        is_set(winnerswinner1_of_pair_0(24), 0) and (not is_set(winnerswinner1_of_pair_0(27), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(26), 0)));
-      winnerswinner1_of_four_0_24_values(1) := is_set(winnerswinner1_of_pair_0(25), 1);
-      winnerswinner1_of_four_0_24_values(2) := is_set(winnerswinner1_of_pair_0(24), 1);
-      winnerswinner1_of_four_0_24_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(27), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(26), 1)), winnerswinner1_of_four_0_24_choices(1) or
-        winnerswinner1_of_four_0_24_values(1) or winnerswinner1_of_four_0_24_values(2),
-        winnerswinner1_of_four_0_24_choices(1) and (winnerswinner1_of_four_0_24_values(1) or
-        winnerswinner1_of_four_0_24_values(2)));
-      winnerswinner1_of_four_0_24_values(3) := is_set(winnerswinner1_of_pair_0(27), 2);
-      winnerswinner1_of_four_0_24_values(4) := is_set(winnerswinner1_of_pair_0(26), 2);
-      winnerswinner1_of_four_0_24_choices(3) := choice(winnerswinner1_of_four_0_24_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(25), 2)) and (not is_set(winnerswinner1_of_pair_0(24), 2)) and
-        (winnerswinner1_of_four_0_24_values(3) or winnerswinner1_of_four_0_24_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(25), 2)) and (not is_set(winnerswinner1_of_pair_0(24), 2))) or
-        winnerswinner1_of_four_0_24_values(3) or winnerswinner1_of_four_0_24_values(4));
-      for i in 3 to 6 loop
-        winnerswinner1_of_four_0_24_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(27), i);
-        winnerswinner1_of_four_0_24_values(2 * i) := is_set(winnerswinner1_of_pair_0(26), i);
-        winnerswinner1_of_four_0_24_choices(i + 1) := choice(winnerswinner1_of_four_0_24_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(25), i)) and (not is_set(winnerswinner1_of_pair_0(24), i))) or
-          winnerswinner1_of_four_0_24_values(2 * i - 1) or winnerswinner1_of_four_0_24_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(25), i)) and (not is_set(winnerswinner1_of_pair_0(24), i)) and
-          (winnerswinner1_of_four_0_24_values(2 * i - 1) or winnerswinner1_of_four_0_24_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_24_choices(8) := choice(winnerswinner1_of_four_0_24_choices(7), (not ((not
-        is_set(winnerswinner1_of_pair_0(25), 7)) and (not is_set(winnerswinner1_of_pair_0(24), 7)))) and (not
-        is_set(winnerswinner1_of_pair_0(27), 7)) and (not is_set(winnerswinner1_of_pair_0(26), 7)), (not ((not
-        is_set(winnerswinner1_of_pair_0(25), 7)) and (not is_set(winnerswinner1_of_pair_0(24), 7)))) or ((not
-        is_set(winnerswinner1_of_pair_0(27), 7)) and (not is_set(winnerswinner1_of_pair_0(26), 7))));
-      winnerswinner1_of_four_0_28_choices(1) := choice(is_set(winnerswinner1_of_pair_0(29), 0), (not
-        is_set(winnerswinner1_of_pair_0(31), 0)) and (not is_set(winnerswinner1_of_pair_0(30), 0)),
-        is_set(winnerswinner1_of_pair_0(28), 0) and (not is_set(winnerswinner1_of_pair_0(31), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(30), 0)));
-      winnerswinner1_of_four_0_28_values(1) := is_set(winnerswinner1_of_pair_0(29), 1);
-      winnerswinner1_of_four_0_28_values(2) := is_set(winnerswinner1_of_pair_0(28), 1);
-      winnerswinner1_of_four_0_28_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(31), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(30), 1)), winnerswinner1_of_four_0_28_choices(1) or
-        winnerswinner1_of_four_0_28_values(1) or winnerswinner1_of_four_0_28_values(2),
-        winnerswinner1_of_four_0_28_choices(1) and (winnerswinner1_of_four_0_28_values(1) or
-        winnerswinner1_of_four_0_28_values(2)));
-      winnerswinner1_of_four_0_28_values(3) := is_set(winnerswinner1_of_pair_0(31), 2);
-      winnerswinner1_of_four_0_28_values(4) := is_set(winnerswinner1_of_pair_0(30), 2);
-      winnerswinner1_of_four_0_28_choices(3) := choice(winnerswinner1_of_four_0_28_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(29), 2)) and (not is_set(winnerswinner1_of_pair_0(28), 2)) and
-        (winnerswinner1_of_four_0_28_values(3) or winnerswinner1_of_four_0_28_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(29), 2)) and (not is_set(winnerswinner1_of_pair_0(28), 2))) or
-        winnerswinner1_of_four_0_28_values(3) or winnerswinner1_of_four_0_28_values(4));
-      for i in 3 to 6 loop
-        winnerswinner1_of_four_0_28_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(31), i);
-        winnerswinner1_of_four_0_28_values(2 * i) := is_set(winnerswinner1_of_pair_0(30), i);
-        winnerswinner1_of_four_0_28_choices(i + 1) := choice(winnerswinner1_of_four_0_28_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(29), i)) and (not is_set(winnerswinner1_of_pair_0(28), i))) or
-          winnerswinner1_of_four_0_28_values(2 * i - 1) or winnerswinner1_of_four_0_28_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(29), i)) and (not is_set(winnerswinner1_of_pair_0(28), i)) and
-          (winnerswinner1_of_four_0_28_values(2 * i - 1) or winnerswinner1_of_four_0_28_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_28_choices(8) := choice(winnerswinner1_of_four_0_28_choices(7), (not ((not
-        is_set(winnerswinner1_of_pair_0(29), 7)) and (not is_set(winnerswinner1_of_pair_0(28), 7)))) and (not
-        is_set(winnerswinner1_of_pair_0(31), 7)) and (not is_set(winnerswinner1_of_pair_0(30), 7)), (not ((not
-        is_set(winnerswinner1_of_pair_0(29), 7)) and (not is_set(winnerswinner1_of_pair_0(28), 7)))) or ((not
-        is_set(winnerswinner1_of_pair_0(31), 7)) and (not is_set(winnerswinner1_of_pair_0(30), 7))));
-      winnerswinner1_of_four_0_32_choices(1) := choice(is_set(winnerswinner1_of_pair_0(33), 0), (not
-        is_set(winnerswinner1_of_pair_0(35), 0)) and (not is_set(winnerswinner1_of_pair_0(34), 0)),
-        is_set(winnerswinner1_of_pair_0(32), 0) and (not is_set(winnerswinner1_of_pair_0(35), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(34), 0)));
-      winnerswinner1_of_four_0_32_values(1) := is_set(winnerswinner1_of_pair_0(33), 1);
-      winnerswinner1_of_four_0_32_values(2) := is_set(winnerswinner1_of_pair_0(32), 1);
-      winnerswinner1_of_four_0_32_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(35), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(34), 1)), winnerswinner1_of_four_0_32_choices(1) or
-        winnerswinner1_of_four_0_32_values(1) or winnerswinner1_of_four_0_32_values(2),
-        winnerswinner1_of_four_0_32_choices(1) and (winnerswinner1_of_four_0_32_values(1) or
-        winnerswinner1_of_four_0_32_values(2)));
-      winnerswinner1_of_four_0_32_values(3) := is_set(winnerswinner1_of_pair_0(35), 2);
-      winnerswinner1_of_four_0_32_values(4) := is_set(winnerswinner1_of_pair_0(34), 2);
-      winnerswinner1_of_four_0_32_choices(3) := choice(winnerswinner1_of_four_0_32_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(33), 2)) and (not is_set(winnerswinner1_of_pair_0(32), 2)) and
-        (winnerswinner1_of_four_0_32_values(3) or winnerswinner1_of_four_0_32_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(33), 2)) and (not is_set(winnerswinner1_of_pair_0(32), 2))) or
-        winnerswinner1_of_four_0_32_values(3) or winnerswinner1_of_four_0_32_values(4));
-      for i in 3 to 6 loop
-        winnerswinner1_of_four_0_32_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(35), i);
-        winnerswinner1_of_four_0_32_values(2 * i) := is_set(winnerswinner1_of_pair_0(34), i);
-        winnerswinner1_of_four_0_32_choices(i + 1) := choice(winnerswinner1_of_four_0_32_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(33), i)) and (not is_set(winnerswinner1_of_pair_0(32), i))) or
-          winnerswinner1_of_four_0_32_values(2 * i - 1) or winnerswinner1_of_four_0_32_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(33), i)) and (not is_set(winnerswinner1_of_pair_0(32), i)) and
-          (winnerswinner1_of_four_0_32_values(2 * i - 1) or winnerswinner1_of_four_0_32_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_32_choices(8) := choice(winnerswinner1_of_four_0_32_choices(7), (not ((not
-        is_set(winnerswinner1_of_pair_0(33), 7)) and (not is_set(winnerswinner1_of_pair_0(32), 7)))) and (not
-        is_set(winnerswinner1_of_pair_0(35), 7)) and (not is_set(winnerswinner1_of_pair_0(34), 7)), (not ((not
-        is_set(winnerswinner1_of_pair_0(33), 7)) and (not is_set(winnerswinner1_of_pair_0(32), 7)))) or ((not
-        is_set(winnerswinner1_of_pair_0(35), 7)) and (not is_set(winnerswinner1_of_pair_0(34), 7))));
-      winnerswinner1_of_four_0_36_choices(1) := choice(is_set(winnerswinner1_of_pair_0(37), 0), (not
-        is_set(winnerswinner1_of_pair_0(39), 0)) and (not is_set(winnerswinner1_of_pair_0(38), 0)),
-        is_set(winnerswinner1_of_pair_0(36), 0) and (not is_set(winnerswinner1_of_pair_0(39), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(38), 0)));
-      winnerswinner1_of_four_0_36_values(1) := is_set(winnerswinner1_of_pair_0(37), 1);
-      winnerswinner1_of_four_0_36_values(2) := is_set(winnerswinner1_of_pair_0(36), 1);
-      winnerswinner1_of_four_0_36_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(39), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(38), 1)), winnerswinner1_of_four_0_36_choices(1) or
-        winnerswinner1_of_four_0_36_values(1) or winnerswinner1_of_four_0_36_values(2),
-        winnerswinner1_of_four_0_36_choices(1) and (winnerswinner1_of_four_0_36_values(1) or
-        winnerswinner1_of_four_0_36_values(2)));
-      winnerswinner1_of_four_0_36_values(3) := is_set(winnerswinner1_of_pair_0(39), 2);
-      winnerswinner1_of_four_0_36_values(4) := is_set(winnerswinner1_of_pair_0(38), 2);
-      winnerswinner1_of_four_0_36_choices(3) := choice(winnerswinner1_of_four_0_36_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(37), 2)) and (not is_set(winnerswinner1_of_pair_0(36), 2)) and
-        (winnerswinner1_of_four_0_36_values(3) or winnerswinner1_of_four_0_36_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(37), 2)) and (not is_set(winnerswinner1_of_pair_0(36), 2))) or
-        winnerswinner1_of_four_0_36_values(3) or winnerswinner1_of_four_0_36_values(4));
-      for i in 3 to 6 loop
-        winnerswinner1_of_four_0_36_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(39), i);
-        winnerswinner1_of_four_0_36_values(2 * i) := is_set(winnerswinner1_of_pair_0(38), i);
-        winnerswinner1_of_four_0_36_choices(i + 1) := choice(winnerswinner1_of_four_0_36_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(37), i)) and (not is_set(winnerswinner1_of_pair_0(36), i))) or
-          winnerswinner1_of_four_0_36_values(2 * i - 1) or winnerswinner1_of_four_0_36_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(37), i)) and (not is_set(winnerswinner1_of_pair_0(36), i)) and
-          (winnerswinner1_of_four_0_36_values(2 * i - 1) or winnerswinner1_of_four_0_36_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_36_choices(8) := choice(winnerswinner1_of_four_0_36_choices(7), (not ((not
-        is_set(winnerswinner1_of_pair_0(37), 7)) and (not is_set(winnerswinner1_of_pair_0(36), 7)))) and (not
-        is_set(winnerswinner1_of_pair_0(39), 7)) and (not is_set(winnerswinner1_of_pair_0(38), 7)), (not ((not
-        is_set(winnerswinner1_of_pair_0(37), 7)) and (not is_set(winnerswinner1_of_pair_0(36), 7)))) or ((not
-        is_set(winnerswinner1_of_pair_0(39), 7)) and (not is_set(winnerswinner1_of_pair_0(38), 7))));
-      winnerswinner1_of_four_0_40_choices(1) := choice(is_set(winnerswinner1_of_pair_0(41), 0), (not
-        is_set(winnerswinner1_of_pair_0(43), 0)) and (not is_set(winnerswinner1_of_pair_0(42), 0)),
-        is_set(winnerswinner1_of_pair_0(40), 0) and (not is_set(winnerswinner1_of_pair_0(43), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(42), 0)));
-      winnerswinner1_of_four_0_40_values(1) := is_set(winnerswinner1_of_pair_0(41), 1);
-      winnerswinner1_of_four_0_40_values(2) := is_set(winnerswinner1_of_pair_0(40), 1);
-      winnerswinner1_of_four_0_40_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(43), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(42), 1)), winnerswinner1_of_four_0_40_choices(1) or
-        winnerswinner1_of_four_0_40_values(1) or winnerswinner1_of_four_0_40_values(2),
-        winnerswinner1_of_four_0_40_choices(1) and (winnerswinner1_of_four_0_40_values(1) or
-        winnerswinner1_of_four_0_40_values(2)));
-      winnerswinner1_of_four_0_40_values(3) := is_set(winnerswinner1_of_pair_0(43), 2);
-      winnerswinner1_of_four_0_40_values(4) := is_set(winnerswinner1_of_pair_0(42), 2);
-      winnerswinner1_of_four_0_40_choices(3) := choice(winnerswinner1_of_four_0_40_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(41), 2)) and (not is_set(winnerswinner1_of_pair_0(40), 2)) and
-        (winnerswinner1_of_four_0_40_values(3) or winnerswinner1_of_four_0_40_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(41), 2)) and (not is_set(winnerswinner1_of_pair_0(40), 2))) or
-        winnerswinner1_of_four_0_40_values(3) or winnerswinner1_of_four_0_40_values(4));
-      for i in 3 to 6 loop
-        winnerswinner1_of_four_0_40_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(43), i);
-        winnerswinner1_of_four_0_40_values(2 * i) := is_set(winnerswinner1_of_pair_0(42), i);
-        winnerswinner1_of_four_0_40_choices(i + 1) := choice(winnerswinner1_of_four_0_40_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(41), i)) and (not is_set(winnerswinner1_of_pair_0(40), i))) or
-          winnerswinner1_of_four_0_40_values(2 * i - 1) or winnerswinner1_of_four_0_40_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(41), i)) and (not is_set(winnerswinner1_of_pair_0(40), i)) and
-          (winnerswinner1_of_four_0_40_values(2 * i - 1) or winnerswinner1_of_four_0_40_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_40_choices(8) := choice(winnerswinner1_of_four_0_40_choices(7), (not ((not
-        is_set(winnerswinner1_of_pair_0(41), 7)) and (not is_set(winnerswinner1_of_pair_0(40), 7)))) and (not
-        is_set(winnerswinner1_of_pair_0(43), 7)) and (not is_set(winnerswinner1_of_pair_0(42), 7)), (not ((not
-        is_set(winnerswinner1_of_pair_0(41), 7)) and (not is_set(winnerswinner1_of_pair_0(40), 7)))) or ((not
-        is_set(winnerswinner1_of_pair_0(43), 7)) and (not is_set(winnerswinner1_of_pair_0(42), 7))));
-      winnerswinner1_of_four_0_44_choices(1) := choice(is_set(winnerswinner1_of_pair_0(45), 0), (not
-        is_set(winnerswinner1_of_pair_0(47), 0)) and (not is_set(winnerswinner1_of_pair_0(46), 0)),
-        is_set(winnerswinner1_of_pair_0(44), 0) and (not is_set(winnerswinner1_of_pair_0(47), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(46), 0)));
-      winnerswinner1_of_four_0_44_values(1) := is_set(winnerswinner1_of_pair_0(45), 1);
-      winnerswinner1_of_four_0_44_values(2) := is_set(winnerswinner1_of_pair_0(44), 1);
-      winnerswinner1_of_four_0_44_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(47), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(46), 1)), winnerswinner1_of_four_0_44_choices(1) or
-        winnerswinner1_of_four_0_44_values(1) or winnerswinner1_of_four_0_44_values(2),
-        winnerswinner1_of_four_0_44_choices(1) and (winnerswinner1_of_four_0_44_values(1) or
-        winnerswinner1_of_four_0_44_values(2)));
-      winnerswinner1_of_four_0_44_values(3) := is_set(winnerswinner1_of_pair_0(47), 2);
-      winnerswinner1_of_four_0_44_values(4) := is_set(winnerswinner1_of_pair_0(46), 2);
-      winnerswinner1_of_four_0_44_choices(3) := choice(winnerswinner1_of_four_0_44_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(45), 2)) and (not is_set(winnerswinner1_of_pair_0(44), 2)) and
-        (winnerswinner1_of_four_0_44_values(3) or winnerswinner1_of_four_0_44_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(45), 2)) and (not is_set(winnerswinner1_of_pair_0(44), 2))) or
-        winnerswinner1_of_four_0_44_values(3) or winnerswinner1_of_four_0_44_values(4));
-      for i in 3 to 6 loop
-        winnerswinner1_of_four_0_44_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(47), i);
-        winnerswinner1_of_four_0_44_values(2 * i) := is_set(winnerswinner1_of_pair_0(46), i);
-        winnerswinner1_of_four_0_44_choices(i + 1) := choice(winnerswinner1_of_four_0_44_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(45), i)) and (not is_set(winnerswinner1_of_pair_0(44), i))) or
-          winnerswinner1_of_four_0_44_values(2 * i - 1) or winnerswinner1_of_four_0_44_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(45), i)) and (not is_set(winnerswinner1_of_pair_0(44), i)) and
-          (winnerswinner1_of_four_0_44_values(2 * i - 1) or winnerswinner1_of_four_0_44_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_44_choices(8) := choice(winnerswinner1_of_four_0_44_choices(7), (not ((not
-        is_set(winnerswinner1_of_pair_0(45), 7)) and (not is_set(winnerswinner1_of_pair_0(44), 7)))) and (not
-        is_set(winnerswinner1_of_pair_0(47), 7)) and (not is_set(winnerswinner1_of_pair_0(46), 7)), (not ((not
-        is_set(winnerswinner1_of_pair_0(45), 7)) and (not is_set(winnerswinner1_of_pair_0(44), 7)))) or ((not
-        is_set(winnerswinner1_of_pair_0(47), 7)) and (not is_set(winnerswinner1_of_pair_0(46), 7))));
-      winnerswinner1_of_four_0_48_choices(1) := choice(is_set(winnerswinner1_of_pair_0(49), 0), (not
-        is_set(winnerswinner1_of_pair_0(51), 0)) and (not is_set(winnerswinner1_of_pair_0(50), 0)),
-        is_set(winnerswinner1_of_pair_0(48), 0) and (not is_set(winnerswinner1_of_pair_0(51), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(50), 0)));
-      winnerswinner1_of_four_0_48_values(1) := is_set(winnerswinner1_of_pair_0(49), 1);
-      winnerswinner1_of_four_0_48_values(2) := is_set(winnerswinner1_of_pair_0(48), 1);
-      winnerswinner1_of_four_0_48_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(51), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(50), 1)), winnerswinner1_of_four_0_48_choices(1) or
-        winnerswinner1_of_four_0_48_values(1) or winnerswinner1_of_four_0_48_values(2),
-        winnerswinner1_of_four_0_48_choices(1) and (winnerswinner1_of_four_0_48_values(1) or
-        winnerswinner1_of_four_0_48_values(2)));
-      winnerswinner1_of_four_0_48_values(3) := is_set(winnerswinner1_of_pair_0(51), 2);
-      winnerswinner1_of_four_0_48_values(4) := is_set(winnerswinner1_of_pair_0(50), 2);
-      winnerswinner1_of_four_0_48_choices(3) := choice(winnerswinner1_of_four_0_48_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(49), 2)) and (not is_set(winnerswinner1_of_pair_0(48), 2)) and
-        (winnerswinner1_of_four_0_48_values(3) or winnerswinner1_of_four_0_48_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(49), 2)) and (not is_set(winnerswinner1_of_pair_0(48), 2))) or
-        winnerswinner1_of_four_0_48_values(3) or winnerswinner1_of_four_0_48_values(4));
-      for i in 3 to 6 loop
-        winnerswinner1_of_four_0_48_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(51), i);
-        winnerswinner1_of_four_0_48_values(2 * i) := is_set(winnerswinner1_of_pair_0(50), i);
-        winnerswinner1_of_four_0_48_choices(i + 1) := choice(winnerswinner1_of_four_0_48_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(49), i)) and (not is_set(winnerswinner1_of_pair_0(48), i))) or
-          winnerswinner1_of_four_0_48_values(2 * i - 1) or winnerswinner1_of_four_0_48_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(49), i)) and (not is_set(winnerswinner1_of_pair_0(48), i)) and
-          (winnerswinner1_of_four_0_48_values(2 * i - 1) or winnerswinner1_of_four_0_48_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_48_choices(8) := choice(winnerswinner1_of_four_0_48_choices(7), (not ((not
-        is_set(winnerswinner1_of_pair_0(49), 7)) and (not is_set(winnerswinner1_of_pair_0(48), 7)))) and (not
-        is_set(winnerswinner1_of_pair_0(51), 7)) and (not is_set(winnerswinner1_of_pair_0(50), 7)), (not ((not
-        is_set(winnerswinner1_of_pair_0(49), 7)) and (not is_set(winnerswinner1_of_pair_0(48), 7)))) or ((not
-        is_set(winnerswinner1_of_pair_0(51), 7)) and (not is_set(winnerswinner1_of_pair_0(50), 7))));
-      winnerswinner1_of_four_0_52_choices(1) := choice(is_set(winnerswinner1_of_pair_0(53), 0), (not
-        is_set(winnerswinner1_of_pair_0(55), 0)) and (not is_set(winnerswinner1_of_pair_0(54), 0)),
-        is_set(winnerswinner1_of_pair_0(52), 0) and (not is_set(winnerswinner1_of_pair_0(55), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(54), 0)));
-      winnerswinner1_of_four_0_52_values(1) := is_set(winnerswinner1_of_pair_0(53), 1);
-      winnerswinner1_of_four_0_52_values(2) := is_set(winnerswinner1_of_pair_0(52), 1);
-      winnerswinner1_of_four_0_52_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(55), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(54), 1)), winnerswinner1_of_four_0_52_choices(1) or
-        winnerswinner1_of_four_0_52_values(1) or winnerswinner1_of_four_0_52_values(2),
-        winnerswinner1_of_four_0_52_choices(1) and (winnerswinner1_of_four_0_52_values(1) or
-        winnerswinner1_of_four_0_52_values(2)));
-      winnerswinner1_of_four_0_52_values(3) := is_set(winnerswinner1_of_pair_0(55), 2);
-      winnerswinner1_of_four_0_52_values(4) := is_set(winnerswinner1_of_pair_0(54), 2);
-      winnerswinner1_of_four_0_52_choices(3) := choice(winnerswinner1_of_four_0_52_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(53), 2)) and (not is_set(winnerswinner1_of_pair_0(52), 2)) and
-        (winnerswinner1_of_four_0_52_values(3) or winnerswinner1_of_four_0_52_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(53), 2)) and (not is_set(winnerswinner1_of_pair_0(52), 2))) or
-        winnerswinner1_of_four_0_52_values(3) or winnerswinner1_of_four_0_52_values(4));
-      for i in 3 to 6 loop
-        winnerswinner1_of_four_0_52_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(55), i);
-        winnerswinner1_of_four_0_52_values(2 * i) := is_set(winnerswinner1_of_pair_0(54), i);
-        winnerswinner1_of_four_0_52_choices(i + 1) := choice(winnerswinner1_of_four_0_52_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(53), i)) and (not is_set(winnerswinner1_of_pair_0(52), i))) or
-          winnerswinner1_of_four_0_52_values(2 * i - 1) or winnerswinner1_of_four_0_52_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(53), i)) and (not is_set(winnerswinner1_of_pair_0(52), i)) and
-          (winnerswinner1_of_four_0_52_values(2 * i - 1) or winnerswinner1_of_four_0_52_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_52_choices(8) := choice(winnerswinner1_of_four_0_52_choices(7), (not ((not
-        is_set(winnerswinner1_of_pair_0(53), 7)) and (not is_set(winnerswinner1_of_pair_0(52), 7)))) and (not
-        is_set(winnerswinner1_of_pair_0(55), 7)) and (not is_set(winnerswinner1_of_pair_0(54), 7)), (not ((not
-        is_set(winnerswinner1_of_pair_0(53), 7)) and (not is_set(winnerswinner1_of_pair_0(52), 7)))) or ((not
-        is_set(winnerswinner1_of_pair_0(55), 7)) and (not is_set(winnerswinner1_of_pair_0(54), 7))));
-      winnerswinner1_of_four_0_56_choices(1) := choice(is_set(winnerswinner1_of_pair_0(57), 0), (not
-        is_set(winnerswinner1_of_pair_0(59), 0)) and (not is_set(winnerswinner1_of_pair_0(58), 0)),
-        is_set(winnerswinner1_of_pair_0(56), 0) and (not is_set(winnerswinner1_of_pair_0(59), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(58), 0)));
-      winnerswinner1_of_four_0_56_values(1) := is_set(winnerswinner1_of_pair_0(57), 1);
-      winnerswinner1_of_four_0_56_values(2) := is_set(winnerswinner1_of_pair_0(56), 1);
-      winnerswinner1_of_four_0_56_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(59), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(58), 1)), winnerswinner1_of_four_0_56_choices(1) or
-        winnerswinner1_of_four_0_56_values(1) or winnerswinner1_of_four_0_56_values(2),
-        winnerswinner1_of_four_0_56_choices(1) and (winnerswinner1_of_four_0_56_values(1) or
-        winnerswinner1_of_four_0_56_values(2)));
-      winnerswinner1_of_four_0_56_values(3) := is_set(winnerswinner1_of_pair_0(59), 2);
-      winnerswinner1_of_four_0_56_values(4) := is_set(winnerswinner1_of_pair_0(58), 2);
-      winnerswinner1_of_four_0_56_choices(3) := choice(winnerswinner1_of_four_0_56_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(57), 2)) and (not is_set(winnerswinner1_of_pair_0(56), 2)) and
-        (winnerswinner1_of_four_0_56_values(3) or winnerswinner1_of_four_0_56_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(57), 2)) and (not is_set(winnerswinner1_of_pair_0(56), 2))) or
-        winnerswinner1_of_four_0_56_values(3) or winnerswinner1_of_four_0_56_values(4));
-      for i in 3 to 6 loop
-        winnerswinner1_of_four_0_56_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(59), i);
-        winnerswinner1_of_four_0_56_values(2 * i) := is_set(winnerswinner1_of_pair_0(58), i);
-        winnerswinner1_of_four_0_56_choices(i + 1) := choice(winnerswinner1_of_four_0_56_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(57), i)) and (not is_set(winnerswinner1_of_pair_0(56), i))) or
-          winnerswinner1_of_four_0_56_values(2 * i - 1) or winnerswinner1_of_four_0_56_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(57), i)) and (not is_set(winnerswinner1_of_pair_0(56), i)) and
-          (winnerswinner1_of_four_0_56_values(2 * i - 1) or winnerswinner1_of_four_0_56_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_56_choices(8) := choice(winnerswinner1_of_four_0_56_choices(7), (not ((not
-        is_set(winnerswinner1_of_pair_0(57), 7)) and (not is_set(winnerswinner1_of_pair_0(56), 7)))) and (not
-        is_set(winnerswinner1_of_pair_0(59), 7)) and (not is_set(winnerswinner1_of_pair_0(58), 7)), (not ((not
-        is_set(winnerswinner1_of_pair_0(57), 7)) and (not is_set(winnerswinner1_of_pair_0(56), 7)))) or ((not
-        is_set(winnerswinner1_of_pair_0(59), 7)) and (not is_set(winnerswinner1_of_pair_0(58), 7))));
-      winnerswinner1_of_four_0_60_choices(1) := choice(is_set(winnerswinner1_of_pair_0(61), 0), (not
-        is_set(winnerswinner1_of_pair_0(63), 0)) and (not is_set(winnerswinner1_of_pair_0(62), 0)),
-        is_set(winnerswinner1_of_pair_0(60), 0) and (not is_set(winnerswinner1_of_pair_0(63), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(62), 0)));
-      winnerswinner1_of_four_0_60_values(1) := is_set(winnerswinner1_of_pair_0(61), 1);
-      winnerswinner1_of_four_0_60_values(2) := is_set(winnerswinner1_of_pair_0(60), 1);
-      winnerswinner1_of_four_0_60_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(63), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(62), 1)), winnerswinner1_of_four_0_60_choices(1) or
-        winnerswinner1_of_four_0_60_values(1) or winnerswinner1_of_four_0_60_values(2),
-        winnerswinner1_of_four_0_60_choices(1) and (winnerswinner1_of_four_0_60_values(1) or
-        winnerswinner1_of_four_0_60_values(2)));
-      winnerswinner1_of_four_0_60_values(3) := is_set(winnerswinner1_of_pair_0(63), 2);
-      winnerswinner1_of_four_0_60_values(4) := is_set(winnerswinner1_of_pair_0(62), 2);
-      winnerswinner1_of_four_0_60_choices(3) := choice(winnerswinner1_of_four_0_60_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(61), 2)) and (not is_set(winnerswinner1_of_pair_0(60), 2)) and
-        (winnerswinner1_of_four_0_60_values(3) or winnerswinner1_of_four_0_60_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(61), 2)) and (not is_set(winnerswinner1_of_pair_0(60), 2))) or
-        winnerswinner1_of_four_0_60_values(3) or winnerswinner1_of_four_0_60_values(4));
-      for i in 3 to 6 loop
-        winnerswinner1_of_four_0_60_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(63), i);
-        winnerswinner1_of_four_0_60_values(2 * i) := is_set(winnerswinner1_of_pair_0(62), i);
-        winnerswinner1_of_four_0_60_choices(i + 1) := choice(winnerswinner1_of_four_0_60_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(61), i)) and (not is_set(winnerswinner1_of_pair_0(60), i))) or
-          winnerswinner1_of_four_0_60_values(2 * i - 1) or winnerswinner1_of_four_0_60_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(61), i)) and (not is_set(winnerswinner1_of_pair_0(60), i)) and
-          (winnerswinner1_of_four_0_60_values(2 * i - 1) or winnerswinner1_of_four_0_60_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_60_choices(8) := choice(winnerswinner1_of_four_0_60_choices(7), (not ((not
-        is_set(winnerswinner1_of_pair_0(61), 7)) and (not is_set(winnerswinner1_of_pair_0(60), 7)))) and (not
-        is_set(winnerswinner1_of_pair_0(63), 7)) and (not is_set(winnerswinner1_of_pair_0(62), 7)), (not ((not
-        is_set(winnerswinner1_of_pair_0(61), 7)) and (not is_set(winnerswinner1_of_pair_0(60), 7)))) or ((not
-        is_set(winnerswinner1_of_pair_0(63), 7)) and (not is_set(winnerswinner1_of_pair_0(62), 7))));
-      winnerswinner1_pair_index_0_0 <= winnerswinner1_of_pair_0_choice(0, 8);
+      winnerswinner1_pair_index_0_0 <= winnerswinner1_of_pair_0_choice_8(0);
       winnerswinner1_pair_tag <= sums_tag;
       winnerswinner1_four_tag <= winnerswinner1_pair_tag;
       for i in 0 to 15 loop
@@ -3142,257 +2298,74 @@ begin
       end loop;
       winnerswinner1_best_index_0 <= winnerswinner1_four_index_0;
       winnerswinner1_tag <= winnerswinner1_four_tag;
-      winnerswinner1_of_pair_0(0) <= choice(winnerswinner1_of_pair_0_choice(0, 8), 0, sums_sum_0(0));
-      winnerswinner1_of_pair_0(1) <= choice(winnerswinner1_of_pair_0_choice(0, 8), sums_sum_0(1), 0);
+      winnerswinner1_of_pair_0(0) <= choice(winnerswinner1_of_pair_0_choice_8(0), 0, sums_sum_0(0));
+      winnerswinner1_of_pair_0(1) <= choice(winnerswinner1_of_pair_0_choice_8(0), sums_sum_0(1), 0);
       for i in 1 to 31 loop
-        winnerswinner1_of_pair_0(2 * i) <= choice(winnerswinner1_of_pair_0_choice(2 * i, 8), 0, sums_sum_0(2 * i));
-        winnerswinner1_of_pair_0(2 * i + 1) <= choice(winnerswinner1_of_pair_0_choice(2 * i, 8), sums_sum_0(2 * i + 1),
-          0);
-        winnerswinner1_pair_index_0(i) <= choice(winnerswinner1_of_pair_0_choice(2 * i, 8), 2 * i + 1, 2 * i);
+        winnerswinner1_of_pair_0(2 * i) <= choice(winnerswinner1_of_pair_0_choice_8(i), 0, sums_sum_0(2 * i));
+        winnerswinner1_of_pair_0(2 * i + 1) <= choice(winnerswinner1_of_pair_0_choice_8(i), sums_sum_0(2 * i + 1), 0);
+        winnerswinner1_pair_index_0(i) <= choice(winnerswinner1_of_pair_0_choice_8(i), 2 * i + 1, 2 * i);
       end loop;
-      winnerswinner1_of_four_0(0) <= choice(winnerswinner1_of_four_0_0_choices(8), 0, winnerswinner1_of_pair_0(0));
-      winnerswinner1_of_four_0(1) <= choice(winnerswinner1_of_four_0_0_choices(8), 0, winnerswinner1_of_pair_0(1));
-      winnerswinner1_of_four_0(2) <= choice(winnerswinner1_of_four_0_0_choices(8), winnerswinner1_of_pair_0(2), 0);
-      winnerswinner1_of_four_0(3) <= choice(winnerswinner1_of_four_0_0_choices(8), winnerswinner1_of_pair_0(3), 0);
-      winnerswinner1_four_index_0(0) <= choice(winnerswinner1_of_four_0_0_choices(8), winnerswinner1_pair_index_0(1),
+      winnerswinner1_of_four_0(0) <= choice(winnerswinner1_of_four_0_choice(0, 8), 0, winnerswinner1_of_pair_0(0));
+      winnerswinner1_of_four_0(1) <= choice(winnerswinner1_of_four_0_choice(0, 8), 0, winnerswinner1_of_pair_0(1));
+      winnerswinner1_of_four_0(2) <= choice(winnerswinner1_of_four_0_choice(0, 8), winnerswinner1_of_pair_0(2), 0);
+      winnerswinner1_of_four_0(3) <= choice(winnerswinner1_of_four_0_choice(0, 8), winnerswinner1_of_pair_0(3), 0);
+      winnerswinner1_four_index_0(0) <= choice(winnerswinner1_of_four_0_choice(0, 8), winnerswinner1_pair_index_0(1),
         as_number(winnerswinner1_pair_index_0_0));
-      winnerswinner1_of_four_0(4) <= choice(winnerswinner1_of_four_0_4_choices(8), 0, winnerswinner1_of_pair_0(4));
-      winnerswinner1_of_four_0(5) <= choice(winnerswinner1_of_four_0_4_choices(8), 0, winnerswinner1_of_pair_0(5));
-      winnerswinner1_of_four_0(6) <= choice(winnerswinner1_of_four_0_4_choices(8), winnerswinner1_of_pair_0(6), 0);
-      winnerswinner1_of_four_0(7) <= choice(winnerswinner1_of_four_0_4_choices(8), winnerswinner1_of_pair_0(7), 0);
-      winnerswinner1_four_index_0(1) <= choice(winnerswinner1_of_four_0_4_choices(8), winnerswinner1_pair_index_0(3),
-        winnerswinner1_pair_index_0(2));
-      winnerswinner1_of_four_0(8) <= choice(winnerswinner1_of_four_0_8_choices(8), 0, winnerswinner1_of_pair_0(8));
-      winnerswinner1_of_four_0(9) <= choice(winnerswinner1_of_four_0_8_choices(8), 0, winnerswinner1_of_pair_0(9));
-      winnerswinner1_of_four_0(10) <= choice(winnerswinner1_of_four_0_8_choices(8), winnerswinner1_of_pair_0(10), 0);
-      winnerswinner1_of_four_0(11) <= choice(winnerswinner1_of_four_0_8_choices(8), winnerswinner1_of_pair_0(11), 0);
-      winnerswinner1_four_index_0(2) <= choice(winnerswinner1_of_four_0_8_choices(8), winnerswinner1_pair_index_0(5),
-        winnerswinner1_pair_index_0(4));
-      winnerswinner1_of_four_0(12) <= choice(winnerswinner1_of_four_0_12_choices(8), 0, winnerswinner1_of_pair_0(12));
-      winnerswinner1_of_four_0(13) <= choice(winnerswinner1_of_four_0_12_choices(8), 0, winnerswinner1_of_pair_0(13));
-      winnerswinner1_of_four_0(14) <= choice(winnerswinner1_of_four_0_12_choices(8), winnerswinner1_of_pair_0(14), 0);
-      winnerswinner1_of_four_0(15) <= choice(winnerswinner1_of_four_0_12_choices(8), winnerswinner1_of_pair_0(15), 0);
-      winnerswinner1_four_index_0(3) <= choice(winnerswinner1_of_four_0_12_choices(8), winnerswinner1_pair_index_0(7),
-        winnerswinner1_pair_index_0(6));
-      winnerswinner1_of_four_0(16) <= choice(winnerswinner1_of_four_0_16_choices(8), 0, winnerswinner1_of_pair_0(16));
-      winnerswinner1_of_four_0(17) <= choice(winnerswinner1_of_four_0_16_choices(8), 0, winnerswinner1_of_pair_0(17));
-      winnerswinner1_of_four_0(18) <= choice(winnerswinner1_of_four_0_16_choices(8), winnerswinner1_of_pair_0(18), 0);
-      winnerswinner1_of_four_0(19) <= choice(winnerswinner1_of_four_0_16_choices(8), winnerswinner1_of_pair_0(19), 0);
-      winnerswinner1_four_index_0(4) <= choice(winnerswinner1_of_four_0_16_choices(8), winnerswinner1_pair_index_0(9),
-        winnerswinner1_pair_index_0(8));
-      winnerswinner1_of_four_0(20) <= choice(winnerswinner1_of_four_0_20_choices(8), 0, winnerswinner1_of_pair_0(20));
-      winnerswinner1_of_four_0(21) <= choice(winnerswinner1_of_four_0_20_choices(8), 0, winnerswinner1_of_pair_0(21));
-      winnerswinner1_of_four_0(22) <= choice(winnerswinner1_of_four_0_20_choices(8), winnerswinner1_of_pair_0(22), 0);
-      winnerswinner1_of_four_0(23) <= choice(winnerswinner1_of_four_0_20_choices(8), winnerswinner1_of_pair_0(23), 0);
-      winnerswinner1_four_index_0(5) <= choice(winnerswinner1_of_four_0_20_choices(8), winnerswinner1_pair_index_0(11),
-        winnerswinner1_pair_index_0(10));
-      winnerswinner1_of_four_0(24) <= choice(winnerswinner1_of_four_0_24_choices(8), 0, winnerswinner1_of_pair_0(24));
-      winnerswinner1_of_four_0(25) <= choice(winnerswinner1_of_four_0_24_choices(8), 0, winnerswinner1_of_pair_0(25));
-      winnerswinner1_of_four_0(26) <= choice(winnerswinner1_of_four_0_24_choices(8), winnerswinner1_of_pair_0(26), 0);
-      winnerswinner1_of_four_0(27) <= choice(winnerswinner1_of_four_0_24_choices(8), winnerswinner1_of_pair_0(27), 0);
-      winnerswinner1_four_index_0(6) <= choice(winnerswinner1_of_four_0_24_choices(8), winnerswinner1_pair_index_0(13),
-        winnerswinner1_pair_index_0(12));
-      winnerswinner1_of_four_0(28) <= choice(winnerswinner1_of_four_0_28_choices(8), 0, winnerswinner1_of_pair_0(28));
-      winnerswinner1_of_four_0(29) <= choice(winnerswinner1_of_four_0_28_choices(8), 0, winnerswinner1_of_pair_0(29));
-      winnerswinner1_of_four_0(30) <= choice(winnerswinner1_of_four_0_28_choices(8), winnerswinner1_of_pair_0(30), 0);
-      winnerswinner1_of_four_0(31) <= choice(winnerswinner1_of_four_0_28_choices(8), winnerswinner1_of_pair_0(31), 0);
-      winnerswinner1_four_index_0(7) <= choice(winnerswinner1_of_four_0_28_choices(8), winnerswinner1_pair_index_0(15),
-        winnerswinner1_pair_index_0(14));
-      winnerswinner1_of_four_0(32) <= choice(winnerswinner1_of_four_0_32_choices(8), 0, winnerswinner1_of_pair_0(32));
-      winnerswinner1_of_four_0(33) <= choice(winnerswinner1_of_four_0_32_choices(8), 0, winnerswinner1_of_pair_0(33));
-      winnerswinner1_of_four_0(34) <= choice(winnerswinner1_of_four_0_32_choices(8), winnerswinner1_of_pair_0(34), 0);
-      winnerswinner1_of_four_0(35) <= choice(winnerswinner1_of_four_0_32_choices(8), winnerswinner1_of_pair_0(35), 0);
-      winnerswinner1_four_index_0(8) <= choice(winnerswinner1_of_four_0_32_choices(8), winnerswinner1_pair_index_0(17),
-        winnerswinner1_pair_index_0(16));
-      winnerswinner1_of_four_0(36) <= choice(winnerswinner1_of_four_0_36_choices(8), 0, winnerswinner1_of_pair_0(36));
-      winnerswinner1_of_four_0(37) <= choice(winnerswinner1_of_four_0_36_choices(8), 0, winnerswinner1_of_pair_0(37));
-      winnerswinner1_of_four_0(38) <= choice(winnerswinner1_of_four_0_36_choices(8), winnerswinner1_of_pair_0(38), 0);
-      winnerswinner1_of_four_0(39) <= choice(winnerswinner1_of_four_0_36_choices(8), winnerswinner1_of_pair_0(39), 0);
-      winnerswinner1_four_index_0(9) <= choice(winnerswinner1_of_four_0_36_choices(8), winnerswinner1_pair_index_0(19),
-        winnerswinner1_pair_index_0(18));
-      winnerswinner1_of_four_0(40) <= choice(winnerswinner1_of_four_0_40_choices(8), 0, winnerswinner1_of_pair_0(40));
-      winnerswinner1_of_four_0(41) <= choice(winnerswinner1_of_four_0_40_choices(8), 0, winnerswinner1_of_pair_0(41));
-      winnerswinner1_of_four_0(42) <= choice(winnerswinner1_of_four_0_40_choices(8), winnerswinner1_of_pair_0(42), 0);
-      winnerswinner1_of_four_0(43) <= choice(winnerswinner1_of_four_0_40_choices(8), winnerswinner1_of_pair_0(43), 0);
-      winnerswinner1_four_index_0(10) <= choice(winnerswinner1_of_four_0_40_choices(8),
-        winnerswinner1_pair_index_0(21), winnerswinner1_pair_index_0(20));
-      winnerswinner1_of_four_0(44) <= choice(winnerswinner1_of_four_0_44_choices(8), 0, winnerswinner1_of_pair_0(44));
-      winnerswinner1_of_four_0(45) <= choice(winnerswinner1_of_four_0_44_choices(8), 0, winnerswinner1_of_pair_0(45));
-      winnerswinner1_of_four_0(46) <= choice(winnerswinner1_of_four_0_44_choices(8), winnerswinner1_of_pair_0(46), 0);
-      winnerswinner1_of_four_0(47) <= choice(winnerswinner1_of_four_0_44_choices(8), winnerswinner1_of_pair_0(47), 0);
-      winnerswinner1_four_index_0(11) <= choice(winnerswinner1_of_four_0_44_choices(8),
-        winnerswinner1_pair_index_0(23), winnerswinner1_pair_index_0(22));
-      winnerswinner1_of_four_0(48) <= choice(winnerswinner1_of_four_0_48_choices(8), 0, winnerswinner1_of_pair_0(48));
-      winnerswinner1_of_four_0(49) <= choice(winnerswinner1_of_four_0_48_choices(8), 0, winnerswinner1_of_pair_0(49));
-      winnerswinner1_of_four_0(50) <= choice(winnerswinner1_of_four_0_48_choices(8), winnerswinner1_of_pair_0(50), 0);
-      winnerswinner1_of_four_0(51) <= choice(winnerswinner1_of_four_0_48_choices(8), winnerswinner1_of_pair_0(51), 0);
-      winnerswinner1_four_index_0(12) <= choice(winnerswinner1_of_four_0_48_choices(8),
-        winnerswinner1_pair_index_0(25), winnerswinner1_pair_index_0(24));
-      winnerswinner1_of_four_0(52) <= choice(winnerswinner1_of_four_0_52_choices(8), 0, winnerswinner1_of_pair_0(52));
-      winnerswinner1_of_four_0(53) <= choice(winnerswinner1_of_four_0_52_choices(8), 0, winnerswinner1_of_pair_0(53));
-      winnerswinner1_of_four_0(54) <= choice(winnerswinner1_of_four_0_52_choices(8), winnerswinner1_of_pair_0(54), 0);
-      winnerswinner1_of_four_0(55) <= choice(winnerswinner1_of_four_0_52_choices(8), winnerswinner1_of_pair_0(55), 0);
-      winnerswinner1_four_index_0(13) <= choice(winnerswinner1_of_four_0_52_choices(8),
-        winnerswinner1_pair_index_0(27), winnerswinner1_pair_index_0(26));
-      winnerswinner1_of_four_0(56) <= choice(winnerswinner1_of_four_0_56_choices(8), 0, winnerswinner1_of_pair_0(56));
-      winnerswinner1_of_four_0(57) <= choice(winnerswinner1_of_four_0_56_choices(8), 0, winnerswinner1_of_pair_0(57));
-      winnerswinner1_of_four_0(58) <= choice(winnerswinner1_of_four_0_56_choices(8), winnerswinner1_of_pair_0(58), 0);
-      winnerswinner1_of_four_0(59) <= choice(winnerswinner1_of_four_0_56_choices(8), winnerswinner1_of_pair_0(59), 0);
-      winnerswinner1_four_index_0(14) <= choice(winnerswinner1_of_four_0_56_choices(8),
-        winnerswinner1_pair_index_0(29), winnerswinner1_pair_index_0(28));
-      winnerswinner1_of_four_0(60) <= choice(winnerswinner1_of_four_0_60_choices(8), 0, winnerswinner1_of_pair_0(60));
-      winnerswinner1_of_four_0(61) <= choice(winnerswinner1_of_four_0_60_choices(8), 0, winnerswinner1_of_pair_0(61));
-      winnerswinner1_of_four_0(62) <= choice(winnerswinner1_of_four_0_60_choices(8), winnerswinner1_of_pair_0(62), 0);
-      winnerswinner1_of_four_0(63) <= choice(winnerswinner1_of_four_0_60_choices(8), winnerswinner1_of_pair_0(63), 0);
-      winnerswinner1_four_index_0(15) <= choice(winnerswinner1_of_four_0_60_choices(8),
-        winnerswinner1_pair_index_0(31), winnerswinner1_pair_index_0(30));
+      for i in 1 to 15 loop
+        winnerswinner1_of_four_0(4 * i) <= choice(winnerswinner1_of_four_0_choice(i, 8), 0, winnerswinner1_of_pair_0(4
+          * i));
+        winnerswinner1_of_four_0(4 * i + 1) <= choice(winnerswinner1_of_four_0_choice(i, 8), 0,
+          winnerswinner1_of_pair_0(4 * i + 1));
+        winnerswinner1_of_four_0(4 * i + 2) <= choice(winnerswinner1_of_four_0_choice(i, 8), winnerswinner1_of_pair_0(4
+          * i + 2), 0);
+        winnerswinner1_of_four_0(4 * i + 3) <= choice(winnerswinner1_of_four_0_choice(i, 8), winnerswinner1_of_pair_0(4
+          * i + 3), 0);
+        winnerswinner1_four_index_0(i) <= choice(winnerswinner1_of_four_0_choice(i, 8), winnerswinner1_pair_index_0(2 *
+          i + 1), winnerswinner1_pair_index_0(2 * i));
+      end loop;
       -- winnerswinner2
       for i in 0 to 7 loop
-        winnerswinner2_of_pair_0_choice(2 * i, 1) := choice(is_set(winnerswinner1_best_cost_0(2 * i), 0), (not
-          is_set(winnerswinner1_best_cost_0(2 * i + 1), 1)) or (not is_set(winnerswinner1_best_cost_0(2 * i + 1), 0)),
-          not is_set(winnerswinner1_best_cost_0(2 * i + 1), 1));
-        winnerswinner2_of_pair_0_choice(2 * i, 2) := choice(is_set(winnerswinner1_best_cost_0(2 * i), 1),
-          winnerswinner2_of_pair_0_choice(2 * i, 1), is_set(winnerswinner1_best_cost_0(2 * i), 0) and
-          ((winnerswinner1_best_cost_0(2 * i + 1) mod 4) = 0));
-        winnerswinner2_of_pair_0_value(2 * i, 1) := is_set(winnerswinner1_best_cost_0(2 * i + 1), 2);
-        winnerswinner2_of_pair_0_choice(2 * i, 3) := inverted_carry(winnerswinner2_of_pair_0_choice(2 * i, 2), not
-          is_set(winnerswinner1_best_cost_0(2 * i), 2), winnerswinner2_of_pair_0_value(2 * i, 1));
-        for j in 2 to 5 loop
-          winnerswinner2_of_pair_0_value(2 * i, j) := is_set(winnerswinner1_best_cost_0(2 * i + 1), j + 1);
-          winnerswinner2_of_pair_0_choice(2 * i, j + 2) := carry(winnerswinner2_of_pair_0_choice(2 * i, j + 1), not
-            is_set(winnerswinner1_best_cost_0(2 * i), j + 1), winnerswinner2_of_pair_0_value(2 * i, j));
+        for j in 1 to 5 loop
+          winnerswinner2_of_pair_0_value(i, j) := is_set(winnerswinner1_best_cost_0(2 * i + 1), j + 1);
         end loop;
-        winnerswinner2_of_pair_0_choice(2 * i, 8) := inverted_carry(winnerswinner2_of_pair_0_choice(2 * i, 7),
-          is_set(winnerswinner1_best_cost_0(2 * i), 7), not is_set(winnerswinner1_best_cost_0(2 * i + 1), 7));
+        winnerswinner2_of_pair_0_choice_8(i) := is_larger(winnerswinner1_best_cost_0(2 * i),
+          winnerswinner1_best_cost_0(2 * i + 1), 0, 7, false);
       end loop;
-      winnerswinner2_of_four_0_0_choices(1) := choice(is_set(winnerswinner2_of_pair_0(1), 0), (not
-        is_set(winnerswinner2_of_pair_0(3), 0)) and (not is_set(winnerswinner2_of_pair_0(2), 0)),
-        is_set(winnerswinner2_of_pair_0(0), 0) and (not is_set(winnerswinner2_of_pair_0(3), 0)) and (not
-        is_set(winnerswinner2_of_pair_0(2), 0)));
-      winnerswinner2_of_four_0_0_values(1) := is_set(winnerswinner2_of_pair_0(1), 1);
-      winnerswinner2_of_four_0_0_values(2) := is_set(winnerswinner2_of_pair_0(0), 1);
-      winnerswinner2_of_four_0_0_choices(2) := choice((not is_set(winnerswinner2_of_pair_0(3), 1)) and (not
-        is_set(winnerswinner2_of_pair_0(2), 1)), winnerswinner2_of_four_0_0_choices(1) or
-        winnerswinner2_of_four_0_0_values(1) or winnerswinner2_of_four_0_0_values(2),
-        winnerswinner2_of_four_0_0_choices(1) and (winnerswinner2_of_four_0_0_values(1) or
-        winnerswinner2_of_four_0_0_values(2)));
-      winnerswinner2_of_four_0_0_values(3) := is_set(winnerswinner2_of_pair_0(3), 2);
-      winnerswinner2_of_four_0_0_values(4) := is_set(winnerswinner2_of_pair_0(2), 2);
-      winnerswinner2_of_four_0_0_choices(3) := choice(winnerswinner2_of_four_0_0_choices(2), (not
-        is_set(winnerswinner2_of_pair_0(1), 2)) and (not is_set(winnerswinner2_of_pair_0(0), 2)) and
-        (winnerswinner2_of_four_0_0_values(3) or winnerswinner2_of_four_0_0_values(4)), ((not
-        is_set(winnerswinner2_of_pair_0(1), 2)) and (not is_set(winnerswinner2_of_pair_0(0), 2))) or
-        winnerswinner2_of_four_0_0_values(3) or winnerswinner2_of_four_0_0_values(4));
-      for i in 3 to 6 loop
-        winnerswinner2_of_four_0_0_values(2 * i - 1) := is_set(winnerswinner2_of_pair_0(3), i);
-        winnerswinner2_of_four_0_0_values(2 * i) := is_set(winnerswinner2_of_pair_0(2), i);
-        winnerswinner2_of_four_0_0_choices(i + 1) := choice(winnerswinner2_of_four_0_0_choices(i), ((not
-          is_set(winnerswinner2_of_pair_0(1), i)) and (not is_set(winnerswinner2_of_pair_0(0), i))) or
-          winnerswinner2_of_four_0_0_values(2 * i - 1) or winnerswinner2_of_four_0_0_values(2 * i), (not
-          is_set(winnerswinner2_of_pair_0(1), i)) and (not is_set(winnerswinner2_of_pair_0(0), i)) and
-          (winnerswinner2_of_four_0_0_values(2 * i - 1) or winnerswinner2_of_four_0_0_values(2 * i)));
+      for i in 0 to 3 loop
+        winnerswinner2_of_four_0_choice(i, 1) := choice(is_set(winnerswinner2_of_pair_0(4 * i + 1), 0), (not
+          is_set(winnerswinner2_of_pair_0(4 * i + 3), 0)) and (not is_set(winnerswinner2_of_pair_0(4 * i + 2), 0)),
+          is_set(winnerswinner2_of_pair_0(4 * i), 0) and (not is_set(winnerswinner2_of_pair_0(4 * i + 3), 0)) and (not
+          is_set(winnerswinner2_of_pair_0(4 * i + 2), 0)));
+        winnerswinner2_of_four_0_value(i, 1) := is_set(winnerswinner2_of_pair_0(4 * i + 1), 1);
+        winnerswinner2_of_four_0_value(i, 2) := is_set(winnerswinner2_of_pair_0(4 * i), 1);
+        winnerswinner2_of_four_0_choice(i, 2) := choice((not is_set(winnerswinner2_of_pair_0(4 * i + 3), 1)) and (not
+          is_set(winnerswinner2_of_pair_0(4 * i + 2), 1)), winnerswinner2_of_four_0_choice(i, 1) or
+          winnerswinner2_of_four_0_value(i, 1) or winnerswinner2_of_four_0_value(i, 2),
+          winnerswinner2_of_four_0_choice(i, 1) and (winnerswinner2_of_four_0_value(i, 1) or
+          winnerswinner2_of_four_0_value(i, 2)));
+        winnerswinner2_of_four_0_value(i, 3) := is_set(winnerswinner2_of_pair_0(4 * i + 3), 2);
+        winnerswinner2_of_four_0_value(i, 4) := is_set(winnerswinner2_of_pair_0(4 * i + 2), 2);
+        winnerswinner2_of_four_0_choice(i, 3) := choice(winnerswinner2_of_four_0_choice(i, 2), (not
+          is_set(winnerswinner2_of_pair_0(4 * i + 1), 2)) and (not is_set(winnerswinner2_of_pair_0(4 * i), 2)) and
+          (winnerswinner2_of_four_0_value(i, 3) or winnerswinner2_of_four_0_value(i, 4)), ((not
+          is_set(winnerswinner2_of_pair_0(4 * i + 1), 2)) and (not is_set(winnerswinner2_of_pair_0(4 * i), 2))) or
+          winnerswinner2_of_four_0_value(i, 3) or winnerswinner2_of_four_0_value(i, 4));
+        for j in 3 to 6 loop
+          winnerswinner2_of_four_0_value(i, 2 * j - 1) := is_set(winnerswinner2_of_pair_0(4 * i + 3), j);
+          winnerswinner2_of_four_0_value(i, 2 * j) := is_set(winnerswinner2_of_pair_0(4 * i + 2), j);
+          winnerswinner2_of_four_0_choice(i, j + 1) := choice(winnerswinner2_of_four_0_choice(i, j), ((not
+            is_set(winnerswinner2_of_pair_0(4 * i + 1), j)) and (not is_set(winnerswinner2_of_pair_0(4 * i), j))) or
+            winnerswinner2_of_four_0_value(i, 2 * j - 1) or winnerswinner2_of_four_0_value(i, 2 * j), (not
+            is_set(winnerswinner2_of_pair_0(4 * i + 1), j)) and (not is_set(winnerswinner2_of_pair_0(4 * i), j)) and
+            (winnerswinner2_of_four_0_value(i, 2 * j - 1) or winnerswinner2_of_four_0_value(i, 2 * j)));
+        end loop;
+        winnerswinner2_of_four_0_choice(i, 8) := choice(winnerswinner2_of_four_0_choice(i, 7), (not ((not
+          is_set(winnerswinner2_of_pair_0(4 * i + 1), 7)) and (not is_set(winnerswinner2_of_pair_0(4 * i), 7)))) and
+          (not is_set(winnerswinner2_of_pair_0(4 * i + 3), 7)) and (not is_set(winnerswinner2_of_pair_0(4 * i + 2),
+          7)), (not ((not is_set(winnerswinner2_of_pair_0(4 * i + 1), 7)) and (not is_set(winnerswinner2_of_pair_0(4 *
+          i), 7)))) or ((not is_set(winnerswinner2_of_pair_0(4 * i + 3), 7)) and (not is_set(winnerswinner2_of_pair_0(4
+          * i + 2), 7))));
       end loop;
-      winnerswinner2_of_four_0_0_choices(8) := choice(winnerswinner2_of_four_0_0_choices(7), (not ((not
-        is_set(winnerswinner2_of_pair_0(1), 7)) and (not is_set(winnerswinner2_of_pair_0(0), 7)))) and (not
-        is_set(winnerswinner2_of_pair_0(3), 7)) and (not is_set(winnerswinner2_of_pair_0(2), 7)), (not ((not
-        is_set(winnerswinner2_of_pair_0(1), 7)) and (not is_set(winnerswinner2_of_pair_0(0), 7)))) or ((not
-        is_set(winnerswinner2_of_pair_0(3), 7)) and (not is_set(winnerswinner2_of_pair_0(2), 7))));
-      winnerswinner2_of_four_0_4_choices(1) := choice(is_set(winnerswinner2_of_pair_0(5), 0), (not
-        is_set(winnerswinner2_of_pair_0(7), 0)) and (not is_set(winnerswinner2_of_pair_0(6), 0)),
-        is_set(winnerswinner2_of_pair_0(4), 0) and (not is_set(winnerswinner2_of_pair_0(7), 0)) and (not
-        is_set(winnerswinner2_of_pair_0(6), 0)));
-      winnerswinner2_of_four_0_4_values(1) := is_set(winnerswinner2_of_pair_0(5), 1);
-      winnerswinner2_of_four_0_4_values(2) := is_set(winnerswinner2_of_pair_0(4), 1);
-      winnerswinner2_of_four_0_4_choices(2) := choice((not is_set(winnerswinner2_of_pair_0(7), 1)) and (not
-        is_set(winnerswinner2_of_pair_0(6), 1)), winnerswinner2_of_four_0_4_choices(1) or
-        winnerswinner2_of_four_0_4_values(1) or winnerswinner2_of_four_0_4_values(2),
-        winnerswinner2_of_four_0_4_choices(1) and (winnerswinner2_of_four_0_4_values(1) or
-        winnerswinner2_of_four_0_4_values(2)));
-      winnerswinner2_of_four_0_4_values(3) := is_set(winnerswinner2_of_pair_0(7), 2);
-      winnerswinner2_of_four_0_4_values(4) := is_set(winnerswinner2_of_pair_0(6), 2);
-      winnerswinner2_of_four_0_4_choices(3) := choice(winnerswinner2_of_four_0_4_choices(2), (not
-        is_set(winnerswinner2_of_pair_0(5), 2)) and (not is_set(winnerswinner2_of_pair_0(4), 2)) and
-        (winnerswinner2_of_four_0_4_values(3) or winnerswinner2_of_four_0_4_values(4)), ((not
-        is_set(winnerswinner2_of_pair_0(5), 2)) and (not is_set(winnerswinner2_of_pair_0(4), 2))) or
-        winnerswinner2_of_four_0_4_values(3) or winnerswinner2_of_four_0_4_values(4));
-      for i in 3 to 6 loop
-        winnerswinner2_of_four_0_4_values(2 * i - 1) := is_set(winnerswinner2_of_pair_0(7), i);
-        winnerswinner2_of_four_0_4_values(2 * i) := is_set(winnerswinner2_of_pair_0(6), i);
-        winnerswinner2_of_four_0_4_choices(i + 1) := choice(winnerswinner2_of_four_0_4_choices(i), ((not
-          is_set(winnerswinner2_of_pair_0(5), i)) and (not is_set(winnerswinner2_of_pair_0(4), i))) or
-          winnerswinner2_of_four_0_4_values(2 * i - 1) or winnerswinner2_of_four_0_4_values(2 * i), (not
-          is_set(winnerswinner2_of_pair_0(5), i)) and (not is_set(winnerswinner2_of_pair_0(4), i)) and
-          (winnerswinner2_of_four_0_4_values(2 * i - 1) or winnerswinner2_of_four_0_4_values(2 * i)));
-      end loop;
-      winnerswinner2_of_four_0_4_choices(8) := choice(winnerswinner2_of_four_0_4_choices(7), (not ((not
-        is_set(winnerswinner2_of_pair_0(5), 7)) and (not is_set(winnerswinner2_of_pair_0(4), 7)))) and (not
-        is_set(winnerswinner2_of_pair_0(7), 7)) and (not is_set(winnerswinner2_of_pair_0(6), 7)), (not ((not
-        is_set(winnerswinner2_of_pair_0(5), 7)) and (not is_set(winnerswinner2_of_pair_0(4), 7)))) or ((not
-        is_set(winnerswinner2_of_pair_0(7), 7)) and (not is_set(winnerswinner2_of_pair_0(6), 7))));
-      winnerswinner2_of_four_0_8_choices(1) := choice(is_set(winnerswinner2_of_pair_0(9), 0), (not
-        is_set(winnerswinner2_of_pair_0(11), 0)) and (not is_set(winnerswinner2_of_pair_0(10), 0)),
-        is_set(winnerswinner2_of_pair_0(8), 0) and (not is_set(winnerswinner2_of_pair_0(11), 0)) and (not
-        is_set(winnerswinner2_of_pair_0(10), 0)));
-      winnerswinner2_of_four_0_8_values(1) := is_set(winnerswinner2_of_pair_0(9), 1);
-      winnerswinner2_of_four_0_8_values(2) := is_set(winnerswinner2_of_pair_0(8), 1);
-      winnerswinner2_of_four_0_8_choices(2) := choice((not is_set(winnerswinner2_of_pair_0(11), 1)) and (not
-        is_set(winnerswinner2_of_pair_0(10), 1)), winnerswinner2_of_four_0_8_choices(1) or
-        winnerswinner2_of_four_0_8_values(1) or winnerswinner2_of_four_0_8_values(2),
-        winnerswinner2_of_four_0_8_choices(1) and (winnerswinner2_of_four_0_8_values(1) or
-        winnerswinner2_of_four_0_8_values(2)));
-      winnerswinner2_of_four_0_8_values(3) := is_set(winnerswinner2_of_pair_0(11), 2);
-      winnerswinner2_of_four_0_8_values(4) := is_set(winnerswinner2_of_pair_0(10), 2);
-      winnerswinner2_of_four_0_8_choices(3) := choice(winnerswinner2_of_four_0_8_choices(2), (not
-        is_set(winnerswinner2_of_pair_0(9), 2)) and (not is_set(winnerswinner2_of_pair_0(8), 2)) and
-        (winnerswinner2_of_four_0_8_values(3) or winnerswinner2_of_four_0_8_values(4)), ((not
-        is_set(winnerswinner2_of_pair_0(9), 2)) and (not is_set(winnerswinner2_of_pair_0(8), 2))) or
-        winnerswinner2_of_four_0_8_values(3) or winnerswinner2_of_four_0_8_values(4));
-      for i in 3 to 6 loop
-        winnerswinner2_of_four_0_8_values(2 * i - 1) := is_set(winnerswinner2_of_pair_0(11), i);
-        winnerswinner2_of_four_0_8_values(2 * i) := is_set(winnerswinner2_of_pair_0(10), i);
-        winnerswinner2_of_four_0_8_choices(i + 1) := choice(winnerswinner2_of_four_0_8_choices(i), ((not
-          is_set(winnerswinner2_of_pair_0(9), i)) and (not is_set(winnerswinner2_of_pair_0(8), i))) or
-          winnerswinner2_of_four_0_8_values(2 * i - 1) or winnerswinner2_of_four_0_8_values(2 * i), (not
-          is_set(winnerswinner2_of_pair_0(9), i)) and (not is_set(winnerswinner2_of_pair_0(8), i)) and
-          (winnerswinner2_of_four_0_8_values(2 * i - 1) or winnerswinner2_of_four_0_8_values(2 * i)));
-      end loop;
-      winnerswinner2_of_four_0_8_choices(8) := choice(winnerswinner2_of_four_0_8_choices(7), (not ((not
-        is_set(winnerswinner2_of_pair_0(9), 7)) and (not is_set(winnerswinner2_of_pair_0(8), 7)))) and (not
-        is_set(winnerswinner2_of_pair_0(11), 7)) and (not is_set(winnerswinner2_of_pair_0(10), 7)), (not ((not
-        is_set(winnerswinner2_of_pair_0(9), 7)) and (not is_set(winnerswinner2_of_pair_0(8), 7)))) or ((not
-        is_set(winnerswinner2_of_pair_0(11), 7)) and (not is_set(winnerswinner2_of_pair_0(10), 7))));
-      winnerswinner2_of_four_0_12_choices(1) := choice(is_set(winnerswinner2_of_pair_0(13), 0), (not
-        is_set(winnerswinner2_of_pair_0(15), 0)) and (not is_set(winnerswinner2_of_pair_0(14), 0)),
-        is_set(winnerswinner2_of_pair_0(12), 0) and (not is_set(winnerswinner2_of_pair_0(15), 0)) and (not
-        is_set(winnerswinner2_of_pair_0(14), 0)));
-      winnerswinner2_of_four_0_12_values(1) := is_set(winnerswinner2_of_pair_0(13), 1);
-      winnerswinner2_of_four_0_12_values(2) := is_set(winnerswinner2_of_pair_0(12), 1);
-      winnerswinner2_of_four_0_12_choices(2) := choice((not is_set(winnerswinner2_of_pair_0(15), 1)) and (not
-        is_set(winnerswinner2_of_pair_0(14), 1)), winnerswinner2_of_four_0_12_choices(1) or
-        winnerswinner2_of_four_0_12_values(1) or winnerswinner2_of_four_0_12_values(2),
-        winnerswinner2_of_four_0_12_choices(1) and (winnerswinner2_of_four_0_12_values(1) or
-        winnerswinner2_of_four_0_12_values(2)));
-      winnerswinner2_of_four_0_12_values(3) := is_set(winnerswinner2_of_pair_0(15), 2);
-      winnerswinner2_of_four_0_12_values(4) := is_set(winnerswinner2_of_pair_0(14), 2);
-      winnerswinner2_of_four_0_12_choices(3) := choice(winnerswinner2_of_four_0_12_choices(2), (not
-        is_set(winnerswinner2_of_pair_0(13), 2)) and (not is_set(winnerswinner2_of_pair_0(12), 2)) and
-        (winnerswinner2_of_four_0_12_values(3) or winnerswinner2_of_four_0_12_values(4)), ((not
-        is_set(winnerswinner2_of_pair_0(13), 2)) and (not is_set(winnerswinner2_of_pair_0(12), 2))) or
-        winnerswinner2_of_four_0_12_values(3) or winnerswinner2_of_four_0_12_values(4));
-      for i in 3 to 6 loop
-        winnerswinner2_of_four_0_12_values(2 * i - 1) := is_set(winnerswinner2_of_pair_0(15), i);
-        winnerswinner2_of_four_0_12_values(2 * i) := is_set(winnerswinner2_of_pair_0(14), i);
-        winnerswinner2_of_four_0_12_choices(i + 1) := choice(winnerswinner2_of_four_0_12_choices(i), ((not
-          is_set(winnerswinner2_of_pair_0(13), i)) and (not is_set(winnerswinner2_of_pair_0(12), i))) or
-          winnerswinner2_of_four_0_12_values(2 * i - 1) or winnerswinner2_of_four_0_12_values(2 * i), (not
-          is_set(winnerswinner2_of_pair_0(13), i)) and (not is_set(winnerswinner2_of_pair_0(12), i)) and
-          (winnerswinner2_of_four_0_12_values(2 * i - 1) or winnerswinner2_of_four_0_12_values(2 * i)));
-      end loop;
-      winnerswinner2_of_four_0_12_choices(8) := choice(winnerswinner2_of_four_0_12_choices(7), (not ((not
-        is_set(winnerswinner2_of_pair_0(13), 7)) and (not is_set(winnerswinner2_of_pair_0(12), 7)))) and (not
-        is_set(winnerswinner2_of_pair_0(15), 7)) and (not is_set(winnerswinner2_of_pair_0(14), 7)), (not ((not
-        is_set(winnerswinner2_of_pair_0(13), 7)) and (not is_set(winnerswinner2_of_pair_0(12), 7)))) or ((not
-        is_set(winnerswinner2_of_pair_0(15), 7)) and (not is_set(winnerswinner2_of_pair_0(14), 7))));
       winnerswinner2_pair_tag <= winnerswinner1_tag;
       winnerswinner2_four_tag <= winnerswinner2_pair_tag;
       for i in 0 to 3 loop
@@ -3403,55 +2376,32 @@ begin
       winnerswinner2_best_index_0 <= winnerswinner2_four_index_0;
       winnerswinner2_tag <= winnerswinner2_four_tag;
       for i in 0 to 7 loop
-        winnerswinner2_of_pair_0(2 * i) <= choice(winnerswinner2_of_pair_0_choice(2 * i, 8), 0,
-          winnerswinner1_best_cost_0(2 * i));
-        winnerswinner2_of_pair_0(2 * i + 1) <= choice(winnerswinner2_of_pair_0_choice(2 * i, 8),
+        winnerswinner2_of_pair_0(2 * i) <= choice(winnerswinner2_of_pair_0_choice_8(i), 0, winnerswinner1_best_cost_0(2
+          * i));
+        winnerswinner2_of_pair_0(2 * i + 1) <= choice(winnerswinner2_of_pair_0_choice_8(i),
           winnerswinner1_best_cost_0(2 * i + 1), 0);
-        winnerswinner2_pair_index_0(i) <= choice(winnerswinner2_of_pair_0_choice(2 * i, 8),
-          winnerswinner1_best_index_0(2 * i + 1), winnerswinner1_best_index_0(2 * i));
+        winnerswinner2_pair_index_0(i) <= choice(winnerswinner2_of_pair_0_choice_8(i), winnerswinner1_best_index_0(2 *
+          i + 1), winnerswinner1_best_index_0(2 * i));
       end loop;
-      winnerswinner2_of_four_0(0) <= choice(winnerswinner2_of_four_0_0_choices(8), 0, winnerswinner2_of_pair_0(0));
-      winnerswinner2_of_four_0(1) <= choice(winnerswinner2_of_four_0_0_choices(8), 0, winnerswinner2_of_pair_0(1));
-      winnerswinner2_of_four_0(2) <= choice(winnerswinner2_of_four_0_0_choices(8), winnerswinner2_of_pair_0(2), 0);
-      winnerswinner2_of_four_0(3) <= choice(winnerswinner2_of_four_0_0_choices(8), winnerswinner2_of_pair_0(3), 0);
-      winnerswinner2_four_index_0(0) <= choice(winnerswinner2_of_four_0_0_choices(8), winnerswinner2_pair_index_0(1),
-        winnerswinner2_pair_index_0(0));
-      winnerswinner2_of_four_0(4) <= choice(winnerswinner2_of_four_0_4_choices(8), 0, winnerswinner2_of_pair_0(4));
-      winnerswinner2_of_four_0(5) <= choice(winnerswinner2_of_four_0_4_choices(8), 0, winnerswinner2_of_pair_0(5));
-      winnerswinner2_of_four_0(6) <= choice(winnerswinner2_of_four_0_4_choices(8), winnerswinner2_of_pair_0(6), 0);
-      winnerswinner2_of_four_0(7) <= choice(winnerswinner2_of_four_0_4_choices(8), winnerswinner2_of_pair_0(7), 0);
-      winnerswinner2_four_index_0(1) <= choice(winnerswinner2_of_four_0_4_choices(8), winnerswinner2_pair_index_0(3),
-        winnerswinner2_pair_index_0(2));
-      winnerswinner2_of_four_0(8) <= choice(winnerswinner2_of_four_0_8_choices(8), 0, winnerswinner2_of_pair_0(8));
-      winnerswinner2_of_four_0(9) <= choice(winnerswinner2_of_four_0_8_choices(8), 0, winnerswinner2_of_pair_0(9));
-      winnerswinner2_of_four_0(10) <= choice(winnerswinner2_of_four_0_8_choices(8), winnerswinner2_of_pair_0(10), 0);
-      winnerswinner2_of_four_0(11) <= choice(winnerswinner2_of_four_0_8_choices(8), winnerswinner2_of_pair_0(11), 0);
-      winnerswinner2_four_index_0(2) <= choice(winnerswinner2_of_four_0_8_choices(8), winnerswinner2_pair_index_0(5),
-        winnerswinner2_pair_index_0(4));
-      winnerswinner2_of_four_0(12) <= choice(winnerswinner2_of_four_0_12_choices(8), 0, winnerswinner2_of_pair_0(12));
-      winnerswinner2_of_four_0(13) <= choice(winnerswinner2_of_four_0_12_choices(8), 0, winnerswinner2_of_pair_0(13));
-      winnerswinner2_of_four_0(14) <= choice(winnerswinner2_of_four_0_12_choices(8), winnerswinner2_of_pair_0(14), 0);
-      winnerswinner2_of_four_0(15) <= choice(winnerswinner2_of_four_0_12_choices(8), winnerswinner2_of_pair_0(15), 0);
-      winnerswinner2_four_index_0(3) <= choice(winnerswinner2_of_four_0_12_choices(8), winnerswinner2_pair_index_0(7),
-        winnerswinner2_pair_index_0(6));
+      for i in 0 to 3 loop
+        winnerswinner2_of_four_0(4 * i) <= choice(winnerswinner2_of_four_0_choice(i, 8), 0, winnerswinner2_of_pair_0(4
+          * i));
+        winnerswinner2_of_four_0(4 * i + 1) <= choice(winnerswinner2_of_four_0_choice(i, 8), 0,
+          winnerswinner2_of_pair_0(4 * i + 1));
+        winnerswinner2_of_four_0(4 * i + 2) <= choice(winnerswinner2_of_four_0_choice(i, 8), winnerswinner2_of_pair_0(4
+          * i + 2), 0);
+        winnerswinner2_of_four_0(4 * i + 3) <= choice(winnerswinner2_of_four_0_choice(i, 8), winnerswinner2_of_pair_0(4
+          * i + 3), 0);
+        winnerswinner2_four_index_0(i) <= choice(winnerswinner2_of_four_0_choice(i, 8), winnerswinner2_pair_index_0(2 *
+          i + 1), winnerswinner2_pair_index_0(2 * i));
+      end loop;
       -- winnerswinner3
       for i in 0 to 1 loop
-        winnerswinner3_of_pair_0_choice(2 * i, 1) := choice(is_set(winnerswinner2_best_cost_0(2 * i), 0), (not
-          is_set(winnerswinner2_best_cost_0(2 * i + 1), 1)) or (not is_set(winnerswinner2_best_cost_0(2 * i + 1), 0)),
-          not is_set(winnerswinner2_best_cost_0(2 * i + 1), 1));
-        winnerswinner3_of_pair_0_choice(2 * i, 2) := choice(is_set(winnerswinner2_best_cost_0(2 * i), 1),
-          winnerswinner3_of_pair_0_choice(2 * i, 1), is_set(winnerswinner2_best_cost_0(2 * i), 0) and
-          ((winnerswinner2_best_cost_0(2 * i + 1) mod 4) = 0));
-        winnerswinner3_of_pair_0_value(2 * i, 1) := is_set(winnerswinner2_best_cost_0(2 * i + 1), 2);
-        winnerswinner3_of_pair_0_choice(2 * i, 3) := inverted_carry(winnerswinner3_of_pair_0_choice(2 * i, 2), not
-          is_set(winnerswinner2_best_cost_0(2 * i), 2), winnerswinner3_of_pair_0_value(2 * i, 1));
-        for j in 2 to 5 loop
+        for j in 1 to 5 loop
           winnerswinner3_of_pair_0_value(2 * i, j) := is_set(winnerswinner2_best_cost_0(2 * i + 1), j + 1);
-          winnerswinner3_of_pair_0_choice(2 * i, j + 2) := carry(winnerswinner3_of_pair_0_choice(2 * i, j + 1), not
-            is_set(winnerswinner2_best_cost_0(2 * i), j + 1), winnerswinner3_of_pair_0_value(2 * i, j));
         end loop;
-        winnerswinner3_of_pair_0_choice(2 * i, 8) := inverted_carry(winnerswinner3_of_pair_0_choice(2 * i, 7),
-          is_set(winnerswinner2_best_cost_0(2 * i), 7), not is_set(winnerswinner2_best_cost_0(2 * i + 1), 7));
+        winnerswinner3_of_pair_0_choice_8(2 * i) := is_larger(winnerswinner2_best_cost_0(2 * i),
+          winnerswinner2_best_cost_0(2 * i + 1), 0, 7, false);
       end loop;
       winnerswinner3_four_index_0_0_choices(1) := choice(is_set(winnerswinner3_of_pair_0(1), 0), (not
         is_set(winnerswinner3_of_pair_0(3), 0)) and (not is_set(winnerswinner3_of_pair_0(2), 0)),
@@ -3490,11 +2440,11 @@ begin
       winnerswinner3_best_index_0_0 <= winnerswinner3_four_index_0_0;
       winnerswinner3_tag <= winnerswinner3_four_tag;
       for i in 0 to 1 loop
-        winnerswinner3_of_pair_0(2 * i) <= choice(winnerswinner3_of_pair_0_choice(2 * i, 8), 0,
+        winnerswinner3_of_pair_0(2 * i) <= choice(winnerswinner3_of_pair_0_choice_8(2 * i), 0,
           winnerswinner2_best_cost_0(2 * i));
-        winnerswinner3_of_pair_0(2 * i + 1) <= choice(winnerswinner3_of_pair_0_choice(2 * i, 8),
+        winnerswinner3_of_pair_0(2 * i + 1) <= choice(winnerswinner3_of_pair_0_choice_8(2 * i),
           winnerswinner2_best_cost_0(2 * i + 1), 0);
-        winnerswinner3_pair_index_0(i) <= choice(winnerswinner3_of_pair_0_choice(2 * i, 8),
+        winnerswinner3_pair_index_0(i) <= choice(winnerswinner3_of_pair_0_choice_8(2 * i),
           winnerswinner2_best_index_0(2 * i + 1), winnerswinner2_best_index_0(2 * i));
       end loop;
       winnerswinner3_four_index_0_0 <= choice(winnerswinner3_four_index_0_0_choices(8), winnerswinner3_pair_index_0(1),
@@ -3644,117 +2594,35 @@ begin
       map_window_complete_choice := choice(map_window_complete_is_equal, map_sorted_behind, map_sorted_arrives or
         map_sorted_behind);
       map_of_low_0_b_below_a_values(1) := is_set(map_low_0(0), 1);
-      map_of_low_0_b_below_a_choices(1) := choice(is_set(map_low_0(0), 0), (not is_set(map_low_0(1), 1)) or (not
-        is_set(map_low_0(1), 0)), not is_set(map_low_0(1), 1));
       map_of_low_0_b_below_a_is_equal := (map_low_0(1) mod 4) = 0;
-      map_of_low_0_b_below_a_choices(2) := choice(map_of_low_0_b_below_a_values(1), map_of_low_0_b_below_a_choices(1),
-        is_set(map_low_0(0), 0) and map_of_low_0_b_below_a_is_equal);
-      map_of_low_0_b_below_a_values(2) := is_set(map_low_0(0), 2);
-      map_of_low_0_b_below_a_values(3) := is_set(map_low_0(1), 2);
-      map_of_low_0_b_below_a_choices(3) := inverted_carry(map_of_low_0_b_below_a_choices(2), not
-        map_of_low_0_b_below_a_values(2), map_of_low_0_b_below_a_values(3));
-      for i in 3 to 4 loop
+      for i in 2 to 4 loop
         map_of_low_0_b_below_a_values(2 * i - 2) := is_set(map_low_0(0), i);
         map_of_low_0_b_below_a_values(2 * i - 1) := is_set(map_low_0(1), i);
-        map_of_low_0_b_below_a_choices(i + 1) := carry(map_of_low_0_b_below_a_choices(i), not
-          map_of_low_0_b_below_a_values(2 * i - 2), map_of_low_0_b_below_a_values(2 * i - 1));
       end loop;
+      map_of_low_0_b_below_a_choice_5 := not is_larger(map_low_0(0), map_low_0(1), 0, 4, false);
       map_of_low_0_c_below_a_value := is_set(map_low_0(2), 1);
-      map_of_low_0_c_below_a_choices(1) := choice(is_set(map_low_0(2), 0), not map_of_low_0_b_below_a_values(1),
-        (map_low_0(0) mod 4) = 0);
-      map_of_low_0_c_below_a_choices(2) := choice(map_of_low_0_c_below_a_value, is_set(map_low_0(2), 0) or (not
-        map_of_low_0_b_below_a_values(1)) or (not is_set(map_low_0(0), 0)), map_of_low_0_c_below_a_choices(1));
-      map_of_low_0_c_below_a_choices(3) := inverted_carry(map_of_low_0_c_below_a_choices(2), not is_set(map_low_0(2),
-        2), map_of_low_0_b_below_a_values(2));
-      map_of_low_0_c_below_a_choices(4) := carry(map_of_low_0_c_below_a_choices(3), not is_set(map_low_0(2), 3),
-        map_of_low_0_b_below_a_values(4));
-      map_of_low_0_c_below_a_choices(5) := carry(map_of_low_0_c_below_a_choices(4), not is_set(map_low_0(2), 4),
-        map_of_low_0_b_below_a_values(6));
-      map_of_low_0_c_below_b_choices(1) := choice(is_set(map_low_0(2), 0), not is_set(map_low_0(1), 1),
-        map_of_low_0_b_below_a_is_equal);
-      map_of_low_0_c_below_b_choices(2) := choice(map_of_low_0_c_below_a_value, is_set(map_low_0(2), 0) or (not
-        is_set(map_low_0(1), 1)) or (not is_set(map_low_0(1), 0)), map_of_low_0_c_below_b_choices(1));
-      map_of_low_0_c_below_b_choices(3) := inverted_carry(map_of_low_0_c_below_b_choices(2), not is_set(map_low_0(2),
-        2), map_of_low_0_b_below_a_values(3));
-      map_of_low_0_c_below_b_choices(4) := carry(map_of_low_0_c_below_b_choices(3), not is_set(map_low_0(2), 3),
-        map_of_low_0_b_below_a_values(5));
-      map_of_low_0_c_below_b_choices(5) := carry(map_of_low_0_c_below_b_choices(4), not is_set(map_low_0(2), 4),
-        map_of_low_0_b_below_a_values(7));
+      map_of_low_0_c_below_a_choice_5 := not is_larger(map_low_0(2), map_low_0(0), 0, 4, true);
+      map_of_low_0_c_below_b_choice_5 := not is_larger(map_low_0(2), map_low_0(1), 0, 4, true);
       map_of_middle_0_b_below_a_values(1) := is_set(map_middle_0(0), 1);
-      map_of_middle_0_b_below_a_choices(1) := choice(is_set(map_middle_0(0), 0), (not is_set(map_middle_0(1), 1)) or
-        (not is_set(map_middle_0(1), 0)), not is_set(map_middle_0(1), 1));
       map_of_middle_0_b_below_a_is_equal := (map_middle_0(1) mod 4) = 0;
-      map_of_middle_0_b_below_a_choices(2) := choice(map_of_middle_0_b_below_a_values(1),
-        map_of_middle_0_b_below_a_choices(1), is_set(map_middle_0(0), 0) and map_of_middle_0_b_below_a_is_equal);
-      map_of_middle_0_b_below_a_values(2) := is_set(map_middle_0(0), 2);
-      map_of_middle_0_b_below_a_values(3) := is_set(map_middle_0(1), 2);
-      map_of_middle_0_b_below_a_choices(3) := inverted_carry(map_of_middle_0_b_below_a_choices(2), not
-        map_of_middle_0_b_below_a_values(2), map_of_middle_0_b_below_a_values(3));
-      for i in 3 to 4 loop
+      for i in 2 to 4 loop
         map_of_middle_0_b_below_a_values(2 * i - 2) := is_set(map_middle_0(0), i);
         map_of_middle_0_b_below_a_values(2 * i - 1) := is_set(map_middle_0(1), i);
-        map_of_middle_0_b_below_a_choices(i + 1) := carry(map_of_middle_0_b_below_a_choices(i), not
-          map_of_middle_0_b_below_a_values(2 * i - 2), map_of_middle_0_b_below_a_values(2 * i - 1));
       end loop;
+      map_of_middle_0_b_below_a_choice_5 := not is_larger(map_middle_0(0), map_middle_0(1), 0, 4, false);
       map_of_middle_0_c_below_a_value := is_set(map_middle_0(2), 1);
-      map_of_middle_0_c_below_a_choices(1) := choice(is_set(map_middle_0(2), 0), not
-        map_of_middle_0_b_below_a_values(1), (map_middle_0(0) mod 4) = 0);
-      map_of_middle_0_c_below_a_choices(2) := choice(map_of_middle_0_c_below_a_value, is_set(map_middle_0(2), 0) or
-        (not map_of_middle_0_b_below_a_values(1)) or (not is_set(map_middle_0(0), 0)),
-        map_of_middle_0_c_below_a_choices(1));
-      map_of_middle_0_c_below_a_choices(3) := inverted_carry(map_of_middle_0_c_below_a_choices(2), not
-        is_set(map_middle_0(2), 2), map_of_middle_0_b_below_a_values(2));
-      map_of_middle_0_c_below_a_choices(4) := carry(map_of_middle_0_c_below_a_choices(3), not is_set(map_middle_0(2),
-        3), map_of_middle_0_b_below_a_values(4));
-      map_of_middle_0_c_below_a_choices(5) := carry(map_of_middle_0_c_below_a_choices(4), not is_set(map_middle_0(2),
-        4), map_of_middle_0_b_below_a_values(6));
-      map_of_middle_0_c_below_b_choices(1) := choice(is_set(map_middle_0(2), 0), not is_set(map_middle_0(1), 1),
-        map_of_middle_0_b_below_a_is_equal);
-      map_of_middle_0_c_below_b_choices(2) := choice(map_of_middle_0_c_below_a_value, is_set(map_middle_0(2), 0) or
-        (not is_set(map_middle_0(1), 1)) or (not is_set(map_middle_0(1), 0)), map_of_middle_0_c_below_b_choices(1));
-      map_of_middle_0_c_below_b_choices(3) := inverted_carry(map_of_middle_0_c_below_b_choices(2), not
-        is_set(map_middle_0(2), 2), map_of_middle_0_b_below_a_values(3));
-      map_of_middle_0_c_below_b_choices(4) := carry(map_of_middle_0_c_below_b_choices(3), not is_set(map_middle_0(2),
-        3), map_of_middle_0_b_below_a_values(5));
-      map_of_middle_0_c_below_b_choices(5) := carry(map_of_middle_0_c_below_b_choices(4), not is_set(map_middle_0(2),
-        4), map_of_middle_0_b_below_a_values(7));
+      map_of_middle_0_c_below_a_choice_5 := not is_larger(map_middle_0(2), map_middle_0(0), 0, 4, true);
+      map_of_middle_0_c_below_b_choice_5 := not is_larger(map_middle_0(2), map_middle_0(1), 0, 4, true);
       map_of_high_0_b_below_a_values(1) := is_set(map_high_0(0), 1);
-      map_of_high_0_b_below_a_choices(1) := choice(is_set(map_high_0(0), 0), (not is_set(map_high_0(1), 1)) or (not
-        is_set(map_high_0(1), 0)), not is_set(map_high_0(1), 1));
       map_of_high_0_b_below_a_is_equal := (map_high_0(1) mod 4) = 0;
-      map_of_high_0_b_below_a_choices(2) := choice(map_of_high_0_b_below_a_values(1),
-        map_of_high_0_b_below_a_choices(1), is_set(map_high_0(0), 0) and map_of_high_0_b_below_a_is_equal);
-      map_of_high_0_b_below_a_values(2) := is_set(map_high_0(0), 2);
-      map_of_high_0_b_below_a_values(3) := is_set(map_high_0(1), 2);
-      map_of_high_0_b_below_a_choices(3) := inverted_carry(map_of_high_0_b_below_a_choices(2), not
-        map_of_high_0_b_below_a_values(2), map_of_high_0_b_below_a_values(3));
-      for i in 3 to 4 loop
+      for i in 2 to 4 loop
         map_of_high_0_b_below_a_values(2 * i - 2) := is_set(map_high_0(0), i);
         map_of_high_0_b_below_a_values(2 * i - 1) := is_set(map_high_0(1), i);
-        map_of_high_0_b_below_a_choices(i + 1) := carry(map_of_high_0_b_below_a_choices(i), not
-          map_of_high_0_b_below_a_values(2 * i - 2), map_of_high_0_b_below_a_values(2 * i - 1));
       end loop;
+      map_of_high_0_b_below_a_choice_5 := not is_larger(map_high_0(0), map_high_0(1), 0, 4, false);
       map_of_high_0_c_below_a_value := is_set(map_high_0(2), 1);
-      map_of_high_0_c_below_a_choices(1) := choice(is_set(map_high_0(2), 0), not map_of_high_0_b_below_a_values(1),
-        (map_high_0(0) mod 4) = 0);
-      map_of_high_0_c_below_a_choices(2) := choice(map_of_high_0_c_below_a_value, is_set(map_high_0(2), 0) or (not
-        map_of_high_0_b_below_a_values(1)) or (not is_set(map_high_0(0), 0)), map_of_high_0_c_below_a_choices(1));
-      map_of_high_0_c_below_a_choices(3) := inverted_carry(map_of_high_0_c_below_a_choices(2), not
-        is_set(map_high_0(2), 2), map_of_high_0_b_below_a_values(2));
-      map_of_high_0_c_below_a_choices(4) := carry(map_of_high_0_c_below_a_choices(3), not is_set(map_high_0(2), 3),
-        map_of_high_0_b_below_a_values(4));
-      map_of_high_0_c_below_a_choices(5) := carry(map_of_high_0_c_below_a_choices(4), not is_set(map_high_0(2), 4),
-        map_of_high_0_b_below_a_values(6));
-      map_of_high_0_c_below_b_choices(1) := choice(is_set(map_high_0(2), 0), not is_set(map_high_0(1), 1),
-        map_of_high_0_b_below_a_is_equal);
-      map_of_high_0_c_below_b_choices(2) := choice(map_of_high_0_c_below_a_value, is_set(map_high_0(2), 0) or (not
-        is_set(map_high_0(1), 1)) or (not is_set(map_high_0(1), 0)), map_of_high_0_c_below_b_choices(1));
-      map_of_high_0_c_below_b_choices(3) := inverted_carry(map_of_high_0_c_below_b_choices(2), not
-        is_set(map_high_0(2), 2), map_of_high_0_b_below_a_values(3));
-      map_of_high_0_c_below_b_choices(4) := carry(map_of_high_0_c_below_b_choices(3), not is_set(map_high_0(2), 3),
-        map_of_high_0_b_below_a_values(5));
-      map_of_high_0_c_below_b_choices(5) := carry(map_of_high_0_c_below_b_choices(4), not is_set(map_high_0(2), 4),
-        map_of_high_0_b_below_a_values(7));
+      map_of_high_0_c_below_a_choice_5 := not is_larger(map_high_0(2), map_high_0(0), 0, 4, true);
+      map_of_high_0_c_below_b_choice_5 := not is_larger(map_high_0(2), map_high_0(1), 0, 4, true);
       map_largest_low_0_choices(1) := choice(map_of_low_0_c_below_a, map_of_low_0_a, map_of_low_0_c);
       map_largest_low_0_choices(2) := choice(map_of_low_0_c_below_b, map_of_low_0_b, map_of_low_0_c);
       map_median_middle_0_choices(1) := choice(map_of_middle_0_c_below_a, map_of_middle_0_c, map_of_middle_0_a);
@@ -3766,42 +2634,15 @@ begin
       map_smallest_high_0_choices(1) := choice(map_of_high_0_c_below_b, map_of_high_0_c, map_of_high_0_b);
       map_smallest_high_0_choices(2) := choice(map_of_high_0_c_below_a, map_of_high_0_c, map_of_high_0_a);
       map_of_all_0_b_below_a_values(1) := is_set(map_largest_low_0, 1);
-      map_of_all_0_b_below_a_choices(1) := choice(is_set(map_largest_low_0, 0), (not is_set(map_median_middle_0, 1)) or
-        (not is_set(map_median_middle_0, 0)), not is_set(map_median_middle_0, 1));
       map_of_all_0_b_below_a_is_equal := (map_median_middle_0 mod 4) = 0;
-      map_of_all_0_b_below_a_choices(2) := choice(map_of_all_0_b_below_a_values(1), map_of_all_0_b_below_a_choices(1),
-        is_set(map_largest_low_0, 0) and map_of_all_0_b_below_a_is_equal);
-      map_of_all_0_b_below_a_values(2) := is_set(map_largest_low_0, 2);
-      map_of_all_0_b_below_a_values(3) := is_set(map_median_middle_0, 2);
-      map_of_all_0_b_below_a_choices(3) := inverted_carry(map_of_all_0_b_below_a_choices(2), not
-        map_of_all_0_b_below_a_values(2), map_of_all_0_b_below_a_values(3));
-      for i in 3 to 4 loop
+      for i in 2 to 4 loop
         map_of_all_0_b_below_a_values(2 * i - 2) := is_set(map_largest_low_0, i);
         map_of_all_0_b_below_a_values(2 * i - 1) := is_set(map_median_middle_0, i);
-        map_of_all_0_b_below_a_choices(i + 1) := carry(map_of_all_0_b_below_a_choices(i), not
-          map_of_all_0_b_below_a_values(2 * i - 2), map_of_all_0_b_below_a_values(2 * i - 1));
       end loop;
+      map_of_all_0_b_below_a_choice_5 := not is_larger(map_largest_low_0, map_median_middle_0, 0, 4, false);
       map_of_all_0_c_below_a_value := is_set(map_smallest_high_0, 1);
-      map_of_all_0_c_below_a_choices(1) := choice(is_set(map_smallest_high_0, 0), not map_of_all_0_b_below_a_values(1),
-        (map_largest_low_0 mod 4) = 0);
-      map_of_all_0_c_below_a_choices(2) := choice(map_of_all_0_c_below_a_value, is_set(map_smallest_high_0, 0) or (not
-        map_of_all_0_b_below_a_values(1)) or (not is_set(map_largest_low_0, 0)), map_of_all_0_c_below_a_choices(1));
-      map_of_all_0_c_below_a_choices(3) := inverted_carry(map_of_all_0_c_below_a_choices(2), not
-        is_set(map_smallest_high_0, 2), map_of_all_0_b_below_a_values(2));
-      map_of_all_0_c_below_a_choices(4) := carry(map_of_all_0_c_below_a_choices(3), not is_set(map_smallest_high_0, 3),
-        map_of_all_0_b_below_a_values(4));
-      map_of_all_0_c_below_a_choices(5) := carry(map_of_all_0_c_below_a_choices(4), not is_set(map_smallest_high_0, 4),
-        map_of_all_0_b_below_a_values(6));
-      map_of_all_0_c_below_b_choices(1) := choice(is_set(map_smallest_high_0, 0), not is_set(map_median_middle_0, 1),
-        map_of_all_0_b_below_a_is_equal);
-      map_of_all_0_c_below_b_choices(2) := choice(map_of_all_0_c_below_a_value, is_set(map_smallest_high_0, 0) or (not
-        is_set(map_median_middle_0, 1)) or (not is_set(map_median_middle_0, 0)), map_of_all_0_c_below_b_choices(1));
-      map_of_all_0_c_below_b_choices(3) := inverted_carry(map_of_all_0_c_below_b_choices(2), not
-        is_set(map_smallest_high_0, 2), map_of_all_0_b_below_a_values(3));
-      map_of_all_0_c_below_b_choices(4) := carry(map_of_all_0_c_below_b_choices(3), not is_set(map_smallest_high_0, 3),
-        map_of_all_0_b_below_a_values(5));
-      map_of_all_0_c_below_b_choices(5) := carry(map_of_all_0_c_below_b_choices(4), not is_set(map_smallest_high_0, 4),
-        map_of_all_0_b_below_a_values(7));
+      map_of_all_0_c_below_a_choice_5 := not is_larger(map_smallest_high_0, map_largest_low_0, 0, 4, true);
+      map_of_all_0_c_below_b_choice_5 := not is_larger(map_smallest_high_0, map_median_middle_0, 0, 4, true);
       map_out_disparity_0_choices(1) := choice(map_of_all_0_c_below_a, map_of_all_0_c, map_of_all_0_a);
       map_out_disparity_0_choices(2) := choice(map_of_all_0_c_below_b, map_of_all_0_b, map_out_disparity_0_choices(1));
       map_out_disparity_0_choices(3) := choice(map_of_all_0_c_below_b, map_of_all_0_c, map_of_all_0_b);
@@ -3883,34 +2724,34 @@ begin
         map_sorted_high_0_choices(2));
       map_passed_0(1) <= choice(map_passed_0(0), map_passed_0(1) or map_sorted_arrives or map_sorted_behind,
         map_passed_0(1) and (not map_sorted_arrives) and (not map_sorted_behind));
-      map_of_low_0_b_below_a <= inverted_carry(map_of_low_0_b_below_a_choices(5), is_set(map_low_0(0), 5), not
+      map_of_low_0_b_below_a <= inverted_carry(map_of_low_0_b_below_a_choice_5, is_set(map_low_0(0), 5), not
         is_set(map_low_0(1), 5));
-      map_of_low_0_c_below_a <= carry(map_of_low_0_c_below_a_choices(5), not is_set(map_low_0(2), 5),
+      map_of_low_0_c_below_a <= carry(map_of_low_0_c_below_a_choice_5, not is_set(map_low_0(2), 5),
         is_set(map_low_0(0), 5));
-      map_of_low_0_c_below_b <= carry(map_of_low_0_c_below_b_choices(5), not is_set(map_low_0(2), 5),
+      map_of_low_0_c_below_b <= carry(map_of_low_0_c_below_b_choice_5, not is_set(map_low_0(2), 5),
         is_set(map_low_0(1), 5));
-      map_of_middle_0_b_below_a <= inverted_carry(map_of_middle_0_b_below_a_choices(5), is_set(map_middle_0(0), 5), not
+      map_of_middle_0_b_below_a <= inverted_carry(map_of_middle_0_b_below_a_choice_5, is_set(map_middle_0(0), 5), not
         is_set(map_middle_0(1), 5));
-      map_of_middle_0_c_below_a <= carry(map_of_middle_0_c_below_a_choices(5), not is_set(map_middle_0(2), 5),
+      map_of_middle_0_c_below_a <= carry(map_of_middle_0_c_below_a_choice_5, not is_set(map_middle_0(2), 5),
         is_set(map_middle_0(0), 5));
-      map_of_middle_0_c_below_b <= carry(map_of_middle_0_c_below_b_choices(5), not is_set(map_middle_0(2), 5),
+      map_of_middle_0_c_below_b <= carry(map_of_middle_0_c_below_b_choice_5, not is_set(map_middle_0(2), 5),
         is_set(map_middle_0(1), 5));
-      map_of_high_0_b_below_a <= inverted_carry(map_of_high_0_b_below_a_choices(5), is_set(map_high_0(0), 5), not
+      map_of_high_0_b_below_a <= inverted_carry(map_of_high_0_b_below_a_choice_5, is_set(map_high_0(0), 5), not
         is_set(map_high_0(1), 5));
-      map_of_high_0_c_below_a <= carry(map_of_high_0_c_below_a_choices(5), not is_set(map_high_0(2), 5),
+      map_of_high_0_c_below_a <= carry(map_of_high_0_c_below_a_choice_5, not is_set(map_high_0(2), 5),
         is_set(map_high_0(0), 5));
-      map_of_high_0_c_below_b <= carry(map_of_high_0_c_below_b_choices(5), not is_set(map_high_0(2), 5),
+      map_of_high_0_c_below_b <= carry(map_of_high_0_c_below_b_choice_5, not is_set(map_high_0(2), 5),
         is_set(map_high_0(1), 5));
       map_largest_low_0 <= choice(map_of_low_0_b_below_a, map_largest_low_0_choices(1), map_largest_low_0_choices(2));
       map_median_middle_0 <= choice(map_of_middle_0_b_below_a, map_median_middle_0_choices(2),
         map_median_middle_0_choices(4));
       map_smallest_high_0 <= choice(map_of_high_0_b_below_a, map_smallest_high_0_choices(1),
         map_smallest_high_0_choices(2));
-      map_of_all_0_b_below_a <= inverted_carry(map_of_all_0_b_below_a_choices(5), is_set(map_largest_low_0, 5), not
+      map_of_all_0_b_below_a <= inverted_carry(map_of_all_0_b_below_a_choice_5, is_set(map_largest_low_0, 5), not
         is_set(map_median_middle_0, 5));
-      map_of_all_0_c_below_a <= carry(map_of_all_0_c_below_a_choices(5), not is_set(map_smallest_high_0, 5),
+      map_of_all_0_c_below_a <= carry(map_of_all_0_c_below_a_choice_5, not is_set(map_smallest_high_0, 5),
         is_set(map_largest_low_0, 5));
-      map_of_all_0_c_below_b <= carry(map_of_all_0_c_below_b_choices(5), not is_set(map_smallest_high_0, 5),
+      map_of_all_0_c_below_b <= carry(map_of_all_0_c_below_b_choice_5, not is_set(map_smallest_high_0, 5),
         is_set(map_median_middle_0, 5));
       map_out_disparity_0 <= choice(map_of_all_0_b_below_a, map_out_disparity_0_choices(2),
         map_out_disparity_0_choices(4));
@@ -3942,37 +2783,29 @@ begin
         relief_centre_column(0) <= transform_left_column(2);
         relief_centre_column(1 to 4) <= relief_centre_column(0 to 3);
       end if;
-      relief_newest_choices(1) := choice(is_set(relief_centre_grey_0, 0), (not is_set(relief_before, 1)) or (not
-        is_set(relief_before, 0)), not is_set(relief_before, 1));
-      relief_newest_choices(2) := choice(is_set(relief_centre_grey_0, 1), relief_newest_choices(1),
-        is_set(relief_centre_grey_0, 0) and ((relief_before mod 4) = 0));
-      relief_newest_values(1) := is_set(relief_before, 2);
-      relief_newest_choices(3) := inverted_carry(relief_newest_choices(2), not is_set(relief_centre_grey_0, 2),
-        relief_newest_values(1));
-      for i in 2 to 5 loop
+      for i in 1 to 5 loop
         relief_newest_values(i) := is_set(relief_before, i + 1);
-        relief_newest_choices(i + 2) := carry(relief_newest_choices(i + 1), not is_set(relief_centre_grey_0, i + 1),
-          relief_newest_values(i));
       end loop;
-      relief_newest_choices(8) := carry(relief_newest_choices(7), not is_set(relief_centre_grey_0, 7),
+      relief_newest_choice(7) := not is_larger(relief_centre_grey_0, relief_before, 0, 6, false);
+      relief_newest_choice(8) := carry(relief_newest_choice(7), not is_set(relief_centre_grey_0, 7),
         is_set(relief_before, 7));
       relief_newest_values_from_6(6) := (relief_before - relief_centre_grey_0) mod 256;
       relief_newest_values_from_6(7) := (relief_centre_grey_0 - relief_before) mod 256;
-      relief_newest_choices(9) := choice(relief_newest_choices(8), is_set(relief_newest_values_from_6(6), 2),
+      relief_newest_choice(9) := choice(relief_newest_choice(8), is_set(relief_newest_values_from_6(6), 2),
         is_set(relief_newest_values_from_6(7), 2));
-      relief_newest_choices(10) := choice(relief_newest_choices(8), not is_set(relief_newest_values_from_6(6), 3), not
+      relief_newest_choice(10) := choice(relief_newest_choice(8), not is_set(relief_newest_values_from_6(6), 3), not
         is_set(relief_newest_values_from_6(7), 3));
       for i in 0 to 1 loop
-        relief_newest_choices(2 * i + 11) := choice(relief_newest_choices(8), not
-          is_set(relief_newest_values_from_6(6), 4 * i + 1), not is_set(relief_newest_values_from_6(7), 4 * i + 1));
-        relief_newest_choices(2 * i + 12) := choice(relief_newest_choices(8), is_set(relief_newest_values_from_6(6), 2
-          * i + 4), is_set(relief_newest_values_from_6(7), 2 * i + 4));
+        relief_newest_choice(2 * i + 11) := choice(relief_newest_choice(8), not is_set(relief_newest_values_from_6(6),
+          4 * i + 1), not is_set(relief_newest_values_from_6(7), 4 * i + 1));
+        relief_newest_choice(2 * i + 12) := choice(relief_newest_choice(8), is_set(relief_newest_values_from_6(6), 2 *
+          i + 4), is_set(relief_newest_values_from_6(7), 2 * i + 4));
       end loop;
-      relief_newest_choices(15) := choice(relief_newest_choices(8), is_set(relief_newest_values_from_6(6), 7),
+      relief_newest_choice(15) := choice(relief_newest_choice(8), is_set(relief_newest_values_from_6(6), 7),
         is_set(relief_newest_values_from_6(7), 7));
-      relief_newest_choices(16) := inverted_carry(relief_newest_choices(7), is_set(relief_centre_grey_0, 7), not
+      relief_newest_choice(16) := inverted_carry(relief_newest_choice(7), is_set(relief_centre_grey_0, 7), not
         is_set(relief_before, 7));
-      relief_newest_choice_17 := choice(relief_newest_choices(16), (relief_newest_values_from_6(7) / 2) mod 64,
+      relief_newest_choice_17 := choice(relief_newest_choice(16), (relief_newest_values_from_6(7) / 2) mod 64,
         (relief_newest_values_from_6(6) / 2) mod 64);
       relief_centre_grey_0 <= relief_centre_column(4);
       relief_delayed_0 <= relief_newest;
@@ -3980,9 +2813,9 @@ begin
       relief_waiting(0) <= relief_shown_0;
       relief_waiting(1 to 9) <= relief_waiting(0 to 8);
       relief_entered <= relief_entering;
-      relief_newest <= choice(((not ((not ((not ((not relief_newest_choices(9)) and relief_newest_choices(10) and
-        relief_newest_choices(11))) and relief_newest_choices(12))) and relief_newest_choices(13))) and
-        relief_newest_choices(14)) or relief_newest_choices(15), 40, relief_newest_choice_17);
+      relief_newest <= choice(((not ((not ((not ((not relief_newest_choice(9)) and relief_newest_choice(10) and
+        relief_newest_choice(11))) and relief_newest_choice(12))) and relief_newest_choice(13))) and
+        relief_newest_choice(14)) or relief_newest_choice(15), 40, relief_newest_choice_17);
       relief_entering <= choice(relief_waiting(9) < 40, relief_waiting(9), 40);
       if transform_filtering_valid(1) then
         relief_before <= relief_centre_grey_0;
@@ -3998,70 +2831,18 @@ begin
         other_choice_4(i) := choice(entry_tag.valid, forward_left_cost(63 - 4 * i) + forward_above_cost(63 - 4 * i),
           to_integer(other(i)(31 downto 24)));
       end loop;
-      other_20_choice := choice(slice0_tag_0_border_column, 0, slice3cost_single_0(15) / 2);
-      other_22_choice := choice(slice0_tag_0_border_column, 0, slice3cost_single_0(14) / 2);
-      other_24_choice := choice(slice0_tag_0_border_column, 0, slice3cost_single_0(13) / 2);
-      other_26_choice := choice(slice0_tag_0_border_column, 0, slice3cost_single_0(12) / 2);
-      other_28_choice := choice(slice0_tag_0_border_column, 0, slice3cost_single_0(11) / 2);
-      other_30_choice := choice(slice0_tag_0_border_column, 0, slice3cost_single_0(10) / 2);
-      other_32_choice := choice(slice0_tag_0_border_column, 0, slice3cost_single_0(9) / 2);
-      other_34_choice := choice(slice0_tag_0_border_column, 0, slice3cost_single_0(8) / 2);
-      other_36_choice := choice(slice0_tag_0_border_column, 0, slice3cost_single_0(7) / 2);
-      other_38_choice := choice(slice0_tag_0_border_column, 0, slice3cost_single_0(6) / 2);
-      other_40_choice := choice(slice0_tag_0_border_column, 0, slice3cost_single_0(5) / 2);
-      other_42_choice := choice(slice0_tag_0_border_column, 0, slice3cost_single_0(4) / 2);
-      other_44_choice := choice(slice0_tag_0_border_column, 0, slice3cost_single_0(3) / 2);
-      other_46_choice := choice(slice0_tag_0_border_column, 0, slice3cost_single_0(2) / 2);
-      other_48_choice := choice(slice0_tag_0_border_column, 0, slice3cost_single_0(1) / 2);
-      other_50_choice := choice(slice0_tag_0_border_column, 0, slice3cost_single_0(0) / 2);
-      other_52_choice := choice(slice0window_tag.border_column, 0, slice2cost_single_0(15) / 2);
-      other_54_choice := choice(slice0window_tag.border_column, 0, slice2cost_single_0(14) / 2);
-      other_56_choice := choice(slice0window_tag.border_column, 0, slice2cost_single_0(13) / 2);
-      other_58_choice := choice(slice0window_tag.border_column, 0, slice2cost_single_0(12) / 2);
-      other_60_choice := choice(slice0window_tag.border_column, 0, slice2cost_single_0(11) / 2);
-      other_62_choice := choice(slice0window_tag.border_column, 0, slice2cost_single_0(10) / 2);
-      other_64_choice := choice(slice0window_tag.border_column, 0, slice2cost_single_0(9) / 2);
-      other_66_choice := choice(slice0window_tag.border_column, 0, slice2cost_single_0(8) / 2);
-      other_68_choice := choice(slice0window_tag.border_column, 0, slice2cost_single_0(7) / 2);
-      other_70_choice := choice(slice0window_tag.border_column, 0, slice2cost_single_0(6) / 2);
-      other_72_choice := choice(slice0window_tag.border_column, 0, slice2cost_single_0(5) / 2);
-      other_74_choice := choice(slice0window_tag.border_column, 0, slice2cost_single_0(4) / 2);
-      other_76_choice := choice(slice0window_tag.border_column, 0, slice2cost_single_0(3) / 2);
-      other_78_choice := choice(slice0window_tag.border_column, 0, slice2cost_single_0(2) / 2);
-      other_80_choice := choice(slice0window_tag.border_column, 0, slice2cost_single_0(1) / 2);
-      other_82_choice := choice(slice0window_tag.border_column, 0, slice2cost_single_0(0) / 2);
-      other_84_choice := choice(slice0cost_tag.border_column, 0, slice1cost_single_0(15) / 2);
-      other_86_choice := choice(slice0cost_tag.border_column, 0, slice1cost_single_0(14) / 2);
-      other_88_choice := choice(slice0cost_tag.border_column, 0, slice1cost_single_0(13) / 2);
-      other_90_choice := choice(slice0cost_tag.border_column, 0, slice1cost_single_0(12) / 2);
-      other_92_choice := choice(slice0cost_tag.border_column, 0, slice1cost_single_0(11) / 2);
-      other_94_choice := choice(slice0cost_tag.border_column, 0, slice1cost_single_0(10) / 2);
-      other_96_choice := choice(slice0cost_tag.border_column, 0, slice1cost_single_0(9) / 2);
-      other_98_choice := choice(slice0cost_tag.border_column, 0, slice1cost_single_0(8) / 2);
-      other_100_choice := choice(slice0cost_tag.border_column, 0, slice1cost_single_0(7) / 2);
-      other_102_choice := choice(slice0cost_tag.border_column, 0, slice1cost_single_0(6) / 2);
-      other_104_choice := choice(slice0cost_tag.border_column, 0, slice1cost_single_0(5) / 2);
-      other_106_choice := choice(slice0cost_tag.border_column, 0, slice1cost_single_0(4) / 2);
-      other_108_choice := choice(slice0cost_tag.border_column, 0, slice1cost_single_0(3) / 2);
-      other_110_choice := choice(slice0cost_tag.border_column, 0, slice1cost_single_0(2) / 2);
-      other_112_choice := choice(slice0cost_tag.border_column, 0, slice1cost_single_0(1) / 2);
-      other_114_choice := choice(slice0cost_tag.border_column, 0, slice1cost_single_0(0) / 2);
-      other_116_choice := choice(slice0cost_pair_tag.border_column, 0, slice0cost_single_0(15) / 2);
-      other_118_choice := choice(slice0cost_pair_tag.border_column, 0, slice0cost_single_0(14) / 2);
-      other_120_choice := choice(slice0cost_pair_tag.border_column, 0, slice0cost_single_0(13) / 2);
-      other_122_choice := choice(slice0cost_pair_tag.border_column, 0, slice0cost_single_0(12) / 2);
-      other_124_choice := choice(slice0cost_pair_tag.border_column, 0, slice0cost_single_0(11) / 2);
-      other_126_choice := choice(slice0cost_pair_tag.border_column, 0, slice0cost_single_0(10) / 2);
-      other_128_choice := choice(slice0cost_pair_tag.border_column, 0, slice0cost_single_0(9) / 2);
-      other_130_choice := choice(slice0cost_pair_tag.border_column, 0, slice0cost_single_0(8) / 2);
-      other_132_choice := choice(slice0cost_pair_tag.border_column, 0, slice0cost_single_0(7) / 2);
-      other_134_choice := choice(slice0cost_pair_tag.border_column, 0, slice0cost_single_0(6) / 2);
-      other_136_choice := choice(slice0cost_pair_tag.border_column, 0, slice0cost_single_0(5) / 2);
-      other_138_choice := choice(slice0cost_pair_tag.border_column, 0, slice0cost_single_0(4) / 2);
-      other_140_choice := choice(slice0cost_pair_tag.border_column, 0, slice0cost_single_0(3) / 2);
-      other_142_choice := choice(slice0cost_pair_tag.border_column, 0, slice0cost_single_0(2) / 2);
-      other_144_choice := choice(slice0cost_pair_tag.border_column, 0, slice0cost_single_0(1) / 2);
-      other_146_choice := choice(slice0cost_pair_tag.border_column, 0, slice0cost_single_0(0) / 2);
+      for i in 10 to 25 loop
+        other_choices(i) := choice(slice0_tag_0_border_column, 0, slice3cost_single_0(25 - i) / 2);
+      end loop;
+      for i in 26 to 41 loop
+        other_choices(i) := choice(slice0window_tag.border_column, 0, slice2cost_single_0(41 - i) / 2);
+      end loop;
+      for i in 42 to 57 loop
+        other_choices(i) := choice(slice0cost_tag.border_column, 0, slice1cost_single_0(57 - i) / 2);
+      end loop;
+      for i in 58 to 73 loop
+        other_choices(i) := choice(slice0cost_pair_tag.border_column, 0, slice0cost_single_0(73 - i) / 2);
+      end loop;
       for i in 0 to 15 loop
         other(i) <= to_unsigned(other_choice_4(i), 8) & to_unsigned(other_choice(i, 3), 8) &
           to_unsigned(other_choice(i, 1), 8) & to_unsigned(other_choice(i, 2), 8);
@@ -4072,134 +2853,10 @@ begin
         to_unsigned(as_number(map_counter_group_is_equal), 8) & to_unsigned(as_number((map_counter_group = 1)), 8) &
         to_unsigned(as_number(map_behind), 8) & to_unsigned(as_number(map_arrives), 8) &
         to_unsigned(map_counter_column, 16);
-      others_from_19(19) <= others_from_19(20);
-      others_from_19(20) <= other_20_choice * 2;
-      others_from_19(21) <= others_from_19(22);
-      others_from_19(22) <= other_22_choice * 2;
-      others_from_19(23) <= others_from_19(24);
-      others_from_19(24) <= other_24_choice * 2;
-      others_from_19(25) <= others_from_19(26);
-      others_from_19(26) <= other_26_choice * 2;
-      others_from_19(27) <= others_from_19(28);
-      others_from_19(28) <= other_28_choice * 2;
-      others_from_19(29) <= others_from_19(30);
-      others_from_19(30) <= other_30_choice * 2;
-      others_from_19(31) <= others_from_19(32);
-      others_from_19(32) <= other_32_choice * 2;
-      others_from_19(33) <= others_from_19(34);
-      others_from_19(34) <= other_34_choice * 2;
-      others_from_19(35) <= others_from_19(36);
-      others_from_19(36) <= other_36_choice * 2;
-      others_from_19(37) <= others_from_19(38);
-      others_from_19(38) <= other_38_choice * 2;
-      others_from_19(39) <= others_from_19(40);
-      others_from_19(40) <= other_40_choice * 2;
-      others_from_19(41) <= others_from_19(42);
-      others_from_19(42) <= other_42_choice * 2;
-      others_from_19(43) <= others_from_19(44);
-      others_from_19(44) <= other_44_choice * 2;
-      others_from_19(45) <= others_from_19(46);
-      others_from_19(46) <= other_46_choice * 2;
-      others_from_19(47) <= others_from_19(48);
-      others_from_19(48) <= other_48_choice * 2;
-      others_from_19(49) <= others_from_19(50);
-      others_from_19(50) <= other_50_choice * 2;
-      others_from_19(51) <= others_from_19(52);
-      others_from_19(52) <= other_52_choice * 2;
-      others_from_19(53) <= others_from_19(54);
-      others_from_19(54) <= other_54_choice * 2;
-      others_from_19(55) <= others_from_19(56);
-      others_from_19(56) <= other_56_choice * 2;
-      others_from_19(57) <= others_from_19(58);
-      others_from_19(58) <= other_58_choice * 2;
-      others_from_19(59) <= others_from_19(60);
-      others_from_19(60) <= other_60_choice * 2;
-      others_from_19(61) <= others_from_19(62);
-      others_from_19(62) <= other_62_choice * 2;
-      others_from_19(63) <= others_from_19(64);
-      others_from_19(64) <= other_64_choice * 2;
-      others_from_19(65) <= others_from_19(66);
-      others_from_19(66) <= other_66_choice * 2;
-      others_from_19(67) <= others_from_19(68);
-      others_from_19(68) <= other_68_choice * 2;
-      others_from_19(69) <= others_from_19(70);
-      others_from_19(70) <= other_70_choice * 2;
-      others_from_19(71) <= others_from_19(72);
-      others_from_19(72) <= other_72_choice * 2;
-      others_from_19(73) <= others_from_19(74);
-      others_from_19(74) <= other_74_choice * 2;
-      others_from_19(75) <= others_from_19(76);
-      others_from_19(76) <= other_76_choice * 2;
-      others_from_19(77) <= others_from_19(78);
-      others_from_19(78) <= other_78_choice * 2;
-      others_from_19(79) <= others_from_19(80);
-      others_from_19(80) <= other_80_choice * 2;
-      others_from_19(81) <= others_from_19(82);
-      others_from_19(82) <= other_82_choice * 2;
-      others_from_19(83) <= others_from_19(84);
-      others_from_19(84) <= other_84_choice * 2;
-      others_from_19(85) <= others_from_19(86);
-      others_from_19(86) <= other_86_choice * 2;
-      others_from_19(87) <= others_from_19(88);
-      others_from_19(88) <= other_88_choice * 2;
-      others_from_19(89) <= others_from_19(90);
-      others_from_19(90) <= other_90_choice * 2;
-      others_from_19(91) <= others_from_19(92);
-      others_from_19(92) <= other_92_choice * 2;
-      others_from_19(93) <= others_from_19(94);
-      others_from_19(94) <= other_94_choice * 2;
-      others_from_19(95) <= others_from_19(96);
-      others_from_19(96) <= other_96_choice * 2;
-      others_from_19(97) <= others_from_19(98);
-      others_from_19(98) <= other_98_choice * 2;
-      others_from_19(99) <= others_from_19(100);
-      others_from_19(100) <= other_100_choice * 2;
-      others_from_19(101) <= others_from_19(102);
-      others_from_19(102) <= other_102_choice * 2;
-      others_from_19(103) <= others_from_19(104);
-      others_from_19(104) <= other_104_choice * 2;
-      others_from_19(105) <= others_from_19(106);
-      others_from_19(106) <= other_106_choice * 2;
-      others_from_19(107) <= others_from_19(108);
-      others_from_19(108) <= other_108_choice * 2;
-      others_from_19(109) <= others_from_19(110);
-      others_from_19(110) <= other_110_choice * 2;
-      others_from_19(111) <= others_from_19(112);
-      others_from_19(112) <= other_112_choice * 2;
-      others_from_19(113) <= others_from_19(114);
-      others_from_19(114) <= other_114_choice * 2;
-      others_from_19(115) <= others_from_19(116);
-      others_from_19(116) <= other_116_choice * 2;
-      others_from_19(117) <= others_from_19(118);
-      others_from_19(118) <= other_118_choice * 2;
-      others_from_19(119) <= others_from_19(120);
-      others_from_19(120) <= other_120_choice * 2;
-      others_from_19(121) <= others_from_19(122);
-      others_from_19(122) <= other_122_choice * 2;
-      others_from_19(123) <= others_from_19(124);
-      others_from_19(124) <= other_124_choice * 2;
-      others_from_19(125) <= others_from_19(126);
-      others_from_19(126) <= other_126_choice * 2;
-      others_from_19(127) <= others_from_19(128);
-      others_from_19(128) <= other_128_choice * 2;
-      others_from_19(129) <= others_from_19(130);
-      others_from_19(130) <= other_130_choice * 2;
-      others_from_19(131) <= others_from_19(132);
-      others_from_19(132) <= other_132_choice * 2;
-      others_from_19(133) <= others_from_19(134);
-      others_from_19(134) <= other_134_choice * 2;
-      others_from_19(135) <= others_from_19(136);
-      others_from_19(136) <= other_136_choice * 2;
-      others_from_19(137) <= others_from_19(138);
-      others_from_19(138) <= other_138_choice * 2;
-      others_from_19(139) <= others_from_19(140);
-      others_from_19(140) <= other_140_choice * 2;
-      others_from_19(141) <= others_from_19(142);
-      others_from_19(142) <= other_142_choice * 2;
-      others_from_19(143) <= others_from_19(144);
-      others_from_19(144) <= other_144_choice * 2;
-      others_from_19(145) <= others_from_19(146);
-      others_from_19(146) <= other_146_choice * 2;
+      for i in 10 to 73 loop
+        others_from_19(2 * i - 1) <= others_from_19(2 * i);
+        others_from_19(2 * i) <= other_choices(i) * 2;
+      end loop;
       if reset = '1' then
         transform_valid <= false;
         transform_counter_column <= 0;

@@ -111,6 +111,16 @@ architecture rtl of stereo_core_sgm_450 is
     return a or b;
   end function;
 
+  -- whether a > b, of bits `low` to `high`; of equal ones, `before`: bit by bit, as the tool has split it
+  function is_larger(a : natural; b : natural; low : natural; high : natural; before : boolean) return boolean is
+    variable is_not : boolean := not before;
+  begin
+    for place in low to high loop
+      is_not := carry(is_not, not is_set(a, place), is_set(b, place));
+    end loop;
+    return not is_not;
+  end function;
+
   function choice(test : boolean; yes : boolean; no : boolean) return boolean is
   begin
     if test then
@@ -180,29 +190,22 @@ architecture rtl of stereo_core_sgm_450 is
   -- transform
   signal transform_left_0, transform_right_0, transform_left_rows_read_newest_0 : natural range 0 to 255;
   signal transform_left_rows_ready_newest_0, transform_right_rows_read_newest_0 : natural range 0 to 255;
-  signal transform_right_rows_ready_newest_0, transform_left_column_0, transform_left_column_2 : natural range 0 to 255;
-  signal transform_left_column_4, transform_right_column_0, transform_right_column_2 : natural range 0 to 255;
-  signal transform_right_column_4 : natural range 0 to 255;
-  signal transform_left_filter_column_0 : natural_255_1d(0 to 8);  -- transform_left_filter_column_#_0
-  signal transform_left_filter_column_2 : natural_255_1d(0 to 8);  -- transform_left_filter_column_#_2
-  signal transform_left_filter_column_4 : natural_255_1d(0 to 8);  -- transform_left_filter_column_#_4
-  signal transform_right_filter_column_0 : natural_255_1d(0 to 8);  -- transform_right_filter_column_#_0
-  signal transform_right_filter_column_2 : natural_255_1d(0 to 8);  -- transform_right_filter_column_#_2
-  signal transform_right_filter_column_4 : natural_255_1d(0 to 8);  -- transform_right_filter_column_#_4
-  signal transform_valid, transform_counter_next_frame, transform_read_row_inside_0 : boolean;
-  signal transform_read_row_inside_2, transform_read_row_inside_4, transform_read_column_inside_0 : boolean;
-  signal transform_read_column_inside_2, transform_read_column_inside_4, transform_read_column_inside_6 : boolean;
-  signal transform_read_column_inside_8, transform_read_start_of_frame, transform_read_valid : boolean;
-  signal transform_ready_row_inside_0, transform_ready_row_inside_2, transform_ready_row_inside_4 : boolean;
-  signal transform_ready_column_inside_0, transform_ready_column_inside_2, transform_ready_column_inside_4 : boolean;
-  signal transform_ready_column_inside_6, transform_ready_column_inside_8, transform_ready_start_of_frame : boolean;
-  signal transform_ready_valid, transform_columns_row_inside_0, transform_columns_row_inside_2 : boolean;
-  signal transform_columns_row_inside_4, transform_columns_column_inside_0, transform_columns_column_inside_2 : boolean;
-  signal transform_columns_column_inside_4, transform_columns_column_inside_6 : boolean;
-  signal transform_columns_column_inside_8, transform_columns_start_of_frame, transform_columns_valid : boolean;
-  signal transform_filtering_0_column_inside_0, transform_filtering_0_column_inside_2 : boolean;
-  signal transform_filtering_0_column_inside_4, transform_filtering_0_column_inside_6 : boolean;
-  signal transform_filtering_0_column_inside_8 : boolean;
+  signal transform_right_rows_ready_newest_0 : natural range 0 to 255;
+  signal transform_left_column : natural_255_1d(0 to 2);  -- transform_left_column_2#
+  signal transform_right_column : natural_255_1d(0 to 2);  -- transform_right_column_2#
+  signal transform_left_filter_column : natural_255_2d(0 to 8, 0 to 2);  -- transform_left_filter_column_#_2#
+  signal transform_right_filter_column : natural_255_2d(0 to 8, 0 to 2);  -- transform_right_filter_column_#_2#
+  signal transform_valid, transform_counter_next_frame : boolean;
+  signal transform_read_row_inside : boolean_1d(0 to 2);  -- transform_read_row_inside_2#
+  signal transform_read_column_inside : boolean_1d(0 to 4);  -- transform_read_column_inside_2#
+  signal transform_read_start_of_frame, transform_read_valid : boolean;
+  signal transform_ready_row_inside : boolean_1d(0 to 2);  -- transform_ready_row_inside_2#
+  signal transform_ready_column_inside : boolean_1d(0 to 4);  -- transform_ready_column_inside_2#
+  signal transform_ready_start_of_frame, transform_ready_valid : boolean;
+  signal transform_columns_row_inside : boolean_1d(0 to 2);  -- transform_columns_row_inside_2#
+  signal transform_columns_column_inside : boolean_1d(0 to 4);  -- transform_columns_column_inside_2#
+  signal transform_columns_start_of_frame, transform_columns_valid : boolean;
+  signal transform_filtering_0_column_inside : boolean_1d(0 to 4);  -- transform_filtering_0_column_inside_2#
   signal transform_filtering_start_of_frame : boolean_1d(0 to 1);  -- transform_filtering_#_start_of_frame
   signal transform_filtering_valid : boolean_1d(0 to 1);  -- transform_filtering_#_valid
   signal transform_counter_column, transform_counter_group, transform_read_column : natural range 0 to 511;
@@ -747,12 +750,12 @@ begin
     variable transform_counter_group_is_equals : boolean_1d(1 to 2);  -- transform_counter_group_is_equal_#
     variable transform_counter_group_all, transform_counter_group_differs : boolean;
     variable transform_read_column_inside_0_is_less, transform_left_filter_feature_0_any : boolean;
-    variable transform_left_filter_feature_0_choices : boolean_1d(1 to 121);  -- transform_left_filter_feature_0_choice_#
+    variable transform_left_filter_feature_0_choice : boolean_1d(8 to 121);
     variable transform_left_filter_feature_0_is_equal : boolean;
     variable transform_left_filter_feature_0_values : boolean_1d(1 to 5);  -- transform_left_filter_feature_0_value_#
     variable transform_left_filter_feature_0_alls : boolean_1d(1 to 4);  -- transform_left_filter_feature_0_all_#
     variable transform_right_filter_feature_0_any : boolean;
-    variable transform_right_filter_feature_0_choices : boolean_1d(1 to 125);  -- transform_right_filter_feature_0_choice_#
+    variable transform_right_filter_feature_0_choice : boolean_1d(8 to 125);
     variable transform_right_filter_feature_0_is_equal : boolean;
     variable transform_right_filter_feature_0_values : boolean_1d(1 to 5);  -- transform_right_filter_feature_0_value_#
     variable transform_right_filter_feature_0_alls : boolean_1d(1 to 4);  -- transform_right_filter_feature_0_all_#
@@ -768,57 +771,20 @@ begin
     variable slice3cost_pixels_first_0_count_value : boolean_3d(0 to 2, 0 to 4, 1 to 3);  -- slice3cost_pixels_first_#_0_count_#_value_#
     variable entry_order_falls_any, entry_order_falls_all, entry_order_complete_all, entry_order_complete_any : boolean;
     variable entry_order_turned_output_column_choice, forward_left_start_cost_0_any : boolean;
-    variable forward_left_start_cost_0_choices : boolean_1d(1 to 6);  -- forward_left_start_cost_0_choice_#
+    variable forward_left_start_cost_0_choice_6 : boolean;
     variable forward_left_start_cost_0_values : boolean_1d(1 to 3);  -- forward_left_start_cost_0_value_#
-    variable forward_left_start_cost_0_is_less, sums_right_start_cost_0_any : boolean;
-    variable sums_right_start_cost_0_choices : boolean_1d(1 to 6);  -- sums_right_start_cost_0_choice_#
+    variable forward_left_start_cost_0_is_less, sums_right_start_cost_0_any, sums_right_start_cost_0_choice_6 : boolean;
     variable sums_right_start_cost_0_values : boolean_1d(1 to 3);  -- sums_right_start_cost_0_value_#
     variable sums_right_start_cost_0_is_less, sums_turn_writes_copy_0_choice : boolean;
-    variable winnerswinner1_of_pair_0_choice : boolean_2d(0 to 62, 1 to 8);  -- winnerswinner1_of_pair_0_#_choice_#
-    variable winnerswinner1_of_pair_0_value : boolean_2d(0 to 62, 1 to 5);  -- winnerswinner1_of_pair_0_#_value_#
-    variable winnerswinner1_of_four_0_0_choices : boolean_1d(1 to 8);  -- winnerswinner1_of_four_0_0_choice_#
-    variable winnerswinner1_of_four_0_0_values : boolean_1d(1 to 12);  -- winnerswinner1_of_four_0_0_value_#
-    variable winnerswinner1_of_four_0_4_choices : boolean_1d(1 to 8);  -- winnerswinner1_of_four_0_4_choice_#
-    variable winnerswinner1_of_four_0_4_values : boolean_1d(1 to 12);  -- winnerswinner1_of_four_0_4_value_#
-    variable winnerswinner1_of_four_0_8_choices : boolean_1d(1 to 8);  -- winnerswinner1_of_four_0_8_choice_#
-    variable winnerswinner1_of_four_0_8_values : boolean_1d(1 to 12);  -- winnerswinner1_of_four_0_8_value_#
-    variable winnerswinner1_of_four_0_12_choices : boolean_1d(1 to 8);  -- winnerswinner1_of_four_0_12_choice_#
-    variable winnerswinner1_of_four_0_12_values : boolean_1d(1 to 12);  -- winnerswinner1_of_four_0_12_value_#
-    variable winnerswinner1_of_four_0_16_choices : boolean_1d(1 to 8);  -- winnerswinner1_of_four_0_16_choice_#
-    variable winnerswinner1_of_four_0_16_values : boolean_1d(1 to 12);  -- winnerswinner1_of_four_0_16_value_#
-    variable winnerswinner1_of_four_0_20_choices : boolean_1d(1 to 8);  -- winnerswinner1_of_four_0_20_choice_#
-    variable winnerswinner1_of_four_0_20_values : boolean_1d(1 to 12);  -- winnerswinner1_of_four_0_20_value_#
-    variable winnerswinner1_of_four_0_24_choices : boolean_1d(1 to 8);  -- winnerswinner1_of_four_0_24_choice_#
-    variable winnerswinner1_of_four_0_24_values : boolean_1d(1 to 12);  -- winnerswinner1_of_four_0_24_value_#
-    variable winnerswinner1_of_four_0_28_choices : boolean_1d(1 to 8);  -- winnerswinner1_of_four_0_28_choice_#
-    variable winnerswinner1_of_four_0_28_values : boolean_1d(1 to 12);  -- winnerswinner1_of_four_0_28_value_#
-    variable winnerswinner1_of_four_0_32_choices : boolean_1d(1 to 8);  -- winnerswinner1_of_four_0_32_choice_#
-    variable winnerswinner1_of_four_0_32_values : boolean_1d(1 to 12);  -- winnerswinner1_of_four_0_32_value_#
-    variable winnerswinner1_of_four_0_36_choices : boolean_1d(1 to 8);  -- winnerswinner1_of_four_0_36_choice_#
-    variable winnerswinner1_of_four_0_36_values : boolean_1d(1 to 12);  -- winnerswinner1_of_four_0_36_value_#
-    variable winnerswinner1_of_four_0_40_choices : boolean_1d(1 to 8);  -- winnerswinner1_of_four_0_40_choice_#
-    variable winnerswinner1_of_four_0_40_values : boolean_1d(1 to 12);  -- winnerswinner1_of_four_0_40_value_#
-    variable winnerswinner1_of_four_0_44_choices : boolean_1d(1 to 8);  -- winnerswinner1_of_four_0_44_choice_#
-    variable winnerswinner1_of_four_0_44_values : boolean_1d(1 to 12);  -- winnerswinner1_of_four_0_44_value_#
-    variable winnerswinner1_of_four_0_48_choices : boolean_1d(1 to 8);  -- winnerswinner1_of_four_0_48_choice_#
-    variable winnerswinner1_of_four_0_48_values : boolean_1d(1 to 12);  -- winnerswinner1_of_four_0_48_value_#
-    variable winnerswinner1_of_four_0_52_choices : boolean_1d(1 to 8);  -- winnerswinner1_of_four_0_52_choice_#
-    variable winnerswinner1_of_four_0_52_values : boolean_1d(1 to 12);  -- winnerswinner1_of_four_0_52_value_#
-    variable winnerswinner1_of_four_0_56_choices : boolean_1d(1 to 8);  -- winnerswinner1_of_four_0_56_choice_#
-    variable winnerswinner1_of_four_0_56_values : boolean_1d(1 to 12);  -- winnerswinner1_of_four_0_56_value_#
-    variable winnerswinner1_of_four_0_60_choices : boolean_1d(1 to 8);  -- winnerswinner1_of_four_0_60_choice_#
-    variable winnerswinner1_of_four_0_60_values : boolean_1d(1 to 12);  -- winnerswinner1_of_four_0_60_value_#
-    variable winnerswinner2_of_pair_0_choice : boolean_2d(0 to 14, 1 to 8);  -- winnerswinner2_of_pair_0_#_choice_#
-    variable winnerswinner2_of_pair_0_value : boolean_2d(0 to 14, 1 to 5);  -- winnerswinner2_of_pair_0_#_value_#
-    variable winnerswinner2_of_four_0_0_choices : boolean_1d(1 to 8);  -- winnerswinner2_of_four_0_0_choice_#
-    variable winnerswinner2_of_four_0_0_values : boolean_1d(1 to 12);  -- winnerswinner2_of_four_0_0_value_#
-    variable winnerswinner2_of_four_0_4_choices : boolean_1d(1 to 8);  -- winnerswinner2_of_four_0_4_choice_#
-    variable winnerswinner2_of_four_0_4_values : boolean_1d(1 to 12);  -- winnerswinner2_of_four_0_4_value_#
-    variable winnerswinner2_of_four_0_8_choices : boolean_1d(1 to 8);  -- winnerswinner2_of_four_0_8_choice_#
-    variable winnerswinner2_of_four_0_8_values : boolean_1d(1 to 12);  -- winnerswinner2_of_four_0_8_value_#
-    variable winnerswinner2_of_four_0_12_choices : boolean_1d(1 to 8);  -- winnerswinner2_of_four_0_12_choice_#
-    variable winnerswinner2_of_four_0_12_values : boolean_1d(1 to 12);  -- winnerswinner2_of_four_0_12_value_#
-    variable winnerswinner3_of_pair_0_choice : boolean_2d(0 to 2, 1 to 8);  -- winnerswinner3_of_pair_0_#_choice_#
+    variable winnerswinner1_of_pair_0_choice_8 : boolean_1d(0 to 31);  -- winnerswinner1_of_pair_0_2#_choice_8
+    variable winnerswinner1_of_pair_0_value : boolean_2d(0 to 31, 1 to 5);  -- winnerswinner1_of_pair_0_2#_value_#
+    variable winnerswinner1_of_four_0_choice : boolean_2d(0 to 15, 1 to 8);  -- winnerswinner1_of_four_0_4#_choice_#
+    variable winnerswinner1_of_four_0_value : boolean_2d(0 to 15, 1 to 12);  -- winnerswinner1_of_four_0_4#_value_#
+    variable winnerswinner2_of_pair_0_choice_8 : boolean_1d(0 to 7);  -- winnerswinner2_of_pair_0_2#_choice_8
+    variable winnerswinner2_of_pair_0_value : boolean_2d(0 to 7, 1 to 5);  -- winnerswinner2_of_pair_0_2#_value_#
+    variable winnerswinner2_of_four_0_choice : boolean_2d(0 to 3, 1 to 8);  -- winnerswinner2_of_four_0_4#_choice_#
+    variable winnerswinner2_of_four_0_value : boolean_2d(0 to 3, 1 to 12);  -- winnerswinner2_of_four_0_4#_value_#
+    variable winnerswinner3_of_pair_0_choice_8 : boolean_1d(0 to 2);  -- winnerswinner3_of_pair_0_#_choice_8
     variable winnerswinner3_of_pair_0_value : boolean_2d(0 to 2, 1 to 5);  -- winnerswinner3_of_pair_0_#_value_#
     variable winnerswinner3_four_index_0_0_choices : boolean_1d(1 to 8);  -- winnerswinner3_four_index_0_0_choice_#
     variable winnerswinner3_four_index_0_0_values : boolean_1d(1 to 12);  -- winnerswinner3_four_index_0_0_value_#
@@ -835,27 +801,21 @@ begin
     variable map_of_column_0_c_below_b_choices : boolean_1d(1 to 4);  -- map_of_column_0_c_below_b_choice_#
     variable map_window_complete_is_equal, map_window_complete_choice : boolean;
     variable map_of_low_0_b_below_a_values : boolean_1d(1 to 7);  -- map_of_low_0_b_below_a_value_#
-    variable map_of_low_0_b_below_a_choices : boolean_1d(1 to 5);  -- map_of_low_0_b_below_a_choice_#
-    variable map_of_low_0_b_below_a_is_equal, map_of_low_0_c_below_a_value : boolean;
-    variable map_of_low_0_c_below_a_choices : boolean_1d(1 to 5);  -- map_of_low_0_c_below_a_choice_#
-    variable map_of_low_0_c_below_b_choices : boolean_1d(1 to 5);  -- map_of_low_0_c_below_b_choice_#
+    variable map_of_low_0_b_below_a_choice_5, map_of_low_0_b_below_a_is_equal, map_of_low_0_c_below_a_value : boolean;
+    variable map_of_low_0_c_below_a_choice_5, map_of_low_0_c_below_b_choice_5 : boolean;
     variable map_of_middle_0_b_below_a_values : boolean_1d(1 to 7);  -- map_of_middle_0_b_below_a_value_#
-    variable map_of_middle_0_b_below_a_choices : boolean_1d(1 to 5);  -- map_of_middle_0_b_below_a_choice_#
-    variable map_of_middle_0_b_below_a_is_equal, map_of_middle_0_c_below_a_value : boolean;
-    variable map_of_middle_0_c_below_a_choices : boolean_1d(1 to 5);  -- map_of_middle_0_c_below_a_choice_#
-    variable map_of_middle_0_c_below_b_choices : boolean_1d(1 to 5);  -- map_of_middle_0_c_below_b_choice_#
+    variable map_of_middle_0_b_below_a_choice_5, map_of_middle_0_b_below_a_is_equal : boolean;
+    variable map_of_middle_0_c_below_a_value, map_of_middle_0_c_below_a_choice_5 : boolean;
+    variable map_of_middle_0_c_below_b_choice_5 : boolean;
     variable map_of_high_0_b_below_a_values : boolean_1d(1 to 7);  -- map_of_high_0_b_below_a_value_#
-    variable map_of_high_0_b_below_a_choices : boolean_1d(1 to 5);  -- map_of_high_0_b_below_a_choice_#
-    variable map_of_high_0_b_below_a_is_equal, map_of_high_0_c_below_a_value : boolean;
-    variable map_of_high_0_c_below_a_choices : boolean_1d(1 to 5);  -- map_of_high_0_c_below_a_choice_#
-    variable map_of_high_0_c_below_b_choices : boolean_1d(1 to 5);  -- map_of_high_0_c_below_b_choice_#
+    variable map_of_high_0_b_below_a_choice_5, map_of_high_0_b_below_a_is_equal : boolean;
+    variable map_of_high_0_c_below_a_value, map_of_high_0_c_below_a_choice_5 : boolean;
+    variable map_of_high_0_c_below_b_choice_5 : boolean;
     variable map_of_all_0_b_below_a_values : boolean_1d(1 to 7);  -- map_of_all_0_b_below_a_value_#
-    variable map_of_all_0_b_below_a_choices : boolean_1d(1 to 5);  -- map_of_all_0_b_below_a_choice_#
-    variable map_of_all_0_b_below_a_is_equal, map_of_all_0_c_below_a_value : boolean;
-    variable map_of_all_0_c_below_a_choices : boolean_1d(1 to 5);  -- map_of_all_0_c_below_a_choice_#
-    variable map_of_all_0_c_below_b_choices : boolean_1d(1 to 5);  -- map_of_all_0_c_below_b_choice_#
+    variable map_of_all_0_b_below_a_choice_5, map_of_all_0_b_below_a_is_equal, map_of_all_0_c_below_a_value : boolean;
+    variable map_of_all_0_c_below_a_choice_5, map_of_all_0_c_below_b_choice_5 : boolean;
     variable map_low_0_all : boolean_1d(0 to 1);  -- map_low_#_0_all
-    variable relief_newest_choices : boolean_1d(1 to 16);  -- relief_newest_choice_#
+    variable relief_newest_choice : boolean_1d(7 to 16);
     variable relief_newest_values : boolean_1d(1 to 5);  -- relief_newest_value_#
     variable transform_counter_group_choice, raster_place_group_choice : natural range 0 to 375;
     variable map_counter_group_choice : natural range 0 to 375;
@@ -874,13 +834,13 @@ begin
     variable sums_right_g_copy_0_value, sums_right_g_less_copy_0_value : natural range 0 to 127;
     variable sums_right_cost_choice : natural_127_2d(0 to 63, 1 to 2);  -- sums_right_cost_#_choice_#
     variable sums_right_arrived_choice : natural_127_2d(0 to 63, 1 to 2);  -- sums_right_arrived_#_choice_#
-    variable forward_left_start_cost_0_choices_from_7 : natural_63_1d(7 to 9);  -- forward_left_start_cost_0_choice_#
+    variable forward_left_start_cost_0_choice : natural_63_1d(7 to 9);
     variable forward_left_room_value : natural range 0 to 63;
     variable forward_left_room_choices : natural_63_1d(1 to 3);  -- forward_left_room_choice_#
     variable forward_left_smallest_choice, forward_left_relief_pairs_0_choice : natural range 0 to 63;
     variable forward_left_relief_older_choice, forward_left_relief_recent_choice : natural range 0 to 63;
     variable forward_left_relief_largest_choice : natural range 0 to 63;
-    variable sums_right_start_cost_0_choices_from_7 : natural_63_1d(7 to 9);  -- sums_right_start_cost_0_choice_#
+    variable sums_right_start_cost_0_choice : natural_63_1d(7 to 9);
     variable sums_right_room_value : natural range 0 to 63;
     variable sums_right_room_choices : natural_63_1d(1 to 3);  -- sums_right_room_choice_#
     variable sums_right_smallest_choice, sums_right_relief_pairs_0_choice : natural range 0 to 63;
@@ -910,17 +870,13 @@ begin
   begin
     if rising_edge(clock) then
       -- no bit without a value, where an array has places for more
-      transform_left_filter_feature_0_choices := (others => false);
-      transform_right_filter_feature_0_choices := (others => false);
+      transform_left_filter_feature_0_choice := (others => false);
+      transform_right_filter_feature_0_choice := (others => false);
       slice0cost_pixels_first_0_count_value := (others => (others => (others => false)));
       slice1cost_pixels_first_0_count_value := (others => (others => (others => false)));
       slice2cost_pixels_first_0_count_value := (others => (others => (others => false)));
       slice3cost_pixels_first_0_count_value := (others => (others => (others => false)));
-      winnerswinner1_of_pair_0_choice := (others => (others => false));
-      winnerswinner1_of_pair_0_value := (others => (others => false));
-      winnerswinner2_of_pair_0_choice := (others => (others => false));
-      winnerswinner2_of_pair_0_value := (others => (others => false));
-      winnerswinner3_of_pair_0_choice := (others => (others => false));
+      winnerswinner3_of_pair_0_choice_8 := (others => false);
       winnerswinner3_of_pair_0_value := (others => (others => false));
       forward_left_arrived_choice := (others => (others => 0));
       sums_right_arrived_choice := (others => (others => 0));
@@ -936,470 +892,130 @@ begin
       transform_counter_group_choices(3) := choice(transform_counter_group_differs and in_valid and
         transform_counter_group_is_equals(2), transform_counter_group_choices(2), transform_counter_group);
       transform_read_column_inside_0_is_less := 3 < transform_counter_column;
-      transform_left_filter_feature_0_any := (not is_set(transform_left_filter_column_2(4), 1)) or (not
-        is_set(transform_left_filter_column_2(4), 0));
-      transform_left_filter_feature_0_choices(1) := choice(is_set(transform_left_filter_column_0(4), 0),
-        transform_left_filter_feature_0_any, not is_set(transform_left_filter_column_2(4), 1));
-      transform_left_filter_feature_0_is_equal := (transform_left_filter_column_2(4) mod 4) = 0;
-      transform_left_filter_feature_0_choices(2) := choice(is_set(transform_left_filter_column_0(4), 1),
-        transform_left_filter_feature_0_choices(1), is_set(transform_left_filter_column_0(4), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_values(1) := is_set(transform_left_filter_column_2(4), 2);
-      transform_left_filter_feature_0_choices(3) := inverted_carry(transform_left_filter_feature_0_choices(2), not
-        is_set(transform_left_filter_column_0(4), 2), transform_left_filter_feature_0_values(1));
-      for i in 2 to 5 loop
-        transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column_2(4), i + 1);
-        transform_left_filter_feature_0_choices(i + 2) := carry(transform_left_filter_feature_0_choices(i + 1), not
-          is_set(transform_left_filter_column_0(4), i + 1), transform_left_filter_feature_0_values(i));
+      transform_left_filter_feature_0_any := (not is_set(transform_left_filter_column(4, 1), 1)) or (not
+        is_set(transform_left_filter_column(4, 1), 0));
+      transform_left_filter_feature_0_is_equal := (transform_left_filter_column(4, 1) mod 4) = 0;
+      for i in 1 to 5 loop
+        transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(4, 1), i + 1);
       end loop;
-      transform_left_filter_feature_0_choices(8) := inverted_carry(transform_left_filter_feature_0_choices(7),
-        is_set(transform_left_filter_column_0(4), 7), not is_set(transform_left_filter_column_2(4), 7));
-      transform_left_filter_feature_0_choices(9) := choice(is_set(transform_left_filter_column_4(4), 0),
-        transform_left_filter_feature_0_any, not is_set(transform_left_filter_column_2(4), 1));
-      transform_left_filter_feature_0_choices(10) := choice(is_set(transform_left_filter_column_4(4), 1),
-        transform_left_filter_feature_0_choices(9), is_set(transform_left_filter_column_4(4), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(11) := inverted_carry(transform_left_filter_feature_0_choices(10), not
-        is_set(transform_left_filter_column_4(4), 2), transform_left_filter_feature_0_values(1));
-      for i in 12 to 15 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_4(4), i - 9), transform_left_filter_feature_0_values(i - 10));
+      transform_left_filter_feature_0_choice(8) := is_larger(transform_left_filter_column(4, 0),
+        transform_left_filter_column(4, 1), 0, 7, false);
+      transform_left_filter_feature_0_choice(16) := is_larger(transform_left_filter_column(4, 2),
+        transform_left_filter_column(4, 1), 0, 7, false);
+      transform_left_filter_feature_0_choice_17 := choice(transform_filtering_0_column_inside(2),
+        as_number(transform_left_filter_feature_0_choice(8)) + (as_number(transform_left_filter_feature_0_choice(16)) *
+        2), 0);
+      for i in 0 to 1 loop
+        transform_left_filter_feature_0_choice(52 * i + 24) := not is_larger(transform_left_filter_column(6 * i, 1),
+          transform_left_filter_column(4, 1), 0, 6, false);
+        transform_left_filter_feature_0_alls(2 * i + 1) := transform_filtering_0_column_inside(3 * i) and (not
+          is_set(transform_left_filter_column(4, 1), 7));
+        transform_left_filter_feature_0_choice(52 * i + 25) := choice(is_set(transform_left_filter_column(6 * i, 1),
+          7), transform_filtering_0_column_inside(3 * i), transform_left_filter_feature_0_alls(2 * i + 1));
+        transform_left_filter_feature_0_choice(52 * i + 26) := choice(transform_left_filter_feature_0_choice(52 * i +
+          24), is_set(transform_left_filter_column(6 * i, 1), 7) and transform_filtering_0_column_inside(3 * i) and
+          (not is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(52 * i + 25));
+        transform_left_filter_feature_0_choice(52 * i + 33) := not is_larger(transform_left_filter_column(6 * i, 0),
+          transform_left_filter_column(4, 1), 0, 6, false);
+        transform_left_filter_feature_0_choice(52 * i + 34) := choice(is_set(transform_left_filter_column(6 * i, 0),
+          7), transform_filtering_0_column_inside(3 * i), transform_left_filter_feature_0_alls(2 * i + 1));
+        transform_left_filter_feature_0_choice(52 * i + 35) := choice(transform_left_filter_feature_0_choice(52 * i +
+          33), is_set(transform_left_filter_column(6 * i, 0), 7) and transform_filtering_0_column_inside(3 * i) and
+          (not is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(52 * i + 34));
+        transform_left_filter_feature_0_choice(52 * i + 42) := not is_larger(transform_left_filter_column(6 * i, 2),
+          transform_left_filter_column(4, 1), 0, 6, false);
+        transform_left_filter_feature_0_choice(52 * i + 43) := choice(transform_left_filter_feature_0_choice(52 * i +
+          42), transform_filtering_0_column_inside(3 * i) and is_set(transform_left_filter_column(6 * i, 2), 7) and
+          (not is_set(transform_left_filter_column(4, 1), 7)), transform_filtering_0_column_inside(3 * i) and
+          (is_set(transform_left_filter_column(6 * i, 2), 7) or (not is_set(transform_left_filter_column(4, 1), 7))));
+        transform_left_filter_feature_0_choice(52 * i + 50) := not is_larger(transform_left_filter_column(6 * i + 2,
+          1), transform_left_filter_column(4, 1), 0, 6, false);
+        transform_left_filter_feature_0_alls(2 * i + 2) := transform_filtering_0_column_inside(3 * i + 1) and (not
+          is_set(transform_left_filter_column(4, 1), 7));
+        transform_left_filter_feature_0_choice(52 * i + 51) := choice(is_set(transform_left_filter_column(6 * i + 2,
+          1), 7), transform_filtering_0_column_inside(3 * i + 1), transform_left_filter_feature_0_alls(2 * i + 2));
+        transform_left_filter_feature_0_choice(52 * i + 52) := choice(transform_left_filter_feature_0_choice(52 * i +
+          50), is_set(transform_left_filter_column(6 * i + 2, 1), 7) and transform_filtering_0_column_inside(3 * i + 1)
+          and (not is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(52 * i + 51));
+        transform_left_filter_feature_0_choice(52 * i + 59) := not is_larger(transform_left_filter_column(6 * i + 2,
+          0), transform_left_filter_column(4, 1), 0, 6, false);
+        transform_left_filter_feature_0_choice(52 * i + 60) := choice(is_set(transform_left_filter_column(6 * i + 2,
+          0), 7), transform_filtering_0_column_inside(3 * i + 1), transform_left_filter_feature_0_alls(2 * i + 2));
+        transform_left_filter_feature_0_choice(52 * i + 61) := choice(transform_left_filter_feature_0_choice(52 * i +
+          59), is_set(transform_left_filter_column(6 * i + 2, 0), 7) and transform_filtering_0_column_inside(3 * i + 1)
+          and (not is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(52 * i + 60));
+        transform_left_filter_feature_0_choice(52 * i + 68) := not is_larger(transform_left_filter_column(6 * i + 2,
+          2), transform_left_filter_column(4, 1), 0, 6, false);
+        transform_left_filter_feature_0_choice(52 * i + 69) := choice(transform_left_filter_feature_0_choice(52 * i +
+          68), transform_filtering_0_column_inside(3 * i + 1) and is_set(transform_left_filter_column(6 * i + 2, 2), 7)
+          and (not is_set(transform_left_filter_column(4, 1), 7)), transform_filtering_0_column_inside(3 * i + 1) and
+          (is_set(transform_left_filter_column(6 * i + 2, 2), 7) or (not is_set(transform_left_filter_column(4, 1),
+          7))));
       end loop;
-      transform_left_filter_feature_0_choices(16) := inverted_carry(transform_left_filter_feature_0_choices(15),
-        is_set(transform_left_filter_column_4(4), 7), not is_set(transform_left_filter_column_2(4), 7));
-      transform_left_filter_feature_0_choice_17 := choice(transform_filtering_0_column_inside_4,
-        as_number(transform_left_filter_feature_0_choices(8)) + (as_number(transform_left_filter_feature_0_choices(16))
+      transform_right_filter_feature_0_any := (not is_set(transform_right_filter_column(4, 1), 1)) or (not
+        is_set(transform_right_filter_column(4, 1), 0));
+      transform_right_filter_feature_0_is_equal := (transform_right_filter_column(4, 1) mod 4) = 0;
+      for i in 1 to 5 loop
+        transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(4, 1), i + 1);
+      end loop;
+      transform_right_filter_feature_0_choice(8) := is_larger(transform_right_filter_column(4, 0),
+        transform_right_filter_column(4, 1), 0, 7, false);
+      transform_right_filter_feature_0_choice(16) := is_larger(transform_right_filter_column(4, 2),
+        transform_right_filter_column(4, 1), 0, 7, false);
+      transform_right_filter_feature_0_choice_17 := choice(transform_filtering_0_column_inside(2),
+        as_number(transform_right_filter_feature_0_choice(8)) + (as_number(transform_right_filter_feature_0_choice(16))
         * 2), 0);
-      transform_left_filter_feature_0_choices(18) := choice(is_set(transform_left_filter_column_2(0), 0),
-        transform_left_filter_feature_0_any, not is_set(transform_left_filter_column_2(4), 1));
-      transform_left_filter_feature_0_choices(19) := choice(is_set(transform_left_filter_column_2(0), 1),
-        transform_left_filter_feature_0_choices(18), is_set(transform_left_filter_column_2(0), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(20) := inverted_carry(transform_left_filter_feature_0_choices(19), not
-        is_set(transform_left_filter_column_2(0), 2), transform_left_filter_feature_0_values(1));
-      for i in 21 to 24 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_2(0), i - 18), transform_left_filter_feature_0_values(i - 19));
+      for i in 0 to 1 loop
+        transform_right_filter_feature_0_choice(54 * i + 24) := not is_larger(transform_right_filter_column(6 * i, 1),
+          transform_right_filter_column(4, 1), 0, 6, false);
+        transform_right_filter_feature_0_alls(2 * i + 1) := transform_filtering_0_column_inside(3 * i) and (not
+          is_set(transform_right_filter_column(4, 1), 7));
+        transform_right_filter_feature_0_choice(54 * i + 25) := choice(is_set(transform_right_filter_column(6 * i, 1),
+          7), transform_filtering_0_column_inside(3 * i), transform_right_filter_feature_0_alls(2 * i + 1));
+        transform_right_filter_feature_0_choice(54 * i + 26) := choice(transform_right_filter_feature_0_choice(54 * i +
+          24), is_set(transform_right_filter_column(6 * i, 1), 7) and transform_filtering_0_column_inside(3 * i) and
+          (not is_set(transform_right_filter_column(4, 1), 7)), transform_right_filter_feature_0_choice(54 * i + 25));
+        transform_right_filter_feature_0_choice(54 * i + 33) := not is_larger(transform_right_filter_column(6 * i, 0),
+          transform_right_filter_column(4, 1), 0, 6, false);
+        transform_right_filter_feature_0_choice(54 * i + 34) := choice(is_set(transform_right_filter_column(6 * i, 0),
+          7), transform_filtering_0_column_inside(3 * i), transform_right_filter_feature_0_alls(2 * i + 1));
+        transform_right_filter_feature_0_choice(54 * i + 35) := choice(transform_right_filter_feature_0_choice(54 * i +
+          33), is_set(transform_right_filter_column(6 * i, 0), 7) and transform_filtering_0_column_inside(3 * i) and
+          (not is_set(transform_right_filter_column(4, 1), 7)), transform_right_filter_feature_0_choice(54 * i + 34));
+        transform_right_filter_feature_0_choice(54 * i + 42) := not is_larger(transform_right_filter_column(6 * i, 2),
+          transform_right_filter_column(4, 1), 0, 6, false);
+        transform_right_filter_feature_0_choice(54 * i + 43) := choice(is_set(transform_right_filter_column(6 * i, 2),
+          7), transform_filtering_0_column_inside(3 * i), transform_right_filter_feature_0_alls(2 * i + 1));
+        transform_right_filter_feature_0_choice(54 * i + 44) := choice(transform_right_filter_feature_0_choice(54 * i +
+          42), is_set(transform_right_filter_column(6 * i, 2), 7) and transform_filtering_0_column_inside(3 * i) and
+          (not is_set(transform_right_filter_column(4, 1), 7)), transform_right_filter_feature_0_choice(54 * i + 43));
+        transform_right_filter_feature_0_choice(54 * i + 51) := not is_larger(transform_right_filter_column(6 * i + 2,
+          1), transform_right_filter_column(4, 1), 0, 6, false);
+        transform_right_filter_feature_0_alls(2 * i + 2) := transform_filtering_0_column_inside(3 * i + 1) and (not
+          is_set(transform_right_filter_column(4, 1), 7));
+        transform_right_filter_feature_0_choice(54 * i + 52) := choice(is_set(transform_right_filter_column(6 * i + 2,
+          1), 7), transform_filtering_0_column_inside(3 * i + 1), transform_right_filter_feature_0_alls(2 * i + 2));
+        transform_right_filter_feature_0_choice(54 * i + 53) := choice(transform_right_filter_feature_0_choice(54 * i +
+          51), is_set(transform_right_filter_column(6 * i + 2, 1), 7) and transform_filtering_0_column_inside(3 * i +
+          1) and (not is_set(transform_right_filter_column(4, 1), 7)), transform_right_filter_feature_0_choice(54 * i +
+          52));
+        transform_right_filter_feature_0_choice(54 * i + 60) := not is_larger(transform_right_filter_column(6 * i + 2,
+          0), transform_right_filter_column(4, 1), 0, 6, false);
+        transform_right_filter_feature_0_choice(54 * i + 61) := choice(is_set(transform_right_filter_column(6 * i + 2,
+          0), 7), transform_filtering_0_column_inside(3 * i + 1), transform_right_filter_feature_0_alls(2 * i + 2));
+        transform_right_filter_feature_0_choice(54 * i + 62) := choice(transform_right_filter_feature_0_choice(54 * i +
+          60), is_set(transform_right_filter_column(6 * i + 2, 0), 7) and transform_filtering_0_column_inside(3 * i +
+          1) and (not is_set(transform_right_filter_column(4, 1), 7)), transform_right_filter_feature_0_choice(54 * i +
+          61));
+        transform_right_filter_feature_0_choice(54 * i + 69) := not is_larger(transform_right_filter_column(6 * i + 2,
+          2), transform_right_filter_column(4, 1), 0, 6, false);
+        transform_right_filter_feature_0_choice(54 * i + 70) := choice(is_set(transform_right_filter_column(6 * i + 2,
+          2), 7), transform_filtering_0_column_inside(3 * i + 1), transform_right_filter_feature_0_alls(2 * i + 2));
+        transform_right_filter_feature_0_choice(54 * i + 71) := choice(transform_right_filter_feature_0_choice(54 * i +
+          69), is_set(transform_right_filter_column(6 * i + 2, 2), 7) and transform_filtering_0_column_inside(3 * i +
+          1) and (not is_set(transform_right_filter_column(4, 1), 7)), transform_right_filter_feature_0_choice(54 * i +
+          70));
       end loop;
-      transform_left_filter_feature_0_alls(1) := transform_filtering_0_column_inside_0 and (not
-        is_set(transform_left_filter_column_2(4), 7));
-      transform_left_filter_feature_0_choices(25) := choice(is_set(transform_left_filter_column_2(0), 7),
-        transform_filtering_0_column_inside_0, transform_left_filter_feature_0_alls(1));
-      transform_left_filter_feature_0_choices(26) := choice(transform_left_filter_feature_0_choices(24),
-        is_set(transform_left_filter_column_2(0), 7) and transform_filtering_0_column_inside_0 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(25));
-      transform_left_filter_feature_0_choices(27) := choice(is_set(transform_left_filter_column_0(0), 0),
-        transform_left_filter_feature_0_any, not is_set(transform_left_filter_column_2(4), 1));
-      transform_left_filter_feature_0_choices(28) := choice(is_set(transform_left_filter_column_0(0), 1),
-        transform_left_filter_feature_0_choices(27), is_set(transform_left_filter_column_0(0), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(29) := inverted_carry(transform_left_filter_feature_0_choices(28), not
-        is_set(transform_left_filter_column_0(0), 2), transform_left_filter_feature_0_values(1));
-      for i in 30 to 33 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_0(0), i - 27), transform_left_filter_feature_0_values(i - 28));
-      end loop;
-      transform_left_filter_feature_0_choices(34) := choice(is_set(transform_left_filter_column_0(0), 7),
-        transform_filtering_0_column_inside_0, transform_left_filter_feature_0_alls(1));
-      transform_left_filter_feature_0_choices(35) := choice(transform_left_filter_feature_0_choices(33),
-        is_set(transform_left_filter_column_0(0), 7) and transform_filtering_0_column_inside_0 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(34));
-      transform_left_filter_feature_0_choices(36) := choice(is_set(transform_left_filter_column_4(0), 0),
-        transform_left_filter_feature_0_any, not is_set(transform_left_filter_column_2(4), 1));
-      transform_left_filter_feature_0_choices(37) := choice(is_set(transform_left_filter_column_4(0), 1),
-        transform_left_filter_feature_0_choices(36), is_set(transform_left_filter_column_4(0), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(38) := inverted_carry(transform_left_filter_feature_0_choices(37), not
-        is_set(transform_left_filter_column_4(0), 2), transform_left_filter_feature_0_values(1));
-      for i in 39 to 42 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_4(0), i - 36), transform_left_filter_feature_0_values(i - 37));
-      end loop;
-      transform_left_filter_feature_0_choices(43) := choice(transform_left_filter_feature_0_choices(42),
-        transform_filtering_0_column_inside_0 and is_set(transform_left_filter_column_4(0), 7) and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_0 and
-        (is_set(transform_left_filter_column_4(0), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
-      transform_left_filter_feature_0_choices(44) := choice(is_set(transform_left_filter_column_2(2), 0),
-        transform_left_filter_feature_0_any, not is_set(transform_left_filter_column_2(4), 1));
-      transform_left_filter_feature_0_choices(45) := choice(is_set(transform_left_filter_column_2(2), 1),
-        transform_left_filter_feature_0_choices(44), is_set(transform_left_filter_column_2(2), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(46) := inverted_carry(transform_left_filter_feature_0_choices(45), not
-        is_set(transform_left_filter_column_2(2), 2), transform_left_filter_feature_0_values(1));
-      for i in 47 to 50 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_2(2), i - 44), transform_left_filter_feature_0_values(i - 45));
-      end loop;
-      transform_left_filter_feature_0_alls(2) := transform_filtering_0_column_inside_2 and (not
-        is_set(transform_left_filter_column_2(4), 7));
-      transform_left_filter_feature_0_choices(51) := choice(is_set(transform_left_filter_column_2(2), 7),
-        transform_filtering_0_column_inside_2, transform_left_filter_feature_0_alls(2));
-      transform_left_filter_feature_0_choices(52) := choice(transform_left_filter_feature_0_choices(50),
-        is_set(transform_left_filter_column_2(2), 7) and transform_filtering_0_column_inside_2 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(51));
-      transform_left_filter_feature_0_choices(53) := choice(is_set(transform_left_filter_column_0(2), 0),
-        transform_left_filter_feature_0_any, not is_set(transform_left_filter_column_2(4), 1));
-      transform_left_filter_feature_0_choices(54) := choice(is_set(transform_left_filter_column_0(2), 1),
-        transform_left_filter_feature_0_choices(53), is_set(transform_left_filter_column_0(2), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(55) := inverted_carry(transform_left_filter_feature_0_choices(54), not
-        is_set(transform_left_filter_column_0(2), 2), transform_left_filter_feature_0_values(1));
-      for i in 56 to 59 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_0(2), i - 53), transform_left_filter_feature_0_values(i - 54));
-      end loop;
-      transform_left_filter_feature_0_choices(60) := choice(is_set(transform_left_filter_column_0(2), 7),
-        transform_filtering_0_column_inside_2, transform_left_filter_feature_0_alls(2));
-      transform_left_filter_feature_0_choices(61) := choice(transform_left_filter_feature_0_choices(59),
-        is_set(transform_left_filter_column_0(2), 7) and transform_filtering_0_column_inside_2 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(60));
-      transform_left_filter_feature_0_choices(62) := choice(is_set(transform_left_filter_column_4(2), 0),
-        transform_left_filter_feature_0_any, not is_set(transform_left_filter_column_2(4), 1));
-      transform_left_filter_feature_0_choices(63) := choice(is_set(transform_left_filter_column_4(2), 1),
-        transform_left_filter_feature_0_choices(62), is_set(transform_left_filter_column_4(2), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(64) := inverted_carry(transform_left_filter_feature_0_choices(63), not
-        is_set(transform_left_filter_column_4(2), 2), transform_left_filter_feature_0_values(1));
-      for i in 65 to 68 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_4(2), i - 62), transform_left_filter_feature_0_values(i - 63));
-      end loop;
-      transform_left_filter_feature_0_choices(69) := choice(transform_left_filter_feature_0_choices(68),
-        transform_filtering_0_column_inside_2 and is_set(transform_left_filter_column_4(2), 7) and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_2 and
-        (is_set(transform_left_filter_column_4(2), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
-      transform_left_filter_feature_0_choices(70) := choice(is_set(transform_left_filter_column_2(6), 0),
-        transform_left_filter_feature_0_any, not is_set(transform_left_filter_column_2(4), 1));
-      transform_left_filter_feature_0_choices(71) := choice(is_set(transform_left_filter_column_2(6), 1),
-        transform_left_filter_feature_0_choices(70), is_set(transform_left_filter_column_2(6), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(72) := inverted_carry(transform_left_filter_feature_0_choices(71), not
-        is_set(transform_left_filter_column_2(6), 2), transform_left_filter_feature_0_values(1));
-      for i in 73 to 76 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_2(6), i - 70), transform_left_filter_feature_0_values(i - 71));
-      end loop;
-      transform_left_filter_feature_0_alls(3) := transform_filtering_0_column_inside_6 and (not
-        is_set(transform_left_filter_column_2(4), 7));
-      transform_left_filter_feature_0_choices(77) := choice(is_set(transform_left_filter_column_2(6), 7),
-        transform_filtering_0_column_inside_6, transform_left_filter_feature_0_alls(3));
-      transform_left_filter_feature_0_choices(78) := choice(transform_left_filter_feature_0_choices(76),
-        is_set(transform_left_filter_column_2(6), 7) and transform_filtering_0_column_inside_6 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(77));
-      transform_left_filter_feature_0_choices(79) := choice(is_set(transform_left_filter_column_0(6), 0),
-        transform_left_filter_feature_0_any, not is_set(transform_left_filter_column_2(4), 1));
-      transform_left_filter_feature_0_choices(80) := choice(is_set(transform_left_filter_column_0(6), 1),
-        transform_left_filter_feature_0_choices(79), is_set(transform_left_filter_column_0(6), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(81) := inverted_carry(transform_left_filter_feature_0_choices(80), not
-        is_set(transform_left_filter_column_0(6), 2), transform_left_filter_feature_0_values(1));
-      for i in 82 to 85 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_0(6), i - 79), transform_left_filter_feature_0_values(i - 80));
-      end loop;
-      transform_left_filter_feature_0_choices(86) := choice(is_set(transform_left_filter_column_0(6), 7),
-        transform_filtering_0_column_inside_6, transform_left_filter_feature_0_alls(3));
-      transform_left_filter_feature_0_choices(87) := choice(transform_left_filter_feature_0_choices(85),
-        is_set(transform_left_filter_column_0(6), 7) and transform_filtering_0_column_inside_6 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(86));
-      transform_left_filter_feature_0_choices(88) := choice(is_set(transform_left_filter_column_4(6), 0),
-        transform_left_filter_feature_0_any, not is_set(transform_left_filter_column_2(4), 1));
-      transform_left_filter_feature_0_choices(89) := choice(is_set(transform_left_filter_column_4(6), 1),
-        transform_left_filter_feature_0_choices(88), is_set(transform_left_filter_column_4(6), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(90) := inverted_carry(transform_left_filter_feature_0_choices(89), not
-        is_set(transform_left_filter_column_4(6), 2), transform_left_filter_feature_0_values(1));
-      for i in 91 to 94 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_4(6), i - 88), transform_left_filter_feature_0_values(i - 89));
-      end loop;
-      transform_left_filter_feature_0_choices(95) := choice(transform_left_filter_feature_0_choices(94),
-        transform_filtering_0_column_inside_6 and is_set(transform_left_filter_column_4(6), 7) and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_6 and
-        (is_set(transform_left_filter_column_4(6), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
-      transform_left_filter_feature_0_choices(96) := choice(is_set(transform_left_filter_column_2(8), 0),
-        transform_left_filter_feature_0_any, not is_set(transform_left_filter_column_2(4), 1));
-      transform_left_filter_feature_0_choices(97) := choice(is_set(transform_left_filter_column_2(8), 1),
-        transform_left_filter_feature_0_choices(96), is_set(transform_left_filter_column_2(8), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(98) := inverted_carry(transform_left_filter_feature_0_choices(97), not
-        is_set(transform_left_filter_column_2(8), 2), transform_left_filter_feature_0_values(1));
-      for i in 99 to 102 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_2(8), i - 96), transform_left_filter_feature_0_values(i - 97));
-      end loop;
-      transform_left_filter_feature_0_alls(4) := transform_filtering_0_column_inside_8 and (not
-        is_set(transform_left_filter_column_2(4), 7));
-      transform_left_filter_feature_0_choices(103) := choice(is_set(transform_left_filter_column_2(8), 7),
-        transform_filtering_0_column_inside_8, transform_left_filter_feature_0_alls(4));
-      transform_left_filter_feature_0_choices(104) := choice(transform_left_filter_feature_0_choices(102),
-        is_set(transform_left_filter_column_2(8), 7) and transform_filtering_0_column_inside_8 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(103));
-      transform_left_filter_feature_0_choices(105) := choice(is_set(transform_left_filter_column_0(8), 0),
-        transform_left_filter_feature_0_any, not is_set(transform_left_filter_column_2(4), 1));
-      transform_left_filter_feature_0_choices(106) := choice(is_set(transform_left_filter_column_0(8), 1),
-        transform_left_filter_feature_0_choices(105), is_set(transform_left_filter_column_0(8), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(107) := inverted_carry(transform_left_filter_feature_0_choices(106), not
-        is_set(transform_left_filter_column_0(8), 2), transform_left_filter_feature_0_values(1));
-      for i in 108 to 111 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_0(8), i - 105), transform_left_filter_feature_0_values(i - 106));
-      end loop;
-      transform_left_filter_feature_0_choices(112) := choice(is_set(transform_left_filter_column_0(8), 7),
-        transform_filtering_0_column_inside_8, transform_left_filter_feature_0_alls(4));
-      transform_left_filter_feature_0_choices(113) := choice(transform_left_filter_feature_0_choices(111),
-        is_set(transform_left_filter_column_0(8), 7) and transform_filtering_0_column_inside_8 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(112));
-      transform_left_filter_feature_0_choices(114) := choice(is_set(transform_left_filter_column_4(8), 0),
-        transform_left_filter_feature_0_any, not is_set(transform_left_filter_column_2(4), 1));
-      transform_left_filter_feature_0_choices(115) := choice(is_set(transform_left_filter_column_4(8), 1),
-        transform_left_filter_feature_0_choices(114), is_set(transform_left_filter_column_4(8), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(116) := inverted_carry(transform_left_filter_feature_0_choices(115), not
-        is_set(transform_left_filter_column_4(8), 2), transform_left_filter_feature_0_values(1));
-      for i in 117 to 120 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_4(8), i - 114), transform_left_filter_feature_0_values(i - 115));
-      end loop;
-      transform_left_filter_feature_0_choices(121) := choice(transform_left_filter_feature_0_choices(120),
-        transform_filtering_0_column_inside_8 and is_set(transform_left_filter_column_4(8), 7) and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_8 and
-        (is_set(transform_left_filter_column_4(8), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
-      transform_right_filter_feature_0_any := (not is_set(transform_right_filter_column_2(4), 1)) or (not
-        is_set(transform_right_filter_column_2(4), 0));
-      transform_right_filter_feature_0_choices(1) := choice(is_set(transform_right_filter_column_0(4), 0),
-        transform_right_filter_feature_0_any, not is_set(transform_right_filter_column_2(4), 1));
-      transform_right_filter_feature_0_is_equal := (transform_right_filter_column_2(4) mod 4) = 0;
-      transform_right_filter_feature_0_choices(2) := choice(is_set(transform_right_filter_column_0(4), 1),
-        transform_right_filter_feature_0_choices(1), is_set(transform_right_filter_column_0(4), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_values(1) := is_set(transform_right_filter_column_2(4), 2);
-      transform_right_filter_feature_0_choices(3) := inverted_carry(transform_right_filter_feature_0_choices(2), not
-        is_set(transform_right_filter_column_0(4), 2), transform_right_filter_feature_0_values(1));
-      for i in 2 to 5 loop
-        transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column_2(4), i + 1);
-        transform_right_filter_feature_0_choices(i + 2) := carry(transform_right_filter_feature_0_choices(i + 1), not
-          is_set(transform_right_filter_column_0(4), i + 1), transform_right_filter_feature_0_values(i));
-      end loop;
-      transform_right_filter_feature_0_choices(8) := inverted_carry(transform_right_filter_feature_0_choices(7),
-        is_set(transform_right_filter_column_0(4), 7), not is_set(transform_right_filter_column_2(4), 7));
-      transform_right_filter_feature_0_choices(9) := choice(is_set(transform_right_filter_column_4(4), 0),
-        transform_right_filter_feature_0_any, not is_set(transform_right_filter_column_2(4), 1));
-      transform_right_filter_feature_0_choices(10) := choice(is_set(transform_right_filter_column_4(4), 1),
-        transform_right_filter_feature_0_choices(9), is_set(transform_right_filter_column_4(4), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(11) := inverted_carry(transform_right_filter_feature_0_choices(10), not
-        is_set(transform_right_filter_column_4(4), 2), transform_right_filter_feature_0_values(1));
-      for i in 12 to 15 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_4(4), i - 9), transform_right_filter_feature_0_values(i - 10));
-      end loop;
-      transform_right_filter_feature_0_choices(16) := inverted_carry(transform_right_filter_feature_0_choices(15),
-        is_set(transform_right_filter_column_4(4), 7), not is_set(transform_right_filter_column_2(4), 7));
-      transform_right_filter_feature_0_choice_17 := choice(transform_filtering_0_column_inside_4,
-        as_number(transform_right_filter_feature_0_choices(8)) +
-        (as_number(transform_right_filter_feature_0_choices(16)) * 2), 0);
-      transform_right_filter_feature_0_choices(18) := choice(is_set(transform_right_filter_column_2(0), 0),
-        transform_right_filter_feature_0_any, not is_set(transform_right_filter_column_2(4), 1));
-      transform_right_filter_feature_0_choices(19) := choice(is_set(transform_right_filter_column_2(0), 1),
-        transform_right_filter_feature_0_choices(18), is_set(transform_right_filter_column_2(0), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(20) := inverted_carry(transform_right_filter_feature_0_choices(19), not
-        is_set(transform_right_filter_column_2(0), 2), transform_right_filter_feature_0_values(1));
-      for i in 21 to 24 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_2(0), i - 18), transform_right_filter_feature_0_values(i - 19));
-      end loop;
-      transform_right_filter_feature_0_alls(1) := transform_filtering_0_column_inside_0 and (not
-        is_set(transform_right_filter_column_2(4), 7));
-      transform_right_filter_feature_0_choices(25) := choice(is_set(transform_right_filter_column_2(0), 7),
-        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_alls(1));
-      transform_right_filter_feature_0_choices(26) := choice(transform_right_filter_feature_0_choices(24),
-        is_set(transform_right_filter_column_2(0), 7) and transform_filtering_0_column_inside_0 and (not
-        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(25));
-      transform_right_filter_feature_0_choices(27) := choice(is_set(transform_right_filter_column_0(0), 0),
-        transform_right_filter_feature_0_any, not is_set(transform_right_filter_column_2(4), 1));
-      transform_right_filter_feature_0_choices(28) := choice(is_set(transform_right_filter_column_0(0), 1),
-        transform_right_filter_feature_0_choices(27), is_set(transform_right_filter_column_0(0), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(29) := inverted_carry(transform_right_filter_feature_0_choices(28), not
-        is_set(transform_right_filter_column_0(0), 2), transform_right_filter_feature_0_values(1));
-      for i in 30 to 33 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_0(0), i - 27), transform_right_filter_feature_0_values(i - 28));
-      end loop;
-      transform_right_filter_feature_0_choices(34) := choice(is_set(transform_right_filter_column_0(0), 7),
-        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_alls(1));
-      transform_right_filter_feature_0_choices(35) := choice(transform_right_filter_feature_0_choices(33),
-        is_set(transform_right_filter_column_0(0), 7) and transform_filtering_0_column_inside_0 and (not
-        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(34));
-      transform_right_filter_feature_0_choices(36) := choice(is_set(transform_right_filter_column_4(0), 0),
-        transform_right_filter_feature_0_any, not is_set(transform_right_filter_column_2(4), 1));
-      transform_right_filter_feature_0_choices(37) := choice(is_set(transform_right_filter_column_4(0), 1),
-        transform_right_filter_feature_0_choices(36), is_set(transform_right_filter_column_4(0), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(38) := inverted_carry(transform_right_filter_feature_0_choices(37), not
-        is_set(transform_right_filter_column_4(0), 2), transform_right_filter_feature_0_values(1));
-      for i in 39 to 42 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_4(0), i - 36), transform_right_filter_feature_0_values(i - 37));
-      end loop;
-      transform_right_filter_feature_0_choices(43) := choice(is_set(transform_right_filter_column_4(0), 7),
-        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_alls(1));
-      transform_right_filter_feature_0_choices(44) := choice(transform_right_filter_feature_0_choices(42),
-        is_set(transform_right_filter_column_4(0), 7) and transform_filtering_0_column_inside_0 and (not
-        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(43));
-      transform_right_filter_feature_0_choices(45) := choice(is_set(transform_right_filter_column_2(2), 0),
-        transform_right_filter_feature_0_any, not is_set(transform_right_filter_column_2(4), 1));
-      transform_right_filter_feature_0_choices(46) := choice(is_set(transform_right_filter_column_2(2), 1),
-        transform_right_filter_feature_0_choices(45), is_set(transform_right_filter_column_2(2), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(47) := inverted_carry(transform_right_filter_feature_0_choices(46), not
-        is_set(transform_right_filter_column_2(2), 2), transform_right_filter_feature_0_values(1));
-      for i in 48 to 51 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_2(2), i - 45), transform_right_filter_feature_0_values(i - 46));
-      end loop;
-      transform_right_filter_feature_0_alls(2) := transform_filtering_0_column_inside_2 and (not
-        is_set(transform_right_filter_column_2(4), 7));
-      transform_right_filter_feature_0_choices(52) := choice(is_set(transform_right_filter_column_2(2), 7),
-        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_alls(2));
-      transform_right_filter_feature_0_choices(53) := choice(transform_right_filter_feature_0_choices(51),
-        is_set(transform_right_filter_column_2(2), 7) and transform_filtering_0_column_inside_2 and (not
-        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(52));
-      transform_right_filter_feature_0_choices(54) := choice(is_set(transform_right_filter_column_0(2), 0),
-        transform_right_filter_feature_0_any, not is_set(transform_right_filter_column_2(4), 1));
-      transform_right_filter_feature_0_choices(55) := choice(is_set(transform_right_filter_column_0(2), 1),
-        transform_right_filter_feature_0_choices(54), is_set(transform_right_filter_column_0(2), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(56) := inverted_carry(transform_right_filter_feature_0_choices(55), not
-        is_set(transform_right_filter_column_0(2), 2), transform_right_filter_feature_0_values(1));
-      for i in 57 to 60 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_0(2), i - 54), transform_right_filter_feature_0_values(i - 55));
-      end loop;
-      transform_right_filter_feature_0_choices(61) := choice(is_set(transform_right_filter_column_0(2), 7),
-        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_alls(2));
-      transform_right_filter_feature_0_choices(62) := choice(transform_right_filter_feature_0_choices(60),
-        is_set(transform_right_filter_column_0(2), 7) and transform_filtering_0_column_inside_2 and (not
-        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(61));
-      transform_right_filter_feature_0_choices(63) := choice(is_set(transform_right_filter_column_4(2), 0),
-        transform_right_filter_feature_0_any, not is_set(transform_right_filter_column_2(4), 1));
-      transform_right_filter_feature_0_choices(64) := choice(is_set(transform_right_filter_column_4(2), 1),
-        transform_right_filter_feature_0_choices(63), is_set(transform_right_filter_column_4(2), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(65) := inverted_carry(transform_right_filter_feature_0_choices(64), not
-        is_set(transform_right_filter_column_4(2), 2), transform_right_filter_feature_0_values(1));
-      for i in 66 to 69 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_4(2), i - 63), transform_right_filter_feature_0_values(i - 64));
-      end loop;
-      transform_right_filter_feature_0_choices(70) := choice(is_set(transform_right_filter_column_4(2), 7),
-        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_alls(2));
-      transform_right_filter_feature_0_choices(71) := choice(transform_right_filter_feature_0_choices(69),
-        is_set(transform_right_filter_column_4(2), 7) and transform_filtering_0_column_inside_2 and (not
-        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(70));
-      transform_right_filter_feature_0_choices(72) := choice(is_set(transform_right_filter_column_2(6), 0),
-        transform_right_filter_feature_0_any, not is_set(transform_right_filter_column_2(4), 1));
-      transform_right_filter_feature_0_choices(73) := choice(is_set(transform_right_filter_column_2(6), 1),
-        transform_right_filter_feature_0_choices(72), is_set(transform_right_filter_column_2(6), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(74) := inverted_carry(transform_right_filter_feature_0_choices(73), not
-        is_set(transform_right_filter_column_2(6), 2), transform_right_filter_feature_0_values(1));
-      for i in 75 to 78 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_2(6), i - 72), transform_right_filter_feature_0_values(i - 73));
-      end loop;
-      transform_right_filter_feature_0_alls(3) := transform_filtering_0_column_inside_6 and (not
-        is_set(transform_right_filter_column_2(4), 7));
-      transform_right_filter_feature_0_choices(79) := choice(is_set(transform_right_filter_column_2(6), 7),
-        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_alls(3));
-      transform_right_filter_feature_0_choices(80) := choice(transform_right_filter_feature_0_choices(78),
-        is_set(transform_right_filter_column_2(6), 7) and transform_filtering_0_column_inside_6 and (not
-        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(79));
-      transform_right_filter_feature_0_choices(81) := choice(is_set(transform_right_filter_column_0(6), 0),
-        transform_right_filter_feature_0_any, not is_set(transform_right_filter_column_2(4), 1));
-      transform_right_filter_feature_0_choices(82) := choice(is_set(transform_right_filter_column_0(6), 1),
-        transform_right_filter_feature_0_choices(81), is_set(transform_right_filter_column_0(6), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(83) := inverted_carry(transform_right_filter_feature_0_choices(82), not
-        is_set(transform_right_filter_column_0(6), 2), transform_right_filter_feature_0_values(1));
-      for i in 84 to 87 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_0(6), i - 81), transform_right_filter_feature_0_values(i - 82));
-      end loop;
-      transform_right_filter_feature_0_choices(88) := choice(is_set(transform_right_filter_column_0(6), 7),
-        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_alls(3));
-      transform_right_filter_feature_0_choices(89) := choice(transform_right_filter_feature_0_choices(87),
-        is_set(transform_right_filter_column_0(6), 7) and transform_filtering_0_column_inside_6 and (not
-        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(88));
-      transform_right_filter_feature_0_choices(90) := choice(is_set(transform_right_filter_column_4(6), 0),
-        transform_right_filter_feature_0_any, not is_set(transform_right_filter_column_2(4), 1));
-      transform_right_filter_feature_0_choices(91) := choice(is_set(transform_right_filter_column_4(6), 1),
-        transform_right_filter_feature_0_choices(90), is_set(transform_right_filter_column_4(6), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(92) := inverted_carry(transform_right_filter_feature_0_choices(91), not
-        is_set(transform_right_filter_column_4(6), 2), transform_right_filter_feature_0_values(1));
-      for i in 93 to 96 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_4(6), i - 90), transform_right_filter_feature_0_values(i - 91));
-      end loop;
-      transform_right_filter_feature_0_choices(97) := choice(is_set(transform_right_filter_column_4(6), 7),
-        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_alls(3));
-      transform_right_filter_feature_0_choices(98) := choice(transform_right_filter_feature_0_choices(96),
-        is_set(transform_right_filter_column_4(6), 7) and transform_filtering_0_column_inside_6 and (not
-        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(97));
-      transform_right_filter_feature_0_choices(99) := choice(is_set(transform_right_filter_column_2(8), 0),
-        transform_right_filter_feature_0_any, not is_set(transform_right_filter_column_2(4), 1));
-      transform_right_filter_feature_0_choices(100) := choice(is_set(transform_right_filter_column_2(8), 1),
-        transform_right_filter_feature_0_choices(99), is_set(transform_right_filter_column_2(8), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(101) := inverted_carry(transform_right_filter_feature_0_choices(100),
-        not is_set(transform_right_filter_column_2(8), 2), transform_right_filter_feature_0_values(1));
-      for i in 102 to 105 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_2(8), i - 99), transform_right_filter_feature_0_values(i - 100));
-      end loop;
-      transform_right_filter_feature_0_alls(4) := transform_filtering_0_column_inside_8 and (not
-        is_set(transform_right_filter_column_2(4), 7));
-      transform_right_filter_feature_0_choices(106) := choice(is_set(transform_right_filter_column_2(8), 7),
-        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_alls(4));
-      transform_right_filter_feature_0_choices(107) := choice(transform_right_filter_feature_0_choices(105),
-        is_set(transform_right_filter_column_2(8), 7) and transform_filtering_0_column_inside_8 and (not
-        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(106));
-      transform_right_filter_feature_0_choices(108) := choice(is_set(transform_right_filter_column_0(8), 0),
-        transform_right_filter_feature_0_any, not is_set(transform_right_filter_column_2(4), 1));
-      transform_right_filter_feature_0_choices(109) := choice(is_set(transform_right_filter_column_0(8), 1),
-        transform_right_filter_feature_0_choices(108), is_set(transform_right_filter_column_0(8), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(110) := inverted_carry(transform_right_filter_feature_0_choices(109),
-        not is_set(transform_right_filter_column_0(8), 2), transform_right_filter_feature_0_values(1));
-      for i in 111 to 114 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_0(8), i - 108), transform_right_filter_feature_0_values(i - 109));
-      end loop;
-      transform_right_filter_feature_0_choices(115) := choice(is_set(transform_right_filter_column_0(8), 7),
-        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_alls(4));
-      transform_right_filter_feature_0_choices(116) := choice(transform_right_filter_feature_0_choices(114),
-        is_set(transform_right_filter_column_0(8), 7) and transform_filtering_0_column_inside_8 and (not
-        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(115));
-      transform_right_filter_feature_0_choices(117) := choice(is_set(transform_right_filter_column_4(8), 0),
-        transform_right_filter_feature_0_any, not is_set(transform_right_filter_column_2(4), 1));
-      transform_right_filter_feature_0_choices(118) := choice(is_set(transform_right_filter_column_4(8), 1),
-        transform_right_filter_feature_0_choices(117), is_set(transform_right_filter_column_4(8), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(119) := inverted_carry(transform_right_filter_feature_0_choices(118),
-        not is_set(transform_right_filter_column_4(8), 2), transform_right_filter_feature_0_values(1));
-      for i in 120 to 123 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_4(8), i - 117), transform_right_filter_feature_0_values(i - 118));
-      end loop;
-      transform_right_filter_feature_0_choices(124) := choice(is_set(transform_right_filter_column_4(8), 7),
-        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_alls(4));
-      transform_right_filter_feature_0_choices(125) := choice(transform_right_filter_feature_0_choices(123),
-        is_set(transform_right_filter_column_4(8), 7) and transform_filtering_0_column_inside_8 and (not
-        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(124));
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
@@ -1410,76 +1026,59 @@ begin
       transform_right_rows_ready_words_0 <= transform_right_rows_read_words_0;
       transform_right_rows_ready_newest_0 <= transform_right_rows_read_newest_0;
       transform_read_column <= transform_counter_column;
-      transform_read_row_inside_0 <= (((((transform_counter_group / 4) + 16383) mod 16384) * 4) +
+      transform_read_row_inside(0) <= (((((transform_counter_group / 4) + 16383) mod 16384) * 4) +
         (transform_counter_group mod 4)) < 375;
-      transform_read_row_inside_2 <= (((((transform_counter_group / 2) + 32767) mod 32768) * 2) +
+      transform_read_row_inside(1) <= (((((transform_counter_group / 2) + 32767) mod 32768) * 2) +
         (transform_counter_group mod 2)) < 375;
-      transform_read_row_inside_4 <= transform_counter_group < 375;
-      transform_read_column_inside_0 <= transform_read_column_inside_0_is_less;
-      transform_read_column_inside_2 <= (transform_counter_column < 2) /= transform_read_column_inside_0_is_less;
-      transform_read_column_inside_4 <= (transform_counter_column < 4) /= transform_read_column_inside_0_is_less;
-      transform_read_column_inside_6 <= (transform_counter_column < 6) /= transform_read_column_inside_0_is_less;
-      transform_read_column_inside_8 <= (transform_counter_column < 8) /= transform_read_column_inside_0_is_less;
+      transform_read_row_inside(2) <= transform_counter_group < 375;
+      transform_read_column_inside(0) <= transform_read_column_inside_0_is_less;
+      for i in 1 to 4 loop
+        transform_read_column_inside(i) <= (transform_counter_column < (2 * i)) /=
+          transform_read_column_inside_0_is_less;
+      end loop;
       transform_read_start_of_frame <= (transform_counter_group = 2) and (transform_counter_column = 4);
       transform_read_valid <= transform_valid;
       transform_ready_column <= transform_read_column;
-      transform_ready_row_inside_0 <= transform_read_row_inside_0;
-      transform_ready_row_inside_2 <= transform_read_row_inside_2;
-      transform_ready_row_inside_4 <= transform_read_row_inside_4;
-      transform_ready_column_inside_0 <= transform_read_column_inside_0;
-      transform_ready_column_inside_2 <= transform_read_column_inside_2;
-      transform_ready_column_inside_4 <= transform_read_column_inside_4;
-      transform_ready_column_inside_6 <= transform_read_column_inside_6;
-      transform_ready_column_inside_8 <= transform_read_column_inside_8;
+      transform_ready_row_inside <= transform_read_row_inside;
+      transform_ready_column_inside <= transform_read_column_inside;
       transform_ready_start_of_frame <= transform_read_start_of_frame;
       transform_ready_valid <= transform_read_valid;
-      transform_left_column_0 <= to_integer(transform_left_rows_ready_words_0(7 downto 0));
-      transform_left_column_2 <= to_integer(transform_left_rows_ready_words_0(23 downto 16));
-      transform_left_column_4 <= transform_left_rows_ready_newest_0;
-      transform_right_column_0 <= to_integer(transform_right_rows_ready_words_0(7 downto 0));
-      transform_right_column_2 <= to_integer(transform_right_rows_ready_words_0(23 downto 16));
-      transform_right_column_4 <= transform_right_rows_ready_newest_0;
-      transform_columns_row_inside_0 <= transform_ready_row_inside_0;
-      transform_columns_row_inside_2 <= transform_ready_row_inside_2;
-      transform_columns_row_inside_4 <= transform_ready_row_inside_4;
-      transform_columns_column_inside_0 <= transform_ready_column_inside_0;
-      transform_columns_column_inside_2 <= transform_ready_column_inside_2;
-      transform_columns_column_inside_4 <= transform_ready_column_inside_4;
-      transform_columns_column_inside_6 <= transform_ready_column_inside_6;
-      transform_columns_column_inside_8 <= transform_ready_column_inside_8;
+      transform_left_column(0) <= to_integer(transform_left_rows_ready_words_0(7 downto 0));
+      transform_left_column(1) <= to_integer(transform_left_rows_ready_words_0(23 downto 16));
+      transform_left_column(2) <= transform_left_rows_ready_newest_0;
+      transform_right_column(0) <= to_integer(transform_right_rows_ready_words_0(7 downto 0));
+      transform_right_column(1) <= to_integer(transform_right_rows_ready_words_0(23 downto 16));
+      transform_right_column(2) <= transform_right_rows_ready_newest_0;
+      transform_columns_row_inside <= transform_ready_row_inside;
+      transform_columns_column_inside <= transform_ready_column_inside;
       transform_columns_start_of_frame <= transform_ready_start_of_frame;
       transform_columns_valid <= transform_ready_valid;
       transform_left_filter_feature_0 <= (transform_left_filter_feature_0_choice_17 * 64) +
-        (as_number(transform_left_filter_feature_0_choices(26)) * 2) +
-        as_number(transform_left_filter_feature_0_choices(35)) +
-        (as_number(transform_left_filter_feature_0_choices(43)) * 4) +
-        (as_number(transform_left_filter_feature_0_choices(52)) * 16) +
-        (as_number(transform_left_filter_feature_0_choices(61)) * 8) +
-        (as_number(transform_left_filter_feature_0_choices(69)) * 32) +
-        (as_number(transform_left_filter_feature_0_choices(78)) * 512) +
-        (as_number(transform_left_filter_feature_0_choices(87)) * 256) +
-        (as_number(transform_left_filter_feature_0_choices(95)) * 1024) +
-        (as_number(transform_left_filter_feature_0_choices(104)) * 4096) +
-        (as_number(transform_left_filter_feature_0_choices(113)) * 2048) +
-        (as_number(transform_left_filter_feature_0_choices(121)) * 8192);
+        (as_number(transform_left_filter_feature_0_choice(26)) * 2) +
+        as_number(transform_left_filter_feature_0_choice(35)) + (as_number(transform_left_filter_feature_0_choice(43))
+        * 4) + (as_number(transform_left_filter_feature_0_choice(52)) * 16) +
+        (as_number(transform_left_filter_feature_0_choice(61)) * 8) +
+        (as_number(transform_left_filter_feature_0_choice(69)) * 32) +
+        (as_number(transform_left_filter_feature_0_choice(78)) * 512) +
+        (as_number(transform_left_filter_feature_0_choice(87)) * 256) +
+        (as_number(transform_left_filter_feature_0_choice(95)) * 1024) +
+        (as_number(transform_left_filter_feature_0_choice(104)) * 4096) +
+        (as_number(transform_left_filter_feature_0_choice(113)) * 2048) +
+        (as_number(transform_left_filter_feature_0_choice(121)) * 8192);
       transform_right_filter_feature_0 <= (transform_right_filter_feature_0_choice_17 * 64) +
-        (as_number(transform_right_filter_feature_0_choices(26)) * 2) +
-        as_number(transform_right_filter_feature_0_choices(35)) +
-        (as_number(transform_right_filter_feature_0_choices(44)) * 4) +
-        (as_number(transform_right_filter_feature_0_choices(53)) * 16) +
-        (as_number(transform_right_filter_feature_0_choices(62)) * 8) +
-        (as_number(transform_right_filter_feature_0_choices(71)) * 32) +
-        (as_number(transform_right_filter_feature_0_choices(80)) * 512) +
-        (as_number(transform_right_filter_feature_0_choices(89)) * 256) +
-        (as_number(transform_right_filter_feature_0_choices(98)) * 1024) +
-        (as_number(transform_right_filter_feature_0_choices(107)) * 4096) +
-        (as_number(transform_right_filter_feature_0_choices(116)) * 2048) +
-        (as_number(transform_right_filter_feature_0_choices(125)) * 8192);
-      transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
-      transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
-      transform_filtering_0_column_inside_4 <= transform_columns_column_inside_4;
-      transform_filtering_0_column_inside_6 <= transform_columns_column_inside_6;
-      transform_filtering_0_column_inside_8 <= transform_columns_column_inside_8;
+        (as_number(transform_right_filter_feature_0_choice(26)) * 2) +
+        as_number(transform_right_filter_feature_0_choice(35)) +
+        (as_number(transform_right_filter_feature_0_choice(44)) * 4) +
+        (as_number(transform_right_filter_feature_0_choice(53)) * 16) +
+        (as_number(transform_right_filter_feature_0_choice(62)) * 8) +
+        (as_number(transform_right_filter_feature_0_choice(71)) * 32) +
+        (as_number(transform_right_filter_feature_0_choice(80)) * 512) +
+        (as_number(transform_right_filter_feature_0_choice(89)) * 256) +
+        (as_number(transform_right_filter_feature_0_choice(98)) * 1024) +
+        (as_number(transform_right_filter_feature_0_choice(107)) * 4096) +
+        (as_number(transform_right_filter_feature_0_choice(116)) * 2048) +
+        (as_number(transform_right_filter_feature_0_choice(125)) * 8192);
+      transform_filtering_0_column_inside <= transform_columns_column_inside;
       transform_filtering_start_of_frame(0) <= transform_columns_start_of_frame;
       transform_filtering_valid(0) <= transform_columns_valid;
       transform_filtering_start_of_frame(1) <= transform_filtering_start_of_frame(0);
@@ -1506,21 +1105,19 @@ begin
       end if;
       if transform_columns_valid then
         for i in 1 to 8 loop
-          transform_left_filter_column_0(i) <= transform_left_filter_column_0(i - 1);
-          transform_left_filter_column_2(i) <= transform_left_filter_column_2(i - 1);
-          transform_left_filter_column_4(i) <= transform_left_filter_column_4(i - 1);
+          transform_left_filter_column(i, 0) <= transform_left_filter_column(i - 1, 0);
+          transform_left_filter_column(i, 1) <= transform_left_filter_column(i - 1, 1);
+          transform_left_filter_column(i, 2) <= transform_left_filter_column(i - 1, 2);
         end loop;
         for i in 1 to 8 loop
-          transform_right_filter_column_0(i) <= transform_right_filter_column_0(i - 1);
-          transform_right_filter_column_2(i) <= transform_right_filter_column_2(i - 1);
-          transform_right_filter_column_4(i) <= transform_right_filter_column_4(i - 1);
+          transform_right_filter_column(i, 0) <= transform_right_filter_column(i - 1, 0);
+          transform_right_filter_column(i, 1) <= transform_right_filter_column(i - 1, 1);
+          transform_right_filter_column(i, 2) <= transform_right_filter_column(i - 1, 2);
         end loop;
-        transform_left_filter_column_0(0) <= choice(transform_columns_row_inside_0, transform_left_column_0, 0);
-        transform_right_filter_column_0(0) <= choice(transform_columns_row_inside_0, transform_right_column_0, 0);
-        transform_left_filter_column_2(0) <= choice(transform_columns_row_inside_2, transform_left_column_2, 0);
-        transform_right_filter_column_2(0) <= choice(transform_columns_row_inside_2, transform_right_column_2, 0);
-        transform_left_filter_column_4(0) <= choice(transform_columns_row_inside_4, transform_left_column_4, 0);
-        transform_right_filter_column_4(0) <= choice(transform_columns_row_inside_4, transform_right_column_4, 0);
+        for i in 0 to 2 loop
+          transform_left_filter_column(0, i) <= choice(transform_columns_row_inside(i), transform_left_column(i), 0);
+          transform_right_filter_column(0, i) <= choice(transform_columns_row_inside(i), transform_right_column(i), 0);
+        end loop;
       end if;
       -- raster
       raster_place_group_is_equals(1) := raster_place_group = 374;
@@ -2106,32 +1703,20 @@ begin
       end loop;
       forward_left_start_cost_0_any := ((((forward_left_tree_next_next_next_next_smallest_0 mod 64) +
         forward_left_relief_beyond) / 64) = 1) or is_set(forward_left_tree_next_next_next_next_smallest_0, 6);
-      forward_left_start_cost_0_choices(1) := choice(is_set(forward_left_relief_largest, 0), (not
-        is_set(forward_left_room, 1)) or (not is_set(forward_left_room, 0)), not is_set(forward_left_room, 1));
-      forward_left_start_cost_0_choices(2) := choice(is_set(forward_left_relief_largest, 1),
-        forward_left_start_cost_0_choices(1), is_set(forward_left_relief_largest, 0) and ((forward_left_room mod 4) =
-        0));
       forward_left_start_cost_0_values(1) := is_set(forward_left_room, 2);
-      forward_left_start_cost_0_choices(3) := inverted_carry(forward_left_start_cost_0_choices(2), not
-        is_set(forward_left_relief_largest, 2), forward_left_start_cost_0_values(1));
       forward_left_start_cost_0_values(2) := is_set(forward_left_room, 3);
-      forward_left_start_cost_0_choices(4) := carry(forward_left_start_cost_0_choices(3), not
-        is_set(forward_left_relief_largest, 3), forward_left_start_cost_0_values(2));
       forward_left_start_cost_0_values(3) := is_set(forward_left_room, 4);
-      forward_left_start_cost_0_choices(5) := carry(forward_left_start_cost_0_choices(4), not
-        is_set(forward_left_relief_largest, 4), forward_left_start_cost_0_values(3));
-      forward_left_start_cost_0_choices(6) := inverted_carry(forward_left_start_cost_0_choices(5),
-        is_set(forward_left_relief_largest, 5), not is_set(forward_left_room, 5));
-      forward_left_start_cost_0_choices_from_7(7) := choice(forward_left_start_cost_0_choices(6), 0, (forward_left_room
-        - forward_left_relief_largest) mod 64);
+      forward_left_start_cost_0_choice_6 := is_larger(forward_left_relief_largest, forward_left_room, 0, 5, false);
+      forward_left_start_cost_0_choice(7) := choice(forward_left_start_cost_0_choice_6, 0, (forward_left_room -
+        forward_left_relief_largest) mod 64);
       forward_left_start_cost_0_is_less := 127 < ((forward_left_tree_next_next_next_next_smallest_0 mod 64) +
         forward_left_relief_reach_of_best);
-      forward_left_start_cost_0_choices_from_7(8) := choice(forward_left_start_cost_0_is_less,
+      forward_left_start_cost_0_choice(8) := choice(forward_left_start_cost_0_is_less,
         (forward_left_tree_next_next_next_next_smallest_0 + forward_left_relief_reach_of_best) mod 64, 0);
-      forward_left_start_cost_0_choices_from_7(9) := choice(forward_left_start_cost_0_any,
-        forward_left_start_cost_0_choices_from_7(7), forward_left_start_cost_0_choices_from_7(8));
+      forward_left_start_cost_0_choice(9) := choice(forward_left_start_cost_0_any, forward_left_start_cost_0_choice(7),
+        forward_left_start_cost_0_choice(8));
       forward_left_room_value := (forward_left_start_cost(8) + forward_left_room) mod 64;
-      forward_left_room_choices(1) := choice(forward_left_start_cost_0_choices(6), forward_left_room_value,
+      forward_left_room_choices(1) := choice(forward_left_start_cost_0_choice_6, forward_left_room_value,
         (forward_left_start_cost(8) + forward_left_relief_largest) mod 64);
       forward_left_room_choices(2) := choice(forward_left_start_cost_0_is_less, (forward_left_relief_room_of_best -
         forward_left_tree_next_next_next_next_smallest_0) mod 64, forward_left_room_value);
@@ -2149,7 +1734,7 @@ begin
       forward_left_relief_largest_choice := choice((forward_reliefs_moved(4) - forward_left_relief_recent) < 0,
         forward_left_relief_recent, forward_reliefs_moved(4));
       forward_left_relief_reach_of_best_sum := forward_left_room + forward_left_relief_leaves;
-      forward_left_relief_reach_of_best_choice := choice(forward_left_start_cost_0_choices(6),
+      forward_left_relief_reach_of_best_choice := choice(forward_left_start_cost_0_choice_6,
         forward_left_relief_reach_of_best_sum, forward_left_relief_largest + forward_left_relief_leaves);
       forward_left_relief_reach_of_best_choices(2) := choice(forward_left_start_cost_0_is_less,
         (forward_left_relief_reach_again - (forward_left_tree_next_next_next_next_smallest_0 mod 64)) mod 256,
@@ -2422,7 +2007,7 @@ begin
         forward_left_tree_next_next_next_next_smallest_0 <= choice((forward_left_tree_next_next_next_smallest(1) -
           forward_left_tree_next_next_next_smallest(0)) < 0, forward_left_tree_next_next_next_smallest(1),
           forward_left_tree_next_next_next_smallest(0));
-        forward_left_start_cost(0) <= choice(forward_first(5), 60, forward_left_start_cost_0_choices_from_7(9));
+        forward_left_start_cost(0) <= choice(forward_first(5), 60, forward_left_start_cost_0_choice(9));
         for i in 1 to 8 loop
           forward_left_start_cost(i) <= choice(forward_first(5), 0, forward_left_start_cost(i - 1));
         end loop;
@@ -2523,31 +2108,20 @@ begin
       end loop;
       sums_right_start_cost_0_any := ((((sums_right_tree_next_next_next_next_smallest_0 mod 64) +
         sums_right_relief_beyond) / 64) = 1) or is_set(sums_right_tree_next_next_next_next_smallest_0, 6);
-      sums_right_start_cost_0_choices(1) := choice(is_set(sums_right_relief_largest, 0), (not is_set(sums_right_room,
-        1)) or (not is_set(sums_right_room, 0)), not is_set(sums_right_room, 1));
-      sums_right_start_cost_0_choices(2) := choice(is_set(sums_right_relief_largest, 1),
-        sums_right_start_cost_0_choices(1), is_set(sums_right_relief_largest, 0) and ((sums_right_room mod 4) = 0));
       sums_right_start_cost_0_values(1) := is_set(sums_right_room, 2);
-      sums_right_start_cost_0_choices(3) := inverted_carry(sums_right_start_cost_0_choices(2), not
-        is_set(sums_right_relief_largest, 2), sums_right_start_cost_0_values(1));
       sums_right_start_cost_0_values(2) := is_set(sums_right_room, 3);
-      sums_right_start_cost_0_choices(4) := carry(sums_right_start_cost_0_choices(3), not
-        is_set(sums_right_relief_largest, 3), sums_right_start_cost_0_values(2));
       sums_right_start_cost_0_values(3) := is_set(sums_right_room, 4);
-      sums_right_start_cost_0_choices(5) := carry(sums_right_start_cost_0_choices(4), not
-        is_set(sums_right_relief_largest, 4), sums_right_start_cost_0_values(3));
-      sums_right_start_cost_0_choices(6) := inverted_carry(sums_right_start_cost_0_choices(5),
-        is_set(sums_right_relief_largest, 5), not is_set(sums_right_room, 5));
-      sums_right_start_cost_0_choices_from_7(7) := choice(sums_right_start_cost_0_choices(6), 0, (sums_right_room -
+      sums_right_start_cost_0_choice_6 := is_larger(sums_right_relief_largest, sums_right_room, 0, 5, false);
+      sums_right_start_cost_0_choice(7) := choice(sums_right_start_cost_0_choice_6, 0, (sums_right_room -
         sums_right_relief_largest) mod 64);
       sums_right_start_cost_0_is_less := 127 < ((sums_right_tree_next_next_next_next_smallest_0 mod 64) +
         sums_right_relief_reach_of_best);
-      sums_right_start_cost_0_choices_from_7(8) := choice(sums_right_start_cost_0_is_less,
+      sums_right_start_cost_0_choice(8) := choice(sums_right_start_cost_0_is_less,
         (sums_right_tree_next_next_next_next_smallest_0 + sums_right_relief_reach_of_best) mod 64, 0);
-      sums_right_start_cost_0_choices_from_7(9) := choice(sums_right_start_cost_0_any,
-        sums_right_start_cost_0_choices_from_7(7), sums_right_start_cost_0_choices_from_7(8));
+      sums_right_start_cost_0_choice(9) := choice(sums_right_start_cost_0_any, sums_right_start_cost_0_choice(7),
+        sums_right_start_cost_0_choice(8));
       sums_right_room_value := (sums_right_start_cost(8) + sums_right_room) mod 64;
-      sums_right_room_choices(1) := choice(sums_right_start_cost_0_choices(6), sums_right_room_value,
+      sums_right_room_choices(1) := choice(sums_right_start_cost_0_choice_6, sums_right_room_value,
         (sums_right_start_cost(8) + sums_right_relief_largest) mod 64);
       sums_right_room_choices(2) := choice(sums_right_start_cost_0_is_less, (sums_right_relief_room_of_best -
         sums_right_tree_next_next_next_next_smallest_0) mod 64, sums_right_room_value);
@@ -2564,7 +2138,7 @@ begin
       sums_right_relief_largest_choice := choice(((sums_turn_ready_smallest_0 / 8) - sums_right_relief_recent) < 0,
         sums_right_relief_recent, sums_turn_ready_smallest_0 / 8);
       sums_right_relief_reach_of_best_sum := sums_right_room + sums_right_relief_leaves;
-      sums_right_relief_reach_of_best_choice := choice(sums_right_start_cost_0_choices(6),
+      sums_right_relief_reach_of_best_choice := choice(sums_right_start_cost_0_choice_6,
         sums_right_relief_reach_of_best_sum, sums_right_relief_largest + sums_right_relief_leaves);
       sums_right_relief_reach_of_best_choices(2) := choice(sums_right_start_cost_0_is_less,
         (sums_right_relief_reach_again - (sums_right_tree_next_next_next_next_smallest_0 mod 64)) mod 256,
@@ -2708,7 +2282,7 @@ begin
         sums_right_tree_next_next_next_next_smallest_0 <= choice((sums_right_tree_next_next_next_smallest(1) -
           sums_right_tree_next_next_next_smallest(0)) < 0, sums_right_tree_next_next_next_smallest(1),
           sums_right_tree_next_next_next_smallest(0));
-        sums_right_start_cost(0) <= choice(forward_first(0), 60, sums_right_start_cost_0_choices_from_7(9));
+        sums_right_start_cost(0) <= choice(forward_first(0), 60, sums_right_start_cost_0_choice(9));
         for i in 1 to 8 loop
           sums_right_start_cost(i) <= choice(forward_first(0), 0, sums_right_start_cost(i - 1));
         end loop;
@@ -2757,535 +2331,47 @@ begin
       end if;
       -- winnerswinner1
       for i in 0 to 31 loop
-        winnerswinner1_of_pair_0_choice(2 * i, 1) := choice(is_set(sums_sum_0(2 * i), 0), (not is_set(sums_sum_0(2 * i
-          + 1), 1)) or (not is_set(sums_sum_0(2 * i + 1), 0)), not is_set(sums_sum_0(2 * i + 1), 1));
-        winnerswinner1_of_pair_0_choice(2 * i, 2) := choice(is_set(sums_sum_0(2 * i), 1),
-          winnerswinner1_of_pair_0_choice(2 * i, 1), is_set(sums_sum_0(2 * i), 0) and ((sums_sum_0(2 * i + 1) mod 4) =
-          0));
-        winnerswinner1_of_pair_0_value(2 * i, 1) := is_set(sums_sum_0(2 * i + 1), 2);
-        winnerswinner1_of_pair_0_choice(2 * i, 3) := inverted_carry(winnerswinner1_of_pair_0_choice(2 * i, 2), not
-          is_set(sums_sum_0(2 * i), 2), winnerswinner1_of_pair_0_value(2 * i, 1));
-        for j in 2 to 5 loop
-          winnerswinner1_of_pair_0_value(2 * i, j) := is_set(sums_sum_0(2 * i + 1), j + 1);
-          winnerswinner1_of_pair_0_choice(2 * i, j + 2) := carry(winnerswinner1_of_pair_0_choice(2 * i, j + 1), not
-            is_set(sums_sum_0(2 * i), j + 1), winnerswinner1_of_pair_0_value(2 * i, j));
+        for j in 1 to 5 loop
+          winnerswinner1_of_pair_0_value(i, j) := is_set(sums_sum_0(2 * i + 1), j + 1);
         end loop;
-        winnerswinner1_of_pair_0_choice(2 * i, 8) := inverted_carry(winnerswinner1_of_pair_0_choice(2 * i, 7),
-          is_set(sums_sum_0(2 * i), 7), not is_set(sums_sum_0(2 * i + 1), 7));
+        winnerswinner1_of_pair_0_choice_8(i) := is_larger(sums_sum_0(2 * i), sums_sum_0(2 * i + 1), 0, 7, false);
       end loop;
-      winnerswinner1_of_four_0_0_choices(1) := choice(is_set(winnerswinner1_of_pair_0(1), 0), (not
-        is_set(winnerswinner1_of_pair_0(3), 0)) and (not is_set(winnerswinner1_of_pair_0(2), 0)),
-        is_set(winnerswinner1_of_pair_0(0), 0) and (not is_set(winnerswinner1_of_pair_0(3), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(2), 0)));
-      winnerswinner1_of_four_0_0_values(1) := is_set(winnerswinner1_of_pair_0(1), 1);
-      winnerswinner1_of_four_0_0_values(2) := is_set(winnerswinner1_of_pair_0(0), 1);
-      winnerswinner1_of_four_0_0_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(3), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(2), 1)), winnerswinner1_of_four_0_0_choices(1) or
-        winnerswinner1_of_four_0_0_values(1) or winnerswinner1_of_four_0_0_values(2),
-        winnerswinner1_of_four_0_0_choices(1) and (winnerswinner1_of_four_0_0_values(1) or
-        winnerswinner1_of_four_0_0_values(2)));
-      winnerswinner1_of_four_0_0_values(3) := is_set(winnerswinner1_of_pair_0(3), 2);
-      winnerswinner1_of_four_0_0_values(4) := is_set(winnerswinner1_of_pair_0(2), 2);
-      winnerswinner1_of_four_0_0_choices(3) := choice(winnerswinner1_of_four_0_0_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(1), 2)) and (not is_set(winnerswinner1_of_pair_0(0), 2)) and
-        (winnerswinner1_of_four_0_0_values(3) or winnerswinner1_of_four_0_0_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(1), 2)) and (not is_set(winnerswinner1_of_pair_0(0), 2))) or
-        winnerswinner1_of_four_0_0_values(3) or winnerswinner1_of_four_0_0_values(4));
-      for i in 3 to 6 loop
-        winnerswinner1_of_four_0_0_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(3), i);
-        winnerswinner1_of_four_0_0_values(2 * i) := is_set(winnerswinner1_of_pair_0(2), i);
-        winnerswinner1_of_four_0_0_choices(i + 1) := choice(winnerswinner1_of_four_0_0_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(1), i)) and (not is_set(winnerswinner1_of_pair_0(0), i))) or
-          winnerswinner1_of_four_0_0_values(2 * i - 1) or winnerswinner1_of_four_0_0_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(1), i)) and (not is_set(winnerswinner1_of_pair_0(0), i)) and
-          (winnerswinner1_of_four_0_0_values(2 * i - 1) or winnerswinner1_of_four_0_0_values(2 * i)));
+      for i in 0 to 15 loop
+        winnerswinner1_of_four_0_choice(i, 1) := choice(is_set(winnerswinner1_of_pair_0(4 * i + 1), 0), (not
+          is_set(winnerswinner1_of_pair_0(4 * i + 3), 0)) and (not is_set(winnerswinner1_of_pair_0(4 * i + 2), 0)),
+          is_set(winnerswinner1_of_pair_0(4 * i), 0) and (not is_set(winnerswinner1_of_pair_0(4 * i + 3), 0)) and (not
+          is_set(winnerswinner1_of_pair_0(4 * i + 2), 0)));
+        winnerswinner1_of_four_0_value(i, 1) := is_set(winnerswinner1_of_pair_0(4 * i + 1), 1);
+        winnerswinner1_of_four_0_value(i, 2) := is_set(winnerswinner1_of_pair_0(4 * i), 1);
+        winnerswinner1_of_four_0_choice(i, 2) := choice((not is_set(winnerswinner1_of_pair_0(4 * i + 3), 1)) and (not
+          is_set(winnerswinner1_of_pair_0(4 * i + 2), 1)), winnerswinner1_of_four_0_choice(i, 1) or
+          winnerswinner1_of_four_0_value(i, 1) or winnerswinner1_of_four_0_value(i, 2),
+          winnerswinner1_of_four_0_choice(i, 1) and (winnerswinner1_of_four_0_value(i, 1) or
+          winnerswinner1_of_four_0_value(i, 2)));
+        winnerswinner1_of_four_0_value(i, 3) := is_set(winnerswinner1_of_pair_0(4 * i + 3), 2);
+        winnerswinner1_of_four_0_value(i, 4) := is_set(winnerswinner1_of_pair_0(4 * i + 2), 2);
+        winnerswinner1_of_four_0_choice(i, 3) := choice(winnerswinner1_of_four_0_choice(i, 2), (not
+          is_set(winnerswinner1_of_pair_0(4 * i + 1), 2)) and (not is_set(winnerswinner1_of_pair_0(4 * i), 2)) and
+          (winnerswinner1_of_four_0_value(i, 3) or winnerswinner1_of_four_0_value(i, 4)), ((not
+          is_set(winnerswinner1_of_pair_0(4 * i + 1), 2)) and (not is_set(winnerswinner1_of_pair_0(4 * i), 2))) or
+          winnerswinner1_of_four_0_value(i, 3) or winnerswinner1_of_four_0_value(i, 4));
+        for j in 3 to 6 loop
+          winnerswinner1_of_four_0_value(i, 2 * j - 1) := is_set(winnerswinner1_of_pair_0(4 * i + 3), j);
+          winnerswinner1_of_four_0_value(i, 2 * j) := is_set(winnerswinner1_of_pair_0(4 * i + 2), j);
+          winnerswinner1_of_four_0_choice(i, j + 1) := choice(winnerswinner1_of_four_0_choice(i, j), ((not
+            is_set(winnerswinner1_of_pair_0(4 * i + 1), j)) and (not is_set(winnerswinner1_of_pair_0(4 * i), j))) or
+            winnerswinner1_of_four_0_value(i, 2 * j - 1) or winnerswinner1_of_four_0_value(i, 2 * j), (not
+            is_set(winnerswinner1_of_pair_0(4 * i + 1), j)) and (not is_set(winnerswinner1_of_pair_0(4 * i), j)) and
+            (winnerswinner1_of_four_0_value(i, 2 * j - 1) or winnerswinner1_of_four_0_value(i, 2 * j)));
+        end loop;
+        winnerswinner1_of_four_0_choice(i, 8) := choice(winnerswinner1_of_four_0_choice(i, 7), (not ((not
+          is_set(winnerswinner1_of_pair_0(4 * i + 1), 7)) and (not is_set(winnerswinner1_of_pair_0(4 * i), 7)))) and
+          (not is_set(winnerswinner1_of_pair_0(4 * i + 3), 7)) and (not is_set(winnerswinner1_of_pair_0(4 * i + 2),
+          7)), (not ((not is_set(winnerswinner1_of_pair_0(4 * i + 1), 7)) and (not is_set(winnerswinner1_of_pair_0(4 *
+          i), 7)))) or ((not is_set(winnerswinner1_of_pair_0(4 * i + 3), 7)) and (not is_set(winnerswinner1_of_pair_0(4
+          * i + 2), 7))));
       end loop;
-      winnerswinner1_of_four_0_0_choices(8) := choice(winnerswinner1_of_four_0_0_choices(7), (not ((not
-        is_set(winnerswinner1_of_pair_0(1), 7)) and (not is_set(winnerswinner1_of_pair_0(0), 7)))) and (not
-        is_set(winnerswinner1_of_pair_0(3), 7)) and (not is_set(winnerswinner1_of_pair_0(2), 7)), (not ((not
-        is_set(winnerswinner1_of_pair_0(1), 7)) and (not is_set(winnerswinner1_of_pair_0(0), 7)))) or ((not
-        is_set(winnerswinner1_of_pair_0(3), 7)) and (not is_set(winnerswinner1_of_pair_0(2), 7))));
-      winnerswinner1_of_four_0_4_choices(1) := choice(is_set(winnerswinner1_of_pair_0(5), 0), (not
-        is_set(winnerswinner1_of_pair_0(7), 0)) and (not is_set(winnerswinner1_of_pair_0(6), 0)),
-        is_set(winnerswinner1_of_pair_0(4), 0) and (not is_set(winnerswinner1_of_pair_0(7), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(6), 0)));
-      winnerswinner1_of_four_0_4_values(1) := is_set(winnerswinner1_of_pair_0(5), 1);
-      winnerswinner1_of_four_0_4_values(2) := is_set(winnerswinner1_of_pair_0(4), 1);
-      winnerswinner1_of_four_0_4_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(7), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(6), 1)), winnerswinner1_of_four_0_4_choices(1) or
-        winnerswinner1_of_four_0_4_values(1) or winnerswinner1_of_four_0_4_values(2),
-        winnerswinner1_of_four_0_4_choices(1) and (winnerswinner1_of_four_0_4_values(1) or
-        winnerswinner1_of_four_0_4_values(2)));
-      winnerswinner1_of_four_0_4_values(3) := is_set(winnerswinner1_of_pair_0(7), 2);
-      winnerswinner1_of_four_0_4_values(4) := is_set(winnerswinner1_of_pair_0(6), 2);
-      winnerswinner1_of_four_0_4_choices(3) := choice(winnerswinner1_of_four_0_4_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(5), 2)) and (not is_set(winnerswinner1_of_pair_0(4), 2)) and
-        (winnerswinner1_of_four_0_4_values(3) or winnerswinner1_of_four_0_4_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(5), 2)) and (not is_set(winnerswinner1_of_pair_0(4), 2))) or
-        winnerswinner1_of_four_0_4_values(3) or winnerswinner1_of_four_0_4_values(4));
-      for i in 3 to 6 loop
-        winnerswinner1_of_four_0_4_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(7), i);
-        winnerswinner1_of_four_0_4_values(2 * i) := is_set(winnerswinner1_of_pair_0(6), i);
-        winnerswinner1_of_four_0_4_choices(i + 1) := choice(winnerswinner1_of_four_0_4_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(5), i)) and (not is_set(winnerswinner1_of_pair_0(4), i))) or
-          winnerswinner1_of_four_0_4_values(2 * i - 1) or winnerswinner1_of_four_0_4_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(5), i)) and (not is_set(winnerswinner1_of_pair_0(4), i)) and
-          (winnerswinner1_of_four_0_4_values(2 * i - 1) or winnerswinner1_of_four_0_4_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_4_choices(8) := choice(winnerswinner1_of_four_0_4_choices(7), (not ((not
-        is_set(winnerswinner1_of_pair_0(5), 7)) and (not is_set(winnerswinner1_of_pair_0(4), 7)))) and (not
-        is_set(winnerswinner1_of_pair_0(7), 7)) and (not is_set(winnerswinner1_of_pair_0(6), 7)), (not ((not
-        is_set(winnerswinner1_of_pair_0(5), 7)) and (not is_set(winnerswinner1_of_pair_0(4), 7)))) or ((not
-        is_set(winnerswinner1_of_pair_0(7), 7)) and (not is_set(winnerswinner1_of_pair_0(6), 7))));
-      winnerswinner1_of_four_0_8_choices(1) := choice(is_set(winnerswinner1_of_pair_0(9), 0), (not
-        is_set(winnerswinner1_of_pair_0(11), 0)) and (not is_set(winnerswinner1_of_pair_0(10), 0)),
-        is_set(winnerswinner1_of_pair_0(8), 0) and (not is_set(winnerswinner1_of_pair_0(11), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(10), 0)));
-      winnerswinner1_of_four_0_8_values(1) := is_set(winnerswinner1_of_pair_0(9), 1);
-      winnerswinner1_of_four_0_8_values(2) := is_set(winnerswinner1_of_pair_0(8), 1);
-      winnerswinner1_of_four_0_8_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(11), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(10), 1)), winnerswinner1_of_four_0_8_choices(1) or
-        winnerswinner1_of_four_0_8_values(1) or winnerswinner1_of_four_0_8_values(2),
-        winnerswinner1_of_four_0_8_choices(1) and (winnerswinner1_of_four_0_8_values(1) or
-        winnerswinner1_of_four_0_8_values(2)));
-      winnerswinner1_of_four_0_8_values(3) := is_set(winnerswinner1_of_pair_0(11), 2);
-      winnerswinner1_of_four_0_8_values(4) := is_set(winnerswinner1_of_pair_0(10), 2);
-      winnerswinner1_of_four_0_8_choices(3) := choice(winnerswinner1_of_four_0_8_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(9), 2)) and (not is_set(winnerswinner1_of_pair_0(8), 2)) and
-        (winnerswinner1_of_four_0_8_values(3) or winnerswinner1_of_four_0_8_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(9), 2)) and (not is_set(winnerswinner1_of_pair_0(8), 2))) or
-        winnerswinner1_of_four_0_8_values(3) or winnerswinner1_of_four_0_8_values(4));
-      for i in 3 to 6 loop
-        winnerswinner1_of_four_0_8_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(11), i);
-        winnerswinner1_of_four_0_8_values(2 * i) := is_set(winnerswinner1_of_pair_0(10), i);
-        winnerswinner1_of_four_0_8_choices(i + 1) := choice(winnerswinner1_of_four_0_8_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(9), i)) and (not is_set(winnerswinner1_of_pair_0(8), i))) or
-          winnerswinner1_of_four_0_8_values(2 * i - 1) or winnerswinner1_of_four_0_8_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(9), i)) and (not is_set(winnerswinner1_of_pair_0(8), i)) and
-          (winnerswinner1_of_four_0_8_values(2 * i - 1) or winnerswinner1_of_four_0_8_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_8_choices(8) := choice(winnerswinner1_of_four_0_8_choices(7), (not ((not
-        is_set(winnerswinner1_of_pair_0(9), 7)) and (not is_set(winnerswinner1_of_pair_0(8), 7)))) and (not
-        is_set(winnerswinner1_of_pair_0(11), 7)) and (not is_set(winnerswinner1_of_pair_0(10), 7)), (not ((not
-        is_set(winnerswinner1_of_pair_0(9), 7)) and (not is_set(winnerswinner1_of_pair_0(8), 7)))) or ((not
-        is_set(winnerswinner1_of_pair_0(11), 7)) and (not is_set(winnerswinner1_of_pair_0(10), 7))));
-      winnerswinner1_of_four_0_12_choices(1) := choice(is_set(winnerswinner1_of_pair_0(13), 0), (not
-        is_set(winnerswinner1_of_pair_0(15), 0)) and (not is_set(winnerswinner1_of_pair_0(14), 0)),
-        is_set(winnerswinner1_of_pair_0(12), 0) and (not is_set(winnerswinner1_of_pair_0(15), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(14), 0)));
-      winnerswinner1_of_four_0_12_values(1) := is_set(winnerswinner1_of_pair_0(13), 1);
-      winnerswinner1_of_four_0_12_values(2) := is_set(winnerswinner1_of_pair_0(12), 1);
-      winnerswinner1_of_four_0_12_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(15), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(14), 1)), winnerswinner1_of_four_0_12_choices(1) or
-        winnerswinner1_of_four_0_12_values(1) or winnerswinner1_of_four_0_12_values(2),
-        winnerswinner1_of_four_0_12_choices(1) and (winnerswinner1_of_four_0_12_values(1) or
-        winnerswinner1_of_four_0_12_values(2)));
-      winnerswinner1_of_four_0_12_values(3) := is_set(winnerswinner1_of_pair_0(15), 2);
-      winnerswinner1_of_four_0_12_values(4) := is_set(winnerswinner1_of_pair_0(14), 2);
-      winnerswinner1_of_four_0_12_choices(3) := choice(winnerswinner1_of_four_0_12_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(13), 2)) and (not is_set(winnerswinner1_of_pair_0(12), 2)) and
-        (winnerswinner1_of_four_0_12_values(3) or winnerswinner1_of_four_0_12_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(13), 2)) and (not is_set(winnerswinner1_of_pair_0(12), 2))) or
-        winnerswinner1_of_four_0_12_values(3) or winnerswinner1_of_four_0_12_values(4));
-      for i in 3 to 6 loop
-        winnerswinner1_of_four_0_12_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(15), i);
-        winnerswinner1_of_four_0_12_values(2 * i) := is_set(winnerswinner1_of_pair_0(14), i);
-        winnerswinner1_of_four_0_12_choices(i + 1) := choice(winnerswinner1_of_four_0_12_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(13), i)) and (not is_set(winnerswinner1_of_pair_0(12), i))) or
-          winnerswinner1_of_four_0_12_values(2 * i - 1) or winnerswinner1_of_four_0_12_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(13), i)) and (not is_set(winnerswinner1_of_pair_0(12), i)) and
-          (winnerswinner1_of_four_0_12_values(2 * i - 1) or winnerswinner1_of_four_0_12_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_12_choices(8) := choice(winnerswinner1_of_four_0_12_choices(7), (not ((not
-        is_set(winnerswinner1_of_pair_0(13), 7)) and (not is_set(winnerswinner1_of_pair_0(12), 7)))) and (not
-        is_set(winnerswinner1_of_pair_0(15), 7)) and (not is_set(winnerswinner1_of_pair_0(14), 7)), (not ((not
-        is_set(winnerswinner1_of_pair_0(13), 7)) and (not is_set(winnerswinner1_of_pair_0(12), 7)))) or ((not
-        is_set(winnerswinner1_of_pair_0(15), 7)) and (not is_set(winnerswinner1_of_pair_0(14), 7))));
-      winnerswinner1_of_four_0_16_choices(1) := choice(is_set(winnerswinner1_of_pair_0(17), 0), (not
-        is_set(winnerswinner1_of_pair_0(19), 0)) and (not is_set(winnerswinner1_of_pair_0(18), 0)),
-        is_set(winnerswinner1_of_pair_0(16), 0) and (not is_set(winnerswinner1_of_pair_0(19), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(18), 0)));
-      winnerswinner1_of_four_0_16_values(1) := is_set(winnerswinner1_of_pair_0(17), 1);
-      winnerswinner1_of_four_0_16_values(2) := is_set(winnerswinner1_of_pair_0(16), 1);
-      winnerswinner1_of_four_0_16_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(19), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(18), 1)), winnerswinner1_of_four_0_16_choices(1) or
-        winnerswinner1_of_four_0_16_values(1) or winnerswinner1_of_four_0_16_values(2),
-        winnerswinner1_of_four_0_16_choices(1) and (winnerswinner1_of_four_0_16_values(1) or
-        winnerswinner1_of_four_0_16_values(2)));
-      winnerswinner1_of_four_0_16_values(3) := is_set(winnerswinner1_of_pair_0(19), 2);
-      winnerswinner1_of_four_0_16_values(4) := is_set(winnerswinner1_of_pair_0(18), 2);
-      winnerswinner1_of_four_0_16_choices(3) := choice(winnerswinner1_of_four_0_16_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(17), 2)) and (not is_set(winnerswinner1_of_pair_0(16), 2)) and
-        (winnerswinner1_of_four_0_16_values(3) or winnerswinner1_of_four_0_16_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(17), 2)) and (not is_set(winnerswinner1_of_pair_0(16), 2))) or
-        winnerswinner1_of_four_0_16_values(3) or winnerswinner1_of_four_0_16_values(4));
-      for i in 3 to 6 loop
-        winnerswinner1_of_four_0_16_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(19), i);
-        winnerswinner1_of_four_0_16_values(2 * i) := is_set(winnerswinner1_of_pair_0(18), i);
-        winnerswinner1_of_four_0_16_choices(i + 1) := choice(winnerswinner1_of_four_0_16_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(17), i)) and (not is_set(winnerswinner1_of_pair_0(16), i))) or
-          winnerswinner1_of_four_0_16_values(2 * i - 1) or winnerswinner1_of_four_0_16_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(17), i)) and (not is_set(winnerswinner1_of_pair_0(16), i)) and
-          (winnerswinner1_of_four_0_16_values(2 * i - 1) or winnerswinner1_of_four_0_16_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_16_choices(8) := choice(winnerswinner1_of_four_0_16_choices(7), (not ((not
-        is_set(winnerswinner1_of_pair_0(17), 7)) and (not is_set(winnerswinner1_of_pair_0(16), 7)))) and (not
-        is_set(winnerswinner1_of_pair_0(19), 7)) and (not is_set(winnerswinner1_of_pair_0(18), 7)), (not ((not
-        is_set(winnerswinner1_of_pair_0(17), 7)) and (not is_set(winnerswinner1_of_pair_0(16), 7)))) or ((not
-        is_set(winnerswinner1_of_pair_0(19), 7)) and (not is_set(winnerswinner1_of_pair_0(18), 7))));
-      winnerswinner1_of_four_0_20_choices(1) := choice(is_set(winnerswinner1_of_pair_0(21), 0), (not
-        is_set(winnerswinner1_of_pair_0(23), 0)) and (not is_set(winnerswinner1_of_pair_0(22), 0)),
-        is_set(winnerswinner1_of_pair_0(20), 0) and (not is_set(winnerswinner1_of_pair_0(23), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(22), 0)));
-      winnerswinner1_of_four_0_20_values(1) := is_set(winnerswinner1_of_pair_0(21), 1);
-      winnerswinner1_of_four_0_20_values(2) := is_set(winnerswinner1_of_pair_0(20), 1);
-      winnerswinner1_of_four_0_20_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(23), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(22), 1)), winnerswinner1_of_four_0_20_choices(1) or
-        winnerswinner1_of_four_0_20_values(1) or winnerswinner1_of_four_0_20_values(2),
-        winnerswinner1_of_four_0_20_choices(1) and (winnerswinner1_of_four_0_20_values(1) or
-        winnerswinner1_of_four_0_20_values(2)));
-      winnerswinner1_of_four_0_20_values(3) := is_set(winnerswinner1_of_pair_0(23), 2);
-      winnerswinner1_of_four_0_20_values(4) := is_set(winnerswinner1_of_pair_0(22), 2);
-      winnerswinner1_of_four_0_20_choices(3) := choice(winnerswinner1_of_four_0_20_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(21), 2)) and (not is_set(winnerswinner1_of_pair_0(20), 2)) and
-        (winnerswinner1_of_four_0_20_values(3) or winnerswinner1_of_four_0_20_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(21), 2)) and (not is_set(winnerswinner1_of_pair_0(20), 2))) or
-        winnerswinner1_of_four_0_20_values(3) or winnerswinner1_of_four_0_20_values(4));
-      for i in 3 to 6 loop
-        winnerswinner1_of_four_0_20_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(23), i);
-        winnerswinner1_of_four_0_20_values(2 * i) := is_set(winnerswinner1_of_pair_0(22), i);
-        winnerswinner1_of_four_0_20_choices(i + 1) := choice(winnerswinner1_of_four_0_20_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(21), i)) and (not is_set(winnerswinner1_of_pair_0(20), i))) or
-          winnerswinner1_of_four_0_20_values(2 * i - 1) or winnerswinner1_of_four_0_20_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(21), i)) and (not is_set(winnerswinner1_of_pair_0(20), i)) and
-          (winnerswinner1_of_four_0_20_values(2 * i - 1) or winnerswinner1_of_four_0_20_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_20_choices(8) := choice(winnerswinner1_of_four_0_20_choices(7), (not ((not
-        is_set(winnerswinner1_of_pair_0(21), 7)) and (not is_set(winnerswinner1_of_pair_0(20), 7)))) and (not
-        is_set(winnerswinner1_of_pair_0(23), 7)) and (not is_set(winnerswinner1_of_pair_0(22), 7)), (not ((not
-        is_set(winnerswinner1_of_pair_0(21), 7)) and (not is_set(winnerswinner1_of_pair_0(20), 7)))) or ((not
-        is_set(winnerswinner1_of_pair_0(23), 7)) and (not is_set(winnerswinner1_of_pair_0(22), 7))));
-      winnerswinner1_of_four_0_24_choices(1) := choice(is_set(winnerswinner1_of_pair_0(25), 0), (not
-        is_set(winnerswinner1_of_pair_0(27), 0)) and (not is_set(winnerswinner1_of_pair_0(26), 0)),
-        is_set(winnerswinner1_of_pair_0(24), 0) and (not is_set(winnerswinner1_of_pair_0(27), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(26), 0)));
-      winnerswinner1_of_four_0_24_values(1) := is_set(winnerswinner1_of_pair_0(25), 1);
-      winnerswinner1_of_four_0_24_values(2) := is_set(winnerswinner1_of_pair_0(24), 1);
-      winnerswinner1_of_four_0_24_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(27), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(26), 1)), winnerswinner1_of_four_0_24_choices(1) or
-        winnerswinner1_of_four_0_24_values(1) or winnerswinner1_of_four_0_24_values(2),
-        winnerswinner1_of_four_0_24_choices(1) and (winnerswinner1_of_four_0_24_values(1) or
-        winnerswinner1_of_four_0_24_values(2)));
-      winnerswinner1_of_four_0_24_values(3) := is_set(winnerswinner1_of_pair_0(27), 2);
-      winnerswinner1_of_four_0_24_values(4) := is_set(winnerswinner1_of_pair_0(26), 2);
-      winnerswinner1_of_four_0_24_choices(3) := choice(winnerswinner1_of_four_0_24_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(25), 2)) and (not is_set(winnerswinner1_of_pair_0(24), 2)) and
-        (winnerswinner1_of_four_0_24_values(3) or winnerswinner1_of_four_0_24_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(25), 2)) and (not is_set(winnerswinner1_of_pair_0(24), 2))) or
-        winnerswinner1_of_four_0_24_values(3) or winnerswinner1_of_four_0_24_values(4));
-      for i in 3 to 6 loop
-        winnerswinner1_of_four_0_24_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(27), i);
-        winnerswinner1_of_four_0_24_values(2 * i) := is_set(winnerswinner1_of_pair_0(26), i);
-        winnerswinner1_of_four_0_24_choices(i + 1) := choice(winnerswinner1_of_four_0_24_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(25), i)) and (not is_set(winnerswinner1_of_pair_0(24), i))) or
-          winnerswinner1_of_four_0_24_values(2 * i - 1) or winnerswinner1_of_four_0_24_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(25), i)) and (not is_set(winnerswinner1_of_pair_0(24), i)) and
-          (winnerswinner1_of_four_0_24_values(2 * i - 1) or winnerswinner1_of_four_0_24_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_24_choices(8) := choice(winnerswinner1_of_four_0_24_choices(7), (not ((not
-        is_set(winnerswinner1_of_pair_0(25), 7)) and (not is_set(winnerswinner1_of_pair_0(24), 7)))) and (not
-        is_set(winnerswinner1_of_pair_0(27), 7)) and (not is_set(winnerswinner1_of_pair_0(26), 7)), (not ((not
-        is_set(winnerswinner1_of_pair_0(25), 7)) and (not is_set(winnerswinner1_of_pair_0(24), 7)))) or ((not
-        is_set(winnerswinner1_of_pair_0(27), 7)) and (not is_set(winnerswinner1_of_pair_0(26), 7))));
-      winnerswinner1_of_four_0_28_choices(1) := choice(is_set(winnerswinner1_of_pair_0(29), 0), (not
-        is_set(winnerswinner1_of_pair_0(31), 0)) and (not is_set(winnerswinner1_of_pair_0(30), 0)),
-        is_set(winnerswinner1_of_pair_0(28), 0) and (not is_set(winnerswinner1_of_pair_0(31), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(30), 0)));
-      winnerswinner1_of_four_0_28_values(1) := is_set(winnerswinner1_of_pair_0(29), 1);
-      winnerswinner1_of_four_0_28_values(2) := is_set(winnerswinner1_of_pair_0(28), 1);
-      winnerswinner1_of_four_0_28_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(31), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(30), 1)), winnerswinner1_of_four_0_28_choices(1) or
-        winnerswinner1_of_four_0_28_values(1) or winnerswinner1_of_four_0_28_values(2),
-        winnerswinner1_of_four_0_28_choices(1) and (winnerswinner1_of_four_0_28_values(1) or
-        winnerswinner1_of_four_0_28_values(2)));
-      winnerswinner1_of_four_0_28_values(3) := is_set(winnerswinner1_of_pair_0(31), 2);
-      winnerswinner1_of_four_0_28_values(4) := is_set(winnerswinner1_of_pair_0(30), 2);
-      winnerswinner1_of_four_0_28_choices(3) := choice(winnerswinner1_of_four_0_28_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(29), 2)) and (not is_set(winnerswinner1_of_pair_0(28), 2)) and
-        (winnerswinner1_of_four_0_28_values(3) or winnerswinner1_of_four_0_28_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(29), 2)) and (not is_set(winnerswinner1_of_pair_0(28), 2))) or
-        winnerswinner1_of_four_0_28_values(3) or winnerswinner1_of_four_0_28_values(4));
-      for i in 3 to 6 loop
-        winnerswinner1_of_four_0_28_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(31), i);
-        winnerswinner1_of_four_0_28_values(2 * i) := is_set(winnerswinner1_of_pair_0(30), i);
-        winnerswinner1_of_four_0_28_choices(i + 1) := choice(winnerswinner1_of_four_0_28_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(29), i)) and (not is_set(winnerswinner1_of_pair_0(28), i))) or
-          winnerswinner1_of_four_0_28_values(2 * i - 1) or winnerswinner1_of_four_0_28_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(29), i)) and (not is_set(winnerswinner1_of_pair_0(28), i)) and
-          (winnerswinner1_of_four_0_28_values(2 * i - 1) or winnerswinner1_of_four_0_28_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_28_choices(8) := choice(winnerswinner1_of_four_0_28_choices(7), (not ((not
-        is_set(winnerswinner1_of_pair_0(29), 7)) and (not is_set(winnerswinner1_of_pair_0(28), 7)))) and (not
-        is_set(winnerswinner1_of_pair_0(31), 7)) and (not is_set(winnerswinner1_of_pair_0(30), 7)), (not ((not
-        is_set(winnerswinner1_of_pair_0(29), 7)) and (not is_set(winnerswinner1_of_pair_0(28), 7)))) or ((not
-        is_set(winnerswinner1_of_pair_0(31), 7)) and (not is_set(winnerswinner1_of_pair_0(30), 7))));
-      winnerswinner1_of_four_0_32_choices(1) := choice(is_set(winnerswinner1_of_pair_0(33), 0), (not
-        is_set(winnerswinner1_of_pair_0(35), 0)) and (not is_set(winnerswinner1_of_pair_0(34), 0)),
-        is_set(winnerswinner1_of_pair_0(32), 0) and (not is_set(winnerswinner1_of_pair_0(35), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(34), 0)));
-      winnerswinner1_of_four_0_32_values(1) := is_set(winnerswinner1_of_pair_0(33), 1);
-      winnerswinner1_of_four_0_32_values(2) := is_set(winnerswinner1_of_pair_0(32), 1);
-      winnerswinner1_of_four_0_32_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(35), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(34), 1)), winnerswinner1_of_four_0_32_choices(1) or
-        winnerswinner1_of_four_0_32_values(1) or winnerswinner1_of_four_0_32_values(2),
-        winnerswinner1_of_four_0_32_choices(1) and (winnerswinner1_of_four_0_32_values(1) or
-        winnerswinner1_of_four_0_32_values(2)));
-      winnerswinner1_of_four_0_32_values(3) := is_set(winnerswinner1_of_pair_0(35), 2);
-      winnerswinner1_of_four_0_32_values(4) := is_set(winnerswinner1_of_pair_0(34), 2);
-      winnerswinner1_of_four_0_32_choices(3) := choice(winnerswinner1_of_four_0_32_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(33), 2)) and (not is_set(winnerswinner1_of_pair_0(32), 2)) and
-        (winnerswinner1_of_four_0_32_values(3) or winnerswinner1_of_four_0_32_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(33), 2)) and (not is_set(winnerswinner1_of_pair_0(32), 2))) or
-        winnerswinner1_of_four_0_32_values(3) or winnerswinner1_of_four_0_32_values(4));
-      for i in 3 to 6 loop
-        winnerswinner1_of_four_0_32_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(35), i);
-        winnerswinner1_of_four_0_32_values(2 * i) := is_set(winnerswinner1_of_pair_0(34), i);
-        winnerswinner1_of_four_0_32_choices(i + 1) := choice(winnerswinner1_of_four_0_32_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(33), i)) and (not is_set(winnerswinner1_of_pair_0(32), i))) or
-          winnerswinner1_of_four_0_32_values(2 * i - 1) or winnerswinner1_of_four_0_32_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(33), i)) and (not is_set(winnerswinner1_of_pair_0(32), i)) and
-          (winnerswinner1_of_four_0_32_values(2 * i - 1) or winnerswinner1_of_four_0_32_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_32_choices(8) := choice(winnerswinner1_of_four_0_32_choices(7), (not ((not
-        is_set(winnerswinner1_of_pair_0(33), 7)) and (not is_set(winnerswinner1_of_pair_0(32), 7)))) and (not
-        is_set(winnerswinner1_of_pair_0(35), 7)) and (not is_set(winnerswinner1_of_pair_0(34), 7)), (not ((not
-        is_set(winnerswinner1_of_pair_0(33), 7)) and (not is_set(winnerswinner1_of_pair_0(32), 7)))) or ((not
-        is_set(winnerswinner1_of_pair_0(35), 7)) and (not is_set(winnerswinner1_of_pair_0(34), 7))));
-      winnerswinner1_of_four_0_36_choices(1) := choice(is_set(winnerswinner1_of_pair_0(37), 0), (not
-        is_set(winnerswinner1_of_pair_0(39), 0)) and (not is_set(winnerswinner1_of_pair_0(38), 0)),
-        is_set(winnerswinner1_of_pair_0(36), 0) and (not is_set(winnerswinner1_of_pair_0(39), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(38), 0)));
-      winnerswinner1_of_four_0_36_values(1) := is_set(winnerswinner1_of_pair_0(37), 1);
-      winnerswinner1_of_four_0_36_values(2) := is_set(winnerswinner1_of_pair_0(36), 1);
-      winnerswinner1_of_four_0_36_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(39), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(38), 1)), winnerswinner1_of_four_0_36_choices(1) or
-        winnerswinner1_of_four_0_36_values(1) or winnerswinner1_of_four_0_36_values(2),
-        winnerswinner1_of_four_0_36_choices(1) and (winnerswinner1_of_four_0_36_values(1) or
-        winnerswinner1_of_four_0_36_values(2)));
-      winnerswinner1_of_four_0_36_values(3) := is_set(winnerswinner1_of_pair_0(39), 2);
-      winnerswinner1_of_four_0_36_values(4) := is_set(winnerswinner1_of_pair_0(38), 2);
-      winnerswinner1_of_four_0_36_choices(3) := choice(winnerswinner1_of_four_0_36_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(37), 2)) and (not is_set(winnerswinner1_of_pair_0(36), 2)) and
-        (winnerswinner1_of_four_0_36_values(3) or winnerswinner1_of_four_0_36_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(37), 2)) and (not is_set(winnerswinner1_of_pair_0(36), 2))) or
-        winnerswinner1_of_four_0_36_values(3) or winnerswinner1_of_four_0_36_values(4));
-      for i in 3 to 6 loop
-        winnerswinner1_of_four_0_36_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(39), i);
-        winnerswinner1_of_four_0_36_values(2 * i) := is_set(winnerswinner1_of_pair_0(38), i);
-        winnerswinner1_of_four_0_36_choices(i + 1) := choice(winnerswinner1_of_four_0_36_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(37), i)) and (not is_set(winnerswinner1_of_pair_0(36), i))) or
-          winnerswinner1_of_four_0_36_values(2 * i - 1) or winnerswinner1_of_four_0_36_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(37), i)) and (not is_set(winnerswinner1_of_pair_0(36), i)) and
-          (winnerswinner1_of_four_0_36_values(2 * i - 1) or winnerswinner1_of_four_0_36_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_36_choices(8) := choice(winnerswinner1_of_four_0_36_choices(7), (not ((not
-        is_set(winnerswinner1_of_pair_0(37), 7)) and (not is_set(winnerswinner1_of_pair_0(36), 7)))) and (not
-        is_set(winnerswinner1_of_pair_0(39), 7)) and (not is_set(winnerswinner1_of_pair_0(38), 7)), (not ((not
-        is_set(winnerswinner1_of_pair_0(37), 7)) and (not is_set(winnerswinner1_of_pair_0(36), 7)))) or ((not
-        is_set(winnerswinner1_of_pair_0(39), 7)) and (not is_set(winnerswinner1_of_pair_0(38), 7))));
-      winnerswinner1_of_four_0_40_choices(1) := choice(is_set(winnerswinner1_of_pair_0(41), 0), (not
-        is_set(winnerswinner1_of_pair_0(43), 0)) and (not is_set(winnerswinner1_of_pair_0(42), 0)),
-        is_set(winnerswinner1_of_pair_0(40), 0) and (not is_set(winnerswinner1_of_pair_0(43), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(42), 0)));
-      winnerswinner1_of_four_0_40_values(1) := is_set(winnerswinner1_of_pair_0(41), 1);
-      winnerswinner1_of_four_0_40_values(2) := is_set(winnerswinner1_of_pair_0(40), 1);
-      winnerswinner1_of_four_0_40_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(43), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(42), 1)), winnerswinner1_of_four_0_40_choices(1) or
-        winnerswinner1_of_four_0_40_values(1) or winnerswinner1_of_four_0_40_values(2),
-        winnerswinner1_of_four_0_40_choices(1) and (winnerswinner1_of_four_0_40_values(1) or
-        winnerswinner1_of_four_0_40_values(2)));
-      winnerswinner1_of_four_0_40_values(3) := is_set(winnerswinner1_of_pair_0(43), 2);
-      winnerswinner1_of_four_0_40_values(4) := is_set(winnerswinner1_of_pair_0(42), 2);
-      winnerswinner1_of_four_0_40_choices(3) := choice(winnerswinner1_of_four_0_40_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(41), 2)) and (not is_set(winnerswinner1_of_pair_0(40), 2)) and
-        (winnerswinner1_of_four_0_40_values(3) or winnerswinner1_of_four_0_40_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(41), 2)) and (not is_set(winnerswinner1_of_pair_0(40), 2))) or
-        winnerswinner1_of_four_0_40_values(3) or winnerswinner1_of_four_0_40_values(4));
-      for i in 3 to 6 loop
-        winnerswinner1_of_four_0_40_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(43), i);
-        winnerswinner1_of_four_0_40_values(2 * i) := is_set(winnerswinner1_of_pair_0(42), i);
-        winnerswinner1_of_four_0_40_choices(i + 1) := choice(winnerswinner1_of_four_0_40_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(41), i)) and (not is_set(winnerswinner1_of_pair_0(40), i))) or
-          winnerswinner1_of_four_0_40_values(2 * i - 1) or winnerswinner1_of_four_0_40_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(41), i)) and (not is_set(winnerswinner1_of_pair_0(40), i)) and
-          (winnerswinner1_of_four_0_40_values(2 * i - 1) or winnerswinner1_of_four_0_40_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_40_choices(8) := choice(winnerswinner1_of_four_0_40_choices(7), (not ((not
-        is_set(winnerswinner1_of_pair_0(41), 7)) and (not is_set(winnerswinner1_of_pair_0(40), 7)))) and (not
-        is_set(winnerswinner1_of_pair_0(43), 7)) and (not is_set(winnerswinner1_of_pair_0(42), 7)), (not ((not
-        is_set(winnerswinner1_of_pair_0(41), 7)) and (not is_set(winnerswinner1_of_pair_0(40), 7)))) or ((not
-        is_set(winnerswinner1_of_pair_0(43), 7)) and (not is_set(winnerswinner1_of_pair_0(42), 7))));
-      winnerswinner1_of_four_0_44_choices(1) := choice(is_set(winnerswinner1_of_pair_0(45), 0), (not
-        is_set(winnerswinner1_of_pair_0(47), 0)) and (not is_set(winnerswinner1_of_pair_0(46), 0)),
-        is_set(winnerswinner1_of_pair_0(44), 0) and (not is_set(winnerswinner1_of_pair_0(47), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(46), 0)));
-      winnerswinner1_of_four_0_44_values(1) := is_set(winnerswinner1_of_pair_0(45), 1);
-      winnerswinner1_of_four_0_44_values(2) := is_set(winnerswinner1_of_pair_0(44), 1);
-      winnerswinner1_of_four_0_44_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(47), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(46), 1)), winnerswinner1_of_four_0_44_choices(1) or
-        winnerswinner1_of_four_0_44_values(1) or winnerswinner1_of_four_0_44_values(2),
-        winnerswinner1_of_four_0_44_choices(1) and (winnerswinner1_of_four_0_44_values(1) or
-        winnerswinner1_of_four_0_44_values(2)));
-      winnerswinner1_of_four_0_44_values(3) := is_set(winnerswinner1_of_pair_0(47), 2);
-      winnerswinner1_of_four_0_44_values(4) := is_set(winnerswinner1_of_pair_0(46), 2);
-      winnerswinner1_of_four_0_44_choices(3) := choice(winnerswinner1_of_four_0_44_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(45), 2)) and (not is_set(winnerswinner1_of_pair_0(44), 2)) and
-        (winnerswinner1_of_four_0_44_values(3) or winnerswinner1_of_four_0_44_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(45), 2)) and (not is_set(winnerswinner1_of_pair_0(44), 2))) or
-        winnerswinner1_of_four_0_44_values(3) or winnerswinner1_of_four_0_44_values(4));
-      for i in 3 to 6 loop
-        winnerswinner1_of_four_0_44_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(47), i);
-        winnerswinner1_of_four_0_44_values(2 * i) := is_set(winnerswinner1_of_pair_0(46), i);
-        winnerswinner1_of_four_0_44_choices(i + 1) := choice(winnerswinner1_of_four_0_44_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(45), i)) and (not is_set(winnerswinner1_of_pair_0(44), i))) or
-          winnerswinner1_of_four_0_44_values(2 * i - 1) or winnerswinner1_of_four_0_44_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(45), i)) and (not is_set(winnerswinner1_of_pair_0(44), i)) and
-          (winnerswinner1_of_four_0_44_values(2 * i - 1) or winnerswinner1_of_four_0_44_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_44_choices(8) := choice(winnerswinner1_of_four_0_44_choices(7), (not ((not
-        is_set(winnerswinner1_of_pair_0(45), 7)) and (not is_set(winnerswinner1_of_pair_0(44), 7)))) and (not
-        is_set(winnerswinner1_of_pair_0(47), 7)) and (not is_set(winnerswinner1_of_pair_0(46), 7)), (not ((not
-        is_set(winnerswinner1_of_pair_0(45), 7)) and (not is_set(winnerswinner1_of_pair_0(44), 7)))) or ((not
-        is_set(winnerswinner1_of_pair_0(47), 7)) and (not is_set(winnerswinner1_of_pair_0(46), 7))));
-      winnerswinner1_of_four_0_48_choices(1) := choice(is_set(winnerswinner1_of_pair_0(49), 0), (not
-        is_set(winnerswinner1_of_pair_0(51), 0)) and (not is_set(winnerswinner1_of_pair_0(50), 0)),
-        is_set(winnerswinner1_of_pair_0(48), 0) and (not is_set(winnerswinner1_of_pair_0(51), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(50), 0)));
-      winnerswinner1_of_four_0_48_values(1) := is_set(winnerswinner1_of_pair_0(49), 1);
-      winnerswinner1_of_four_0_48_values(2) := is_set(winnerswinner1_of_pair_0(48), 1);
-      winnerswinner1_of_four_0_48_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(51), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(50), 1)), winnerswinner1_of_four_0_48_choices(1) or
-        winnerswinner1_of_four_0_48_values(1) or winnerswinner1_of_four_0_48_values(2),
-        winnerswinner1_of_four_0_48_choices(1) and (winnerswinner1_of_four_0_48_values(1) or
-        winnerswinner1_of_four_0_48_values(2)));
-      winnerswinner1_of_four_0_48_values(3) := is_set(winnerswinner1_of_pair_0(51), 2);
-      winnerswinner1_of_four_0_48_values(4) := is_set(winnerswinner1_of_pair_0(50), 2);
-      winnerswinner1_of_four_0_48_choices(3) := choice(winnerswinner1_of_four_0_48_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(49), 2)) and (not is_set(winnerswinner1_of_pair_0(48), 2)) and
-        (winnerswinner1_of_four_0_48_values(3) or winnerswinner1_of_four_0_48_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(49), 2)) and (not is_set(winnerswinner1_of_pair_0(48), 2))) or
-        winnerswinner1_of_four_0_48_values(3) or winnerswinner1_of_four_0_48_values(4));
-      for i in 3 to 6 loop
-        winnerswinner1_of_four_0_48_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(51), i);
-        winnerswinner1_of_four_0_48_values(2 * i) := is_set(winnerswinner1_of_pair_0(50), i);
-        winnerswinner1_of_four_0_48_choices(i + 1) := choice(winnerswinner1_of_four_0_48_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(49), i)) and (not is_set(winnerswinner1_of_pair_0(48), i))) or
-          winnerswinner1_of_four_0_48_values(2 * i - 1) or winnerswinner1_of_four_0_48_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(49), i)) and (not is_set(winnerswinner1_of_pair_0(48), i)) and
-          (winnerswinner1_of_four_0_48_values(2 * i - 1) or winnerswinner1_of_four_0_48_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_48_choices(8) := choice(winnerswinner1_of_four_0_48_choices(7), (not ((not
-        is_set(winnerswinner1_of_pair_0(49), 7)) and (not is_set(winnerswinner1_of_pair_0(48), 7)))) and (not
-        is_set(winnerswinner1_of_pair_0(51), 7)) and (not is_set(winnerswinner1_of_pair_0(50), 7)), (not ((not
-        is_set(winnerswinner1_of_pair_0(49), 7)) and (not is_set(winnerswinner1_of_pair_0(48), 7)))) or ((not
-        is_set(winnerswinner1_of_pair_0(51), 7)) and (not is_set(winnerswinner1_of_pair_0(50), 7))));
-      winnerswinner1_of_four_0_52_choices(1) := choice(is_set(winnerswinner1_of_pair_0(53), 0), (not
-        is_set(winnerswinner1_of_pair_0(55), 0)) and (not is_set(winnerswinner1_of_pair_0(54), 0)),
-        is_set(winnerswinner1_of_pair_0(52), 0) and (not is_set(winnerswinner1_of_pair_0(55), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(54), 0)));
-      winnerswinner1_of_four_0_52_values(1) := is_set(winnerswinner1_of_pair_0(53), 1);
-      winnerswinner1_of_four_0_52_values(2) := is_set(winnerswinner1_of_pair_0(52), 1);
-      winnerswinner1_of_four_0_52_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(55), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(54), 1)), winnerswinner1_of_four_0_52_choices(1) or
-        winnerswinner1_of_four_0_52_values(1) or winnerswinner1_of_four_0_52_values(2),
-        winnerswinner1_of_four_0_52_choices(1) and (winnerswinner1_of_four_0_52_values(1) or
-        winnerswinner1_of_four_0_52_values(2)));
-      winnerswinner1_of_four_0_52_values(3) := is_set(winnerswinner1_of_pair_0(55), 2);
-      winnerswinner1_of_four_0_52_values(4) := is_set(winnerswinner1_of_pair_0(54), 2);
-      winnerswinner1_of_four_0_52_choices(3) := choice(winnerswinner1_of_four_0_52_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(53), 2)) and (not is_set(winnerswinner1_of_pair_0(52), 2)) and
-        (winnerswinner1_of_four_0_52_values(3) or winnerswinner1_of_four_0_52_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(53), 2)) and (not is_set(winnerswinner1_of_pair_0(52), 2))) or
-        winnerswinner1_of_four_0_52_values(3) or winnerswinner1_of_four_0_52_values(4));
-      for i in 3 to 6 loop
-        winnerswinner1_of_four_0_52_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(55), i);
-        winnerswinner1_of_four_0_52_values(2 * i) := is_set(winnerswinner1_of_pair_0(54), i);
-        winnerswinner1_of_four_0_52_choices(i + 1) := choice(winnerswinner1_of_four_0_52_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(53), i)) and (not is_set(winnerswinner1_of_pair_0(52), i))) or
-          winnerswinner1_of_four_0_52_values(2 * i - 1) or winnerswinner1_of_four_0_52_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(53), i)) and (not is_set(winnerswinner1_of_pair_0(52), i)) and
-          (winnerswinner1_of_four_0_52_values(2 * i - 1) or winnerswinner1_of_four_0_52_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_52_choices(8) := choice(winnerswinner1_of_four_0_52_choices(7), (not ((not
-        is_set(winnerswinner1_of_pair_0(53), 7)) and (not is_set(winnerswinner1_of_pair_0(52), 7)))) and (not
-        is_set(winnerswinner1_of_pair_0(55), 7)) and (not is_set(winnerswinner1_of_pair_0(54), 7)), (not ((not
-        is_set(winnerswinner1_of_pair_0(53), 7)) and (not is_set(winnerswinner1_of_pair_0(52), 7)))) or ((not
-        is_set(winnerswinner1_of_pair_0(55), 7)) and (not is_set(winnerswinner1_of_pair_0(54), 7))));
-      winnerswinner1_of_four_0_56_choices(1) := choice(is_set(winnerswinner1_of_pair_0(57), 0), (not
-        is_set(winnerswinner1_of_pair_0(59), 0)) and (not is_set(winnerswinner1_of_pair_0(58), 0)),
-        is_set(winnerswinner1_of_pair_0(56), 0) and (not is_set(winnerswinner1_of_pair_0(59), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(58), 0)));
-      winnerswinner1_of_four_0_56_values(1) := is_set(winnerswinner1_of_pair_0(57), 1);
-      winnerswinner1_of_four_0_56_values(2) := is_set(winnerswinner1_of_pair_0(56), 1);
-      winnerswinner1_of_four_0_56_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(59), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(58), 1)), winnerswinner1_of_four_0_56_choices(1) or
-        winnerswinner1_of_four_0_56_values(1) or winnerswinner1_of_four_0_56_values(2),
-        winnerswinner1_of_four_0_56_choices(1) and (winnerswinner1_of_four_0_56_values(1) or
-        winnerswinner1_of_four_0_56_values(2)));
-      winnerswinner1_of_four_0_56_values(3) := is_set(winnerswinner1_of_pair_0(59), 2);
-      winnerswinner1_of_four_0_56_values(4) := is_set(winnerswinner1_of_pair_0(58), 2);
-      winnerswinner1_of_four_0_56_choices(3) := choice(winnerswinner1_of_four_0_56_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(57), 2)) and (not is_set(winnerswinner1_of_pair_0(56), 2)) and
-        (winnerswinner1_of_four_0_56_values(3) or winnerswinner1_of_four_0_56_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(57), 2)) and (not is_set(winnerswinner1_of_pair_0(56), 2))) or
-        winnerswinner1_of_four_0_56_values(3) or winnerswinner1_of_four_0_56_values(4));
-      for i in 3 to 6 loop
-        winnerswinner1_of_four_0_56_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(59), i);
-        winnerswinner1_of_four_0_56_values(2 * i) := is_set(winnerswinner1_of_pair_0(58), i);
-        winnerswinner1_of_four_0_56_choices(i + 1) := choice(winnerswinner1_of_four_0_56_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(57), i)) and (not is_set(winnerswinner1_of_pair_0(56), i))) or
-          winnerswinner1_of_four_0_56_values(2 * i - 1) or winnerswinner1_of_four_0_56_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(57), i)) and (not is_set(winnerswinner1_of_pair_0(56), i)) and
-          (winnerswinner1_of_four_0_56_values(2 * i - 1) or winnerswinner1_of_four_0_56_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_56_choices(8) := choice(winnerswinner1_of_four_0_56_choices(7), (not ((not
-        is_set(winnerswinner1_of_pair_0(57), 7)) and (not is_set(winnerswinner1_of_pair_0(56), 7)))) and (not
-        is_set(winnerswinner1_of_pair_0(59), 7)) and (not is_set(winnerswinner1_of_pair_0(58), 7)), (not ((not
-        is_set(winnerswinner1_of_pair_0(57), 7)) and (not is_set(winnerswinner1_of_pair_0(56), 7)))) or ((not
-        is_set(winnerswinner1_of_pair_0(59), 7)) and (not is_set(winnerswinner1_of_pair_0(58), 7))));
-      winnerswinner1_of_four_0_60_choices(1) := choice(is_set(winnerswinner1_of_pair_0(61), 0), (not
-        is_set(winnerswinner1_of_pair_0(63), 0)) and (not is_set(winnerswinner1_of_pair_0(62), 0)),
-        is_set(winnerswinner1_of_pair_0(60), 0) and (not is_set(winnerswinner1_of_pair_0(63), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(62), 0)));
-      winnerswinner1_of_four_0_60_values(1) := is_set(winnerswinner1_of_pair_0(61), 1);
-      winnerswinner1_of_four_0_60_values(2) := is_set(winnerswinner1_of_pair_0(60), 1);
-      winnerswinner1_of_four_0_60_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(63), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(62), 1)), winnerswinner1_of_four_0_60_choices(1) or
-        winnerswinner1_of_four_0_60_values(1) or winnerswinner1_of_four_0_60_values(2),
-        winnerswinner1_of_four_0_60_choices(1) and (winnerswinner1_of_four_0_60_values(1) or
-        winnerswinner1_of_four_0_60_values(2)));
-      winnerswinner1_of_four_0_60_values(3) := is_set(winnerswinner1_of_pair_0(63), 2);
-      winnerswinner1_of_four_0_60_values(4) := is_set(winnerswinner1_of_pair_0(62), 2);
-      winnerswinner1_of_four_0_60_choices(3) := choice(winnerswinner1_of_four_0_60_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(61), 2)) and (not is_set(winnerswinner1_of_pair_0(60), 2)) and
-        (winnerswinner1_of_four_0_60_values(3) or winnerswinner1_of_four_0_60_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(61), 2)) and (not is_set(winnerswinner1_of_pair_0(60), 2))) or
-        winnerswinner1_of_four_0_60_values(3) or winnerswinner1_of_four_0_60_values(4));
-      for i in 3 to 6 loop
-        winnerswinner1_of_four_0_60_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(63), i);
-        winnerswinner1_of_four_0_60_values(2 * i) := is_set(winnerswinner1_of_pair_0(62), i);
-        winnerswinner1_of_four_0_60_choices(i + 1) := choice(winnerswinner1_of_four_0_60_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(61), i)) and (not is_set(winnerswinner1_of_pair_0(60), i))) or
-          winnerswinner1_of_four_0_60_values(2 * i - 1) or winnerswinner1_of_four_0_60_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(61), i)) and (not is_set(winnerswinner1_of_pair_0(60), i)) and
-          (winnerswinner1_of_four_0_60_values(2 * i - 1) or winnerswinner1_of_four_0_60_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_60_choices(8) := choice(winnerswinner1_of_four_0_60_choices(7), (not ((not
-        is_set(winnerswinner1_of_pair_0(61), 7)) and (not is_set(winnerswinner1_of_pair_0(60), 7)))) and (not
-        is_set(winnerswinner1_of_pair_0(63), 7)) and (not is_set(winnerswinner1_of_pair_0(62), 7)), (not ((not
-        is_set(winnerswinner1_of_pair_0(61), 7)) and (not is_set(winnerswinner1_of_pair_0(60), 7)))) or ((not
-        is_set(winnerswinner1_of_pair_0(63), 7)) and (not is_set(winnerswinner1_of_pair_0(62), 7))));
-      winnerswinner1_pair_index_0_0 <= winnerswinner1_of_pair_0_choice(0, 8);
+      winnerswinner1_pair_index_0_0 <= winnerswinner1_of_pair_0_choice_8(0);
       winnerswinner1_pair_tag <= sums_tag;
       winnerswinner1_four_tag <= winnerswinner1_pair_tag;
       for i in 0 to 15 loop
@@ -3295,257 +2381,74 @@ begin
       end loop;
       winnerswinner1_best_index_0 <= winnerswinner1_four_index_0;
       winnerswinner1_tag <= winnerswinner1_four_tag;
-      winnerswinner1_of_pair_0(0) <= choice(winnerswinner1_of_pair_0_choice(0, 8), 0, sums_sum_0(0));
-      winnerswinner1_of_pair_0(1) <= choice(winnerswinner1_of_pair_0_choice(0, 8), sums_sum_0(1), 0);
+      winnerswinner1_of_pair_0(0) <= choice(winnerswinner1_of_pair_0_choice_8(0), 0, sums_sum_0(0));
+      winnerswinner1_of_pair_0(1) <= choice(winnerswinner1_of_pair_0_choice_8(0), sums_sum_0(1), 0);
       for i in 1 to 31 loop
-        winnerswinner1_of_pair_0(2 * i) <= choice(winnerswinner1_of_pair_0_choice(2 * i, 8), 0, sums_sum_0(2 * i));
-        winnerswinner1_of_pair_0(2 * i + 1) <= choice(winnerswinner1_of_pair_0_choice(2 * i, 8), sums_sum_0(2 * i + 1),
-          0);
-        winnerswinner1_pair_index_0(i) <= choice(winnerswinner1_of_pair_0_choice(2 * i, 8), 2 * i + 1, 2 * i);
+        winnerswinner1_of_pair_0(2 * i) <= choice(winnerswinner1_of_pair_0_choice_8(i), 0, sums_sum_0(2 * i));
+        winnerswinner1_of_pair_0(2 * i + 1) <= choice(winnerswinner1_of_pair_0_choice_8(i), sums_sum_0(2 * i + 1), 0);
+        winnerswinner1_pair_index_0(i) <= choice(winnerswinner1_of_pair_0_choice_8(i), 2 * i + 1, 2 * i);
       end loop;
-      winnerswinner1_of_four_0(0) <= choice(winnerswinner1_of_four_0_0_choices(8), 0, winnerswinner1_of_pair_0(0));
-      winnerswinner1_of_four_0(1) <= choice(winnerswinner1_of_four_0_0_choices(8), 0, winnerswinner1_of_pair_0(1));
-      winnerswinner1_of_four_0(2) <= choice(winnerswinner1_of_four_0_0_choices(8), winnerswinner1_of_pair_0(2), 0);
-      winnerswinner1_of_four_0(3) <= choice(winnerswinner1_of_four_0_0_choices(8), winnerswinner1_of_pair_0(3), 0);
-      winnerswinner1_four_index_0(0) <= choice(winnerswinner1_of_four_0_0_choices(8), winnerswinner1_pair_index_0(1),
+      winnerswinner1_of_four_0(0) <= choice(winnerswinner1_of_four_0_choice(0, 8), 0, winnerswinner1_of_pair_0(0));
+      winnerswinner1_of_four_0(1) <= choice(winnerswinner1_of_four_0_choice(0, 8), 0, winnerswinner1_of_pair_0(1));
+      winnerswinner1_of_four_0(2) <= choice(winnerswinner1_of_four_0_choice(0, 8), winnerswinner1_of_pair_0(2), 0);
+      winnerswinner1_of_four_0(3) <= choice(winnerswinner1_of_four_0_choice(0, 8), winnerswinner1_of_pair_0(3), 0);
+      winnerswinner1_four_index_0(0) <= choice(winnerswinner1_of_four_0_choice(0, 8), winnerswinner1_pair_index_0(1),
         as_number(winnerswinner1_pair_index_0_0));
-      winnerswinner1_of_four_0(4) <= choice(winnerswinner1_of_four_0_4_choices(8), 0, winnerswinner1_of_pair_0(4));
-      winnerswinner1_of_four_0(5) <= choice(winnerswinner1_of_four_0_4_choices(8), 0, winnerswinner1_of_pair_0(5));
-      winnerswinner1_of_four_0(6) <= choice(winnerswinner1_of_four_0_4_choices(8), winnerswinner1_of_pair_0(6), 0);
-      winnerswinner1_of_four_0(7) <= choice(winnerswinner1_of_four_0_4_choices(8), winnerswinner1_of_pair_0(7), 0);
-      winnerswinner1_four_index_0(1) <= choice(winnerswinner1_of_four_0_4_choices(8), winnerswinner1_pair_index_0(3),
-        winnerswinner1_pair_index_0(2));
-      winnerswinner1_of_four_0(8) <= choice(winnerswinner1_of_four_0_8_choices(8), 0, winnerswinner1_of_pair_0(8));
-      winnerswinner1_of_four_0(9) <= choice(winnerswinner1_of_four_0_8_choices(8), 0, winnerswinner1_of_pair_0(9));
-      winnerswinner1_of_four_0(10) <= choice(winnerswinner1_of_four_0_8_choices(8), winnerswinner1_of_pair_0(10), 0);
-      winnerswinner1_of_four_0(11) <= choice(winnerswinner1_of_four_0_8_choices(8), winnerswinner1_of_pair_0(11), 0);
-      winnerswinner1_four_index_0(2) <= choice(winnerswinner1_of_four_0_8_choices(8), winnerswinner1_pair_index_0(5),
-        winnerswinner1_pair_index_0(4));
-      winnerswinner1_of_four_0(12) <= choice(winnerswinner1_of_four_0_12_choices(8), 0, winnerswinner1_of_pair_0(12));
-      winnerswinner1_of_four_0(13) <= choice(winnerswinner1_of_four_0_12_choices(8), 0, winnerswinner1_of_pair_0(13));
-      winnerswinner1_of_four_0(14) <= choice(winnerswinner1_of_four_0_12_choices(8), winnerswinner1_of_pair_0(14), 0);
-      winnerswinner1_of_four_0(15) <= choice(winnerswinner1_of_four_0_12_choices(8), winnerswinner1_of_pair_0(15), 0);
-      winnerswinner1_four_index_0(3) <= choice(winnerswinner1_of_four_0_12_choices(8), winnerswinner1_pair_index_0(7),
-        winnerswinner1_pair_index_0(6));
-      winnerswinner1_of_four_0(16) <= choice(winnerswinner1_of_four_0_16_choices(8), 0, winnerswinner1_of_pair_0(16));
-      winnerswinner1_of_four_0(17) <= choice(winnerswinner1_of_four_0_16_choices(8), 0, winnerswinner1_of_pair_0(17));
-      winnerswinner1_of_four_0(18) <= choice(winnerswinner1_of_four_0_16_choices(8), winnerswinner1_of_pair_0(18), 0);
-      winnerswinner1_of_four_0(19) <= choice(winnerswinner1_of_four_0_16_choices(8), winnerswinner1_of_pair_0(19), 0);
-      winnerswinner1_four_index_0(4) <= choice(winnerswinner1_of_four_0_16_choices(8), winnerswinner1_pair_index_0(9),
-        winnerswinner1_pair_index_0(8));
-      winnerswinner1_of_four_0(20) <= choice(winnerswinner1_of_four_0_20_choices(8), 0, winnerswinner1_of_pair_0(20));
-      winnerswinner1_of_four_0(21) <= choice(winnerswinner1_of_four_0_20_choices(8), 0, winnerswinner1_of_pair_0(21));
-      winnerswinner1_of_four_0(22) <= choice(winnerswinner1_of_four_0_20_choices(8), winnerswinner1_of_pair_0(22), 0);
-      winnerswinner1_of_four_0(23) <= choice(winnerswinner1_of_four_0_20_choices(8), winnerswinner1_of_pair_0(23), 0);
-      winnerswinner1_four_index_0(5) <= choice(winnerswinner1_of_four_0_20_choices(8), winnerswinner1_pair_index_0(11),
-        winnerswinner1_pair_index_0(10));
-      winnerswinner1_of_four_0(24) <= choice(winnerswinner1_of_four_0_24_choices(8), 0, winnerswinner1_of_pair_0(24));
-      winnerswinner1_of_four_0(25) <= choice(winnerswinner1_of_four_0_24_choices(8), 0, winnerswinner1_of_pair_0(25));
-      winnerswinner1_of_four_0(26) <= choice(winnerswinner1_of_four_0_24_choices(8), winnerswinner1_of_pair_0(26), 0);
-      winnerswinner1_of_four_0(27) <= choice(winnerswinner1_of_four_0_24_choices(8), winnerswinner1_of_pair_0(27), 0);
-      winnerswinner1_four_index_0(6) <= choice(winnerswinner1_of_four_0_24_choices(8), winnerswinner1_pair_index_0(13),
-        winnerswinner1_pair_index_0(12));
-      winnerswinner1_of_four_0(28) <= choice(winnerswinner1_of_four_0_28_choices(8), 0, winnerswinner1_of_pair_0(28));
-      winnerswinner1_of_four_0(29) <= choice(winnerswinner1_of_four_0_28_choices(8), 0, winnerswinner1_of_pair_0(29));
-      winnerswinner1_of_four_0(30) <= choice(winnerswinner1_of_four_0_28_choices(8), winnerswinner1_of_pair_0(30), 0);
-      winnerswinner1_of_four_0(31) <= choice(winnerswinner1_of_four_0_28_choices(8), winnerswinner1_of_pair_0(31), 0);
-      winnerswinner1_four_index_0(7) <= choice(winnerswinner1_of_four_0_28_choices(8), winnerswinner1_pair_index_0(15),
-        winnerswinner1_pair_index_0(14));
-      winnerswinner1_of_four_0(32) <= choice(winnerswinner1_of_four_0_32_choices(8), 0, winnerswinner1_of_pair_0(32));
-      winnerswinner1_of_four_0(33) <= choice(winnerswinner1_of_four_0_32_choices(8), 0, winnerswinner1_of_pair_0(33));
-      winnerswinner1_of_four_0(34) <= choice(winnerswinner1_of_four_0_32_choices(8), winnerswinner1_of_pair_0(34), 0);
-      winnerswinner1_of_four_0(35) <= choice(winnerswinner1_of_four_0_32_choices(8), winnerswinner1_of_pair_0(35), 0);
-      winnerswinner1_four_index_0(8) <= choice(winnerswinner1_of_four_0_32_choices(8), winnerswinner1_pair_index_0(17),
-        winnerswinner1_pair_index_0(16));
-      winnerswinner1_of_four_0(36) <= choice(winnerswinner1_of_four_0_36_choices(8), 0, winnerswinner1_of_pair_0(36));
-      winnerswinner1_of_four_0(37) <= choice(winnerswinner1_of_four_0_36_choices(8), 0, winnerswinner1_of_pair_0(37));
-      winnerswinner1_of_four_0(38) <= choice(winnerswinner1_of_four_0_36_choices(8), winnerswinner1_of_pair_0(38), 0);
-      winnerswinner1_of_four_0(39) <= choice(winnerswinner1_of_four_0_36_choices(8), winnerswinner1_of_pair_0(39), 0);
-      winnerswinner1_four_index_0(9) <= choice(winnerswinner1_of_four_0_36_choices(8), winnerswinner1_pair_index_0(19),
-        winnerswinner1_pair_index_0(18));
-      winnerswinner1_of_four_0(40) <= choice(winnerswinner1_of_four_0_40_choices(8), 0, winnerswinner1_of_pair_0(40));
-      winnerswinner1_of_four_0(41) <= choice(winnerswinner1_of_four_0_40_choices(8), 0, winnerswinner1_of_pair_0(41));
-      winnerswinner1_of_four_0(42) <= choice(winnerswinner1_of_four_0_40_choices(8), winnerswinner1_of_pair_0(42), 0);
-      winnerswinner1_of_four_0(43) <= choice(winnerswinner1_of_four_0_40_choices(8), winnerswinner1_of_pair_0(43), 0);
-      winnerswinner1_four_index_0(10) <= choice(winnerswinner1_of_four_0_40_choices(8),
-        winnerswinner1_pair_index_0(21), winnerswinner1_pair_index_0(20));
-      winnerswinner1_of_four_0(44) <= choice(winnerswinner1_of_four_0_44_choices(8), 0, winnerswinner1_of_pair_0(44));
-      winnerswinner1_of_four_0(45) <= choice(winnerswinner1_of_four_0_44_choices(8), 0, winnerswinner1_of_pair_0(45));
-      winnerswinner1_of_four_0(46) <= choice(winnerswinner1_of_four_0_44_choices(8), winnerswinner1_of_pair_0(46), 0);
-      winnerswinner1_of_four_0(47) <= choice(winnerswinner1_of_four_0_44_choices(8), winnerswinner1_of_pair_0(47), 0);
-      winnerswinner1_four_index_0(11) <= choice(winnerswinner1_of_four_0_44_choices(8),
-        winnerswinner1_pair_index_0(23), winnerswinner1_pair_index_0(22));
-      winnerswinner1_of_four_0(48) <= choice(winnerswinner1_of_four_0_48_choices(8), 0, winnerswinner1_of_pair_0(48));
-      winnerswinner1_of_four_0(49) <= choice(winnerswinner1_of_four_0_48_choices(8), 0, winnerswinner1_of_pair_0(49));
-      winnerswinner1_of_four_0(50) <= choice(winnerswinner1_of_four_0_48_choices(8), winnerswinner1_of_pair_0(50), 0);
-      winnerswinner1_of_four_0(51) <= choice(winnerswinner1_of_four_0_48_choices(8), winnerswinner1_of_pair_0(51), 0);
-      winnerswinner1_four_index_0(12) <= choice(winnerswinner1_of_four_0_48_choices(8),
-        winnerswinner1_pair_index_0(25), winnerswinner1_pair_index_0(24));
-      winnerswinner1_of_four_0(52) <= choice(winnerswinner1_of_four_0_52_choices(8), 0, winnerswinner1_of_pair_0(52));
-      winnerswinner1_of_four_0(53) <= choice(winnerswinner1_of_four_0_52_choices(8), 0, winnerswinner1_of_pair_0(53));
-      winnerswinner1_of_four_0(54) <= choice(winnerswinner1_of_four_0_52_choices(8), winnerswinner1_of_pair_0(54), 0);
-      winnerswinner1_of_four_0(55) <= choice(winnerswinner1_of_four_0_52_choices(8), winnerswinner1_of_pair_0(55), 0);
-      winnerswinner1_four_index_0(13) <= choice(winnerswinner1_of_four_0_52_choices(8),
-        winnerswinner1_pair_index_0(27), winnerswinner1_pair_index_0(26));
-      winnerswinner1_of_four_0(56) <= choice(winnerswinner1_of_four_0_56_choices(8), 0, winnerswinner1_of_pair_0(56));
-      winnerswinner1_of_four_0(57) <= choice(winnerswinner1_of_four_0_56_choices(8), 0, winnerswinner1_of_pair_0(57));
-      winnerswinner1_of_four_0(58) <= choice(winnerswinner1_of_four_0_56_choices(8), winnerswinner1_of_pair_0(58), 0);
-      winnerswinner1_of_four_0(59) <= choice(winnerswinner1_of_four_0_56_choices(8), winnerswinner1_of_pair_0(59), 0);
-      winnerswinner1_four_index_0(14) <= choice(winnerswinner1_of_four_0_56_choices(8),
-        winnerswinner1_pair_index_0(29), winnerswinner1_pair_index_0(28));
-      winnerswinner1_of_four_0(60) <= choice(winnerswinner1_of_four_0_60_choices(8), 0, winnerswinner1_of_pair_0(60));
-      winnerswinner1_of_four_0(61) <= choice(winnerswinner1_of_four_0_60_choices(8), 0, winnerswinner1_of_pair_0(61));
-      winnerswinner1_of_four_0(62) <= choice(winnerswinner1_of_four_0_60_choices(8), winnerswinner1_of_pair_0(62), 0);
-      winnerswinner1_of_four_0(63) <= choice(winnerswinner1_of_four_0_60_choices(8), winnerswinner1_of_pair_0(63), 0);
-      winnerswinner1_four_index_0(15) <= choice(winnerswinner1_of_four_0_60_choices(8),
-        winnerswinner1_pair_index_0(31), winnerswinner1_pair_index_0(30));
+      for i in 1 to 15 loop
+        winnerswinner1_of_four_0(4 * i) <= choice(winnerswinner1_of_four_0_choice(i, 8), 0, winnerswinner1_of_pair_0(4
+          * i));
+        winnerswinner1_of_four_0(4 * i + 1) <= choice(winnerswinner1_of_four_0_choice(i, 8), 0,
+          winnerswinner1_of_pair_0(4 * i + 1));
+        winnerswinner1_of_four_0(4 * i + 2) <= choice(winnerswinner1_of_four_0_choice(i, 8), winnerswinner1_of_pair_0(4
+          * i + 2), 0);
+        winnerswinner1_of_four_0(4 * i + 3) <= choice(winnerswinner1_of_four_0_choice(i, 8), winnerswinner1_of_pair_0(4
+          * i + 3), 0);
+        winnerswinner1_four_index_0(i) <= choice(winnerswinner1_of_four_0_choice(i, 8), winnerswinner1_pair_index_0(2 *
+          i + 1), winnerswinner1_pair_index_0(2 * i));
+      end loop;
       -- winnerswinner2
       for i in 0 to 7 loop
-        winnerswinner2_of_pair_0_choice(2 * i, 1) := choice(is_set(winnerswinner1_best_cost_0(2 * i), 0), (not
-          is_set(winnerswinner1_best_cost_0(2 * i + 1), 1)) or (not is_set(winnerswinner1_best_cost_0(2 * i + 1), 0)),
-          not is_set(winnerswinner1_best_cost_0(2 * i + 1), 1));
-        winnerswinner2_of_pair_0_choice(2 * i, 2) := choice(is_set(winnerswinner1_best_cost_0(2 * i), 1),
-          winnerswinner2_of_pair_0_choice(2 * i, 1), is_set(winnerswinner1_best_cost_0(2 * i), 0) and
-          ((winnerswinner1_best_cost_0(2 * i + 1) mod 4) = 0));
-        winnerswinner2_of_pair_0_value(2 * i, 1) := is_set(winnerswinner1_best_cost_0(2 * i + 1), 2);
-        winnerswinner2_of_pair_0_choice(2 * i, 3) := inverted_carry(winnerswinner2_of_pair_0_choice(2 * i, 2), not
-          is_set(winnerswinner1_best_cost_0(2 * i), 2), winnerswinner2_of_pair_0_value(2 * i, 1));
-        for j in 2 to 5 loop
-          winnerswinner2_of_pair_0_value(2 * i, j) := is_set(winnerswinner1_best_cost_0(2 * i + 1), j + 1);
-          winnerswinner2_of_pair_0_choice(2 * i, j + 2) := carry(winnerswinner2_of_pair_0_choice(2 * i, j + 1), not
-            is_set(winnerswinner1_best_cost_0(2 * i), j + 1), winnerswinner2_of_pair_0_value(2 * i, j));
+        for j in 1 to 5 loop
+          winnerswinner2_of_pair_0_value(i, j) := is_set(winnerswinner1_best_cost_0(2 * i + 1), j + 1);
         end loop;
-        winnerswinner2_of_pair_0_choice(2 * i, 8) := inverted_carry(winnerswinner2_of_pair_0_choice(2 * i, 7),
-          is_set(winnerswinner1_best_cost_0(2 * i), 7), not is_set(winnerswinner1_best_cost_0(2 * i + 1), 7));
+        winnerswinner2_of_pair_0_choice_8(i) := is_larger(winnerswinner1_best_cost_0(2 * i),
+          winnerswinner1_best_cost_0(2 * i + 1), 0, 7, false);
       end loop;
-      winnerswinner2_of_four_0_0_choices(1) := choice(is_set(winnerswinner2_of_pair_0(1), 0), (not
-        is_set(winnerswinner2_of_pair_0(3), 0)) and (not is_set(winnerswinner2_of_pair_0(2), 0)),
-        is_set(winnerswinner2_of_pair_0(0), 0) and (not is_set(winnerswinner2_of_pair_0(3), 0)) and (not
-        is_set(winnerswinner2_of_pair_0(2), 0)));
-      winnerswinner2_of_four_0_0_values(1) := is_set(winnerswinner2_of_pair_0(1), 1);
-      winnerswinner2_of_four_0_0_values(2) := is_set(winnerswinner2_of_pair_0(0), 1);
-      winnerswinner2_of_four_0_0_choices(2) := choice((not is_set(winnerswinner2_of_pair_0(3), 1)) and (not
-        is_set(winnerswinner2_of_pair_0(2), 1)), winnerswinner2_of_four_0_0_choices(1) or
-        winnerswinner2_of_four_0_0_values(1) or winnerswinner2_of_four_0_0_values(2),
-        winnerswinner2_of_four_0_0_choices(1) and (winnerswinner2_of_four_0_0_values(1) or
-        winnerswinner2_of_four_0_0_values(2)));
-      winnerswinner2_of_four_0_0_values(3) := is_set(winnerswinner2_of_pair_0(3), 2);
-      winnerswinner2_of_four_0_0_values(4) := is_set(winnerswinner2_of_pair_0(2), 2);
-      winnerswinner2_of_four_0_0_choices(3) := choice(winnerswinner2_of_four_0_0_choices(2), (not
-        is_set(winnerswinner2_of_pair_0(1), 2)) and (not is_set(winnerswinner2_of_pair_0(0), 2)) and
-        (winnerswinner2_of_four_0_0_values(3) or winnerswinner2_of_four_0_0_values(4)), ((not
-        is_set(winnerswinner2_of_pair_0(1), 2)) and (not is_set(winnerswinner2_of_pair_0(0), 2))) or
-        winnerswinner2_of_four_0_0_values(3) or winnerswinner2_of_four_0_0_values(4));
-      for i in 3 to 6 loop
-        winnerswinner2_of_four_0_0_values(2 * i - 1) := is_set(winnerswinner2_of_pair_0(3), i);
-        winnerswinner2_of_four_0_0_values(2 * i) := is_set(winnerswinner2_of_pair_0(2), i);
-        winnerswinner2_of_four_0_0_choices(i + 1) := choice(winnerswinner2_of_four_0_0_choices(i), ((not
-          is_set(winnerswinner2_of_pair_0(1), i)) and (not is_set(winnerswinner2_of_pair_0(0), i))) or
-          winnerswinner2_of_four_0_0_values(2 * i - 1) or winnerswinner2_of_four_0_0_values(2 * i), (not
-          is_set(winnerswinner2_of_pair_0(1), i)) and (not is_set(winnerswinner2_of_pair_0(0), i)) and
-          (winnerswinner2_of_four_0_0_values(2 * i - 1) or winnerswinner2_of_four_0_0_values(2 * i)));
+      for i in 0 to 3 loop
+        winnerswinner2_of_four_0_choice(i, 1) := choice(is_set(winnerswinner2_of_pair_0(4 * i + 1), 0), (not
+          is_set(winnerswinner2_of_pair_0(4 * i + 3), 0)) and (not is_set(winnerswinner2_of_pair_0(4 * i + 2), 0)),
+          is_set(winnerswinner2_of_pair_0(4 * i), 0) and (not is_set(winnerswinner2_of_pair_0(4 * i + 3), 0)) and (not
+          is_set(winnerswinner2_of_pair_0(4 * i + 2), 0)));
+        winnerswinner2_of_four_0_value(i, 1) := is_set(winnerswinner2_of_pair_0(4 * i + 1), 1);
+        winnerswinner2_of_four_0_value(i, 2) := is_set(winnerswinner2_of_pair_0(4 * i), 1);
+        winnerswinner2_of_four_0_choice(i, 2) := choice((not is_set(winnerswinner2_of_pair_0(4 * i + 3), 1)) and (not
+          is_set(winnerswinner2_of_pair_0(4 * i + 2), 1)), winnerswinner2_of_four_0_choice(i, 1) or
+          winnerswinner2_of_four_0_value(i, 1) or winnerswinner2_of_four_0_value(i, 2),
+          winnerswinner2_of_four_0_choice(i, 1) and (winnerswinner2_of_four_0_value(i, 1) or
+          winnerswinner2_of_four_0_value(i, 2)));
+        winnerswinner2_of_four_0_value(i, 3) := is_set(winnerswinner2_of_pair_0(4 * i + 3), 2);
+        winnerswinner2_of_four_0_value(i, 4) := is_set(winnerswinner2_of_pair_0(4 * i + 2), 2);
+        winnerswinner2_of_four_0_choice(i, 3) := choice(winnerswinner2_of_four_0_choice(i, 2), (not
+          is_set(winnerswinner2_of_pair_0(4 * i + 1), 2)) and (not is_set(winnerswinner2_of_pair_0(4 * i), 2)) and
+          (winnerswinner2_of_four_0_value(i, 3) or winnerswinner2_of_four_0_value(i, 4)), ((not
+          is_set(winnerswinner2_of_pair_0(4 * i + 1), 2)) and (not is_set(winnerswinner2_of_pair_0(4 * i), 2))) or
+          winnerswinner2_of_four_0_value(i, 3) or winnerswinner2_of_four_0_value(i, 4));
+        for j in 3 to 6 loop
+          winnerswinner2_of_four_0_value(i, 2 * j - 1) := is_set(winnerswinner2_of_pair_0(4 * i + 3), j);
+          winnerswinner2_of_four_0_value(i, 2 * j) := is_set(winnerswinner2_of_pair_0(4 * i + 2), j);
+          winnerswinner2_of_four_0_choice(i, j + 1) := choice(winnerswinner2_of_four_0_choice(i, j), ((not
+            is_set(winnerswinner2_of_pair_0(4 * i + 1), j)) and (not is_set(winnerswinner2_of_pair_0(4 * i), j))) or
+            winnerswinner2_of_four_0_value(i, 2 * j - 1) or winnerswinner2_of_four_0_value(i, 2 * j), (not
+            is_set(winnerswinner2_of_pair_0(4 * i + 1), j)) and (not is_set(winnerswinner2_of_pair_0(4 * i), j)) and
+            (winnerswinner2_of_four_0_value(i, 2 * j - 1) or winnerswinner2_of_four_0_value(i, 2 * j)));
+        end loop;
+        winnerswinner2_of_four_0_choice(i, 8) := choice(winnerswinner2_of_four_0_choice(i, 7), (not ((not
+          is_set(winnerswinner2_of_pair_0(4 * i + 1), 7)) and (not is_set(winnerswinner2_of_pair_0(4 * i), 7)))) and
+          (not is_set(winnerswinner2_of_pair_0(4 * i + 3), 7)) and (not is_set(winnerswinner2_of_pair_0(4 * i + 2),
+          7)), (not ((not is_set(winnerswinner2_of_pair_0(4 * i + 1), 7)) and (not is_set(winnerswinner2_of_pair_0(4 *
+          i), 7)))) or ((not is_set(winnerswinner2_of_pair_0(4 * i + 3), 7)) and (not is_set(winnerswinner2_of_pair_0(4
+          * i + 2), 7))));
       end loop;
-      winnerswinner2_of_four_0_0_choices(8) := choice(winnerswinner2_of_four_0_0_choices(7), (not ((not
-        is_set(winnerswinner2_of_pair_0(1), 7)) and (not is_set(winnerswinner2_of_pair_0(0), 7)))) and (not
-        is_set(winnerswinner2_of_pair_0(3), 7)) and (not is_set(winnerswinner2_of_pair_0(2), 7)), (not ((not
-        is_set(winnerswinner2_of_pair_0(1), 7)) and (not is_set(winnerswinner2_of_pair_0(0), 7)))) or ((not
-        is_set(winnerswinner2_of_pair_0(3), 7)) and (not is_set(winnerswinner2_of_pair_0(2), 7))));
-      winnerswinner2_of_four_0_4_choices(1) := choice(is_set(winnerswinner2_of_pair_0(5), 0), (not
-        is_set(winnerswinner2_of_pair_0(7), 0)) and (not is_set(winnerswinner2_of_pair_0(6), 0)),
-        is_set(winnerswinner2_of_pair_0(4), 0) and (not is_set(winnerswinner2_of_pair_0(7), 0)) and (not
-        is_set(winnerswinner2_of_pair_0(6), 0)));
-      winnerswinner2_of_four_0_4_values(1) := is_set(winnerswinner2_of_pair_0(5), 1);
-      winnerswinner2_of_four_0_4_values(2) := is_set(winnerswinner2_of_pair_0(4), 1);
-      winnerswinner2_of_four_0_4_choices(2) := choice((not is_set(winnerswinner2_of_pair_0(7), 1)) and (not
-        is_set(winnerswinner2_of_pair_0(6), 1)), winnerswinner2_of_four_0_4_choices(1) or
-        winnerswinner2_of_four_0_4_values(1) or winnerswinner2_of_four_0_4_values(2),
-        winnerswinner2_of_four_0_4_choices(1) and (winnerswinner2_of_four_0_4_values(1) or
-        winnerswinner2_of_four_0_4_values(2)));
-      winnerswinner2_of_four_0_4_values(3) := is_set(winnerswinner2_of_pair_0(7), 2);
-      winnerswinner2_of_four_0_4_values(4) := is_set(winnerswinner2_of_pair_0(6), 2);
-      winnerswinner2_of_four_0_4_choices(3) := choice(winnerswinner2_of_four_0_4_choices(2), (not
-        is_set(winnerswinner2_of_pair_0(5), 2)) and (not is_set(winnerswinner2_of_pair_0(4), 2)) and
-        (winnerswinner2_of_four_0_4_values(3) or winnerswinner2_of_four_0_4_values(4)), ((not
-        is_set(winnerswinner2_of_pair_0(5), 2)) and (not is_set(winnerswinner2_of_pair_0(4), 2))) or
-        winnerswinner2_of_four_0_4_values(3) or winnerswinner2_of_four_0_4_values(4));
-      for i in 3 to 6 loop
-        winnerswinner2_of_four_0_4_values(2 * i - 1) := is_set(winnerswinner2_of_pair_0(7), i);
-        winnerswinner2_of_four_0_4_values(2 * i) := is_set(winnerswinner2_of_pair_0(6), i);
-        winnerswinner2_of_four_0_4_choices(i + 1) := choice(winnerswinner2_of_four_0_4_choices(i), ((not
-          is_set(winnerswinner2_of_pair_0(5), i)) and (not is_set(winnerswinner2_of_pair_0(4), i))) or
-          winnerswinner2_of_four_0_4_values(2 * i - 1) or winnerswinner2_of_four_0_4_values(2 * i), (not
-          is_set(winnerswinner2_of_pair_0(5), i)) and (not is_set(winnerswinner2_of_pair_0(4), i)) and
-          (winnerswinner2_of_four_0_4_values(2 * i - 1) or winnerswinner2_of_four_0_4_values(2 * i)));
-      end loop;
-      winnerswinner2_of_four_0_4_choices(8) := choice(winnerswinner2_of_four_0_4_choices(7), (not ((not
-        is_set(winnerswinner2_of_pair_0(5), 7)) and (not is_set(winnerswinner2_of_pair_0(4), 7)))) and (not
-        is_set(winnerswinner2_of_pair_0(7), 7)) and (not is_set(winnerswinner2_of_pair_0(6), 7)), (not ((not
-        is_set(winnerswinner2_of_pair_0(5), 7)) and (not is_set(winnerswinner2_of_pair_0(4), 7)))) or ((not
-        is_set(winnerswinner2_of_pair_0(7), 7)) and (not is_set(winnerswinner2_of_pair_0(6), 7))));
-      winnerswinner2_of_four_0_8_choices(1) := choice(is_set(winnerswinner2_of_pair_0(9), 0), (not
-        is_set(winnerswinner2_of_pair_0(11), 0)) and (not is_set(winnerswinner2_of_pair_0(10), 0)),
-        is_set(winnerswinner2_of_pair_0(8), 0) and (not is_set(winnerswinner2_of_pair_0(11), 0)) and (not
-        is_set(winnerswinner2_of_pair_0(10), 0)));
-      winnerswinner2_of_four_0_8_values(1) := is_set(winnerswinner2_of_pair_0(9), 1);
-      winnerswinner2_of_four_0_8_values(2) := is_set(winnerswinner2_of_pair_0(8), 1);
-      winnerswinner2_of_four_0_8_choices(2) := choice((not is_set(winnerswinner2_of_pair_0(11), 1)) and (not
-        is_set(winnerswinner2_of_pair_0(10), 1)), winnerswinner2_of_four_0_8_choices(1) or
-        winnerswinner2_of_four_0_8_values(1) or winnerswinner2_of_four_0_8_values(2),
-        winnerswinner2_of_four_0_8_choices(1) and (winnerswinner2_of_four_0_8_values(1) or
-        winnerswinner2_of_four_0_8_values(2)));
-      winnerswinner2_of_four_0_8_values(3) := is_set(winnerswinner2_of_pair_0(11), 2);
-      winnerswinner2_of_four_0_8_values(4) := is_set(winnerswinner2_of_pair_0(10), 2);
-      winnerswinner2_of_four_0_8_choices(3) := choice(winnerswinner2_of_four_0_8_choices(2), (not
-        is_set(winnerswinner2_of_pair_0(9), 2)) and (not is_set(winnerswinner2_of_pair_0(8), 2)) and
-        (winnerswinner2_of_four_0_8_values(3) or winnerswinner2_of_four_0_8_values(4)), ((not
-        is_set(winnerswinner2_of_pair_0(9), 2)) and (not is_set(winnerswinner2_of_pair_0(8), 2))) or
-        winnerswinner2_of_four_0_8_values(3) or winnerswinner2_of_four_0_8_values(4));
-      for i in 3 to 6 loop
-        winnerswinner2_of_four_0_8_values(2 * i - 1) := is_set(winnerswinner2_of_pair_0(11), i);
-        winnerswinner2_of_four_0_8_values(2 * i) := is_set(winnerswinner2_of_pair_0(10), i);
-        winnerswinner2_of_four_0_8_choices(i + 1) := choice(winnerswinner2_of_four_0_8_choices(i), ((not
-          is_set(winnerswinner2_of_pair_0(9), i)) and (not is_set(winnerswinner2_of_pair_0(8), i))) or
-          winnerswinner2_of_four_0_8_values(2 * i - 1) or winnerswinner2_of_four_0_8_values(2 * i), (not
-          is_set(winnerswinner2_of_pair_0(9), i)) and (not is_set(winnerswinner2_of_pair_0(8), i)) and
-          (winnerswinner2_of_four_0_8_values(2 * i - 1) or winnerswinner2_of_four_0_8_values(2 * i)));
-      end loop;
-      winnerswinner2_of_four_0_8_choices(8) := choice(winnerswinner2_of_four_0_8_choices(7), (not ((not
-        is_set(winnerswinner2_of_pair_0(9), 7)) and (not is_set(winnerswinner2_of_pair_0(8), 7)))) and (not
-        is_set(winnerswinner2_of_pair_0(11), 7)) and (not is_set(winnerswinner2_of_pair_0(10), 7)), (not ((not
-        is_set(winnerswinner2_of_pair_0(9), 7)) and (not is_set(winnerswinner2_of_pair_0(8), 7)))) or ((not
-        is_set(winnerswinner2_of_pair_0(11), 7)) and (not is_set(winnerswinner2_of_pair_0(10), 7))));
-      winnerswinner2_of_four_0_12_choices(1) := choice(is_set(winnerswinner2_of_pair_0(13), 0), (not
-        is_set(winnerswinner2_of_pair_0(15), 0)) and (not is_set(winnerswinner2_of_pair_0(14), 0)),
-        is_set(winnerswinner2_of_pair_0(12), 0) and (not is_set(winnerswinner2_of_pair_0(15), 0)) and (not
-        is_set(winnerswinner2_of_pair_0(14), 0)));
-      winnerswinner2_of_four_0_12_values(1) := is_set(winnerswinner2_of_pair_0(13), 1);
-      winnerswinner2_of_four_0_12_values(2) := is_set(winnerswinner2_of_pair_0(12), 1);
-      winnerswinner2_of_four_0_12_choices(2) := choice((not is_set(winnerswinner2_of_pair_0(15), 1)) and (not
-        is_set(winnerswinner2_of_pair_0(14), 1)), winnerswinner2_of_four_0_12_choices(1) or
-        winnerswinner2_of_four_0_12_values(1) or winnerswinner2_of_four_0_12_values(2),
-        winnerswinner2_of_four_0_12_choices(1) and (winnerswinner2_of_four_0_12_values(1) or
-        winnerswinner2_of_four_0_12_values(2)));
-      winnerswinner2_of_four_0_12_values(3) := is_set(winnerswinner2_of_pair_0(15), 2);
-      winnerswinner2_of_four_0_12_values(4) := is_set(winnerswinner2_of_pair_0(14), 2);
-      winnerswinner2_of_four_0_12_choices(3) := choice(winnerswinner2_of_four_0_12_choices(2), (not
-        is_set(winnerswinner2_of_pair_0(13), 2)) and (not is_set(winnerswinner2_of_pair_0(12), 2)) and
-        (winnerswinner2_of_four_0_12_values(3) or winnerswinner2_of_four_0_12_values(4)), ((not
-        is_set(winnerswinner2_of_pair_0(13), 2)) and (not is_set(winnerswinner2_of_pair_0(12), 2))) or
-        winnerswinner2_of_four_0_12_values(3) or winnerswinner2_of_four_0_12_values(4));
-      for i in 3 to 6 loop
-        winnerswinner2_of_four_0_12_values(2 * i - 1) := is_set(winnerswinner2_of_pair_0(15), i);
-        winnerswinner2_of_four_0_12_values(2 * i) := is_set(winnerswinner2_of_pair_0(14), i);
-        winnerswinner2_of_four_0_12_choices(i + 1) := choice(winnerswinner2_of_four_0_12_choices(i), ((not
-          is_set(winnerswinner2_of_pair_0(13), i)) and (not is_set(winnerswinner2_of_pair_0(12), i))) or
-          winnerswinner2_of_four_0_12_values(2 * i - 1) or winnerswinner2_of_four_0_12_values(2 * i), (not
-          is_set(winnerswinner2_of_pair_0(13), i)) and (not is_set(winnerswinner2_of_pair_0(12), i)) and
-          (winnerswinner2_of_four_0_12_values(2 * i - 1) or winnerswinner2_of_four_0_12_values(2 * i)));
-      end loop;
-      winnerswinner2_of_four_0_12_choices(8) := choice(winnerswinner2_of_four_0_12_choices(7), (not ((not
-        is_set(winnerswinner2_of_pair_0(13), 7)) and (not is_set(winnerswinner2_of_pair_0(12), 7)))) and (not
-        is_set(winnerswinner2_of_pair_0(15), 7)) and (not is_set(winnerswinner2_of_pair_0(14), 7)), (not ((not
-        is_set(winnerswinner2_of_pair_0(13), 7)) and (not is_set(winnerswinner2_of_pair_0(12), 7)))) or ((not
-        is_set(winnerswinner2_of_pair_0(15), 7)) and (not is_set(winnerswinner2_of_pair_0(14), 7))));
       winnerswinner2_pair_tag <= winnerswinner1_tag;
       winnerswinner2_four_tag <= winnerswinner2_pair_tag;
       for i in 0 to 3 loop
@@ -3556,55 +2459,32 @@ begin
       winnerswinner2_best_index_0 <= winnerswinner2_four_index_0;
       winnerswinner2_tag <= winnerswinner2_four_tag;
       for i in 0 to 7 loop
-        winnerswinner2_of_pair_0(2 * i) <= choice(winnerswinner2_of_pair_0_choice(2 * i, 8), 0,
-          winnerswinner1_best_cost_0(2 * i));
-        winnerswinner2_of_pair_0(2 * i + 1) <= choice(winnerswinner2_of_pair_0_choice(2 * i, 8),
+        winnerswinner2_of_pair_0(2 * i) <= choice(winnerswinner2_of_pair_0_choice_8(i), 0, winnerswinner1_best_cost_0(2
+          * i));
+        winnerswinner2_of_pair_0(2 * i + 1) <= choice(winnerswinner2_of_pair_0_choice_8(i),
           winnerswinner1_best_cost_0(2 * i + 1), 0);
-        winnerswinner2_pair_index_0(i) <= choice(winnerswinner2_of_pair_0_choice(2 * i, 8),
-          winnerswinner1_best_index_0(2 * i + 1), winnerswinner1_best_index_0(2 * i));
+        winnerswinner2_pair_index_0(i) <= choice(winnerswinner2_of_pair_0_choice_8(i), winnerswinner1_best_index_0(2 *
+          i + 1), winnerswinner1_best_index_0(2 * i));
       end loop;
-      winnerswinner2_of_four_0(0) <= choice(winnerswinner2_of_four_0_0_choices(8), 0, winnerswinner2_of_pair_0(0));
-      winnerswinner2_of_four_0(1) <= choice(winnerswinner2_of_four_0_0_choices(8), 0, winnerswinner2_of_pair_0(1));
-      winnerswinner2_of_four_0(2) <= choice(winnerswinner2_of_four_0_0_choices(8), winnerswinner2_of_pair_0(2), 0);
-      winnerswinner2_of_four_0(3) <= choice(winnerswinner2_of_four_0_0_choices(8), winnerswinner2_of_pair_0(3), 0);
-      winnerswinner2_four_index_0(0) <= choice(winnerswinner2_of_four_0_0_choices(8), winnerswinner2_pair_index_0(1),
-        winnerswinner2_pair_index_0(0));
-      winnerswinner2_of_four_0(4) <= choice(winnerswinner2_of_four_0_4_choices(8), 0, winnerswinner2_of_pair_0(4));
-      winnerswinner2_of_four_0(5) <= choice(winnerswinner2_of_four_0_4_choices(8), 0, winnerswinner2_of_pair_0(5));
-      winnerswinner2_of_four_0(6) <= choice(winnerswinner2_of_four_0_4_choices(8), winnerswinner2_of_pair_0(6), 0);
-      winnerswinner2_of_four_0(7) <= choice(winnerswinner2_of_four_0_4_choices(8), winnerswinner2_of_pair_0(7), 0);
-      winnerswinner2_four_index_0(1) <= choice(winnerswinner2_of_four_0_4_choices(8), winnerswinner2_pair_index_0(3),
-        winnerswinner2_pair_index_0(2));
-      winnerswinner2_of_four_0(8) <= choice(winnerswinner2_of_four_0_8_choices(8), 0, winnerswinner2_of_pair_0(8));
-      winnerswinner2_of_four_0(9) <= choice(winnerswinner2_of_four_0_8_choices(8), 0, winnerswinner2_of_pair_0(9));
-      winnerswinner2_of_four_0(10) <= choice(winnerswinner2_of_four_0_8_choices(8), winnerswinner2_of_pair_0(10), 0);
-      winnerswinner2_of_four_0(11) <= choice(winnerswinner2_of_four_0_8_choices(8), winnerswinner2_of_pair_0(11), 0);
-      winnerswinner2_four_index_0(2) <= choice(winnerswinner2_of_four_0_8_choices(8), winnerswinner2_pair_index_0(5),
-        winnerswinner2_pair_index_0(4));
-      winnerswinner2_of_four_0(12) <= choice(winnerswinner2_of_four_0_12_choices(8), 0, winnerswinner2_of_pair_0(12));
-      winnerswinner2_of_four_0(13) <= choice(winnerswinner2_of_four_0_12_choices(8), 0, winnerswinner2_of_pair_0(13));
-      winnerswinner2_of_four_0(14) <= choice(winnerswinner2_of_four_0_12_choices(8), winnerswinner2_of_pair_0(14), 0);
-      winnerswinner2_of_four_0(15) <= choice(winnerswinner2_of_four_0_12_choices(8), winnerswinner2_of_pair_0(15), 0);
-      winnerswinner2_four_index_0(3) <= choice(winnerswinner2_of_four_0_12_choices(8), winnerswinner2_pair_index_0(7),
-        winnerswinner2_pair_index_0(6));
+      for i in 0 to 3 loop
+        winnerswinner2_of_four_0(4 * i) <= choice(winnerswinner2_of_four_0_choice(i, 8), 0, winnerswinner2_of_pair_0(4
+          * i));
+        winnerswinner2_of_four_0(4 * i + 1) <= choice(winnerswinner2_of_four_0_choice(i, 8), 0,
+          winnerswinner2_of_pair_0(4 * i + 1));
+        winnerswinner2_of_four_0(4 * i + 2) <= choice(winnerswinner2_of_four_0_choice(i, 8), winnerswinner2_of_pair_0(4
+          * i + 2), 0);
+        winnerswinner2_of_four_0(4 * i + 3) <= choice(winnerswinner2_of_four_0_choice(i, 8), winnerswinner2_of_pair_0(4
+          * i + 3), 0);
+        winnerswinner2_four_index_0(i) <= choice(winnerswinner2_of_four_0_choice(i, 8), winnerswinner2_pair_index_0(2 *
+          i + 1), winnerswinner2_pair_index_0(2 * i));
+      end loop;
       -- winnerswinner3
       for i in 0 to 1 loop
-        winnerswinner3_of_pair_0_choice(2 * i, 1) := choice(is_set(winnerswinner2_best_cost_0(2 * i), 0), (not
-          is_set(winnerswinner2_best_cost_0(2 * i + 1), 1)) or (not is_set(winnerswinner2_best_cost_0(2 * i + 1), 0)),
-          not is_set(winnerswinner2_best_cost_0(2 * i + 1), 1));
-        winnerswinner3_of_pair_0_choice(2 * i, 2) := choice(is_set(winnerswinner2_best_cost_0(2 * i), 1),
-          winnerswinner3_of_pair_0_choice(2 * i, 1), is_set(winnerswinner2_best_cost_0(2 * i), 0) and
-          ((winnerswinner2_best_cost_0(2 * i + 1) mod 4) = 0));
-        winnerswinner3_of_pair_0_value(2 * i, 1) := is_set(winnerswinner2_best_cost_0(2 * i + 1), 2);
-        winnerswinner3_of_pair_0_choice(2 * i, 3) := inverted_carry(winnerswinner3_of_pair_0_choice(2 * i, 2), not
-          is_set(winnerswinner2_best_cost_0(2 * i), 2), winnerswinner3_of_pair_0_value(2 * i, 1));
-        for j in 2 to 5 loop
+        for j in 1 to 5 loop
           winnerswinner3_of_pair_0_value(2 * i, j) := is_set(winnerswinner2_best_cost_0(2 * i + 1), j + 1);
-          winnerswinner3_of_pair_0_choice(2 * i, j + 2) := carry(winnerswinner3_of_pair_0_choice(2 * i, j + 1), not
-            is_set(winnerswinner2_best_cost_0(2 * i), j + 1), winnerswinner3_of_pair_0_value(2 * i, j));
         end loop;
-        winnerswinner3_of_pair_0_choice(2 * i, 8) := inverted_carry(winnerswinner3_of_pair_0_choice(2 * i, 7),
-          is_set(winnerswinner2_best_cost_0(2 * i), 7), not is_set(winnerswinner2_best_cost_0(2 * i + 1), 7));
+        winnerswinner3_of_pair_0_choice_8(2 * i) := is_larger(winnerswinner2_best_cost_0(2 * i),
+          winnerswinner2_best_cost_0(2 * i + 1), 0, 7, false);
       end loop;
       winnerswinner3_four_index_0_0_choices(1) := choice(is_set(winnerswinner3_of_pair_0(1), 0), (not
         is_set(winnerswinner3_of_pair_0(3), 0)) and (not is_set(winnerswinner3_of_pair_0(2), 0)),
@@ -3643,11 +2523,11 @@ begin
       winnerswinner3_best_index_0_0 <= winnerswinner3_four_index_0_0;
       winnerswinner3_tag <= winnerswinner3_four_tag;
       for i in 0 to 1 loop
-        winnerswinner3_of_pair_0(2 * i) <= choice(winnerswinner3_of_pair_0_choice(2 * i, 8), 0,
+        winnerswinner3_of_pair_0(2 * i) <= choice(winnerswinner3_of_pair_0_choice_8(2 * i), 0,
           winnerswinner2_best_cost_0(2 * i));
-        winnerswinner3_of_pair_0(2 * i + 1) <= choice(winnerswinner3_of_pair_0_choice(2 * i, 8),
+        winnerswinner3_of_pair_0(2 * i + 1) <= choice(winnerswinner3_of_pair_0_choice_8(2 * i),
           winnerswinner2_best_cost_0(2 * i + 1), 0);
-        winnerswinner3_pair_index_0(i) <= choice(winnerswinner3_of_pair_0_choice(2 * i, 8),
+        winnerswinner3_pair_index_0(i) <= choice(winnerswinner3_of_pair_0_choice_8(2 * i),
           winnerswinner2_best_index_0(2 * i + 1), winnerswinner2_best_index_0(2 * i));
       end loop;
       winnerswinner3_four_index_0_0 <= choice(winnerswinner3_four_index_0_0_choices(8), winnerswinner3_pair_index_0(1),
@@ -3797,117 +2677,35 @@ begin
       map_window_complete_choice := choice(map_window_complete_is_equal, map_sorted_behind, map_sorted_arrives or
         map_sorted_behind);
       map_of_low_0_b_below_a_values(1) := is_set(map_low_0(0), 1);
-      map_of_low_0_b_below_a_choices(1) := choice(is_set(map_low_0(0), 0), (not is_set(map_low_0(1), 1)) or (not
-        is_set(map_low_0(1), 0)), not is_set(map_low_0(1), 1));
       map_of_low_0_b_below_a_is_equal := (map_low_0(1) mod 4) = 0;
-      map_of_low_0_b_below_a_choices(2) := choice(map_of_low_0_b_below_a_values(1), map_of_low_0_b_below_a_choices(1),
-        is_set(map_low_0(0), 0) and map_of_low_0_b_below_a_is_equal);
-      map_of_low_0_b_below_a_values(2) := is_set(map_low_0(0), 2);
-      map_of_low_0_b_below_a_values(3) := is_set(map_low_0(1), 2);
-      map_of_low_0_b_below_a_choices(3) := inverted_carry(map_of_low_0_b_below_a_choices(2), not
-        map_of_low_0_b_below_a_values(2), map_of_low_0_b_below_a_values(3));
-      for i in 3 to 4 loop
+      for i in 2 to 4 loop
         map_of_low_0_b_below_a_values(2 * i - 2) := is_set(map_low_0(0), i);
         map_of_low_0_b_below_a_values(2 * i - 1) := is_set(map_low_0(1), i);
-        map_of_low_0_b_below_a_choices(i + 1) := carry(map_of_low_0_b_below_a_choices(i), not
-          map_of_low_0_b_below_a_values(2 * i - 2), map_of_low_0_b_below_a_values(2 * i - 1));
       end loop;
+      map_of_low_0_b_below_a_choice_5 := not is_larger(map_low_0(0), map_low_0(1), 0, 4, false);
       map_of_low_0_c_below_a_value := is_set(map_low_0(2), 1);
-      map_of_low_0_c_below_a_choices(1) := choice(is_set(map_low_0(2), 0), not map_of_low_0_b_below_a_values(1),
-        (map_low_0(0) mod 4) = 0);
-      map_of_low_0_c_below_a_choices(2) := choice(map_of_low_0_c_below_a_value, is_set(map_low_0(2), 0) or (not
-        map_of_low_0_b_below_a_values(1)) or (not is_set(map_low_0(0), 0)), map_of_low_0_c_below_a_choices(1));
-      map_of_low_0_c_below_a_choices(3) := inverted_carry(map_of_low_0_c_below_a_choices(2), not is_set(map_low_0(2),
-        2), map_of_low_0_b_below_a_values(2));
-      map_of_low_0_c_below_a_choices(4) := carry(map_of_low_0_c_below_a_choices(3), not is_set(map_low_0(2), 3),
-        map_of_low_0_b_below_a_values(4));
-      map_of_low_0_c_below_a_choices(5) := carry(map_of_low_0_c_below_a_choices(4), not is_set(map_low_0(2), 4),
-        map_of_low_0_b_below_a_values(6));
-      map_of_low_0_c_below_b_choices(1) := choice(is_set(map_low_0(2), 0), not is_set(map_low_0(1), 1),
-        map_of_low_0_b_below_a_is_equal);
-      map_of_low_0_c_below_b_choices(2) := choice(map_of_low_0_c_below_a_value, is_set(map_low_0(2), 0) or (not
-        is_set(map_low_0(1), 1)) or (not is_set(map_low_0(1), 0)), map_of_low_0_c_below_b_choices(1));
-      map_of_low_0_c_below_b_choices(3) := inverted_carry(map_of_low_0_c_below_b_choices(2), not is_set(map_low_0(2),
-        2), map_of_low_0_b_below_a_values(3));
-      map_of_low_0_c_below_b_choices(4) := carry(map_of_low_0_c_below_b_choices(3), not is_set(map_low_0(2), 3),
-        map_of_low_0_b_below_a_values(5));
-      map_of_low_0_c_below_b_choices(5) := carry(map_of_low_0_c_below_b_choices(4), not is_set(map_low_0(2), 4),
-        map_of_low_0_b_below_a_values(7));
+      map_of_low_0_c_below_a_choice_5 := not is_larger(map_low_0(2), map_low_0(0), 0, 4, true);
+      map_of_low_0_c_below_b_choice_5 := not is_larger(map_low_0(2), map_low_0(1), 0, 4, true);
       map_of_middle_0_b_below_a_values(1) := is_set(map_middle_0(0), 1);
-      map_of_middle_0_b_below_a_choices(1) := choice(is_set(map_middle_0(0), 0), (not is_set(map_middle_0(1), 1)) or
-        (not is_set(map_middle_0(1), 0)), not is_set(map_middle_0(1), 1));
       map_of_middle_0_b_below_a_is_equal := (map_middle_0(1) mod 4) = 0;
-      map_of_middle_0_b_below_a_choices(2) := choice(map_of_middle_0_b_below_a_values(1),
-        map_of_middle_0_b_below_a_choices(1), is_set(map_middle_0(0), 0) and map_of_middle_0_b_below_a_is_equal);
-      map_of_middle_0_b_below_a_values(2) := is_set(map_middle_0(0), 2);
-      map_of_middle_0_b_below_a_values(3) := is_set(map_middle_0(1), 2);
-      map_of_middle_0_b_below_a_choices(3) := inverted_carry(map_of_middle_0_b_below_a_choices(2), not
-        map_of_middle_0_b_below_a_values(2), map_of_middle_0_b_below_a_values(3));
-      for i in 3 to 4 loop
+      for i in 2 to 4 loop
         map_of_middle_0_b_below_a_values(2 * i - 2) := is_set(map_middle_0(0), i);
         map_of_middle_0_b_below_a_values(2 * i - 1) := is_set(map_middle_0(1), i);
-        map_of_middle_0_b_below_a_choices(i + 1) := carry(map_of_middle_0_b_below_a_choices(i), not
-          map_of_middle_0_b_below_a_values(2 * i - 2), map_of_middle_0_b_below_a_values(2 * i - 1));
       end loop;
+      map_of_middle_0_b_below_a_choice_5 := not is_larger(map_middle_0(0), map_middle_0(1), 0, 4, false);
       map_of_middle_0_c_below_a_value := is_set(map_middle_0(2), 1);
-      map_of_middle_0_c_below_a_choices(1) := choice(is_set(map_middle_0(2), 0), not
-        map_of_middle_0_b_below_a_values(1), (map_middle_0(0) mod 4) = 0);
-      map_of_middle_0_c_below_a_choices(2) := choice(map_of_middle_0_c_below_a_value, is_set(map_middle_0(2), 0) or
-        (not map_of_middle_0_b_below_a_values(1)) or (not is_set(map_middle_0(0), 0)),
-        map_of_middle_0_c_below_a_choices(1));
-      map_of_middle_0_c_below_a_choices(3) := inverted_carry(map_of_middle_0_c_below_a_choices(2), not
-        is_set(map_middle_0(2), 2), map_of_middle_0_b_below_a_values(2));
-      map_of_middle_0_c_below_a_choices(4) := carry(map_of_middle_0_c_below_a_choices(3), not is_set(map_middle_0(2),
-        3), map_of_middle_0_b_below_a_values(4));
-      map_of_middle_0_c_below_a_choices(5) := carry(map_of_middle_0_c_below_a_choices(4), not is_set(map_middle_0(2),
-        4), map_of_middle_0_b_below_a_values(6));
-      map_of_middle_0_c_below_b_choices(1) := choice(is_set(map_middle_0(2), 0), not is_set(map_middle_0(1), 1),
-        map_of_middle_0_b_below_a_is_equal);
-      map_of_middle_0_c_below_b_choices(2) := choice(map_of_middle_0_c_below_a_value, is_set(map_middle_0(2), 0) or
-        (not is_set(map_middle_0(1), 1)) or (not is_set(map_middle_0(1), 0)), map_of_middle_0_c_below_b_choices(1));
-      map_of_middle_0_c_below_b_choices(3) := inverted_carry(map_of_middle_0_c_below_b_choices(2), not
-        is_set(map_middle_0(2), 2), map_of_middle_0_b_below_a_values(3));
-      map_of_middle_0_c_below_b_choices(4) := carry(map_of_middle_0_c_below_b_choices(3), not is_set(map_middle_0(2),
-        3), map_of_middle_0_b_below_a_values(5));
-      map_of_middle_0_c_below_b_choices(5) := carry(map_of_middle_0_c_below_b_choices(4), not is_set(map_middle_0(2),
-        4), map_of_middle_0_b_below_a_values(7));
+      map_of_middle_0_c_below_a_choice_5 := not is_larger(map_middle_0(2), map_middle_0(0), 0, 4, true);
+      map_of_middle_0_c_below_b_choice_5 := not is_larger(map_middle_0(2), map_middle_0(1), 0, 4, true);
       map_of_high_0_b_below_a_values(1) := is_set(map_high_0(0), 1);
-      map_of_high_0_b_below_a_choices(1) := choice(is_set(map_high_0(0), 0), (not is_set(map_high_0(1), 1)) or (not
-        is_set(map_high_0(1), 0)), not is_set(map_high_0(1), 1));
       map_of_high_0_b_below_a_is_equal := (map_high_0(1) mod 4) = 0;
-      map_of_high_0_b_below_a_choices(2) := choice(map_of_high_0_b_below_a_values(1),
-        map_of_high_0_b_below_a_choices(1), is_set(map_high_0(0), 0) and map_of_high_0_b_below_a_is_equal);
-      map_of_high_0_b_below_a_values(2) := is_set(map_high_0(0), 2);
-      map_of_high_0_b_below_a_values(3) := is_set(map_high_0(1), 2);
-      map_of_high_0_b_below_a_choices(3) := inverted_carry(map_of_high_0_b_below_a_choices(2), not
-        map_of_high_0_b_below_a_values(2), map_of_high_0_b_below_a_values(3));
-      for i in 3 to 4 loop
+      for i in 2 to 4 loop
         map_of_high_0_b_below_a_values(2 * i - 2) := is_set(map_high_0(0), i);
         map_of_high_0_b_below_a_values(2 * i - 1) := is_set(map_high_0(1), i);
-        map_of_high_0_b_below_a_choices(i + 1) := carry(map_of_high_0_b_below_a_choices(i), not
-          map_of_high_0_b_below_a_values(2 * i - 2), map_of_high_0_b_below_a_values(2 * i - 1));
       end loop;
+      map_of_high_0_b_below_a_choice_5 := not is_larger(map_high_0(0), map_high_0(1), 0, 4, false);
       map_of_high_0_c_below_a_value := is_set(map_high_0(2), 1);
-      map_of_high_0_c_below_a_choices(1) := choice(is_set(map_high_0(2), 0), not map_of_high_0_b_below_a_values(1),
-        (map_high_0(0) mod 4) = 0);
-      map_of_high_0_c_below_a_choices(2) := choice(map_of_high_0_c_below_a_value, is_set(map_high_0(2), 0) or (not
-        map_of_high_0_b_below_a_values(1)) or (not is_set(map_high_0(0), 0)), map_of_high_0_c_below_a_choices(1));
-      map_of_high_0_c_below_a_choices(3) := inverted_carry(map_of_high_0_c_below_a_choices(2), not
-        is_set(map_high_0(2), 2), map_of_high_0_b_below_a_values(2));
-      map_of_high_0_c_below_a_choices(4) := carry(map_of_high_0_c_below_a_choices(3), not is_set(map_high_0(2), 3),
-        map_of_high_0_b_below_a_values(4));
-      map_of_high_0_c_below_a_choices(5) := carry(map_of_high_0_c_below_a_choices(4), not is_set(map_high_0(2), 4),
-        map_of_high_0_b_below_a_values(6));
-      map_of_high_0_c_below_b_choices(1) := choice(is_set(map_high_0(2), 0), not is_set(map_high_0(1), 1),
-        map_of_high_0_b_below_a_is_equal);
-      map_of_high_0_c_below_b_choices(2) := choice(map_of_high_0_c_below_a_value, is_set(map_high_0(2), 0) or (not
-        is_set(map_high_0(1), 1)) or (not is_set(map_high_0(1), 0)), map_of_high_0_c_below_b_choices(1));
-      map_of_high_0_c_below_b_choices(3) := inverted_carry(map_of_high_0_c_below_b_choices(2), not
-        is_set(map_high_0(2), 2), map_of_high_0_b_below_a_values(3));
-      map_of_high_0_c_below_b_choices(4) := carry(map_of_high_0_c_below_b_choices(3), not is_set(map_high_0(2), 3),
-        map_of_high_0_b_below_a_values(5));
-      map_of_high_0_c_below_b_choices(5) := carry(map_of_high_0_c_below_b_choices(4), not is_set(map_high_0(2), 4),
-        map_of_high_0_b_below_a_values(7));
+      map_of_high_0_c_below_a_choice_5 := not is_larger(map_high_0(2), map_high_0(0), 0, 4, true);
+      map_of_high_0_c_below_b_choice_5 := not is_larger(map_high_0(2), map_high_0(1), 0, 4, true);
       map_largest_low_0_choices(1) := choice(map_of_low_0_c_below_a, map_of_low_0_a, map_of_low_0_c);
       map_largest_low_0_choices(2) := choice(map_of_low_0_c_below_b, map_of_low_0_b, map_of_low_0_c);
       map_median_middle_0_choices(1) := choice(map_of_middle_0_c_below_a, map_of_middle_0_c, map_of_middle_0_a);
@@ -3919,42 +2717,15 @@ begin
       map_smallest_high_0_choices(1) := choice(map_of_high_0_c_below_b, map_of_high_0_c, map_of_high_0_b);
       map_smallest_high_0_choices(2) := choice(map_of_high_0_c_below_a, map_of_high_0_c, map_of_high_0_a);
       map_of_all_0_b_below_a_values(1) := is_set(map_largest_low_0, 1);
-      map_of_all_0_b_below_a_choices(1) := choice(is_set(map_largest_low_0, 0), (not is_set(map_median_middle_0, 1)) or
-        (not is_set(map_median_middle_0, 0)), not is_set(map_median_middle_0, 1));
       map_of_all_0_b_below_a_is_equal := (map_median_middle_0 mod 4) = 0;
-      map_of_all_0_b_below_a_choices(2) := choice(map_of_all_0_b_below_a_values(1), map_of_all_0_b_below_a_choices(1),
-        is_set(map_largest_low_0, 0) and map_of_all_0_b_below_a_is_equal);
-      map_of_all_0_b_below_a_values(2) := is_set(map_largest_low_0, 2);
-      map_of_all_0_b_below_a_values(3) := is_set(map_median_middle_0, 2);
-      map_of_all_0_b_below_a_choices(3) := inverted_carry(map_of_all_0_b_below_a_choices(2), not
-        map_of_all_0_b_below_a_values(2), map_of_all_0_b_below_a_values(3));
-      for i in 3 to 4 loop
+      for i in 2 to 4 loop
         map_of_all_0_b_below_a_values(2 * i - 2) := is_set(map_largest_low_0, i);
         map_of_all_0_b_below_a_values(2 * i - 1) := is_set(map_median_middle_0, i);
-        map_of_all_0_b_below_a_choices(i + 1) := carry(map_of_all_0_b_below_a_choices(i), not
-          map_of_all_0_b_below_a_values(2 * i - 2), map_of_all_0_b_below_a_values(2 * i - 1));
       end loop;
+      map_of_all_0_b_below_a_choice_5 := not is_larger(map_largest_low_0, map_median_middle_0, 0, 4, false);
       map_of_all_0_c_below_a_value := is_set(map_smallest_high_0, 1);
-      map_of_all_0_c_below_a_choices(1) := choice(is_set(map_smallest_high_0, 0), not map_of_all_0_b_below_a_values(1),
-        (map_largest_low_0 mod 4) = 0);
-      map_of_all_0_c_below_a_choices(2) := choice(map_of_all_0_c_below_a_value, is_set(map_smallest_high_0, 0) or (not
-        map_of_all_0_b_below_a_values(1)) or (not is_set(map_largest_low_0, 0)), map_of_all_0_c_below_a_choices(1));
-      map_of_all_0_c_below_a_choices(3) := inverted_carry(map_of_all_0_c_below_a_choices(2), not
-        is_set(map_smallest_high_0, 2), map_of_all_0_b_below_a_values(2));
-      map_of_all_0_c_below_a_choices(4) := carry(map_of_all_0_c_below_a_choices(3), not is_set(map_smallest_high_0, 3),
-        map_of_all_0_b_below_a_values(4));
-      map_of_all_0_c_below_a_choices(5) := carry(map_of_all_0_c_below_a_choices(4), not is_set(map_smallest_high_0, 4),
-        map_of_all_0_b_below_a_values(6));
-      map_of_all_0_c_below_b_choices(1) := choice(is_set(map_smallest_high_0, 0), not is_set(map_median_middle_0, 1),
-        map_of_all_0_b_below_a_is_equal);
-      map_of_all_0_c_below_b_choices(2) := choice(map_of_all_0_c_below_a_value, is_set(map_smallest_high_0, 0) or (not
-        is_set(map_median_middle_0, 1)) or (not is_set(map_median_middle_0, 0)), map_of_all_0_c_below_b_choices(1));
-      map_of_all_0_c_below_b_choices(3) := inverted_carry(map_of_all_0_c_below_b_choices(2), not
-        is_set(map_smallest_high_0, 2), map_of_all_0_b_below_a_values(3));
-      map_of_all_0_c_below_b_choices(4) := carry(map_of_all_0_c_below_b_choices(3), not is_set(map_smallest_high_0, 3),
-        map_of_all_0_b_below_a_values(5));
-      map_of_all_0_c_below_b_choices(5) := carry(map_of_all_0_c_below_b_choices(4), not is_set(map_smallest_high_0, 4),
-        map_of_all_0_b_below_a_values(7));
+      map_of_all_0_c_below_a_choice_5 := not is_larger(map_smallest_high_0, map_largest_low_0, 0, 4, true);
+      map_of_all_0_c_below_b_choice_5 := not is_larger(map_smallest_high_0, map_median_middle_0, 0, 4, true);
       map_out_disparity_0_choices(1) := choice(map_of_all_0_c_below_a, map_of_all_0_c, map_of_all_0_a);
       map_out_disparity_0_choices(2) := choice(map_of_all_0_c_below_b, map_of_all_0_b, map_out_disparity_0_choices(1));
       map_out_disparity_0_choices(3) := choice(map_of_all_0_c_below_b, map_of_all_0_c, map_of_all_0_b);
@@ -4036,34 +2807,34 @@ begin
         map_sorted_high_0_choices(2));
       map_passed_0(1) <= choice(map_passed_0(0), map_passed_0(1) or map_sorted_arrives or map_sorted_behind,
         map_passed_0(1) and (not map_sorted_arrives) and (not map_sorted_behind));
-      map_of_low_0_b_below_a <= inverted_carry(map_of_low_0_b_below_a_choices(5), is_set(map_low_0(0), 5), not
+      map_of_low_0_b_below_a <= inverted_carry(map_of_low_0_b_below_a_choice_5, is_set(map_low_0(0), 5), not
         is_set(map_low_0(1), 5));
-      map_of_low_0_c_below_a <= carry(map_of_low_0_c_below_a_choices(5), not is_set(map_low_0(2), 5),
+      map_of_low_0_c_below_a <= carry(map_of_low_0_c_below_a_choice_5, not is_set(map_low_0(2), 5),
         is_set(map_low_0(0), 5));
-      map_of_low_0_c_below_b <= carry(map_of_low_0_c_below_b_choices(5), not is_set(map_low_0(2), 5),
+      map_of_low_0_c_below_b <= carry(map_of_low_0_c_below_b_choice_5, not is_set(map_low_0(2), 5),
         is_set(map_low_0(1), 5));
-      map_of_middle_0_b_below_a <= inverted_carry(map_of_middle_0_b_below_a_choices(5), is_set(map_middle_0(0), 5), not
+      map_of_middle_0_b_below_a <= inverted_carry(map_of_middle_0_b_below_a_choice_5, is_set(map_middle_0(0), 5), not
         is_set(map_middle_0(1), 5));
-      map_of_middle_0_c_below_a <= carry(map_of_middle_0_c_below_a_choices(5), not is_set(map_middle_0(2), 5),
+      map_of_middle_0_c_below_a <= carry(map_of_middle_0_c_below_a_choice_5, not is_set(map_middle_0(2), 5),
         is_set(map_middle_0(0), 5));
-      map_of_middle_0_c_below_b <= carry(map_of_middle_0_c_below_b_choices(5), not is_set(map_middle_0(2), 5),
+      map_of_middle_0_c_below_b <= carry(map_of_middle_0_c_below_b_choice_5, not is_set(map_middle_0(2), 5),
         is_set(map_middle_0(1), 5));
-      map_of_high_0_b_below_a <= inverted_carry(map_of_high_0_b_below_a_choices(5), is_set(map_high_0(0), 5), not
+      map_of_high_0_b_below_a <= inverted_carry(map_of_high_0_b_below_a_choice_5, is_set(map_high_0(0), 5), not
         is_set(map_high_0(1), 5));
-      map_of_high_0_c_below_a <= carry(map_of_high_0_c_below_a_choices(5), not is_set(map_high_0(2), 5),
+      map_of_high_0_c_below_a <= carry(map_of_high_0_c_below_a_choice_5, not is_set(map_high_0(2), 5),
         is_set(map_high_0(0), 5));
-      map_of_high_0_c_below_b <= carry(map_of_high_0_c_below_b_choices(5), not is_set(map_high_0(2), 5),
+      map_of_high_0_c_below_b <= carry(map_of_high_0_c_below_b_choice_5, not is_set(map_high_0(2), 5),
         is_set(map_high_0(1), 5));
       map_largest_low_0 <= choice(map_of_low_0_b_below_a, map_largest_low_0_choices(1), map_largest_low_0_choices(2));
       map_median_middle_0 <= choice(map_of_middle_0_b_below_a, map_median_middle_0_choices(2),
         map_median_middle_0_choices(4));
       map_smallest_high_0 <= choice(map_of_high_0_b_below_a, map_smallest_high_0_choices(1),
         map_smallest_high_0_choices(2));
-      map_of_all_0_b_below_a <= inverted_carry(map_of_all_0_b_below_a_choices(5), is_set(map_largest_low_0, 5), not
+      map_of_all_0_b_below_a <= inverted_carry(map_of_all_0_b_below_a_choice_5, is_set(map_largest_low_0, 5), not
         is_set(map_median_middle_0, 5));
-      map_of_all_0_c_below_a <= carry(map_of_all_0_c_below_a_choices(5), not is_set(map_smallest_high_0, 5),
+      map_of_all_0_c_below_a <= carry(map_of_all_0_c_below_a_choice_5, not is_set(map_smallest_high_0, 5),
         is_set(map_largest_low_0, 5));
-      map_of_all_0_c_below_b <= carry(map_of_all_0_c_below_b_choices(5), not is_set(map_smallest_high_0, 5),
+      map_of_all_0_c_below_b <= carry(map_of_all_0_c_below_b_choice_5, not is_set(map_smallest_high_0, 5),
         is_set(map_median_middle_0, 5));
       map_out_disparity_0 <= choice(map_of_all_0_b_below_a, map_out_disparity_0_choices(2),
         map_out_disparity_0_choices(4));
@@ -4092,40 +2863,32 @@ begin
       end if;
       -- relief
       if transform_columns_valid then
-        relief_centre_column(0) <= transform_left_column_2;
+        relief_centre_column(0) <= transform_left_column(1);
         relief_centre_column(1 to 4) <= relief_centre_column(0 to 3);
       end if;
-      relief_newest_choices(1) := choice(is_set(relief_centre_grey_0, 0), (not is_set(relief_before, 1)) or (not
-        is_set(relief_before, 0)), not is_set(relief_before, 1));
-      relief_newest_choices(2) := choice(is_set(relief_centre_grey_0, 1), relief_newest_choices(1),
-        is_set(relief_centre_grey_0, 0) and ((relief_before mod 4) = 0));
-      relief_newest_values(1) := is_set(relief_before, 2);
-      relief_newest_choices(3) := inverted_carry(relief_newest_choices(2), not is_set(relief_centre_grey_0, 2),
-        relief_newest_values(1));
-      for i in 2 to 5 loop
+      for i in 1 to 5 loop
         relief_newest_values(i) := is_set(relief_before, i + 1);
-        relief_newest_choices(i + 2) := carry(relief_newest_choices(i + 1), not is_set(relief_centre_grey_0, i + 1),
-          relief_newest_values(i));
       end loop;
-      relief_newest_choices(8) := carry(relief_newest_choices(7), not is_set(relief_centre_grey_0, 7),
+      relief_newest_choice(7) := not is_larger(relief_centre_grey_0, relief_before, 0, 6, false);
+      relief_newest_choice(8) := carry(relief_newest_choice(7), not is_set(relief_centre_grey_0, 7),
         is_set(relief_before, 7));
       relief_newest_values_from_6(6) := (relief_before - relief_centre_grey_0) mod 256;
       relief_newest_values_from_6(7) := (relief_centre_grey_0 - relief_before) mod 256;
-      relief_newest_choices(9) := choice(relief_newest_choices(8), is_set(relief_newest_values_from_6(6), 2),
+      relief_newest_choice(9) := choice(relief_newest_choice(8), is_set(relief_newest_values_from_6(6), 2),
         is_set(relief_newest_values_from_6(7), 2));
-      relief_newest_choices(10) := choice(relief_newest_choices(8), not is_set(relief_newest_values_from_6(6), 3), not
+      relief_newest_choice(10) := choice(relief_newest_choice(8), not is_set(relief_newest_values_from_6(6), 3), not
         is_set(relief_newest_values_from_6(7), 3));
       for i in 0 to 1 loop
-        relief_newest_choices(2 * i + 11) := choice(relief_newest_choices(8), not
-          is_set(relief_newest_values_from_6(6), 4 * i + 1), not is_set(relief_newest_values_from_6(7), 4 * i + 1));
-        relief_newest_choices(2 * i + 12) := choice(relief_newest_choices(8), is_set(relief_newest_values_from_6(6), 2
-          * i + 4), is_set(relief_newest_values_from_6(7), 2 * i + 4));
+        relief_newest_choice(2 * i + 11) := choice(relief_newest_choice(8), not is_set(relief_newest_values_from_6(6),
+          4 * i + 1), not is_set(relief_newest_values_from_6(7), 4 * i + 1));
+        relief_newest_choice(2 * i + 12) := choice(relief_newest_choice(8), is_set(relief_newest_values_from_6(6), 2 *
+          i + 4), is_set(relief_newest_values_from_6(7), 2 * i + 4));
       end loop;
-      relief_newest_choices(15) := choice(relief_newest_choices(8), is_set(relief_newest_values_from_6(6), 7),
+      relief_newest_choice(15) := choice(relief_newest_choice(8), is_set(relief_newest_values_from_6(6), 7),
         is_set(relief_newest_values_from_6(7), 7));
-      relief_newest_choices(16) := inverted_carry(relief_newest_choices(7), is_set(relief_centre_grey_0, 7), not
+      relief_newest_choice(16) := inverted_carry(relief_newest_choice(7), is_set(relief_centre_grey_0, 7), not
         is_set(relief_before, 7));
-      relief_newest_choice_17 := choice(relief_newest_choices(16), (relief_newest_values_from_6(7) / 2) mod 64,
+      relief_newest_choice_17 := choice(relief_newest_choice(16), (relief_newest_values_from_6(7) / 2) mod 64,
         (relief_newest_values_from_6(6) / 2) mod 64);
       relief_centre_grey_0 <= relief_centre_column(4);
       relief_delayed_0 <= relief_newest;
@@ -4136,9 +2899,9 @@ begin
       relief_waiting(0) <= relief_column_0;
       relief_waiting(1 to 9) <= relief_waiting(0 to 8);
       relief_entered <= relief_entering;
-      relief_newest <= choice(((not ((not ((not ((not relief_newest_choices(9)) and relief_newest_choices(10) and
-        relief_newest_choices(11))) and relief_newest_choices(12))) and relief_newest_choices(13))) and
-        relief_newest_choices(14)) or relief_newest_choices(15), 40, relief_newest_choice_17);
+      relief_newest <= choice(((not ((not ((not ((not relief_newest_choice(9)) and relief_newest_choice(10) and
+        relief_newest_choice(11))) and relief_newest_choice(12))) and relief_newest_choice(13))) and
+        relief_newest_choice(14)) or relief_newest_choice(15), 40, relief_newest_choice_17);
       relief_entering <= choice(relief_waiting(9) < 40, relief_waiting(9), 40);
       if transform_filtering_valid(1) then
         relief_before <= relief_centre_grey_0;

@@ -113,6 +113,16 @@ architecture rtl of stereo_core_sgm_450_dense is
     return a or b;
   end function;
 
+  -- whether a > b, of bits `low` to `high`; of equal ones, `before`: bit by bit, as the tool has split it
+  function is_larger(a : natural; b : natural; low : natural; high : natural; before : boolean) return boolean is
+    variable is_not : boolean := not before;
+  begin
+    for place in low to high loop
+      is_not := carry(is_not, not is_set(a, place), is_set(b, place));
+    end loop;
+    return not is_not;
+  end function;
+
   function choice(test : boolean; yes : boolean; no : boolean) return boolean is
   begin
     if test then
@@ -187,29 +197,22 @@ architecture rtl of stereo_core_sgm_450_dense is
   -- transform
   signal transform_left_0, transform_right_0, transform_left_rows_read_newest_0 : natural range 0 to 255;
   signal transform_left_rows_ready_newest_0, transform_right_rows_read_newest_0 : natural range 0 to 255;
-  signal transform_right_rows_ready_newest_0, transform_left_column_0, transform_left_column_2 : natural range 0 to 255;
-  signal transform_left_column_4, transform_right_column_0, transform_right_column_2 : natural range 0 to 255;
-  signal transform_right_column_4 : natural range 0 to 255;
-  signal transform_left_filter_column_0 : natural_255_1d(0 to 8);  -- transform_left_filter_column_#_0
-  signal transform_left_filter_column_2 : natural_255_1d(0 to 8);  -- transform_left_filter_column_#_2
-  signal transform_left_filter_column_4 : natural_255_1d(0 to 8);  -- transform_left_filter_column_#_4
-  signal transform_right_filter_column_0 : natural_255_1d(0 to 8);  -- transform_right_filter_column_#_0
-  signal transform_right_filter_column_2 : natural_255_1d(0 to 8);  -- transform_right_filter_column_#_2
-  signal transform_right_filter_column_4 : natural_255_1d(0 to 8);  -- transform_right_filter_column_#_4
-  signal transform_valid, transform_counter_next_frame, transform_read_row_inside_0 : boolean;
-  signal transform_read_row_inside_2, transform_read_row_inside_4, transform_read_column_inside_0 : boolean;
-  signal transform_read_column_inside_2, transform_read_column_inside_4, transform_read_column_inside_6 : boolean;
-  signal transform_read_column_inside_8, transform_read_start_of_frame, transform_read_valid : boolean;
-  signal transform_ready_row_inside_0, transform_ready_row_inside_2, transform_ready_row_inside_4 : boolean;
-  signal transform_ready_column_inside_0, transform_ready_column_inside_2, transform_ready_column_inside_4 : boolean;
-  signal transform_ready_column_inside_6, transform_ready_column_inside_8, transform_ready_start_of_frame : boolean;
-  signal transform_ready_valid, transform_columns_row_inside_0, transform_columns_row_inside_2 : boolean;
-  signal transform_columns_row_inside_4, transform_columns_column_inside_0, transform_columns_column_inside_2 : boolean;
-  signal transform_columns_column_inside_4, transform_columns_column_inside_6 : boolean;
-  signal transform_columns_column_inside_8, transform_columns_start_of_frame, transform_columns_valid : boolean;
-  signal transform_filtering_0_column_inside_0, transform_filtering_0_column_inside_2 : boolean;
-  signal transform_filtering_0_column_inside_4, transform_filtering_0_column_inside_6 : boolean;
-  signal transform_filtering_0_column_inside_8 : boolean;
+  signal transform_right_rows_ready_newest_0 : natural range 0 to 255;
+  signal transform_left_column : natural_255_1d(0 to 2);  -- transform_left_column_2#
+  signal transform_right_column : natural_255_1d(0 to 2);  -- transform_right_column_2#
+  signal transform_left_filter_column : natural_255_2d(0 to 8, 0 to 2);  -- transform_left_filter_column_#_2#
+  signal transform_right_filter_column : natural_255_2d(0 to 8, 0 to 2);  -- transform_right_filter_column_#_2#
+  signal transform_valid, transform_counter_next_frame : boolean;
+  signal transform_read_row_inside : boolean_1d(0 to 2);  -- transform_read_row_inside_2#
+  signal transform_read_column_inside : boolean_1d(0 to 4);  -- transform_read_column_inside_2#
+  signal transform_read_start_of_frame, transform_read_valid : boolean;
+  signal transform_ready_row_inside : boolean_1d(0 to 2);  -- transform_ready_row_inside_2#
+  signal transform_ready_column_inside : boolean_1d(0 to 4);  -- transform_ready_column_inside_2#
+  signal transform_ready_start_of_frame, transform_ready_valid : boolean;
+  signal transform_columns_row_inside : boolean_1d(0 to 2);  -- transform_columns_row_inside_2#
+  signal transform_columns_column_inside : boolean_1d(0 to 4);  -- transform_columns_column_inside_2#
+  signal transform_columns_start_of_frame, transform_columns_valid : boolean;
+  signal transform_filtering_0_column_inside : boolean_1d(0 to 4);  -- transform_filtering_0_column_inside_2#
   signal transform_filtering_start_of_frame : boolean_1d(0 to 1);  -- transform_filtering_#_start_of_frame
   signal transform_filtering_valid : boolean_1d(0 to 1);  -- transform_filtering_#_valid
   signal transform_counter_column, transform_counter_group, transform_read_column : natural range 0 to 511;
@@ -459,12 +462,8 @@ architecture rtl of stereo_core_sgm_450_dense is
   signal winnerswinner1_best_late_cost_0 : natural_255_1d(0 to 31);
   signal winnerswinner1_best_but_first_0 : natural_255_1d(1 to 31);
   signal winnerswinner1_best_but_last_0 : natural_255_1d(0 to 30);
-  signal winnerswinner1_best_index_0_0, winnerswinner1_best_place_0_2, winnerswinner1_best_place_0_4 : boolean;
-  signal winnerswinner1_best_place_0_6, winnerswinner1_best_place_0_8, winnerswinner1_best_place_0_10 : boolean;
-  signal winnerswinner1_best_place_0_12, winnerswinner1_best_place_0_14, winnerswinner1_best_place_0_16 : boolean;
-  signal winnerswinner1_best_place_0_18, winnerswinner1_best_place_0_20, winnerswinner1_best_place_0_22 : boolean;
-  signal winnerswinner1_best_place_0_24, winnerswinner1_best_place_0_26, winnerswinner1_best_place_0_28 : boolean;
-  signal winnerswinner1_best_place_0_30 : boolean;
+  signal winnerswinner1_best_index_0_0 : boolean;
+  signal winnerswinner1_best_place_0 : boolean_1d(1 to 15);  -- winnerswinner1_best_place_0_2#
   signal winnerswinner1_tag : tag_6;
   signal winnerswinner1_best_index_0 : natural_63_1d(1 to 31);  -- winnerswinner1_best_index_0_# up to 3, 5 .. 63
   -- winnerswinner2
@@ -1135,12 +1134,12 @@ begin
     variable transform_read_column_inside_0_is_less : boolean;
     variable transform_left_filter_feature_0_values : boolean_1d(1 to 11);  -- transform_left_filter_feature_0_value_#
     variable transform_left_filter_feature_0_any : boolean;
-    variable transform_left_filter_feature_0_choices : boolean_1d(1 to 121);  -- transform_left_filter_feature_0_choice_#
+    variable transform_left_filter_feature_0_choice : boolean_1d(8 to 121);
     variable transform_left_filter_feature_0_is_equal : boolean;
     variable transform_left_filter_feature_0_alls : boolean_1d(1 to 4);  -- transform_left_filter_feature_0_all_#
     variable transform_right_filter_feature_0_values : boolean_1d(1 to 11);  -- transform_right_filter_feature_0_value_#
     variable transform_right_filter_feature_0_any : boolean;
-    variable transform_right_filter_feature_0_choices : boolean_1d(1 to 125);  -- transform_right_filter_feature_0_choice_#
+    variable transform_right_filter_feature_0_choice : boolean_1d(8 to 125);
     variable transform_right_filter_feature_0_is_equal : boolean;
     variable transform_right_filter_feature_0_alls : boolean_1d(1 to 4);  -- transform_right_filter_feature_0_all_#
     variable transform_counter_next_frame_choices : boolean_1d(1 to 2);  -- transform_counter_next_frame_choice_#
@@ -1162,48 +1161,48 @@ begin
     variable slice3mask_inside_choice : boolean_1d(0 to 15);  -- slice3mask_inside_#_choice
     variable entry_order_falls_any, entry_order_falls_all, entry_order_complete_all, entry_order_complete_any : boolean;
     variable entry_order_turned_output_column_choice, forward_left_start_cost_0_any : boolean;
-    variable forward_left_start_cost_0_choices : boolean_1d(1 to 6);  -- forward_left_start_cost_0_choice_#
+    variable forward_left_start_cost_0_choice : boolean_1d(4 to 6);
     variable forward_left_start_cost_0_values : boolean_1d(1 to 2);  -- forward_left_start_cost_0_value_#
     variable forward_left_start_cost_0_is_equal, forward_left_start_cost_0_is_less : boolean;
     variable forward_above_writes_copy_0_choice, sums_right_start_cost_0_any : boolean;
-    variable sums_right_start_cost_0_choices : boolean_1d(1 to 6);  -- sums_right_start_cost_0_choice_#
+    variable sums_right_start_cost_0_choice : boolean_1d(4 to 6);
     variable sums_right_start_cost_0_values : boolean_1d(1 to 2);  -- sums_right_start_cost_0_value_#
     variable sums_right_start_cost_0_is_equal, sums_right_start_cost_0_is_less : boolean;
     variable sums_turn_writes_copy_0_choice, winnersmask_inside_63_choice : boolean;
     variable winnersother_cost_0_is_equal : boolean_1d(1 to 61);  -- winnersother_cost_0_#_is_equal
-    variable winnersother_cost_0_choice : boolean_2d(1 to 62, 1 to 9);  -- winnersother_cost_0_#_choice_#
+    variable winnersother_cost_0_choice : boolean_2d(1 to 62, 7 to 9);  -- winnersother_cost_0_#_choice_#
     variable winnersother_cost_0_value : boolean_2d(1 to 62, 1 to 6);  -- winnersother_cost_0_#_value_#
     variable winnersother_cost_0_all : boolean_1d(1 to 63);  -- winnersother_cost_0_#_all
     variable winnersother_winner_0_0_values : boolean_1d(1 to 6);  -- winnersother_winner_0_0_value_#
-    variable winnersother_winner_0_0_choices : boolean_1d(1 to 8);  -- winnersother_winner_0_0_choice_#
-    variable winnerswinner1_best_index_0_choice : boolean_2d(0 to 31, 1 to 8);  -- winnerswinner1_best_index_0_#_choice_#
+    variable winnersother_winner_0_0_choice : boolean_1d(7 to 8);
+    variable winnerswinner1_best_index_0_choice_8 : boolean_1d(0 to 31);  -- winnerswinner1_best_index_0_#_choice_8
     variable winnerswinner1_best_index_0_31_values : boolean_1d(1 to 5);  -- winnerswinner1_best_index_0_31_value_#
-    variable winnerswinner2_best_index_0_choice : boolean_2d(0 to 15, 1 to 8);  -- winnerswinner2_best_index_0_#_choice_#
+    variable winnerswinner2_best_index_0_choice : boolean_2d(0 to 15, 7 to 8);  -- winnerswinner2_best_index_0_#_choice_#
     variable winnerswinner2_best_index_0_value : boolean_2d(0 to 15, 1 to 5);  -- winnerswinner2_best_index_0_#_value_#
     variable winnerswinner2_best_below_0_is_equal : boolean_1d(0 to 15);  -- winnerswinner2_best_below_0_#_is_equal
     variable winnerswinner2_best_below_0_value : boolean_2d(4 to 14, 1 to 2);  -- winnerswinner2_best_below_0_#_value_#
     variable winnerswinner2_best_at_start_0_choice : boolean_1d(0 to 15);  -- winnerswinner2_best_at_start_0_#_choice
-    variable winnerswinner3_best_index_0_choice : boolean_2d(0 to 7, 1 to 8);  -- winnerswinner3_best_index_0_#_choice_#
+    variable winnerswinner3_best_index_0_choice : boolean_2d(0 to 7, 7 to 8);  -- winnerswinner3_best_index_0_#_choice_#
     variable winnerswinner3_best_index_0_value : boolean_2d(0 to 7, 1 to 5);  -- winnerswinner3_best_index_0_#_value_#
     variable winnerswinner3_best_below_0_is_equal : boolean_1d(0 to 7);  -- winnerswinner3_best_below_0_#_is_equal
     variable winnerswinner3_best_below_0_value : boolean_1d(2 to 6);  -- winnerswinner3_best_below_0_#_value
     variable winnerswinner3_best_above_0_is_equal : boolean_1d(0 to 7);  -- winnerswinner3_best_above_0_#_is_equal
     variable winnerswinner3_best_above_0_value : boolean_2d(2 to 7, 1 to 2);  -- winnerswinner3_best_above_0_#_value_#
     variable winnerswinner3_best_at_start_0_choice : boolean_1d(0 to 7);  -- winnerswinner3_best_at_start_0_#_choice
-    variable winnerswinner4_best_index_0_choice : boolean_2d(0 to 3, 1 to 8);  -- winnerswinner4_best_index_0_#_choice_#
+    variable winnerswinner4_best_index_0_choice : boolean_2d(0 to 3, 7 to 8);  -- winnerswinner4_best_index_0_#_choice_#
     variable winnerswinner4_best_index_0_value : boolean_2d(0 to 3, 1 to 5);  -- winnerswinner4_best_index_0_#_value_#
     variable winnerswinner4_best_below_0_is_equal : boolean_1d(0 to 3);  -- winnerswinner4_best_below_0_#_is_equal
     variable winnerswinner4_best_below_0_2_value : boolean;
     variable winnerswinner4_best_above_0_is_equal : boolean_1d(0 to 3);  -- winnerswinner4_best_above_0_#_is_equal
     variable winnerswinner4_best_above_0_value : boolean_2d(1 to 3, 1 to 2);  -- winnerswinner4_best_above_0_#_value_#
     variable winnerswinner4_best_at_start_0_choice : boolean_1d(0 to 3);  -- winnerswinner4_best_at_start_0_#_choice
-    variable winnerswinner5_best_index_0_choice : boolean_2d(0 to 1, 1 to 8);  -- winnerswinner5_best_index_0_#_choice_#
+    variable winnerswinner5_best_index_0_choice : boolean_2d(0 to 1, 7 to 8);  -- winnerswinner5_best_index_0_#_choice_#
     variable winnerswinner5_best_index_0_value : boolean_2d(0 to 1, 1 to 5);  -- winnerswinner5_best_index_0_#_value_#
     variable winnerswinner5_best_below_0_is_equal : boolean_1d(0 to 1);  -- winnerswinner5_best_below_0_#_is_equal
     variable winnerswinner5_best_above_0_is_equal : boolean_1d(0 to 1);  -- winnerswinner5_best_above_0_#_is_equal
     variable winnerswinner5_best_above_0_1_value : boolean;
     variable winnerswinner5_best_at_start_0_choice : boolean_1d(0 to 1);  -- winnerswinner5_best_at_start_0_#_choice
-    variable winnerswinner6_best_index_0_0_choices : boolean_1d(1 to 8);  -- winnerswinner6_best_index_0_0_choice_#
+    variable winnerswinner6_best_index_0_0_choice : boolean_1d(7 to 8);
     variable winnerswinner6_best_index_0_0_values : boolean_1d(1 to 5);  -- winnerswinner6_best_index_0_0_value_#
     variable winnerswinner6_best_below_0_0_is_equal, winnerswinner6_best_above_0_0_is_equal : boolean;
     variable winnerswinner6_best_at_start_0_0_choice : boolean;
@@ -1233,7 +1232,7 @@ begin
     variable fill_ends_row_place_0_all, fill_beside_0_left_any, median_counter_group_is_equal : boolean;
     variable median_line_ended_choice, median_window_complete_is_equal, median_window_complete_choice : boolean;
     variable median_low_0_all : boolean_1d(0 to 1);  -- median_low_#_0_all
-    variable relief_newest_choices : boolean_1d(1 to 15);  -- relief_newest_choice_#
+    variable relief_newest_choice : boolean_1d(7 to 15);
     variable relief_newest_values : boolean_1d(1 to 5);  -- relief_newest_value_#
     variable transform_counter_group_choice, raster_place_group_choice : natural range 0 to 375;
     variable support_counter_group_choice, fill_counter_group_choice : natural range 0 to 375;
@@ -1262,10 +1261,10 @@ begin
     variable sums_right_cost_choice : natural_127_2d(0 to 63, 1 to 2);  -- sums_right_cost_#_choice_#
     variable sums_right_arrived_choice : natural_127_2d(0 to 63, 1 to 2);  -- sums_right_arrived_#_choice_#
     variable support_like_0_value : natural_127_2d(0 to 6, 0 to 4);  -- support_like_0_#_#_value
-    variable forward_left_start_cost_0_choices_from_7 : natural_63_1d(7 to 9);  -- forward_left_start_cost_0_choice_#
+    variable forward_left_start_cost_0_choices : natural_63_1d(7 to 9);  -- forward_left_start_cost_0_choice_#
     variable forward_left_room_value : natural range 0 to 63;
     variable forward_left_room_choices : natural_63_1d(1 to 3);  -- forward_left_room_choice_#
-    variable sums_right_start_cost_0_choices_from_7 : natural_63_1d(7 to 9);  -- sums_right_start_cost_0_choice_#
+    variable sums_right_start_cost_0_choices : natural_63_1d(7 to 9);  -- sums_right_start_cost_0_choice_#
     variable sums_right_room_value : natural range 0 to 63;
     variable sums_right_room_choices : natural_63_1d(1 to 3);  -- sums_right_room_choice_#
     variable leftright_address_0_value : natural range 0 to 63;
@@ -1328,8 +1327,8 @@ begin
   begin
     if rising_edge(clock) then
       -- no bit without a value, where an array has places for more
-      transform_left_filter_feature_0_choices := (others => false);
-      transform_right_filter_feature_0_choices := (others => false);
+      transform_left_filter_feature_0_choice := (others => false);
+      transform_right_filter_feature_0_choice := (others => false);
       slice0cost_pixels_first_0_count_value := (others => (others => (others => false)));
       slice1cost_pixels_first_0_count_value := (others => (others => (others => false)));
       slice2cost_pixels_first_0_count_value := (others => (others => (others => false)));
@@ -1360,476 +1359,187 @@ begin
       transform_counter_group_choices(3) := choice(transform_counter_group_differs and in_valid and
         transform_counter_group_is_equals(2), transform_counter_group_choices(2), transform_counter_group);
       transform_read_column_inside_0_is_less := 3 < transform_counter_column;
-      transform_left_filter_feature_0_values(1) := is_set(transform_left_filter_column_2(4), 1);
+      transform_left_filter_feature_0_values(1) := is_set(transform_left_filter_column(4, 1), 1);
       transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_values(1)) or (not
-        is_set(transform_left_filter_column_2(4), 0));
-      transform_left_filter_feature_0_choices(1) := choice(is_set(transform_left_filter_column_0(4), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_is_equal := (transform_left_filter_column_2(4) mod 4) = 0;
-      transform_left_filter_feature_0_choices(2) := choice(is_set(transform_left_filter_column_0(4), 1),
-        transform_left_filter_feature_0_choices(1), is_set(transform_left_filter_column_0(4), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_values(2) := is_set(transform_left_filter_column_2(4), 2);
-      transform_left_filter_feature_0_choices(3) := inverted_carry(transform_left_filter_feature_0_choices(2), not
-        is_set(transform_left_filter_column_0(4), 2), transform_left_filter_feature_0_values(2));
-      for i in 3 to 6 loop
-        transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column_2(4), i);
-        transform_left_filter_feature_0_choices(i + 1) := carry(transform_left_filter_feature_0_choices(i), not
-          is_set(transform_left_filter_column_0(4), i), transform_left_filter_feature_0_values(i));
+        is_set(transform_left_filter_column(4, 1), 0));
+      transform_left_filter_feature_0_is_equal := (transform_left_filter_column(4, 1) mod 4) = 0;
+      for i in 2 to 6 loop
+        transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(4, 1), i);
       end loop;
-      transform_left_filter_feature_0_choices(8) := inverted_carry(transform_left_filter_feature_0_choices(7),
-        is_set(transform_left_filter_column_0(4), 7), not is_set(transform_left_filter_column_2(4), 7));
-      transform_left_filter_feature_0_choices(9) := choice(is_set(transform_left_filter_column_4(4), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(10) := choice(is_set(transform_left_filter_column_4(4), 1),
-        transform_left_filter_feature_0_choices(9), is_set(transform_left_filter_column_4(4), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(11) := inverted_carry(transform_left_filter_feature_0_choices(10), not
-        is_set(transform_left_filter_column_4(4), 2), transform_left_filter_feature_0_values(2));
-      for i in 12 to 15 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_4(4), i - 9), transform_left_filter_feature_0_values(i - 9));
-      end loop;
-      transform_left_filter_feature_0_choices(16) := inverted_carry(transform_left_filter_feature_0_choices(15),
-        is_set(transform_left_filter_column_4(4), 7), not is_set(transform_left_filter_column_2(4), 7));
-      transform_left_filter_feature_0_choice_17 := choice(transform_filtering_0_column_inside_4,
-        as_number(transform_left_filter_feature_0_choices(8)) + (as_number(transform_left_filter_feature_0_choices(16))
-        * 2), 0);
-      transform_left_filter_feature_0_choices(18) := choice(is_set(transform_left_filter_column_2(0), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(19) := choice(is_set(transform_left_filter_column_2(0), 1),
-        transform_left_filter_feature_0_choices(18), is_set(transform_left_filter_column_2(0), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(20) := inverted_carry(transform_left_filter_feature_0_choices(19), not
-        is_set(transform_left_filter_column_2(0), 2), transform_left_filter_feature_0_values(2));
-      for i in 21 to 24 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_2(0), i - 18), transform_left_filter_feature_0_values(i - 18));
-      end loop;
-      transform_left_filter_feature_0_alls(1) := transform_filtering_0_column_inside_0 and (not
-        is_set(transform_left_filter_column_2(4), 7));
-      transform_left_filter_feature_0_choices(25) := choice(is_set(transform_left_filter_column_2(0), 7),
-        transform_filtering_0_column_inside_0, transform_left_filter_feature_0_alls(1));
-      transform_left_filter_feature_0_choices(26) := choice(transform_left_filter_feature_0_choices(24),
-        is_set(transform_left_filter_column_2(0), 7) and transform_filtering_0_column_inside_0 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(25));
-      transform_left_filter_feature_0_choices(27) := choice(is_set(transform_left_filter_column_0(0), 0),
-        (transform_left_filter_column_2(4) mod 4) = 3, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(28) := choice(is_set(transform_left_filter_column_0(0), 1),
-        transform_left_filter_feature_0_choices(27), (not is_set(transform_left_filter_column_0(0), 0)) or
-        transform_left_filter_feature_0_values(1) or is_set(transform_left_filter_column_2(4), 0));
-      transform_left_filter_feature_0_values(7) := is_set(transform_left_filter_column_0(0), 2);
-      transform_left_filter_feature_0_choices(29) := inverted_carry(transform_left_filter_feature_0_choices(28),
+      transform_left_filter_feature_0_choice(8) := is_larger(transform_left_filter_column(4, 0),
+        transform_left_filter_column(4, 1), 0, 7, false);
+      transform_left_filter_feature_0_choice(16) := is_larger(transform_left_filter_column(4, 2),
+        transform_left_filter_column(4, 1), 0, 7, false);
+      transform_left_filter_feature_0_choice_17 := choice(transform_filtering_0_column_inside(2),
+        as_number(transform_left_filter_feature_0_choice(8)) + (as_number(transform_left_filter_feature_0_choice(16)) *
+        2), 0);
+      transform_left_filter_feature_0_choice(24) := not is_larger(transform_left_filter_column(0, 1),
+        transform_left_filter_column(4, 1), 0, 6, false);
+      transform_left_filter_feature_0_alls(1) := transform_filtering_0_column_inside(0) and (not
+        is_set(transform_left_filter_column(4, 1), 7));
+      transform_left_filter_feature_0_choice(25) := choice(is_set(transform_left_filter_column(0, 1), 7),
+        transform_filtering_0_column_inside(0), transform_left_filter_feature_0_alls(1));
+      transform_left_filter_feature_0_choice(26) := choice(transform_left_filter_feature_0_choice(24),
+        is_set(transform_left_filter_column(0, 1), 7) and transform_filtering_0_column_inside(0) and (not
+        is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(25));
+      transform_left_filter_feature_0_choice(27) := choice(is_set(transform_left_filter_column(0, 0), 0),
+        (transform_left_filter_column(4, 1) mod 4) = 3, transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choice(28) := choice(is_set(transform_left_filter_column(0, 0), 1),
+        transform_left_filter_feature_0_choice(27), (not is_set(transform_left_filter_column(0, 0), 0)) or
+        transform_left_filter_feature_0_values(1) or is_set(transform_left_filter_column(4, 1), 0));
+      transform_left_filter_feature_0_values(7) := is_set(transform_left_filter_column(0, 0), 2);
+      transform_left_filter_feature_0_choice(29) := inverted_carry(transform_left_filter_feature_0_choice(28),
         transform_left_filter_feature_0_values(7), not transform_left_filter_feature_0_values(2));
       for i in 8 to 11 loop
-        transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column_0(0), i - 5);
-        transform_left_filter_feature_0_choices(i + 22) := carry(transform_left_filter_feature_0_choices(i + 21),
+        transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(0, 0), i - 5);
+        transform_left_filter_feature_0_choice(i + 22) := carry(transform_left_filter_feature_0_choice(i + 21),
           transform_left_filter_feature_0_values(i), not transform_left_filter_feature_0_values(i - 5));
       end loop;
-      transform_left_filter_feature_0_choices(34) := choice(is_set(transform_left_filter_column_0(0), 7),
-        transform_filtering_0_column_inside_0, transform_left_filter_feature_0_alls(1));
-      transform_left_filter_feature_0_choices(35) := choice(transform_left_filter_feature_0_choices(33),
-        transform_left_filter_feature_0_choices(34), is_set(transform_left_filter_column_0(0), 7) and
-        transform_filtering_0_column_inside_0 and (not is_set(transform_left_filter_column_2(4), 7)));
-      transform_left_filter_feature_0_choices(36) := choice(is_set(transform_left_filter_column_4(0), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(37) := choice(is_set(transform_left_filter_column_4(0), 1),
-        transform_left_filter_feature_0_choices(36), is_set(transform_left_filter_column_4(0), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(38) := inverted_carry(transform_left_filter_feature_0_choices(37), not
-        is_set(transform_left_filter_column_4(0), 2), transform_left_filter_feature_0_values(2));
-      for i in 39 to 42 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_4(0), i - 36), transform_left_filter_feature_0_values(i - 36));
+      transform_left_filter_feature_0_choice(34) := choice(is_set(transform_left_filter_column(0, 0), 7),
+        transform_filtering_0_column_inside(0), transform_left_filter_feature_0_alls(1));
+      transform_left_filter_feature_0_choice(35) := choice(transform_left_filter_feature_0_choice(33),
+        transform_left_filter_feature_0_choice(34), is_set(transform_left_filter_column(0, 0), 7) and
+        transform_filtering_0_column_inside(0) and (not is_set(transform_left_filter_column(4, 1), 7)));
+      for i in 0 to 1 loop
+        transform_left_filter_feature_0_choice(26 * i + 42) := not is_larger(transform_left_filter_column(2 * i, 2),
+          transform_left_filter_column(4, 1), 0, 6, false);
+        transform_left_filter_feature_0_choice(26 * i + 43) := choice(transform_left_filter_feature_0_choice(26 * i +
+          42), transform_filtering_0_column_inside(i) and is_set(transform_left_filter_column(2 * i, 2), 7) and (not
+          is_set(transform_left_filter_column(4, 1), 7)), transform_filtering_0_column_inside(i) and
+          (is_set(transform_left_filter_column(2 * i, 2), 7) or (not is_set(transform_left_filter_column(4, 1), 7))));
+        transform_left_filter_feature_0_choice(26 * i + 50) := not is_larger(transform_left_filter_column(4 * i + 2,
+          1), transform_left_filter_column(4, 1), 0, 6, false);
+        transform_left_filter_feature_0_alls(i + 2) := transform_filtering_0_column_inside(2 * i + 1) and (not
+          is_set(transform_left_filter_column(4, 1), 7));
+        transform_left_filter_feature_0_choice(26 * i + 51) := choice(is_set(transform_left_filter_column(4 * i + 2,
+          1), 7), transform_filtering_0_column_inside(2 * i + 1), transform_left_filter_feature_0_alls(i + 2));
+        transform_left_filter_feature_0_choice(26 * i + 52) := choice(transform_left_filter_feature_0_choice(26 * i +
+          50), is_set(transform_left_filter_column(4 * i + 2, 1), 7) and transform_filtering_0_column_inside(2 * i + 1)
+          and (not is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(26 * i + 51));
+        transform_left_filter_feature_0_choice(26 * i + 59) := not is_larger(transform_left_filter_column(4 * i + 2,
+          0), transform_left_filter_column(4, 1), 0, 6, false);
+        transform_left_filter_feature_0_choice(26 * i + 60) := choice(is_set(transform_left_filter_column(4 * i + 2,
+          0), 7), transform_filtering_0_column_inside(2 * i + 1), transform_left_filter_feature_0_alls(i + 2));
+        transform_left_filter_feature_0_choice(26 * i + 61) := choice(transform_left_filter_feature_0_choice(26 * i +
+          59), is_set(transform_left_filter_column(4 * i + 2, 0), 7) and transform_filtering_0_column_inside(2 * i + 1)
+          and (not is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(26 * i + 60));
       end loop;
-      transform_left_filter_feature_0_choices(43) := choice(transform_left_filter_feature_0_choices(42),
-        transform_filtering_0_column_inside_0 and is_set(transform_left_filter_column_4(0), 7) and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_0 and
-        (is_set(transform_left_filter_column_4(0), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
-      transform_left_filter_feature_0_choices(44) := choice(is_set(transform_left_filter_column_2(2), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(45) := choice(is_set(transform_left_filter_column_2(2), 1),
-        transform_left_filter_feature_0_choices(44), is_set(transform_left_filter_column_2(2), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(46) := inverted_carry(transform_left_filter_feature_0_choices(45), not
-        is_set(transform_left_filter_column_2(2), 2), transform_left_filter_feature_0_values(2));
-      for i in 47 to 50 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_2(2), i - 44), transform_left_filter_feature_0_values(i - 44));
+      transform_left_filter_feature_0_choice(94) := not is_larger(transform_left_filter_column(6, 2),
+        transform_left_filter_column(4, 1), 0, 6, false);
+      transform_left_filter_feature_0_choice(95) := choice(transform_left_filter_feature_0_choice(94),
+        transform_filtering_0_column_inside(3) and is_set(transform_left_filter_column(6, 2), 7) and (not
+        is_set(transform_left_filter_column(4, 1), 7)), transform_filtering_0_column_inside(3) and
+        (is_set(transform_left_filter_column(6, 2), 7) or (not is_set(transform_left_filter_column(4, 1), 7))));
+      transform_left_filter_feature_0_choice(102) := not is_larger(transform_left_filter_column(8, 1),
+        transform_left_filter_column(4, 1), 0, 6, false);
+      transform_left_filter_feature_0_alls(4) := transform_filtering_0_column_inside(4) and (not
+        is_set(transform_left_filter_column(4, 1), 7));
+      for i in 0 to 1 loop
+        transform_left_filter_feature_0_choice(9 * i + 103) := choice(is_set(transform_left_filter_column(8, 1 - i),
+          7), transform_filtering_0_column_inside(4), transform_left_filter_feature_0_alls(4));
+        transform_left_filter_feature_0_choice(9 * i + 104) := choice(transform_left_filter_feature_0_choice(9 * i +
+          102), is_set(transform_left_filter_column(8, 1 - i), 7) and transform_filtering_0_column_inside(4) and (not
+          is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(9 * i + 103));
+        transform_left_filter_feature_0_choice(9 * i + 111) := not is_larger(transform_left_filter_column(8, 2 * i),
+          transform_left_filter_column(4, 1), 0, 6, false);
       end loop;
-      transform_left_filter_feature_0_alls(2) := transform_filtering_0_column_inside_2 and (not
-        is_set(transform_left_filter_column_2(4), 7));
-      transform_left_filter_feature_0_choices(51) := choice(is_set(transform_left_filter_column_2(2), 7),
-        transform_filtering_0_column_inside_2, transform_left_filter_feature_0_alls(2));
-      transform_left_filter_feature_0_choices(52) := choice(transform_left_filter_feature_0_choices(50),
-        is_set(transform_left_filter_column_2(2), 7) and transform_filtering_0_column_inside_2 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(51));
-      transform_left_filter_feature_0_choices(53) := choice(is_set(transform_left_filter_column_0(2), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(54) := choice(is_set(transform_left_filter_column_0(2), 1),
-        transform_left_filter_feature_0_choices(53), is_set(transform_left_filter_column_0(2), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(55) := inverted_carry(transform_left_filter_feature_0_choices(54), not
-        is_set(transform_left_filter_column_0(2), 2), transform_left_filter_feature_0_values(2));
-      for i in 56 to 59 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_0(2), i - 53), transform_left_filter_feature_0_values(i - 53));
-      end loop;
-      transform_left_filter_feature_0_choices(60) := choice(is_set(transform_left_filter_column_0(2), 7),
-        transform_filtering_0_column_inside_2, transform_left_filter_feature_0_alls(2));
-      transform_left_filter_feature_0_choices(61) := choice(transform_left_filter_feature_0_choices(59),
-        is_set(transform_left_filter_column_0(2), 7) and transform_filtering_0_column_inside_2 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(60));
-      transform_left_filter_feature_0_choices(62) := choice(is_set(transform_left_filter_column_4(2), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(63) := choice(is_set(transform_left_filter_column_4(2), 1),
-        transform_left_filter_feature_0_choices(62), is_set(transform_left_filter_column_4(2), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(64) := inverted_carry(transform_left_filter_feature_0_choices(63), not
-        is_set(transform_left_filter_column_4(2), 2), transform_left_filter_feature_0_values(2));
-      for i in 65 to 68 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_4(2), i - 62), transform_left_filter_feature_0_values(i - 62));
-      end loop;
-      transform_left_filter_feature_0_choices(69) := choice(transform_left_filter_feature_0_choices(68),
-        transform_filtering_0_column_inside_2 and is_set(transform_left_filter_column_4(2), 7) and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_2 and
-        (is_set(transform_left_filter_column_4(2), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
-      transform_left_filter_feature_0_choices(70) := choice(is_set(transform_left_filter_column_2(6), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(71) := choice(is_set(transform_left_filter_column_2(6), 1),
-        transform_left_filter_feature_0_choices(70), is_set(transform_left_filter_column_2(6), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(72) := inverted_carry(transform_left_filter_feature_0_choices(71), not
-        is_set(transform_left_filter_column_2(6), 2), transform_left_filter_feature_0_values(2));
-      for i in 73 to 76 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_2(6), i - 70), transform_left_filter_feature_0_values(i - 70));
-      end loop;
-      transform_left_filter_feature_0_alls(3) := transform_filtering_0_column_inside_6 and (not
-        is_set(transform_left_filter_column_2(4), 7));
-      transform_left_filter_feature_0_choices(77) := choice(is_set(transform_left_filter_column_2(6), 7),
-        transform_filtering_0_column_inside_6, transform_left_filter_feature_0_alls(3));
-      transform_left_filter_feature_0_choices(78) := choice(transform_left_filter_feature_0_choices(76),
-        is_set(transform_left_filter_column_2(6), 7) and transform_filtering_0_column_inside_6 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(77));
-      transform_left_filter_feature_0_choices(79) := choice(is_set(transform_left_filter_column_0(6), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(80) := choice(is_set(transform_left_filter_column_0(6), 1),
-        transform_left_filter_feature_0_choices(79), is_set(transform_left_filter_column_0(6), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(81) := inverted_carry(transform_left_filter_feature_0_choices(80), not
-        is_set(transform_left_filter_column_0(6), 2), transform_left_filter_feature_0_values(2));
-      for i in 82 to 85 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_0(6), i - 79), transform_left_filter_feature_0_values(i - 79));
-      end loop;
-      transform_left_filter_feature_0_choices(86) := choice(is_set(transform_left_filter_column_0(6), 7),
-        transform_filtering_0_column_inside_6, transform_left_filter_feature_0_alls(3));
-      transform_left_filter_feature_0_choices(87) := choice(transform_left_filter_feature_0_choices(85),
-        is_set(transform_left_filter_column_0(6), 7) and transform_filtering_0_column_inside_6 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(86));
-      transform_left_filter_feature_0_choices(88) := choice(is_set(transform_left_filter_column_4(6), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(89) := choice(is_set(transform_left_filter_column_4(6), 1),
-        transform_left_filter_feature_0_choices(88), is_set(transform_left_filter_column_4(6), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(90) := inverted_carry(transform_left_filter_feature_0_choices(89), not
-        is_set(transform_left_filter_column_4(6), 2), transform_left_filter_feature_0_values(2));
-      for i in 91 to 94 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_4(6), i - 88), transform_left_filter_feature_0_values(i - 88));
-      end loop;
-      transform_left_filter_feature_0_choices(95) := choice(transform_left_filter_feature_0_choices(94),
-        transform_filtering_0_column_inside_6 and is_set(transform_left_filter_column_4(6), 7) and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_6 and
-        (is_set(transform_left_filter_column_4(6), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
-      transform_left_filter_feature_0_choices(96) := choice(is_set(transform_left_filter_column_2(8), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(97) := choice(is_set(transform_left_filter_column_2(8), 1),
-        transform_left_filter_feature_0_choices(96), is_set(transform_left_filter_column_2(8), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(98) := inverted_carry(transform_left_filter_feature_0_choices(97), not
-        is_set(transform_left_filter_column_2(8), 2), transform_left_filter_feature_0_values(2));
-      for i in 99 to 102 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_2(8), i - 96), transform_left_filter_feature_0_values(i - 96));
-      end loop;
-      transform_left_filter_feature_0_alls(4) := transform_filtering_0_column_inside_8 and (not
-        is_set(transform_left_filter_column_2(4), 7));
-      transform_left_filter_feature_0_choices(103) := choice(is_set(transform_left_filter_column_2(8), 7),
-        transform_filtering_0_column_inside_8, transform_left_filter_feature_0_alls(4));
-      transform_left_filter_feature_0_choices(104) := choice(transform_left_filter_feature_0_choices(102),
-        is_set(transform_left_filter_column_2(8), 7) and transform_filtering_0_column_inside_8 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(103));
-      transform_left_filter_feature_0_choices(105) := choice(is_set(transform_left_filter_column_0(8), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(106) := choice(is_set(transform_left_filter_column_0(8), 1),
-        transform_left_filter_feature_0_choices(105), is_set(transform_left_filter_column_0(8), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(107) := inverted_carry(transform_left_filter_feature_0_choices(106), not
-        is_set(transform_left_filter_column_0(8), 2), transform_left_filter_feature_0_values(2));
-      for i in 108 to 111 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_0(8), i - 105), transform_left_filter_feature_0_values(i - 105));
-      end loop;
-      transform_left_filter_feature_0_choices(112) := choice(is_set(transform_left_filter_column_0(8), 7),
-        transform_filtering_0_column_inside_8, transform_left_filter_feature_0_alls(4));
-      transform_left_filter_feature_0_choices(113) := choice(transform_left_filter_feature_0_choices(111),
-        is_set(transform_left_filter_column_0(8), 7) and transform_filtering_0_column_inside_8 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(112));
-      transform_left_filter_feature_0_choices(114) := choice(is_set(transform_left_filter_column_4(8), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(115) := choice(is_set(transform_left_filter_column_4(8), 1),
-        transform_left_filter_feature_0_choices(114), is_set(transform_left_filter_column_4(8), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(116) := inverted_carry(transform_left_filter_feature_0_choices(115), not
-        is_set(transform_left_filter_column_4(8), 2), transform_left_filter_feature_0_values(2));
-      for i in 117 to 120 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_4(8), i - 114), transform_left_filter_feature_0_values(i - 114));
-      end loop;
-      transform_left_filter_feature_0_choices(121) := choice(transform_left_filter_feature_0_choices(120),
-        transform_filtering_0_column_inside_8 and is_set(transform_left_filter_column_4(8), 7) and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_8 and
-        (is_set(transform_left_filter_column_4(8), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
-      transform_right_filter_feature_0_values(1) := is_set(transform_right_filter_column_2(4), 1);
+      transform_left_filter_feature_0_choice(121) := choice(transform_left_filter_feature_0_choice(120),
+        transform_filtering_0_column_inside(4) and is_set(transform_left_filter_column(8, 2), 7) and (not
+        is_set(transform_left_filter_column(4, 1), 7)), transform_filtering_0_column_inside(4) and
+        (is_set(transform_left_filter_column(8, 2), 7) or (not is_set(transform_left_filter_column(4, 1), 7))));
+      transform_right_filter_feature_0_values(1) := is_set(transform_right_filter_column(4, 1), 1);
       transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_values(1)) or (not
-        is_set(transform_right_filter_column_2(4), 0));
-      transform_right_filter_feature_0_choices(1) := choice(is_set(transform_right_filter_column_0(4), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_is_equal := (transform_right_filter_column_2(4) mod 4) = 0;
-      transform_right_filter_feature_0_choices(2) := choice(is_set(transform_right_filter_column_0(4), 1),
-        transform_right_filter_feature_0_choices(1), is_set(transform_right_filter_column_0(4), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_values(2) := is_set(transform_right_filter_column_2(4), 2);
-      transform_right_filter_feature_0_choices(3) := inverted_carry(transform_right_filter_feature_0_choices(2), not
-        is_set(transform_right_filter_column_0(4), 2), transform_right_filter_feature_0_values(2));
-      for i in 3 to 6 loop
-        transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column_2(4), i);
-        transform_right_filter_feature_0_choices(i + 1) := carry(transform_right_filter_feature_0_choices(i), not
-          is_set(transform_right_filter_column_0(4), i), transform_right_filter_feature_0_values(i));
+        is_set(transform_right_filter_column(4, 1), 0));
+      transform_right_filter_feature_0_is_equal := (transform_right_filter_column(4, 1) mod 4) = 0;
+      for i in 2 to 6 loop
+        transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(4, 1), i);
       end loop;
-      transform_right_filter_feature_0_choices(8) := inverted_carry(transform_right_filter_feature_0_choices(7),
-        is_set(transform_right_filter_column_0(4), 7), not is_set(transform_right_filter_column_2(4), 7));
-      transform_right_filter_feature_0_choices(9) := choice(is_set(transform_right_filter_column_4(4), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(10) := choice(is_set(transform_right_filter_column_4(4), 1),
-        transform_right_filter_feature_0_choices(9), is_set(transform_right_filter_column_4(4), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(11) := inverted_carry(transform_right_filter_feature_0_choices(10), not
-        is_set(transform_right_filter_column_4(4), 2), transform_right_filter_feature_0_values(2));
-      for i in 12 to 15 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_4(4), i - 9), transform_right_filter_feature_0_values(i - 9));
-      end loop;
-      transform_right_filter_feature_0_choices(16) := inverted_carry(transform_right_filter_feature_0_choices(15),
-        is_set(transform_right_filter_column_4(4), 7), not is_set(transform_right_filter_column_2(4), 7));
-      transform_right_filter_feature_0_choice_17 := choice(transform_filtering_0_column_inside_4,
-        as_number(transform_right_filter_feature_0_choices(8)) +
-        (as_number(transform_right_filter_feature_0_choices(16)) * 2), 0);
-      transform_right_filter_feature_0_choices(18) := choice(is_set(transform_right_filter_column_2(0), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(19) := choice(is_set(transform_right_filter_column_2(0), 1),
-        transform_right_filter_feature_0_choices(18), is_set(transform_right_filter_column_2(0), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(20) := inverted_carry(transform_right_filter_feature_0_choices(19), not
-        is_set(transform_right_filter_column_2(0), 2), transform_right_filter_feature_0_values(2));
-      for i in 21 to 24 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_2(0), i - 18), transform_right_filter_feature_0_values(i - 18));
-      end loop;
-      transform_right_filter_feature_0_alls(1) := transform_filtering_0_column_inside_0 and (not
-        is_set(transform_right_filter_column_2(4), 7));
-      transform_right_filter_feature_0_choices(25) := choice(is_set(transform_right_filter_column_2(0), 7),
-        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_alls(1));
-      transform_right_filter_feature_0_choices(26) := choice(transform_right_filter_feature_0_choices(24),
-        is_set(transform_right_filter_column_2(0), 7) and transform_filtering_0_column_inside_0 and (not
-        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(25));
-      transform_right_filter_feature_0_choices(27) := choice(is_set(transform_right_filter_column_0(0), 0),
-        (transform_right_filter_column_2(4) mod 4) = 3, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(28) := choice(is_set(transform_right_filter_column_0(0), 1),
-        transform_right_filter_feature_0_choices(27), (not is_set(transform_right_filter_column_0(0), 0)) or
-        transform_right_filter_feature_0_values(1) or is_set(transform_right_filter_column_2(4), 0));
-      transform_right_filter_feature_0_values(7) := is_set(transform_right_filter_column_0(0), 2);
-      transform_right_filter_feature_0_choices(29) := inverted_carry(transform_right_filter_feature_0_choices(28),
+      transform_right_filter_feature_0_choice(8) := is_larger(transform_right_filter_column(4, 0),
+        transform_right_filter_column(4, 1), 0, 7, false);
+      transform_right_filter_feature_0_choice(16) := is_larger(transform_right_filter_column(4, 2),
+        transform_right_filter_column(4, 1), 0, 7, false);
+      transform_right_filter_feature_0_choice_17 := choice(transform_filtering_0_column_inside(2),
+        as_number(transform_right_filter_feature_0_choice(8)) + (as_number(transform_right_filter_feature_0_choice(16))
+        * 2), 0);
+      transform_right_filter_feature_0_choice(24) := not is_larger(transform_right_filter_column(0, 1),
+        transform_right_filter_column(4, 1), 0, 6, false);
+      transform_right_filter_feature_0_alls(1) := transform_filtering_0_column_inside(0) and (not
+        is_set(transform_right_filter_column(4, 1), 7));
+      transform_right_filter_feature_0_choice(25) := choice(is_set(transform_right_filter_column(0, 1), 7),
+        transform_filtering_0_column_inside(0), transform_right_filter_feature_0_alls(1));
+      transform_right_filter_feature_0_choice(26) := choice(transform_right_filter_feature_0_choice(24),
+        is_set(transform_right_filter_column(0, 1), 7) and transform_filtering_0_column_inside(0) and (not
+        is_set(transform_right_filter_column(4, 1), 7)), transform_right_filter_feature_0_choice(25));
+      transform_right_filter_feature_0_choice(27) := choice(is_set(transform_right_filter_column(0, 0), 0),
+        (transform_right_filter_column(4, 1) mod 4) = 3, transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choice(28) := choice(is_set(transform_right_filter_column(0, 0), 1),
+        transform_right_filter_feature_0_choice(27), (not is_set(transform_right_filter_column(0, 0), 0)) or
+        transform_right_filter_feature_0_values(1) or is_set(transform_right_filter_column(4, 1), 0));
+      transform_right_filter_feature_0_values(7) := is_set(transform_right_filter_column(0, 0), 2);
+      transform_right_filter_feature_0_choice(29) := inverted_carry(transform_right_filter_feature_0_choice(28),
         transform_right_filter_feature_0_values(7), not transform_right_filter_feature_0_values(2));
       for i in 8 to 11 loop
-        transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column_0(0), i - 5);
-        transform_right_filter_feature_0_choices(i + 22) := carry(transform_right_filter_feature_0_choices(i + 21),
+        transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(0, 0), i - 5);
+        transform_right_filter_feature_0_choice(i + 22) := carry(transform_right_filter_feature_0_choice(i + 21),
           transform_right_filter_feature_0_values(i), not transform_right_filter_feature_0_values(i - 5));
       end loop;
-      transform_right_filter_feature_0_choices(34) := choice(is_set(transform_right_filter_column_0(0), 7),
-        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_alls(1));
-      transform_right_filter_feature_0_choices(35) := choice(transform_right_filter_feature_0_choices(33),
-        transform_right_filter_feature_0_choices(34), is_set(transform_right_filter_column_0(0), 7) and
-        transform_filtering_0_column_inside_0 and (not is_set(transform_right_filter_column_2(4), 7)));
-      transform_right_filter_feature_0_choices(36) := choice(is_set(transform_right_filter_column_4(0), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(37) := choice(is_set(transform_right_filter_column_4(0), 1),
-        transform_right_filter_feature_0_choices(36), is_set(transform_right_filter_column_4(0), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(38) := inverted_carry(transform_right_filter_feature_0_choices(37), not
-        is_set(transform_right_filter_column_4(0), 2), transform_right_filter_feature_0_values(2));
-      for i in 39 to 42 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_4(0), i - 36), transform_right_filter_feature_0_values(i - 36));
+      transform_right_filter_feature_0_choice(34) := choice(is_set(transform_right_filter_column(0, 0), 7),
+        transform_filtering_0_column_inside(0), transform_right_filter_feature_0_alls(1));
+      transform_right_filter_feature_0_choice(35) := choice(transform_right_filter_feature_0_choice(33),
+        transform_right_filter_feature_0_choice(34), is_set(transform_right_filter_column(0, 0), 7) and
+        transform_filtering_0_column_inside(0) and (not is_set(transform_right_filter_column(4, 1), 7)));
+      for i in 0 to 1 loop
+        transform_right_filter_feature_0_choice(27 * i + 42) := not is_larger(transform_right_filter_column(2 * i, 2),
+          transform_right_filter_column(4, 1), 0, 6, false);
+        transform_right_filter_feature_0_choice(27 * i + 43) := choice(is_set(transform_right_filter_column(2 * i, 2),
+          7), transform_filtering_0_column_inside(i), transform_right_filter_feature_0_alls(i + 1));
+        transform_right_filter_feature_0_choice(27 * i + 44) := choice(transform_right_filter_feature_0_choice(27 * i +
+          42), is_set(transform_right_filter_column(2 * i, 2), 7) and transform_filtering_0_column_inside(i) and (not
+          is_set(transform_right_filter_column(4, 1), 7)), transform_right_filter_feature_0_choice(27 * i + 43));
+        transform_right_filter_feature_0_choice(27 * i + 51) := not is_larger(transform_right_filter_column(4 * i + 2,
+          1), transform_right_filter_column(4, 1), 0, 6, false);
+        transform_right_filter_feature_0_alls(i + 2) := transform_filtering_0_column_inside(2 * i + 1) and (not
+          is_set(transform_right_filter_column(4, 1), 7));
+        transform_right_filter_feature_0_choice(27 * i + 52) := choice(is_set(transform_right_filter_column(4 * i + 2,
+          1), 7), transform_filtering_0_column_inside(2 * i + 1), transform_right_filter_feature_0_alls(i + 2));
+        transform_right_filter_feature_0_choice(27 * i + 53) := choice(transform_right_filter_feature_0_choice(27 * i +
+          51), is_set(transform_right_filter_column(4 * i + 2, 1), 7) and transform_filtering_0_column_inside(2 * i +
+          1) and (not is_set(transform_right_filter_column(4, 1), 7)), transform_right_filter_feature_0_choice(27 * i +
+          52));
+        transform_right_filter_feature_0_choice(27 * i + 60) := not is_larger(transform_right_filter_column(4 * i + 2,
+          0), transform_right_filter_column(4, 1), 0, 6, false);
+        transform_right_filter_feature_0_choice(27 * i + 61) := choice(is_set(transform_right_filter_column(4 * i + 2,
+          0), 7), transform_filtering_0_column_inside(2 * i + 1), transform_right_filter_feature_0_alls(i + 2));
+        transform_right_filter_feature_0_choice(27 * i + 62) := choice(transform_right_filter_feature_0_choice(27 * i +
+          60), is_set(transform_right_filter_column(4 * i + 2, 0), 7) and transform_filtering_0_column_inside(2 * i +
+          1) and (not is_set(transform_right_filter_column(4, 1), 7)), transform_right_filter_feature_0_choice(27 * i +
+          61));
       end loop;
-      transform_right_filter_feature_0_choices(43) := choice(is_set(transform_right_filter_column_4(0), 7),
-        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_alls(1));
-      transform_right_filter_feature_0_choices(44) := choice(transform_right_filter_feature_0_choices(42),
-        is_set(transform_right_filter_column_4(0), 7) and transform_filtering_0_column_inside_0 and (not
-        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(43));
-      transform_right_filter_feature_0_choices(45) := choice(is_set(transform_right_filter_column_2(2), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(46) := choice(is_set(transform_right_filter_column_2(2), 1),
-        transform_right_filter_feature_0_choices(45), is_set(transform_right_filter_column_2(2), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(47) := inverted_carry(transform_right_filter_feature_0_choices(46), not
-        is_set(transform_right_filter_column_2(2), 2), transform_right_filter_feature_0_values(2));
-      for i in 48 to 51 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_2(2), i - 45), transform_right_filter_feature_0_values(i - 45));
+      transform_right_filter_feature_0_choice(96) := not is_larger(transform_right_filter_column(6, 2),
+        transform_right_filter_column(4, 1), 0, 6, false);
+      transform_right_filter_feature_0_choice(97) := choice(is_set(transform_right_filter_column(6, 2), 7),
+        transform_filtering_0_column_inside(3), transform_right_filter_feature_0_alls(3));
+      transform_right_filter_feature_0_choice(98) := choice(transform_right_filter_feature_0_choice(96),
+        is_set(transform_right_filter_column(6, 2), 7) and transform_filtering_0_column_inside(3) and (not
+        is_set(transform_right_filter_column(4, 1), 7)), transform_right_filter_feature_0_choice(97));
+      transform_right_filter_feature_0_choice(105) := not is_larger(transform_right_filter_column(8, 1),
+        transform_right_filter_column(4, 1), 0, 6, false);
+      transform_right_filter_feature_0_alls(4) := transform_filtering_0_column_inside(4) and (not
+        is_set(transform_right_filter_column(4, 1), 7));
+      for i in 0 to 1 loop
+        transform_right_filter_feature_0_choice(9 * i + 106) := choice(is_set(transform_right_filter_column(8, 1 - i),
+          7), transform_filtering_0_column_inside(4), transform_right_filter_feature_0_alls(4));
+        transform_right_filter_feature_0_choice(9 * i + 107) := choice(transform_right_filter_feature_0_choice(9 * i +
+          105), is_set(transform_right_filter_column(8, 1 - i), 7) and transform_filtering_0_column_inside(4) and (not
+          is_set(transform_right_filter_column(4, 1), 7)), transform_right_filter_feature_0_choice(9 * i + 106));
+        transform_right_filter_feature_0_choice(9 * i + 114) := not is_larger(transform_right_filter_column(8, 2 * i),
+          transform_right_filter_column(4, 1), 0, 6, false);
       end loop;
-      transform_right_filter_feature_0_alls(2) := transform_filtering_0_column_inside_2 and (not
-        is_set(transform_right_filter_column_2(4), 7));
-      transform_right_filter_feature_0_choices(52) := choice(is_set(transform_right_filter_column_2(2), 7),
-        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_alls(2));
-      transform_right_filter_feature_0_choices(53) := choice(transform_right_filter_feature_0_choices(51),
-        is_set(transform_right_filter_column_2(2), 7) and transform_filtering_0_column_inside_2 and (not
-        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(52));
-      transform_right_filter_feature_0_choices(54) := choice(is_set(transform_right_filter_column_0(2), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(55) := choice(is_set(transform_right_filter_column_0(2), 1),
-        transform_right_filter_feature_0_choices(54), is_set(transform_right_filter_column_0(2), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(56) := inverted_carry(transform_right_filter_feature_0_choices(55), not
-        is_set(transform_right_filter_column_0(2), 2), transform_right_filter_feature_0_values(2));
-      for i in 57 to 60 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_0(2), i - 54), transform_right_filter_feature_0_values(i - 54));
-      end loop;
-      transform_right_filter_feature_0_choices(61) := choice(is_set(transform_right_filter_column_0(2), 7),
-        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_alls(2));
-      transform_right_filter_feature_0_choices(62) := choice(transform_right_filter_feature_0_choices(60),
-        is_set(transform_right_filter_column_0(2), 7) and transform_filtering_0_column_inside_2 and (not
-        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(61));
-      transform_right_filter_feature_0_choices(63) := choice(is_set(transform_right_filter_column_4(2), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(64) := choice(is_set(transform_right_filter_column_4(2), 1),
-        transform_right_filter_feature_0_choices(63), is_set(transform_right_filter_column_4(2), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(65) := inverted_carry(transform_right_filter_feature_0_choices(64), not
-        is_set(transform_right_filter_column_4(2), 2), transform_right_filter_feature_0_values(2));
-      for i in 66 to 69 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_4(2), i - 63), transform_right_filter_feature_0_values(i - 63));
-      end loop;
-      transform_right_filter_feature_0_choices(70) := choice(is_set(transform_right_filter_column_4(2), 7),
-        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_alls(2));
-      transform_right_filter_feature_0_choices(71) := choice(transform_right_filter_feature_0_choices(69),
-        is_set(transform_right_filter_column_4(2), 7) and transform_filtering_0_column_inside_2 and (not
-        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(70));
-      transform_right_filter_feature_0_choices(72) := choice(is_set(transform_right_filter_column_2(6), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(73) := choice(is_set(transform_right_filter_column_2(6), 1),
-        transform_right_filter_feature_0_choices(72), is_set(transform_right_filter_column_2(6), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(74) := inverted_carry(transform_right_filter_feature_0_choices(73), not
-        is_set(transform_right_filter_column_2(6), 2), transform_right_filter_feature_0_values(2));
-      for i in 75 to 78 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_2(6), i - 72), transform_right_filter_feature_0_values(i - 72));
-      end loop;
-      transform_right_filter_feature_0_alls(3) := transform_filtering_0_column_inside_6 and (not
-        is_set(transform_right_filter_column_2(4), 7));
-      transform_right_filter_feature_0_choices(79) := choice(is_set(transform_right_filter_column_2(6), 7),
-        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_alls(3));
-      transform_right_filter_feature_0_choices(80) := choice(transform_right_filter_feature_0_choices(78),
-        is_set(transform_right_filter_column_2(6), 7) and transform_filtering_0_column_inside_6 and (not
-        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(79));
-      transform_right_filter_feature_0_choices(81) := choice(is_set(transform_right_filter_column_0(6), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(82) := choice(is_set(transform_right_filter_column_0(6), 1),
-        transform_right_filter_feature_0_choices(81), is_set(transform_right_filter_column_0(6), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(83) := inverted_carry(transform_right_filter_feature_0_choices(82), not
-        is_set(transform_right_filter_column_0(6), 2), transform_right_filter_feature_0_values(2));
-      for i in 84 to 87 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_0(6), i - 81), transform_right_filter_feature_0_values(i - 81));
-      end loop;
-      transform_right_filter_feature_0_choices(88) := choice(is_set(transform_right_filter_column_0(6), 7),
-        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_alls(3));
-      transform_right_filter_feature_0_choices(89) := choice(transform_right_filter_feature_0_choices(87),
-        is_set(transform_right_filter_column_0(6), 7) and transform_filtering_0_column_inside_6 and (not
-        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(88));
-      transform_right_filter_feature_0_choices(90) := choice(is_set(transform_right_filter_column_4(6), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(91) := choice(is_set(transform_right_filter_column_4(6), 1),
-        transform_right_filter_feature_0_choices(90), is_set(transform_right_filter_column_4(6), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(92) := inverted_carry(transform_right_filter_feature_0_choices(91), not
-        is_set(transform_right_filter_column_4(6), 2), transform_right_filter_feature_0_values(2));
-      for i in 93 to 96 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_4(6), i - 90), transform_right_filter_feature_0_values(i - 90));
-      end loop;
-      transform_right_filter_feature_0_choices(97) := choice(is_set(transform_right_filter_column_4(6), 7),
-        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_alls(3));
-      transform_right_filter_feature_0_choices(98) := choice(transform_right_filter_feature_0_choices(96),
-        is_set(transform_right_filter_column_4(6), 7) and transform_filtering_0_column_inside_6 and (not
-        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(97));
-      transform_right_filter_feature_0_choices(99) := choice(is_set(transform_right_filter_column_2(8), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(100) := choice(is_set(transform_right_filter_column_2(8), 1),
-        transform_right_filter_feature_0_choices(99), is_set(transform_right_filter_column_2(8), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(101) := inverted_carry(transform_right_filter_feature_0_choices(100),
-        not is_set(transform_right_filter_column_2(8), 2), transform_right_filter_feature_0_values(2));
-      for i in 102 to 105 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_2(8), i - 99), transform_right_filter_feature_0_values(i - 99));
-      end loop;
-      transform_right_filter_feature_0_alls(4) := transform_filtering_0_column_inside_8 and (not
-        is_set(transform_right_filter_column_2(4), 7));
-      transform_right_filter_feature_0_choices(106) := choice(is_set(transform_right_filter_column_2(8), 7),
-        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_alls(4));
-      transform_right_filter_feature_0_choices(107) := choice(transform_right_filter_feature_0_choices(105),
-        is_set(transform_right_filter_column_2(8), 7) and transform_filtering_0_column_inside_8 and (not
-        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(106));
-      transform_right_filter_feature_0_choices(108) := choice(is_set(transform_right_filter_column_0(8), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(109) := choice(is_set(transform_right_filter_column_0(8), 1),
-        transform_right_filter_feature_0_choices(108), is_set(transform_right_filter_column_0(8), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(110) := inverted_carry(transform_right_filter_feature_0_choices(109),
-        not is_set(transform_right_filter_column_0(8), 2), transform_right_filter_feature_0_values(2));
-      for i in 111 to 114 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_0(8), i - 108), transform_right_filter_feature_0_values(i - 108));
-      end loop;
-      transform_right_filter_feature_0_choices(115) := choice(is_set(transform_right_filter_column_0(8), 7),
-        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_alls(4));
-      transform_right_filter_feature_0_choices(116) := choice(transform_right_filter_feature_0_choices(114),
-        is_set(transform_right_filter_column_0(8), 7) and transform_filtering_0_column_inside_8 and (not
-        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(115));
-      transform_right_filter_feature_0_choices(117) := choice(is_set(transform_right_filter_column_4(8), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(118) := choice(is_set(transform_right_filter_column_4(8), 1),
-        transform_right_filter_feature_0_choices(117), is_set(transform_right_filter_column_4(8), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(119) := inverted_carry(transform_right_filter_feature_0_choices(118),
-        not is_set(transform_right_filter_column_4(8), 2), transform_right_filter_feature_0_values(2));
-      for i in 120 to 123 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_4(8), i - 117), transform_right_filter_feature_0_values(i - 117));
-      end loop;
-      transform_right_filter_feature_0_choices(124) := choice(is_set(transform_right_filter_column_4(8), 7),
-        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_alls(4));
-      transform_right_filter_feature_0_choices(125) := choice(transform_right_filter_feature_0_choices(123),
-        is_set(transform_right_filter_column_4(8), 7) and transform_filtering_0_column_inside_8 and (not
-        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(124));
+      transform_right_filter_feature_0_choice(124) := choice(is_set(transform_right_filter_column(8, 2), 7),
+        transform_filtering_0_column_inside(4), transform_right_filter_feature_0_alls(4));
+      transform_right_filter_feature_0_choice(125) := choice(transform_right_filter_feature_0_choice(123),
+        is_set(transform_right_filter_column(8, 2), 7) and transform_filtering_0_column_inside(4) and (not
+        is_set(transform_right_filter_column(4, 1), 7)), transform_right_filter_feature_0_choice(124));
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
@@ -1840,76 +1550,59 @@ begin
       transform_right_rows_ready_words_0 <= transform_right_rows_read_words_0;
       transform_right_rows_ready_newest_0 <= transform_right_rows_read_newest_0;
       transform_read_column <= transform_counter_column;
-      transform_read_row_inside_0 <= (((((transform_counter_group / 4) + 16383) mod 16384) * 4) +
+      transform_read_row_inside(0) <= (((((transform_counter_group / 4) + 16383) mod 16384) * 4) +
         (transform_counter_group mod 4)) < 375;
-      transform_read_row_inside_2 <= (((((transform_counter_group / 2) + 32767) mod 32768) * 2) +
+      transform_read_row_inside(1) <= (((((transform_counter_group / 2) + 32767) mod 32768) * 2) +
         (transform_counter_group mod 2)) < 375;
-      transform_read_row_inside_4 <= transform_counter_group < 375;
-      transform_read_column_inside_0 <= transform_read_column_inside_0_is_less;
-      transform_read_column_inside_2 <= (transform_counter_column < 2) /= transform_read_column_inside_0_is_less;
-      transform_read_column_inside_4 <= (transform_counter_column < 4) /= transform_read_column_inside_0_is_less;
-      transform_read_column_inside_6 <= (transform_counter_column < 6) /= transform_read_column_inside_0_is_less;
-      transform_read_column_inside_8 <= (transform_counter_column < 8) /= transform_read_column_inside_0_is_less;
+      transform_read_row_inside(2) <= transform_counter_group < 375;
+      transform_read_column_inside(0) <= transform_read_column_inside_0_is_less;
+      for i in 1 to 4 loop
+        transform_read_column_inside(i) <= (transform_counter_column < (2 * i)) /=
+          transform_read_column_inside_0_is_less;
+      end loop;
       transform_read_start_of_frame <= (transform_counter_group = 2) and (transform_counter_column = 4);
       transform_read_valid <= transform_valid;
       transform_ready_column <= transform_read_column;
-      transform_ready_row_inside_0 <= transform_read_row_inside_0;
-      transform_ready_row_inside_2 <= transform_read_row_inside_2;
-      transform_ready_row_inside_4 <= transform_read_row_inside_4;
-      transform_ready_column_inside_0 <= transform_read_column_inside_0;
-      transform_ready_column_inside_2 <= transform_read_column_inside_2;
-      transform_ready_column_inside_4 <= transform_read_column_inside_4;
-      transform_ready_column_inside_6 <= transform_read_column_inside_6;
-      transform_ready_column_inside_8 <= transform_read_column_inside_8;
+      transform_ready_row_inside <= transform_read_row_inside;
+      transform_ready_column_inside <= transform_read_column_inside;
       transform_ready_start_of_frame <= transform_read_start_of_frame;
       transform_ready_valid <= transform_read_valid;
-      transform_left_column_0 <= to_integer(transform_left_rows_ready_words_0(7 downto 0));
-      transform_left_column_2 <= to_integer(transform_left_rows_ready_words_0(23 downto 16));
-      transform_left_column_4 <= transform_left_rows_ready_newest_0;
-      transform_right_column_0 <= to_integer(transform_right_rows_ready_words_0(7 downto 0));
-      transform_right_column_2 <= to_integer(transform_right_rows_ready_words_0(23 downto 16));
-      transform_right_column_4 <= transform_right_rows_ready_newest_0;
-      transform_columns_row_inside_0 <= transform_ready_row_inside_0;
-      transform_columns_row_inside_2 <= transform_ready_row_inside_2;
-      transform_columns_row_inside_4 <= transform_ready_row_inside_4;
-      transform_columns_column_inside_0 <= transform_ready_column_inside_0;
-      transform_columns_column_inside_2 <= transform_ready_column_inside_2;
-      transform_columns_column_inside_4 <= transform_ready_column_inside_4;
-      transform_columns_column_inside_6 <= transform_ready_column_inside_6;
-      transform_columns_column_inside_8 <= transform_ready_column_inside_8;
+      transform_left_column(0) <= to_integer(transform_left_rows_ready_words_0(7 downto 0));
+      transform_left_column(1) <= to_integer(transform_left_rows_ready_words_0(23 downto 16));
+      transform_left_column(2) <= transform_left_rows_ready_newest_0;
+      transform_right_column(0) <= to_integer(transform_right_rows_ready_words_0(7 downto 0));
+      transform_right_column(1) <= to_integer(transform_right_rows_ready_words_0(23 downto 16));
+      transform_right_column(2) <= transform_right_rows_ready_newest_0;
+      transform_columns_row_inside <= transform_ready_row_inside;
+      transform_columns_column_inside <= transform_ready_column_inside;
       transform_columns_start_of_frame <= transform_ready_start_of_frame;
       transform_columns_valid <= transform_ready_valid;
       transform_left_filter_feature_0 <= (transform_left_filter_feature_0_choice_17 * 64) +
-        (as_number(transform_left_filter_feature_0_choices(26)) * 2) +
-        as_number(transform_left_filter_feature_0_choices(35)) +
-        (as_number(transform_left_filter_feature_0_choices(43)) * 4) +
-        (as_number(transform_left_filter_feature_0_choices(52)) * 16) +
-        (as_number(transform_left_filter_feature_0_choices(61)) * 8) +
-        (as_number(transform_left_filter_feature_0_choices(69)) * 32) +
-        (as_number(transform_left_filter_feature_0_choices(78)) * 512) +
-        (as_number(transform_left_filter_feature_0_choices(87)) * 256) +
-        (as_number(transform_left_filter_feature_0_choices(95)) * 1024) +
-        (as_number(transform_left_filter_feature_0_choices(104)) * 4096) +
-        (as_number(transform_left_filter_feature_0_choices(113)) * 2048) +
-        (as_number(transform_left_filter_feature_0_choices(121)) * 8192);
+        (as_number(transform_left_filter_feature_0_choice(26)) * 2) +
+        as_number(transform_left_filter_feature_0_choice(35)) + (as_number(transform_left_filter_feature_0_choice(43))
+        * 4) + (as_number(transform_left_filter_feature_0_choice(52)) * 16) +
+        (as_number(transform_left_filter_feature_0_choice(61)) * 8) +
+        (as_number(transform_left_filter_feature_0_choice(69)) * 32) +
+        (as_number(transform_left_filter_feature_0_choice(78)) * 512) +
+        (as_number(transform_left_filter_feature_0_choice(87)) * 256) +
+        (as_number(transform_left_filter_feature_0_choice(95)) * 1024) +
+        (as_number(transform_left_filter_feature_0_choice(104)) * 4096) +
+        (as_number(transform_left_filter_feature_0_choice(113)) * 2048) +
+        (as_number(transform_left_filter_feature_0_choice(121)) * 8192);
       transform_right_filter_feature_0 <= (transform_right_filter_feature_0_choice_17 * 64) +
-        (as_number(transform_right_filter_feature_0_choices(26)) * 2) +
-        as_number(transform_right_filter_feature_0_choices(35)) +
-        (as_number(transform_right_filter_feature_0_choices(44)) * 4) +
-        (as_number(transform_right_filter_feature_0_choices(53)) * 16) +
-        (as_number(transform_right_filter_feature_0_choices(62)) * 8) +
-        (as_number(transform_right_filter_feature_0_choices(71)) * 32) +
-        (as_number(transform_right_filter_feature_0_choices(80)) * 512) +
-        (as_number(transform_right_filter_feature_0_choices(89)) * 256) +
-        (as_number(transform_right_filter_feature_0_choices(98)) * 1024) +
-        (as_number(transform_right_filter_feature_0_choices(107)) * 4096) +
-        (as_number(transform_right_filter_feature_0_choices(116)) * 2048) +
-        (as_number(transform_right_filter_feature_0_choices(125)) * 8192);
-      transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
-      transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
-      transform_filtering_0_column_inside_4 <= transform_columns_column_inside_4;
-      transform_filtering_0_column_inside_6 <= transform_columns_column_inside_6;
-      transform_filtering_0_column_inside_8 <= transform_columns_column_inside_8;
+        (as_number(transform_right_filter_feature_0_choice(26)) * 2) +
+        as_number(transform_right_filter_feature_0_choice(35)) +
+        (as_number(transform_right_filter_feature_0_choice(44)) * 4) +
+        (as_number(transform_right_filter_feature_0_choice(53)) * 16) +
+        (as_number(transform_right_filter_feature_0_choice(62)) * 8) +
+        (as_number(transform_right_filter_feature_0_choice(71)) * 32) +
+        (as_number(transform_right_filter_feature_0_choice(80)) * 512) +
+        (as_number(transform_right_filter_feature_0_choice(89)) * 256) +
+        (as_number(transform_right_filter_feature_0_choice(98)) * 1024) +
+        (as_number(transform_right_filter_feature_0_choice(107)) * 4096) +
+        (as_number(transform_right_filter_feature_0_choice(116)) * 2048) +
+        (as_number(transform_right_filter_feature_0_choice(125)) * 8192);
+      transform_filtering_0_column_inside <= transform_columns_column_inside;
       transform_filtering_start_of_frame(0) <= transform_columns_start_of_frame;
       transform_filtering_valid(0) <= transform_columns_valid;
       transform_filtering_start_of_frame(1) <= transform_filtering_start_of_frame(0);
@@ -1936,21 +1629,19 @@ begin
       end if;
       if transform_columns_valid then
         for i in 1 to 8 loop
-          transform_left_filter_column_0(i) <= transform_left_filter_column_0(i - 1);
-          transform_left_filter_column_2(i) <= transform_left_filter_column_2(i - 1);
-          transform_left_filter_column_4(i) <= transform_left_filter_column_4(i - 1);
+          transform_left_filter_column(i, 0) <= transform_left_filter_column(i - 1, 0);
+          transform_left_filter_column(i, 1) <= transform_left_filter_column(i - 1, 1);
+          transform_left_filter_column(i, 2) <= transform_left_filter_column(i - 1, 2);
         end loop;
         for i in 1 to 8 loop
-          transform_right_filter_column_0(i) <= transform_right_filter_column_0(i - 1);
-          transform_right_filter_column_2(i) <= transform_right_filter_column_2(i - 1);
-          transform_right_filter_column_4(i) <= transform_right_filter_column_4(i - 1);
+          transform_right_filter_column(i, 0) <= transform_right_filter_column(i - 1, 0);
+          transform_right_filter_column(i, 1) <= transform_right_filter_column(i - 1, 1);
+          transform_right_filter_column(i, 2) <= transform_right_filter_column(i - 1, 2);
         end loop;
-        transform_left_filter_column_0(0) <= choice(transform_columns_row_inside_0, transform_left_column_0, 0);
-        transform_right_filter_column_0(0) <= choice(transform_columns_row_inside_0, transform_right_column_0, 0);
-        transform_left_filter_column_2(0) <= choice(transform_columns_row_inside_2, transform_left_column_2, 0);
-        transform_right_filter_column_2(0) <= choice(transform_columns_row_inside_2, transform_right_column_2, 0);
-        transform_left_filter_column_4(0) <= choice(transform_columns_row_inside_4, transform_left_column_4, 0);
-        transform_right_filter_column_4(0) <= choice(transform_columns_row_inside_4, transform_right_column_4, 0);
+        for i in 0 to 2 loop
+          transform_left_filter_column(0, i) <= choice(transform_columns_row_inside(i), transform_left_column(i), 0);
+          transform_right_filter_column(0, i) <= choice(transform_columns_row_inside(i), transform_right_column(i), 0);
+        end loop;
       end if;
       -- raster
       raster_place_group_is_equals(1) := raster_place_group = 374;
@@ -2609,33 +2300,25 @@ begin
       end loop;
       forward_left_start_cost_0_any := ((((forward_left_tree_next_next_next_next_smallest_0 mod 64) +
         forward_left_relief_beyond) / 64) = 1) or is_set(forward_left_tree_next_next_next_next_smallest_0, 6);
-      forward_left_start_cost_0_choices(1) := choice(is_set(forward_left_relief_largest, 0), (not
-        is_set(forward_left_room, 1)) or (not is_set(forward_left_room, 0)), not is_set(forward_left_room, 1));
-      forward_left_start_cost_0_choices(2) := choice(is_set(forward_left_relief_largest, 1),
-        forward_left_start_cost_0_choices(1), is_set(forward_left_relief_largest, 0) and ((forward_left_room mod 4) =
-        0));
       forward_left_start_cost_0_values(1) := is_set(forward_left_room, 2);
-      forward_left_start_cost_0_choices(3) := inverted_carry(forward_left_start_cost_0_choices(2), not
-        is_set(forward_left_relief_largest, 2), forward_left_start_cost_0_values(1));
       forward_left_start_cost_0_values(2) := is_set(forward_left_room, 3);
-      forward_left_start_cost_0_choices(4) := carry(forward_left_start_cost_0_choices(3), not
-        is_set(forward_left_relief_largest, 3), forward_left_start_cost_0_values(2));
+      forward_left_start_cost_0_choice(4) := not is_larger(forward_left_relief_largest, forward_left_room, 0, 3, false);
       forward_left_start_cost_0_is_equal := (forward_left_room / 16) = 0;
-      forward_left_start_cost_0_choices(5) := choice(is_set(forward_left_relief_largest, 4), not
+      forward_left_start_cost_0_choice(5) := choice(is_set(forward_left_relief_largest, 4), not
         is_set(forward_left_room, 5), forward_left_start_cost_0_is_equal);
-      forward_left_start_cost_0_choices(6) := choice(forward_left_start_cost_0_choices(4),
+      forward_left_start_cost_0_choice(6) := choice(forward_left_start_cost_0_choice(4),
         is_set(forward_left_relief_largest, 4) and forward_left_start_cost_0_is_equal,
-        forward_left_start_cost_0_choices(5));
-      forward_left_start_cost_0_choices_from_7(7) := choice(forward_left_start_cost_0_choices(6), 0, (forward_left_room
-        - forward_left_relief_largest) mod 64);
+        forward_left_start_cost_0_choice(5));
+      forward_left_start_cost_0_choices(7) := choice(forward_left_start_cost_0_choice(6), 0, (forward_left_room -
+        forward_left_relief_largest) mod 64);
       forward_left_start_cost_0_is_less := 127 < ((forward_left_tree_next_next_next_next_smallest_0 mod 64) +
         forward_left_relief_reach_of_best);
-      forward_left_start_cost_0_choices_from_7(8) := choice(forward_left_start_cost_0_is_less,
+      forward_left_start_cost_0_choices(8) := choice(forward_left_start_cost_0_is_less,
         (forward_left_tree_next_next_next_next_smallest_0 + forward_left_relief_reach_of_best) mod 64, 0);
-      forward_left_start_cost_0_choices_from_7(9) := choice(forward_left_start_cost_0_any,
-        forward_left_start_cost_0_choices_from_7(7), forward_left_start_cost_0_choices_from_7(8));
+      forward_left_start_cost_0_choices(9) := choice(forward_left_start_cost_0_any,
+        forward_left_start_cost_0_choices(7), forward_left_start_cost_0_choices(8));
       forward_left_room_value := (forward_left_start_cost(8) + forward_left_room) mod 64;
-      forward_left_room_choices(1) := choice(forward_left_start_cost_0_choices(6), forward_left_room_value,
+      forward_left_room_choices(1) := choice(forward_left_start_cost_0_choice(6), forward_left_room_value,
         (forward_left_start_cost(8) + forward_left_relief_largest) mod 64);
       forward_left_room_choices(2) := choice(forward_left_start_cost_0_is_less, (forward_left_relief_room_of_best -
         forward_left_tree_next_next_next_next_smallest_0) mod 64, forward_left_room_value);
@@ -2653,7 +2336,7 @@ begin
       forward_left_relief_largest_choice := choice((forward_reliefs_moved(4) - forward_left_relief_recent) < 0,
         forward_left_relief_recent, forward_reliefs_moved(4));
       forward_left_relief_reach_of_best_sum := forward_left_room + forward_left_relief_leaves;
-      forward_left_relief_reach_of_best_choice := choice(forward_left_start_cost_0_choices(6),
+      forward_left_relief_reach_of_best_choice := choice(forward_left_start_cost_0_choice(6),
         forward_left_relief_reach_of_best_sum, forward_left_relief_largest + forward_left_relief_leaves);
       forward_left_relief_reach_of_best_choices(2) := choice(forward_left_start_cost_0_is_less,
         (forward_left_relief_reach_again - (forward_left_tree_next_next_next_next_smallest_0 mod 64)) mod 256,
@@ -2942,8 +2625,7 @@ begin
         forward_left_tree_next_next_next_next_smallest_0 <= choice((forward_left_tree_next_next_next_smallest(1) -
           forward_left_tree_next_next_next_smallest(0)) < 0, forward_left_tree_next_next_next_smallest(1),
           forward_left_tree_next_next_next_smallest(0));
-        forward_left_start_cost(0) <= choice(sums_turn_waiting_first(5), 40,
-          forward_left_start_cost_0_choices_from_7(9));
+        forward_left_start_cost(0) <= choice(sums_turn_waiting_first(5), 40, forward_left_start_cost_0_choices(9));
         for i in 1 to 8 loop
           forward_left_start_cost(i) <= choice(sums_turn_waiting_first(5), 0, forward_left_start_cost(i - 1));
         end loop;
@@ -3045,31 +2727,24 @@ begin
       end loop;
       sums_right_start_cost_0_any := ((((sums_right_tree_next_next_next_next_smallest_0 mod 64) +
         sums_right_relief_beyond) / 64) = 1) or is_set(sums_right_tree_next_next_next_next_smallest_0, 6);
-      sums_right_start_cost_0_choices(1) := choice(is_set(sums_right_relief_largest, 0), (not is_set(sums_right_room,
-        1)) or (not is_set(sums_right_room, 0)), not is_set(sums_right_room, 1));
-      sums_right_start_cost_0_choices(2) := choice(is_set(sums_right_relief_largest, 1),
-        sums_right_start_cost_0_choices(1), is_set(sums_right_relief_largest, 0) and ((sums_right_room mod 4) = 0));
       sums_right_start_cost_0_values(1) := is_set(sums_right_room, 2);
-      sums_right_start_cost_0_choices(3) := inverted_carry(sums_right_start_cost_0_choices(2), not
-        is_set(sums_right_relief_largest, 2), sums_right_start_cost_0_values(1));
       sums_right_start_cost_0_values(2) := is_set(sums_right_room, 3);
-      sums_right_start_cost_0_choices(4) := carry(sums_right_start_cost_0_choices(3), not
-        is_set(sums_right_relief_largest, 3), sums_right_start_cost_0_values(2));
+      sums_right_start_cost_0_choice(4) := not is_larger(sums_right_relief_largest, sums_right_room, 0, 3, false);
       sums_right_start_cost_0_is_equal := (sums_right_room / 16) = 0;
-      sums_right_start_cost_0_choices(5) := choice(is_set(sums_right_relief_largest, 4), not is_set(sums_right_room,
-        5), sums_right_start_cost_0_is_equal);
-      sums_right_start_cost_0_choices(6) := choice(sums_right_start_cost_0_choices(4),
-        is_set(sums_right_relief_largest, 4) and sums_right_start_cost_0_is_equal, sums_right_start_cost_0_choices(5));
-      sums_right_start_cost_0_choices_from_7(7) := choice(sums_right_start_cost_0_choices(6), 0, (sums_right_room -
+      sums_right_start_cost_0_choice(5) := choice(is_set(sums_right_relief_largest, 4), not is_set(sums_right_room, 5),
+        sums_right_start_cost_0_is_equal);
+      sums_right_start_cost_0_choice(6) := choice(sums_right_start_cost_0_choice(4), is_set(sums_right_relief_largest,
+        4) and sums_right_start_cost_0_is_equal, sums_right_start_cost_0_choice(5));
+      sums_right_start_cost_0_choices(7) := choice(sums_right_start_cost_0_choice(6), 0, (sums_right_room -
         sums_right_relief_largest) mod 64);
       sums_right_start_cost_0_is_less := 127 < ((sums_right_tree_next_next_next_next_smallest_0 mod 64) +
         sums_right_relief_reach_of_best);
-      sums_right_start_cost_0_choices_from_7(8) := choice(sums_right_start_cost_0_is_less,
+      sums_right_start_cost_0_choices(8) := choice(sums_right_start_cost_0_is_less,
         (sums_right_tree_next_next_next_next_smallest_0 + sums_right_relief_reach_of_best) mod 64, 0);
-      sums_right_start_cost_0_choices_from_7(9) := choice(sums_right_start_cost_0_any,
-        sums_right_start_cost_0_choices_from_7(7), sums_right_start_cost_0_choices_from_7(8));
+      sums_right_start_cost_0_choices(9) := choice(sums_right_start_cost_0_any, sums_right_start_cost_0_choices(7),
+        sums_right_start_cost_0_choices(8));
       sums_right_room_value := (sums_right_start_cost(8) + sums_right_room) mod 64;
-      sums_right_room_choices(1) := choice(sums_right_start_cost_0_choices(6), sums_right_room_value,
+      sums_right_room_choices(1) := choice(sums_right_start_cost_0_choice(6), sums_right_room_value,
         (sums_right_start_cost(8) + sums_right_relief_largest) mod 64);
       sums_right_room_choices(2) := choice(sums_right_start_cost_0_is_less, (sums_right_relief_room_of_best -
         sums_right_tree_next_next_next_next_smallest_0) mod 64, sums_right_room_value);
@@ -3086,7 +2761,7 @@ begin
       sums_right_relief_largest_choice := choice(((sums_turn_ready_smallest_0 / 8) - sums_right_relief_recent) < 0,
         sums_right_relief_recent, sums_turn_ready_smallest_0 / 8);
       sums_right_relief_reach_of_best_sum := sums_right_room + sums_right_relief_leaves;
-      sums_right_relief_reach_of_best_choice := choice(sums_right_start_cost_0_choices(6),
+      sums_right_relief_reach_of_best_choice := choice(sums_right_start_cost_0_choice(6),
         sums_right_relief_reach_of_best_sum, sums_right_relief_largest + sums_right_relief_leaves);
       sums_right_relief_reach_of_best_choices(2) := choice(sums_right_start_cost_0_is_less,
         (sums_right_relief_reach_again - (sums_right_tree_next_next_next_next_smallest_0 mod 64)) mod 256,
@@ -3254,7 +2929,7 @@ begin
         sums_right_tree_next_next_next_next_smallest_0 <= choice((sums_right_tree_next_next_next_smallest(1) -
           sums_right_tree_next_next_next_smallest(0)) < 0, sums_right_tree_next_next_next_smallest(1),
           sums_right_tree_next_next_next_smallest(0));
-        sums_right_start_cost(0) <= choice(sums_turn_ready_first, 40, sums_right_start_cost_0_choices_from_7(9));
+        sums_right_start_cost(0) <= choice(sums_turn_ready_first, 40, sums_right_start_cost_0_choices(9));
         for i in 1 to 8 loop
           sums_right_start_cost(i) <= choice(sums_turn_ready_first, 0, sums_right_start_cost(i - 1));
         end loop;
@@ -3322,19 +2997,11 @@ begin
       -- winnersother
       for i in 0 to 30 loop
         winnersother_cost_0_is_equal(2 * i + 1) := (sums_sum_0(2 * i + 1) mod 4) = 0;
-        winnersother_cost_0_choice(2 * i + 1, 1) := choice(is_set(winnersother_cost_0(2 * i + 2), 0), not
-          is_set(sums_sum_0(2 * i + 1), 1), winnersother_cost_0_is_equal(2 * i + 1));
-        winnersother_cost_0_choice(2 * i + 1, 2) := choice(is_set(winnersother_cost_0(2 * i + 2), 1),
-          is_set(winnersother_cost_0(2 * i + 2), 0) or (not is_set(sums_sum_0(2 * i + 1), 1)) or (not
-          is_set(sums_sum_0(2 * i + 1), 0)), winnersother_cost_0_choice(2 * i + 1, 1));
-        winnersother_cost_0_value(2 * i + 1, 1) := is_set(sums_sum_0(2 * i + 1), 2);
-        winnersother_cost_0_choice(2 * i + 1, 3) := inverted_carry(winnersother_cost_0_choice(2 * i + 1, 2), not
-          is_set(winnersother_cost_0(2 * i + 2), 2), winnersother_cost_0_value(2 * i + 1, 1));
-        for j in 2 to 5 loop
+        for j in 1 to 5 loop
           winnersother_cost_0_value(2 * i + 1, j) := is_set(sums_sum_0(2 * i + 1), j + 1);
-          winnersother_cost_0_choice(2 * i + 1, j + 2) := carry(winnersother_cost_0_choice(2 * i + 1, j + 1), not
-            is_set(winnersother_cost_0(2 * i + 2), j + 1), winnersother_cost_0_value(2 * i + 1, j));
         end loop;
+        winnersother_cost_0_choice(2 * i + 1, 7) := not is_larger(winnersother_cost_0(2 * i + 2), sums_sum_0(2 * i +
+          1), 0, 6, true);
         winnersother_cost_0_choice(2 * i + 1, 8) := choice(is_set(winnersother_cost_0(2 * i + 2), 7), (not
           sums_tag.first_column) and is_set(sums_sum_0(2 * i + 1), 7), not sums_tag.first_column);
         winnersother_cost_0_choice(2 * i + 1, 9) := choice(winnersother_cost_0_choice(2 * i + 1, 7),
@@ -3342,20 +3009,11 @@ begin
           sums_tag.first_column) and is_set(sums_sum_0(2 * i + 1), 7));
         winnersother_cost_0_all(2 * i + 1) := (not winnersother_cost_0_choice(2 * i + 1, 9)) and winnersmask_inside(2 *
           i + 1) and sums_tag.output_column;
-        winnersother_cost_0_value(2 * i + 2, 1) := is_set(sums_sum_0(2 * i + 2), 1);
-        winnersother_cost_0_choice(2 * i + 2, 1) := choice(is_set(winnersother_cost_0(2 * i + 3), 0), not
-          winnersother_cost_0_value(2 * i + 2, 1), (sums_sum_0(2 * i + 2) mod 4) = 0);
-        winnersother_cost_0_choice(2 * i + 2, 2) := choice(is_set(winnersother_cost_0(2 * i + 3), 1),
-          is_set(winnersother_cost_0(2 * i + 3), 0) or (not winnersother_cost_0_value(2 * i + 2, 1)) or (not
-          is_set(sums_sum_0(2 * i + 2), 0)), winnersother_cost_0_choice(2 * i + 2, 1));
-        winnersother_cost_0_value(2 * i + 2, 2) := is_set(sums_sum_0(2 * i + 2), 2);
-        winnersother_cost_0_choice(2 * i + 2, 3) := inverted_carry(winnersother_cost_0_choice(2 * i + 2, 2), not
-          is_set(winnersother_cost_0(2 * i + 3), 2), winnersother_cost_0_value(2 * i + 2, 2));
-        for j in 3 to 6 loop
+        for j in 1 to 6 loop
           winnersother_cost_0_value(2 * i + 2, j) := is_set(sums_sum_0(2 * i + 2), j);
-          winnersother_cost_0_choice(2 * i + 2, j + 1) := carry(winnersother_cost_0_choice(2 * i + 2, j), not
-            is_set(winnersother_cost_0(2 * i + 3), j), winnersother_cost_0_value(2 * i + 2, j));
         end loop;
+        winnersother_cost_0_choice(2 * i + 2, 7) := not is_larger(winnersother_cost_0(2 * i + 3), sums_sum_0(2 * i +
+          2), 0, 6, true);
         winnersother_cost_0_choice(2 * i + 2, 8) := choice(is_set(winnersother_cost_0(2 * i + 3), 7), (not
           sums_tag.first_column) and is_set(sums_sum_0(2 * i + 2), 7), not sums_tag.first_column);
         winnersother_cost_0_choice(2 * i + 2, 9) := choice(winnersother_cost_0_choice(2 * i + 2, 7),
@@ -3365,21 +3023,11 @@ begin
           i + 2) and sums_tag.output_column;
       end loop;
       winnersother_cost_0_all(63) := winnersmask_inside(63) and sums_tag.output_column;
-      winnersother_winner_0_0_values(1) := is_set(sums_sum_0(0), 1);
-      winnersother_winner_0_0_choices(1) := choice(is_set(winnersother_cost_0(1), 0), not
-        winnersother_winner_0_0_values(1), (sums_sum_0(0) mod 4) = 0);
-      winnersother_winner_0_0_choices(2) := choice(is_set(winnersother_cost_0(1), 1), is_set(winnersother_cost_0(1), 0)
-        or (not winnersother_winner_0_0_values(1)) or (not is_set(sums_sum_0(0), 0)),
-        winnersother_winner_0_0_choices(1));
-      winnersother_winner_0_0_values(2) := is_set(sums_sum_0(0), 2);
-      winnersother_winner_0_0_choices(3) := inverted_carry(winnersother_winner_0_0_choices(2), not
-        is_set(winnersother_cost_0(1), 2), winnersother_winner_0_0_values(2));
-      for i in 3 to 6 loop
+      for i in 1 to 6 loop
         winnersother_winner_0_0_values(i) := is_set(sums_sum_0(0), i);
-        winnersother_winner_0_0_choices(i + 1) := carry(winnersother_winner_0_0_choices(i), not
-          is_set(winnersother_cost_0(1), i), winnersother_winner_0_0_values(i));
       end loop;
-      winnersother_winner_0_0_choices(8) := choice(winnersother_winner_0_0_choices(7), (not sums_tag.first_column) and
+      winnersother_winner_0_0_choice(7) := not is_larger(winnersother_cost_0(1), sums_sum_0(0), 0, 6, true);
+      winnersother_winner_0_0_choice(8) := choice(winnersother_winner_0_0_choice(7), (not sums_tag.first_column) and
         ((not is_set(winnersother_cost_0(1), 7)) or is_set(sums_sum_0(0), 7)), (not sums_tag.first_column) and (not
         is_set(winnersother_cost_0(1), 7)) and is_set(sums_sum_0(0), 7));
       if sums_tag.valid then
@@ -3389,70 +3037,23 @@ begin
         end loop;
         winnersother_cost_0(63) <= choice(winnersother_cost_0_all(63), sums_sum_0(63), 0);
         winnersother_winner_0(63) <= choice(winnersother_cost_0_all(63), 63, 0);
-        winnersother_winner_0(0) <= choice((not winnersother_winner_0_0_choices(8)) and sums_tag.output_column and
+        winnersother_winner_0(0) <= choice((not winnersother_winner_0_0_choice(8)) and sums_tag.output_column and
           winnersmask_inside(0), 0, winnersother_winner_0(1));
       end if;
       winnersother_winner_out_0 <= winnersother_winner_0(0);
       -- winnerswinner1
-      winnerswinner1_best_index_0_choice(0, 1) := choice(is_set(sums_sum_0(0), 0), (not is_set(sums_sum_0(1), 1)) or
-        (not is_set(sums_sum_0(1), 0)), not is_set(sums_sum_0(1), 1));
-      winnerswinner1_best_index_0_choice(0, 2) := choice(winnersother_winner_0_0_values(1),
-        winnerswinner1_best_index_0_choice(0, 1), is_set(sums_sum_0(0), 0) and winnersother_cost_0_is_equal(1));
-      winnerswinner1_best_index_0_choice(0, 3) := inverted_carry(winnerswinner1_best_index_0_choice(0, 2), not
-        winnersother_winner_0_0_values(2), winnersother_cost_0_value(1, 1));
-      for i in 4 to 7 loop
-        winnerswinner1_best_index_0_choice(0, i) := carry(winnerswinner1_best_index_0_choice(0, i - 1), not
-          winnersother_winner_0_0_values(i - 1), winnersother_cost_0_value(1, i - 2));
+      for i in 0 to 30 loop
+        winnerswinner1_best_index_0_choice_8(i) := is_larger(sums_sum_0(2 * i), sums_sum_0(2 * i + 1), 0, 7, false);
       end loop;
-      for i in 0 to 29 loop
-        winnerswinner1_best_index_0_choice(i, 8) := inverted_carry(winnerswinner1_best_index_0_choice(i, 7),
-          is_set(sums_sum_0(2 * i), 7), not is_set(sums_sum_0(2 * i + 1), 7));
-        winnerswinner1_best_index_0_choice(i + 1, 1) := choice(is_set(sums_sum_0(2 * i + 2), 0), (not
-          is_set(sums_sum_0(2 * i + 3), 1)) or (not is_set(sums_sum_0(2 * i + 3), 0)), not is_set(sums_sum_0(2 * i +
-          3), 1));
-        winnerswinner1_best_index_0_choice(i + 1, 2) := choice(winnersother_cost_0_value(2 * i + 2, 1),
-          winnerswinner1_best_index_0_choice(i + 1, 1), is_set(sums_sum_0(2 * i + 2), 0) and
-          winnersother_cost_0_is_equal(2 * i + 3));
-        winnerswinner1_best_index_0_choice(i + 1, 3) := inverted_carry(winnerswinner1_best_index_0_choice(i + 1, 2),
-          not winnersother_cost_0_value(2 * i + 2, 2), winnersother_cost_0_value(2 * i + 3, 1));
-        for j in 4 to 7 loop
-          winnerswinner1_best_index_0_choice(i + 1, j) := carry(winnerswinner1_best_index_0_choice(i + 1, j - 1), not
-            winnersother_cost_0_value(2 * i + 2, j - 1), winnersother_cost_0_value(2 * i + 3, j - 2));
-        end loop;
-      end loop;
-      winnerswinner1_best_index_0_choice(30, 8) := inverted_carry(winnerswinner1_best_index_0_choice(30, 7),
-        is_set(sums_sum_0(60), 7), not is_set(sums_sum_0(61), 7));
-      winnerswinner1_best_index_0_choice(31, 1) := choice(is_set(sums_sum_0(62), 0), (not is_set(sums_sum_0(63), 1)) or
-        (not is_set(sums_sum_0(63), 0)), not is_set(sums_sum_0(63), 1));
-      winnerswinner1_best_index_0_choice(31, 2) := choice(winnersother_cost_0_value(62, 1),
-        winnerswinner1_best_index_0_choice(31, 1), is_set(sums_sum_0(62), 0) and ((sums_sum_0(63) mod 4) = 0));
-      winnerswinner1_best_index_0_31_values(1) := is_set(sums_sum_0(63), 2);
-      winnerswinner1_best_index_0_choice(31, 3) := inverted_carry(winnerswinner1_best_index_0_choice(31, 2), not
-        winnersother_cost_0_value(62, 2), winnerswinner1_best_index_0_31_values(1));
-      for i in 2 to 5 loop
+      for i in 1 to 5 loop
         winnerswinner1_best_index_0_31_values(i) := is_set(sums_sum_0(63), i + 1);
-        winnerswinner1_best_index_0_choice(31, i + 2) := carry(winnerswinner1_best_index_0_choice(31, i + 1), not
-          winnersother_cost_0_value(62, i + 1), winnerswinner1_best_index_0_31_values(i));
       end loop;
-      winnerswinner1_best_index_0_choice(31, 8) := inverted_carry(winnerswinner1_best_index_0_choice(31, 7),
-        is_set(sums_sum_0(62), 7), not is_set(sums_sum_0(63), 7));
+      winnerswinner1_best_index_0_choice_8(31) := is_larger(sums_sum_0(62), sums_sum_0(63), 0, 7, false);
       winnerswinner1_held_0 <= sums_sum_0;
-      winnerswinner1_best_index_0_0 <= winnerswinner1_best_index_0_choice(0, 8);
-      winnerswinner1_best_place_0_2 <= winnerswinner1_best_index_0_choice(2, 8);
-      winnerswinner1_best_place_0_4 <= winnerswinner1_best_index_0_choice(4, 8);
-      winnerswinner1_best_place_0_6 <= winnerswinner1_best_index_0_choice(6, 8);
-      winnerswinner1_best_place_0_8 <= winnerswinner1_best_index_0_choice(8, 8);
-      winnerswinner1_best_place_0_10 <= winnerswinner1_best_index_0_choice(10, 8);
-      winnerswinner1_best_place_0_12 <= winnerswinner1_best_index_0_choice(12, 8);
-      winnerswinner1_best_place_0_14 <= winnerswinner1_best_index_0_choice(14, 8);
-      winnerswinner1_best_place_0_16 <= winnerswinner1_best_index_0_choice(16, 8);
-      winnerswinner1_best_place_0_18 <= winnerswinner1_best_index_0_choice(18, 8);
-      winnerswinner1_best_place_0_20 <= winnerswinner1_best_index_0_choice(20, 8);
-      winnerswinner1_best_place_0_22 <= winnerswinner1_best_index_0_choice(22, 8);
-      winnerswinner1_best_place_0_24 <= winnerswinner1_best_index_0_choice(24, 8);
-      winnerswinner1_best_place_0_26 <= winnerswinner1_best_index_0_choice(26, 8);
-      winnerswinner1_best_place_0_28 <= winnerswinner1_best_index_0_choice(28, 8);
-      winnerswinner1_best_place_0_30 <= winnerswinner1_best_index_0_choice(30, 8);
+      winnerswinner1_best_index_0_0 <= winnerswinner1_best_index_0_choice_8(0);
+      for i in 1 to 15 loop
+        winnerswinner1_best_place_0(i) <= winnerswinner1_best_index_0_choice_8(2 * i);
+      end loop;
       winnerswinner1_best_late_cost_0 <= winnerswinner1_best_cost_0;
       for i in 1 to 31 loop
         winnerswinner1_best_but_first_0(i) <= winnerswinner1_held_0(2 * i + 1);
@@ -3466,28 +3067,19 @@ begin
           sums_sum_0(2 * i));
       end loop;
       for i in 1 to 31 loop
-        winnerswinner1_best_index_0(i) <= choice(winnerswinner1_best_index_0_choice(i, 8), 2 * i + 1, 2 * i);
-        winnerswinner1_best_below_0(i) <= choice(winnerswinner1_best_index_0_choice(i, 8), sums_sum_0(2 * i), 0);
-        winnerswinner1_best_above_0(i) <= choice(winnerswinner1_best_index_0_choice(i, 8), 0, sums_sum_0(2 * i + 1));
+        winnerswinner1_best_index_0(i) <= choice(winnerswinner1_best_index_0_choice_8(i), 2 * i + 1, 2 * i);
+        winnerswinner1_best_below_0(i) <= choice(winnerswinner1_best_index_0_choice_8(i), sums_sum_0(2 * i), 0);
+        winnerswinner1_best_above_0(i) <= choice(winnerswinner1_best_index_0_choice_8(i), 0, sums_sum_0(2 * i + 1));
       end loop;
-      winnerswinner1_best_below_0(0) <= choice(winnerswinner1_best_index_0_choice(0, 8), sums_sum_0(0), 0);
-      winnerswinner1_best_above_0(0) <= choice(winnerswinner1_best_index_0_choice(0, 8), 0, sums_sum_0(1));
+      winnerswinner1_best_below_0(0) <= choice(winnerswinner1_best_index_0_choice_8(0), sums_sum_0(0), 0);
+      winnerswinner1_best_above_0(0) <= choice(winnerswinner1_best_index_0_choice_8(0), 0, sums_sum_0(1));
       -- winnerswinner2
       for i in 0 to 15 loop
-        winnerswinner2_best_index_0_choice(i, 1) := choice(is_set(winnerswinner1_best_cost_0(2 * i), 0), (not
-          is_set(winnerswinner1_best_cost_0(2 * i + 1), 1)) or (not is_set(winnerswinner1_best_cost_0(2 * i + 1), 0)),
-          not is_set(winnerswinner1_best_cost_0(2 * i + 1), 1));
-        winnerswinner2_best_index_0_choice(i, 2) := choice(is_set(winnerswinner1_best_cost_0(2 * i), 1),
-          winnerswinner2_best_index_0_choice(i, 1), is_set(winnerswinner1_best_cost_0(2 * i), 0) and
-          ((winnerswinner1_best_cost_0(2 * i + 1) mod 4) = 0));
-        winnerswinner2_best_index_0_value(i, 1) := is_set(winnerswinner1_best_cost_0(2 * i + 1), 2);
-        winnerswinner2_best_index_0_choice(i, 3) := inverted_carry(winnerswinner2_best_index_0_choice(i, 2), not
-          is_set(winnerswinner1_best_cost_0(2 * i), 2), winnerswinner2_best_index_0_value(i, 1));
-        for j in 2 to 5 loop
+        for j in 1 to 5 loop
           winnerswinner2_best_index_0_value(i, j) := is_set(winnerswinner1_best_cost_0(2 * i + 1), j + 1);
-          winnerswinner2_best_index_0_choice(i, j + 2) := carry(winnerswinner2_best_index_0_choice(i, j + 1), not
-            is_set(winnerswinner1_best_cost_0(2 * i), j + 1), winnerswinner2_best_index_0_value(i, j));
         end loop;
+        winnerswinner2_best_index_0_choice(i, 7) := not is_larger(winnerswinner1_best_cost_0(2 * i),
+          winnerswinner1_best_cost_0(2 * i + 1), 0, 6, false);
         winnerswinner2_best_index_0_choice(i, 8) := inverted_carry(winnerswinner2_best_index_0_choice(i, 7),
           is_set(winnerswinner1_best_cost_0(2 * i), 7), not is_set(winnerswinner1_best_cost_0(2 * i + 1), 7));
       end loop;
@@ -3549,36 +3141,10 @@ begin
         winnerswinner1_held_0(61), winnerswinner1_best_below_0(31));
       winnerswinner2_best_above_0_choice(0) := choice(winnerswinner1_best_index_0_0, winnerswinner1_held_0(2),
         winnerswinner1_best_above_0(0));
-      winnerswinner2_best_above_0_choice(1) := choice(winnerswinner1_best_place_0_2, winnerswinner1_held_0(6),
-        winnerswinner1_best_above_0(2));
-      winnerswinner2_best_above_0_choice(2) := choice(winnerswinner1_best_place_0_4, winnerswinner1_held_0(10),
-        winnerswinner1_best_above_0(4));
-      winnerswinner2_best_above_0_choice(3) := choice(winnerswinner1_best_place_0_6, winnerswinner1_held_0(14),
-        winnerswinner1_best_above_0(6));
-      winnerswinner2_best_above_0_choice(4) := choice(winnerswinner1_best_place_0_8, winnerswinner1_held_0(18),
-        winnerswinner1_best_above_0(8));
-      winnerswinner2_best_above_0_choice(5) := choice(winnerswinner1_best_place_0_10, winnerswinner1_held_0(22),
-        winnerswinner1_best_above_0(10));
-      winnerswinner2_best_above_0_choice(6) := choice(winnerswinner1_best_place_0_12, winnerswinner1_held_0(26),
-        winnerswinner1_best_above_0(12));
-      winnerswinner2_best_above_0_choice(7) := choice(winnerswinner1_best_place_0_14, winnerswinner1_held_0(30),
-        winnerswinner1_best_above_0(14));
-      winnerswinner2_best_above_0_choice(8) := choice(winnerswinner1_best_place_0_16, winnerswinner1_held_0(34),
-        winnerswinner1_best_above_0(16));
-      winnerswinner2_best_above_0_choice(9) := choice(winnerswinner1_best_place_0_18, winnerswinner1_held_0(38),
-        winnerswinner1_best_above_0(18));
-      winnerswinner2_best_above_0_choice(10) := choice(winnerswinner1_best_place_0_20, winnerswinner1_held_0(42),
-        winnerswinner1_best_above_0(20));
-      winnerswinner2_best_above_0_choice(11) := choice(winnerswinner1_best_place_0_22, winnerswinner1_held_0(46),
-        winnerswinner1_best_above_0(22));
-      winnerswinner2_best_above_0_choice(12) := choice(winnerswinner1_best_place_0_24, winnerswinner1_held_0(50),
-        winnerswinner1_best_above_0(24));
-      winnerswinner2_best_above_0_choice(13) := choice(winnerswinner1_best_place_0_26, winnerswinner1_held_0(54),
-        winnerswinner1_best_above_0(26));
-      winnerswinner2_best_above_0_choice(14) := choice(winnerswinner1_best_place_0_28, winnerswinner1_held_0(58),
-        winnerswinner1_best_above_0(28));
-      winnerswinner2_best_above_0_choice(15) := choice(winnerswinner1_best_place_0_30, winnerswinner1_held_0(62),
-        winnerswinner1_best_above_0(30));
+      for i in 1 to 15 loop
+        winnerswinner2_best_above_0_choice(i) := choice(winnerswinner1_best_place_0(i), winnerswinner1_held_0(4 * i +
+          2), winnerswinner1_best_above_0(2 * i));
+      end loop;
       for i in 0 to 15 loop
         winnerswinner2_best_at_start_0_choice(i) := carry(winnerswinner2_best_index_0_choice(i, 7), not
           is_set(winnerswinner1_best_cost_0(2 * i), 7), is_set(winnerswinner1_best_cost_0(2 * i + 1), 7));
@@ -3639,21 +3205,9 @@ begin
       winnerswinner2_best_at_start_0(15) <= winnerswinner2_best_below_0_is_equal(15) and (not
         winnerswinner2_best_at_start_0_choice(15));
       winnerswinner2_best_at_end_0(0) <= winnerswinner2_best_at_start_0_choice(0) and winnerswinner1_best_index_0_0;
-      winnerswinner2_best_at_end_0(1) <= winnerswinner2_best_at_start_0_choice(1) and winnerswinner1_best_place_0_2;
-      winnerswinner2_best_at_end_0(2) <= winnerswinner2_best_at_start_0_choice(2) and winnerswinner1_best_place_0_4;
-      winnerswinner2_best_at_end_0(3) <= winnerswinner2_best_at_start_0_choice(3) and winnerswinner1_best_place_0_6;
-      winnerswinner2_best_at_end_0(4) <= winnerswinner2_best_at_start_0_choice(4) and winnerswinner1_best_place_0_8;
-      winnerswinner2_best_at_end_0(5) <= winnerswinner2_best_at_start_0_choice(5) and winnerswinner1_best_place_0_10;
-      winnerswinner2_best_at_end_0(6) <= winnerswinner2_best_at_start_0_choice(6) and winnerswinner1_best_place_0_12;
-      winnerswinner2_best_at_end_0(7) <= winnerswinner2_best_at_start_0_choice(7) and winnerswinner1_best_place_0_14;
-      winnerswinner2_best_at_end_0(8) <= winnerswinner2_best_at_start_0_choice(8) and winnerswinner1_best_place_0_16;
-      winnerswinner2_best_at_end_0(9) <= winnerswinner2_best_at_start_0_choice(9) and winnerswinner1_best_place_0_18;
-      winnerswinner2_best_at_end_0(10) <= winnerswinner2_best_at_start_0_choice(10) and winnerswinner1_best_place_0_20;
-      winnerswinner2_best_at_end_0(11) <= winnerswinner2_best_at_start_0_choice(11) and winnerswinner1_best_place_0_22;
-      winnerswinner2_best_at_end_0(12) <= winnerswinner2_best_at_start_0_choice(12) and winnerswinner1_best_place_0_24;
-      winnerswinner2_best_at_end_0(13) <= winnerswinner2_best_at_start_0_choice(13) and winnerswinner1_best_place_0_26;
-      winnerswinner2_best_at_end_0(14) <= winnerswinner2_best_at_start_0_choice(14) and winnerswinner1_best_place_0_28;
-      winnerswinner2_best_at_end_0(15) <= winnerswinner2_best_at_start_0_choice(15) and winnerswinner1_best_place_0_30;
+      for i in 1 to 15 loop
+        winnerswinner2_best_at_end_0(i) <= winnerswinner2_best_at_start_0_choice(i) and winnerswinner1_best_place_0(i);
+      end loop;
       winnerswinner2_best_late_cost_0 <= winnerswinner2_best_cost_0;
       winnerswinner2_tag <= winnerswinner1_tag;
       for i in 0 to 15 loop
@@ -3691,20 +3245,11 @@ begin
       end loop;
       -- winnerswinner3
       for i in 0 to 7 loop
-        winnerswinner3_best_index_0_choice(i, 1) := choice(is_set(winnerswinner2_best_cost_0(2 * i), 0), (not
-          is_set(winnerswinner2_best_cost_0(2 * i + 1), 1)) or (not is_set(winnerswinner2_best_cost_0(2 * i + 1), 0)),
-          not is_set(winnerswinner2_best_cost_0(2 * i + 1), 1));
-        winnerswinner3_best_index_0_choice(i, 2) := choice(is_set(winnerswinner2_best_cost_0(2 * i), 1),
-          winnerswinner3_best_index_0_choice(i, 1), is_set(winnerswinner2_best_cost_0(2 * i), 0) and
-          ((winnerswinner2_best_cost_0(2 * i + 1) mod 4) = 0));
-        winnerswinner3_best_index_0_value(i, 1) := is_set(winnerswinner2_best_cost_0(2 * i + 1), 2);
-        winnerswinner3_best_index_0_choice(i, 3) := inverted_carry(winnerswinner3_best_index_0_choice(i, 2), not
-          is_set(winnerswinner2_best_cost_0(2 * i), 2), winnerswinner3_best_index_0_value(i, 1));
-        for j in 2 to 5 loop
+        for j in 1 to 5 loop
           winnerswinner3_best_index_0_value(i, j) := is_set(winnerswinner2_best_cost_0(2 * i + 1), j + 1);
-          winnerswinner3_best_index_0_choice(i, j + 2) := carry(winnerswinner3_best_index_0_choice(i, j + 1), not
-            is_set(winnerswinner2_best_cost_0(2 * i), j + 1), winnerswinner3_best_index_0_value(i, j));
         end loop;
+        winnerswinner3_best_index_0_choice(i, 7) := not is_larger(winnerswinner2_best_cost_0(2 * i),
+          winnerswinner2_best_cost_0(2 * i + 1), 0, 6, false);
         winnerswinner3_best_index_0_choice(i, 8) := inverted_carry(winnerswinner3_best_index_0_choice(i, 7),
           is_set(winnerswinner2_best_cost_0(2 * i), 7), not is_set(winnerswinner2_best_cost_0(2 * i + 1), 7));
       end loop;
@@ -3859,20 +3404,11 @@ begin
       end loop;
       -- winnerswinner4
       for i in 0 to 3 loop
-        winnerswinner4_best_index_0_choice(i, 1) := choice(is_set(winnerswinner3_best_cost_0(2 * i), 0), (not
-          is_set(winnerswinner3_best_cost_0(2 * i + 1), 1)) or (not is_set(winnerswinner3_best_cost_0(2 * i + 1), 0)),
-          not is_set(winnerswinner3_best_cost_0(2 * i + 1), 1));
-        winnerswinner4_best_index_0_choice(i, 2) := choice(is_set(winnerswinner3_best_cost_0(2 * i), 1),
-          winnerswinner4_best_index_0_choice(i, 1), is_set(winnerswinner3_best_cost_0(2 * i), 0) and
-          ((winnerswinner3_best_cost_0(2 * i + 1) mod 4) = 0));
-        winnerswinner4_best_index_0_value(i, 1) := is_set(winnerswinner3_best_cost_0(2 * i + 1), 2);
-        winnerswinner4_best_index_0_choice(i, 3) := inverted_carry(winnerswinner4_best_index_0_choice(i, 2), not
-          is_set(winnerswinner3_best_cost_0(2 * i), 2), winnerswinner4_best_index_0_value(i, 1));
-        for j in 2 to 5 loop
+        for j in 1 to 5 loop
           winnerswinner4_best_index_0_value(i, j) := is_set(winnerswinner3_best_cost_0(2 * i + 1), j + 1);
-          winnerswinner4_best_index_0_choice(i, j + 2) := carry(winnerswinner4_best_index_0_choice(i, j + 1), not
-            is_set(winnerswinner3_best_cost_0(2 * i), j + 1), winnerswinner4_best_index_0_value(i, j));
         end loop;
+        winnerswinner4_best_index_0_choice(i, 7) := not is_larger(winnerswinner3_best_cost_0(2 * i),
+          winnerswinner3_best_cost_0(2 * i + 1), 0, 6, false);
         winnerswinner4_best_index_0_choice(i, 8) := inverted_carry(winnerswinner4_best_index_0_choice(i, 7),
           is_set(winnerswinner3_best_cost_0(2 * i), 7), not is_set(winnerswinner3_best_cost_0(2 * i + 1), 7));
       end loop;
@@ -3980,20 +3516,11 @@ begin
       end loop;
       -- winnerswinner5
       for i in 0 to 1 loop
-        winnerswinner5_best_index_0_choice(i, 1) := choice(is_set(winnerswinner4_best_cost_0(2 * i), 0), (not
-          is_set(winnerswinner4_best_cost_0(2 * i + 1), 1)) or (not is_set(winnerswinner4_best_cost_0(2 * i + 1), 0)),
-          not is_set(winnerswinner4_best_cost_0(2 * i + 1), 1));
-        winnerswinner5_best_index_0_choice(i, 2) := choice(is_set(winnerswinner4_best_cost_0(2 * i), 1),
-          winnerswinner5_best_index_0_choice(i, 1), is_set(winnerswinner4_best_cost_0(2 * i), 0) and
-          ((winnerswinner4_best_cost_0(2 * i + 1) mod 4) = 0));
-        winnerswinner5_best_index_0_value(i, 1) := is_set(winnerswinner4_best_cost_0(2 * i + 1), 2);
-        winnerswinner5_best_index_0_choice(i, 3) := inverted_carry(winnerswinner5_best_index_0_choice(i, 2), not
-          is_set(winnerswinner4_best_cost_0(2 * i), 2), winnerswinner5_best_index_0_value(i, 1));
-        for j in 2 to 5 loop
+        for j in 1 to 5 loop
           winnerswinner5_best_index_0_value(i, j) := is_set(winnerswinner4_best_cost_0(2 * i + 1), j + 1);
-          winnerswinner5_best_index_0_choice(i, j + 2) := carry(winnerswinner5_best_index_0_choice(i, j + 1), not
-            is_set(winnerswinner4_best_cost_0(2 * i), j + 1), winnerswinner5_best_index_0_value(i, j));
         end loop;
+        winnerswinner5_best_index_0_choice(i, 7) := not is_larger(winnerswinner4_best_cost_0(2 * i),
+          winnerswinner4_best_cost_0(2 * i + 1), 0, 6, false);
         winnerswinner5_best_index_0_choice(i, 8) := inverted_carry(winnerswinner5_best_index_0_choice(i, 7),
           is_set(winnerswinner4_best_cost_0(2 * i), 7), not is_set(winnerswinner4_best_cost_0(2 * i + 1), 7));
       end loop;
@@ -4064,21 +3591,12 @@ begin
       winnerswinner5_best_but_last_0_0 <= choice((winnerswinner4_best_but_last_0(1) -
         winnerswinner4_best_late_cost_0(0)) < 0, winnerswinner4_best_but_last_0(1), winnerswinner4_best_late_cost_0(0));
       -- winnerswinner6
-      winnerswinner6_best_index_0_0_choices(1) := choice(is_set(winnerswinner5_best_cost_0(0), 0), (not
-        is_set(winnerswinner5_best_cost_0(1), 1)) or (not is_set(winnerswinner5_best_cost_0(1), 0)), not
-        is_set(winnerswinner5_best_cost_0(1), 1));
-      winnerswinner6_best_index_0_0_choices(2) := choice(is_set(winnerswinner5_best_cost_0(0), 1),
-        winnerswinner6_best_index_0_0_choices(1), is_set(winnerswinner5_best_cost_0(0), 0) and
-        ((winnerswinner5_best_cost_0(1) mod 4) = 0));
-      winnerswinner6_best_index_0_0_values(1) := is_set(winnerswinner5_best_cost_0(1), 2);
-      winnerswinner6_best_index_0_0_choices(3) := inverted_carry(winnerswinner6_best_index_0_0_choices(2), not
-        is_set(winnerswinner5_best_cost_0(0), 2), winnerswinner6_best_index_0_0_values(1));
-      for i in 2 to 5 loop
+      for i in 1 to 5 loop
         winnerswinner6_best_index_0_0_values(i) := is_set(winnerswinner5_best_cost_0(1), i + 1);
-        winnerswinner6_best_index_0_0_choices(i + 2) := carry(winnerswinner6_best_index_0_0_choices(i + 1), not
-          is_set(winnerswinner5_best_cost_0(0), i + 1), winnerswinner6_best_index_0_0_values(i));
       end loop;
-      winnerswinner6_best_index_0_0_choices(8) := inverted_carry(winnerswinner6_best_index_0_0_choices(7),
+      winnerswinner6_best_index_0_0_choice(7) := not is_larger(winnerswinner5_best_cost_0(0),
+        winnerswinner5_best_cost_0(1), 0, 6, false);
+      winnerswinner6_best_index_0_0_choice(8) := inverted_carry(winnerswinner6_best_index_0_0_choice(7),
         is_set(winnerswinner5_best_cost_0(0), 7), not is_set(winnerswinner5_best_cost_0(1), 7));
       winnerswinner6_best_below_0_0_is_equal := winnerswinner5_best_index_0(1) = 32;
       winnerswinner6_best_below_0_0_choice := choice(winnerswinner6_best_below_0_0_is_equal,
@@ -4086,7 +3604,7 @@ begin
       winnerswinner6_best_above_0_0_is_equal := winnerswinner5_best_index_0(0) = 31;
       winnerswinner6_best_above_0_0_choice := choice(winnerswinner6_best_above_0_0_is_equal,
         winnerswinner5_best_first_0_1, winnerswinner5_best_above_0(0));
-      winnerswinner6_best_at_start_0_0_choice := carry(winnerswinner6_best_index_0_0_choices(7), not
+      winnerswinner6_best_at_start_0_0_choice := carry(winnerswinner6_best_index_0_0_choice(7), not
         is_set(winnerswinner5_best_cost_0(0), 7), is_set(winnerswinner5_best_cost_0(1), 7));
       winnerswinner6_best_second_0_0_choices(1) := choice(winnerswinner6_best_place_0_0,
         winnerswinner5_best_second_0(1), winnerswinner5_best_late_cost_0(1));
@@ -4096,7 +3614,7 @@ begin
         winnerswinner5_best_late_cost_0(0), winnerswinner5_best_second_0(0));
       winnerswinner6_best_second_0_0_choices(4) := choice(winnerswinner6_best_at_start_0_0,
         winnerswinner5_best_but_last_0_0, winnerswinner6_best_second_0_0_choices(3));
-      winnerswinner6_best_place_0_0 <= winnerswinner6_best_index_0_0_choices(8);
+      winnerswinner6_best_place_0_0 <= winnerswinner6_best_index_0_0_choice(8);
       winnerswinner6_best_at_start_0_0 <= winnerswinner6_best_below_0_0_is_equal and (not
         winnerswinner6_best_at_start_0_0_choice);
       winnerswinner6_best_at_end_0_0 <= winnerswinner6_best_at_start_0_0_choice and
@@ -4105,11 +3623,11 @@ begin
       winnerswinner6_tag <= winnerswinner5_tag;
       winnerswinner6_best_cost_0_0 <= choice((winnerswinner5_best_cost_0(1) - winnerswinner5_best_cost_0(0)) < 0,
         winnerswinner5_best_cost_0(1), winnerswinner5_best_cost_0(0));
-      winnerswinner6_best_index_0_0 <= choice(winnerswinner6_best_index_0_0_choices(8), winnerswinner5_best_index_0(1),
+      winnerswinner6_best_index_0_0 <= choice(winnerswinner6_best_index_0_0_choice(8), winnerswinner5_best_index_0(1),
         winnerswinner5_best_index_0(0));
-      winnerswinner6_best_below_0_0 <= choice(winnerswinner6_best_index_0_0_choices(8),
+      winnerswinner6_best_below_0_0 <= choice(winnerswinner6_best_index_0_0_choice(8),
         winnerswinner6_best_below_0_0_choice, winnerswinner5_best_below_0(0));
-      winnerswinner6_best_above_0_0 <= choice(winnerswinner6_best_index_0_0_choices(8), winnerswinner5_best_above_0(1),
+      winnerswinner6_best_above_0_0 <= choice(winnerswinner6_best_index_0_0_choice(8), winnerswinner5_best_above_0(1),
         winnerswinner6_best_above_0_0_choice);
       winnerswinner6_best_second_0_0 <= choice((winnerswinner6_best_second_0_0_choices(2) -
         winnerswinner6_best_second_0_0_choices(4)) < 0, winnerswinner6_best_second_0_0_choices(2),
@@ -4899,36 +4417,28 @@ begin
       end if;
       -- relief
       if transform_columns_valid then
-        relief_centre_column(0) <= transform_left_column_2;
+        relief_centre_column(0) <= transform_left_column(1);
         relief_centre_column(1 to 4) <= relief_centre_column(0 to 3);
       end if;
-      relief_newest_choices(1) := choice(is_set(relief_centre_grey_0, 0), (not is_set(relief_before, 1)) or (not
-        is_set(relief_before, 0)), not is_set(relief_before, 1));
-      relief_newest_choices(2) := choice(is_set(relief_centre_grey_0, 1), relief_newest_choices(1),
-        is_set(relief_centre_grey_0, 0) and ((relief_before mod 4) = 0));
-      relief_newest_values(1) := is_set(relief_before, 2);
-      relief_newest_choices(3) := inverted_carry(relief_newest_choices(2), not is_set(relief_centre_grey_0, 2),
-        relief_newest_values(1));
-      for i in 2 to 5 loop
+      for i in 1 to 5 loop
         relief_newest_values(i) := is_set(relief_before, i + 1);
-        relief_newest_choices(i + 2) := carry(relief_newest_choices(i + 1), not is_set(relief_centre_grey_0, i + 1),
-          relief_newest_values(i));
       end loop;
-      relief_newest_choices(8) := carry(relief_newest_choices(7), not is_set(relief_centre_grey_0, 7),
+      relief_newest_choice(7) := not is_larger(relief_centre_grey_0, relief_before, 0, 6, false);
+      relief_newest_choice(8) := carry(relief_newest_choice(7), not is_set(relief_centre_grey_0, 7),
         is_set(relief_before, 7));
       relief_newest_values_from_6(6) := (relief_before - relief_centre_grey_0) mod 256;
       relief_newest_values_from_6(7) := (relief_centre_grey_0 - relief_before) mod 256;
       for i in 5 to 6 loop
-        relief_newest_choices(3 * i - 6) := choice(relief_newest_choices(8), is_set(relief_newest_values_from_6(6), 2 *
-          i - 8), is_set(relief_newest_values_from_6(7), 2 * i - 8));
-        relief_newest_choices(3 * i - 5) := choice(relief_newest_choices(8), not is_set(relief_newest_values_from_6(6),
-          4 * i - 17), not is_set(relief_newest_values_from_6(7), 4 * i - 17));
-        relief_newest_choices(3 * i - 4) := choice(relief_newest_choices(8), is_set(relief_newest_values_from_6(6), i),
+        relief_newest_choice(3 * i - 6) := choice(relief_newest_choice(8), is_set(relief_newest_values_from_6(6), 2 * i
+          - 8), is_set(relief_newest_values_from_6(7), 2 * i - 8));
+        relief_newest_choice(3 * i - 5) := choice(relief_newest_choice(8), not is_set(relief_newest_values_from_6(6), 4
+          * i - 17), not is_set(relief_newest_values_from_6(7), 4 * i - 17));
+        relief_newest_choice(3 * i - 4) := choice(relief_newest_choice(8), is_set(relief_newest_values_from_6(6), i),
           is_set(relief_newest_values_from_6(7), i));
       end loop;
-      relief_newest_choices(15) := inverted_carry(relief_newest_choices(7), is_set(relief_centre_grey_0, 7), not
+      relief_newest_choice(15) := inverted_carry(relief_newest_choice(7), is_set(relief_centre_grey_0, 7), not
         is_set(relief_before, 7));
-      relief_newest_choice_16 := choice(relief_newest_choices(15), (relief_newest_values_from_6(7) / 2) mod 32,
+      relief_newest_choice_16 := choice(relief_newest_choice(15), (relief_newest_values_from_6(7) / 2) mod 32,
         (relief_newest_values_from_6(6) / 2) mod 32);
       relief_centre_grey_0 <= relief_centre_column(4);
       relief_delayed_0 <= relief_newest;
@@ -4939,9 +4449,9 @@ begin
       relief_waiting(0) <= relief_column_0;
       relief_waiting(1 to 9) <= relief_waiting(0 to 8);
       relief_entered <= relief_entering;
-      relief_newest <= choice((not ((not ((not ((not relief_newest_choices(9)) and relief_newest_choices(10))) and
-        relief_newest_choices(11) and relief_newest_choices(12))) and relief_newest_choices(13))) or
-        relief_newest_choices(14), 25, relief_newest_choice_16);
+      relief_newest <= choice((not ((not ((not ((not relief_newest_choice(9)) and relief_newest_choice(10))) and
+        relief_newest_choice(11) and relief_newest_choice(12))) and relief_newest_choice(13))) or
+        relief_newest_choice(14), 25, relief_newest_choice_16);
       relief_entering <= choice(relief_waiting(9) < 25, relief_waiting(9), 25);
       if transform_filtering_valid(1) then
         relief_before <= relief_centre_grey_0;
@@ -4980,61 +4490,27 @@ begin
         transform_right_rows_ready_newest_0 <= 0;
         transform_right_rows_write_words_0 <= to_unsigned(0, 32);
         transform_read_column <= 0;
-        transform_read_row_inside_0 <= false;
-        transform_read_row_inside_2 <= false;
-        transform_read_row_inside_4 <= false;
-        transform_read_column_inside_0 <= false;
-        transform_read_column_inside_2 <= false;
-        transform_read_column_inside_4 <= false;
-        transform_read_column_inside_6 <= false;
-        transform_read_column_inside_8 <= false;
+        transform_read_row_inside <= (others => false);
+        transform_read_column_inside <= (others => false);
         transform_read_start_of_frame <= false;
         transform_read_valid <= false;
         transform_ready_column <= 0;
-        transform_ready_row_inside_0 <= false;
-        transform_ready_row_inside_2 <= false;
-        transform_ready_row_inside_4 <= false;
-        transform_ready_column_inside_0 <= false;
-        transform_ready_column_inside_2 <= false;
-        transform_ready_column_inside_4 <= false;
-        transform_ready_column_inside_6 <= false;
-        transform_ready_column_inside_8 <= false;
+        transform_ready_row_inside <= (others => false);
+        transform_ready_column_inside <= (others => false);
         transform_ready_start_of_frame <= false;
         transform_ready_valid <= false;
         transform_write_column <= 0;
-        transform_left_column_0 <= 0;
-        transform_left_column_2 <= 0;
-        transform_left_column_4 <= 0;
-        transform_right_column_0 <= 0;
-        transform_right_column_2 <= 0;
-        transform_right_column_4 <= 0;
-        transform_columns_row_inside_0 <= false;
-        transform_columns_row_inside_2 <= false;
-        transform_columns_row_inside_4 <= false;
-        transform_columns_column_inside_0 <= false;
-        transform_columns_column_inside_2 <= false;
-        transform_columns_column_inside_4 <= false;
-        transform_columns_column_inside_6 <= false;
-        transform_columns_column_inside_8 <= false;
+        transform_left_column <= (others => 0);
+        transform_right_column <= (others => 0);
+        transform_columns_row_inside <= (others => false);
+        transform_columns_column_inside <= (others => false);
         transform_columns_start_of_frame <= false;
         transform_columns_valid <= false;
-        for i in 0 to 8 loop
-          transform_left_filter_column_0(i) <= 0;
-          transform_left_filter_column_2(i) <= 0;
-          transform_left_filter_column_4(i) <= 0;
-        end loop;
+        transform_left_filter_column <= (others => (others => 0));
         transform_left_filter_feature_0 <= 0;
-        for i in 0 to 8 loop
-          transform_right_filter_column_0(i) <= 0;
-          transform_right_filter_column_2(i) <= 0;
-          transform_right_filter_column_4(i) <= 0;
-        end loop;
+        transform_right_filter_column <= (others => (others => 0));
         transform_right_filter_feature_0 <= 0;
-        transform_filtering_0_column_inside_0 <= false;
-        transform_filtering_0_column_inside_2 <= false;
-        transform_filtering_0_column_inside_4 <= false;
-        transform_filtering_0_column_inside_6 <= false;
-        transform_filtering_0_column_inside_8 <= false;
+        transform_filtering_0_column_inside <= (others => false);
         transform_filtering_start_of_frame(0) <= false;
         transform_filtering_valid(0) <= false;
         transform_filtering_start_of_frame(1) <= false;
@@ -5358,21 +4834,7 @@ begin
         winnerswinner1_best_index_0 <= (others => 0);
         winnerswinner1_best_below_0 <= (others => 0);
         winnerswinner1_best_above_0 <= (others => 0);
-        winnerswinner1_best_place_0_2 <= false;
-        winnerswinner1_best_place_0_4 <= false;
-        winnerswinner1_best_place_0_6 <= false;
-        winnerswinner1_best_place_0_8 <= false;
-        winnerswinner1_best_place_0_10 <= false;
-        winnerswinner1_best_place_0_12 <= false;
-        winnerswinner1_best_place_0_14 <= false;
-        winnerswinner1_best_place_0_16 <= false;
-        winnerswinner1_best_place_0_18 <= false;
-        winnerswinner1_best_place_0_20 <= false;
-        winnerswinner1_best_place_0_22 <= false;
-        winnerswinner1_best_place_0_24 <= false;
-        winnerswinner1_best_place_0_26 <= false;
-        winnerswinner1_best_place_0_28 <= false;
-        winnerswinner1_best_place_0_30 <= false;
+        winnerswinner1_best_place_0 <= (others => false);
         winnerswinner1_best_late_cost_0 <= (others => 0);
         winnerswinner1_best_but_first_0 <= (others => 255);
         winnerswinner1_best_but_last_0 <= (others => 255);

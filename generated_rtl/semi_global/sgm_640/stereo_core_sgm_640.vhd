@@ -111,6 +111,16 @@ architecture rtl of stereo_core_sgm_640 is
     return a or b;
   end function;
 
+  -- whether a > b, of bits `low` to `high`; of equal ones, `before`: bit by bit, as the tool has split it
+  function is_larger(a : natural; b : natural; low : natural; high : natural; before : boolean) return boolean is
+    variable is_not : boolean := not before;
+  begin
+    for place in low to high loop
+      is_not := carry(is_not, not is_set(a, place), is_set(b, place));
+    end loop;
+    return not is_not;
+  end function;
+
   function choice(test : boolean; yes : boolean; no : boolean) return boolean is
   begin
     if test then
@@ -651,11 +661,11 @@ begin
     variable transform_read_column_inside_0_is_less : boolean;
     variable transform_left_filter_feature_0_values : boolean_1d(1 to 11);  -- transform_left_filter_feature_0_value_#
     variable transform_left_filter_feature_0_any : boolean;
-    variable transform_left_filter_feature_0_choices : boolean_1d(1 to 353);  -- transform_left_filter_feature_0_choice_#
+    variable transform_left_filter_feature_0_choice : boolean_1d(8 to 353);
     variable transform_left_filter_feature_0_is_equal : boolean;
     variable transform_right_filter_feature_0_values : boolean_1d(1 to 11);  -- transform_right_filter_feature_0_value_#
     variable transform_right_filter_feature_0_any : boolean;
-    variable transform_right_filter_feature_0_choices : boolean_1d(1 to 353);  -- transform_right_filter_feature_0_choice_#
+    variable transform_right_filter_feature_0_choice : boolean_1d(8 to 353);
     variable transform_right_filter_feature_0_is_equal, raster_place_group_is_equal : boolean;
     variable delay_tag_first_cost_is_equal, delay_tag_map_column_is_not_less, delay_tag_map_column_is_less : boolean;
     variable slice0cost_pixels_first_0_0_count_value : boolean_2d(0 to 14, 1 to 3);  -- slice0cost_pixels_first_0_0_count_#_value_#
@@ -669,95 +679,19 @@ begin
     variable entry_order_falls_any, entry_order_falls_all, entry_order_complete_all, entry_order_complete_any : boolean;
     variable entry_order_turned_output_column_choice, forward_left_start_cost_0_value : boolean;
     variable sums_right_start_cost_0_value, sums_turn_writes_copy_0_choice : boolean;
-    variable winnerswinner1_of_pair_0_choice : boolean_2d(0 to 126, 1 to 7);  -- winnerswinner1_of_pair_0_#_choice_#
-    variable winnerswinner1_of_pair_0_value : boolean_2d(0 to 126, 1 to 4);  -- winnerswinner1_of_pair_0_#_value_#
-    variable winnerswinner1_of_four_0_0_choices : boolean_1d(1 to 7);  -- winnerswinner1_of_four_0_0_choice_#
-    variable winnerswinner1_of_four_0_0_values : boolean_1d(1 to 10);  -- winnerswinner1_of_four_0_0_value_#
-    variable winnerswinner1_of_four_0_4_choices : boolean_1d(1 to 7);  -- winnerswinner1_of_four_0_4_choice_#
-    variable winnerswinner1_of_four_0_4_values : boolean_1d(1 to 10);  -- winnerswinner1_of_four_0_4_value_#
-    variable winnerswinner1_of_four_0_8_choices : boolean_1d(1 to 7);  -- winnerswinner1_of_four_0_8_choice_#
-    variable winnerswinner1_of_four_0_8_values : boolean_1d(1 to 10);  -- winnerswinner1_of_four_0_8_value_#
-    variable winnerswinner1_of_four_0_12_choices : boolean_1d(1 to 7);  -- winnerswinner1_of_four_0_12_choice_#
-    variable winnerswinner1_of_four_0_12_values : boolean_1d(1 to 10);  -- winnerswinner1_of_four_0_12_value_#
-    variable winnerswinner1_of_four_0_16_choices : boolean_1d(1 to 7);  -- winnerswinner1_of_four_0_16_choice_#
-    variable winnerswinner1_of_four_0_16_values : boolean_1d(1 to 10);  -- winnerswinner1_of_four_0_16_value_#
-    variable winnerswinner1_of_four_0_20_choices : boolean_1d(1 to 7);  -- winnerswinner1_of_four_0_20_choice_#
-    variable winnerswinner1_of_four_0_20_values : boolean_1d(1 to 10);  -- winnerswinner1_of_four_0_20_value_#
-    variable winnerswinner1_of_four_0_24_choices : boolean_1d(1 to 7);  -- winnerswinner1_of_four_0_24_choice_#
-    variable winnerswinner1_of_four_0_24_values : boolean_1d(1 to 10);  -- winnerswinner1_of_four_0_24_value_#
-    variable winnerswinner1_of_four_0_28_choices : boolean_1d(1 to 7);  -- winnerswinner1_of_four_0_28_choice_#
-    variable winnerswinner1_of_four_0_28_values : boolean_1d(1 to 10);  -- winnerswinner1_of_four_0_28_value_#
-    variable winnerswinner1_of_four_0_32_choices : boolean_1d(1 to 7);  -- winnerswinner1_of_four_0_32_choice_#
-    variable winnerswinner1_of_four_0_32_values : boolean_1d(1 to 10);  -- winnerswinner1_of_four_0_32_value_#
-    variable winnerswinner1_of_four_0_36_choices : boolean_1d(1 to 7);  -- winnerswinner1_of_four_0_36_choice_#
-    variable winnerswinner1_of_four_0_36_values : boolean_1d(1 to 10);  -- winnerswinner1_of_four_0_36_value_#
-    variable winnerswinner1_of_four_0_40_choices : boolean_1d(1 to 7);  -- winnerswinner1_of_four_0_40_choice_#
-    variable winnerswinner1_of_four_0_40_values : boolean_1d(1 to 10);  -- winnerswinner1_of_four_0_40_value_#
-    variable winnerswinner1_of_four_0_44_choices : boolean_1d(1 to 7);  -- winnerswinner1_of_four_0_44_choice_#
-    variable winnerswinner1_of_four_0_44_values : boolean_1d(1 to 10);  -- winnerswinner1_of_four_0_44_value_#
-    variable winnerswinner1_of_four_0_48_choices : boolean_1d(1 to 7);  -- winnerswinner1_of_four_0_48_choice_#
-    variable winnerswinner1_of_four_0_48_values : boolean_1d(1 to 10);  -- winnerswinner1_of_four_0_48_value_#
-    variable winnerswinner1_of_four_0_52_choices : boolean_1d(1 to 7);  -- winnerswinner1_of_four_0_52_choice_#
-    variable winnerswinner1_of_four_0_52_values : boolean_1d(1 to 10);  -- winnerswinner1_of_four_0_52_value_#
-    variable winnerswinner1_of_four_0_56_choices : boolean_1d(1 to 7);  -- winnerswinner1_of_four_0_56_choice_#
-    variable winnerswinner1_of_four_0_56_values : boolean_1d(1 to 10);  -- winnerswinner1_of_four_0_56_value_#
-    variable winnerswinner1_of_four_0_60_choices : boolean_1d(1 to 7);  -- winnerswinner1_of_four_0_60_choice_#
-    variable winnerswinner1_of_four_0_60_values : boolean_1d(1 to 10);  -- winnerswinner1_of_four_0_60_value_#
-    variable winnerswinner1_of_four_0_64_choices : boolean_1d(1 to 7);  -- winnerswinner1_of_four_0_64_choice_#
-    variable winnerswinner1_of_four_0_64_values : boolean_1d(1 to 10);  -- winnerswinner1_of_four_0_64_value_#
-    variable winnerswinner1_of_four_0_68_choices : boolean_1d(1 to 7);  -- winnerswinner1_of_four_0_68_choice_#
-    variable winnerswinner1_of_four_0_68_values : boolean_1d(1 to 10);  -- winnerswinner1_of_four_0_68_value_#
-    variable winnerswinner1_of_four_0_72_choices : boolean_1d(1 to 7);  -- winnerswinner1_of_four_0_72_choice_#
-    variable winnerswinner1_of_four_0_72_values : boolean_1d(1 to 10);  -- winnerswinner1_of_four_0_72_value_#
-    variable winnerswinner1_of_four_0_76_choices : boolean_1d(1 to 7);  -- winnerswinner1_of_four_0_76_choice_#
-    variable winnerswinner1_of_four_0_76_values : boolean_1d(1 to 10);  -- winnerswinner1_of_four_0_76_value_#
-    variable winnerswinner1_of_four_0_80_choices : boolean_1d(1 to 7);  -- winnerswinner1_of_four_0_80_choice_#
-    variable winnerswinner1_of_four_0_80_values : boolean_1d(1 to 10);  -- winnerswinner1_of_four_0_80_value_#
-    variable winnerswinner1_of_four_0_84_choices : boolean_1d(1 to 7);  -- winnerswinner1_of_four_0_84_choice_#
-    variable winnerswinner1_of_four_0_84_values : boolean_1d(1 to 10);  -- winnerswinner1_of_four_0_84_value_#
-    variable winnerswinner1_of_four_0_88_choices : boolean_1d(1 to 7);  -- winnerswinner1_of_four_0_88_choice_#
-    variable winnerswinner1_of_four_0_88_values : boolean_1d(1 to 10);  -- winnerswinner1_of_four_0_88_value_#
-    variable winnerswinner1_of_four_0_92_choices : boolean_1d(1 to 7);  -- winnerswinner1_of_four_0_92_choice_#
-    variable winnerswinner1_of_four_0_92_values : boolean_1d(1 to 10);  -- winnerswinner1_of_four_0_92_value_#
-    variable winnerswinner1_of_four_0_96_choices : boolean_1d(1 to 7);  -- winnerswinner1_of_four_0_96_choice_#
-    variable winnerswinner1_of_four_0_96_values : boolean_1d(1 to 10);  -- winnerswinner1_of_four_0_96_value_#
-    variable winnerswinner1_of_four_0_100_choices : boolean_1d(1 to 7);  -- winnerswinner1_of_four_0_100_choice_#
-    variable winnerswinner1_of_four_0_100_values : boolean_1d(1 to 10);  -- winnerswinner1_of_four_0_100_value_#
-    variable winnerswinner1_of_four_0_104_choices : boolean_1d(1 to 7);  -- winnerswinner1_of_four_0_104_choice_#
-    variable winnerswinner1_of_four_0_104_values : boolean_1d(1 to 10);  -- winnerswinner1_of_four_0_104_value_#
-    variable winnerswinner1_of_four_0_108_choices : boolean_1d(1 to 7);  -- winnerswinner1_of_four_0_108_choice_#
-    variable winnerswinner1_of_four_0_108_values : boolean_1d(1 to 10);  -- winnerswinner1_of_four_0_108_value_#
-    variable winnerswinner1_of_four_0_112_choices : boolean_1d(1 to 7);  -- winnerswinner1_of_four_0_112_choice_#
-    variable winnerswinner1_of_four_0_112_values : boolean_1d(1 to 10);  -- winnerswinner1_of_four_0_112_value_#
-    variable winnerswinner1_of_four_0_116_choices : boolean_1d(1 to 7);  -- winnerswinner1_of_four_0_116_choice_#
-    variable winnerswinner1_of_four_0_116_values : boolean_1d(1 to 10);  -- winnerswinner1_of_four_0_116_value_#
-    variable winnerswinner1_of_four_0_120_choices : boolean_1d(1 to 7);  -- winnerswinner1_of_four_0_120_choice_#
-    variable winnerswinner1_of_four_0_120_values : boolean_1d(1 to 10);  -- winnerswinner1_of_four_0_120_value_#
-    variable winnerswinner1_of_four_0_124_choices : boolean_1d(1 to 7);  -- winnerswinner1_of_four_0_124_choice_#
-    variable winnerswinner1_of_four_0_124_values : boolean_1d(1 to 10);  -- winnerswinner1_of_four_0_124_value_#
-    variable winnerswinner2_of_pair_0_choice : boolean_2d(0 to 30, 1 to 7);  -- winnerswinner2_of_pair_0_#_choice_#
-    variable winnerswinner2_of_pair_0_value : boolean_2d(0 to 30, 1 to 4);  -- winnerswinner2_of_pair_0_#_value_#
-    variable winnerswinner2_of_four_0_0_choices : boolean_1d(1 to 7);  -- winnerswinner2_of_four_0_0_choice_#
-    variable winnerswinner2_of_four_0_0_values : boolean_1d(1 to 10);  -- winnerswinner2_of_four_0_0_value_#
-    variable winnerswinner2_of_four_0_4_choices : boolean_1d(1 to 7);  -- winnerswinner2_of_four_0_4_choice_#
-    variable winnerswinner2_of_four_0_4_values : boolean_1d(1 to 10);  -- winnerswinner2_of_four_0_4_value_#
-    variable winnerswinner2_of_four_0_8_choices : boolean_1d(1 to 7);  -- winnerswinner2_of_four_0_8_choice_#
-    variable winnerswinner2_of_four_0_8_values : boolean_1d(1 to 10);  -- winnerswinner2_of_four_0_8_value_#
-    variable winnerswinner2_of_four_0_12_choices : boolean_1d(1 to 7);  -- winnerswinner2_of_four_0_12_choice_#
-    variable winnerswinner2_of_four_0_12_values : boolean_1d(1 to 10);  -- winnerswinner2_of_four_0_12_value_#
-    variable winnerswinner2_of_four_0_16_choices : boolean_1d(1 to 7);  -- winnerswinner2_of_four_0_16_choice_#
-    variable winnerswinner2_of_four_0_16_values : boolean_1d(1 to 10);  -- winnerswinner2_of_four_0_16_value_#
-    variable winnerswinner2_of_four_0_20_choices : boolean_1d(1 to 7);  -- winnerswinner2_of_four_0_20_choice_#
-    variable winnerswinner2_of_four_0_20_values : boolean_1d(1 to 10);  -- winnerswinner2_of_four_0_20_value_#
-    variable winnerswinner2_of_four_0_24_choices : boolean_1d(1 to 7);  -- winnerswinner2_of_four_0_24_choice_#
-    variable winnerswinner2_of_four_0_24_values : boolean_1d(1 to 10);  -- winnerswinner2_of_four_0_24_value_#
-    variable winnerswinner2_of_four_0_28_choices : boolean_1d(1 to 7);  -- winnerswinner2_of_four_0_28_choice_#
-    variable winnerswinner2_of_four_0_28_values : boolean_1d(1 to 10);  -- winnerswinner2_of_four_0_28_value_#
-    variable winnerswinner3_of_pair_0_choice : boolean_2d(0 to 6, 1 to 7);  -- winnerswinner3_of_pair_0_#_choice_#
-    variable winnerswinner3_of_pair_0_value : boolean_2d(0 to 6, 1 to 4);  -- winnerswinner3_of_pair_0_#_value_#
+    variable winnerswinner1_of_pair_0_choice_7 : boolean_1d(0 to 63);  -- winnerswinner1_of_pair_0_2#_choice_7
+    variable winnerswinner1_of_pair_0_value : boolean_2d(0 to 63, 1 to 4);  -- winnerswinner1_of_pair_0_2#_value_#
+    variable winnerswinner1_of_four_0_choice : boolean_2d(0 to 31, 1 to 7);  -- winnerswinner1_of_four_0_4#_choice_#
+    variable winnerswinner1_of_four_0_value : boolean_2d(0 to 31, 1 to 10);  -- winnerswinner1_of_four_0_4#_value_#
+    variable winnerswinner2_of_pair_0_choice_7 : boolean_1d(0 to 15);  -- winnerswinner2_of_pair_0_2#_choice_7
+    variable winnerswinner2_of_pair_0_value : boolean_2d(0 to 15, 1 to 4);  -- winnerswinner2_of_pair_0_2#_value_#
+    variable winnerswinner2_of_four_0_choice : boolean_2d(0 to 7, 1 to 7);  -- winnerswinner2_of_four_0_4#_choice_#
+    variable winnerswinner2_of_four_0_value : boolean_2d(0 to 7, 1 to 10);  -- winnerswinner2_of_four_0_4#_value_#
+    variable winnerswinner3_of_pair_0_choice_7 : boolean_1d(0 to 3);  -- winnerswinner3_of_pair_0_2#_choice_7
+    variable winnerswinner3_of_pair_0_value : boolean_2d(0 to 3, 1 to 4);  -- winnerswinner3_of_pair_0_2#_value_#
     variable winnerswinner3_of_four_0_choice : boolean_2d(0 to 4, 1 to 7);  -- winnerswinner3_of_four_0_#_choice_#
     variable winnerswinner3_of_four_0_value : boolean_2d(0 to 4, 1 to 10);  -- winnerswinner3_of_four_0_#_value_#
-    variable winnerswinner4_best_index_0_0_choices : boolean_1d(1 to 7);  -- winnerswinner4_best_index_0_0_choice_#
+    variable winnerswinner4_best_index_0_0_choice_7 : boolean;
     variable winnerswinner4_best_index_0_0_values : boolean_1d(1 to 4);  -- winnerswinner4_best_index_0_0_value_#
     variable turn_order_address_anys : boolean_1d(1 to 2);  -- turn_order_address_any_#
     variable turn_order_falls_all, turn_order_complete_all, turn_ready_tag_row_start_differs : boolean;
@@ -772,25 +706,19 @@ begin
     variable map_of_column_0_c_below_b_choices : boolean_1d(1 to 5);  -- map_of_column_0_c_below_b_choice_#
     variable map_window_complete_is_equal, map_window_complete_choice : boolean;
     variable map_of_low_0_b_below_a_values : boolean_1d(1 to 9);  -- map_of_low_0_b_below_a_value_#
-    variable map_of_low_0_b_below_a_choices : boolean_1d(1 to 6);  -- map_of_low_0_b_below_a_choice_#
-    variable map_of_low_0_b_below_a_is_equal, map_of_low_0_c_below_a_value : boolean;
-    variable map_of_low_0_c_below_a_choices : boolean_1d(1 to 6);  -- map_of_low_0_c_below_a_choice_#
-    variable map_of_low_0_c_below_b_choices : boolean_1d(1 to 6);  -- map_of_low_0_c_below_b_choice_#
+    variable map_of_low_0_b_below_a_choice_6, map_of_low_0_b_below_a_is_equal, map_of_low_0_c_below_a_value : boolean;
+    variable map_of_low_0_c_below_a_choice_6, map_of_low_0_c_below_b_choice_6 : boolean;
     variable map_of_middle_0_b_below_a_values : boolean_1d(1 to 9);  -- map_of_middle_0_b_below_a_value_#
-    variable map_of_middle_0_b_below_a_choices : boolean_1d(1 to 6);  -- map_of_middle_0_b_below_a_choice_#
-    variable map_of_middle_0_b_below_a_is_equal, map_of_middle_0_c_below_a_value : boolean;
-    variable map_of_middle_0_c_below_a_choices : boolean_1d(1 to 6);  -- map_of_middle_0_c_below_a_choice_#
-    variable map_of_middle_0_c_below_b_choices : boolean_1d(1 to 6);  -- map_of_middle_0_c_below_b_choice_#
+    variable map_of_middle_0_b_below_a_choice_6, map_of_middle_0_b_below_a_is_equal : boolean;
+    variable map_of_middle_0_c_below_a_value, map_of_middle_0_c_below_a_choice_6 : boolean;
+    variable map_of_middle_0_c_below_b_choice_6 : boolean;
     variable map_of_high_0_b_below_a_values : boolean_1d(1 to 9);  -- map_of_high_0_b_below_a_value_#
-    variable map_of_high_0_b_below_a_choices : boolean_1d(1 to 6);  -- map_of_high_0_b_below_a_choice_#
-    variable map_of_high_0_b_below_a_is_equal, map_of_high_0_c_below_a_value : boolean;
-    variable map_of_high_0_c_below_a_choices : boolean_1d(1 to 6);  -- map_of_high_0_c_below_a_choice_#
-    variable map_of_high_0_c_below_b_choices : boolean_1d(1 to 6);  -- map_of_high_0_c_below_b_choice_#
+    variable map_of_high_0_b_below_a_choice_6, map_of_high_0_b_below_a_is_equal : boolean;
+    variable map_of_high_0_c_below_a_value, map_of_high_0_c_below_a_choice_6 : boolean;
+    variable map_of_high_0_c_below_b_choice_6 : boolean;
     variable map_of_all_0_b_below_a_values : boolean_1d(1 to 9);  -- map_of_all_0_b_below_a_value_#
-    variable map_of_all_0_b_below_a_choices : boolean_1d(1 to 6);  -- map_of_all_0_b_below_a_choice_#
-    variable map_of_all_0_b_below_a_is_equal, map_of_all_0_c_below_a_value : boolean;
-    variable map_of_all_0_c_below_a_choices : boolean_1d(1 to 6);  -- map_of_all_0_c_below_a_choice_#
-    variable map_of_all_0_c_below_b_choices : boolean_1d(1 to 6);  -- map_of_all_0_c_below_b_choice_#
+    variable map_of_all_0_b_below_a_choice_6, map_of_all_0_b_below_a_is_equal, map_of_all_0_c_below_a_value : boolean;
+    variable map_of_all_0_c_below_a_choice_6, map_of_all_0_c_below_b_choice_6 : boolean;
     variable map_low_0_all : boolean_1d(0 to 1);  -- map_low_#_0_all
     variable transform_counter_group_choice, map_counter_group_choice : natural range 0 to 15;
     variable transform_counter_group_choices : natural_511_1d(2 to 3);  -- transform_counter_group_choice_#
@@ -834,10 +762,12 @@ begin
     variable map_smallest_high_0_choices : natural_127_1d(1 to 2);  -- map_smallest_high_0_choice_#
     variable map_out_disparity_0_choices : natural_127_1d(1 to 4);  -- map_out_disparity_0_choice_#
     variable map_low_0_0_choice, map_middle_0_0_choice, map_high_0_0_choice : natural range 0 to 127;
-    variable other_choice : natural_11_1d(4 to 258);  -- other_#_choice
+    variable other_choice : natural_11_1d(2 to 129);  -- other_2#_choice
   begin
     if rising_edge(clock) then
       -- no bit without a value, where an array has places for more
+      transform_left_filter_feature_0_choice := (others => false);
+      transform_right_filter_feature_0_choice := (others => false);
       slice0cost_pixels_first_0_0_count_value := (others => (others => false));
       slice1cost_pixels_first_0_0_count_value := (others => (others => false));
       slice2cost_pixels_first_0_0_count_value := (others => (others => false));
@@ -846,18 +776,11 @@ begin
       slice5cost_pixels_first_0_0_count_value := (others => (others => false));
       slice6cost_pixels_first_0_0_count_value := (others => (others => false));
       slice7cost_pixels_first_0_0_count_value := (others => (others => false));
-      winnerswinner1_of_pair_0_choice := (others => (others => false));
-      winnerswinner1_of_pair_0_value := (others => (others => false));
-      winnerswinner2_of_pair_0_choice := (others => (others => false));
-      winnerswinner2_of_pair_0_value := (others => (others => false));
-      winnerswinner3_of_pair_0_choice := (others => (others => false));
-      winnerswinner3_of_pair_0_value := (others => (others => false));
       winnerswinner3_of_four_0_choice := (others => (others => false));
       winnerswinner3_of_four_0_value := (others => (others => false));
       forward_left_arrived_choice := (others => (others => 0));
       sums_right_arrived_choice := (others => (others => 0));
       forward_above_write_words_choice := (others => (others => 0));
-      other_choice := (others => 0);
       -- transform
       transform_counter_group_is_equals(1) := transform_counter_group = 479;
       transform_counter_group_is_equals(2) := transform_counter_column = 639;
@@ -881,265 +804,110 @@ begin
       transform_left_filter_feature_0_values(1) := is_set(transform_left_filter_column(4, 2), 1);
       transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_values(1)) or (not
         is_set(transform_left_filter_column(4, 2), 0));
-      transform_left_filter_feature_0_choices(1) := choice(is_set(transform_left_filter_column(8, 0), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
       transform_left_filter_feature_0_is_equal := (transform_left_filter_column(4, 2) mod 4) = 0;
-      transform_left_filter_feature_0_choices(2) := choice(is_set(transform_left_filter_column(8, 0), 1),
-        transform_left_filter_feature_0_choices(1), is_set(transform_left_filter_column(8, 0), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_values(2) := is_set(transform_left_filter_column(4, 2), 2);
-      transform_left_filter_feature_0_choices(3) := inverted_carry(transform_left_filter_feature_0_choices(2), not
-        is_set(transform_left_filter_column(8, 0), 2), transform_left_filter_feature_0_values(2));
-      for i in 3 to 6 loop
+      for i in 2 to 6 loop
         transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(4, 2), i);
-        transform_left_filter_feature_0_choices(i + 1) := carry(transform_left_filter_feature_0_choices(i), not
-          is_set(transform_left_filter_column(8, 0), i), transform_left_filter_feature_0_values(i));
       end loop;
       for i in 0 to 3 loop
-        transform_left_filter_feature_0_choices(8 * i + 8) := inverted_carry(transform_left_filter_feature_0_choices(8
-          * i + 7), is_set(transform_left_filter_column(8, i), 7), not is_set(transform_left_filter_column(4, 2), 7));
-        transform_left_filter_feature_0_choices(8 * i + 9) := choice(is_set(transform_left_filter_column(8, i + 1), 0),
-          transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(8 * i + 10) := choice(is_set(transform_left_filter_column(8, i + 1),
-          1), transform_left_filter_feature_0_choices(8 * i + 9), is_set(transform_left_filter_column(8, i + 1), 0) and
-          transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(8 * i + 11) := inverted_carry(transform_left_filter_feature_0_choices(8
-          * i + 10), not is_set(transform_left_filter_column(8, i + 1), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(8 * i + j + 9) := carry(transform_left_filter_feature_0_choices(8 * i
-            + j + 8), not is_set(transform_left_filter_column(8, i + 1), j), transform_left_filter_feature_0_values(j));
-        end loop;
-      end loop;
-      transform_left_filter_feature_0_choices(40) := inverted_carry(transform_left_filter_feature_0_choices(39),
-        is_set(transform_left_filter_column(8, 4), 7), not is_set(transform_left_filter_column(4, 2), 7));
-      for i in 0 to 2 loop
         for j in 0 to 4 loop
-          transform_left_filter_feature_0_choices(40 * i + 8 * j + 41) := choice(is_set(transform_left_filter_column(7
-            - i, j), 0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-          transform_left_filter_feature_0_choices(40 * i + 8 * j + 42) := choice(is_set(transform_left_filter_column(7
-            - i, j), 1), transform_left_filter_feature_0_choices(40 * i + 8 * j + 41),
-            is_set(transform_left_filter_column(7 - i, j), 0) and transform_left_filter_feature_0_is_equal);
-          transform_left_filter_feature_0_choices(40 * i + 8 * j + 43) :=
-            inverted_carry(transform_left_filter_feature_0_choices(40 * i + 8 * j + 42), not
-            is_set(transform_left_filter_column(7 - i, j), 2), transform_left_filter_feature_0_values(2));
-          for k in 3 to 6 loop
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + k + 41) :=
-              carry(transform_left_filter_feature_0_choices(40 * i + 8 * j + k + 40), not
-              is_set(transform_left_filter_column(7 - i, j), k), transform_left_filter_feature_0_values(k));
-          end loop;
-          transform_left_filter_feature_0_choices(40 * i + 8 * j + 48) :=
-            inverted_carry(transform_left_filter_feature_0_choices(40 * i + 8 * j + 47),
-            is_set(transform_left_filter_column(7 - i, j), 7), not is_set(transform_left_filter_column(4, 2), 7));
+          transform_left_filter_feature_0_choice(40 * i + 8 * j + 8) := is_larger(transform_left_filter_column(8 - i,
+            j), transform_left_filter_column(4, 2), 0, 7, false);
         end loop;
       end loop;
-      transform_left_filter_feature_0_choices(161) := choice(is_set(transform_left_filter_column(4, 4), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(162) := choice(is_set(transform_left_filter_column(4, 4), 1),
-        transform_left_filter_feature_0_choices(161), is_set(transform_left_filter_column(4, 4), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(163) := inverted_carry(transform_left_filter_feature_0_choices(162), not
-        is_set(transform_left_filter_column(4, 4), 2), transform_left_filter_feature_0_values(2));
-      for i in 164 to 167 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column(4, 4), i - 161), transform_left_filter_feature_0_values(i - 161));
-      end loop;
-      transform_left_filter_feature_0_choices(168) := choice(is_set(transform_left_filter_column(4, 4), 7),
+      transform_left_filter_feature_0_choice(167) := not is_larger(transform_left_filter_column(4, 4),
+        transform_left_filter_column(4, 2), 0, 6, false);
+      transform_left_filter_feature_0_choice(168) := choice(is_set(transform_left_filter_column(4, 4), 7),
         transform_filtering_0_column_inside(4), transform_filtering_0_column_inside(4) and (not
         is_set(transform_left_filter_column(4, 2), 7)));
-      transform_left_filter_feature_0_choices(169) := choice(transform_left_filter_feature_0_choices(167),
+      transform_left_filter_feature_0_choice(169) := choice(transform_left_filter_feature_0_choice(167),
         is_set(transform_left_filter_column(4, 4), 7) and transform_filtering_0_column_inside(4) and (not
-        is_set(transform_left_filter_column(4, 2), 7)), transform_left_filter_feature_0_choices(168));
-      for i in 0 to 1 loop
-        transform_left_filter_feature_0_choices(8 * i + 170) := choice(is_set(transform_left_filter_column(4, 2 * i +
-          1), 0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(8 * i + 171) := choice(is_set(transform_left_filter_column(4, 2 * i +
-          1), 1), transform_left_filter_feature_0_choices(8 * i + 170), is_set(transform_left_filter_column(4, 2 * i +
-          1), 0) and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(8 * i + 172) :=
-          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 171), not
-          is_set(transform_left_filter_column(4, 2 * i + 1), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(8 * i + j + 170) := carry(transform_left_filter_feature_0_choices(8 *
-            i + j + 169), not is_set(transform_left_filter_column(4, 2 * i + 1), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(8 * i + 177) :=
-          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 176), is_set(transform_left_filter_column(4, 2
-          * i + 1), 7), not is_set(transform_left_filter_column(4, 2), 7));
-      end loop;
-      transform_left_filter_feature_0_choices(186) := choice(is_set(transform_left_filter_column(4, 0), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(187) := choice(is_set(transform_left_filter_column(4, 0), 1),
-        transform_left_filter_feature_0_choices(186), is_set(transform_left_filter_column(4, 0), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(188) := inverted_carry(transform_left_filter_feature_0_choices(187), not
-        is_set(transform_left_filter_column(4, 0), 2), transform_left_filter_feature_0_values(2));
-      for i in 189 to 192 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column(4, 0), i - 186), transform_left_filter_feature_0_values(i - 186));
-      end loop;
-      transform_left_filter_feature_0_choices(193) := inverted_carry(transform_left_filter_feature_0_choices(192),
-        is_set(transform_left_filter_column(4, 0), 7), not is_set(transform_left_filter_column(4, 2), 7));
+        is_set(transform_left_filter_column(4, 2), 7)), transform_left_filter_feature_0_choice(168));
+      transform_left_filter_feature_0_choice(177) := is_larger(transform_left_filter_column(4, 1),
+        transform_left_filter_column(4, 2), 0, 7, false);
+      transform_left_filter_feature_0_choice(185) := is_larger(transform_left_filter_column(4, 3),
+        transform_left_filter_column(4, 2), 0, 7, false);
+      transform_left_filter_feature_0_choice(193) := is_larger(transform_left_filter_column(4, 0),
+        transform_left_filter_column(4, 2), 0, 7, false);
       for i in 0 to 2 loop
-        transform_left_filter_feature_0_choices(40 * i + 194) := choice(is_set(transform_left_filter_column(3 - i, 3),
-          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(40 * i + 195) := choice(is_set(transform_left_filter_column(3 - i, 3),
-          1), transform_left_filter_feature_0_choices(40 * i + 194), is_set(transform_left_filter_column(3 - i, 3), 0)
-          and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(40 * i + 196) :=
-          inverted_carry(transform_left_filter_feature_0_choices(40 * i + 195), not
-          is_set(transform_left_filter_column(3 - i, 3), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(40 * i + j + 194) := carry(transform_left_filter_feature_0_choices(40
-            * i + j + 193), not is_set(transform_left_filter_column(3 - i, 3), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(40 * i + 201) :=
-          inverted_carry(transform_left_filter_feature_0_choices(40 * i + 200), is_set(transform_left_filter_column(3 -
-          i, 3), 7), not is_set(transform_left_filter_column(4, 2), 7));
-        transform_left_filter_feature_0_choices(40 * i + 202) := choice(is_set(transform_left_filter_column(3 - i, 4),
-          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(40 * i + 203) := choice(is_set(transform_left_filter_column(3 - i, 4),
-          1), transform_left_filter_feature_0_choices(40 * i + 202), is_set(transform_left_filter_column(3 - i, 4), 0)
-          and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(40 * i + 204) :=
-          inverted_carry(transform_left_filter_feature_0_choices(40 * i + 203), not
-          is_set(transform_left_filter_column(3 - i, 4), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(40 * i + j + 202) := carry(transform_left_filter_feature_0_choices(40
-            * i + j + 201), not is_set(transform_left_filter_column(3 - i, 4), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(40 * i + 209) :=
-          inverted_carry(transform_left_filter_feature_0_choices(40 * i + 208), is_set(transform_left_filter_column(3 -
-          i, 4), 7), not is_set(transform_left_filter_column(4, 2), 7));
+        transform_left_filter_feature_0_choice(40 * i + 201) := is_larger(transform_left_filter_column(3 - i, 3),
+          transform_left_filter_column(4, 2), 0, 7, false);
+        transform_left_filter_feature_0_choice(40 * i + 209) := is_larger(transform_left_filter_column(3 - i, 4),
+          transform_left_filter_column(4, 2), 0, 7, false);
         for j in 0 to 2 loop
-          transform_left_filter_feature_0_choices(40 * i + 8 * j + 210) := choice(is_set(transform_left_filter_column(3
-            - i, 2 - j), 0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-          transform_left_filter_feature_0_choices(40 * i + 8 * j + 211) := choice(is_set(transform_left_filter_column(3
-            - i, 2 - j), 1), transform_left_filter_feature_0_choices(40 * i + 8 * j + 210),
-            is_set(transform_left_filter_column(3 - i, 2 - j), 0) and transform_left_filter_feature_0_is_equal);
-          transform_left_filter_feature_0_choices(40 * i + 8 * j + 212) :=
-            inverted_carry(transform_left_filter_feature_0_choices(40 * i + 8 * j + 211), not
-            is_set(transform_left_filter_column(3 - i, 2 - j), 2), transform_left_filter_feature_0_values(2));
-          for k in 3 to 6 loop
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + k + 210) :=
-              carry(transform_left_filter_feature_0_choices(40 * i + 8 * j + k + 209), not
-              is_set(transform_left_filter_column(3 - i, 2 - j), k), transform_left_filter_feature_0_values(k));
-          end loop;
-          transform_left_filter_feature_0_choices(40 * i + 8 * j + 217) :=
-            inverted_carry(transform_left_filter_feature_0_choices(40 * i + 8 * j + 216),
-            is_set(transform_left_filter_column(3 - i, 2 - j), 7), not is_set(transform_left_filter_column(4, 2), 7));
+          transform_left_filter_feature_0_choice(40 * i + 8 * j + 217) := is_larger(transform_left_filter_column(3 - i,
+            2 - j), transform_left_filter_column(4, 2), 0, 7, false);
         end loop;
       end loop;
       for i in 0 to 1 loop
-        transform_left_filter_feature_0_choices(16 * i + 314) := choice(is_set(transform_left_filter_column(0, 3 - i),
-          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(16 * i + 315) := choice(is_set(transform_left_filter_column(0, 3 - i),
-          1), transform_left_filter_feature_0_choices(16 * i + 314), is_set(transform_left_filter_column(0, 3 - i), 0)
-          and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(16 * i + 316) :=
-          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 315), not
-          is_set(transform_left_filter_column(0, 3 - i), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(16 * i + j + 314) := carry(transform_left_filter_feature_0_choices(16
-            * i + j + 313), not is_set(transform_left_filter_column(0, 3 - i), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(16 * i + 321) :=
-          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 320), is_set(transform_left_filter_column(0,
-          3 - i), 7), not is_set(transform_left_filter_column(4, 2), 7));
-        transform_left_filter_feature_0_choices(16 * i + 322) := choice(is_set(transform_left_filter_column(0, 4 - 3 *
-          i), 0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(16 * i + 323) := choice(is_set(transform_left_filter_column(0, 4 - 3 *
-          i), 1), transform_left_filter_feature_0_choices(16 * i + 322), is_set(transform_left_filter_column(0, 4 - 3 *
-          i), 0) and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(16 * i + 324) :=
-          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 323), not
-          is_set(transform_left_filter_column(0, 4 - 3 * i), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(16 * i + j + 322) := carry(transform_left_filter_feature_0_choices(16
-            * i + j + 321), not is_set(transform_left_filter_column(0, 4 - 3 * i), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(16 * i + 329) :=
-          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 328), is_set(transform_left_filter_column(0,
-          4 - 3 * i), 7), not is_set(transform_left_filter_column(4, 2), 7));
+        transform_left_filter_feature_0_choice(16 * i + 321) := is_larger(transform_left_filter_column(0, 3 - i),
+          transform_left_filter_column(4, 2), 0, 7, false);
+        transform_left_filter_feature_0_choice(16 * i + 329) := is_larger(transform_left_filter_column(0, 4 - 3 * i),
+          transform_left_filter_column(4, 2), 0, 7, false);
       end loop;
-      transform_left_filter_feature_0_choices(346) := choice(is_set(transform_left_filter_column(4, 2), 0), not
-        is_set(transform_left_filter_column(0, 0), 1), (transform_left_filter_column(0, 0) mod 4) = 0);
-      transform_left_filter_feature_0_choices(347) := choice(transform_left_filter_feature_0_values(1),
-        is_set(transform_left_filter_column(4, 2), 0) or (not is_set(transform_left_filter_column(0, 0), 1)) or (not
-        is_set(transform_left_filter_column(0, 0), 0)), transform_left_filter_feature_0_choices(346));
-      transform_left_filter_feature_0_values(7) := is_set(transform_left_filter_column(0, 0), 2);
-      transform_left_filter_feature_0_choices(348) := inverted_carry(transform_left_filter_feature_0_choices(347), not
-        transform_left_filter_feature_0_values(2), transform_left_filter_feature_0_values(7));
-      for i in 8 to 11 loop
+      for i in 7 to 11 loop
         transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(0, 0), i - 5);
-        transform_left_filter_feature_0_choices(i + 341) := carry(transform_left_filter_feature_0_choices(i + 340), not
-          transform_left_filter_feature_0_values(i - 5), transform_left_filter_feature_0_values(i));
       end loop;
-      transform_left_filter_feature_0_choices(353) := carry(transform_left_filter_feature_0_choices(352), not
-        is_set(transform_left_filter_column(4, 2), 7), is_set(transform_left_filter_column(0, 0), 7));
+      transform_left_filter_feature_0_choice(353) := not is_larger(transform_left_filter_column(4, 2),
+        transform_left_filter_column(0, 0), 0, 7, true);
       transform_left_filter_feature_0_choice_354 := choice(transform_filtering_0_column_inside(0),
-        (as_number(transform_left_filter_feature_0_choices(321)) * 8) +
-        (as_number(transform_left_filter_feature_0_choices(329)) * 16) +
-        (as_number(transform_left_filter_feature_0_choices(337)) * 4) +
-        (as_number(transform_left_filter_feature_0_choices(345)) * 2) +
-        as_number(transform_left_filter_feature_0_choices(353)), 0);
+        (as_number(transform_left_filter_feature_0_choice(321)) * 8) +
+        (as_number(transform_left_filter_feature_0_choice(329)) * 16) +
+        (as_number(transform_left_filter_feature_0_choice(337)) * 4) +
+        (as_number(transform_left_filter_feature_0_choice(345)) * 2) +
+        as_number(transform_left_filter_feature_0_choice(353)), 0);
       transform_left_filter_feature_0_choice_355 := choice(transform_filtering_0_column_inside(1),
-        (as_number(transform_left_filter_feature_0_choices(281)) * 256) +
-        (as_number(transform_left_filter_feature_0_choices(289)) * 512) +
-        (as_number(transform_left_filter_feature_0_choices(297)) * 128) +
-        (as_number(transform_left_filter_feature_0_choices(305)) * 64) +
-        (as_number(transform_left_filter_feature_0_choices(313)) * 32) + transform_left_filter_feature_0_choice_354,
+        (as_number(transform_left_filter_feature_0_choice(281)) * 256) +
+        (as_number(transform_left_filter_feature_0_choice(289)) * 512) +
+        (as_number(transform_left_filter_feature_0_choice(297)) * 128) +
+        (as_number(transform_left_filter_feature_0_choice(305)) * 64) +
+        (as_number(transform_left_filter_feature_0_choice(313)) * 32) + transform_left_filter_feature_0_choice_354,
         transform_left_filter_feature_0_choice_354);
       transform_left_filter_feature_0_choice_356 := choice(transform_filtering_0_column_inside(2),
-        (as_number(transform_left_filter_feature_0_choices(241)) * 8192) +
-        (as_number(transform_left_filter_feature_0_choices(249)) * 16384) +
-        (as_number(transform_left_filter_feature_0_choices(257)) * 4096) +
-        (as_number(transform_left_filter_feature_0_choices(265)) * 2048) +
-        (as_number(transform_left_filter_feature_0_choices(273)) * 1024) + transform_left_filter_feature_0_choice_355,
+        (as_number(transform_left_filter_feature_0_choice(241)) * 8192) +
+        (as_number(transform_left_filter_feature_0_choice(249)) * 16384) +
+        (as_number(transform_left_filter_feature_0_choice(257)) * 4096) +
+        (as_number(transform_left_filter_feature_0_choice(265)) * 2048) +
+        (as_number(transform_left_filter_feature_0_choice(273)) * 1024) + transform_left_filter_feature_0_choice_355,
         transform_left_filter_feature_0_choice_355);
       transform_left_filter_feature_0_choice_357 := choice(transform_filtering_0_column_inside(3),
-        (as_number(transform_left_filter_feature_0_choices(201)) * 262144) +
-        (as_number(transform_left_filter_feature_0_choices(209)) * 524288) +
-        (as_number(transform_left_filter_feature_0_choices(217)) * 131072) +
-        (as_number(transform_left_filter_feature_0_choices(225)) * 65536) +
-        (as_number(transform_left_filter_feature_0_choices(233)) * 32768) + transform_left_filter_feature_0_choice_356,
+        (as_number(transform_left_filter_feature_0_choice(201)) * 262144) +
+        (as_number(transform_left_filter_feature_0_choice(209)) * 524288) +
+        (as_number(transform_left_filter_feature_0_choice(217)) * 131072) +
+        (as_number(transform_left_filter_feature_0_choice(225)) * 65536) +
+        (as_number(transform_left_filter_feature_0_choice(233)) * 32768) + transform_left_filter_feature_0_choice_356,
         transform_left_filter_feature_0_choice_356);
       transform_left_filter_feature_0_choice_358 := choice(transform_filtering_0_column_inside(4),
-        (as_number(transform_left_filter_feature_0_choices(177)) * 2097152) +
-        (as_number(transform_left_filter_feature_0_choices(185)) * 4194304) +
-        (as_number(transform_left_filter_feature_0_choices(193)) * 1048576) +
+        (as_number(transform_left_filter_feature_0_choice(177)) * 2097152) +
+        (as_number(transform_left_filter_feature_0_choice(185)) * 4194304) +
+        (as_number(transform_left_filter_feature_0_choice(193)) * 1048576) +
         transform_left_filter_feature_0_choice_357, transform_left_filter_feature_0_choice_357);
       transform_left_filter_feature_0_choice_359 := choice(transform_filtering_0_column_inside(5),
-        (as_number(transform_left_filter_feature_0_choices(128)) * 16777216) +
-        (as_number(transform_left_filter_feature_0_choices(136)) * 33554432) +
-        (as_number(transform_left_filter_feature_0_choices(144)) * 67108864) +
-        (as_number(transform_left_filter_feature_0_choices(152)) * 134217728) +
-        (as_number(transform_left_filter_feature_0_choices(160)) * 268435456) +
-        (as_number(transform_left_filter_feature_0_choices(169)) * 8388608) +
-        transform_left_filter_feature_0_choice_358, (as_number(transform_left_filter_feature_0_choices(169)) * 8388608)
+        (as_number(transform_left_filter_feature_0_choice(128)) * 16777216) +
+        (as_number(transform_left_filter_feature_0_choice(136)) * 33554432) +
+        (as_number(transform_left_filter_feature_0_choice(144)) * 67108864) +
+        (as_number(transform_left_filter_feature_0_choice(152)) * 134217728) +
+        (as_number(transform_left_filter_feature_0_choice(160)) * 268435456) +
+        (as_number(transform_left_filter_feature_0_choice(169)) * 8388608) +
+        transform_left_filter_feature_0_choice_358, (as_number(transform_left_filter_feature_0_choice(169)) * 8388608)
         + transform_left_filter_feature_0_choice_358);
       if transform_filtering_0_column_inside(6) then
         transform_left_filter_feature_0_choice_360 :=
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(120)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(112)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(104)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(96)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(88)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(120)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(112)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(104)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(96)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(88)), 1) &
           to_unsigned(transform_left_filter_feature_0_choice_359, 29);
       else
         transform_left_filter_feature_0_choice_360 := to_unsigned(transform_left_filter_feature_0_choice_359, 34);
       end if;
       if transform_filtering_0_column_inside(7) then
         transform_left_filter_feature_0_choice_361 :=
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(80)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(72)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(64)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(56)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(48)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(80)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(72)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(64)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(56)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(48)), 1) &
           transform_left_filter_feature_0_choice_360(33 downto 0);
       else
         transform_left_filter_feature_0_choice_361 := resize(transform_left_filter_feature_0_choice_360, 39);
@@ -1147,272 +915,110 @@ begin
       transform_right_filter_feature_0_values(1) := is_set(transform_right_filter_column(4, 2), 1);
       transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_values(1)) or (not
         is_set(transform_right_filter_column(4, 2), 0));
-      transform_right_filter_feature_0_choices(1) := choice(is_set(transform_right_filter_column(8, 0), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
       transform_right_filter_feature_0_is_equal := (transform_right_filter_column(4, 2) mod 4) = 0;
-      transform_right_filter_feature_0_choices(2) := choice(is_set(transform_right_filter_column(8, 0), 1),
-        transform_right_filter_feature_0_choices(1), is_set(transform_right_filter_column(8, 0), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_values(2) := is_set(transform_right_filter_column(4, 2), 2);
-      transform_right_filter_feature_0_choices(3) := inverted_carry(transform_right_filter_feature_0_choices(2), not
-        is_set(transform_right_filter_column(8, 0), 2), transform_right_filter_feature_0_values(2));
-      for i in 3 to 6 loop
+      for i in 2 to 6 loop
         transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(4, 2), i);
-        transform_right_filter_feature_0_choices(i + 1) := carry(transform_right_filter_feature_0_choices(i), not
-          is_set(transform_right_filter_column(8, 0), i), transform_right_filter_feature_0_values(i));
       end loop;
       for i in 0 to 3 loop
-        transform_right_filter_feature_0_choices(8 * i + 8) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 7), is_set(transform_right_filter_column(8,
-          i), 7), not is_set(transform_right_filter_column(4, 2), 7));
-        transform_right_filter_feature_0_choices(8 * i + 9) := choice(is_set(transform_right_filter_column(8, i + 1),
-          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(8 * i + 10) := choice(is_set(transform_right_filter_column(8, i + 1),
-          1), transform_right_filter_feature_0_choices(8 * i + 9), is_set(transform_right_filter_column(8, i + 1), 0)
-          and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(8 * i + 11) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 10), not
-          is_set(transform_right_filter_column(8, i + 1), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(8 * i + j + 9) := carry(transform_right_filter_feature_0_choices(8 *
-            i + j + 8), not is_set(transform_right_filter_column(8, i + 1), j),
-            transform_right_filter_feature_0_values(j));
-        end loop;
-      end loop;
-      transform_right_filter_feature_0_choices(40) := inverted_carry(transform_right_filter_feature_0_choices(39),
-        is_set(transform_right_filter_column(8, 4), 7), not is_set(transform_right_filter_column(4, 2), 7));
-      for i in 0 to 2 loop
         for j in 0 to 4 loop
-          transform_right_filter_feature_0_choices(40 * i + 8 * j + 41) :=
-            choice(is_set(transform_right_filter_column(7 - i, j), 0), transform_right_filter_feature_0_any, not
-            transform_right_filter_feature_0_values(1));
-          transform_right_filter_feature_0_choices(40 * i + 8 * j + 42) :=
-            choice(is_set(transform_right_filter_column(7 - i, j), 1), transform_right_filter_feature_0_choices(40 * i
-            + 8 * j + 41), is_set(transform_right_filter_column(7 - i, j), 0) and
-            transform_right_filter_feature_0_is_equal);
-          transform_right_filter_feature_0_choices(40 * i + 8 * j + 43) :=
-            inverted_carry(transform_right_filter_feature_0_choices(40 * i + 8 * j + 42), not
-            is_set(transform_right_filter_column(7 - i, j), 2), transform_right_filter_feature_0_values(2));
-          for k in 3 to 6 loop
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + k + 41) :=
-              carry(transform_right_filter_feature_0_choices(40 * i + 8 * j + k + 40), not
-              is_set(transform_right_filter_column(7 - i, j), k), transform_right_filter_feature_0_values(k));
-          end loop;
-          transform_right_filter_feature_0_choices(40 * i + 8 * j + 48) :=
-            inverted_carry(transform_right_filter_feature_0_choices(40 * i + 8 * j + 47),
-            is_set(transform_right_filter_column(7 - i, j), 7), not is_set(transform_right_filter_column(4, 2), 7));
+          transform_right_filter_feature_0_choice(40 * i + 8 * j + 8) := is_larger(transform_right_filter_column(8 - i,
+            j), transform_right_filter_column(4, 2), 0, 7, false);
         end loop;
       end loop;
-      transform_right_filter_feature_0_choices(161) := choice(is_set(transform_right_filter_column(4, 4), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(162) := choice(is_set(transform_right_filter_column(4, 4), 1),
-        transform_right_filter_feature_0_choices(161), is_set(transform_right_filter_column(4, 4), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(163) := inverted_carry(transform_right_filter_feature_0_choices(162),
-        not is_set(transform_right_filter_column(4, 4), 2), transform_right_filter_feature_0_values(2));
-      for i in 164 to 167 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column(4, 4), i - 161), transform_right_filter_feature_0_values(i - 161));
-      end loop;
-      transform_right_filter_feature_0_choices(168) := choice(is_set(transform_right_filter_column(4, 4), 7),
+      transform_right_filter_feature_0_choice(167) := not is_larger(transform_right_filter_column(4, 4),
+        transform_right_filter_column(4, 2), 0, 6, false);
+      transform_right_filter_feature_0_choice(168) := choice(is_set(transform_right_filter_column(4, 4), 7),
         transform_filtering_0_column_inside(4), transform_filtering_0_column_inside(4) and (not
         is_set(transform_right_filter_column(4, 2), 7)));
-      transform_right_filter_feature_0_choices(169) := choice(transform_right_filter_feature_0_choices(167),
+      transform_right_filter_feature_0_choice(169) := choice(transform_right_filter_feature_0_choice(167),
         is_set(transform_right_filter_column(4, 4), 7) and transform_filtering_0_column_inside(4) and (not
-        is_set(transform_right_filter_column(4, 2), 7)), transform_right_filter_feature_0_choices(168));
-      for i in 0 to 1 loop
-        transform_right_filter_feature_0_choices(8 * i + 170) := choice(is_set(transform_right_filter_column(4, 2 * i +
-          1), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(8 * i + 171) := choice(is_set(transform_right_filter_column(4, 2 * i +
-          1), 1), transform_right_filter_feature_0_choices(8 * i + 170), is_set(transform_right_filter_column(4, 2 * i
-          + 1), 0) and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(8 * i + 172) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 171), not
-          is_set(transform_right_filter_column(4, 2 * i + 1), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(8 * i + j + 170) := carry(transform_right_filter_feature_0_choices(8
-            * i + j + 169), not is_set(transform_right_filter_column(4, 2 * i + 1), j),
-            transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(8 * i + 177) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 176), is_set(transform_right_filter_column(4,
-          2 * i + 1), 7), not is_set(transform_right_filter_column(4, 2), 7));
-      end loop;
-      transform_right_filter_feature_0_choices(186) := choice(is_set(transform_right_filter_column(4, 0), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(187) := choice(is_set(transform_right_filter_column(4, 0), 1),
-        transform_right_filter_feature_0_choices(186), is_set(transform_right_filter_column(4, 0), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(188) := inverted_carry(transform_right_filter_feature_0_choices(187),
-        not is_set(transform_right_filter_column(4, 0), 2), transform_right_filter_feature_0_values(2));
-      for i in 189 to 192 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column(4, 0), i - 186), transform_right_filter_feature_0_values(i - 186));
-      end loop;
-      transform_right_filter_feature_0_choices(193) := inverted_carry(transform_right_filter_feature_0_choices(192),
-        is_set(transform_right_filter_column(4, 0), 7), not is_set(transform_right_filter_column(4, 2), 7));
+        is_set(transform_right_filter_column(4, 2), 7)), transform_right_filter_feature_0_choice(168));
+      transform_right_filter_feature_0_choice(177) := is_larger(transform_right_filter_column(4, 1),
+        transform_right_filter_column(4, 2), 0, 7, false);
+      transform_right_filter_feature_0_choice(185) := is_larger(transform_right_filter_column(4, 3),
+        transform_right_filter_column(4, 2), 0, 7, false);
+      transform_right_filter_feature_0_choice(193) := is_larger(transform_right_filter_column(4, 0),
+        transform_right_filter_column(4, 2), 0, 7, false);
       for i in 0 to 2 loop
-        transform_right_filter_feature_0_choices(40 * i + 194) := choice(is_set(transform_right_filter_column(3 - i,
-          3), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(40 * i + 195) := choice(is_set(transform_right_filter_column(3 - i,
-          3), 1), transform_right_filter_feature_0_choices(40 * i + 194), is_set(transform_right_filter_column(3 - i,
-          3), 0) and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(40 * i + 196) :=
-          inverted_carry(transform_right_filter_feature_0_choices(40 * i + 195), not
-          is_set(transform_right_filter_column(3 - i, 3), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(40 * i + j + 194) :=
-            carry(transform_right_filter_feature_0_choices(40 * i + j + 193), not
-            is_set(transform_right_filter_column(3 - i, 3), j), transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(40 * i + 201) :=
-          inverted_carry(transform_right_filter_feature_0_choices(40 * i + 200), is_set(transform_right_filter_column(3
-          - i, 3), 7), not is_set(transform_right_filter_column(4, 2), 7));
-        transform_right_filter_feature_0_choices(40 * i + 202) := choice(is_set(transform_right_filter_column(3 - i,
-          4), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(40 * i + 203) := choice(is_set(transform_right_filter_column(3 - i,
-          4), 1), transform_right_filter_feature_0_choices(40 * i + 202), is_set(transform_right_filter_column(3 - i,
-          4), 0) and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(40 * i + 204) :=
-          inverted_carry(transform_right_filter_feature_0_choices(40 * i + 203), not
-          is_set(transform_right_filter_column(3 - i, 4), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(40 * i + j + 202) :=
-            carry(transform_right_filter_feature_0_choices(40 * i + j + 201), not
-            is_set(transform_right_filter_column(3 - i, 4), j), transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(40 * i + 209) :=
-          inverted_carry(transform_right_filter_feature_0_choices(40 * i + 208), is_set(transform_right_filter_column(3
-          - i, 4), 7), not is_set(transform_right_filter_column(4, 2), 7));
+        transform_right_filter_feature_0_choice(40 * i + 201) := is_larger(transform_right_filter_column(3 - i, 3),
+          transform_right_filter_column(4, 2), 0, 7, false);
+        transform_right_filter_feature_0_choice(40 * i + 209) := is_larger(transform_right_filter_column(3 - i, 4),
+          transform_right_filter_column(4, 2), 0, 7, false);
         for j in 0 to 2 loop
-          transform_right_filter_feature_0_choices(40 * i + 8 * j + 210) :=
-            choice(is_set(transform_right_filter_column(3 - i, 2 - j), 0), transform_right_filter_feature_0_any, not
-            transform_right_filter_feature_0_values(1));
-          transform_right_filter_feature_0_choices(40 * i + 8 * j + 211) :=
-            choice(is_set(transform_right_filter_column(3 - i, 2 - j), 1), transform_right_filter_feature_0_choices(40
-            * i + 8 * j + 210), is_set(transform_right_filter_column(3 - i, 2 - j), 0) and
-            transform_right_filter_feature_0_is_equal);
-          transform_right_filter_feature_0_choices(40 * i + 8 * j + 212) :=
-            inverted_carry(transform_right_filter_feature_0_choices(40 * i + 8 * j + 211), not
-            is_set(transform_right_filter_column(3 - i, 2 - j), 2), transform_right_filter_feature_0_values(2));
-          for k in 3 to 6 loop
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + k + 210) :=
-              carry(transform_right_filter_feature_0_choices(40 * i + 8 * j + k + 209), not
-              is_set(transform_right_filter_column(3 - i, 2 - j), k), transform_right_filter_feature_0_values(k));
-          end loop;
-          transform_right_filter_feature_0_choices(40 * i + 8 * j + 217) :=
-            inverted_carry(transform_right_filter_feature_0_choices(40 * i + 8 * j + 216),
-            is_set(transform_right_filter_column(3 - i, 2 - j), 7), not is_set(transform_right_filter_column(4, 2), 7));
+          transform_right_filter_feature_0_choice(40 * i + 8 * j + 217) := is_larger(transform_right_filter_column(3 -
+            i, 2 - j), transform_right_filter_column(4, 2), 0, 7, false);
         end loop;
       end loop;
       for i in 0 to 1 loop
-        transform_right_filter_feature_0_choices(16 * i + 314) := choice(is_set(transform_right_filter_column(0, 3 -
-          i), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(16 * i + 315) := choice(is_set(transform_right_filter_column(0, 3 -
-          i), 1), transform_right_filter_feature_0_choices(16 * i + 314), is_set(transform_right_filter_column(0, 3 -
-          i), 0) and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(16 * i + 316) :=
-          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 315), not
-          is_set(transform_right_filter_column(0, 3 - i), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(16 * i + j + 314) :=
-            carry(transform_right_filter_feature_0_choices(16 * i + j + 313), not
-            is_set(transform_right_filter_column(0, 3 - i), j), transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(16 * i + 321) :=
-          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 320),
-          is_set(transform_right_filter_column(0, 3 - i), 7), not is_set(transform_right_filter_column(4, 2), 7));
-        transform_right_filter_feature_0_choices(16 * i + 322) := choice(is_set(transform_right_filter_column(0, 4 - 3
-          * i), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(16 * i + 323) := choice(is_set(transform_right_filter_column(0, 4 - 3
-          * i), 1), transform_right_filter_feature_0_choices(16 * i + 322), is_set(transform_right_filter_column(0, 4 -
-          3 * i), 0) and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(16 * i + 324) :=
-          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 323), not
-          is_set(transform_right_filter_column(0, 4 - 3 * i), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(16 * i + j + 322) :=
-            carry(transform_right_filter_feature_0_choices(16 * i + j + 321), not
-            is_set(transform_right_filter_column(0, 4 - 3 * i), j), transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(16 * i + 329) :=
-          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 328),
-          is_set(transform_right_filter_column(0, 4 - 3 * i), 7), not is_set(transform_right_filter_column(4, 2), 7));
+        transform_right_filter_feature_0_choice(16 * i + 321) := is_larger(transform_right_filter_column(0, 3 - i),
+          transform_right_filter_column(4, 2), 0, 7, false);
+        transform_right_filter_feature_0_choice(16 * i + 329) := is_larger(transform_right_filter_column(0, 4 - 3 * i),
+          transform_right_filter_column(4, 2), 0, 7, false);
       end loop;
-      transform_right_filter_feature_0_choices(346) := choice(is_set(transform_right_filter_column(4, 2), 0), not
-        is_set(transform_right_filter_column(0, 0), 1), (transform_right_filter_column(0, 0) mod 4) = 0);
-      transform_right_filter_feature_0_choices(347) := choice(transform_right_filter_feature_0_values(1),
-        is_set(transform_right_filter_column(4, 2), 0) or (not is_set(transform_right_filter_column(0, 0), 1)) or (not
-        is_set(transform_right_filter_column(0, 0), 0)), transform_right_filter_feature_0_choices(346));
-      transform_right_filter_feature_0_values(7) := is_set(transform_right_filter_column(0, 0), 2);
-      transform_right_filter_feature_0_choices(348) := inverted_carry(transform_right_filter_feature_0_choices(347),
-        not transform_right_filter_feature_0_values(2), transform_right_filter_feature_0_values(7));
-      for i in 8 to 11 loop
+      for i in 7 to 11 loop
         transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(0, 0), i - 5);
-        transform_right_filter_feature_0_choices(i + 341) := carry(transform_right_filter_feature_0_choices(i + 340),
-          not transform_right_filter_feature_0_values(i - 5), transform_right_filter_feature_0_values(i));
       end loop;
-      transform_right_filter_feature_0_choices(353) := carry(transform_right_filter_feature_0_choices(352), not
-        is_set(transform_right_filter_column(4, 2), 7), is_set(transform_right_filter_column(0, 0), 7));
+      transform_right_filter_feature_0_choice(353) := not is_larger(transform_right_filter_column(4, 2),
+        transform_right_filter_column(0, 0), 0, 7, true);
       transform_right_filter_feature_0_choice_354 := choice(transform_filtering_0_column_inside(0),
-        (as_number(transform_right_filter_feature_0_choices(321)) * 8) +
-        (as_number(transform_right_filter_feature_0_choices(329)) * 16) +
-        (as_number(transform_right_filter_feature_0_choices(337)) * 4) +
-        (as_number(transform_right_filter_feature_0_choices(345)) * 2) +
-        as_number(transform_right_filter_feature_0_choices(353)), 0);
+        (as_number(transform_right_filter_feature_0_choice(321)) * 8) +
+        (as_number(transform_right_filter_feature_0_choice(329)) * 16) +
+        (as_number(transform_right_filter_feature_0_choice(337)) * 4) +
+        (as_number(transform_right_filter_feature_0_choice(345)) * 2) +
+        as_number(transform_right_filter_feature_0_choice(353)), 0);
       transform_right_filter_feature_0_choice_355 := choice(transform_filtering_0_column_inside(1),
-        (as_number(transform_right_filter_feature_0_choices(281)) * 256) +
-        (as_number(transform_right_filter_feature_0_choices(289)) * 512) +
-        (as_number(transform_right_filter_feature_0_choices(297)) * 128) +
-        (as_number(transform_right_filter_feature_0_choices(305)) * 64) +
-        (as_number(transform_right_filter_feature_0_choices(313)) * 32) + transform_right_filter_feature_0_choice_354,
+        (as_number(transform_right_filter_feature_0_choice(281)) * 256) +
+        (as_number(transform_right_filter_feature_0_choice(289)) * 512) +
+        (as_number(transform_right_filter_feature_0_choice(297)) * 128) +
+        (as_number(transform_right_filter_feature_0_choice(305)) * 64) +
+        (as_number(transform_right_filter_feature_0_choice(313)) * 32) + transform_right_filter_feature_0_choice_354,
         transform_right_filter_feature_0_choice_354);
       transform_right_filter_feature_0_choice_356 := choice(transform_filtering_0_column_inside(2),
-        (as_number(transform_right_filter_feature_0_choices(241)) * 8192) +
-        (as_number(transform_right_filter_feature_0_choices(249)) * 16384) +
-        (as_number(transform_right_filter_feature_0_choices(257)) * 4096) +
-        (as_number(transform_right_filter_feature_0_choices(265)) * 2048) +
-        (as_number(transform_right_filter_feature_0_choices(273)) * 1024) +
-        transform_right_filter_feature_0_choice_355, transform_right_filter_feature_0_choice_355);
+        (as_number(transform_right_filter_feature_0_choice(241)) * 8192) +
+        (as_number(transform_right_filter_feature_0_choice(249)) * 16384) +
+        (as_number(transform_right_filter_feature_0_choice(257)) * 4096) +
+        (as_number(transform_right_filter_feature_0_choice(265)) * 2048) +
+        (as_number(transform_right_filter_feature_0_choice(273)) * 1024) + transform_right_filter_feature_0_choice_355,
+        transform_right_filter_feature_0_choice_355);
       transform_right_filter_feature_0_choice_357 := choice(transform_filtering_0_column_inside(3),
-        (as_number(transform_right_filter_feature_0_choices(201)) * 262144) +
-        (as_number(transform_right_filter_feature_0_choices(209)) * 524288) +
-        (as_number(transform_right_filter_feature_0_choices(217)) * 131072) +
-        (as_number(transform_right_filter_feature_0_choices(225)) * 65536) +
-        (as_number(transform_right_filter_feature_0_choices(233)) * 32768) +
+        (as_number(transform_right_filter_feature_0_choice(201)) * 262144) +
+        (as_number(transform_right_filter_feature_0_choice(209)) * 524288) +
+        (as_number(transform_right_filter_feature_0_choice(217)) * 131072) +
+        (as_number(transform_right_filter_feature_0_choice(225)) * 65536) +
+        (as_number(transform_right_filter_feature_0_choice(233)) * 32768) +
         transform_right_filter_feature_0_choice_356, transform_right_filter_feature_0_choice_356);
       transform_right_filter_feature_0_choice_358 := choice(transform_filtering_0_column_inside(4),
-        (as_number(transform_right_filter_feature_0_choices(177)) * 2097152) +
-        (as_number(transform_right_filter_feature_0_choices(185)) * 4194304) +
-        (as_number(transform_right_filter_feature_0_choices(193)) * 1048576) +
+        (as_number(transform_right_filter_feature_0_choice(177)) * 2097152) +
+        (as_number(transform_right_filter_feature_0_choice(185)) * 4194304) +
+        (as_number(transform_right_filter_feature_0_choice(193)) * 1048576) +
         transform_right_filter_feature_0_choice_357, transform_right_filter_feature_0_choice_357);
       transform_right_filter_feature_0_choice_359 := choice(transform_filtering_0_column_inside(5),
-        (as_number(transform_right_filter_feature_0_choices(128)) * 16777216) +
-        (as_number(transform_right_filter_feature_0_choices(136)) * 33554432) +
-        (as_number(transform_right_filter_feature_0_choices(144)) * 67108864) +
-        (as_number(transform_right_filter_feature_0_choices(152)) * 134217728) +
-        (as_number(transform_right_filter_feature_0_choices(160)) * 268435456) +
-        (as_number(transform_right_filter_feature_0_choices(169)) * 8388608) +
-        transform_right_filter_feature_0_choice_358, (as_number(transform_right_filter_feature_0_choices(169)) *
+        (as_number(transform_right_filter_feature_0_choice(128)) * 16777216) +
+        (as_number(transform_right_filter_feature_0_choice(136)) * 33554432) +
+        (as_number(transform_right_filter_feature_0_choice(144)) * 67108864) +
+        (as_number(transform_right_filter_feature_0_choice(152)) * 134217728) +
+        (as_number(transform_right_filter_feature_0_choice(160)) * 268435456) +
+        (as_number(transform_right_filter_feature_0_choice(169)) * 8388608) +
+        transform_right_filter_feature_0_choice_358, (as_number(transform_right_filter_feature_0_choice(169)) *
         8388608) + transform_right_filter_feature_0_choice_358);
       if transform_filtering_0_column_inside(6) then
         transform_right_filter_feature_0_choice_360 :=
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(120)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(112)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(104)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(96)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(88)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(120)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(112)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(104)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(96)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(88)), 1) &
           to_unsigned(transform_right_filter_feature_0_choice_359, 29);
       else
         transform_right_filter_feature_0_choice_360 := to_unsigned(transform_right_filter_feature_0_choice_359, 34);
       end if;
       if transform_filtering_0_column_inside(7) then
         transform_right_filter_feature_0_choice_361 :=
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(80)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(72)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(64)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(56)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(48)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(80)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(72)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(64)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(56)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(48)), 1) &
           transform_right_filter_feature_0_choice_360(33 downto 0);
       else
         transform_right_filter_feature_0_choice_361 := resize(transform_right_filter_feature_0_choice_360, 39);
@@ -1472,17 +1078,17 @@ begin
       transform_counter_group <= choice(in_valid and in_start_of_frame, transform_counter_group_choice * 32,
         transform_counter_group_choices(3));
       if transform_filtering_0_column_inside(8) then
-        transform_left_filter_feature_0 <= to_unsigned(as_number(transform_left_filter_feature_0_choices(40)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(32)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(24)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(16)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(8)), 1) &
+        transform_left_filter_feature_0 <= to_unsigned(as_number(transform_left_filter_feature_0_choice(40)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(32)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(24)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(16)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(8)), 1) &
           transform_left_filter_feature_0_choice_361(38 downto 0);
-        transform_right_filter_feature_0 <= to_unsigned(as_number(transform_right_filter_feature_0_choices(40)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(32)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(24)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(16)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(8)), 1) &
+        transform_right_filter_feature_0 <= to_unsigned(as_number(transform_right_filter_feature_0_choice(40)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(32)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(24)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(16)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(8)), 1) &
           transform_right_filter_feature_0_choice_361(38 downto 0);
       else
         transform_left_filter_feature_0 <= resize(transform_left_filter_feature_0_choice_361, 44);
@@ -2954,1047 +2560,48 @@ begin
       end if;
       -- winnerswinner1
       for i in 0 to 63 loop
-        winnerswinner1_of_pair_0_choice(2 * i, 1) := choice(is_set(sums_sum_0(2 * i), 0), (not is_set(sums_sum_0(2 * i
-          + 1), 1)) or (not is_set(sums_sum_0(2 * i + 1), 0)), not is_set(sums_sum_0(2 * i + 1), 1));
-        winnerswinner1_of_pair_0_choice(2 * i, 2) := choice(is_set(sums_sum_0(2 * i), 1),
-          winnerswinner1_of_pair_0_choice(2 * i, 1), is_set(sums_sum_0(2 * i), 0) and ((sums_sum_0(2 * i + 1) mod 4) =
-          0));
-        winnerswinner1_of_pair_0_value(2 * i, 1) := is_set(sums_sum_0(2 * i + 1), 2);
-        winnerswinner1_of_pair_0_choice(2 * i, 3) := inverted_carry(winnerswinner1_of_pair_0_choice(2 * i, 2), not
-          is_set(sums_sum_0(2 * i), 2), winnerswinner1_of_pair_0_value(2 * i, 1));
-        for j in 2 to 4 loop
-          winnerswinner1_of_pair_0_value(2 * i, j) := is_set(sums_sum_0(2 * i + 1), j + 1);
-          winnerswinner1_of_pair_0_choice(2 * i, j + 2) := carry(winnerswinner1_of_pair_0_choice(2 * i, j + 1), not
-            is_set(sums_sum_0(2 * i), j + 1), winnerswinner1_of_pair_0_value(2 * i, j));
+        winnerswinner1_of_pair_0_value(i, 1) := is_set(sums_sum_0(2 * i + 1), 2);
+        winnerswinner1_of_pair_0_value(i, 2) := is_set(sums_sum_0(2 * i + 1), 3);
+        winnerswinner1_of_pair_0_value(i, 3) := is_set(sums_sum_0(2 * i + 1), 4);
+        winnerswinner1_of_pair_0_value(i, 4) := is_set(sums_sum_0(2 * i + 1), 5);
+        winnerswinner1_of_pair_0_choice_7(i) := is_larger(sums_sum_0(2 * i), sums_sum_0(2 * i + 1), 0, 6, false);
+      end loop;
+      for i in 0 to 31 loop
+        winnerswinner1_of_four_0_choice(i, 1) := choice(is_set(winnerswinner1_of_pair_0(4 * i + 1), 0), (not
+          is_set(winnerswinner1_of_pair_0(4 * i + 3), 0)) and (not is_set(winnerswinner1_of_pair_0(4 * i + 2), 0)),
+          is_set(winnerswinner1_of_pair_0(4 * i), 0) and (not is_set(winnerswinner1_of_pair_0(4 * i + 3), 0)) and (not
+          is_set(winnerswinner1_of_pair_0(4 * i + 2), 0)));
+        winnerswinner1_of_four_0_value(i, 1) := is_set(winnerswinner1_of_pair_0(4 * i + 1), 1);
+        winnerswinner1_of_four_0_value(i, 2) := is_set(winnerswinner1_of_pair_0(4 * i), 1);
+        winnerswinner1_of_four_0_choice(i, 2) := choice((not is_set(winnerswinner1_of_pair_0(4 * i + 3), 1)) and (not
+          is_set(winnerswinner1_of_pair_0(4 * i + 2), 1)), winnerswinner1_of_four_0_choice(i, 1) or
+          winnerswinner1_of_four_0_value(i, 1) or winnerswinner1_of_four_0_value(i, 2),
+          winnerswinner1_of_four_0_choice(i, 1) and (winnerswinner1_of_four_0_value(i, 1) or
+          winnerswinner1_of_four_0_value(i, 2)));
+        winnerswinner1_of_four_0_value(i, 3) := is_set(winnerswinner1_of_pair_0(4 * i + 3), 2);
+        winnerswinner1_of_four_0_value(i, 4) := is_set(winnerswinner1_of_pair_0(4 * i + 2), 2);
+        winnerswinner1_of_four_0_choice(i, 3) := choice(winnerswinner1_of_four_0_choice(i, 2), (not
+          is_set(winnerswinner1_of_pair_0(4 * i + 1), 2)) and (not is_set(winnerswinner1_of_pair_0(4 * i), 2)) and
+          (winnerswinner1_of_four_0_value(i, 3) or winnerswinner1_of_four_0_value(i, 4)), ((not
+          is_set(winnerswinner1_of_pair_0(4 * i + 1), 2)) and (not is_set(winnerswinner1_of_pair_0(4 * i), 2))) or
+          winnerswinner1_of_four_0_value(i, 3) or winnerswinner1_of_four_0_value(i, 4));
+        for j in 3 to 5 loop
+          winnerswinner1_of_four_0_value(i, 2 * j - 1) := is_set(winnerswinner1_of_pair_0(4 * i + 3), j);
+          winnerswinner1_of_four_0_value(i, 2 * j) := is_set(winnerswinner1_of_pair_0(4 * i + 2), j);
+          winnerswinner1_of_four_0_choice(i, j + 1) := choice(winnerswinner1_of_four_0_choice(i, j), ((not
+            is_set(winnerswinner1_of_pair_0(4 * i + 1), j)) and (not is_set(winnerswinner1_of_pair_0(4 * i), j))) or
+            winnerswinner1_of_four_0_value(i, 2 * j - 1) or winnerswinner1_of_four_0_value(i, 2 * j), (not
+            is_set(winnerswinner1_of_pair_0(4 * i + 1), j)) and (not is_set(winnerswinner1_of_pair_0(4 * i), j)) and
+            (winnerswinner1_of_four_0_value(i, 2 * j - 1) or winnerswinner1_of_four_0_value(i, 2 * j)));
         end loop;
-        winnerswinner1_of_pair_0_choice(2 * i, 7) := inverted_carry(winnerswinner1_of_pair_0_choice(2 * i, 6),
-          is_set(sums_sum_0(2 * i), 6), not is_set(sums_sum_0(2 * i + 1), 6));
+        winnerswinner1_of_four_0_choice(i, 7) := choice(winnerswinner1_of_four_0_choice(i, 6), (not ((not
+          is_set(winnerswinner1_of_pair_0(4 * i + 1), 6)) and (not is_set(winnerswinner1_of_pair_0(4 * i), 6)))) and
+          (not is_set(winnerswinner1_of_pair_0(4 * i + 3), 6)) and (not is_set(winnerswinner1_of_pair_0(4 * i + 2),
+          6)), (not ((not is_set(winnerswinner1_of_pair_0(4 * i + 1), 6)) and (not is_set(winnerswinner1_of_pair_0(4 *
+          i), 6)))) or ((not is_set(winnerswinner1_of_pair_0(4 * i + 3), 6)) and (not is_set(winnerswinner1_of_pair_0(4
+          * i + 2), 6))));
       end loop;
-      winnerswinner1_of_four_0_0_choices(1) := choice(is_set(winnerswinner1_of_pair_0(1), 0), (not
-        is_set(winnerswinner1_of_pair_0(3), 0)) and (not is_set(winnerswinner1_of_pair_0(2), 0)),
-        is_set(winnerswinner1_of_pair_0(0), 0) and (not is_set(winnerswinner1_of_pair_0(3), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(2), 0)));
-      winnerswinner1_of_four_0_0_values(1) := is_set(winnerswinner1_of_pair_0(1), 1);
-      winnerswinner1_of_four_0_0_values(2) := is_set(winnerswinner1_of_pair_0(0), 1);
-      winnerswinner1_of_four_0_0_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(3), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(2), 1)), winnerswinner1_of_four_0_0_choices(1) or
-        winnerswinner1_of_four_0_0_values(1) or winnerswinner1_of_four_0_0_values(2),
-        winnerswinner1_of_four_0_0_choices(1) and (winnerswinner1_of_four_0_0_values(1) or
-        winnerswinner1_of_four_0_0_values(2)));
-      winnerswinner1_of_four_0_0_values(3) := is_set(winnerswinner1_of_pair_0(3), 2);
-      winnerswinner1_of_four_0_0_values(4) := is_set(winnerswinner1_of_pair_0(2), 2);
-      winnerswinner1_of_four_0_0_choices(3) := choice(winnerswinner1_of_four_0_0_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(1), 2)) and (not is_set(winnerswinner1_of_pair_0(0), 2)) and
-        (winnerswinner1_of_four_0_0_values(3) or winnerswinner1_of_four_0_0_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(1), 2)) and (not is_set(winnerswinner1_of_pair_0(0), 2))) or
-        winnerswinner1_of_four_0_0_values(3) or winnerswinner1_of_four_0_0_values(4));
-      for i in 3 to 5 loop
-        winnerswinner1_of_four_0_0_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(3), i);
-        winnerswinner1_of_four_0_0_values(2 * i) := is_set(winnerswinner1_of_pair_0(2), i);
-        winnerswinner1_of_four_0_0_choices(i + 1) := choice(winnerswinner1_of_four_0_0_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(1), i)) and (not is_set(winnerswinner1_of_pair_0(0), i))) or
-          winnerswinner1_of_four_0_0_values(2 * i - 1) or winnerswinner1_of_four_0_0_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(1), i)) and (not is_set(winnerswinner1_of_pair_0(0), i)) and
-          (winnerswinner1_of_four_0_0_values(2 * i - 1) or winnerswinner1_of_four_0_0_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_0_choices(7) := choice(winnerswinner1_of_four_0_0_choices(6), (not ((not
-        is_set(winnerswinner1_of_pair_0(1), 6)) and (not is_set(winnerswinner1_of_pair_0(0), 6)))) and (not
-        is_set(winnerswinner1_of_pair_0(3), 6)) and (not is_set(winnerswinner1_of_pair_0(2), 6)), (not ((not
-        is_set(winnerswinner1_of_pair_0(1), 6)) and (not is_set(winnerswinner1_of_pair_0(0), 6)))) or ((not
-        is_set(winnerswinner1_of_pair_0(3), 6)) and (not is_set(winnerswinner1_of_pair_0(2), 6))));
-      winnerswinner1_of_four_0_4_choices(1) := choice(is_set(winnerswinner1_of_pair_0(5), 0), (not
-        is_set(winnerswinner1_of_pair_0(7), 0)) and (not is_set(winnerswinner1_of_pair_0(6), 0)),
-        is_set(winnerswinner1_of_pair_0(4), 0) and (not is_set(winnerswinner1_of_pair_0(7), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(6), 0)));
-      winnerswinner1_of_four_0_4_values(1) := is_set(winnerswinner1_of_pair_0(5), 1);
-      winnerswinner1_of_four_0_4_values(2) := is_set(winnerswinner1_of_pair_0(4), 1);
-      winnerswinner1_of_four_0_4_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(7), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(6), 1)), winnerswinner1_of_four_0_4_choices(1) or
-        winnerswinner1_of_four_0_4_values(1) or winnerswinner1_of_four_0_4_values(2),
-        winnerswinner1_of_four_0_4_choices(1) and (winnerswinner1_of_four_0_4_values(1) or
-        winnerswinner1_of_four_0_4_values(2)));
-      winnerswinner1_of_four_0_4_values(3) := is_set(winnerswinner1_of_pair_0(7), 2);
-      winnerswinner1_of_four_0_4_values(4) := is_set(winnerswinner1_of_pair_0(6), 2);
-      winnerswinner1_of_four_0_4_choices(3) := choice(winnerswinner1_of_four_0_4_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(5), 2)) and (not is_set(winnerswinner1_of_pair_0(4), 2)) and
-        (winnerswinner1_of_four_0_4_values(3) or winnerswinner1_of_four_0_4_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(5), 2)) and (not is_set(winnerswinner1_of_pair_0(4), 2))) or
-        winnerswinner1_of_four_0_4_values(3) or winnerswinner1_of_four_0_4_values(4));
-      for i in 3 to 5 loop
-        winnerswinner1_of_four_0_4_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(7), i);
-        winnerswinner1_of_four_0_4_values(2 * i) := is_set(winnerswinner1_of_pair_0(6), i);
-        winnerswinner1_of_four_0_4_choices(i + 1) := choice(winnerswinner1_of_four_0_4_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(5), i)) and (not is_set(winnerswinner1_of_pair_0(4), i))) or
-          winnerswinner1_of_four_0_4_values(2 * i - 1) or winnerswinner1_of_four_0_4_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(5), i)) and (not is_set(winnerswinner1_of_pair_0(4), i)) and
-          (winnerswinner1_of_four_0_4_values(2 * i - 1) or winnerswinner1_of_four_0_4_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_4_choices(7) := choice(winnerswinner1_of_four_0_4_choices(6), (not ((not
-        is_set(winnerswinner1_of_pair_0(5), 6)) and (not is_set(winnerswinner1_of_pair_0(4), 6)))) and (not
-        is_set(winnerswinner1_of_pair_0(7), 6)) and (not is_set(winnerswinner1_of_pair_0(6), 6)), (not ((not
-        is_set(winnerswinner1_of_pair_0(5), 6)) and (not is_set(winnerswinner1_of_pair_0(4), 6)))) or ((not
-        is_set(winnerswinner1_of_pair_0(7), 6)) and (not is_set(winnerswinner1_of_pair_0(6), 6))));
-      winnerswinner1_of_four_0_8_choices(1) := choice(is_set(winnerswinner1_of_pair_0(9), 0), (not
-        is_set(winnerswinner1_of_pair_0(11), 0)) and (not is_set(winnerswinner1_of_pair_0(10), 0)),
-        is_set(winnerswinner1_of_pair_0(8), 0) and (not is_set(winnerswinner1_of_pair_0(11), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(10), 0)));
-      winnerswinner1_of_four_0_8_values(1) := is_set(winnerswinner1_of_pair_0(9), 1);
-      winnerswinner1_of_four_0_8_values(2) := is_set(winnerswinner1_of_pair_0(8), 1);
-      winnerswinner1_of_four_0_8_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(11), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(10), 1)), winnerswinner1_of_four_0_8_choices(1) or
-        winnerswinner1_of_four_0_8_values(1) or winnerswinner1_of_four_0_8_values(2),
-        winnerswinner1_of_four_0_8_choices(1) and (winnerswinner1_of_four_0_8_values(1) or
-        winnerswinner1_of_four_0_8_values(2)));
-      winnerswinner1_of_four_0_8_values(3) := is_set(winnerswinner1_of_pair_0(11), 2);
-      winnerswinner1_of_four_0_8_values(4) := is_set(winnerswinner1_of_pair_0(10), 2);
-      winnerswinner1_of_four_0_8_choices(3) := choice(winnerswinner1_of_four_0_8_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(9), 2)) and (not is_set(winnerswinner1_of_pair_0(8), 2)) and
-        (winnerswinner1_of_four_0_8_values(3) or winnerswinner1_of_four_0_8_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(9), 2)) and (not is_set(winnerswinner1_of_pair_0(8), 2))) or
-        winnerswinner1_of_four_0_8_values(3) or winnerswinner1_of_four_0_8_values(4));
-      for i in 3 to 5 loop
-        winnerswinner1_of_four_0_8_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(11), i);
-        winnerswinner1_of_four_0_8_values(2 * i) := is_set(winnerswinner1_of_pair_0(10), i);
-        winnerswinner1_of_four_0_8_choices(i + 1) := choice(winnerswinner1_of_four_0_8_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(9), i)) and (not is_set(winnerswinner1_of_pair_0(8), i))) or
-          winnerswinner1_of_four_0_8_values(2 * i - 1) or winnerswinner1_of_four_0_8_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(9), i)) and (not is_set(winnerswinner1_of_pair_0(8), i)) and
-          (winnerswinner1_of_four_0_8_values(2 * i - 1) or winnerswinner1_of_four_0_8_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_8_choices(7) := choice(winnerswinner1_of_four_0_8_choices(6), (not ((not
-        is_set(winnerswinner1_of_pair_0(9), 6)) and (not is_set(winnerswinner1_of_pair_0(8), 6)))) and (not
-        is_set(winnerswinner1_of_pair_0(11), 6)) and (not is_set(winnerswinner1_of_pair_0(10), 6)), (not ((not
-        is_set(winnerswinner1_of_pair_0(9), 6)) and (not is_set(winnerswinner1_of_pair_0(8), 6)))) or ((not
-        is_set(winnerswinner1_of_pair_0(11), 6)) and (not is_set(winnerswinner1_of_pair_0(10), 6))));
-      winnerswinner1_of_four_0_12_choices(1) := choice(is_set(winnerswinner1_of_pair_0(13), 0), (not
-        is_set(winnerswinner1_of_pair_0(15), 0)) and (not is_set(winnerswinner1_of_pair_0(14), 0)),
-        is_set(winnerswinner1_of_pair_0(12), 0) and (not is_set(winnerswinner1_of_pair_0(15), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(14), 0)));
-      winnerswinner1_of_four_0_12_values(1) := is_set(winnerswinner1_of_pair_0(13), 1);
-      winnerswinner1_of_four_0_12_values(2) := is_set(winnerswinner1_of_pair_0(12), 1);
-      winnerswinner1_of_four_0_12_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(15), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(14), 1)), winnerswinner1_of_four_0_12_choices(1) or
-        winnerswinner1_of_four_0_12_values(1) or winnerswinner1_of_four_0_12_values(2),
-        winnerswinner1_of_four_0_12_choices(1) and (winnerswinner1_of_four_0_12_values(1) or
-        winnerswinner1_of_four_0_12_values(2)));
-      winnerswinner1_of_four_0_12_values(3) := is_set(winnerswinner1_of_pair_0(15), 2);
-      winnerswinner1_of_four_0_12_values(4) := is_set(winnerswinner1_of_pair_0(14), 2);
-      winnerswinner1_of_four_0_12_choices(3) := choice(winnerswinner1_of_four_0_12_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(13), 2)) and (not is_set(winnerswinner1_of_pair_0(12), 2)) and
-        (winnerswinner1_of_four_0_12_values(3) or winnerswinner1_of_four_0_12_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(13), 2)) and (not is_set(winnerswinner1_of_pair_0(12), 2))) or
-        winnerswinner1_of_four_0_12_values(3) or winnerswinner1_of_four_0_12_values(4));
-      for i in 3 to 5 loop
-        winnerswinner1_of_four_0_12_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(15), i);
-        winnerswinner1_of_four_0_12_values(2 * i) := is_set(winnerswinner1_of_pair_0(14), i);
-        winnerswinner1_of_four_0_12_choices(i + 1) := choice(winnerswinner1_of_four_0_12_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(13), i)) and (not is_set(winnerswinner1_of_pair_0(12), i))) or
-          winnerswinner1_of_four_0_12_values(2 * i - 1) or winnerswinner1_of_four_0_12_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(13), i)) and (not is_set(winnerswinner1_of_pair_0(12), i)) and
-          (winnerswinner1_of_four_0_12_values(2 * i - 1) or winnerswinner1_of_four_0_12_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_12_choices(7) := choice(winnerswinner1_of_four_0_12_choices(6), (not ((not
-        is_set(winnerswinner1_of_pair_0(13), 6)) and (not is_set(winnerswinner1_of_pair_0(12), 6)))) and (not
-        is_set(winnerswinner1_of_pair_0(15), 6)) and (not is_set(winnerswinner1_of_pair_0(14), 6)), (not ((not
-        is_set(winnerswinner1_of_pair_0(13), 6)) and (not is_set(winnerswinner1_of_pair_0(12), 6)))) or ((not
-        is_set(winnerswinner1_of_pair_0(15), 6)) and (not is_set(winnerswinner1_of_pair_0(14), 6))));
-      winnerswinner1_of_four_0_16_choices(1) := choice(is_set(winnerswinner1_of_pair_0(17), 0), (not
-        is_set(winnerswinner1_of_pair_0(19), 0)) and (not is_set(winnerswinner1_of_pair_0(18), 0)),
-        is_set(winnerswinner1_of_pair_0(16), 0) and (not is_set(winnerswinner1_of_pair_0(19), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(18), 0)));
-      winnerswinner1_of_four_0_16_values(1) := is_set(winnerswinner1_of_pair_0(17), 1);
-      winnerswinner1_of_four_0_16_values(2) := is_set(winnerswinner1_of_pair_0(16), 1);
-      winnerswinner1_of_four_0_16_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(19), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(18), 1)), winnerswinner1_of_four_0_16_choices(1) or
-        winnerswinner1_of_four_0_16_values(1) or winnerswinner1_of_four_0_16_values(2),
-        winnerswinner1_of_four_0_16_choices(1) and (winnerswinner1_of_four_0_16_values(1) or
-        winnerswinner1_of_four_0_16_values(2)));
-      winnerswinner1_of_four_0_16_values(3) := is_set(winnerswinner1_of_pair_0(19), 2);
-      winnerswinner1_of_four_0_16_values(4) := is_set(winnerswinner1_of_pair_0(18), 2);
-      winnerswinner1_of_four_0_16_choices(3) := choice(winnerswinner1_of_four_0_16_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(17), 2)) and (not is_set(winnerswinner1_of_pair_0(16), 2)) and
-        (winnerswinner1_of_four_0_16_values(3) or winnerswinner1_of_four_0_16_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(17), 2)) and (not is_set(winnerswinner1_of_pair_0(16), 2))) or
-        winnerswinner1_of_four_0_16_values(3) or winnerswinner1_of_four_0_16_values(4));
-      for i in 3 to 5 loop
-        winnerswinner1_of_four_0_16_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(19), i);
-        winnerswinner1_of_four_0_16_values(2 * i) := is_set(winnerswinner1_of_pair_0(18), i);
-        winnerswinner1_of_four_0_16_choices(i + 1) := choice(winnerswinner1_of_four_0_16_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(17), i)) and (not is_set(winnerswinner1_of_pair_0(16), i))) or
-          winnerswinner1_of_four_0_16_values(2 * i - 1) or winnerswinner1_of_four_0_16_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(17), i)) and (not is_set(winnerswinner1_of_pair_0(16), i)) and
-          (winnerswinner1_of_four_0_16_values(2 * i - 1) or winnerswinner1_of_four_0_16_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_16_choices(7) := choice(winnerswinner1_of_four_0_16_choices(6), (not ((not
-        is_set(winnerswinner1_of_pair_0(17), 6)) and (not is_set(winnerswinner1_of_pair_0(16), 6)))) and (not
-        is_set(winnerswinner1_of_pair_0(19), 6)) and (not is_set(winnerswinner1_of_pair_0(18), 6)), (not ((not
-        is_set(winnerswinner1_of_pair_0(17), 6)) and (not is_set(winnerswinner1_of_pair_0(16), 6)))) or ((not
-        is_set(winnerswinner1_of_pair_0(19), 6)) and (not is_set(winnerswinner1_of_pair_0(18), 6))));
-      winnerswinner1_of_four_0_20_choices(1) := choice(is_set(winnerswinner1_of_pair_0(21), 0), (not
-        is_set(winnerswinner1_of_pair_0(23), 0)) and (not is_set(winnerswinner1_of_pair_0(22), 0)),
-        is_set(winnerswinner1_of_pair_0(20), 0) and (not is_set(winnerswinner1_of_pair_0(23), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(22), 0)));
-      winnerswinner1_of_four_0_20_values(1) := is_set(winnerswinner1_of_pair_0(21), 1);
-      winnerswinner1_of_four_0_20_values(2) := is_set(winnerswinner1_of_pair_0(20), 1);
-      winnerswinner1_of_four_0_20_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(23), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(22), 1)), winnerswinner1_of_four_0_20_choices(1) or
-        winnerswinner1_of_four_0_20_values(1) or winnerswinner1_of_four_0_20_values(2),
-        winnerswinner1_of_four_0_20_choices(1) and (winnerswinner1_of_four_0_20_values(1) or
-        winnerswinner1_of_four_0_20_values(2)));
-      winnerswinner1_of_four_0_20_values(3) := is_set(winnerswinner1_of_pair_0(23), 2);
-      winnerswinner1_of_four_0_20_values(4) := is_set(winnerswinner1_of_pair_0(22), 2);
-      winnerswinner1_of_four_0_20_choices(3) := choice(winnerswinner1_of_four_0_20_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(21), 2)) and (not is_set(winnerswinner1_of_pair_0(20), 2)) and
-        (winnerswinner1_of_four_0_20_values(3) or winnerswinner1_of_four_0_20_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(21), 2)) and (not is_set(winnerswinner1_of_pair_0(20), 2))) or
-        winnerswinner1_of_four_0_20_values(3) or winnerswinner1_of_four_0_20_values(4));
-      for i in 3 to 5 loop
-        winnerswinner1_of_four_0_20_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(23), i);
-        winnerswinner1_of_four_0_20_values(2 * i) := is_set(winnerswinner1_of_pair_0(22), i);
-        winnerswinner1_of_four_0_20_choices(i + 1) := choice(winnerswinner1_of_four_0_20_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(21), i)) and (not is_set(winnerswinner1_of_pair_0(20), i))) or
-          winnerswinner1_of_four_0_20_values(2 * i - 1) or winnerswinner1_of_four_0_20_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(21), i)) and (not is_set(winnerswinner1_of_pair_0(20), i)) and
-          (winnerswinner1_of_four_0_20_values(2 * i - 1) or winnerswinner1_of_four_0_20_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_20_choices(7) := choice(winnerswinner1_of_four_0_20_choices(6), (not ((not
-        is_set(winnerswinner1_of_pair_0(21), 6)) and (not is_set(winnerswinner1_of_pair_0(20), 6)))) and (not
-        is_set(winnerswinner1_of_pair_0(23), 6)) and (not is_set(winnerswinner1_of_pair_0(22), 6)), (not ((not
-        is_set(winnerswinner1_of_pair_0(21), 6)) and (not is_set(winnerswinner1_of_pair_0(20), 6)))) or ((not
-        is_set(winnerswinner1_of_pair_0(23), 6)) and (not is_set(winnerswinner1_of_pair_0(22), 6))));
-      winnerswinner1_of_four_0_24_choices(1) := choice(is_set(winnerswinner1_of_pair_0(25), 0), (not
-        is_set(winnerswinner1_of_pair_0(27), 0)) and (not is_set(winnerswinner1_of_pair_0(26), 0)),
-        is_set(winnerswinner1_of_pair_0(24), 0) and (not is_set(winnerswinner1_of_pair_0(27), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(26), 0)));
-      winnerswinner1_of_four_0_24_values(1) := is_set(winnerswinner1_of_pair_0(25), 1);
-      winnerswinner1_of_four_0_24_values(2) := is_set(winnerswinner1_of_pair_0(24), 1);
-      winnerswinner1_of_four_0_24_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(27), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(26), 1)), winnerswinner1_of_four_0_24_choices(1) or
-        winnerswinner1_of_four_0_24_values(1) or winnerswinner1_of_four_0_24_values(2),
-        winnerswinner1_of_four_0_24_choices(1) and (winnerswinner1_of_four_0_24_values(1) or
-        winnerswinner1_of_four_0_24_values(2)));
-      winnerswinner1_of_four_0_24_values(3) := is_set(winnerswinner1_of_pair_0(27), 2);
-      winnerswinner1_of_four_0_24_values(4) := is_set(winnerswinner1_of_pair_0(26), 2);
-      winnerswinner1_of_four_0_24_choices(3) := choice(winnerswinner1_of_four_0_24_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(25), 2)) and (not is_set(winnerswinner1_of_pair_0(24), 2)) and
-        (winnerswinner1_of_four_0_24_values(3) or winnerswinner1_of_four_0_24_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(25), 2)) and (not is_set(winnerswinner1_of_pair_0(24), 2))) or
-        winnerswinner1_of_four_0_24_values(3) or winnerswinner1_of_four_0_24_values(4));
-      for i in 3 to 5 loop
-        winnerswinner1_of_four_0_24_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(27), i);
-        winnerswinner1_of_four_0_24_values(2 * i) := is_set(winnerswinner1_of_pair_0(26), i);
-        winnerswinner1_of_four_0_24_choices(i + 1) := choice(winnerswinner1_of_four_0_24_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(25), i)) and (not is_set(winnerswinner1_of_pair_0(24), i))) or
-          winnerswinner1_of_four_0_24_values(2 * i - 1) or winnerswinner1_of_four_0_24_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(25), i)) and (not is_set(winnerswinner1_of_pair_0(24), i)) and
-          (winnerswinner1_of_four_0_24_values(2 * i - 1) or winnerswinner1_of_four_0_24_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_24_choices(7) := choice(winnerswinner1_of_four_0_24_choices(6), (not ((not
-        is_set(winnerswinner1_of_pair_0(25), 6)) and (not is_set(winnerswinner1_of_pair_0(24), 6)))) and (not
-        is_set(winnerswinner1_of_pair_0(27), 6)) and (not is_set(winnerswinner1_of_pair_0(26), 6)), (not ((not
-        is_set(winnerswinner1_of_pair_0(25), 6)) and (not is_set(winnerswinner1_of_pair_0(24), 6)))) or ((not
-        is_set(winnerswinner1_of_pair_0(27), 6)) and (not is_set(winnerswinner1_of_pair_0(26), 6))));
-      winnerswinner1_of_four_0_28_choices(1) := choice(is_set(winnerswinner1_of_pair_0(29), 0), (not
-        is_set(winnerswinner1_of_pair_0(31), 0)) and (not is_set(winnerswinner1_of_pair_0(30), 0)),
-        is_set(winnerswinner1_of_pair_0(28), 0) and (not is_set(winnerswinner1_of_pair_0(31), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(30), 0)));
-      winnerswinner1_of_four_0_28_values(1) := is_set(winnerswinner1_of_pair_0(29), 1);
-      winnerswinner1_of_four_0_28_values(2) := is_set(winnerswinner1_of_pair_0(28), 1);
-      winnerswinner1_of_four_0_28_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(31), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(30), 1)), winnerswinner1_of_four_0_28_choices(1) or
-        winnerswinner1_of_four_0_28_values(1) or winnerswinner1_of_four_0_28_values(2),
-        winnerswinner1_of_four_0_28_choices(1) and (winnerswinner1_of_four_0_28_values(1) or
-        winnerswinner1_of_four_0_28_values(2)));
-      winnerswinner1_of_four_0_28_values(3) := is_set(winnerswinner1_of_pair_0(31), 2);
-      winnerswinner1_of_four_0_28_values(4) := is_set(winnerswinner1_of_pair_0(30), 2);
-      winnerswinner1_of_four_0_28_choices(3) := choice(winnerswinner1_of_four_0_28_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(29), 2)) and (not is_set(winnerswinner1_of_pair_0(28), 2)) and
-        (winnerswinner1_of_four_0_28_values(3) or winnerswinner1_of_four_0_28_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(29), 2)) and (not is_set(winnerswinner1_of_pair_0(28), 2))) or
-        winnerswinner1_of_four_0_28_values(3) or winnerswinner1_of_four_0_28_values(4));
-      for i in 3 to 5 loop
-        winnerswinner1_of_four_0_28_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(31), i);
-        winnerswinner1_of_four_0_28_values(2 * i) := is_set(winnerswinner1_of_pair_0(30), i);
-        winnerswinner1_of_four_0_28_choices(i + 1) := choice(winnerswinner1_of_four_0_28_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(29), i)) and (not is_set(winnerswinner1_of_pair_0(28), i))) or
-          winnerswinner1_of_four_0_28_values(2 * i - 1) or winnerswinner1_of_four_0_28_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(29), i)) and (not is_set(winnerswinner1_of_pair_0(28), i)) and
-          (winnerswinner1_of_four_0_28_values(2 * i - 1) or winnerswinner1_of_four_0_28_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_28_choices(7) := choice(winnerswinner1_of_four_0_28_choices(6), (not ((not
-        is_set(winnerswinner1_of_pair_0(29), 6)) and (not is_set(winnerswinner1_of_pair_0(28), 6)))) and (not
-        is_set(winnerswinner1_of_pair_0(31), 6)) and (not is_set(winnerswinner1_of_pair_0(30), 6)), (not ((not
-        is_set(winnerswinner1_of_pair_0(29), 6)) and (not is_set(winnerswinner1_of_pair_0(28), 6)))) or ((not
-        is_set(winnerswinner1_of_pair_0(31), 6)) and (not is_set(winnerswinner1_of_pair_0(30), 6))));
-      winnerswinner1_of_four_0_32_choices(1) := choice(is_set(winnerswinner1_of_pair_0(33), 0), (not
-        is_set(winnerswinner1_of_pair_0(35), 0)) and (not is_set(winnerswinner1_of_pair_0(34), 0)),
-        is_set(winnerswinner1_of_pair_0(32), 0) and (not is_set(winnerswinner1_of_pair_0(35), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(34), 0)));
-      winnerswinner1_of_four_0_32_values(1) := is_set(winnerswinner1_of_pair_0(33), 1);
-      winnerswinner1_of_four_0_32_values(2) := is_set(winnerswinner1_of_pair_0(32), 1);
-      winnerswinner1_of_four_0_32_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(35), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(34), 1)), winnerswinner1_of_four_0_32_choices(1) or
-        winnerswinner1_of_four_0_32_values(1) or winnerswinner1_of_four_0_32_values(2),
-        winnerswinner1_of_four_0_32_choices(1) and (winnerswinner1_of_four_0_32_values(1) or
-        winnerswinner1_of_four_0_32_values(2)));
-      winnerswinner1_of_four_0_32_values(3) := is_set(winnerswinner1_of_pair_0(35), 2);
-      winnerswinner1_of_four_0_32_values(4) := is_set(winnerswinner1_of_pair_0(34), 2);
-      winnerswinner1_of_four_0_32_choices(3) := choice(winnerswinner1_of_four_0_32_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(33), 2)) and (not is_set(winnerswinner1_of_pair_0(32), 2)) and
-        (winnerswinner1_of_four_0_32_values(3) or winnerswinner1_of_four_0_32_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(33), 2)) and (not is_set(winnerswinner1_of_pair_0(32), 2))) or
-        winnerswinner1_of_four_0_32_values(3) or winnerswinner1_of_four_0_32_values(4));
-      for i in 3 to 5 loop
-        winnerswinner1_of_four_0_32_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(35), i);
-        winnerswinner1_of_four_0_32_values(2 * i) := is_set(winnerswinner1_of_pair_0(34), i);
-        winnerswinner1_of_four_0_32_choices(i + 1) := choice(winnerswinner1_of_four_0_32_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(33), i)) and (not is_set(winnerswinner1_of_pair_0(32), i))) or
-          winnerswinner1_of_four_0_32_values(2 * i - 1) or winnerswinner1_of_four_0_32_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(33), i)) and (not is_set(winnerswinner1_of_pair_0(32), i)) and
-          (winnerswinner1_of_four_0_32_values(2 * i - 1) or winnerswinner1_of_four_0_32_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_32_choices(7) := choice(winnerswinner1_of_four_0_32_choices(6), (not ((not
-        is_set(winnerswinner1_of_pair_0(33), 6)) and (not is_set(winnerswinner1_of_pair_0(32), 6)))) and (not
-        is_set(winnerswinner1_of_pair_0(35), 6)) and (not is_set(winnerswinner1_of_pair_0(34), 6)), (not ((not
-        is_set(winnerswinner1_of_pair_0(33), 6)) and (not is_set(winnerswinner1_of_pair_0(32), 6)))) or ((not
-        is_set(winnerswinner1_of_pair_0(35), 6)) and (not is_set(winnerswinner1_of_pair_0(34), 6))));
-      winnerswinner1_of_four_0_36_choices(1) := choice(is_set(winnerswinner1_of_pair_0(37), 0), (not
-        is_set(winnerswinner1_of_pair_0(39), 0)) and (not is_set(winnerswinner1_of_pair_0(38), 0)),
-        is_set(winnerswinner1_of_pair_0(36), 0) and (not is_set(winnerswinner1_of_pair_0(39), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(38), 0)));
-      winnerswinner1_of_four_0_36_values(1) := is_set(winnerswinner1_of_pair_0(37), 1);
-      winnerswinner1_of_four_0_36_values(2) := is_set(winnerswinner1_of_pair_0(36), 1);
-      winnerswinner1_of_four_0_36_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(39), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(38), 1)), winnerswinner1_of_four_0_36_choices(1) or
-        winnerswinner1_of_four_0_36_values(1) or winnerswinner1_of_four_0_36_values(2),
-        winnerswinner1_of_four_0_36_choices(1) and (winnerswinner1_of_four_0_36_values(1) or
-        winnerswinner1_of_four_0_36_values(2)));
-      winnerswinner1_of_four_0_36_values(3) := is_set(winnerswinner1_of_pair_0(39), 2);
-      winnerswinner1_of_four_0_36_values(4) := is_set(winnerswinner1_of_pair_0(38), 2);
-      winnerswinner1_of_four_0_36_choices(3) := choice(winnerswinner1_of_four_0_36_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(37), 2)) and (not is_set(winnerswinner1_of_pair_0(36), 2)) and
-        (winnerswinner1_of_four_0_36_values(3) or winnerswinner1_of_four_0_36_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(37), 2)) and (not is_set(winnerswinner1_of_pair_0(36), 2))) or
-        winnerswinner1_of_four_0_36_values(3) or winnerswinner1_of_four_0_36_values(4));
-      for i in 3 to 5 loop
-        winnerswinner1_of_four_0_36_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(39), i);
-        winnerswinner1_of_four_0_36_values(2 * i) := is_set(winnerswinner1_of_pair_0(38), i);
-        winnerswinner1_of_four_0_36_choices(i + 1) := choice(winnerswinner1_of_four_0_36_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(37), i)) and (not is_set(winnerswinner1_of_pair_0(36), i))) or
-          winnerswinner1_of_four_0_36_values(2 * i - 1) or winnerswinner1_of_four_0_36_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(37), i)) and (not is_set(winnerswinner1_of_pair_0(36), i)) and
-          (winnerswinner1_of_four_0_36_values(2 * i - 1) or winnerswinner1_of_four_0_36_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_36_choices(7) := choice(winnerswinner1_of_four_0_36_choices(6), (not ((not
-        is_set(winnerswinner1_of_pair_0(37), 6)) and (not is_set(winnerswinner1_of_pair_0(36), 6)))) and (not
-        is_set(winnerswinner1_of_pair_0(39), 6)) and (not is_set(winnerswinner1_of_pair_0(38), 6)), (not ((not
-        is_set(winnerswinner1_of_pair_0(37), 6)) and (not is_set(winnerswinner1_of_pair_0(36), 6)))) or ((not
-        is_set(winnerswinner1_of_pair_0(39), 6)) and (not is_set(winnerswinner1_of_pair_0(38), 6))));
-      winnerswinner1_of_four_0_40_choices(1) := choice(is_set(winnerswinner1_of_pair_0(41), 0), (not
-        is_set(winnerswinner1_of_pair_0(43), 0)) and (not is_set(winnerswinner1_of_pair_0(42), 0)),
-        is_set(winnerswinner1_of_pair_0(40), 0) and (not is_set(winnerswinner1_of_pair_0(43), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(42), 0)));
-      winnerswinner1_of_four_0_40_values(1) := is_set(winnerswinner1_of_pair_0(41), 1);
-      winnerswinner1_of_four_0_40_values(2) := is_set(winnerswinner1_of_pair_0(40), 1);
-      winnerswinner1_of_four_0_40_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(43), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(42), 1)), winnerswinner1_of_four_0_40_choices(1) or
-        winnerswinner1_of_four_0_40_values(1) or winnerswinner1_of_four_0_40_values(2),
-        winnerswinner1_of_four_0_40_choices(1) and (winnerswinner1_of_four_0_40_values(1) or
-        winnerswinner1_of_four_0_40_values(2)));
-      winnerswinner1_of_four_0_40_values(3) := is_set(winnerswinner1_of_pair_0(43), 2);
-      winnerswinner1_of_four_0_40_values(4) := is_set(winnerswinner1_of_pair_0(42), 2);
-      winnerswinner1_of_four_0_40_choices(3) := choice(winnerswinner1_of_four_0_40_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(41), 2)) and (not is_set(winnerswinner1_of_pair_0(40), 2)) and
-        (winnerswinner1_of_four_0_40_values(3) or winnerswinner1_of_four_0_40_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(41), 2)) and (not is_set(winnerswinner1_of_pair_0(40), 2))) or
-        winnerswinner1_of_four_0_40_values(3) or winnerswinner1_of_four_0_40_values(4));
-      for i in 3 to 5 loop
-        winnerswinner1_of_four_0_40_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(43), i);
-        winnerswinner1_of_four_0_40_values(2 * i) := is_set(winnerswinner1_of_pair_0(42), i);
-        winnerswinner1_of_four_0_40_choices(i + 1) := choice(winnerswinner1_of_four_0_40_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(41), i)) and (not is_set(winnerswinner1_of_pair_0(40), i))) or
-          winnerswinner1_of_four_0_40_values(2 * i - 1) or winnerswinner1_of_four_0_40_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(41), i)) and (not is_set(winnerswinner1_of_pair_0(40), i)) and
-          (winnerswinner1_of_four_0_40_values(2 * i - 1) or winnerswinner1_of_four_0_40_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_40_choices(7) := choice(winnerswinner1_of_four_0_40_choices(6), (not ((not
-        is_set(winnerswinner1_of_pair_0(41), 6)) and (not is_set(winnerswinner1_of_pair_0(40), 6)))) and (not
-        is_set(winnerswinner1_of_pair_0(43), 6)) and (not is_set(winnerswinner1_of_pair_0(42), 6)), (not ((not
-        is_set(winnerswinner1_of_pair_0(41), 6)) and (not is_set(winnerswinner1_of_pair_0(40), 6)))) or ((not
-        is_set(winnerswinner1_of_pair_0(43), 6)) and (not is_set(winnerswinner1_of_pair_0(42), 6))));
-      winnerswinner1_of_four_0_44_choices(1) := choice(is_set(winnerswinner1_of_pair_0(45), 0), (not
-        is_set(winnerswinner1_of_pair_0(47), 0)) and (not is_set(winnerswinner1_of_pair_0(46), 0)),
-        is_set(winnerswinner1_of_pair_0(44), 0) and (not is_set(winnerswinner1_of_pair_0(47), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(46), 0)));
-      winnerswinner1_of_four_0_44_values(1) := is_set(winnerswinner1_of_pair_0(45), 1);
-      winnerswinner1_of_four_0_44_values(2) := is_set(winnerswinner1_of_pair_0(44), 1);
-      winnerswinner1_of_four_0_44_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(47), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(46), 1)), winnerswinner1_of_four_0_44_choices(1) or
-        winnerswinner1_of_four_0_44_values(1) or winnerswinner1_of_four_0_44_values(2),
-        winnerswinner1_of_four_0_44_choices(1) and (winnerswinner1_of_four_0_44_values(1) or
-        winnerswinner1_of_four_0_44_values(2)));
-      winnerswinner1_of_four_0_44_values(3) := is_set(winnerswinner1_of_pair_0(47), 2);
-      winnerswinner1_of_four_0_44_values(4) := is_set(winnerswinner1_of_pair_0(46), 2);
-      winnerswinner1_of_four_0_44_choices(3) := choice(winnerswinner1_of_four_0_44_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(45), 2)) and (not is_set(winnerswinner1_of_pair_0(44), 2)) and
-        (winnerswinner1_of_four_0_44_values(3) or winnerswinner1_of_four_0_44_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(45), 2)) and (not is_set(winnerswinner1_of_pair_0(44), 2))) or
-        winnerswinner1_of_four_0_44_values(3) or winnerswinner1_of_four_0_44_values(4));
-      for i in 3 to 5 loop
-        winnerswinner1_of_four_0_44_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(47), i);
-        winnerswinner1_of_four_0_44_values(2 * i) := is_set(winnerswinner1_of_pair_0(46), i);
-        winnerswinner1_of_four_0_44_choices(i + 1) := choice(winnerswinner1_of_four_0_44_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(45), i)) and (not is_set(winnerswinner1_of_pair_0(44), i))) or
-          winnerswinner1_of_four_0_44_values(2 * i - 1) or winnerswinner1_of_four_0_44_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(45), i)) and (not is_set(winnerswinner1_of_pair_0(44), i)) and
-          (winnerswinner1_of_four_0_44_values(2 * i - 1) or winnerswinner1_of_four_0_44_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_44_choices(7) := choice(winnerswinner1_of_four_0_44_choices(6), (not ((not
-        is_set(winnerswinner1_of_pair_0(45), 6)) and (not is_set(winnerswinner1_of_pair_0(44), 6)))) and (not
-        is_set(winnerswinner1_of_pair_0(47), 6)) and (not is_set(winnerswinner1_of_pair_0(46), 6)), (not ((not
-        is_set(winnerswinner1_of_pair_0(45), 6)) and (not is_set(winnerswinner1_of_pair_0(44), 6)))) or ((not
-        is_set(winnerswinner1_of_pair_0(47), 6)) and (not is_set(winnerswinner1_of_pair_0(46), 6))));
-      winnerswinner1_of_four_0_48_choices(1) := choice(is_set(winnerswinner1_of_pair_0(49), 0), (not
-        is_set(winnerswinner1_of_pair_0(51), 0)) and (not is_set(winnerswinner1_of_pair_0(50), 0)),
-        is_set(winnerswinner1_of_pair_0(48), 0) and (not is_set(winnerswinner1_of_pair_0(51), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(50), 0)));
-      winnerswinner1_of_four_0_48_values(1) := is_set(winnerswinner1_of_pair_0(49), 1);
-      winnerswinner1_of_four_0_48_values(2) := is_set(winnerswinner1_of_pair_0(48), 1);
-      winnerswinner1_of_four_0_48_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(51), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(50), 1)), winnerswinner1_of_four_0_48_choices(1) or
-        winnerswinner1_of_four_0_48_values(1) or winnerswinner1_of_four_0_48_values(2),
-        winnerswinner1_of_four_0_48_choices(1) and (winnerswinner1_of_four_0_48_values(1) or
-        winnerswinner1_of_four_0_48_values(2)));
-      winnerswinner1_of_four_0_48_values(3) := is_set(winnerswinner1_of_pair_0(51), 2);
-      winnerswinner1_of_four_0_48_values(4) := is_set(winnerswinner1_of_pair_0(50), 2);
-      winnerswinner1_of_four_0_48_choices(3) := choice(winnerswinner1_of_four_0_48_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(49), 2)) and (not is_set(winnerswinner1_of_pair_0(48), 2)) and
-        (winnerswinner1_of_four_0_48_values(3) or winnerswinner1_of_four_0_48_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(49), 2)) and (not is_set(winnerswinner1_of_pair_0(48), 2))) or
-        winnerswinner1_of_four_0_48_values(3) or winnerswinner1_of_four_0_48_values(4));
-      for i in 3 to 5 loop
-        winnerswinner1_of_four_0_48_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(51), i);
-        winnerswinner1_of_four_0_48_values(2 * i) := is_set(winnerswinner1_of_pair_0(50), i);
-        winnerswinner1_of_four_0_48_choices(i + 1) := choice(winnerswinner1_of_four_0_48_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(49), i)) and (not is_set(winnerswinner1_of_pair_0(48), i))) or
-          winnerswinner1_of_four_0_48_values(2 * i - 1) or winnerswinner1_of_four_0_48_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(49), i)) and (not is_set(winnerswinner1_of_pair_0(48), i)) and
-          (winnerswinner1_of_four_0_48_values(2 * i - 1) or winnerswinner1_of_four_0_48_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_48_choices(7) := choice(winnerswinner1_of_four_0_48_choices(6), (not ((not
-        is_set(winnerswinner1_of_pair_0(49), 6)) and (not is_set(winnerswinner1_of_pair_0(48), 6)))) and (not
-        is_set(winnerswinner1_of_pair_0(51), 6)) and (not is_set(winnerswinner1_of_pair_0(50), 6)), (not ((not
-        is_set(winnerswinner1_of_pair_0(49), 6)) and (not is_set(winnerswinner1_of_pair_0(48), 6)))) or ((not
-        is_set(winnerswinner1_of_pair_0(51), 6)) and (not is_set(winnerswinner1_of_pair_0(50), 6))));
-      winnerswinner1_of_four_0_52_choices(1) := choice(is_set(winnerswinner1_of_pair_0(53), 0), (not
-        is_set(winnerswinner1_of_pair_0(55), 0)) and (not is_set(winnerswinner1_of_pair_0(54), 0)),
-        is_set(winnerswinner1_of_pair_0(52), 0) and (not is_set(winnerswinner1_of_pair_0(55), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(54), 0)));
-      winnerswinner1_of_four_0_52_values(1) := is_set(winnerswinner1_of_pair_0(53), 1);
-      winnerswinner1_of_four_0_52_values(2) := is_set(winnerswinner1_of_pair_0(52), 1);
-      winnerswinner1_of_four_0_52_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(55), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(54), 1)), winnerswinner1_of_four_0_52_choices(1) or
-        winnerswinner1_of_four_0_52_values(1) or winnerswinner1_of_four_0_52_values(2),
-        winnerswinner1_of_four_0_52_choices(1) and (winnerswinner1_of_four_0_52_values(1) or
-        winnerswinner1_of_four_0_52_values(2)));
-      winnerswinner1_of_four_0_52_values(3) := is_set(winnerswinner1_of_pair_0(55), 2);
-      winnerswinner1_of_four_0_52_values(4) := is_set(winnerswinner1_of_pair_0(54), 2);
-      winnerswinner1_of_four_0_52_choices(3) := choice(winnerswinner1_of_four_0_52_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(53), 2)) and (not is_set(winnerswinner1_of_pair_0(52), 2)) and
-        (winnerswinner1_of_four_0_52_values(3) or winnerswinner1_of_four_0_52_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(53), 2)) and (not is_set(winnerswinner1_of_pair_0(52), 2))) or
-        winnerswinner1_of_four_0_52_values(3) or winnerswinner1_of_four_0_52_values(4));
-      for i in 3 to 5 loop
-        winnerswinner1_of_four_0_52_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(55), i);
-        winnerswinner1_of_four_0_52_values(2 * i) := is_set(winnerswinner1_of_pair_0(54), i);
-        winnerswinner1_of_four_0_52_choices(i + 1) := choice(winnerswinner1_of_four_0_52_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(53), i)) and (not is_set(winnerswinner1_of_pair_0(52), i))) or
-          winnerswinner1_of_four_0_52_values(2 * i - 1) or winnerswinner1_of_four_0_52_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(53), i)) and (not is_set(winnerswinner1_of_pair_0(52), i)) and
-          (winnerswinner1_of_four_0_52_values(2 * i - 1) or winnerswinner1_of_four_0_52_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_52_choices(7) := choice(winnerswinner1_of_four_0_52_choices(6), (not ((not
-        is_set(winnerswinner1_of_pair_0(53), 6)) and (not is_set(winnerswinner1_of_pair_0(52), 6)))) and (not
-        is_set(winnerswinner1_of_pair_0(55), 6)) and (not is_set(winnerswinner1_of_pair_0(54), 6)), (not ((not
-        is_set(winnerswinner1_of_pair_0(53), 6)) and (not is_set(winnerswinner1_of_pair_0(52), 6)))) or ((not
-        is_set(winnerswinner1_of_pair_0(55), 6)) and (not is_set(winnerswinner1_of_pair_0(54), 6))));
-      winnerswinner1_of_four_0_56_choices(1) := choice(is_set(winnerswinner1_of_pair_0(57), 0), (not
-        is_set(winnerswinner1_of_pair_0(59), 0)) and (not is_set(winnerswinner1_of_pair_0(58), 0)),
-        is_set(winnerswinner1_of_pair_0(56), 0) and (not is_set(winnerswinner1_of_pair_0(59), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(58), 0)));
-      winnerswinner1_of_four_0_56_values(1) := is_set(winnerswinner1_of_pair_0(57), 1);
-      winnerswinner1_of_four_0_56_values(2) := is_set(winnerswinner1_of_pair_0(56), 1);
-      winnerswinner1_of_four_0_56_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(59), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(58), 1)), winnerswinner1_of_four_0_56_choices(1) or
-        winnerswinner1_of_four_0_56_values(1) or winnerswinner1_of_four_0_56_values(2),
-        winnerswinner1_of_four_0_56_choices(1) and (winnerswinner1_of_four_0_56_values(1) or
-        winnerswinner1_of_four_0_56_values(2)));
-      winnerswinner1_of_four_0_56_values(3) := is_set(winnerswinner1_of_pair_0(59), 2);
-      winnerswinner1_of_four_0_56_values(4) := is_set(winnerswinner1_of_pair_0(58), 2);
-      winnerswinner1_of_four_0_56_choices(3) := choice(winnerswinner1_of_four_0_56_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(57), 2)) and (not is_set(winnerswinner1_of_pair_0(56), 2)) and
-        (winnerswinner1_of_four_0_56_values(3) or winnerswinner1_of_four_0_56_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(57), 2)) and (not is_set(winnerswinner1_of_pair_0(56), 2))) or
-        winnerswinner1_of_four_0_56_values(3) or winnerswinner1_of_four_0_56_values(4));
-      for i in 3 to 5 loop
-        winnerswinner1_of_four_0_56_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(59), i);
-        winnerswinner1_of_four_0_56_values(2 * i) := is_set(winnerswinner1_of_pair_0(58), i);
-        winnerswinner1_of_four_0_56_choices(i + 1) := choice(winnerswinner1_of_four_0_56_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(57), i)) and (not is_set(winnerswinner1_of_pair_0(56), i))) or
-          winnerswinner1_of_four_0_56_values(2 * i - 1) or winnerswinner1_of_four_0_56_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(57), i)) and (not is_set(winnerswinner1_of_pair_0(56), i)) and
-          (winnerswinner1_of_four_0_56_values(2 * i - 1) or winnerswinner1_of_four_0_56_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_56_choices(7) := choice(winnerswinner1_of_four_0_56_choices(6), (not ((not
-        is_set(winnerswinner1_of_pair_0(57), 6)) and (not is_set(winnerswinner1_of_pair_0(56), 6)))) and (not
-        is_set(winnerswinner1_of_pair_0(59), 6)) and (not is_set(winnerswinner1_of_pair_0(58), 6)), (not ((not
-        is_set(winnerswinner1_of_pair_0(57), 6)) and (not is_set(winnerswinner1_of_pair_0(56), 6)))) or ((not
-        is_set(winnerswinner1_of_pair_0(59), 6)) and (not is_set(winnerswinner1_of_pair_0(58), 6))));
-      winnerswinner1_of_four_0_60_choices(1) := choice(is_set(winnerswinner1_of_pair_0(61), 0), (not
-        is_set(winnerswinner1_of_pair_0(63), 0)) and (not is_set(winnerswinner1_of_pair_0(62), 0)),
-        is_set(winnerswinner1_of_pair_0(60), 0) and (not is_set(winnerswinner1_of_pair_0(63), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(62), 0)));
-      winnerswinner1_of_four_0_60_values(1) := is_set(winnerswinner1_of_pair_0(61), 1);
-      winnerswinner1_of_four_0_60_values(2) := is_set(winnerswinner1_of_pair_0(60), 1);
-      winnerswinner1_of_four_0_60_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(63), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(62), 1)), winnerswinner1_of_four_0_60_choices(1) or
-        winnerswinner1_of_four_0_60_values(1) or winnerswinner1_of_four_0_60_values(2),
-        winnerswinner1_of_four_0_60_choices(1) and (winnerswinner1_of_four_0_60_values(1) or
-        winnerswinner1_of_four_0_60_values(2)));
-      winnerswinner1_of_four_0_60_values(3) := is_set(winnerswinner1_of_pair_0(63), 2);
-      winnerswinner1_of_four_0_60_values(4) := is_set(winnerswinner1_of_pair_0(62), 2);
-      winnerswinner1_of_four_0_60_choices(3) := choice(winnerswinner1_of_four_0_60_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(61), 2)) and (not is_set(winnerswinner1_of_pair_0(60), 2)) and
-        (winnerswinner1_of_four_0_60_values(3) or winnerswinner1_of_four_0_60_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(61), 2)) and (not is_set(winnerswinner1_of_pair_0(60), 2))) or
-        winnerswinner1_of_four_0_60_values(3) or winnerswinner1_of_four_0_60_values(4));
-      for i in 3 to 5 loop
-        winnerswinner1_of_four_0_60_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(63), i);
-        winnerswinner1_of_four_0_60_values(2 * i) := is_set(winnerswinner1_of_pair_0(62), i);
-        winnerswinner1_of_four_0_60_choices(i + 1) := choice(winnerswinner1_of_four_0_60_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(61), i)) and (not is_set(winnerswinner1_of_pair_0(60), i))) or
-          winnerswinner1_of_four_0_60_values(2 * i - 1) or winnerswinner1_of_four_0_60_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(61), i)) and (not is_set(winnerswinner1_of_pair_0(60), i)) and
-          (winnerswinner1_of_four_0_60_values(2 * i - 1) or winnerswinner1_of_four_0_60_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_60_choices(7) := choice(winnerswinner1_of_four_0_60_choices(6), (not ((not
-        is_set(winnerswinner1_of_pair_0(61), 6)) and (not is_set(winnerswinner1_of_pair_0(60), 6)))) and (not
-        is_set(winnerswinner1_of_pair_0(63), 6)) and (not is_set(winnerswinner1_of_pair_0(62), 6)), (not ((not
-        is_set(winnerswinner1_of_pair_0(61), 6)) and (not is_set(winnerswinner1_of_pair_0(60), 6)))) or ((not
-        is_set(winnerswinner1_of_pair_0(63), 6)) and (not is_set(winnerswinner1_of_pair_0(62), 6))));
-      winnerswinner1_of_four_0_64_choices(1) := choice(is_set(winnerswinner1_of_pair_0(65), 0), (not
-        is_set(winnerswinner1_of_pair_0(67), 0)) and (not is_set(winnerswinner1_of_pair_0(66), 0)),
-        is_set(winnerswinner1_of_pair_0(64), 0) and (not is_set(winnerswinner1_of_pair_0(67), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(66), 0)));
-      winnerswinner1_of_four_0_64_values(1) := is_set(winnerswinner1_of_pair_0(65), 1);
-      winnerswinner1_of_four_0_64_values(2) := is_set(winnerswinner1_of_pair_0(64), 1);
-      winnerswinner1_of_four_0_64_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(67), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(66), 1)), winnerswinner1_of_four_0_64_choices(1) or
-        winnerswinner1_of_four_0_64_values(1) or winnerswinner1_of_four_0_64_values(2),
-        winnerswinner1_of_four_0_64_choices(1) and (winnerswinner1_of_four_0_64_values(1) or
-        winnerswinner1_of_four_0_64_values(2)));
-      winnerswinner1_of_four_0_64_values(3) := is_set(winnerswinner1_of_pair_0(67), 2);
-      winnerswinner1_of_four_0_64_values(4) := is_set(winnerswinner1_of_pair_0(66), 2);
-      winnerswinner1_of_four_0_64_choices(3) := choice(winnerswinner1_of_four_0_64_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(65), 2)) and (not is_set(winnerswinner1_of_pair_0(64), 2)) and
-        (winnerswinner1_of_four_0_64_values(3) or winnerswinner1_of_four_0_64_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(65), 2)) and (not is_set(winnerswinner1_of_pair_0(64), 2))) or
-        winnerswinner1_of_four_0_64_values(3) or winnerswinner1_of_four_0_64_values(4));
-      for i in 3 to 5 loop
-        winnerswinner1_of_four_0_64_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(67), i);
-        winnerswinner1_of_four_0_64_values(2 * i) := is_set(winnerswinner1_of_pair_0(66), i);
-        winnerswinner1_of_four_0_64_choices(i + 1) := choice(winnerswinner1_of_four_0_64_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(65), i)) and (not is_set(winnerswinner1_of_pair_0(64), i))) or
-          winnerswinner1_of_four_0_64_values(2 * i - 1) or winnerswinner1_of_four_0_64_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(65), i)) and (not is_set(winnerswinner1_of_pair_0(64), i)) and
-          (winnerswinner1_of_four_0_64_values(2 * i - 1) or winnerswinner1_of_four_0_64_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_64_choices(7) := choice(winnerswinner1_of_four_0_64_choices(6), (not ((not
-        is_set(winnerswinner1_of_pair_0(65), 6)) and (not is_set(winnerswinner1_of_pair_0(64), 6)))) and (not
-        is_set(winnerswinner1_of_pair_0(67), 6)) and (not is_set(winnerswinner1_of_pair_0(66), 6)), (not ((not
-        is_set(winnerswinner1_of_pair_0(65), 6)) and (not is_set(winnerswinner1_of_pair_0(64), 6)))) or ((not
-        is_set(winnerswinner1_of_pair_0(67), 6)) and (not is_set(winnerswinner1_of_pair_0(66), 6))));
-      winnerswinner1_of_four_0_68_choices(1) := choice(is_set(winnerswinner1_of_pair_0(69), 0), (not
-        is_set(winnerswinner1_of_pair_0(71), 0)) and (not is_set(winnerswinner1_of_pair_0(70), 0)),
-        is_set(winnerswinner1_of_pair_0(68), 0) and (not is_set(winnerswinner1_of_pair_0(71), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(70), 0)));
-      winnerswinner1_of_four_0_68_values(1) := is_set(winnerswinner1_of_pair_0(69), 1);
-      winnerswinner1_of_four_0_68_values(2) := is_set(winnerswinner1_of_pair_0(68), 1);
-      winnerswinner1_of_four_0_68_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(71), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(70), 1)), winnerswinner1_of_four_0_68_choices(1) or
-        winnerswinner1_of_four_0_68_values(1) or winnerswinner1_of_four_0_68_values(2),
-        winnerswinner1_of_four_0_68_choices(1) and (winnerswinner1_of_four_0_68_values(1) or
-        winnerswinner1_of_four_0_68_values(2)));
-      winnerswinner1_of_four_0_68_values(3) := is_set(winnerswinner1_of_pair_0(71), 2);
-      winnerswinner1_of_four_0_68_values(4) := is_set(winnerswinner1_of_pair_0(70), 2);
-      winnerswinner1_of_four_0_68_choices(3) := choice(winnerswinner1_of_four_0_68_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(69), 2)) and (not is_set(winnerswinner1_of_pair_0(68), 2)) and
-        (winnerswinner1_of_four_0_68_values(3) or winnerswinner1_of_four_0_68_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(69), 2)) and (not is_set(winnerswinner1_of_pair_0(68), 2))) or
-        winnerswinner1_of_four_0_68_values(3) or winnerswinner1_of_four_0_68_values(4));
-      for i in 3 to 5 loop
-        winnerswinner1_of_four_0_68_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(71), i);
-        winnerswinner1_of_four_0_68_values(2 * i) := is_set(winnerswinner1_of_pair_0(70), i);
-        winnerswinner1_of_four_0_68_choices(i + 1) := choice(winnerswinner1_of_four_0_68_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(69), i)) and (not is_set(winnerswinner1_of_pair_0(68), i))) or
-          winnerswinner1_of_four_0_68_values(2 * i - 1) or winnerswinner1_of_four_0_68_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(69), i)) and (not is_set(winnerswinner1_of_pair_0(68), i)) and
-          (winnerswinner1_of_four_0_68_values(2 * i - 1) or winnerswinner1_of_four_0_68_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_68_choices(7) := choice(winnerswinner1_of_four_0_68_choices(6), (not ((not
-        is_set(winnerswinner1_of_pair_0(69), 6)) and (not is_set(winnerswinner1_of_pair_0(68), 6)))) and (not
-        is_set(winnerswinner1_of_pair_0(71), 6)) and (not is_set(winnerswinner1_of_pair_0(70), 6)), (not ((not
-        is_set(winnerswinner1_of_pair_0(69), 6)) and (not is_set(winnerswinner1_of_pair_0(68), 6)))) or ((not
-        is_set(winnerswinner1_of_pair_0(71), 6)) and (not is_set(winnerswinner1_of_pair_0(70), 6))));
-      winnerswinner1_of_four_0_72_choices(1) := choice(is_set(winnerswinner1_of_pair_0(73), 0), (not
-        is_set(winnerswinner1_of_pair_0(75), 0)) and (not is_set(winnerswinner1_of_pair_0(74), 0)),
-        is_set(winnerswinner1_of_pair_0(72), 0) and (not is_set(winnerswinner1_of_pair_0(75), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(74), 0)));
-      winnerswinner1_of_four_0_72_values(1) := is_set(winnerswinner1_of_pair_0(73), 1);
-      winnerswinner1_of_four_0_72_values(2) := is_set(winnerswinner1_of_pair_0(72), 1);
-      winnerswinner1_of_four_0_72_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(75), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(74), 1)), winnerswinner1_of_four_0_72_choices(1) or
-        winnerswinner1_of_four_0_72_values(1) or winnerswinner1_of_four_0_72_values(2),
-        winnerswinner1_of_four_0_72_choices(1) and (winnerswinner1_of_four_0_72_values(1) or
-        winnerswinner1_of_four_0_72_values(2)));
-      winnerswinner1_of_four_0_72_values(3) := is_set(winnerswinner1_of_pair_0(75), 2);
-      winnerswinner1_of_four_0_72_values(4) := is_set(winnerswinner1_of_pair_0(74), 2);
-      winnerswinner1_of_four_0_72_choices(3) := choice(winnerswinner1_of_four_0_72_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(73), 2)) and (not is_set(winnerswinner1_of_pair_0(72), 2)) and
-        (winnerswinner1_of_four_0_72_values(3) or winnerswinner1_of_four_0_72_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(73), 2)) and (not is_set(winnerswinner1_of_pair_0(72), 2))) or
-        winnerswinner1_of_four_0_72_values(3) or winnerswinner1_of_four_0_72_values(4));
-      for i in 3 to 5 loop
-        winnerswinner1_of_four_0_72_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(75), i);
-        winnerswinner1_of_four_0_72_values(2 * i) := is_set(winnerswinner1_of_pair_0(74), i);
-        winnerswinner1_of_four_0_72_choices(i + 1) := choice(winnerswinner1_of_four_0_72_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(73), i)) and (not is_set(winnerswinner1_of_pair_0(72), i))) or
-          winnerswinner1_of_four_0_72_values(2 * i - 1) or winnerswinner1_of_four_0_72_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(73), i)) and (not is_set(winnerswinner1_of_pair_0(72), i)) and
-          (winnerswinner1_of_four_0_72_values(2 * i - 1) or winnerswinner1_of_four_0_72_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_72_choices(7) := choice(winnerswinner1_of_four_0_72_choices(6), (not ((not
-        is_set(winnerswinner1_of_pair_0(73), 6)) and (not is_set(winnerswinner1_of_pair_0(72), 6)))) and (not
-        is_set(winnerswinner1_of_pair_0(75), 6)) and (not is_set(winnerswinner1_of_pair_0(74), 6)), (not ((not
-        is_set(winnerswinner1_of_pair_0(73), 6)) and (not is_set(winnerswinner1_of_pair_0(72), 6)))) or ((not
-        is_set(winnerswinner1_of_pair_0(75), 6)) and (not is_set(winnerswinner1_of_pair_0(74), 6))));
-      winnerswinner1_of_four_0_76_choices(1) := choice(is_set(winnerswinner1_of_pair_0(77), 0), (not
-        is_set(winnerswinner1_of_pair_0(79), 0)) and (not is_set(winnerswinner1_of_pair_0(78), 0)),
-        is_set(winnerswinner1_of_pair_0(76), 0) and (not is_set(winnerswinner1_of_pair_0(79), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(78), 0)));
-      winnerswinner1_of_four_0_76_values(1) := is_set(winnerswinner1_of_pair_0(77), 1);
-      winnerswinner1_of_four_0_76_values(2) := is_set(winnerswinner1_of_pair_0(76), 1);
-      winnerswinner1_of_four_0_76_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(79), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(78), 1)), winnerswinner1_of_four_0_76_choices(1) or
-        winnerswinner1_of_four_0_76_values(1) or winnerswinner1_of_four_0_76_values(2),
-        winnerswinner1_of_four_0_76_choices(1) and (winnerswinner1_of_four_0_76_values(1) or
-        winnerswinner1_of_four_0_76_values(2)));
-      winnerswinner1_of_four_0_76_values(3) := is_set(winnerswinner1_of_pair_0(79), 2);
-      winnerswinner1_of_four_0_76_values(4) := is_set(winnerswinner1_of_pair_0(78), 2);
-      winnerswinner1_of_four_0_76_choices(3) := choice(winnerswinner1_of_four_0_76_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(77), 2)) and (not is_set(winnerswinner1_of_pair_0(76), 2)) and
-        (winnerswinner1_of_four_0_76_values(3) or winnerswinner1_of_four_0_76_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(77), 2)) and (not is_set(winnerswinner1_of_pair_0(76), 2))) or
-        winnerswinner1_of_four_0_76_values(3) or winnerswinner1_of_four_0_76_values(4));
-      for i in 3 to 5 loop
-        winnerswinner1_of_four_0_76_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(79), i);
-        winnerswinner1_of_four_0_76_values(2 * i) := is_set(winnerswinner1_of_pair_0(78), i);
-        winnerswinner1_of_four_0_76_choices(i + 1) := choice(winnerswinner1_of_four_0_76_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(77), i)) and (not is_set(winnerswinner1_of_pair_0(76), i))) or
-          winnerswinner1_of_four_0_76_values(2 * i - 1) or winnerswinner1_of_four_0_76_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(77), i)) and (not is_set(winnerswinner1_of_pair_0(76), i)) and
-          (winnerswinner1_of_four_0_76_values(2 * i - 1) or winnerswinner1_of_four_0_76_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_76_choices(7) := choice(winnerswinner1_of_four_0_76_choices(6), (not ((not
-        is_set(winnerswinner1_of_pair_0(77), 6)) and (not is_set(winnerswinner1_of_pair_0(76), 6)))) and (not
-        is_set(winnerswinner1_of_pair_0(79), 6)) and (not is_set(winnerswinner1_of_pair_0(78), 6)), (not ((not
-        is_set(winnerswinner1_of_pair_0(77), 6)) and (not is_set(winnerswinner1_of_pair_0(76), 6)))) or ((not
-        is_set(winnerswinner1_of_pair_0(79), 6)) and (not is_set(winnerswinner1_of_pair_0(78), 6))));
-      winnerswinner1_of_four_0_80_choices(1) := choice(is_set(winnerswinner1_of_pair_0(81), 0), (not
-        is_set(winnerswinner1_of_pair_0(83), 0)) and (not is_set(winnerswinner1_of_pair_0(82), 0)),
-        is_set(winnerswinner1_of_pair_0(80), 0) and (not is_set(winnerswinner1_of_pair_0(83), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(82), 0)));
-      winnerswinner1_of_four_0_80_values(1) := is_set(winnerswinner1_of_pair_0(81), 1);
-      winnerswinner1_of_four_0_80_values(2) := is_set(winnerswinner1_of_pair_0(80), 1);
-      winnerswinner1_of_four_0_80_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(83), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(82), 1)), winnerswinner1_of_four_0_80_choices(1) or
-        winnerswinner1_of_four_0_80_values(1) or winnerswinner1_of_four_0_80_values(2),
-        winnerswinner1_of_four_0_80_choices(1) and (winnerswinner1_of_four_0_80_values(1) or
-        winnerswinner1_of_four_0_80_values(2)));
-      winnerswinner1_of_four_0_80_values(3) := is_set(winnerswinner1_of_pair_0(83), 2);
-      winnerswinner1_of_four_0_80_values(4) := is_set(winnerswinner1_of_pair_0(82), 2);
-      winnerswinner1_of_four_0_80_choices(3) := choice(winnerswinner1_of_four_0_80_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(81), 2)) and (not is_set(winnerswinner1_of_pair_0(80), 2)) and
-        (winnerswinner1_of_four_0_80_values(3) or winnerswinner1_of_four_0_80_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(81), 2)) and (not is_set(winnerswinner1_of_pair_0(80), 2))) or
-        winnerswinner1_of_four_0_80_values(3) or winnerswinner1_of_four_0_80_values(4));
-      for i in 3 to 5 loop
-        winnerswinner1_of_four_0_80_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(83), i);
-        winnerswinner1_of_four_0_80_values(2 * i) := is_set(winnerswinner1_of_pair_0(82), i);
-        winnerswinner1_of_four_0_80_choices(i + 1) := choice(winnerswinner1_of_four_0_80_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(81), i)) and (not is_set(winnerswinner1_of_pair_0(80), i))) or
-          winnerswinner1_of_four_0_80_values(2 * i - 1) or winnerswinner1_of_four_0_80_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(81), i)) and (not is_set(winnerswinner1_of_pair_0(80), i)) and
-          (winnerswinner1_of_four_0_80_values(2 * i - 1) or winnerswinner1_of_four_0_80_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_80_choices(7) := choice(winnerswinner1_of_four_0_80_choices(6), (not ((not
-        is_set(winnerswinner1_of_pair_0(81), 6)) and (not is_set(winnerswinner1_of_pair_0(80), 6)))) and (not
-        is_set(winnerswinner1_of_pair_0(83), 6)) and (not is_set(winnerswinner1_of_pair_0(82), 6)), (not ((not
-        is_set(winnerswinner1_of_pair_0(81), 6)) and (not is_set(winnerswinner1_of_pair_0(80), 6)))) or ((not
-        is_set(winnerswinner1_of_pair_0(83), 6)) and (not is_set(winnerswinner1_of_pair_0(82), 6))));
-      winnerswinner1_of_four_0_84_choices(1) := choice(is_set(winnerswinner1_of_pair_0(85), 0), (not
-        is_set(winnerswinner1_of_pair_0(87), 0)) and (not is_set(winnerswinner1_of_pair_0(86), 0)),
-        is_set(winnerswinner1_of_pair_0(84), 0) and (not is_set(winnerswinner1_of_pair_0(87), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(86), 0)));
-      winnerswinner1_of_four_0_84_values(1) := is_set(winnerswinner1_of_pair_0(85), 1);
-      winnerswinner1_of_four_0_84_values(2) := is_set(winnerswinner1_of_pair_0(84), 1);
-      winnerswinner1_of_four_0_84_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(87), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(86), 1)), winnerswinner1_of_four_0_84_choices(1) or
-        winnerswinner1_of_four_0_84_values(1) or winnerswinner1_of_four_0_84_values(2),
-        winnerswinner1_of_four_0_84_choices(1) and (winnerswinner1_of_four_0_84_values(1) or
-        winnerswinner1_of_four_0_84_values(2)));
-      winnerswinner1_of_four_0_84_values(3) := is_set(winnerswinner1_of_pair_0(87), 2);
-      winnerswinner1_of_four_0_84_values(4) := is_set(winnerswinner1_of_pair_0(86), 2);
-      winnerswinner1_of_four_0_84_choices(3) := choice(winnerswinner1_of_four_0_84_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(85), 2)) and (not is_set(winnerswinner1_of_pair_0(84), 2)) and
-        (winnerswinner1_of_four_0_84_values(3) or winnerswinner1_of_four_0_84_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(85), 2)) and (not is_set(winnerswinner1_of_pair_0(84), 2))) or
-        winnerswinner1_of_four_0_84_values(3) or winnerswinner1_of_four_0_84_values(4));
-      for i in 3 to 5 loop
-        winnerswinner1_of_four_0_84_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(87), i);
-        winnerswinner1_of_four_0_84_values(2 * i) := is_set(winnerswinner1_of_pair_0(86), i);
-        winnerswinner1_of_four_0_84_choices(i + 1) := choice(winnerswinner1_of_four_0_84_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(85), i)) and (not is_set(winnerswinner1_of_pair_0(84), i))) or
-          winnerswinner1_of_four_0_84_values(2 * i - 1) or winnerswinner1_of_four_0_84_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(85), i)) and (not is_set(winnerswinner1_of_pair_0(84), i)) and
-          (winnerswinner1_of_four_0_84_values(2 * i - 1) or winnerswinner1_of_four_0_84_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_84_choices(7) := choice(winnerswinner1_of_four_0_84_choices(6), (not ((not
-        is_set(winnerswinner1_of_pair_0(85), 6)) and (not is_set(winnerswinner1_of_pair_0(84), 6)))) and (not
-        is_set(winnerswinner1_of_pair_0(87), 6)) and (not is_set(winnerswinner1_of_pair_0(86), 6)), (not ((not
-        is_set(winnerswinner1_of_pair_0(85), 6)) and (not is_set(winnerswinner1_of_pair_0(84), 6)))) or ((not
-        is_set(winnerswinner1_of_pair_0(87), 6)) and (not is_set(winnerswinner1_of_pair_0(86), 6))));
-      winnerswinner1_of_four_0_88_choices(1) := choice(is_set(winnerswinner1_of_pair_0(89), 0), (not
-        is_set(winnerswinner1_of_pair_0(91), 0)) and (not is_set(winnerswinner1_of_pair_0(90), 0)),
-        is_set(winnerswinner1_of_pair_0(88), 0) and (not is_set(winnerswinner1_of_pair_0(91), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(90), 0)));
-      winnerswinner1_of_four_0_88_values(1) := is_set(winnerswinner1_of_pair_0(89), 1);
-      winnerswinner1_of_four_0_88_values(2) := is_set(winnerswinner1_of_pair_0(88), 1);
-      winnerswinner1_of_four_0_88_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(91), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(90), 1)), winnerswinner1_of_four_0_88_choices(1) or
-        winnerswinner1_of_four_0_88_values(1) or winnerswinner1_of_four_0_88_values(2),
-        winnerswinner1_of_four_0_88_choices(1) and (winnerswinner1_of_four_0_88_values(1) or
-        winnerswinner1_of_four_0_88_values(2)));
-      winnerswinner1_of_four_0_88_values(3) := is_set(winnerswinner1_of_pair_0(91), 2);
-      winnerswinner1_of_four_0_88_values(4) := is_set(winnerswinner1_of_pair_0(90), 2);
-      winnerswinner1_of_four_0_88_choices(3) := choice(winnerswinner1_of_four_0_88_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(89), 2)) and (not is_set(winnerswinner1_of_pair_0(88), 2)) and
-        (winnerswinner1_of_four_0_88_values(3) or winnerswinner1_of_four_0_88_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(89), 2)) and (not is_set(winnerswinner1_of_pair_0(88), 2))) or
-        winnerswinner1_of_four_0_88_values(3) or winnerswinner1_of_four_0_88_values(4));
-      for i in 3 to 5 loop
-        winnerswinner1_of_four_0_88_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(91), i);
-        winnerswinner1_of_four_0_88_values(2 * i) := is_set(winnerswinner1_of_pair_0(90), i);
-        winnerswinner1_of_four_0_88_choices(i + 1) := choice(winnerswinner1_of_four_0_88_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(89), i)) and (not is_set(winnerswinner1_of_pair_0(88), i))) or
-          winnerswinner1_of_four_0_88_values(2 * i - 1) or winnerswinner1_of_four_0_88_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(89), i)) and (not is_set(winnerswinner1_of_pair_0(88), i)) and
-          (winnerswinner1_of_four_0_88_values(2 * i - 1) or winnerswinner1_of_four_0_88_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_88_choices(7) := choice(winnerswinner1_of_four_0_88_choices(6), (not ((not
-        is_set(winnerswinner1_of_pair_0(89), 6)) and (not is_set(winnerswinner1_of_pair_0(88), 6)))) and (not
-        is_set(winnerswinner1_of_pair_0(91), 6)) and (not is_set(winnerswinner1_of_pair_0(90), 6)), (not ((not
-        is_set(winnerswinner1_of_pair_0(89), 6)) and (not is_set(winnerswinner1_of_pair_0(88), 6)))) or ((not
-        is_set(winnerswinner1_of_pair_0(91), 6)) and (not is_set(winnerswinner1_of_pair_0(90), 6))));
-      winnerswinner1_of_four_0_92_choices(1) := choice(is_set(winnerswinner1_of_pair_0(93), 0), (not
-        is_set(winnerswinner1_of_pair_0(95), 0)) and (not is_set(winnerswinner1_of_pair_0(94), 0)),
-        is_set(winnerswinner1_of_pair_0(92), 0) and (not is_set(winnerswinner1_of_pair_0(95), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(94), 0)));
-      winnerswinner1_of_four_0_92_values(1) := is_set(winnerswinner1_of_pair_0(93), 1);
-      winnerswinner1_of_four_0_92_values(2) := is_set(winnerswinner1_of_pair_0(92), 1);
-      winnerswinner1_of_four_0_92_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(95), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(94), 1)), winnerswinner1_of_four_0_92_choices(1) or
-        winnerswinner1_of_four_0_92_values(1) or winnerswinner1_of_four_0_92_values(2),
-        winnerswinner1_of_four_0_92_choices(1) and (winnerswinner1_of_four_0_92_values(1) or
-        winnerswinner1_of_four_0_92_values(2)));
-      winnerswinner1_of_four_0_92_values(3) := is_set(winnerswinner1_of_pair_0(95), 2);
-      winnerswinner1_of_four_0_92_values(4) := is_set(winnerswinner1_of_pair_0(94), 2);
-      winnerswinner1_of_four_0_92_choices(3) := choice(winnerswinner1_of_four_0_92_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(93), 2)) and (not is_set(winnerswinner1_of_pair_0(92), 2)) and
-        (winnerswinner1_of_four_0_92_values(3) or winnerswinner1_of_four_0_92_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(93), 2)) and (not is_set(winnerswinner1_of_pair_0(92), 2))) or
-        winnerswinner1_of_four_0_92_values(3) or winnerswinner1_of_four_0_92_values(4));
-      for i in 3 to 5 loop
-        winnerswinner1_of_four_0_92_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(95), i);
-        winnerswinner1_of_four_0_92_values(2 * i) := is_set(winnerswinner1_of_pair_0(94), i);
-        winnerswinner1_of_four_0_92_choices(i + 1) := choice(winnerswinner1_of_four_0_92_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(93), i)) and (not is_set(winnerswinner1_of_pair_0(92), i))) or
-          winnerswinner1_of_four_0_92_values(2 * i - 1) or winnerswinner1_of_four_0_92_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(93), i)) and (not is_set(winnerswinner1_of_pair_0(92), i)) and
-          (winnerswinner1_of_four_0_92_values(2 * i - 1) or winnerswinner1_of_four_0_92_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_92_choices(7) := choice(winnerswinner1_of_four_0_92_choices(6), (not ((not
-        is_set(winnerswinner1_of_pair_0(93), 6)) and (not is_set(winnerswinner1_of_pair_0(92), 6)))) and (not
-        is_set(winnerswinner1_of_pair_0(95), 6)) and (not is_set(winnerswinner1_of_pair_0(94), 6)), (not ((not
-        is_set(winnerswinner1_of_pair_0(93), 6)) and (not is_set(winnerswinner1_of_pair_0(92), 6)))) or ((not
-        is_set(winnerswinner1_of_pair_0(95), 6)) and (not is_set(winnerswinner1_of_pair_0(94), 6))));
-      winnerswinner1_of_four_0_96_choices(1) := choice(is_set(winnerswinner1_of_pair_0(97), 0), (not
-        is_set(winnerswinner1_of_pair_0(99), 0)) and (not is_set(winnerswinner1_of_pair_0(98), 0)),
-        is_set(winnerswinner1_of_pair_0(96), 0) and (not is_set(winnerswinner1_of_pair_0(99), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(98), 0)));
-      winnerswinner1_of_four_0_96_values(1) := is_set(winnerswinner1_of_pair_0(97), 1);
-      winnerswinner1_of_four_0_96_values(2) := is_set(winnerswinner1_of_pair_0(96), 1);
-      winnerswinner1_of_four_0_96_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(99), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(98), 1)), winnerswinner1_of_four_0_96_choices(1) or
-        winnerswinner1_of_four_0_96_values(1) or winnerswinner1_of_four_0_96_values(2),
-        winnerswinner1_of_four_0_96_choices(1) and (winnerswinner1_of_four_0_96_values(1) or
-        winnerswinner1_of_four_0_96_values(2)));
-      winnerswinner1_of_four_0_96_values(3) := is_set(winnerswinner1_of_pair_0(99), 2);
-      winnerswinner1_of_four_0_96_values(4) := is_set(winnerswinner1_of_pair_0(98), 2);
-      winnerswinner1_of_four_0_96_choices(3) := choice(winnerswinner1_of_four_0_96_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(97), 2)) and (not is_set(winnerswinner1_of_pair_0(96), 2)) and
-        (winnerswinner1_of_four_0_96_values(3) or winnerswinner1_of_four_0_96_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(97), 2)) and (not is_set(winnerswinner1_of_pair_0(96), 2))) or
-        winnerswinner1_of_four_0_96_values(3) or winnerswinner1_of_four_0_96_values(4));
-      for i in 3 to 5 loop
-        winnerswinner1_of_four_0_96_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(99), i);
-        winnerswinner1_of_four_0_96_values(2 * i) := is_set(winnerswinner1_of_pair_0(98), i);
-        winnerswinner1_of_four_0_96_choices(i + 1) := choice(winnerswinner1_of_four_0_96_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(97), i)) and (not is_set(winnerswinner1_of_pair_0(96), i))) or
-          winnerswinner1_of_four_0_96_values(2 * i - 1) or winnerswinner1_of_four_0_96_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(97), i)) and (not is_set(winnerswinner1_of_pair_0(96), i)) and
-          (winnerswinner1_of_four_0_96_values(2 * i - 1) or winnerswinner1_of_four_0_96_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_96_choices(7) := choice(winnerswinner1_of_four_0_96_choices(6), (not ((not
-        is_set(winnerswinner1_of_pair_0(97), 6)) and (not is_set(winnerswinner1_of_pair_0(96), 6)))) and (not
-        is_set(winnerswinner1_of_pair_0(99), 6)) and (not is_set(winnerswinner1_of_pair_0(98), 6)), (not ((not
-        is_set(winnerswinner1_of_pair_0(97), 6)) and (not is_set(winnerswinner1_of_pair_0(96), 6)))) or ((not
-        is_set(winnerswinner1_of_pair_0(99), 6)) and (not is_set(winnerswinner1_of_pair_0(98), 6))));
-      winnerswinner1_of_four_0_100_choices(1) := choice(is_set(winnerswinner1_of_pair_0(101), 0), (not
-        is_set(winnerswinner1_of_pair_0(103), 0)) and (not is_set(winnerswinner1_of_pair_0(102), 0)),
-        is_set(winnerswinner1_of_pair_0(100), 0) and (not is_set(winnerswinner1_of_pair_0(103), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(102), 0)));
-      winnerswinner1_of_four_0_100_values(1) := is_set(winnerswinner1_of_pair_0(101), 1);
-      winnerswinner1_of_four_0_100_values(2) := is_set(winnerswinner1_of_pair_0(100), 1);
-      winnerswinner1_of_four_0_100_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(103), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(102), 1)), winnerswinner1_of_four_0_100_choices(1) or
-        winnerswinner1_of_four_0_100_values(1) or winnerswinner1_of_four_0_100_values(2),
-        winnerswinner1_of_four_0_100_choices(1) and (winnerswinner1_of_four_0_100_values(1) or
-        winnerswinner1_of_four_0_100_values(2)));
-      winnerswinner1_of_four_0_100_values(3) := is_set(winnerswinner1_of_pair_0(103), 2);
-      winnerswinner1_of_four_0_100_values(4) := is_set(winnerswinner1_of_pair_0(102), 2);
-      winnerswinner1_of_four_0_100_choices(3) := choice(winnerswinner1_of_four_0_100_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(101), 2)) and (not is_set(winnerswinner1_of_pair_0(100), 2)) and
-        (winnerswinner1_of_four_0_100_values(3) or winnerswinner1_of_four_0_100_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(101), 2)) and (not is_set(winnerswinner1_of_pair_0(100), 2))) or
-        winnerswinner1_of_four_0_100_values(3) or winnerswinner1_of_four_0_100_values(4));
-      for i in 3 to 5 loop
-        winnerswinner1_of_four_0_100_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(103), i);
-        winnerswinner1_of_four_0_100_values(2 * i) := is_set(winnerswinner1_of_pair_0(102), i);
-        winnerswinner1_of_four_0_100_choices(i + 1) := choice(winnerswinner1_of_four_0_100_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(101), i)) and (not is_set(winnerswinner1_of_pair_0(100), i))) or
-          winnerswinner1_of_four_0_100_values(2 * i - 1) or winnerswinner1_of_four_0_100_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(101), i)) and (not is_set(winnerswinner1_of_pair_0(100), i)) and
-          (winnerswinner1_of_four_0_100_values(2 * i - 1) or winnerswinner1_of_four_0_100_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_100_choices(7) := choice(winnerswinner1_of_four_0_100_choices(6), (not ((not
-        is_set(winnerswinner1_of_pair_0(101), 6)) and (not is_set(winnerswinner1_of_pair_0(100), 6)))) and (not
-        is_set(winnerswinner1_of_pair_0(103), 6)) and (not is_set(winnerswinner1_of_pair_0(102), 6)), (not ((not
-        is_set(winnerswinner1_of_pair_0(101), 6)) and (not is_set(winnerswinner1_of_pair_0(100), 6)))) or ((not
-        is_set(winnerswinner1_of_pair_0(103), 6)) and (not is_set(winnerswinner1_of_pair_0(102), 6))));
-      winnerswinner1_of_four_0_104_choices(1) := choice(is_set(winnerswinner1_of_pair_0(105), 0), (not
-        is_set(winnerswinner1_of_pair_0(107), 0)) and (not is_set(winnerswinner1_of_pair_0(106), 0)),
-        is_set(winnerswinner1_of_pair_0(104), 0) and (not is_set(winnerswinner1_of_pair_0(107), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(106), 0)));
-      winnerswinner1_of_four_0_104_values(1) := is_set(winnerswinner1_of_pair_0(105), 1);
-      winnerswinner1_of_four_0_104_values(2) := is_set(winnerswinner1_of_pair_0(104), 1);
-      winnerswinner1_of_four_0_104_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(107), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(106), 1)), winnerswinner1_of_four_0_104_choices(1) or
-        winnerswinner1_of_four_0_104_values(1) or winnerswinner1_of_four_0_104_values(2),
-        winnerswinner1_of_four_0_104_choices(1) and (winnerswinner1_of_four_0_104_values(1) or
-        winnerswinner1_of_four_0_104_values(2)));
-      winnerswinner1_of_four_0_104_values(3) := is_set(winnerswinner1_of_pair_0(107), 2);
-      winnerswinner1_of_four_0_104_values(4) := is_set(winnerswinner1_of_pair_0(106), 2);
-      winnerswinner1_of_four_0_104_choices(3) := choice(winnerswinner1_of_four_0_104_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(105), 2)) and (not is_set(winnerswinner1_of_pair_0(104), 2)) and
-        (winnerswinner1_of_four_0_104_values(3) or winnerswinner1_of_four_0_104_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(105), 2)) and (not is_set(winnerswinner1_of_pair_0(104), 2))) or
-        winnerswinner1_of_four_0_104_values(3) or winnerswinner1_of_four_0_104_values(4));
-      for i in 3 to 5 loop
-        winnerswinner1_of_four_0_104_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(107), i);
-        winnerswinner1_of_four_0_104_values(2 * i) := is_set(winnerswinner1_of_pair_0(106), i);
-        winnerswinner1_of_four_0_104_choices(i + 1) := choice(winnerswinner1_of_four_0_104_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(105), i)) and (not is_set(winnerswinner1_of_pair_0(104), i))) or
-          winnerswinner1_of_four_0_104_values(2 * i - 1) or winnerswinner1_of_four_0_104_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(105), i)) and (not is_set(winnerswinner1_of_pair_0(104), i)) and
-          (winnerswinner1_of_four_0_104_values(2 * i - 1) or winnerswinner1_of_four_0_104_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_104_choices(7) := choice(winnerswinner1_of_four_0_104_choices(6), (not ((not
-        is_set(winnerswinner1_of_pair_0(105), 6)) and (not is_set(winnerswinner1_of_pair_0(104), 6)))) and (not
-        is_set(winnerswinner1_of_pair_0(107), 6)) and (not is_set(winnerswinner1_of_pair_0(106), 6)), (not ((not
-        is_set(winnerswinner1_of_pair_0(105), 6)) and (not is_set(winnerswinner1_of_pair_0(104), 6)))) or ((not
-        is_set(winnerswinner1_of_pair_0(107), 6)) and (not is_set(winnerswinner1_of_pair_0(106), 6))));
-      winnerswinner1_of_four_0_108_choices(1) := choice(is_set(winnerswinner1_of_pair_0(109), 0), (not
-        is_set(winnerswinner1_of_pair_0(111), 0)) and (not is_set(winnerswinner1_of_pair_0(110), 0)),
-        is_set(winnerswinner1_of_pair_0(108), 0) and (not is_set(winnerswinner1_of_pair_0(111), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(110), 0)));
-      winnerswinner1_of_four_0_108_values(1) := is_set(winnerswinner1_of_pair_0(109), 1);
-      winnerswinner1_of_four_0_108_values(2) := is_set(winnerswinner1_of_pair_0(108), 1);
-      winnerswinner1_of_four_0_108_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(111), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(110), 1)), winnerswinner1_of_four_0_108_choices(1) or
-        winnerswinner1_of_four_0_108_values(1) or winnerswinner1_of_four_0_108_values(2),
-        winnerswinner1_of_four_0_108_choices(1) and (winnerswinner1_of_four_0_108_values(1) or
-        winnerswinner1_of_four_0_108_values(2)));
-      winnerswinner1_of_four_0_108_values(3) := is_set(winnerswinner1_of_pair_0(111), 2);
-      winnerswinner1_of_four_0_108_values(4) := is_set(winnerswinner1_of_pair_0(110), 2);
-      winnerswinner1_of_four_0_108_choices(3) := choice(winnerswinner1_of_four_0_108_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(109), 2)) and (not is_set(winnerswinner1_of_pair_0(108), 2)) and
-        (winnerswinner1_of_four_0_108_values(3) or winnerswinner1_of_four_0_108_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(109), 2)) and (not is_set(winnerswinner1_of_pair_0(108), 2))) or
-        winnerswinner1_of_four_0_108_values(3) or winnerswinner1_of_four_0_108_values(4));
-      for i in 3 to 5 loop
-        winnerswinner1_of_four_0_108_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(111), i);
-        winnerswinner1_of_four_0_108_values(2 * i) := is_set(winnerswinner1_of_pair_0(110), i);
-        winnerswinner1_of_four_0_108_choices(i + 1) := choice(winnerswinner1_of_four_0_108_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(109), i)) and (not is_set(winnerswinner1_of_pair_0(108), i))) or
-          winnerswinner1_of_four_0_108_values(2 * i - 1) or winnerswinner1_of_four_0_108_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(109), i)) and (not is_set(winnerswinner1_of_pair_0(108), i)) and
-          (winnerswinner1_of_four_0_108_values(2 * i - 1) or winnerswinner1_of_four_0_108_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_108_choices(7) := choice(winnerswinner1_of_four_0_108_choices(6), (not ((not
-        is_set(winnerswinner1_of_pair_0(109), 6)) and (not is_set(winnerswinner1_of_pair_0(108), 6)))) and (not
-        is_set(winnerswinner1_of_pair_0(111), 6)) and (not is_set(winnerswinner1_of_pair_0(110), 6)), (not ((not
-        is_set(winnerswinner1_of_pair_0(109), 6)) and (not is_set(winnerswinner1_of_pair_0(108), 6)))) or ((not
-        is_set(winnerswinner1_of_pair_0(111), 6)) and (not is_set(winnerswinner1_of_pair_0(110), 6))));
-      winnerswinner1_of_four_0_112_choices(1) := choice(is_set(winnerswinner1_of_pair_0(113), 0), (not
-        is_set(winnerswinner1_of_pair_0(115), 0)) and (not is_set(winnerswinner1_of_pair_0(114), 0)),
-        is_set(winnerswinner1_of_pair_0(112), 0) and (not is_set(winnerswinner1_of_pair_0(115), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(114), 0)));
-      winnerswinner1_of_four_0_112_values(1) := is_set(winnerswinner1_of_pair_0(113), 1);
-      winnerswinner1_of_four_0_112_values(2) := is_set(winnerswinner1_of_pair_0(112), 1);
-      winnerswinner1_of_four_0_112_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(115), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(114), 1)), winnerswinner1_of_four_0_112_choices(1) or
-        winnerswinner1_of_four_0_112_values(1) or winnerswinner1_of_four_0_112_values(2),
-        winnerswinner1_of_four_0_112_choices(1) and (winnerswinner1_of_four_0_112_values(1) or
-        winnerswinner1_of_four_0_112_values(2)));
-      winnerswinner1_of_four_0_112_values(3) := is_set(winnerswinner1_of_pair_0(115), 2);
-      winnerswinner1_of_four_0_112_values(4) := is_set(winnerswinner1_of_pair_0(114), 2);
-      winnerswinner1_of_four_0_112_choices(3) := choice(winnerswinner1_of_four_0_112_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(113), 2)) and (not is_set(winnerswinner1_of_pair_0(112), 2)) and
-        (winnerswinner1_of_four_0_112_values(3) or winnerswinner1_of_four_0_112_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(113), 2)) and (not is_set(winnerswinner1_of_pair_0(112), 2))) or
-        winnerswinner1_of_four_0_112_values(3) or winnerswinner1_of_four_0_112_values(4));
-      for i in 3 to 5 loop
-        winnerswinner1_of_four_0_112_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(115), i);
-        winnerswinner1_of_four_0_112_values(2 * i) := is_set(winnerswinner1_of_pair_0(114), i);
-        winnerswinner1_of_four_0_112_choices(i + 1) := choice(winnerswinner1_of_four_0_112_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(113), i)) and (not is_set(winnerswinner1_of_pair_0(112), i))) or
-          winnerswinner1_of_four_0_112_values(2 * i - 1) or winnerswinner1_of_four_0_112_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(113), i)) and (not is_set(winnerswinner1_of_pair_0(112), i)) and
-          (winnerswinner1_of_four_0_112_values(2 * i - 1) or winnerswinner1_of_four_0_112_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_112_choices(7) := choice(winnerswinner1_of_four_0_112_choices(6), (not ((not
-        is_set(winnerswinner1_of_pair_0(113), 6)) and (not is_set(winnerswinner1_of_pair_0(112), 6)))) and (not
-        is_set(winnerswinner1_of_pair_0(115), 6)) and (not is_set(winnerswinner1_of_pair_0(114), 6)), (not ((not
-        is_set(winnerswinner1_of_pair_0(113), 6)) and (not is_set(winnerswinner1_of_pair_0(112), 6)))) or ((not
-        is_set(winnerswinner1_of_pair_0(115), 6)) and (not is_set(winnerswinner1_of_pair_0(114), 6))));
-      winnerswinner1_of_four_0_116_choices(1) := choice(is_set(winnerswinner1_of_pair_0(117), 0), (not
-        is_set(winnerswinner1_of_pair_0(119), 0)) and (not is_set(winnerswinner1_of_pair_0(118), 0)),
-        is_set(winnerswinner1_of_pair_0(116), 0) and (not is_set(winnerswinner1_of_pair_0(119), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(118), 0)));
-      winnerswinner1_of_four_0_116_values(1) := is_set(winnerswinner1_of_pair_0(117), 1);
-      winnerswinner1_of_four_0_116_values(2) := is_set(winnerswinner1_of_pair_0(116), 1);
-      winnerswinner1_of_four_0_116_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(119), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(118), 1)), winnerswinner1_of_four_0_116_choices(1) or
-        winnerswinner1_of_four_0_116_values(1) or winnerswinner1_of_four_0_116_values(2),
-        winnerswinner1_of_four_0_116_choices(1) and (winnerswinner1_of_four_0_116_values(1) or
-        winnerswinner1_of_four_0_116_values(2)));
-      winnerswinner1_of_four_0_116_values(3) := is_set(winnerswinner1_of_pair_0(119), 2);
-      winnerswinner1_of_four_0_116_values(4) := is_set(winnerswinner1_of_pair_0(118), 2);
-      winnerswinner1_of_four_0_116_choices(3) := choice(winnerswinner1_of_four_0_116_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(117), 2)) and (not is_set(winnerswinner1_of_pair_0(116), 2)) and
-        (winnerswinner1_of_four_0_116_values(3) or winnerswinner1_of_four_0_116_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(117), 2)) and (not is_set(winnerswinner1_of_pair_0(116), 2))) or
-        winnerswinner1_of_four_0_116_values(3) or winnerswinner1_of_four_0_116_values(4));
-      for i in 3 to 5 loop
-        winnerswinner1_of_four_0_116_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(119), i);
-        winnerswinner1_of_four_0_116_values(2 * i) := is_set(winnerswinner1_of_pair_0(118), i);
-        winnerswinner1_of_four_0_116_choices(i + 1) := choice(winnerswinner1_of_four_0_116_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(117), i)) and (not is_set(winnerswinner1_of_pair_0(116), i))) or
-          winnerswinner1_of_four_0_116_values(2 * i - 1) or winnerswinner1_of_four_0_116_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(117), i)) and (not is_set(winnerswinner1_of_pair_0(116), i)) and
-          (winnerswinner1_of_four_0_116_values(2 * i - 1) or winnerswinner1_of_four_0_116_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_116_choices(7) := choice(winnerswinner1_of_four_0_116_choices(6), (not ((not
-        is_set(winnerswinner1_of_pair_0(117), 6)) and (not is_set(winnerswinner1_of_pair_0(116), 6)))) and (not
-        is_set(winnerswinner1_of_pair_0(119), 6)) and (not is_set(winnerswinner1_of_pair_0(118), 6)), (not ((not
-        is_set(winnerswinner1_of_pair_0(117), 6)) and (not is_set(winnerswinner1_of_pair_0(116), 6)))) or ((not
-        is_set(winnerswinner1_of_pair_0(119), 6)) and (not is_set(winnerswinner1_of_pair_0(118), 6))));
-      winnerswinner1_of_four_0_120_choices(1) := choice(is_set(winnerswinner1_of_pair_0(121), 0), (not
-        is_set(winnerswinner1_of_pair_0(123), 0)) and (not is_set(winnerswinner1_of_pair_0(122), 0)),
-        is_set(winnerswinner1_of_pair_0(120), 0) and (not is_set(winnerswinner1_of_pair_0(123), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(122), 0)));
-      winnerswinner1_of_four_0_120_values(1) := is_set(winnerswinner1_of_pair_0(121), 1);
-      winnerswinner1_of_four_0_120_values(2) := is_set(winnerswinner1_of_pair_0(120), 1);
-      winnerswinner1_of_four_0_120_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(123), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(122), 1)), winnerswinner1_of_four_0_120_choices(1) or
-        winnerswinner1_of_four_0_120_values(1) or winnerswinner1_of_four_0_120_values(2),
-        winnerswinner1_of_four_0_120_choices(1) and (winnerswinner1_of_four_0_120_values(1) or
-        winnerswinner1_of_four_0_120_values(2)));
-      winnerswinner1_of_four_0_120_values(3) := is_set(winnerswinner1_of_pair_0(123), 2);
-      winnerswinner1_of_four_0_120_values(4) := is_set(winnerswinner1_of_pair_0(122), 2);
-      winnerswinner1_of_four_0_120_choices(3) := choice(winnerswinner1_of_four_0_120_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(121), 2)) and (not is_set(winnerswinner1_of_pair_0(120), 2)) and
-        (winnerswinner1_of_four_0_120_values(3) or winnerswinner1_of_four_0_120_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(121), 2)) and (not is_set(winnerswinner1_of_pair_0(120), 2))) or
-        winnerswinner1_of_four_0_120_values(3) or winnerswinner1_of_four_0_120_values(4));
-      for i in 3 to 5 loop
-        winnerswinner1_of_four_0_120_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(123), i);
-        winnerswinner1_of_four_0_120_values(2 * i) := is_set(winnerswinner1_of_pair_0(122), i);
-        winnerswinner1_of_four_0_120_choices(i + 1) := choice(winnerswinner1_of_four_0_120_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(121), i)) and (not is_set(winnerswinner1_of_pair_0(120), i))) or
-          winnerswinner1_of_four_0_120_values(2 * i - 1) or winnerswinner1_of_four_0_120_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(121), i)) and (not is_set(winnerswinner1_of_pair_0(120), i)) and
-          (winnerswinner1_of_four_0_120_values(2 * i - 1) or winnerswinner1_of_four_0_120_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_120_choices(7) := choice(winnerswinner1_of_four_0_120_choices(6), (not ((not
-        is_set(winnerswinner1_of_pair_0(121), 6)) and (not is_set(winnerswinner1_of_pair_0(120), 6)))) and (not
-        is_set(winnerswinner1_of_pair_0(123), 6)) and (not is_set(winnerswinner1_of_pair_0(122), 6)), (not ((not
-        is_set(winnerswinner1_of_pair_0(121), 6)) and (not is_set(winnerswinner1_of_pair_0(120), 6)))) or ((not
-        is_set(winnerswinner1_of_pair_0(123), 6)) and (not is_set(winnerswinner1_of_pair_0(122), 6))));
-      winnerswinner1_of_four_0_124_choices(1) := choice(is_set(winnerswinner1_of_pair_0(125), 0), (not
-        is_set(winnerswinner1_of_pair_0(127), 0)) and (not is_set(winnerswinner1_of_pair_0(126), 0)),
-        is_set(winnerswinner1_of_pair_0(124), 0) and (not is_set(winnerswinner1_of_pair_0(127), 0)) and (not
-        is_set(winnerswinner1_of_pair_0(126), 0)));
-      winnerswinner1_of_four_0_124_values(1) := is_set(winnerswinner1_of_pair_0(125), 1);
-      winnerswinner1_of_four_0_124_values(2) := is_set(winnerswinner1_of_pair_0(124), 1);
-      winnerswinner1_of_four_0_124_choices(2) := choice((not is_set(winnerswinner1_of_pair_0(127), 1)) and (not
-        is_set(winnerswinner1_of_pair_0(126), 1)), winnerswinner1_of_four_0_124_choices(1) or
-        winnerswinner1_of_four_0_124_values(1) or winnerswinner1_of_four_0_124_values(2),
-        winnerswinner1_of_four_0_124_choices(1) and (winnerswinner1_of_four_0_124_values(1) or
-        winnerswinner1_of_four_0_124_values(2)));
-      winnerswinner1_of_four_0_124_values(3) := is_set(winnerswinner1_of_pair_0(127), 2);
-      winnerswinner1_of_four_0_124_values(4) := is_set(winnerswinner1_of_pair_0(126), 2);
-      winnerswinner1_of_four_0_124_choices(3) := choice(winnerswinner1_of_four_0_124_choices(2), (not
-        is_set(winnerswinner1_of_pair_0(125), 2)) and (not is_set(winnerswinner1_of_pair_0(124), 2)) and
-        (winnerswinner1_of_four_0_124_values(3) or winnerswinner1_of_four_0_124_values(4)), ((not
-        is_set(winnerswinner1_of_pair_0(125), 2)) and (not is_set(winnerswinner1_of_pair_0(124), 2))) or
-        winnerswinner1_of_four_0_124_values(3) or winnerswinner1_of_four_0_124_values(4));
-      for i in 3 to 5 loop
-        winnerswinner1_of_four_0_124_values(2 * i - 1) := is_set(winnerswinner1_of_pair_0(127), i);
-        winnerswinner1_of_four_0_124_values(2 * i) := is_set(winnerswinner1_of_pair_0(126), i);
-        winnerswinner1_of_four_0_124_choices(i + 1) := choice(winnerswinner1_of_four_0_124_choices(i), ((not
-          is_set(winnerswinner1_of_pair_0(125), i)) and (not is_set(winnerswinner1_of_pair_0(124), i))) or
-          winnerswinner1_of_four_0_124_values(2 * i - 1) or winnerswinner1_of_four_0_124_values(2 * i), (not
-          is_set(winnerswinner1_of_pair_0(125), i)) and (not is_set(winnerswinner1_of_pair_0(124), i)) and
-          (winnerswinner1_of_four_0_124_values(2 * i - 1) or winnerswinner1_of_four_0_124_values(2 * i)));
-      end loop;
-      winnerswinner1_of_four_0_124_choices(7) := choice(winnerswinner1_of_four_0_124_choices(6), (not ((not
-        is_set(winnerswinner1_of_pair_0(125), 6)) and (not is_set(winnerswinner1_of_pair_0(124), 6)))) and (not
-        is_set(winnerswinner1_of_pair_0(127), 6)) and (not is_set(winnerswinner1_of_pair_0(126), 6)), (not ((not
-        is_set(winnerswinner1_of_pair_0(125), 6)) and (not is_set(winnerswinner1_of_pair_0(124), 6)))) or ((not
-        is_set(winnerswinner1_of_pair_0(127), 6)) and (not is_set(winnerswinner1_of_pair_0(126), 6))));
-      winnerswinner1_pair_index_0_0 <= winnerswinner1_of_pair_0_choice(0, 7);
+      winnerswinner1_pair_index_0_0 <= winnerswinner1_of_pair_0_choice_7(0);
       winnerswinner1_pair_tag <= sums_tag;
       winnerswinner1_four_tag <= winnerswinner1_pair_tag;
       for i in 0 to 31 loop
@@ -4004,509 +2611,75 @@ begin
       end loop;
       winnerswinner1_best_index_0 <= winnerswinner1_four_index_0;
       winnerswinner1_tag <= winnerswinner1_four_tag;
-      winnerswinner1_of_pair_0(0) <= choice(winnerswinner1_of_pair_0_choice(0, 7), 0, sums_sum_0(0));
-      winnerswinner1_of_pair_0(1) <= choice(winnerswinner1_of_pair_0_choice(0, 7), sums_sum_0(1), 0);
+      winnerswinner1_of_pair_0(0) <= choice(winnerswinner1_of_pair_0_choice_7(0), 0, sums_sum_0(0));
+      winnerswinner1_of_pair_0(1) <= choice(winnerswinner1_of_pair_0_choice_7(0), sums_sum_0(1), 0);
       for i in 1 to 63 loop
-        winnerswinner1_of_pair_0(2 * i) <= choice(winnerswinner1_of_pair_0_choice(2 * i, 7), 0, sums_sum_0(2 * i));
-        winnerswinner1_of_pair_0(2 * i + 1) <= choice(winnerswinner1_of_pair_0_choice(2 * i, 7), sums_sum_0(2 * i + 1),
-          0);
-        winnerswinner1_pair_index_0(i) <= choice(winnerswinner1_of_pair_0_choice(2 * i, 7), 2 * i + 1, 2 * i);
+        winnerswinner1_of_pair_0(2 * i) <= choice(winnerswinner1_of_pair_0_choice_7(i), 0, sums_sum_0(2 * i));
+        winnerswinner1_of_pair_0(2 * i + 1) <= choice(winnerswinner1_of_pair_0_choice_7(i), sums_sum_0(2 * i + 1), 0);
+        winnerswinner1_pair_index_0(i) <= choice(winnerswinner1_of_pair_0_choice_7(i), 2 * i + 1, 2 * i);
       end loop;
-      winnerswinner1_of_four_0(0) <= choice(winnerswinner1_of_four_0_0_choices(7), 0, winnerswinner1_of_pair_0(0));
-      winnerswinner1_of_four_0(1) <= choice(winnerswinner1_of_four_0_0_choices(7), 0, winnerswinner1_of_pair_0(1));
-      winnerswinner1_of_four_0(2) <= choice(winnerswinner1_of_four_0_0_choices(7), winnerswinner1_of_pair_0(2), 0);
-      winnerswinner1_of_four_0(3) <= choice(winnerswinner1_of_four_0_0_choices(7), winnerswinner1_of_pair_0(3), 0);
-      winnerswinner1_four_index_0(0) <= choice(winnerswinner1_of_four_0_0_choices(7), winnerswinner1_pair_index_0(1),
+      winnerswinner1_of_four_0(0) <= choice(winnerswinner1_of_four_0_choice(0, 7), 0, winnerswinner1_of_pair_0(0));
+      winnerswinner1_of_four_0(1) <= choice(winnerswinner1_of_four_0_choice(0, 7), 0, winnerswinner1_of_pair_0(1));
+      winnerswinner1_of_four_0(2) <= choice(winnerswinner1_of_four_0_choice(0, 7), winnerswinner1_of_pair_0(2), 0);
+      winnerswinner1_of_four_0(3) <= choice(winnerswinner1_of_four_0_choice(0, 7), winnerswinner1_of_pair_0(3), 0);
+      winnerswinner1_four_index_0(0) <= choice(winnerswinner1_of_four_0_choice(0, 7), winnerswinner1_pair_index_0(1),
         as_number(winnerswinner1_pair_index_0_0));
-      winnerswinner1_of_four_0(4) <= choice(winnerswinner1_of_four_0_4_choices(7), 0, winnerswinner1_of_pair_0(4));
-      winnerswinner1_of_four_0(5) <= choice(winnerswinner1_of_four_0_4_choices(7), 0, winnerswinner1_of_pair_0(5));
-      winnerswinner1_of_four_0(6) <= choice(winnerswinner1_of_four_0_4_choices(7), winnerswinner1_of_pair_0(6), 0);
-      winnerswinner1_of_four_0(7) <= choice(winnerswinner1_of_four_0_4_choices(7), winnerswinner1_of_pair_0(7), 0);
-      winnerswinner1_four_index_0(1) <= choice(winnerswinner1_of_four_0_4_choices(7), winnerswinner1_pair_index_0(3),
-        winnerswinner1_pair_index_0(2));
-      winnerswinner1_of_four_0(8) <= choice(winnerswinner1_of_four_0_8_choices(7), 0, winnerswinner1_of_pair_0(8));
-      winnerswinner1_of_four_0(9) <= choice(winnerswinner1_of_four_0_8_choices(7), 0, winnerswinner1_of_pair_0(9));
-      winnerswinner1_of_four_0(10) <= choice(winnerswinner1_of_four_0_8_choices(7), winnerswinner1_of_pair_0(10), 0);
-      winnerswinner1_of_four_0(11) <= choice(winnerswinner1_of_four_0_8_choices(7), winnerswinner1_of_pair_0(11), 0);
-      winnerswinner1_four_index_0(2) <= choice(winnerswinner1_of_four_0_8_choices(7), winnerswinner1_pair_index_0(5),
-        winnerswinner1_pair_index_0(4));
-      winnerswinner1_of_four_0(12) <= choice(winnerswinner1_of_four_0_12_choices(7), 0, winnerswinner1_of_pair_0(12));
-      winnerswinner1_of_four_0(13) <= choice(winnerswinner1_of_four_0_12_choices(7), 0, winnerswinner1_of_pair_0(13));
-      winnerswinner1_of_four_0(14) <= choice(winnerswinner1_of_four_0_12_choices(7), winnerswinner1_of_pair_0(14), 0);
-      winnerswinner1_of_four_0(15) <= choice(winnerswinner1_of_four_0_12_choices(7), winnerswinner1_of_pair_0(15), 0);
-      winnerswinner1_four_index_0(3) <= choice(winnerswinner1_of_four_0_12_choices(7), winnerswinner1_pair_index_0(7),
-        winnerswinner1_pair_index_0(6));
-      winnerswinner1_of_four_0(16) <= choice(winnerswinner1_of_four_0_16_choices(7), 0, winnerswinner1_of_pair_0(16));
-      winnerswinner1_of_four_0(17) <= choice(winnerswinner1_of_four_0_16_choices(7), 0, winnerswinner1_of_pair_0(17));
-      winnerswinner1_of_four_0(18) <= choice(winnerswinner1_of_four_0_16_choices(7), winnerswinner1_of_pair_0(18), 0);
-      winnerswinner1_of_four_0(19) <= choice(winnerswinner1_of_four_0_16_choices(7), winnerswinner1_of_pair_0(19), 0);
-      winnerswinner1_four_index_0(4) <= choice(winnerswinner1_of_four_0_16_choices(7), winnerswinner1_pair_index_0(9),
-        winnerswinner1_pair_index_0(8));
-      winnerswinner1_of_four_0(20) <= choice(winnerswinner1_of_four_0_20_choices(7), 0, winnerswinner1_of_pair_0(20));
-      winnerswinner1_of_four_0(21) <= choice(winnerswinner1_of_four_0_20_choices(7), 0, winnerswinner1_of_pair_0(21));
-      winnerswinner1_of_four_0(22) <= choice(winnerswinner1_of_four_0_20_choices(7), winnerswinner1_of_pair_0(22), 0);
-      winnerswinner1_of_four_0(23) <= choice(winnerswinner1_of_four_0_20_choices(7), winnerswinner1_of_pair_0(23), 0);
-      winnerswinner1_four_index_0(5) <= choice(winnerswinner1_of_four_0_20_choices(7), winnerswinner1_pair_index_0(11),
-        winnerswinner1_pair_index_0(10));
-      winnerswinner1_of_four_0(24) <= choice(winnerswinner1_of_four_0_24_choices(7), 0, winnerswinner1_of_pair_0(24));
-      winnerswinner1_of_four_0(25) <= choice(winnerswinner1_of_four_0_24_choices(7), 0, winnerswinner1_of_pair_0(25));
-      winnerswinner1_of_four_0(26) <= choice(winnerswinner1_of_four_0_24_choices(7), winnerswinner1_of_pair_0(26), 0);
-      winnerswinner1_of_four_0(27) <= choice(winnerswinner1_of_four_0_24_choices(7), winnerswinner1_of_pair_0(27), 0);
-      winnerswinner1_four_index_0(6) <= choice(winnerswinner1_of_four_0_24_choices(7), winnerswinner1_pair_index_0(13),
-        winnerswinner1_pair_index_0(12));
-      winnerswinner1_of_four_0(28) <= choice(winnerswinner1_of_four_0_28_choices(7), 0, winnerswinner1_of_pair_0(28));
-      winnerswinner1_of_four_0(29) <= choice(winnerswinner1_of_four_0_28_choices(7), 0, winnerswinner1_of_pair_0(29));
-      winnerswinner1_of_four_0(30) <= choice(winnerswinner1_of_four_0_28_choices(7), winnerswinner1_of_pair_0(30), 0);
-      winnerswinner1_of_four_0(31) <= choice(winnerswinner1_of_four_0_28_choices(7), winnerswinner1_of_pair_0(31), 0);
-      winnerswinner1_four_index_0(7) <= choice(winnerswinner1_of_four_0_28_choices(7), winnerswinner1_pair_index_0(15),
-        winnerswinner1_pair_index_0(14));
-      winnerswinner1_of_four_0(32) <= choice(winnerswinner1_of_four_0_32_choices(7), 0, winnerswinner1_of_pair_0(32));
-      winnerswinner1_of_four_0(33) <= choice(winnerswinner1_of_four_0_32_choices(7), 0, winnerswinner1_of_pair_0(33));
-      winnerswinner1_of_four_0(34) <= choice(winnerswinner1_of_four_0_32_choices(7), winnerswinner1_of_pair_0(34), 0);
-      winnerswinner1_of_four_0(35) <= choice(winnerswinner1_of_four_0_32_choices(7), winnerswinner1_of_pair_0(35), 0);
-      winnerswinner1_four_index_0(8) <= choice(winnerswinner1_of_four_0_32_choices(7), winnerswinner1_pair_index_0(17),
-        winnerswinner1_pair_index_0(16));
-      winnerswinner1_of_four_0(36) <= choice(winnerswinner1_of_four_0_36_choices(7), 0, winnerswinner1_of_pair_0(36));
-      winnerswinner1_of_four_0(37) <= choice(winnerswinner1_of_four_0_36_choices(7), 0, winnerswinner1_of_pair_0(37));
-      winnerswinner1_of_four_0(38) <= choice(winnerswinner1_of_four_0_36_choices(7), winnerswinner1_of_pair_0(38), 0);
-      winnerswinner1_of_four_0(39) <= choice(winnerswinner1_of_four_0_36_choices(7), winnerswinner1_of_pair_0(39), 0);
-      winnerswinner1_four_index_0(9) <= choice(winnerswinner1_of_four_0_36_choices(7), winnerswinner1_pair_index_0(19),
-        winnerswinner1_pair_index_0(18));
-      winnerswinner1_of_four_0(40) <= choice(winnerswinner1_of_four_0_40_choices(7), 0, winnerswinner1_of_pair_0(40));
-      winnerswinner1_of_four_0(41) <= choice(winnerswinner1_of_four_0_40_choices(7), 0, winnerswinner1_of_pair_0(41));
-      winnerswinner1_of_four_0(42) <= choice(winnerswinner1_of_four_0_40_choices(7), winnerswinner1_of_pair_0(42), 0);
-      winnerswinner1_of_four_0(43) <= choice(winnerswinner1_of_four_0_40_choices(7), winnerswinner1_of_pair_0(43), 0);
-      winnerswinner1_four_index_0(10) <= choice(winnerswinner1_of_four_0_40_choices(7),
-        winnerswinner1_pair_index_0(21), winnerswinner1_pair_index_0(20));
-      winnerswinner1_of_four_0(44) <= choice(winnerswinner1_of_four_0_44_choices(7), 0, winnerswinner1_of_pair_0(44));
-      winnerswinner1_of_four_0(45) <= choice(winnerswinner1_of_four_0_44_choices(7), 0, winnerswinner1_of_pair_0(45));
-      winnerswinner1_of_four_0(46) <= choice(winnerswinner1_of_four_0_44_choices(7), winnerswinner1_of_pair_0(46), 0);
-      winnerswinner1_of_four_0(47) <= choice(winnerswinner1_of_four_0_44_choices(7), winnerswinner1_of_pair_0(47), 0);
-      winnerswinner1_four_index_0(11) <= choice(winnerswinner1_of_four_0_44_choices(7),
-        winnerswinner1_pair_index_0(23), winnerswinner1_pair_index_0(22));
-      winnerswinner1_of_four_0(48) <= choice(winnerswinner1_of_four_0_48_choices(7), 0, winnerswinner1_of_pair_0(48));
-      winnerswinner1_of_four_0(49) <= choice(winnerswinner1_of_four_0_48_choices(7), 0, winnerswinner1_of_pair_0(49));
-      winnerswinner1_of_four_0(50) <= choice(winnerswinner1_of_four_0_48_choices(7), winnerswinner1_of_pair_0(50), 0);
-      winnerswinner1_of_four_0(51) <= choice(winnerswinner1_of_four_0_48_choices(7), winnerswinner1_of_pair_0(51), 0);
-      winnerswinner1_four_index_0(12) <= choice(winnerswinner1_of_four_0_48_choices(7),
-        winnerswinner1_pair_index_0(25), winnerswinner1_pair_index_0(24));
-      winnerswinner1_of_four_0(52) <= choice(winnerswinner1_of_four_0_52_choices(7), 0, winnerswinner1_of_pair_0(52));
-      winnerswinner1_of_four_0(53) <= choice(winnerswinner1_of_four_0_52_choices(7), 0, winnerswinner1_of_pair_0(53));
-      winnerswinner1_of_four_0(54) <= choice(winnerswinner1_of_four_0_52_choices(7), winnerswinner1_of_pair_0(54), 0);
-      winnerswinner1_of_four_0(55) <= choice(winnerswinner1_of_four_0_52_choices(7), winnerswinner1_of_pair_0(55), 0);
-      winnerswinner1_four_index_0(13) <= choice(winnerswinner1_of_four_0_52_choices(7),
-        winnerswinner1_pair_index_0(27), winnerswinner1_pair_index_0(26));
-      winnerswinner1_of_four_0(56) <= choice(winnerswinner1_of_four_0_56_choices(7), 0, winnerswinner1_of_pair_0(56));
-      winnerswinner1_of_four_0(57) <= choice(winnerswinner1_of_four_0_56_choices(7), 0, winnerswinner1_of_pair_0(57));
-      winnerswinner1_of_four_0(58) <= choice(winnerswinner1_of_four_0_56_choices(7), winnerswinner1_of_pair_0(58), 0);
-      winnerswinner1_of_four_0(59) <= choice(winnerswinner1_of_four_0_56_choices(7), winnerswinner1_of_pair_0(59), 0);
-      winnerswinner1_four_index_0(14) <= choice(winnerswinner1_of_four_0_56_choices(7),
-        winnerswinner1_pair_index_0(29), winnerswinner1_pair_index_0(28));
-      winnerswinner1_of_four_0(60) <= choice(winnerswinner1_of_four_0_60_choices(7), 0, winnerswinner1_of_pair_0(60));
-      winnerswinner1_of_four_0(61) <= choice(winnerswinner1_of_four_0_60_choices(7), 0, winnerswinner1_of_pair_0(61));
-      winnerswinner1_of_four_0(62) <= choice(winnerswinner1_of_four_0_60_choices(7), winnerswinner1_of_pair_0(62), 0);
-      winnerswinner1_of_four_0(63) <= choice(winnerswinner1_of_four_0_60_choices(7), winnerswinner1_of_pair_0(63), 0);
-      winnerswinner1_four_index_0(15) <= choice(winnerswinner1_of_four_0_60_choices(7),
-        winnerswinner1_pair_index_0(31), winnerswinner1_pair_index_0(30));
-      winnerswinner1_of_four_0(64) <= choice(winnerswinner1_of_four_0_64_choices(7), 0, winnerswinner1_of_pair_0(64));
-      winnerswinner1_of_four_0(65) <= choice(winnerswinner1_of_four_0_64_choices(7), 0, winnerswinner1_of_pair_0(65));
-      winnerswinner1_of_four_0(66) <= choice(winnerswinner1_of_four_0_64_choices(7), winnerswinner1_of_pair_0(66), 0);
-      winnerswinner1_of_four_0(67) <= choice(winnerswinner1_of_four_0_64_choices(7), winnerswinner1_of_pair_0(67), 0);
-      winnerswinner1_four_index_0(16) <= choice(winnerswinner1_of_four_0_64_choices(7),
-        winnerswinner1_pair_index_0(33), winnerswinner1_pair_index_0(32));
-      winnerswinner1_of_four_0(68) <= choice(winnerswinner1_of_four_0_68_choices(7), 0, winnerswinner1_of_pair_0(68));
-      winnerswinner1_of_four_0(69) <= choice(winnerswinner1_of_four_0_68_choices(7), 0, winnerswinner1_of_pair_0(69));
-      winnerswinner1_of_four_0(70) <= choice(winnerswinner1_of_four_0_68_choices(7), winnerswinner1_of_pair_0(70), 0);
-      winnerswinner1_of_four_0(71) <= choice(winnerswinner1_of_four_0_68_choices(7), winnerswinner1_of_pair_0(71), 0);
-      winnerswinner1_four_index_0(17) <= choice(winnerswinner1_of_four_0_68_choices(7),
-        winnerswinner1_pair_index_0(35), winnerswinner1_pair_index_0(34));
-      winnerswinner1_of_four_0(72) <= choice(winnerswinner1_of_four_0_72_choices(7), 0, winnerswinner1_of_pair_0(72));
-      winnerswinner1_of_four_0(73) <= choice(winnerswinner1_of_four_0_72_choices(7), 0, winnerswinner1_of_pair_0(73));
-      winnerswinner1_of_four_0(74) <= choice(winnerswinner1_of_four_0_72_choices(7), winnerswinner1_of_pair_0(74), 0);
-      winnerswinner1_of_four_0(75) <= choice(winnerswinner1_of_four_0_72_choices(7), winnerswinner1_of_pair_0(75), 0);
-      winnerswinner1_four_index_0(18) <= choice(winnerswinner1_of_four_0_72_choices(7),
-        winnerswinner1_pair_index_0(37), winnerswinner1_pair_index_0(36));
-      winnerswinner1_of_four_0(76) <= choice(winnerswinner1_of_four_0_76_choices(7), 0, winnerswinner1_of_pair_0(76));
-      winnerswinner1_of_four_0(77) <= choice(winnerswinner1_of_four_0_76_choices(7), 0, winnerswinner1_of_pair_0(77));
-      winnerswinner1_of_four_0(78) <= choice(winnerswinner1_of_four_0_76_choices(7), winnerswinner1_of_pair_0(78), 0);
-      winnerswinner1_of_four_0(79) <= choice(winnerswinner1_of_four_0_76_choices(7), winnerswinner1_of_pair_0(79), 0);
-      winnerswinner1_four_index_0(19) <= choice(winnerswinner1_of_four_0_76_choices(7),
-        winnerswinner1_pair_index_0(39), winnerswinner1_pair_index_0(38));
-      winnerswinner1_of_four_0(80) <= choice(winnerswinner1_of_four_0_80_choices(7), 0, winnerswinner1_of_pair_0(80));
-      winnerswinner1_of_four_0(81) <= choice(winnerswinner1_of_four_0_80_choices(7), 0, winnerswinner1_of_pair_0(81));
-      winnerswinner1_of_four_0(82) <= choice(winnerswinner1_of_four_0_80_choices(7), winnerswinner1_of_pair_0(82), 0);
-      winnerswinner1_of_four_0(83) <= choice(winnerswinner1_of_four_0_80_choices(7), winnerswinner1_of_pair_0(83), 0);
-      winnerswinner1_four_index_0(20) <= choice(winnerswinner1_of_four_0_80_choices(7),
-        winnerswinner1_pair_index_0(41), winnerswinner1_pair_index_0(40));
-      winnerswinner1_of_four_0(84) <= choice(winnerswinner1_of_four_0_84_choices(7), 0, winnerswinner1_of_pair_0(84));
-      winnerswinner1_of_four_0(85) <= choice(winnerswinner1_of_four_0_84_choices(7), 0, winnerswinner1_of_pair_0(85));
-      winnerswinner1_of_four_0(86) <= choice(winnerswinner1_of_four_0_84_choices(7), winnerswinner1_of_pair_0(86), 0);
-      winnerswinner1_of_four_0(87) <= choice(winnerswinner1_of_four_0_84_choices(7), winnerswinner1_of_pair_0(87), 0);
-      winnerswinner1_four_index_0(21) <= choice(winnerswinner1_of_four_0_84_choices(7),
-        winnerswinner1_pair_index_0(43), winnerswinner1_pair_index_0(42));
-      winnerswinner1_of_four_0(88) <= choice(winnerswinner1_of_four_0_88_choices(7), 0, winnerswinner1_of_pair_0(88));
-      winnerswinner1_of_four_0(89) <= choice(winnerswinner1_of_four_0_88_choices(7), 0, winnerswinner1_of_pair_0(89));
-      winnerswinner1_of_four_0(90) <= choice(winnerswinner1_of_four_0_88_choices(7), winnerswinner1_of_pair_0(90), 0);
-      winnerswinner1_of_four_0(91) <= choice(winnerswinner1_of_four_0_88_choices(7), winnerswinner1_of_pair_0(91), 0);
-      winnerswinner1_four_index_0(22) <= choice(winnerswinner1_of_four_0_88_choices(7),
-        winnerswinner1_pair_index_0(45), winnerswinner1_pair_index_0(44));
-      winnerswinner1_of_four_0(92) <= choice(winnerswinner1_of_four_0_92_choices(7), 0, winnerswinner1_of_pair_0(92));
-      winnerswinner1_of_four_0(93) <= choice(winnerswinner1_of_four_0_92_choices(7), 0, winnerswinner1_of_pair_0(93));
-      winnerswinner1_of_four_0(94) <= choice(winnerswinner1_of_four_0_92_choices(7), winnerswinner1_of_pair_0(94), 0);
-      winnerswinner1_of_four_0(95) <= choice(winnerswinner1_of_four_0_92_choices(7), winnerswinner1_of_pair_0(95), 0);
-      winnerswinner1_four_index_0(23) <= choice(winnerswinner1_of_four_0_92_choices(7),
-        winnerswinner1_pair_index_0(47), winnerswinner1_pair_index_0(46));
-      winnerswinner1_of_four_0(96) <= choice(winnerswinner1_of_four_0_96_choices(7), 0, winnerswinner1_of_pair_0(96));
-      winnerswinner1_of_four_0(97) <= choice(winnerswinner1_of_four_0_96_choices(7), 0, winnerswinner1_of_pair_0(97));
-      winnerswinner1_of_four_0(98) <= choice(winnerswinner1_of_four_0_96_choices(7), winnerswinner1_of_pair_0(98), 0);
-      winnerswinner1_of_four_0(99) <= choice(winnerswinner1_of_four_0_96_choices(7), winnerswinner1_of_pair_0(99), 0);
-      winnerswinner1_four_index_0(24) <= choice(winnerswinner1_of_four_0_96_choices(7),
-        winnerswinner1_pair_index_0(49), winnerswinner1_pair_index_0(48));
-      winnerswinner1_of_four_0(100) <= choice(winnerswinner1_of_four_0_100_choices(7), 0,
-        winnerswinner1_of_pair_0(100));
-      winnerswinner1_of_four_0(101) <= choice(winnerswinner1_of_four_0_100_choices(7), 0,
-        winnerswinner1_of_pair_0(101));
-      winnerswinner1_of_four_0(102) <= choice(winnerswinner1_of_four_0_100_choices(7), winnerswinner1_of_pair_0(102),
-        0);
-      winnerswinner1_of_four_0(103) <= choice(winnerswinner1_of_four_0_100_choices(7), winnerswinner1_of_pair_0(103),
-        0);
-      winnerswinner1_four_index_0(25) <= choice(winnerswinner1_of_four_0_100_choices(7),
-        winnerswinner1_pair_index_0(51), winnerswinner1_pair_index_0(50));
-      winnerswinner1_of_four_0(104) <= choice(winnerswinner1_of_four_0_104_choices(7), 0,
-        winnerswinner1_of_pair_0(104));
-      winnerswinner1_of_four_0(105) <= choice(winnerswinner1_of_four_0_104_choices(7), 0,
-        winnerswinner1_of_pair_0(105));
-      winnerswinner1_of_four_0(106) <= choice(winnerswinner1_of_four_0_104_choices(7), winnerswinner1_of_pair_0(106),
-        0);
-      winnerswinner1_of_four_0(107) <= choice(winnerswinner1_of_four_0_104_choices(7), winnerswinner1_of_pair_0(107),
-        0);
-      winnerswinner1_four_index_0(26) <= choice(winnerswinner1_of_four_0_104_choices(7),
-        winnerswinner1_pair_index_0(53), winnerswinner1_pair_index_0(52));
-      winnerswinner1_of_four_0(108) <= choice(winnerswinner1_of_four_0_108_choices(7), 0,
-        winnerswinner1_of_pair_0(108));
-      winnerswinner1_of_four_0(109) <= choice(winnerswinner1_of_four_0_108_choices(7), 0,
-        winnerswinner1_of_pair_0(109));
-      winnerswinner1_of_four_0(110) <= choice(winnerswinner1_of_four_0_108_choices(7), winnerswinner1_of_pair_0(110),
-        0);
-      winnerswinner1_of_four_0(111) <= choice(winnerswinner1_of_four_0_108_choices(7), winnerswinner1_of_pair_0(111),
-        0);
-      winnerswinner1_four_index_0(27) <= choice(winnerswinner1_of_four_0_108_choices(7),
-        winnerswinner1_pair_index_0(55), winnerswinner1_pair_index_0(54));
-      winnerswinner1_of_four_0(112) <= choice(winnerswinner1_of_four_0_112_choices(7), 0,
-        winnerswinner1_of_pair_0(112));
-      winnerswinner1_of_four_0(113) <= choice(winnerswinner1_of_four_0_112_choices(7), 0,
-        winnerswinner1_of_pair_0(113));
-      winnerswinner1_of_four_0(114) <= choice(winnerswinner1_of_four_0_112_choices(7), winnerswinner1_of_pair_0(114),
-        0);
-      winnerswinner1_of_four_0(115) <= choice(winnerswinner1_of_four_0_112_choices(7), winnerswinner1_of_pair_0(115),
-        0);
-      winnerswinner1_four_index_0(28) <= choice(winnerswinner1_of_four_0_112_choices(7),
-        winnerswinner1_pair_index_0(57), winnerswinner1_pair_index_0(56));
-      winnerswinner1_of_four_0(116) <= choice(winnerswinner1_of_four_0_116_choices(7), 0,
-        winnerswinner1_of_pair_0(116));
-      winnerswinner1_of_four_0(117) <= choice(winnerswinner1_of_four_0_116_choices(7), 0,
-        winnerswinner1_of_pair_0(117));
-      winnerswinner1_of_four_0(118) <= choice(winnerswinner1_of_four_0_116_choices(7), winnerswinner1_of_pair_0(118),
-        0);
-      winnerswinner1_of_four_0(119) <= choice(winnerswinner1_of_four_0_116_choices(7), winnerswinner1_of_pair_0(119),
-        0);
-      winnerswinner1_four_index_0(29) <= choice(winnerswinner1_of_four_0_116_choices(7),
-        winnerswinner1_pair_index_0(59), winnerswinner1_pair_index_0(58));
-      winnerswinner1_of_four_0(120) <= choice(winnerswinner1_of_four_0_120_choices(7), 0,
-        winnerswinner1_of_pair_0(120));
-      winnerswinner1_of_four_0(121) <= choice(winnerswinner1_of_four_0_120_choices(7), 0,
-        winnerswinner1_of_pair_0(121));
-      winnerswinner1_of_four_0(122) <= choice(winnerswinner1_of_four_0_120_choices(7), winnerswinner1_of_pair_0(122),
-        0);
-      winnerswinner1_of_four_0(123) <= choice(winnerswinner1_of_four_0_120_choices(7), winnerswinner1_of_pair_0(123),
-        0);
-      winnerswinner1_four_index_0(30) <= choice(winnerswinner1_of_four_0_120_choices(7),
-        winnerswinner1_pair_index_0(61), winnerswinner1_pair_index_0(60));
-      winnerswinner1_of_four_0(124) <= choice(winnerswinner1_of_four_0_124_choices(7), 0,
-        winnerswinner1_of_pair_0(124));
-      winnerswinner1_of_four_0(125) <= choice(winnerswinner1_of_four_0_124_choices(7), 0,
-        winnerswinner1_of_pair_0(125));
-      winnerswinner1_of_four_0(126) <= choice(winnerswinner1_of_four_0_124_choices(7), winnerswinner1_of_pair_0(126),
-        0);
-      winnerswinner1_of_four_0(127) <= choice(winnerswinner1_of_four_0_124_choices(7), winnerswinner1_of_pair_0(127),
-        0);
-      winnerswinner1_four_index_0(31) <= choice(winnerswinner1_of_four_0_124_choices(7),
-        winnerswinner1_pair_index_0(63), winnerswinner1_pair_index_0(62));
+      for i in 1 to 31 loop
+        winnerswinner1_of_four_0(4 * i) <= choice(winnerswinner1_of_four_0_choice(i, 7), 0, winnerswinner1_of_pair_0(4
+          * i));
+        winnerswinner1_of_four_0(4 * i + 1) <= choice(winnerswinner1_of_four_0_choice(i, 7), 0,
+          winnerswinner1_of_pair_0(4 * i + 1));
+        winnerswinner1_of_four_0(4 * i + 2) <= choice(winnerswinner1_of_four_0_choice(i, 7), winnerswinner1_of_pair_0(4
+          * i + 2), 0);
+        winnerswinner1_of_four_0(4 * i + 3) <= choice(winnerswinner1_of_four_0_choice(i, 7), winnerswinner1_of_pair_0(4
+          * i + 3), 0);
+        winnerswinner1_four_index_0(i) <= choice(winnerswinner1_of_four_0_choice(i, 7), winnerswinner1_pair_index_0(2 *
+          i + 1), winnerswinner1_pair_index_0(2 * i));
+      end loop;
       -- winnerswinner2
       for i in 0 to 15 loop
-        winnerswinner2_of_pair_0_choice(2 * i, 1) := choice(is_set(winnerswinner1_best_cost_0(2 * i), 0), (not
-          is_set(winnerswinner1_best_cost_0(2 * i + 1), 1)) or (not is_set(winnerswinner1_best_cost_0(2 * i + 1), 0)),
-          not is_set(winnerswinner1_best_cost_0(2 * i + 1), 1));
-        winnerswinner2_of_pair_0_choice(2 * i, 2) := choice(is_set(winnerswinner1_best_cost_0(2 * i), 1),
-          winnerswinner2_of_pair_0_choice(2 * i, 1), is_set(winnerswinner1_best_cost_0(2 * i), 0) and
-          ((winnerswinner1_best_cost_0(2 * i + 1) mod 4) = 0));
-        winnerswinner2_of_pair_0_value(2 * i, 1) := is_set(winnerswinner1_best_cost_0(2 * i + 1), 2);
-        winnerswinner2_of_pair_0_choice(2 * i, 3) := inverted_carry(winnerswinner2_of_pair_0_choice(2 * i, 2), not
-          is_set(winnerswinner1_best_cost_0(2 * i), 2), winnerswinner2_of_pair_0_value(2 * i, 1));
-        for j in 2 to 4 loop
-          winnerswinner2_of_pair_0_value(2 * i, j) := is_set(winnerswinner1_best_cost_0(2 * i + 1), j + 1);
-          winnerswinner2_of_pair_0_choice(2 * i, j + 2) := carry(winnerswinner2_of_pair_0_choice(2 * i, j + 1), not
-            is_set(winnerswinner1_best_cost_0(2 * i), j + 1), winnerswinner2_of_pair_0_value(2 * i, j));
+        winnerswinner2_of_pair_0_value(i, 1) := is_set(winnerswinner1_best_cost_0(2 * i + 1), 2);
+        winnerswinner2_of_pair_0_value(i, 2) := is_set(winnerswinner1_best_cost_0(2 * i + 1), 3);
+        winnerswinner2_of_pair_0_value(i, 3) := is_set(winnerswinner1_best_cost_0(2 * i + 1), 4);
+        winnerswinner2_of_pair_0_value(i, 4) := is_set(winnerswinner1_best_cost_0(2 * i + 1), 5);
+        winnerswinner2_of_pair_0_choice_7(i) := is_larger(winnerswinner1_best_cost_0(2 * i),
+          winnerswinner1_best_cost_0(2 * i + 1), 0, 6, false);
+      end loop;
+      for i in 0 to 7 loop
+        winnerswinner2_of_four_0_choice(i, 1) := choice(is_set(winnerswinner2_of_pair_0(4 * i + 1), 0), (not
+          is_set(winnerswinner2_of_pair_0(4 * i + 3), 0)) and (not is_set(winnerswinner2_of_pair_0(4 * i + 2), 0)),
+          is_set(winnerswinner2_of_pair_0(4 * i), 0) and (not is_set(winnerswinner2_of_pair_0(4 * i + 3), 0)) and (not
+          is_set(winnerswinner2_of_pair_0(4 * i + 2), 0)));
+        winnerswinner2_of_four_0_value(i, 1) := is_set(winnerswinner2_of_pair_0(4 * i + 1), 1);
+        winnerswinner2_of_four_0_value(i, 2) := is_set(winnerswinner2_of_pair_0(4 * i), 1);
+        winnerswinner2_of_four_0_choice(i, 2) := choice((not is_set(winnerswinner2_of_pair_0(4 * i + 3), 1)) and (not
+          is_set(winnerswinner2_of_pair_0(4 * i + 2), 1)), winnerswinner2_of_four_0_choice(i, 1) or
+          winnerswinner2_of_four_0_value(i, 1) or winnerswinner2_of_four_0_value(i, 2),
+          winnerswinner2_of_four_0_choice(i, 1) and (winnerswinner2_of_four_0_value(i, 1) or
+          winnerswinner2_of_four_0_value(i, 2)));
+        winnerswinner2_of_four_0_value(i, 3) := is_set(winnerswinner2_of_pair_0(4 * i + 3), 2);
+        winnerswinner2_of_four_0_value(i, 4) := is_set(winnerswinner2_of_pair_0(4 * i + 2), 2);
+        winnerswinner2_of_four_0_choice(i, 3) := choice(winnerswinner2_of_four_0_choice(i, 2), (not
+          is_set(winnerswinner2_of_pair_0(4 * i + 1), 2)) and (not is_set(winnerswinner2_of_pair_0(4 * i), 2)) and
+          (winnerswinner2_of_four_0_value(i, 3) or winnerswinner2_of_four_0_value(i, 4)), ((not
+          is_set(winnerswinner2_of_pair_0(4 * i + 1), 2)) and (not is_set(winnerswinner2_of_pair_0(4 * i), 2))) or
+          winnerswinner2_of_four_0_value(i, 3) or winnerswinner2_of_four_0_value(i, 4));
+        for j in 3 to 5 loop
+          winnerswinner2_of_four_0_value(i, 2 * j - 1) := is_set(winnerswinner2_of_pair_0(4 * i + 3), j);
+          winnerswinner2_of_four_0_value(i, 2 * j) := is_set(winnerswinner2_of_pair_0(4 * i + 2), j);
+          winnerswinner2_of_four_0_choice(i, j + 1) := choice(winnerswinner2_of_four_0_choice(i, j), ((not
+            is_set(winnerswinner2_of_pair_0(4 * i + 1), j)) and (not is_set(winnerswinner2_of_pair_0(4 * i), j))) or
+            winnerswinner2_of_four_0_value(i, 2 * j - 1) or winnerswinner2_of_four_0_value(i, 2 * j), (not
+            is_set(winnerswinner2_of_pair_0(4 * i + 1), j)) and (not is_set(winnerswinner2_of_pair_0(4 * i), j)) and
+            (winnerswinner2_of_four_0_value(i, 2 * j - 1) or winnerswinner2_of_four_0_value(i, 2 * j)));
         end loop;
-        winnerswinner2_of_pair_0_choice(2 * i, 7) := inverted_carry(winnerswinner2_of_pair_0_choice(2 * i, 6),
-          is_set(winnerswinner1_best_cost_0(2 * i), 6), not is_set(winnerswinner1_best_cost_0(2 * i + 1), 6));
+        winnerswinner2_of_four_0_choice(i, 7) := choice(winnerswinner2_of_four_0_choice(i, 6), (not ((not
+          is_set(winnerswinner2_of_pair_0(4 * i + 1), 6)) and (not is_set(winnerswinner2_of_pair_0(4 * i), 6)))) and
+          (not is_set(winnerswinner2_of_pair_0(4 * i + 3), 6)) and (not is_set(winnerswinner2_of_pair_0(4 * i + 2),
+          6)), (not ((not is_set(winnerswinner2_of_pair_0(4 * i + 1), 6)) and (not is_set(winnerswinner2_of_pair_0(4 *
+          i), 6)))) or ((not is_set(winnerswinner2_of_pair_0(4 * i + 3), 6)) and (not is_set(winnerswinner2_of_pair_0(4
+          * i + 2), 6))));
       end loop;
-      winnerswinner2_of_four_0_0_choices(1) := choice(is_set(winnerswinner2_of_pair_0(1), 0), (not
-        is_set(winnerswinner2_of_pair_0(3), 0)) and (not is_set(winnerswinner2_of_pair_0(2), 0)),
-        is_set(winnerswinner2_of_pair_0(0), 0) and (not is_set(winnerswinner2_of_pair_0(3), 0)) and (not
-        is_set(winnerswinner2_of_pair_0(2), 0)));
-      winnerswinner2_of_four_0_0_values(1) := is_set(winnerswinner2_of_pair_0(1), 1);
-      winnerswinner2_of_four_0_0_values(2) := is_set(winnerswinner2_of_pair_0(0), 1);
-      winnerswinner2_of_four_0_0_choices(2) := choice((not is_set(winnerswinner2_of_pair_0(3), 1)) and (not
-        is_set(winnerswinner2_of_pair_0(2), 1)), winnerswinner2_of_four_0_0_choices(1) or
-        winnerswinner2_of_four_0_0_values(1) or winnerswinner2_of_four_0_0_values(2),
-        winnerswinner2_of_four_0_0_choices(1) and (winnerswinner2_of_four_0_0_values(1) or
-        winnerswinner2_of_four_0_0_values(2)));
-      winnerswinner2_of_four_0_0_values(3) := is_set(winnerswinner2_of_pair_0(3), 2);
-      winnerswinner2_of_four_0_0_values(4) := is_set(winnerswinner2_of_pair_0(2), 2);
-      winnerswinner2_of_four_0_0_choices(3) := choice(winnerswinner2_of_four_0_0_choices(2), (not
-        is_set(winnerswinner2_of_pair_0(1), 2)) and (not is_set(winnerswinner2_of_pair_0(0), 2)) and
-        (winnerswinner2_of_four_0_0_values(3) or winnerswinner2_of_four_0_0_values(4)), ((not
-        is_set(winnerswinner2_of_pair_0(1), 2)) and (not is_set(winnerswinner2_of_pair_0(0), 2))) or
-        winnerswinner2_of_four_0_0_values(3) or winnerswinner2_of_four_0_0_values(4));
-      for i in 3 to 5 loop
-        winnerswinner2_of_four_0_0_values(2 * i - 1) := is_set(winnerswinner2_of_pair_0(3), i);
-        winnerswinner2_of_four_0_0_values(2 * i) := is_set(winnerswinner2_of_pair_0(2), i);
-        winnerswinner2_of_four_0_0_choices(i + 1) := choice(winnerswinner2_of_four_0_0_choices(i), ((not
-          is_set(winnerswinner2_of_pair_0(1), i)) and (not is_set(winnerswinner2_of_pair_0(0), i))) or
-          winnerswinner2_of_four_0_0_values(2 * i - 1) or winnerswinner2_of_four_0_0_values(2 * i), (not
-          is_set(winnerswinner2_of_pair_0(1), i)) and (not is_set(winnerswinner2_of_pair_0(0), i)) and
-          (winnerswinner2_of_four_0_0_values(2 * i - 1) or winnerswinner2_of_four_0_0_values(2 * i)));
-      end loop;
-      winnerswinner2_of_four_0_0_choices(7) := choice(winnerswinner2_of_four_0_0_choices(6), (not ((not
-        is_set(winnerswinner2_of_pair_0(1), 6)) and (not is_set(winnerswinner2_of_pair_0(0), 6)))) and (not
-        is_set(winnerswinner2_of_pair_0(3), 6)) and (not is_set(winnerswinner2_of_pair_0(2), 6)), (not ((not
-        is_set(winnerswinner2_of_pair_0(1), 6)) and (not is_set(winnerswinner2_of_pair_0(0), 6)))) or ((not
-        is_set(winnerswinner2_of_pair_0(3), 6)) and (not is_set(winnerswinner2_of_pair_0(2), 6))));
-      winnerswinner2_of_four_0_4_choices(1) := choice(is_set(winnerswinner2_of_pair_0(5), 0), (not
-        is_set(winnerswinner2_of_pair_0(7), 0)) and (not is_set(winnerswinner2_of_pair_0(6), 0)),
-        is_set(winnerswinner2_of_pair_0(4), 0) and (not is_set(winnerswinner2_of_pair_0(7), 0)) and (not
-        is_set(winnerswinner2_of_pair_0(6), 0)));
-      winnerswinner2_of_four_0_4_values(1) := is_set(winnerswinner2_of_pair_0(5), 1);
-      winnerswinner2_of_four_0_4_values(2) := is_set(winnerswinner2_of_pair_0(4), 1);
-      winnerswinner2_of_four_0_4_choices(2) := choice((not is_set(winnerswinner2_of_pair_0(7), 1)) and (not
-        is_set(winnerswinner2_of_pair_0(6), 1)), winnerswinner2_of_four_0_4_choices(1) or
-        winnerswinner2_of_four_0_4_values(1) or winnerswinner2_of_four_0_4_values(2),
-        winnerswinner2_of_four_0_4_choices(1) and (winnerswinner2_of_four_0_4_values(1) or
-        winnerswinner2_of_four_0_4_values(2)));
-      winnerswinner2_of_four_0_4_values(3) := is_set(winnerswinner2_of_pair_0(7), 2);
-      winnerswinner2_of_four_0_4_values(4) := is_set(winnerswinner2_of_pair_0(6), 2);
-      winnerswinner2_of_four_0_4_choices(3) := choice(winnerswinner2_of_four_0_4_choices(2), (not
-        is_set(winnerswinner2_of_pair_0(5), 2)) and (not is_set(winnerswinner2_of_pair_0(4), 2)) and
-        (winnerswinner2_of_four_0_4_values(3) or winnerswinner2_of_four_0_4_values(4)), ((not
-        is_set(winnerswinner2_of_pair_0(5), 2)) and (not is_set(winnerswinner2_of_pair_0(4), 2))) or
-        winnerswinner2_of_four_0_4_values(3) or winnerswinner2_of_four_0_4_values(4));
-      for i in 3 to 5 loop
-        winnerswinner2_of_four_0_4_values(2 * i - 1) := is_set(winnerswinner2_of_pair_0(7), i);
-        winnerswinner2_of_four_0_4_values(2 * i) := is_set(winnerswinner2_of_pair_0(6), i);
-        winnerswinner2_of_four_0_4_choices(i + 1) := choice(winnerswinner2_of_four_0_4_choices(i), ((not
-          is_set(winnerswinner2_of_pair_0(5), i)) and (not is_set(winnerswinner2_of_pair_0(4), i))) or
-          winnerswinner2_of_four_0_4_values(2 * i - 1) or winnerswinner2_of_four_0_4_values(2 * i), (not
-          is_set(winnerswinner2_of_pair_0(5), i)) and (not is_set(winnerswinner2_of_pair_0(4), i)) and
-          (winnerswinner2_of_four_0_4_values(2 * i - 1) or winnerswinner2_of_four_0_4_values(2 * i)));
-      end loop;
-      winnerswinner2_of_four_0_4_choices(7) := choice(winnerswinner2_of_four_0_4_choices(6), (not ((not
-        is_set(winnerswinner2_of_pair_0(5), 6)) and (not is_set(winnerswinner2_of_pair_0(4), 6)))) and (not
-        is_set(winnerswinner2_of_pair_0(7), 6)) and (not is_set(winnerswinner2_of_pair_0(6), 6)), (not ((not
-        is_set(winnerswinner2_of_pair_0(5), 6)) and (not is_set(winnerswinner2_of_pair_0(4), 6)))) or ((not
-        is_set(winnerswinner2_of_pair_0(7), 6)) and (not is_set(winnerswinner2_of_pair_0(6), 6))));
-      winnerswinner2_of_four_0_8_choices(1) := choice(is_set(winnerswinner2_of_pair_0(9), 0), (not
-        is_set(winnerswinner2_of_pair_0(11), 0)) and (not is_set(winnerswinner2_of_pair_0(10), 0)),
-        is_set(winnerswinner2_of_pair_0(8), 0) and (not is_set(winnerswinner2_of_pair_0(11), 0)) and (not
-        is_set(winnerswinner2_of_pair_0(10), 0)));
-      winnerswinner2_of_four_0_8_values(1) := is_set(winnerswinner2_of_pair_0(9), 1);
-      winnerswinner2_of_four_0_8_values(2) := is_set(winnerswinner2_of_pair_0(8), 1);
-      winnerswinner2_of_four_0_8_choices(2) := choice((not is_set(winnerswinner2_of_pair_0(11), 1)) and (not
-        is_set(winnerswinner2_of_pair_0(10), 1)), winnerswinner2_of_four_0_8_choices(1) or
-        winnerswinner2_of_four_0_8_values(1) or winnerswinner2_of_four_0_8_values(2),
-        winnerswinner2_of_four_0_8_choices(1) and (winnerswinner2_of_four_0_8_values(1) or
-        winnerswinner2_of_four_0_8_values(2)));
-      winnerswinner2_of_four_0_8_values(3) := is_set(winnerswinner2_of_pair_0(11), 2);
-      winnerswinner2_of_four_0_8_values(4) := is_set(winnerswinner2_of_pair_0(10), 2);
-      winnerswinner2_of_four_0_8_choices(3) := choice(winnerswinner2_of_four_0_8_choices(2), (not
-        is_set(winnerswinner2_of_pair_0(9), 2)) and (not is_set(winnerswinner2_of_pair_0(8), 2)) and
-        (winnerswinner2_of_four_0_8_values(3) or winnerswinner2_of_four_0_8_values(4)), ((not
-        is_set(winnerswinner2_of_pair_0(9), 2)) and (not is_set(winnerswinner2_of_pair_0(8), 2))) or
-        winnerswinner2_of_four_0_8_values(3) or winnerswinner2_of_four_0_8_values(4));
-      for i in 3 to 5 loop
-        winnerswinner2_of_four_0_8_values(2 * i - 1) := is_set(winnerswinner2_of_pair_0(11), i);
-        winnerswinner2_of_four_0_8_values(2 * i) := is_set(winnerswinner2_of_pair_0(10), i);
-        winnerswinner2_of_four_0_8_choices(i + 1) := choice(winnerswinner2_of_four_0_8_choices(i), ((not
-          is_set(winnerswinner2_of_pair_0(9), i)) and (not is_set(winnerswinner2_of_pair_0(8), i))) or
-          winnerswinner2_of_four_0_8_values(2 * i - 1) or winnerswinner2_of_four_0_8_values(2 * i), (not
-          is_set(winnerswinner2_of_pair_0(9), i)) and (not is_set(winnerswinner2_of_pair_0(8), i)) and
-          (winnerswinner2_of_four_0_8_values(2 * i - 1) or winnerswinner2_of_four_0_8_values(2 * i)));
-      end loop;
-      winnerswinner2_of_four_0_8_choices(7) := choice(winnerswinner2_of_four_0_8_choices(6), (not ((not
-        is_set(winnerswinner2_of_pair_0(9), 6)) and (not is_set(winnerswinner2_of_pair_0(8), 6)))) and (not
-        is_set(winnerswinner2_of_pair_0(11), 6)) and (not is_set(winnerswinner2_of_pair_0(10), 6)), (not ((not
-        is_set(winnerswinner2_of_pair_0(9), 6)) and (not is_set(winnerswinner2_of_pair_0(8), 6)))) or ((not
-        is_set(winnerswinner2_of_pair_0(11), 6)) and (not is_set(winnerswinner2_of_pair_0(10), 6))));
-      winnerswinner2_of_four_0_12_choices(1) := choice(is_set(winnerswinner2_of_pair_0(13), 0), (not
-        is_set(winnerswinner2_of_pair_0(15), 0)) and (not is_set(winnerswinner2_of_pair_0(14), 0)),
-        is_set(winnerswinner2_of_pair_0(12), 0) and (not is_set(winnerswinner2_of_pair_0(15), 0)) and (not
-        is_set(winnerswinner2_of_pair_0(14), 0)));
-      winnerswinner2_of_four_0_12_values(1) := is_set(winnerswinner2_of_pair_0(13), 1);
-      winnerswinner2_of_four_0_12_values(2) := is_set(winnerswinner2_of_pair_0(12), 1);
-      winnerswinner2_of_four_0_12_choices(2) := choice((not is_set(winnerswinner2_of_pair_0(15), 1)) and (not
-        is_set(winnerswinner2_of_pair_0(14), 1)), winnerswinner2_of_four_0_12_choices(1) or
-        winnerswinner2_of_four_0_12_values(1) or winnerswinner2_of_four_0_12_values(2),
-        winnerswinner2_of_four_0_12_choices(1) and (winnerswinner2_of_four_0_12_values(1) or
-        winnerswinner2_of_four_0_12_values(2)));
-      winnerswinner2_of_four_0_12_values(3) := is_set(winnerswinner2_of_pair_0(15), 2);
-      winnerswinner2_of_four_0_12_values(4) := is_set(winnerswinner2_of_pair_0(14), 2);
-      winnerswinner2_of_four_0_12_choices(3) := choice(winnerswinner2_of_four_0_12_choices(2), (not
-        is_set(winnerswinner2_of_pair_0(13), 2)) and (not is_set(winnerswinner2_of_pair_0(12), 2)) and
-        (winnerswinner2_of_four_0_12_values(3) or winnerswinner2_of_four_0_12_values(4)), ((not
-        is_set(winnerswinner2_of_pair_0(13), 2)) and (not is_set(winnerswinner2_of_pair_0(12), 2))) or
-        winnerswinner2_of_four_0_12_values(3) or winnerswinner2_of_four_0_12_values(4));
-      for i in 3 to 5 loop
-        winnerswinner2_of_four_0_12_values(2 * i - 1) := is_set(winnerswinner2_of_pair_0(15), i);
-        winnerswinner2_of_four_0_12_values(2 * i) := is_set(winnerswinner2_of_pair_0(14), i);
-        winnerswinner2_of_four_0_12_choices(i + 1) := choice(winnerswinner2_of_four_0_12_choices(i), ((not
-          is_set(winnerswinner2_of_pair_0(13), i)) and (not is_set(winnerswinner2_of_pair_0(12), i))) or
-          winnerswinner2_of_four_0_12_values(2 * i - 1) or winnerswinner2_of_four_0_12_values(2 * i), (not
-          is_set(winnerswinner2_of_pair_0(13), i)) and (not is_set(winnerswinner2_of_pair_0(12), i)) and
-          (winnerswinner2_of_four_0_12_values(2 * i - 1) or winnerswinner2_of_four_0_12_values(2 * i)));
-      end loop;
-      winnerswinner2_of_four_0_12_choices(7) := choice(winnerswinner2_of_four_0_12_choices(6), (not ((not
-        is_set(winnerswinner2_of_pair_0(13), 6)) and (not is_set(winnerswinner2_of_pair_0(12), 6)))) and (not
-        is_set(winnerswinner2_of_pair_0(15), 6)) and (not is_set(winnerswinner2_of_pair_0(14), 6)), (not ((not
-        is_set(winnerswinner2_of_pair_0(13), 6)) and (not is_set(winnerswinner2_of_pair_0(12), 6)))) or ((not
-        is_set(winnerswinner2_of_pair_0(15), 6)) and (not is_set(winnerswinner2_of_pair_0(14), 6))));
-      winnerswinner2_of_four_0_16_choices(1) := choice(is_set(winnerswinner2_of_pair_0(17), 0), (not
-        is_set(winnerswinner2_of_pair_0(19), 0)) and (not is_set(winnerswinner2_of_pair_0(18), 0)),
-        is_set(winnerswinner2_of_pair_0(16), 0) and (not is_set(winnerswinner2_of_pair_0(19), 0)) and (not
-        is_set(winnerswinner2_of_pair_0(18), 0)));
-      winnerswinner2_of_four_0_16_values(1) := is_set(winnerswinner2_of_pair_0(17), 1);
-      winnerswinner2_of_four_0_16_values(2) := is_set(winnerswinner2_of_pair_0(16), 1);
-      winnerswinner2_of_four_0_16_choices(2) := choice((not is_set(winnerswinner2_of_pair_0(19), 1)) and (not
-        is_set(winnerswinner2_of_pair_0(18), 1)), winnerswinner2_of_four_0_16_choices(1) or
-        winnerswinner2_of_four_0_16_values(1) or winnerswinner2_of_four_0_16_values(2),
-        winnerswinner2_of_four_0_16_choices(1) and (winnerswinner2_of_four_0_16_values(1) or
-        winnerswinner2_of_four_0_16_values(2)));
-      winnerswinner2_of_four_0_16_values(3) := is_set(winnerswinner2_of_pair_0(19), 2);
-      winnerswinner2_of_four_0_16_values(4) := is_set(winnerswinner2_of_pair_0(18), 2);
-      winnerswinner2_of_four_0_16_choices(3) := choice(winnerswinner2_of_four_0_16_choices(2), (not
-        is_set(winnerswinner2_of_pair_0(17), 2)) and (not is_set(winnerswinner2_of_pair_0(16), 2)) and
-        (winnerswinner2_of_four_0_16_values(3) or winnerswinner2_of_four_0_16_values(4)), ((not
-        is_set(winnerswinner2_of_pair_0(17), 2)) and (not is_set(winnerswinner2_of_pair_0(16), 2))) or
-        winnerswinner2_of_four_0_16_values(3) or winnerswinner2_of_four_0_16_values(4));
-      for i in 3 to 5 loop
-        winnerswinner2_of_four_0_16_values(2 * i - 1) := is_set(winnerswinner2_of_pair_0(19), i);
-        winnerswinner2_of_four_0_16_values(2 * i) := is_set(winnerswinner2_of_pair_0(18), i);
-        winnerswinner2_of_four_0_16_choices(i + 1) := choice(winnerswinner2_of_four_0_16_choices(i), ((not
-          is_set(winnerswinner2_of_pair_0(17), i)) and (not is_set(winnerswinner2_of_pair_0(16), i))) or
-          winnerswinner2_of_four_0_16_values(2 * i - 1) or winnerswinner2_of_four_0_16_values(2 * i), (not
-          is_set(winnerswinner2_of_pair_0(17), i)) and (not is_set(winnerswinner2_of_pair_0(16), i)) and
-          (winnerswinner2_of_four_0_16_values(2 * i - 1) or winnerswinner2_of_four_0_16_values(2 * i)));
-      end loop;
-      winnerswinner2_of_four_0_16_choices(7) := choice(winnerswinner2_of_four_0_16_choices(6), (not ((not
-        is_set(winnerswinner2_of_pair_0(17), 6)) and (not is_set(winnerswinner2_of_pair_0(16), 6)))) and (not
-        is_set(winnerswinner2_of_pair_0(19), 6)) and (not is_set(winnerswinner2_of_pair_0(18), 6)), (not ((not
-        is_set(winnerswinner2_of_pair_0(17), 6)) and (not is_set(winnerswinner2_of_pair_0(16), 6)))) or ((not
-        is_set(winnerswinner2_of_pair_0(19), 6)) and (not is_set(winnerswinner2_of_pair_0(18), 6))));
-      winnerswinner2_of_four_0_20_choices(1) := choice(is_set(winnerswinner2_of_pair_0(21), 0), (not
-        is_set(winnerswinner2_of_pair_0(23), 0)) and (not is_set(winnerswinner2_of_pair_0(22), 0)),
-        is_set(winnerswinner2_of_pair_0(20), 0) and (not is_set(winnerswinner2_of_pair_0(23), 0)) and (not
-        is_set(winnerswinner2_of_pair_0(22), 0)));
-      winnerswinner2_of_four_0_20_values(1) := is_set(winnerswinner2_of_pair_0(21), 1);
-      winnerswinner2_of_four_0_20_values(2) := is_set(winnerswinner2_of_pair_0(20), 1);
-      winnerswinner2_of_four_0_20_choices(2) := choice((not is_set(winnerswinner2_of_pair_0(23), 1)) and (not
-        is_set(winnerswinner2_of_pair_0(22), 1)), winnerswinner2_of_four_0_20_choices(1) or
-        winnerswinner2_of_four_0_20_values(1) or winnerswinner2_of_four_0_20_values(2),
-        winnerswinner2_of_four_0_20_choices(1) and (winnerswinner2_of_four_0_20_values(1) or
-        winnerswinner2_of_four_0_20_values(2)));
-      winnerswinner2_of_four_0_20_values(3) := is_set(winnerswinner2_of_pair_0(23), 2);
-      winnerswinner2_of_four_0_20_values(4) := is_set(winnerswinner2_of_pair_0(22), 2);
-      winnerswinner2_of_four_0_20_choices(3) := choice(winnerswinner2_of_four_0_20_choices(2), (not
-        is_set(winnerswinner2_of_pair_0(21), 2)) and (not is_set(winnerswinner2_of_pair_0(20), 2)) and
-        (winnerswinner2_of_four_0_20_values(3) or winnerswinner2_of_four_0_20_values(4)), ((not
-        is_set(winnerswinner2_of_pair_0(21), 2)) and (not is_set(winnerswinner2_of_pair_0(20), 2))) or
-        winnerswinner2_of_four_0_20_values(3) or winnerswinner2_of_four_0_20_values(4));
-      for i in 3 to 5 loop
-        winnerswinner2_of_four_0_20_values(2 * i - 1) := is_set(winnerswinner2_of_pair_0(23), i);
-        winnerswinner2_of_four_0_20_values(2 * i) := is_set(winnerswinner2_of_pair_0(22), i);
-        winnerswinner2_of_four_0_20_choices(i + 1) := choice(winnerswinner2_of_four_0_20_choices(i), ((not
-          is_set(winnerswinner2_of_pair_0(21), i)) and (not is_set(winnerswinner2_of_pair_0(20), i))) or
-          winnerswinner2_of_four_0_20_values(2 * i - 1) or winnerswinner2_of_four_0_20_values(2 * i), (not
-          is_set(winnerswinner2_of_pair_0(21), i)) and (not is_set(winnerswinner2_of_pair_0(20), i)) and
-          (winnerswinner2_of_four_0_20_values(2 * i - 1) or winnerswinner2_of_four_0_20_values(2 * i)));
-      end loop;
-      winnerswinner2_of_four_0_20_choices(7) := choice(winnerswinner2_of_four_0_20_choices(6), (not ((not
-        is_set(winnerswinner2_of_pair_0(21), 6)) and (not is_set(winnerswinner2_of_pair_0(20), 6)))) and (not
-        is_set(winnerswinner2_of_pair_0(23), 6)) and (not is_set(winnerswinner2_of_pair_0(22), 6)), (not ((not
-        is_set(winnerswinner2_of_pair_0(21), 6)) and (not is_set(winnerswinner2_of_pair_0(20), 6)))) or ((not
-        is_set(winnerswinner2_of_pair_0(23), 6)) and (not is_set(winnerswinner2_of_pair_0(22), 6))));
-      winnerswinner2_of_four_0_24_choices(1) := choice(is_set(winnerswinner2_of_pair_0(25), 0), (not
-        is_set(winnerswinner2_of_pair_0(27), 0)) and (not is_set(winnerswinner2_of_pair_0(26), 0)),
-        is_set(winnerswinner2_of_pair_0(24), 0) and (not is_set(winnerswinner2_of_pair_0(27), 0)) and (not
-        is_set(winnerswinner2_of_pair_0(26), 0)));
-      winnerswinner2_of_four_0_24_values(1) := is_set(winnerswinner2_of_pair_0(25), 1);
-      winnerswinner2_of_four_0_24_values(2) := is_set(winnerswinner2_of_pair_0(24), 1);
-      winnerswinner2_of_four_0_24_choices(2) := choice((not is_set(winnerswinner2_of_pair_0(27), 1)) and (not
-        is_set(winnerswinner2_of_pair_0(26), 1)), winnerswinner2_of_four_0_24_choices(1) or
-        winnerswinner2_of_four_0_24_values(1) or winnerswinner2_of_four_0_24_values(2),
-        winnerswinner2_of_four_0_24_choices(1) and (winnerswinner2_of_four_0_24_values(1) or
-        winnerswinner2_of_four_0_24_values(2)));
-      winnerswinner2_of_four_0_24_values(3) := is_set(winnerswinner2_of_pair_0(27), 2);
-      winnerswinner2_of_four_0_24_values(4) := is_set(winnerswinner2_of_pair_0(26), 2);
-      winnerswinner2_of_four_0_24_choices(3) := choice(winnerswinner2_of_four_0_24_choices(2), (not
-        is_set(winnerswinner2_of_pair_0(25), 2)) and (not is_set(winnerswinner2_of_pair_0(24), 2)) and
-        (winnerswinner2_of_four_0_24_values(3) or winnerswinner2_of_four_0_24_values(4)), ((not
-        is_set(winnerswinner2_of_pair_0(25), 2)) and (not is_set(winnerswinner2_of_pair_0(24), 2))) or
-        winnerswinner2_of_four_0_24_values(3) or winnerswinner2_of_four_0_24_values(4));
-      for i in 3 to 5 loop
-        winnerswinner2_of_four_0_24_values(2 * i - 1) := is_set(winnerswinner2_of_pair_0(27), i);
-        winnerswinner2_of_four_0_24_values(2 * i) := is_set(winnerswinner2_of_pair_0(26), i);
-        winnerswinner2_of_four_0_24_choices(i + 1) := choice(winnerswinner2_of_four_0_24_choices(i), ((not
-          is_set(winnerswinner2_of_pair_0(25), i)) and (not is_set(winnerswinner2_of_pair_0(24), i))) or
-          winnerswinner2_of_four_0_24_values(2 * i - 1) or winnerswinner2_of_four_0_24_values(2 * i), (not
-          is_set(winnerswinner2_of_pair_0(25), i)) and (not is_set(winnerswinner2_of_pair_0(24), i)) and
-          (winnerswinner2_of_four_0_24_values(2 * i - 1) or winnerswinner2_of_four_0_24_values(2 * i)));
-      end loop;
-      winnerswinner2_of_four_0_24_choices(7) := choice(winnerswinner2_of_four_0_24_choices(6), (not ((not
-        is_set(winnerswinner2_of_pair_0(25), 6)) and (not is_set(winnerswinner2_of_pair_0(24), 6)))) and (not
-        is_set(winnerswinner2_of_pair_0(27), 6)) and (not is_set(winnerswinner2_of_pair_0(26), 6)), (not ((not
-        is_set(winnerswinner2_of_pair_0(25), 6)) and (not is_set(winnerswinner2_of_pair_0(24), 6)))) or ((not
-        is_set(winnerswinner2_of_pair_0(27), 6)) and (not is_set(winnerswinner2_of_pair_0(26), 6))));
-      winnerswinner2_of_four_0_28_choices(1) := choice(is_set(winnerswinner2_of_pair_0(29), 0), (not
-        is_set(winnerswinner2_of_pair_0(31), 0)) and (not is_set(winnerswinner2_of_pair_0(30), 0)),
-        is_set(winnerswinner2_of_pair_0(28), 0) and (not is_set(winnerswinner2_of_pair_0(31), 0)) and (not
-        is_set(winnerswinner2_of_pair_0(30), 0)));
-      winnerswinner2_of_four_0_28_values(1) := is_set(winnerswinner2_of_pair_0(29), 1);
-      winnerswinner2_of_four_0_28_values(2) := is_set(winnerswinner2_of_pair_0(28), 1);
-      winnerswinner2_of_four_0_28_choices(2) := choice((not is_set(winnerswinner2_of_pair_0(31), 1)) and (not
-        is_set(winnerswinner2_of_pair_0(30), 1)), winnerswinner2_of_four_0_28_choices(1) or
-        winnerswinner2_of_four_0_28_values(1) or winnerswinner2_of_four_0_28_values(2),
-        winnerswinner2_of_four_0_28_choices(1) and (winnerswinner2_of_four_0_28_values(1) or
-        winnerswinner2_of_four_0_28_values(2)));
-      winnerswinner2_of_four_0_28_values(3) := is_set(winnerswinner2_of_pair_0(31), 2);
-      winnerswinner2_of_four_0_28_values(4) := is_set(winnerswinner2_of_pair_0(30), 2);
-      winnerswinner2_of_four_0_28_choices(3) := choice(winnerswinner2_of_four_0_28_choices(2), (not
-        is_set(winnerswinner2_of_pair_0(29), 2)) and (not is_set(winnerswinner2_of_pair_0(28), 2)) and
-        (winnerswinner2_of_four_0_28_values(3) or winnerswinner2_of_four_0_28_values(4)), ((not
-        is_set(winnerswinner2_of_pair_0(29), 2)) and (not is_set(winnerswinner2_of_pair_0(28), 2))) or
-        winnerswinner2_of_four_0_28_values(3) or winnerswinner2_of_four_0_28_values(4));
-      for i in 3 to 5 loop
-        winnerswinner2_of_four_0_28_values(2 * i - 1) := is_set(winnerswinner2_of_pair_0(31), i);
-        winnerswinner2_of_four_0_28_values(2 * i) := is_set(winnerswinner2_of_pair_0(30), i);
-        winnerswinner2_of_four_0_28_choices(i + 1) := choice(winnerswinner2_of_four_0_28_choices(i), ((not
-          is_set(winnerswinner2_of_pair_0(29), i)) and (not is_set(winnerswinner2_of_pair_0(28), i))) or
-          winnerswinner2_of_four_0_28_values(2 * i - 1) or winnerswinner2_of_four_0_28_values(2 * i), (not
-          is_set(winnerswinner2_of_pair_0(29), i)) and (not is_set(winnerswinner2_of_pair_0(28), i)) and
-          (winnerswinner2_of_four_0_28_values(2 * i - 1) or winnerswinner2_of_four_0_28_values(2 * i)));
-      end loop;
-      winnerswinner2_of_four_0_28_choices(7) := choice(winnerswinner2_of_four_0_28_choices(6), (not ((not
-        is_set(winnerswinner2_of_pair_0(29), 6)) and (not is_set(winnerswinner2_of_pair_0(28), 6)))) and (not
-        is_set(winnerswinner2_of_pair_0(31), 6)) and (not is_set(winnerswinner2_of_pair_0(30), 6)), (not ((not
-        is_set(winnerswinner2_of_pair_0(29), 6)) and (not is_set(winnerswinner2_of_pair_0(28), 6)))) or ((not
-        is_set(winnerswinner2_of_pair_0(31), 6)) and (not is_set(winnerswinner2_of_pair_0(30), 6))));
       winnerswinner2_pair_tag <= winnerswinner1_tag;
       winnerswinner2_four_tag <= winnerswinner2_pair_tag;
       for i in 0 to 7 loop
@@ -4517,79 +2690,33 @@ begin
       winnerswinner2_best_index_0 <= winnerswinner2_four_index_0;
       winnerswinner2_tag <= winnerswinner2_four_tag;
       for i in 0 to 15 loop
-        winnerswinner2_of_pair_0(2 * i) <= choice(winnerswinner2_of_pair_0_choice(2 * i, 7), 0,
-          winnerswinner1_best_cost_0(2 * i));
-        winnerswinner2_of_pair_0(2 * i + 1) <= choice(winnerswinner2_of_pair_0_choice(2 * i, 7),
+        winnerswinner2_of_pair_0(2 * i) <= choice(winnerswinner2_of_pair_0_choice_7(i), 0, winnerswinner1_best_cost_0(2
+          * i));
+        winnerswinner2_of_pair_0(2 * i + 1) <= choice(winnerswinner2_of_pair_0_choice_7(i),
           winnerswinner1_best_cost_0(2 * i + 1), 0);
-        winnerswinner2_pair_index_0(i) <= choice(winnerswinner2_of_pair_0_choice(2 * i, 7),
-          winnerswinner1_best_index_0(2 * i + 1), winnerswinner1_best_index_0(2 * i));
+        winnerswinner2_pair_index_0(i) <= choice(winnerswinner2_of_pair_0_choice_7(i), winnerswinner1_best_index_0(2 *
+          i + 1), winnerswinner1_best_index_0(2 * i));
       end loop;
-      winnerswinner2_of_four_0(0) <= choice(winnerswinner2_of_four_0_0_choices(7), 0, winnerswinner2_of_pair_0(0));
-      winnerswinner2_of_four_0(1) <= choice(winnerswinner2_of_four_0_0_choices(7), 0, winnerswinner2_of_pair_0(1));
-      winnerswinner2_of_four_0(2) <= choice(winnerswinner2_of_four_0_0_choices(7), winnerswinner2_of_pair_0(2), 0);
-      winnerswinner2_of_four_0(3) <= choice(winnerswinner2_of_four_0_0_choices(7), winnerswinner2_of_pair_0(3), 0);
-      winnerswinner2_four_index_0(0) <= choice(winnerswinner2_of_four_0_0_choices(7), winnerswinner2_pair_index_0(1),
-        winnerswinner2_pair_index_0(0));
-      winnerswinner2_of_four_0(4) <= choice(winnerswinner2_of_four_0_4_choices(7), 0, winnerswinner2_of_pair_0(4));
-      winnerswinner2_of_four_0(5) <= choice(winnerswinner2_of_four_0_4_choices(7), 0, winnerswinner2_of_pair_0(5));
-      winnerswinner2_of_four_0(6) <= choice(winnerswinner2_of_four_0_4_choices(7), winnerswinner2_of_pair_0(6), 0);
-      winnerswinner2_of_four_0(7) <= choice(winnerswinner2_of_four_0_4_choices(7), winnerswinner2_of_pair_0(7), 0);
-      winnerswinner2_four_index_0(1) <= choice(winnerswinner2_of_four_0_4_choices(7), winnerswinner2_pair_index_0(3),
-        winnerswinner2_pair_index_0(2));
-      winnerswinner2_of_four_0(8) <= choice(winnerswinner2_of_four_0_8_choices(7), 0, winnerswinner2_of_pair_0(8));
-      winnerswinner2_of_four_0(9) <= choice(winnerswinner2_of_four_0_8_choices(7), 0, winnerswinner2_of_pair_0(9));
-      winnerswinner2_of_four_0(10) <= choice(winnerswinner2_of_four_0_8_choices(7), winnerswinner2_of_pair_0(10), 0);
-      winnerswinner2_of_four_0(11) <= choice(winnerswinner2_of_four_0_8_choices(7), winnerswinner2_of_pair_0(11), 0);
-      winnerswinner2_four_index_0(2) <= choice(winnerswinner2_of_four_0_8_choices(7), winnerswinner2_pair_index_0(5),
-        winnerswinner2_pair_index_0(4));
-      winnerswinner2_of_four_0(12) <= choice(winnerswinner2_of_four_0_12_choices(7), 0, winnerswinner2_of_pair_0(12));
-      winnerswinner2_of_four_0(13) <= choice(winnerswinner2_of_four_0_12_choices(7), 0, winnerswinner2_of_pair_0(13));
-      winnerswinner2_of_four_0(14) <= choice(winnerswinner2_of_four_0_12_choices(7), winnerswinner2_of_pair_0(14), 0);
-      winnerswinner2_of_four_0(15) <= choice(winnerswinner2_of_four_0_12_choices(7), winnerswinner2_of_pair_0(15), 0);
-      winnerswinner2_four_index_0(3) <= choice(winnerswinner2_of_four_0_12_choices(7), winnerswinner2_pair_index_0(7),
-        winnerswinner2_pair_index_0(6));
-      winnerswinner2_of_four_0(16) <= choice(winnerswinner2_of_four_0_16_choices(7), 0, winnerswinner2_of_pair_0(16));
-      winnerswinner2_of_four_0(17) <= choice(winnerswinner2_of_four_0_16_choices(7), 0, winnerswinner2_of_pair_0(17));
-      winnerswinner2_of_four_0(18) <= choice(winnerswinner2_of_four_0_16_choices(7), winnerswinner2_of_pair_0(18), 0);
-      winnerswinner2_of_four_0(19) <= choice(winnerswinner2_of_four_0_16_choices(7), winnerswinner2_of_pair_0(19), 0);
-      winnerswinner2_four_index_0(4) <= choice(winnerswinner2_of_four_0_16_choices(7), winnerswinner2_pair_index_0(9),
-        winnerswinner2_pair_index_0(8));
-      winnerswinner2_of_four_0(20) <= choice(winnerswinner2_of_four_0_20_choices(7), 0, winnerswinner2_of_pair_0(20));
-      winnerswinner2_of_four_0(21) <= choice(winnerswinner2_of_four_0_20_choices(7), 0, winnerswinner2_of_pair_0(21));
-      winnerswinner2_of_four_0(22) <= choice(winnerswinner2_of_four_0_20_choices(7), winnerswinner2_of_pair_0(22), 0);
-      winnerswinner2_of_four_0(23) <= choice(winnerswinner2_of_four_0_20_choices(7), winnerswinner2_of_pair_0(23), 0);
-      winnerswinner2_four_index_0(5) <= choice(winnerswinner2_of_four_0_20_choices(7), winnerswinner2_pair_index_0(11),
-        winnerswinner2_pair_index_0(10));
-      winnerswinner2_of_four_0(24) <= choice(winnerswinner2_of_four_0_24_choices(7), 0, winnerswinner2_of_pair_0(24));
-      winnerswinner2_of_four_0(25) <= choice(winnerswinner2_of_four_0_24_choices(7), 0, winnerswinner2_of_pair_0(25));
-      winnerswinner2_of_four_0(26) <= choice(winnerswinner2_of_four_0_24_choices(7), winnerswinner2_of_pair_0(26), 0);
-      winnerswinner2_of_four_0(27) <= choice(winnerswinner2_of_four_0_24_choices(7), winnerswinner2_of_pair_0(27), 0);
-      winnerswinner2_four_index_0(6) <= choice(winnerswinner2_of_four_0_24_choices(7), winnerswinner2_pair_index_0(13),
-        winnerswinner2_pair_index_0(12));
-      winnerswinner2_of_four_0(28) <= choice(winnerswinner2_of_four_0_28_choices(7), 0, winnerswinner2_of_pair_0(28));
-      winnerswinner2_of_four_0(29) <= choice(winnerswinner2_of_four_0_28_choices(7), 0, winnerswinner2_of_pair_0(29));
-      winnerswinner2_of_four_0(30) <= choice(winnerswinner2_of_four_0_28_choices(7), winnerswinner2_of_pair_0(30), 0);
-      winnerswinner2_of_four_0(31) <= choice(winnerswinner2_of_four_0_28_choices(7), winnerswinner2_of_pair_0(31), 0);
-      winnerswinner2_four_index_0(7) <= choice(winnerswinner2_of_four_0_28_choices(7), winnerswinner2_pair_index_0(15),
-        winnerswinner2_pair_index_0(14));
+      for i in 0 to 7 loop
+        winnerswinner2_of_four_0(4 * i) <= choice(winnerswinner2_of_four_0_choice(i, 7), 0, winnerswinner2_of_pair_0(4
+          * i));
+        winnerswinner2_of_four_0(4 * i + 1) <= choice(winnerswinner2_of_four_0_choice(i, 7), 0,
+          winnerswinner2_of_pair_0(4 * i + 1));
+        winnerswinner2_of_four_0(4 * i + 2) <= choice(winnerswinner2_of_four_0_choice(i, 7), winnerswinner2_of_pair_0(4
+          * i + 2), 0);
+        winnerswinner2_of_four_0(4 * i + 3) <= choice(winnerswinner2_of_four_0_choice(i, 7), winnerswinner2_of_pair_0(4
+          * i + 3), 0);
+        winnerswinner2_four_index_0(i) <= choice(winnerswinner2_of_four_0_choice(i, 7), winnerswinner2_pair_index_0(2 *
+          i + 1), winnerswinner2_pair_index_0(2 * i));
+      end loop;
       -- winnerswinner3
       for i in 0 to 3 loop
-        winnerswinner3_of_pair_0_choice(2 * i, 1) := choice(is_set(winnerswinner2_best_cost_0(2 * i), 0), (not
-          is_set(winnerswinner2_best_cost_0(2 * i + 1), 1)) or (not is_set(winnerswinner2_best_cost_0(2 * i + 1), 0)),
-          not is_set(winnerswinner2_best_cost_0(2 * i + 1), 1));
-        winnerswinner3_of_pair_0_choice(2 * i, 2) := choice(is_set(winnerswinner2_best_cost_0(2 * i), 1),
-          winnerswinner3_of_pair_0_choice(2 * i, 1), is_set(winnerswinner2_best_cost_0(2 * i), 0) and
-          ((winnerswinner2_best_cost_0(2 * i + 1) mod 4) = 0));
-        winnerswinner3_of_pair_0_value(2 * i, 1) := is_set(winnerswinner2_best_cost_0(2 * i + 1), 2);
-        winnerswinner3_of_pair_0_choice(2 * i, 3) := inverted_carry(winnerswinner3_of_pair_0_choice(2 * i, 2), not
-          is_set(winnerswinner2_best_cost_0(2 * i), 2), winnerswinner3_of_pair_0_value(2 * i, 1));
-        for j in 2 to 4 loop
-          winnerswinner3_of_pair_0_value(2 * i, j) := is_set(winnerswinner2_best_cost_0(2 * i + 1), j + 1);
-          winnerswinner3_of_pair_0_choice(2 * i, j + 2) := carry(winnerswinner3_of_pair_0_choice(2 * i, j + 1), not
-            is_set(winnerswinner2_best_cost_0(2 * i), j + 1), winnerswinner3_of_pair_0_value(2 * i, j));
-        end loop;
-        winnerswinner3_of_pair_0_choice(2 * i, 7) := inverted_carry(winnerswinner3_of_pair_0_choice(2 * i, 6),
-          is_set(winnerswinner2_best_cost_0(2 * i), 6), not is_set(winnerswinner2_best_cost_0(2 * i + 1), 6));
+        winnerswinner3_of_pair_0_value(i, 1) := is_set(winnerswinner2_best_cost_0(2 * i + 1), 2);
+        winnerswinner3_of_pair_0_value(i, 2) := is_set(winnerswinner2_best_cost_0(2 * i + 1), 3);
+        winnerswinner3_of_pair_0_value(i, 3) := is_set(winnerswinner2_best_cost_0(2 * i + 1), 4);
+        winnerswinner3_of_pair_0_value(i, 4) := is_set(winnerswinner2_best_cost_0(2 * i + 1), 5);
+        winnerswinner3_of_pair_0_choice_7(i) := is_larger(winnerswinner2_best_cost_0(2 * i),
+          winnerswinner2_best_cost_0(2 * i + 1), 0, 6, false);
       end loop;
       for i in 0 to 1 loop
         winnerswinner3_of_four_0_choice(4 * i, 1) := choice(is_set(winnerswinner3_of_pair_0(4 * i + 1), 0), (not
@@ -4637,12 +2764,12 @@ begin
       winnerswinner3_best_index_0 <= winnerswinner3_four_index_0;
       winnerswinner3_tag <= winnerswinner3_four_tag;
       for i in 0 to 3 loop
-        winnerswinner3_of_pair_0(2 * i) <= choice(winnerswinner3_of_pair_0_choice(2 * i, 7), 0,
-          winnerswinner2_best_cost_0(2 * i));
-        winnerswinner3_of_pair_0(2 * i + 1) <= choice(winnerswinner3_of_pair_0_choice(2 * i, 7),
+        winnerswinner3_of_pair_0(2 * i) <= choice(winnerswinner3_of_pair_0_choice_7(i), 0, winnerswinner2_best_cost_0(2
+          * i));
+        winnerswinner3_of_pair_0(2 * i + 1) <= choice(winnerswinner3_of_pair_0_choice_7(i),
           winnerswinner2_best_cost_0(2 * i + 1), 0);
-        winnerswinner3_pair_index_0(i) <= choice(winnerswinner3_of_pair_0_choice(2 * i, 7),
-          winnerswinner2_best_index_0(2 * i + 1), winnerswinner2_best_index_0(2 * i));
+        winnerswinner3_pair_index_0(i) <= choice(winnerswinner3_of_pair_0_choice_7(i), winnerswinner2_best_index_0(2 *
+          i + 1), winnerswinner2_best_index_0(2 * i));
       end loop;
       for i in 0 to 1 loop
         winnerswinner3_of_four_0(4 * i) <= choice(winnerswinner3_of_four_0_choice(4 * i, 7), 0,
@@ -4657,24 +2784,14 @@ begin
           winnerswinner3_pair_index_0(2 * i + 1), winnerswinner3_pair_index_0(2 * i));
       end loop;
       -- winnerswinner4
-      winnerswinner4_best_index_0_0_choices(1) := choice(is_set(winnerswinner3_best_cost_0(0), 0), (not
-        is_set(winnerswinner3_best_cost_0(1), 1)) or (not is_set(winnerswinner3_best_cost_0(1), 0)), not
-        is_set(winnerswinner3_best_cost_0(1), 1));
-      winnerswinner4_best_index_0_0_choices(2) := choice(is_set(winnerswinner3_best_cost_0(0), 1),
-        winnerswinner4_best_index_0_0_choices(1), is_set(winnerswinner3_best_cost_0(0), 0) and
-        ((winnerswinner3_best_cost_0(1) mod 4) = 0));
       winnerswinner4_best_index_0_0_values(1) := is_set(winnerswinner3_best_cost_0(1), 2);
-      winnerswinner4_best_index_0_0_choices(3) := inverted_carry(winnerswinner4_best_index_0_0_choices(2), not
-        is_set(winnerswinner3_best_cost_0(0), 2), winnerswinner4_best_index_0_0_values(1));
-      for i in 2 to 4 loop
-        winnerswinner4_best_index_0_0_values(i) := is_set(winnerswinner3_best_cost_0(1), i + 1);
-        winnerswinner4_best_index_0_0_choices(i + 2) := carry(winnerswinner4_best_index_0_0_choices(i + 1), not
-          is_set(winnerswinner3_best_cost_0(0), i + 1), winnerswinner4_best_index_0_0_values(i));
-      end loop;
-      winnerswinner4_best_index_0_0_choices(7) := inverted_carry(winnerswinner4_best_index_0_0_choices(6),
-        is_set(winnerswinner3_best_cost_0(0), 6), not is_set(winnerswinner3_best_cost_0(1), 6));
+      winnerswinner4_best_index_0_0_values(2) := is_set(winnerswinner3_best_cost_0(1), 3);
+      winnerswinner4_best_index_0_0_values(3) := is_set(winnerswinner3_best_cost_0(1), 4);
+      winnerswinner4_best_index_0_0_values(4) := is_set(winnerswinner3_best_cost_0(1), 5);
+      winnerswinner4_best_index_0_0_choice_7 := is_larger(winnerswinner3_best_cost_0(0), winnerswinner3_best_cost_0(1),
+        0, 6, false);
       winnerswinner4_tag <= winnerswinner3_tag;
-      winnerswinner4_best_index_0_0 <= choice(winnerswinner4_best_index_0_0_choices(7), winnerswinner3_best_index_0(1),
+      winnerswinner4_best_index_0_0 <= choice(winnerswinner4_best_index_0_0_choice_7, winnerswinner3_best_index_0(1),
         winnerswinner3_best_index_0(0));
       -- winners
       winners_best_index_0_0 <= winnerswinner4_best_index_0_0;
@@ -4820,117 +2937,35 @@ begin
       map_window_complete_choice := choice(map_window_complete_is_equal, map_sorted_behind, map_sorted_arrives or
         map_sorted_behind);
       map_of_low_0_b_below_a_values(1) := is_set(map_low_0(0), 1);
-      map_of_low_0_b_below_a_choices(1) := choice(is_set(map_low_0(0), 0), (not is_set(map_low_0(1), 1)) or (not
-        is_set(map_low_0(1), 0)), not is_set(map_low_0(1), 1));
       map_of_low_0_b_below_a_is_equal := (map_low_0(1) mod 4) = 0;
-      map_of_low_0_b_below_a_choices(2) := choice(map_of_low_0_b_below_a_values(1), map_of_low_0_b_below_a_choices(1),
-        is_set(map_low_0(0), 0) and map_of_low_0_b_below_a_is_equal);
-      map_of_low_0_b_below_a_values(2) := is_set(map_low_0(0), 2);
-      map_of_low_0_b_below_a_values(3) := is_set(map_low_0(1), 2);
-      map_of_low_0_b_below_a_choices(3) := inverted_carry(map_of_low_0_b_below_a_choices(2), not
-        map_of_low_0_b_below_a_values(2), map_of_low_0_b_below_a_values(3));
-      for i in 3 to 5 loop
+      for i in 2 to 5 loop
         map_of_low_0_b_below_a_values(2 * i - 2) := is_set(map_low_0(0), i);
         map_of_low_0_b_below_a_values(2 * i - 1) := is_set(map_low_0(1), i);
-        map_of_low_0_b_below_a_choices(i + 1) := carry(map_of_low_0_b_below_a_choices(i), not
-          map_of_low_0_b_below_a_values(2 * i - 2), map_of_low_0_b_below_a_values(2 * i - 1));
       end loop;
+      map_of_low_0_b_below_a_choice_6 := not is_larger(map_low_0(0), map_low_0(1), 0, 5, false);
       map_of_low_0_c_below_a_value := is_set(map_low_0(2), 1);
-      map_of_low_0_c_below_a_choices(1) := choice(is_set(map_low_0(2), 0), not map_of_low_0_b_below_a_values(1),
-        (map_low_0(0) mod 4) = 0);
-      map_of_low_0_c_below_a_choices(2) := choice(map_of_low_0_c_below_a_value, is_set(map_low_0(2), 0) or (not
-        map_of_low_0_b_below_a_values(1)) or (not is_set(map_low_0(0), 0)), map_of_low_0_c_below_a_choices(1));
-      map_of_low_0_c_below_a_choices(3) := inverted_carry(map_of_low_0_c_below_a_choices(2), not is_set(map_low_0(2),
-        2), map_of_low_0_b_below_a_values(2));
-      for i in 4 to 6 loop
-        map_of_low_0_c_below_a_choices(i) := carry(map_of_low_0_c_below_a_choices(i - 1), not is_set(map_low_0(2), i -
-          1), map_of_low_0_b_below_a_values(2 * i - 4));
-      end loop;
-      map_of_low_0_c_below_b_choices(1) := choice(is_set(map_low_0(2), 0), not is_set(map_low_0(1), 1),
-        map_of_low_0_b_below_a_is_equal);
-      map_of_low_0_c_below_b_choices(2) := choice(map_of_low_0_c_below_a_value, is_set(map_low_0(2), 0) or (not
-        is_set(map_low_0(1), 1)) or (not is_set(map_low_0(1), 0)), map_of_low_0_c_below_b_choices(1));
-      map_of_low_0_c_below_b_choices(3) := inverted_carry(map_of_low_0_c_below_b_choices(2), not is_set(map_low_0(2),
-        2), map_of_low_0_b_below_a_values(3));
-      for i in 4 to 6 loop
-        map_of_low_0_c_below_b_choices(i) := carry(map_of_low_0_c_below_b_choices(i - 1), not is_set(map_low_0(2), i -
-          1), map_of_low_0_b_below_a_values(2 * i - 3));
-      end loop;
+      map_of_low_0_c_below_a_choice_6 := not is_larger(map_low_0(2), map_low_0(0), 0, 5, true);
+      map_of_low_0_c_below_b_choice_6 := not is_larger(map_low_0(2), map_low_0(1), 0, 5, true);
       map_of_middle_0_b_below_a_values(1) := is_set(map_middle_0(0), 1);
-      map_of_middle_0_b_below_a_choices(1) := choice(is_set(map_middle_0(0), 0), (not is_set(map_middle_0(1), 1)) or
-        (not is_set(map_middle_0(1), 0)), not is_set(map_middle_0(1), 1));
       map_of_middle_0_b_below_a_is_equal := (map_middle_0(1) mod 4) = 0;
-      map_of_middle_0_b_below_a_choices(2) := choice(map_of_middle_0_b_below_a_values(1),
-        map_of_middle_0_b_below_a_choices(1), is_set(map_middle_0(0), 0) and map_of_middle_0_b_below_a_is_equal);
-      map_of_middle_0_b_below_a_values(2) := is_set(map_middle_0(0), 2);
-      map_of_middle_0_b_below_a_values(3) := is_set(map_middle_0(1), 2);
-      map_of_middle_0_b_below_a_choices(3) := inverted_carry(map_of_middle_0_b_below_a_choices(2), not
-        map_of_middle_0_b_below_a_values(2), map_of_middle_0_b_below_a_values(3));
-      for i in 3 to 5 loop
+      for i in 2 to 5 loop
         map_of_middle_0_b_below_a_values(2 * i - 2) := is_set(map_middle_0(0), i);
         map_of_middle_0_b_below_a_values(2 * i - 1) := is_set(map_middle_0(1), i);
-        map_of_middle_0_b_below_a_choices(i + 1) := carry(map_of_middle_0_b_below_a_choices(i), not
-          map_of_middle_0_b_below_a_values(2 * i - 2), map_of_middle_0_b_below_a_values(2 * i - 1));
       end loop;
+      map_of_middle_0_b_below_a_choice_6 := not is_larger(map_middle_0(0), map_middle_0(1), 0, 5, false);
       map_of_middle_0_c_below_a_value := is_set(map_middle_0(2), 1);
-      map_of_middle_0_c_below_a_choices(1) := choice(is_set(map_middle_0(2), 0), not
-        map_of_middle_0_b_below_a_values(1), (map_middle_0(0) mod 4) = 0);
-      map_of_middle_0_c_below_a_choices(2) := choice(map_of_middle_0_c_below_a_value, is_set(map_middle_0(2), 0) or
-        (not map_of_middle_0_b_below_a_values(1)) or (not is_set(map_middle_0(0), 0)),
-        map_of_middle_0_c_below_a_choices(1));
-      map_of_middle_0_c_below_a_choices(3) := inverted_carry(map_of_middle_0_c_below_a_choices(2), not
-        is_set(map_middle_0(2), 2), map_of_middle_0_b_below_a_values(2));
-      for i in 4 to 6 loop
-        map_of_middle_0_c_below_a_choices(i) := carry(map_of_middle_0_c_below_a_choices(i - 1), not
-          is_set(map_middle_0(2), i - 1), map_of_middle_0_b_below_a_values(2 * i - 4));
-      end loop;
-      map_of_middle_0_c_below_b_choices(1) := choice(is_set(map_middle_0(2), 0), not is_set(map_middle_0(1), 1),
-        map_of_middle_0_b_below_a_is_equal);
-      map_of_middle_0_c_below_b_choices(2) := choice(map_of_middle_0_c_below_a_value, is_set(map_middle_0(2), 0) or
-        (not is_set(map_middle_0(1), 1)) or (not is_set(map_middle_0(1), 0)), map_of_middle_0_c_below_b_choices(1));
-      map_of_middle_0_c_below_b_choices(3) := inverted_carry(map_of_middle_0_c_below_b_choices(2), not
-        is_set(map_middle_0(2), 2), map_of_middle_0_b_below_a_values(3));
-      for i in 4 to 6 loop
-        map_of_middle_0_c_below_b_choices(i) := carry(map_of_middle_0_c_below_b_choices(i - 1), not
-          is_set(map_middle_0(2), i - 1), map_of_middle_0_b_below_a_values(2 * i - 3));
-      end loop;
+      map_of_middle_0_c_below_a_choice_6 := not is_larger(map_middle_0(2), map_middle_0(0), 0, 5, true);
+      map_of_middle_0_c_below_b_choice_6 := not is_larger(map_middle_0(2), map_middle_0(1), 0, 5, true);
       map_of_high_0_b_below_a_values(1) := is_set(map_high_0(0), 1);
-      map_of_high_0_b_below_a_choices(1) := choice(is_set(map_high_0(0), 0), (not is_set(map_high_0(1), 1)) or (not
-        is_set(map_high_0(1), 0)), not is_set(map_high_0(1), 1));
       map_of_high_0_b_below_a_is_equal := (map_high_0(1) mod 4) = 0;
-      map_of_high_0_b_below_a_choices(2) := choice(map_of_high_0_b_below_a_values(1),
-        map_of_high_0_b_below_a_choices(1), is_set(map_high_0(0), 0) and map_of_high_0_b_below_a_is_equal);
-      map_of_high_0_b_below_a_values(2) := is_set(map_high_0(0), 2);
-      map_of_high_0_b_below_a_values(3) := is_set(map_high_0(1), 2);
-      map_of_high_0_b_below_a_choices(3) := inverted_carry(map_of_high_0_b_below_a_choices(2), not
-        map_of_high_0_b_below_a_values(2), map_of_high_0_b_below_a_values(3));
-      for i in 3 to 5 loop
+      for i in 2 to 5 loop
         map_of_high_0_b_below_a_values(2 * i - 2) := is_set(map_high_0(0), i);
         map_of_high_0_b_below_a_values(2 * i - 1) := is_set(map_high_0(1), i);
-        map_of_high_0_b_below_a_choices(i + 1) := carry(map_of_high_0_b_below_a_choices(i), not
-          map_of_high_0_b_below_a_values(2 * i - 2), map_of_high_0_b_below_a_values(2 * i - 1));
       end loop;
+      map_of_high_0_b_below_a_choice_6 := not is_larger(map_high_0(0), map_high_0(1), 0, 5, false);
       map_of_high_0_c_below_a_value := is_set(map_high_0(2), 1);
-      map_of_high_0_c_below_a_choices(1) := choice(is_set(map_high_0(2), 0), not map_of_high_0_b_below_a_values(1),
-        (map_high_0(0) mod 4) = 0);
-      map_of_high_0_c_below_a_choices(2) := choice(map_of_high_0_c_below_a_value, is_set(map_high_0(2), 0) or (not
-        map_of_high_0_b_below_a_values(1)) or (not is_set(map_high_0(0), 0)), map_of_high_0_c_below_a_choices(1));
-      map_of_high_0_c_below_a_choices(3) := inverted_carry(map_of_high_0_c_below_a_choices(2), not
-        is_set(map_high_0(2), 2), map_of_high_0_b_below_a_values(2));
-      for i in 4 to 6 loop
-        map_of_high_0_c_below_a_choices(i) := carry(map_of_high_0_c_below_a_choices(i - 1), not is_set(map_high_0(2), i
-          - 1), map_of_high_0_b_below_a_values(2 * i - 4));
-      end loop;
-      map_of_high_0_c_below_b_choices(1) := choice(is_set(map_high_0(2), 0), not is_set(map_high_0(1), 1),
-        map_of_high_0_b_below_a_is_equal);
-      map_of_high_0_c_below_b_choices(2) := choice(map_of_high_0_c_below_a_value, is_set(map_high_0(2), 0) or (not
-        is_set(map_high_0(1), 1)) or (not is_set(map_high_0(1), 0)), map_of_high_0_c_below_b_choices(1));
-      map_of_high_0_c_below_b_choices(3) := inverted_carry(map_of_high_0_c_below_b_choices(2), not
-        is_set(map_high_0(2), 2), map_of_high_0_b_below_a_values(3));
-      for i in 4 to 6 loop
-        map_of_high_0_c_below_b_choices(i) := carry(map_of_high_0_c_below_b_choices(i - 1), not is_set(map_high_0(2), i
-          - 1), map_of_high_0_b_below_a_values(2 * i - 3));
-      end loop;
+      map_of_high_0_c_below_a_choice_6 := not is_larger(map_high_0(2), map_high_0(0), 0, 5, true);
+      map_of_high_0_c_below_b_choice_6 := not is_larger(map_high_0(2), map_high_0(1), 0, 5, true);
       map_largest_low_0_choices(1) := choice(map_of_low_0_c_below_a, map_of_low_0_a, map_of_low_0_c);
       map_largest_low_0_choices(2) := choice(map_of_low_0_c_below_b, map_of_low_0_b, map_of_low_0_c);
       map_median_middle_0_choices(1) := choice(map_of_middle_0_c_below_a, map_of_middle_0_c, map_of_middle_0_a);
@@ -4942,42 +2977,15 @@ begin
       map_smallest_high_0_choices(1) := choice(map_of_high_0_c_below_b, map_of_high_0_c, map_of_high_0_b);
       map_smallest_high_0_choices(2) := choice(map_of_high_0_c_below_a, map_of_high_0_c, map_of_high_0_a);
       map_of_all_0_b_below_a_values(1) := is_set(map_largest_low_0, 1);
-      map_of_all_0_b_below_a_choices(1) := choice(is_set(map_largest_low_0, 0), (not is_set(map_median_middle_0, 1)) or
-        (not is_set(map_median_middle_0, 0)), not is_set(map_median_middle_0, 1));
       map_of_all_0_b_below_a_is_equal := (map_median_middle_0 mod 4) = 0;
-      map_of_all_0_b_below_a_choices(2) := choice(map_of_all_0_b_below_a_values(1), map_of_all_0_b_below_a_choices(1),
-        is_set(map_largest_low_0, 0) and map_of_all_0_b_below_a_is_equal);
-      map_of_all_0_b_below_a_values(2) := is_set(map_largest_low_0, 2);
-      map_of_all_0_b_below_a_values(3) := is_set(map_median_middle_0, 2);
-      map_of_all_0_b_below_a_choices(3) := inverted_carry(map_of_all_0_b_below_a_choices(2), not
-        map_of_all_0_b_below_a_values(2), map_of_all_0_b_below_a_values(3));
-      for i in 3 to 5 loop
+      for i in 2 to 5 loop
         map_of_all_0_b_below_a_values(2 * i - 2) := is_set(map_largest_low_0, i);
         map_of_all_0_b_below_a_values(2 * i - 1) := is_set(map_median_middle_0, i);
-        map_of_all_0_b_below_a_choices(i + 1) := carry(map_of_all_0_b_below_a_choices(i), not
-          map_of_all_0_b_below_a_values(2 * i - 2), map_of_all_0_b_below_a_values(2 * i - 1));
       end loop;
+      map_of_all_0_b_below_a_choice_6 := not is_larger(map_largest_low_0, map_median_middle_0, 0, 5, false);
       map_of_all_0_c_below_a_value := is_set(map_smallest_high_0, 1);
-      map_of_all_0_c_below_a_choices(1) := choice(is_set(map_smallest_high_0, 0), not map_of_all_0_b_below_a_values(1),
-        (map_largest_low_0 mod 4) = 0);
-      map_of_all_0_c_below_a_choices(2) := choice(map_of_all_0_c_below_a_value, is_set(map_smallest_high_0, 0) or (not
-        map_of_all_0_b_below_a_values(1)) or (not is_set(map_largest_low_0, 0)), map_of_all_0_c_below_a_choices(1));
-      map_of_all_0_c_below_a_choices(3) := inverted_carry(map_of_all_0_c_below_a_choices(2), not
-        is_set(map_smallest_high_0, 2), map_of_all_0_b_below_a_values(2));
-      for i in 4 to 6 loop
-        map_of_all_0_c_below_a_choices(i) := carry(map_of_all_0_c_below_a_choices(i - 1), not
-          is_set(map_smallest_high_0, i - 1), map_of_all_0_b_below_a_values(2 * i - 4));
-      end loop;
-      map_of_all_0_c_below_b_choices(1) := choice(is_set(map_smallest_high_0, 0), not is_set(map_median_middle_0, 1),
-        map_of_all_0_b_below_a_is_equal);
-      map_of_all_0_c_below_b_choices(2) := choice(map_of_all_0_c_below_a_value, is_set(map_smallest_high_0, 0) or (not
-        is_set(map_median_middle_0, 1)) or (not is_set(map_median_middle_0, 0)), map_of_all_0_c_below_b_choices(1));
-      map_of_all_0_c_below_b_choices(3) := inverted_carry(map_of_all_0_c_below_b_choices(2), not
-        is_set(map_smallest_high_0, 2), map_of_all_0_b_below_a_values(3));
-      for i in 4 to 6 loop
-        map_of_all_0_c_below_b_choices(i) := carry(map_of_all_0_c_below_b_choices(i - 1), not
-          is_set(map_smallest_high_0, i - 1), map_of_all_0_b_below_a_values(2 * i - 3));
-      end loop;
+      map_of_all_0_c_below_a_choice_6 := not is_larger(map_smallest_high_0, map_largest_low_0, 0, 5, true);
+      map_of_all_0_c_below_b_choice_6 := not is_larger(map_smallest_high_0, map_median_middle_0, 0, 5, true);
       map_out_disparity_0_choices(1) := choice(map_of_all_0_c_below_a, map_of_all_0_c, map_of_all_0_a);
       map_out_disparity_0_choices(2) := choice(map_of_all_0_c_below_b, map_of_all_0_b, map_out_disparity_0_choices(1));
       map_out_disparity_0_choices(3) := choice(map_of_all_0_c_below_b, map_of_all_0_c, map_of_all_0_b);
@@ -5059,34 +3067,34 @@ begin
         map_sorted_high_0_choices(2));
       map_passed_0(1) <= choice(map_passed_0(0), map_passed_0(1) or map_sorted_arrives or map_sorted_behind,
         map_passed_0(1) and (not map_sorted_arrives) and (not map_sorted_behind));
-      map_of_low_0_b_below_a <= inverted_carry(map_of_low_0_b_below_a_choices(6), is_set(map_low_0(0), 6), not
+      map_of_low_0_b_below_a <= inverted_carry(map_of_low_0_b_below_a_choice_6, is_set(map_low_0(0), 6), not
         is_set(map_low_0(1), 6));
-      map_of_low_0_c_below_a <= carry(map_of_low_0_c_below_a_choices(6), not is_set(map_low_0(2), 6),
+      map_of_low_0_c_below_a <= carry(map_of_low_0_c_below_a_choice_6, not is_set(map_low_0(2), 6),
         is_set(map_low_0(0), 6));
-      map_of_low_0_c_below_b <= carry(map_of_low_0_c_below_b_choices(6), not is_set(map_low_0(2), 6),
+      map_of_low_0_c_below_b <= carry(map_of_low_0_c_below_b_choice_6, not is_set(map_low_0(2), 6),
         is_set(map_low_0(1), 6));
-      map_of_middle_0_b_below_a <= inverted_carry(map_of_middle_0_b_below_a_choices(6), is_set(map_middle_0(0), 6), not
+      map_of_middle_0_b_below_a <= inverted_carry(map_of_middle_0_b_below_a_choice_6, is_set(map_middle_0(0), 6), not
         is_set(map_middle_0(1), 6));
-      map_of_middle_0_c_below_a <= carry(map_of_middle_0_c_below_a_choices(6), not is_set(map_middle_0(2), 6),
+      map_of_middle_0_c_below_a <= carry(map_of_middle_0_c_below_a_choice_6, not is_set(map_middle_0(2), 6),
         is_set(map_middle_0(0), 6));
-      map_of_middle_0_c_below_b <= carry(map_of_middle_0_c_below_b_choices(6), not is_set(map_middle_0(2), 6),
+      map_of_middle_0_c_below_b <= carry(map_of_middle_0_c_below_b_choice_6, not is_set(map_middle_0(2), 6),
         is_set(map_middle_0(1), 6));
-      map_of_high_0_b_below_a <= inverted_carry(map_of_high_0_b_below_a_choices(6), is_set(map_high_0(0), 6), not
+      map_of_high_0_b_below_a <= inverted_carry(map_of_high_0_b_below_a_choice_6, is_set(map_high_0(0), 6), not
         is_set(map_high_0(1), 6));
-      map_of_high_0_c_below_a <= carry(map_of_high_0_c_below_a_choices(6), not is_set(map_high_0(2), 6),
+      map_of_high_0_c_below_a <= carry(map_of_high_0_c_below_a_choice_6, not is_set(map_high_0(2), 6),
         is_set(map_high_0(0), 6));
-      map_of_high_0_c_below_b <= carry(map_of_high_0_c_below_b_choices(6), not is_set(map_high_0(2), 6),
+      map_of_high_0_c_below_b <= carry(map_of_high_0_c_below_b_choice_6, not is_set(map_high_0(2), 6),
         is_set(map_high_0(1), 6));
       map_largest_low_0 <= choice(map_of_low_0_b_below_a, map_largest_low_0_choices(1), map_largest_low_0_choices(2));
       map_median_middle_0 <= choice(map_of_middle_0_b_below_a, map_median_middle_0_choices(2),
         map_median_middle_0_choices(4));
       map_smallest_high_0 <= choice(map_of_high_0_b_below_a, map_smallest_high_0_choices(1),
         map_smallest_high_0_choices(2));
-      map_of_all_0_b_below_a <= inverted_carry(map_of_all_0_b_below_a_choices(6), is_set(map_largest_low_0, 6), not
+      map_of_all_0_b_below_a <= inverted_carry(map_of_all_0_b_below_a_choice_6, is_set(map_largest_low_0, 6), not
         is_set(map_median_middle_0, 6));
-      map_of_all_0_c_below_a <= carry(map_of_all_0_c_below_a_choices(6), not is_set(map_smallest_high_0, 6),
+      map_of_all_0_c_below_a <= carry(map_of_all_0_c_below_a_choice_6, not is_set(map_smallest_high_0, 6),
         is_set(map_largest_low_0, 6));
-      map_of_all_0_c_below_b <= carry(map_of_all_0_c_below_b_choices(6), not is_set(map_smallest_high_0, 6),
+      map_of_all_0_c_below_b <= carry(map_of_all_0_c_below_b_choice_6, not is_set(map_smallest_high_0, 6),
         is_set(map_median_middle_0, 6));
       map_out_disparity_0 <= choice(map_of_all_0_b_below_a, map_out_disparity_0_choices(2),
         map_out_disparity_0_choices(4));
@@ -5114,29 +3122,29 @@ begin
         map_passed_0(0) <= map_column_passed_0(1);
       end if;
       -- other
-      for i in 0 to 15 loop
-        other_choice(2 * i + 4) := choice(slice0_tag_border_column(4), 0, slice7cost_single_0(15 - i) / 4);
+      for i in 2 to 17 loop
+        other_choice(i) := choice(slice0_tag_border_column(4), 0, slice7cost_single_0(17 - i) / 4);
       end loop;
-      for i in 0 to 15 loop
-        other_choice(2 * i + 36) := choice(slice0_tag_border_column(3), 0, slice6cost_single_0(15 - i) / 4);
+      for i in 18 to 33 loop
+        other_choice(i) := choice(slice0_tag_border_column(3), 0, slice6cost_single_0(33 - i) / 4);
       end loop;
-      for i in 0 to 15 loop
-        other_choice(2 * i + 68) := choice(slice0_tag_border_column(2), 0, slice5cost_single_0(15 - i) / 4);
+      for i in 34 to 49 loop
+        other_choice(i) := choice(slice0_tag_border_column(2), 0, slice5cost_single_0(49 - i) / 4);
       end loop;
-      for i in 0 to 15 loop
-        other_choice(2 * i + 100) := choice(slice0_tag_border_column(1), 0, slice4cost_single_0(15 - i) / 4);
+      for i in 50 to 65 loop
+        other_choice(i) := choice(slice0_tag_border_column(1), 0, slice4cost_single_0(65 - i) / 4);
       end loop;
-      for i in 0 to 15 loop
-        other_choice(2 * i + 132) := choice(slice0_tag_border_column(0), 0, slice3cost_single_0(15 - i) / 4);
+      for i in 66 to 81 loop
+        other_choice(i) := choice(slice0_tag_border_column(0), 0, slice3cost_single_0(81 - i) / 4);
       end loop;
-      for i in 0 to 15 loop
-        other_choice(2 * i + 164) := choice(slice0window_tag.border_column, 0, slice2cost_single_0(15 - i) / 4);
+      for i in 82 to 97 loop
+        other_choice(i) := choice(slice0window_tag.border_column, 0, slice2cost_single_0(97 - i) / 4);
       end loop;
-      for i in 0 to 15 loop
-        other_choice(2 * i + 196) := choice(slice0cost_tag.border_column, 0, slice1cost_single_0(15 - i) / 4);
+      for i in 98 to 113 loop
+        other_choice(i) := choice(slice0cost_tag.border_column, 0, slice1cost_single_0(113 - i) / 4);
       end loop;
-      for i in 0 to 15 loop
-        other_choice(2 * i + 228) := choice(slice0cost_pair_tag.border_column, 0, slice0cost_single_0(15 - i) / 4);
+      for i in 114 to 129 loop
+        other_choice(i) := choice(slice0cost_pair_tag.border_column, 0, slice0cost_single_0(129 - i) / 4);
       end loop;
       other_0 <= other_2;
       other_1 <= (((map_rows_ready_words_0 mod 512) / 2) mod 128) * 2;
@@ -5144,9 +3152,9 @@ begin
         to_unsigned(as_number(map_counter_group_is_equal), 8) & to_unsigned(as_number((map_counter_group = 1)), 8) &
         to_unsigned(as_number(map_behind), 8) & to_unsigned(as_number(map_arrives), 8) &
         to_unsigned(map_counter_column, 16);
-      for i in 0 to 127 loop
-        other(2 * i + 3) <= other(2 * i + 4);
-        other(2 * i + 4) <= other_choice(2 * i + 4) * 4;
+      for i in 2 to 129 loop
+        other(2 * i - 1) <= other(2 * i);
+        other(2 * i) <= other_choice(i) * 4;
       end loop;
       if reset = '1' then
         transform_valid <= false;

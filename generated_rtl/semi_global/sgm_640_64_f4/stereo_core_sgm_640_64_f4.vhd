@@ -111,6 +111,16 @@ architecture rtl of stereo_core_sgm_640_64_f4 is
     return a or b;
   end function;
 
+  -- whether a > b, of bits `low` to `high`; of equal ones, `before`: bit by bit, as the tool has split it
+  function is_larger(a : natural; b : natural; low : natural; high : natural; before : boolean) return boolean is
+    variable is_not : boolean := not before;
+  begin
+    for place in low to high loop
+      is_not := carry(is_not, not is_set(a, place), is_set(b, place));
+    end loop;
+    return not is_not;
+  end function;
+
   function choice(test : boolean; yes : boolean; no : boolean) return boolean is
   begin
     if test then
@@ -728,11 +738,11 @@ begin
     variable transform_read_column_inside_0_is_less : boolean;
     variable transform_left_filter_feature_0_values : boolean_1d(1 to 11);  -- transform_left_filter_feature_0_value_#
     variable transform_left_filter_feature_0_any : boolean;
-    variable transform_left_filter_feature_0_choices : boolean_1d(1 to 353);  -- transform_left_filter_feature_0_choice_#
+    variable transform_left_filter_feature_0_choice : boolean_1d(8 to 353);
     variable transform_left_filter_feature_0_is_equal : boolean;
     variable transform_right_filter_feature_0_values : boolean_1d(1 to 11);  -- transform_right_filter_feature_0_value_#
     variable transform_right_filter_feature_0_any : boolean;
-    variable transform_right_filter_feature_0_choices : boolean_1d(1 to 353);  -- transform_right_filter_feature_0_choice_#
+    variable transform_right_filter_feature_0_choice : boolean_1d(8 to 353);
     variable transform_right_filter_feature_0_is_equal, raster_place_group_is_equal : boolean;
     variable delay_tag_first_cost_is_equal, delay_tag_map_column_is_not_less, delay_tag_map_column_is_less : boolean;
     variable line_order_falls_any, line_order_falls_all, line_order_complete_any : boolean;
@@ -745,13 +755,13 @@ begin
     variable pathsabove_count_phase_is_equal : boolean;
     variable pathsabove_memory_write_words_0_is_less : boolean_1d(0 to 3);  -- pathsabove_memory_write_words_0_#_is_less
     variable pathsabove_memory_write_words_0_0_choice_4 : boolean;
-    variable winnerswinner1_best_index_0_choice : boolean_2d(0 to 7, 1 to 8);  -- winnerswinner1_best_index_0_#_choice_#
+    variable winnerswinner1_best_index_0_choice : boolean_2d(0 to 7, 7 to 8);  -- winnerswinner1_best_index_0_#_choice_#
     variable winnerswinner1_best_index_0_value : boolean_2d(0 to 7, 1 to 5);  -- winnerswinner1_best_index_0_#_value_#
-    variable winnerswinner2_best_index_0_choice : boolean_2d(0 to 3, 1 to 8);  -- winnerswinner2_best_index_0_#_choice_#
+    variable winnerswinner2_best_index_0_choice_8 : boolean_1d(0 to 3);  -- winnerswinner2_best_index_0_#_choice_8
     variable winnerswinner2_best_index_0_value : boolean_2d(0 to 3, 1 to 5);  -- winnerswinner2_best_index_0_#_value_#
-    variable winnerswinner3_best_index_0_choice : boolean_2d(0 to 1, 1 to 8);  -- winnerswinner3_best_index_0_#_choice_#
+    variable winnerswinner3_best_index_0_choice_8 : boolean_1d(0 to 1);  -- winnerswinner3_best_index_0_#_choice_8
     variable winnerswinner3_best_index_0_value : boolean_2d(0 to 1, 1 to 5);  -- winnerswinner3_best_index_0_#_value_#
-    variable winnerswinner4_best_index_0_0_choices : boolean_1d(1 to 8);  -- winnerswinner4_best_index_0_0_choice_#
+    variable winnerswinner4_best_index_0_0_choice_8 : boolean;
     variable winnerswinner4_best_index_0_0_values : boolean_1d(1 to 5);  -- winnerswinner4_best_index_0_0_value_#
     variable winners_best_index_0_0_values : boolean_1d(1 to 6);  -- winners_best_index_0_0_value_#
     variable winners_best_index_0_0_choices : boolean_1d(1 to 7);  -- winners_best_index_0_0_choice_#
@@ -768,25 +778,19 @@ begin
     variable map_of_column_0_c_below_b_choices : boolean_1d(1 to 6);  -- map_of_column_0_c_below_b_choice_#
     variable map_window_complete_is_equal, map_window_complete_choice : boolean;
     variable map_of_low_0_b_below_a_values : boolean_1d(1 to 11);  -- map_of_low_0_b_below_a_value_#
-    variable map_of_low_0_b_below_a_choices : boolean_1d(1 to 7);  -- map_of_low_0_b_below_a_choice_#
-    variable map_of_low_0_b_below_a_is_equal, map_of_low_0_c_below_a_value : boolean;
-    variable map_of_low_0_c_below_a_choices : boolean_1d(1 to 7);  -- map_of_low_0_c_below_a_choice_#
-    variable map_of_low_0_c_below_b_choices : boolean_1d(1 to 7);  -- map_of_low_0_c_below_b_choice_#
+    variable map_of_low_0_b_below_a_choice_7, map_of_low_0_b_below_a_is_equal, map_of_low_0_c_below_a_value : boolean;
+    variable map_of_low_0_c_below_a_choice_7, map_of_low_0_c_below_b_choice_7 : boolean;
     variable map_of_middle_0_b_below_a_values : boolean_1d(1 to 11);  -- map_of_middle_0_b_below_a_value_#
-    variable map_of_middle_0_b_below_a_choices : boolean_1d(1 to 7);  -- map_of_middle_0_b_below_a_choice_#
-    variable map_of_middle_0_b_below_a_is_equal, map_of_middle_0_c_below_a_value : boolean;
-    variable map_of_middle_0_c_below_a_choices : boolean_1d(1 to 7);  -- map_of_middle_0_c_below_a_choice_#
-    variable map_of_middle_0_c_below_b_choices : boolean_1d(1 to 7);  -- map_of_middle_0_c_below_b_choice_#
+    variable map_of_middle_0_b_below_a_choice_7, map_of_middle_0_b_below_a_is_equal : boolean;
+    variable map_of_middle_0_c_below_a_value, map_of_middle_0_c_below_a_choice_7 : boolean;
+    variable map_of_middle_0_c_below_b_choice_7 : boolean;
     variable map_of_high_0_b_below_a_values : boolean_1d(1 to 11);  -- map_of_high_0_b_below_a_value_#
-    variable map_of_high_0_b_below_a_choices : boolean_1d(1 to 7);  -- map_of_high_0_b_below_a_choice_#
-    variable map_of_high_0_b_below_a_is_equal, map_of_high_0_c_below_a_value : boolean;
-    variable map_of_high_0_c_below_a_choices : boolean_1d(1 to 7);  -- map_of_high_0_c_below_a_choice_#
-    variable map_of_high_0_c_below_b_choices : boolean_1d(1 to 7);  -- map_of_high_0_c_below_b_choice_#
+    variable map_of_high_0_b_below_a_choice_7, map_of_high_0_b_below_a_is_equal : boolean;
+    variable map_of_high_0_c_below_a_value, map_of_high_0_c_below_a_choice_7 : boolean;
+    variable map_of_high_0_c_below_b_choice_7 : boolean;
     variable map_of_all_0_b_below_a_values : boolean_1d(1 to 11);  -- map_of_all_0_b_below_a_value_#
-    variable map_of_all_0_b_below_a_choices : boolean_1d(1 to 7);  -- map_of_all_0_b_below_a_choice_#
-    variable map_of_all_0_b_below_a_is_equal, map_of_all_0_c_below_a_value : boolean;
-    variable map_of_all_0_c_below_a_choices : boolean_1d(1 to 7);  -- map_of_all_0_c_below_a_choice_#
-    variable map_of_all_0_c_below_b_choices : boolean_1d(1 to 7);  -- map_of_all_0_c_below_b_choice_#
+    variable map_of_all_0_b_below_a_choice_7, map_of_all_0_b_below_a_is_equal, map_of_all_0_c_below_a_value : boolean;
+    variable map_of_all_0_c_below_a_choice_7, map_of_all_0_c_below_b_choice_7 : boolean;
     variable map_low_0_all : boolean_1d(0 to 1);  -- map_low_#_0_all
     variable transform_counter_group_choice, paths_smallest_cost_choice : natural range 0 to 15;
     variable pathsleft_stay_change_value : natural_15_1d(1 to 14);  -- pathsleft_stay_change_#_value
@@ -829,7 +833,7 @@ begin
     variable pathsleft_stay_choice : natural_63_1d(0 to 15);  -- pathsleft_stay_#_choice
     variable pathsleft_step_choice : natural_63_2d(0 to 15, 1 to 3);  -- pathsleft_step_#_choice_#
     variable pathsleft_low_0_choice, pathsabove_smallest_total_choice : natural range 0 to 63;
-    variable pathsabove_beside_0_choice, pathsabove_beside_15_choice : natural range 0 to 63;
+    variable pathsabove_beside_choice : natural_63_1d(0 to 15);  -- pathsabove_beside_#_choice
     variable pathsright_stay_value : natural_63_2d(0 to 13, 1 to 2);  -- pathsright_stay_#_value_#
     variable pathsright_stay_choice : natural_63_1d(0 to 15);  -- pathsright_stay_#_choice
     variable pathsright_step_choice : natural_63_2d(0 to 15, 1 to 3);  -- pathsright_step_#_choice_#
@@ -849,6 +853,8 @@ begin
   begin
     if rising_edge(clock) then
       -- no bit without a value, where an array has places for more
+      transform_left_filter_feature_0_choice := (others => false);
+      transform_right_filter_feature_0_choice := (others => false);
       costswindow_first_0_count_value := (others => (others => false));
       winnerswinner1_best_index_0_choice := (others => (others => false));
       pathsleft_stay_change_value := (others => 0);
@@ -856,6 +862,7 @@ begin
       pathsabove_memory_write_words_0_choice := (others => (others => 0));
       pathsleft_stay_value := (others => (others => 0));
       pathsleft_step_choice := (others => (others => 0));
+      pathsabove_beside_choice := (others => 0);
       pathsright_stay_value := (others => (others => 0));
       pathsright_step_choice := (others => (others => 0));
       -- transform
@@ -881,265 +888,110 @@ begin
       transform_left_filter_feature_0_values(1) := is_set(transform_left_filter_column(4, 2), 1);
       transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_values(1)) or (not
         is_set(transform_left_filter_column(4, 2), 0));
-      transform_left_filter_feature_0_choices(1) := choice(is_set(transform_left_filter_column(8, 0), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
       transform_left_filter_feature_0_is_equal := (transform_left_filter_column(4, 2) mod 4) = 0;
-      transform_left_filter_feature_0_choices(2) := choice(is_set(transform_left_filter_column(8, 0), 1),
-        transform_left_filter_feature_0_choices(1), is_set(transform_left_filter_column(8, 0), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_values(2) := is_set(transform_left_filter_column(4, 2), 2);
-      transform_left_filter_feature_0_choices(3) := inverted_carry(transform_left_filter_feature_0_choices(2), not
-        is_set(transform_left_filter_column(8, 0), 2), transform_left_filter_feature_0_values(2));
-      for i in 3 to 6 loop
+      for i in 2 to 6 loop
         transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(4, 2), i);
-        transform_left_filter_feature_0_choices(i + 1) := carry(transform_left_filter_feature_0_choices(i), not
-          is_set(transform_left_filter_column(8, 0), i), transform_left_filter_feature_0_values(i));
       end loop;
       for i in 0 to 3 loop
-        transform_left_filter_feature_0_choices(8 * i + 8) := inverted_carry(transform_left_filter_feature_0_choices(8
-          * i + 7), is_set(transform_left_filter_column(8, i), 7), not is_set(transform_left_filter_column(4, 2), 7));
-        transform_left_filter_feature_0_choices(8 * i + 9) := choice(is_set(transform_left_filter_column(8, i + 1), 0),
-          transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(8 * i + 10) := choice(is_set(transform_left_filter_column(8, i + 1),
-          1), transform_left_filter_feature_0_choices(8 * i + 9), is_set(transform_left_filter_column(8, i + 1), 0) and
-          transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(8 * i + 11) := inverted_carry(transform_left_filter_feature_0_choices(8
-          * i + 10), not is_set(transform_left_filter_column(8, i + 1), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(8 * i + j + 9) := carry(transform_left_filter_feature_0_choices(8 * i
-            + j + 8), not is_set(transform_left_filter_column(8, i + 1), j), transform_left_filter_feature_0_values(j));
-        end loop;
-      end loop;
-      transform_left_filter_feature_0_choices(40) := inverted_carry(transform_left_filter_feature_0_choices(39),
-        is_set(transform_left_filter_column(8, 4), 7), not is_set(transform_left_filter_column(4, 2), 7));
-      for i in 0 to 2 loop
         for j in 0 to 4 loop
-          transform_left_filter_feature_0_choices(40 * i + 8 * j + 41) := choice(is_set(transform_left_filter_column(7
-            - i, j), 0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-          transform_left_filter_feature_0_choices(40 * i + 8 * j + 42) := choice(is_set(transform_left_filter_column(7
-            - i, j), 1), transform_left_filter_feature_0_choices(40 * i + 8 * j + 41),
-            is_set(transform_left_filter_column(7 - i, j), 0) and transform_left_filter_feature_0_is_equal);
-          transform_left_filter_feature_0_choices(40 * i + 8 * j + 43) :=
-            inverted_carry(transform_left_filter_feature_0_choices(40 * i + 8 * j + 42), not
-            is_set(transform_left_filter_column(7 - i, j), 2), transform_left_filter_feature_0_values(2));
-          for k in 3 to 6 loop
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + k + 41) :=
-              carry(transform_left_filter_feature_0_choices(40 * i + 8 * j + k + 40), not
-              is_set(transform_left_filter_column(7 - i, j), k), transform_left_filter_feature_0_values(k));
-          end loop;
-          transform_left_filter_feature_0_choices(40 * i + 8 * j + 48) :=
-            inverted_carry(transform_left_filter_feature_0_choices(40 * i + 8 * j + 47),
-            is_set(transform_left_filter_column(7 - i, j), 7), not is_set(transform_left_filter_column(4, 2), 7));
+          transform_left_filter_feature_0_choice(40 * i + 8 * j + 8) := is_larger(transform_left_filter_column(8 - i,
+            j), transform_left_filter_column(4, 2), 0, 7, false);
         end loop;
       end loop;
-      transform_left_filter_feature_0_choices(161) := choice(is_set(transform_left_filter_column(4, 4), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(162) := choice(is_set(transform_left_filter_column(4, 4), 1),
-        transform_left_filter_feature_0_choices(161), is_set(transform_left_filter_column(4, 4), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(163) := inverted_carry(transform_left_filter_feature_0_choices(162), not
-        is_set(transform_left_filter_column(4, 4), 2), transform_left_filter_feature_0_values(2));
-      for i in 164 to 167 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column(4, 4), i - 161), transform_left_filter_feature_0_values(i - 161));
-      end loop;
-      transform_left_filter_feature_0_choices(168) := choice(is_set(transform_left_filter_column(4, 4), 7),
+      transform_left_filter_feature_0_choice(167) := not is_larger(transform_left_filter_column(4, 4),
+        transform_left_filter_column(4, 2), 0, 6, false);
+      transform_left_filter_feature_0_choice(168) := choice(is_set(transform_left_filter_column(4, 4), 7),
         transform_filtering_0_column_inside(4), transform_filtering_0_column_inside(4) and (not
         is_set(transform_left_filter_column(4, 2), 7)));
-      transform_left_filter_feature_0_choices(169) := choice(transform_left_filter_feature_0_choices(167),
+      transform_left_filter_feature_0_choice(169) := choice(transform_left_filter_feature_0_choice(167),
         is_set(transform_left_filter_column(4, 4), 7) and transform_filtering_0_column_inside(4) and (not
-        is_set(transform_left_filter_column(4, 2), 7)), transform_left_filter_feature_0_choices(168));
-      for i in 0 to 1 loop
-        transform_left_filter_feature_0_choices(8 * i + 170) := choice(is_set(transform_left_filter_column(4, 2 * i +
-          1), 0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(8 * i + 171) := choice(is_set(transform_left_filter_column(4, 2 * i +
-          1), 1), transform_left_filter_feature_0_choices(8 * i + 170), is_set(transform_left_filter_column(4, 2 * i +
-          1), 0) and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(8 * i + 172) :=
-          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 171), not
-          is_set(transform_left_filter_column(4, 2 * i + 1), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(8 * i + j + 170) := carry(transform_left_filter_feature_0_choices(8 *
-            i + j + 169), not is_set(transform_left_filter_column(4, 2 * i + 1), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(8 * i + 177) :=
-          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 176), is_set(transform_left_filter_column(4, 2
-          * i + 1), 7), not is_set(transform_left_filter_column(4, 2), 7));
-      end loop;
-      transform_left_filter_feature_0_choices(186) := choice(is_set(transform_left_filter_column(4, 0), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(187) := choice(is_set(transform_left_filter_column(4, 0), 1),
-        transform_left_filter_feature_0_choices(186), is_set(transform_left_filter_column(4, 0), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(188) := inverted_carry(transform_left_filter_feature_0_choices(187), not
-        is_set(transform_left_filter_column(4, 0), 2), transform_left_filter_feature_0_values(2));
-      for i in 189 to 192 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column(4, 0), i - 186), transform_left_filter_feature_0_values(i - 186));
-      end loop;
-      transform_left_filter_feature_0_choices(193) := inverted_carry(transform_left_filter_feature_0_choices(192),
-        is_set(transform_left_filter_column(4, 0), 7), not is_set(transform_left_filter_column(4, 2), 7));
+        is_set(transform_left_filter_column(4, 2), 7)), transform_left_filter_feature_0_choice(168));
+      transform_left_filter_feature_0_choice(177) := is_larger(transform_left_filter_column(4, 1),
+        transform_left_filter_column(4, 2), 0, 7, false);
+      transform_left_filter_feature_0_choice(185) := is_larger(transform_left_filter_column(4, 3),
+        transform_left_filter_column(4, 2), 0, 7, false);
+      transform_left_filter_feature_0_choice(193) := is_larger(transform_left_filter_column(4, 0),
+        transform_left_filter_column(4, 2), 0, 7, false);
       for i in 0 to 2 loop
-        transform_left_filter_feature_0_choices(40 * i + 194) := choice(is_set(transform_left_filter_column(3 - i, 3),
-          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(40 * i + 195) := choice(is_set(transform_left_filter_column(3 - i, 3),
-          1), transform_left_filter_feature_0_choices(40 * i + 194), is_set(transform_left_filter_column(3 - i, 3), 0)
-          and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(40 * i + 196) :=
-          inverted_carry(transform_left_filter_feature_0_choices(40 * i + 195), not
-          is_set(transform_left_filter_column(3 - i, 3), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(40 * i + j + 194) := carry(transform_left_filter_feature_0_choices(40
-            * i + j + 193), not is_set(transform_left_filter_column(3 - i, 3), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(40 * i + 201) :=
-          inverted_carry(transform_left_filter_feature_0_choices(40 * i + 200), is_set(transform_left_filter_column(3 -
-          i, 3), 7), not is_set(transform_left_filter_column(4, 2), 7));
-        transform_left_filter_feature_0_choices(40 * i + 202) := choice(is_set(transform_left_filter_column(3 - i, 4),
-          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(40 * i + 203) := choice(is_set(transform_left_filter_column(3 - i, 4),
-          1), transform_left_filter_feature_0_choices(40 * i + 202), is_set(transform_left_filter_column(3 - i, 4), 0)
-          and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(40 * i + 204) :=
-          inverted_carry(transform_left_filter_feature_0_choices(40 * i + 203), not
-          is_set(transform_left_filter_column(3 - i, 4), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(40 * i + j + 202) := carry(transform_left_filter_feature_0_choices(40
-            * i + j + 201), not is_set(transform_left_filter_column(3 - i, 4), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(40 * i + 209) :=
-          inverted_carry(transform_left_filter_feature_0_choices(40 * i + 208), is_set(transform_left_filter_column(3 -
-          i, 4), 7), not is_set(transform_left_filter_column(4, 2), 7));
+        transform_left_filter_feature_0_choice(40 * i + 201) := is_larger(transform_left_filter_column(3 - i, 3),
+          transform_left_filter_column(4, 2), 0, 7, false);
+        transform_left_filter_feature_0_choice(40 * i + 209) := is_larger(transform_left_filter_column(3 - i, 4),
+          transform_left_filter_column(4, 2), 0, 7, false);
         for j in 0 to 2 loop
-          transform_left_filter_feature_0_choices(40 * i + 8 * j + 210) := choice(is_set(transform_left_filter_column(3
-            - i, 2 - j), 0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-          transform_left_filter_feature_0_choices(40 * i + 8 * j + 211) := choice(is_set(transform_left_filter_column(3
-            - i, 2 - j), 1), transform_left_filter_feature_0_choices(40 * i + 8 * j + 210),
-            is_set(transform_left_filter_column(3 - i, 2 - j), 0) and transform_left_filter_feature_0_is_equal);
-          transform_left_filter_feature_0_choices(40 * i + 8 * j + 212) :=
-            inverted_carry(transform_left_filter_feature_0_choices(40 * i + 8 * j + 211), not
-            is_set(transform_left_filter_column(3 - i, 2 - j), 2), transform_left_filter_feature_0_values(2));
-          for k in 3 to 6 loop
-            transform_left_filter_feature_0_choices(40 * i + 8 * j + k + 210) :=
-              carry(transform_left_filter_feature_0_choices(40 * i + 8 * j + k + 209), not
-              is_set(transform_left_filter_column(3 - i, 2 - j), k), transform_left_filter_feature_0_values(k));
-          end loop;
-          transform_left_filter_feature_0_choices(40 * i + 8 * j + 217) :=
-            inverted_carry(transform_left_filter_feature_0_choices(40 * i + 8 * j + 216),
-            is_set(transform_left_filter_column(3 - i, 2 - j), 7), not is_set(transform_left_filter_column(4, 2), 7));
+          transform_left_filter_feature_0_choice(40 * i + 8 * j + 217) := is_larger(transform_left_filter_column(3 - i,
+            2 - j), transform_left_filter_column(4, 2), 0, 7, false);
         end loop;
       end loop;
       for i in 0 to 1 loop
-        transform_left_filter_feature_0_choices(16 * i + 314) := choice(is_set(transform_left_filter_column(0, 3 - i),
-          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(16 * i + 315) := choice(is_set(transform_left_filter_column(0, 3 - i),
-          1), transform_left_filter_feature_0_choices(16 * i + 314), is_set(transform_left_filter_column(0, 3 - i), 0)
-          and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(16 * i + 316) :=
-          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 315), not
-          is_set(transform_left_filter_column(0, 3 - i), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(16 * i + j + 314) := carry(transform_left_filter_feature_0_choices(16
-            * i + j + 313), not is_set(transform_left_filter_column(0, 3 - i), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(16 * i + 321) :=
-          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 320), is_set(transform_left_filter_column(0,
-          3 - i), 7), not is_set(transform_left_filter_column(4, 2), 7));
-        transform_left_filter_feature_0_choices(16 * i + 322) := choice(is_set(transform_left_filter_column(0, 4 - 3 *
-          i), 0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(16 * i + 323) := choice(is_set(transform_left_filter_column(0, 4 - 3 *
-          i), 1), transform_left_filter_feature_0_choices(16 * i + 322), is_set(transform_left_filter_column(0, 4 - 3 *
-          i), 0) and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(16 * i + 324) :=
-          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 323), not
-          is_set(transform_left_filter_column(0, 4 - 3 * i), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(16 * i + j + 322) := carry(transform_left_filter_feature_0_choices(16
-            * i + j + 321), not is_set(transform_left_filter_column(0, 4 - 3 * i), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(16 * i + 329) :=
-          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 328), is_set(transform_left_filter_column(0,
-          4 - 3 * i), 7), not is_set(transform_left_filter_column(4, 2), 7));
+        transform_left_filter_feature_0_choice(16 * i + 321) := is_larger(transform_left_filter_column(0, 3 - i),
+          transform_left_filter_column(4, 2), 0, 7, false);
+        transform_left_filter_feature_0_choice(16 * i + 329) := is_larger(transform_left_filter_column(0, 4 - 3 * i),
+          transform_left_filter_column(4, 2), 0, 7, false);
       end loop;
-      transform_left_filter_feature_0_choices(346) := choice(is_set(transform_left_filter_column(4, 2), 0), not
-        is_set(transform_left_filter_column(0, 0), 1), (transform_left_filter_column(0, 0) mod 4) = 0);
-      transform_left_filter_feature_0_choices(347) := choice(transform_left_filter_feature_0_values(1),
-        is_set(transform_left_filter_column(4, 2), 0) or (not is_set(transform_left_filter_column(0, 0), 1)) or (not
-        is_set(transform_left_filter_column(0, 0), 0)), transform_left_filter_feature_0_choices(346));
-      transform_left_filter_feature_0_values(7) := is_set(transform_left_filter_column(0, 0), 2);
-      transform_left_filter_feature_0_choices(348) := inverted_carry(transform_left_filter_feature_0_choices(347), not
-        transform_left_filter_feature_0_values(2), transform_left_filter_feature_0_values(7));
-      for i in 8 to 11 loop
+      for i in 7 to 11 loop
         transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(0, 0), i - 5);
-        transform_left_filter_feature_0_choices(i + 341) := carry(transform_left_filter_feature_0_choices(i + 340), not
-          transform_left_filter_feature_0_values(i - 5), transform_left_filter_feature_0_values(i));
       end loop;
-      transform_left_filter_feature_0_choices(353) := carry(transform_left_filter_feature_0_choices(352), not
-        is_set(transform_left_filter_column(4, 2), 7), is_set(transform_left_filter_column(0, 0), 7));
+      transform_left_filter_feature_0_choice(353) := not is_larger(transform_left_filter_column(4, 2),
+        transform_left_filter_column(0, 0), 0, 7, true);
       transform_left_filter_feature_0_choice_354 := choice(transform_filtering_0_column_inside(0),
-        (as_number(transform_left_filter_feature_0_choices(321)) * 8) +
-        (as_number(transform_left_filter_feature_0_choices(329)) * 16) +
-        (as_number(transform_left_filter_feature_0_choices(337)) * 4) +
-        (as_number(transform_left_filter_feature_0_choices(345)) * 2) +
-        as_number(transform_left_filter_feature_0_choices(353)), 0);
+        (as_number(transform_left_filter_feature_0_choice(321)) * 8) +
+        (as_number(transform_left_filter_feature_0_choice(329)) * 16) +
+        (as_number(transform_left_filter_feature_0_choice(337)) * 4) +
+        (as_number(transform_left_filter_feature_0_choice(345)) * 2) +
+        as_number(transform_left_filter_feature_0_choice(353)), 0);
       transform_left_filter_feature_0_choice_355 := choice(transform_filtering_0_column_inside(1),
-        (as_number(transform_left_filter_feature_0_choices(281)) * 256) +
-        (as_number(transform_left_filter_feature_0_choices(289)) * 512) +
-        (as_number(transform_left_filter_feature_0_choices(297)) * 128) +
-        (as_number(transform_left_filter_feature_0_choices(305)) * 64) +
-        (as_number(transform_left_filter_feature_0_choices(313)) * 32) + transform_left_filter_feature_0_choice_354,
+        (as_number(transform_left_filter_feature_0_choice(281)) * 256) +
+        (as_number(transform_left_filter_feature_0_choice(289)) * 512) +
+        (as_number(transform_left_filter_feature_0_choice(297)) * 128) +
+        (as_number(transform_left_filter_feature_0_choice(305)) * 64) +
+        (as_number(transform_left_filter_feature_0_choice(313)) * 32) + transform_left_filter_feature_0_choice_354,
         transform_left_filter_feature_0_choice_354);
       transform_left_filter_feature_0_choice_356 := choice(transform_filtering_0_column_inside(2),
-        (as_number(transform_left_filter_feature_0_choices(241)) * 8192) +
-        (as_number(transform_left_filter_feature_0_choices(249)) * 16384) +
-        (as_number(transform_left_filter_feature_0_choices(257)) * 4096) +
-        (as_number(transform_left_filter_feature_0_choices(265)) * 2048) +
-        (as_number(transform_left_filter_feature_0_choices(273)) * 1024) + transform_left_filter_feature_0_choice_355,
+        (as_number(transform_left_filter_feature_0_choice(241)) * 8192) +
+        (as_number(transform_left_filter_feature_0_choice(249)) * 16384) +
+        (as_number(transform_left_filter_feature_0_choice(257)) * 4096) +
+        (as_number(transform_left_filter_feature_0_choice(265)) * 2048) +
+        (as_number(transform_left_filter_feature_0_choice(273)) * 1024) + transform_left_filter_feature_0_choice_355,
         transform_left_filter_feature_0_choice_355);
       transform_left_filter_feature_0_choice_357 := choice(transform_filtering_0_column_inside(3),
-        (as_number(transform_left_filter_feature_0_choices(201)) * 262144) +
-        (as_number(transform_left_filter_feature_0_choices(209)) * 524288) +
-        (as_number(transform_left_filter_feature_0_choices(217)) * 131072) +
-        (as_number(transform_left_filter_feature_0_choices(225)) * 65536) +
-        (as_number(transform_left_filter_feature_0_choices(233)) * 32768) + transform_left_filter_feature_0_choice_356,
+        (as_number(transform_left_filter_feature_0_choice(201)) * 262144) +
+        (as_number(transform_left_filter_feature_0_choice(209)) * 524288) +
+        (as_number(transform_left_filter_feature_0_choice(217)) * 131072) +
+        (as_number(transform_left_filter_feature_0_choice(225)) * 65536) +
+        (as_number(transform_left_filter_feature_0_choice(233)) * 32768) + transform_left_filter_feature_0_choice_356,
         transform_left_filter_feature_0_choice_356);
       transform_left_filter_feature_0_choice_358 := choice(transform_filtering_0_column_inside(4),
-        (as_number(transform_left_filter_feature_0_choices(177)) * 2097152) +
-        (as_number(transform_left_filter_feature_0_choices(185)) * 4194304) +
-        (as_number(transform_left_filter_feature_0_choices(193)) * 1048576) +
+        (as_number(transform_left_filter_feature_0_choice(177)) * 2097152) +
+        (as_number(transform_left_filter_feature_0_choice(185)) * 4194304) +
+        (as_number(transform_left_filter_feature_0_choice(193)) * 1048576) +
         transform_left_filter_feature_0_choice_357, transform_left_filter_feature_0_choice_357);
       transform_left_filter_feature_0_choice_359 := choice(transform_filtering_0_column_inside(5),
-        (as_number(transform_left_filter_feature_0_choices(128)) * 16777216) +
-        (as_number(transform_left_filter_feature_0_choices(136)) * 33554432) +
-        (as_number(transform_left_filter_feature_0_choices(144)) * 67108864) +
-        (as_number(transform_left_filter_feature_0_choices(152)) * 134217728) +
-        (as_number(transform_left_filter_feature_0_choices(160)) * 268435456) +
-        (as_number(transform_left_filter_feature_0_choices(169)) * 8388608) +
-        transform_left_filter_feature_0_choice_358, (as_number(transform_left_filter_feature_0_choices(169)) * 8388608)
+        (as_number(transform_left_filter_feature_0_choice(128)) * 16777216) +
+        (as_number(transform_left_filter_feature_0_choice(136)) * 33554432) +
+        (as_number(transform_left_filter_feature_0_choice(144)) * 67108864) +
+        (as_number(transform_left_filter_feature_0_choice(152)) * 134217728) +
+        (as_number(transform_left_filter_feature_0_choice(160)) * 268435456) +
+        (as_number(transform_left_filter_feature_0_choice(169)) * 8388608) +
+        transform_left_filter_feature_0_choice_358, (as_number(transform_left_filter_feature_0_choice(169)) * 8388608)
         + transform_left_filter_feature_0_choice_358);
       if transform_filtering_0_column_inside(6) then
         transform_left_filter_feature_0_choice_360 :=
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(120)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(112)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(104)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(96)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(88)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(120)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(112)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(104)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(96)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(88)), 1) &
           to_unsigned(transform_left_filter_feature_0_choice_359, 29);
       else
         transform_left_filter_feature_0_choice_360 := to_unsigned(transform_left_filter_feature_0_choice_359, 34);
       end if;
       if transform_filtering_0_column_inside(7) then
         transform_left_filter_feature_0_choice_361 :=
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(80)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(72)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(64)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(56)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(48)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(80)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(72)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(64)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(56)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(48)), 1) &
           transform_left_filter_feature_0_choice_360(33 downto 0);
       else
         transform_left_filter_feature_0_choice_361 := resize(transform_left_filter_feature_0_choice_360, 39);
@@ -1147,272 +999,110 @@ begin
       transform_right_filter_feature_0_values(1) := is_set(transform_right_filter_column(4, 2), 1);
       transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_values(1)) or (not
         is_set(transform_right_filter_column(4, 2), 0));
-      transform_right_filter_feature_0_choices(1) := choice(is_set(transform_right_filter_column(8, 0), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
       transform_right_filter_feature_0_is_equal := (transform_right_filter_column(4, 2) mod 4) = 0;
-      transform_right_filter_feature_0_choices(2) := choice(is_set(transform_right_filter_column(8, 0), 1),
-        transform_right_filter_feature_0_choices(1), is_set(transform_right_filter_column(8, 0), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_values(2) := is_set(transform_right_filter_column(4, 2), 2);
-      transform_right_filter_feature_0_choices(3) := inverted_carry(transform_right_filter_feature_0_choices(2), not
-        is_set(transform_right_filter_column(8, 0), 2), transform_right_filter_feature_0_values(2));
-      for i in 3 to 6 loop
+      for i in 2 to 6 loop
         transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(4, 2), i);
-        transform_right_filter_feature_0_choices(i + 1) := carry(transform_right_filter_feature_0_choices(i), not
-          is_set(transform_right_filter_column(8, 0), i), transform_right_filter_feature_0_values(i));
       end loop;
       for i in 0 to 3 loop
-        transform_right_filter_feature_0_choices(8 * i + 8) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 7), is_set(transform_right_filter_column(8,
-          i), 7), not is_set(transform_right_filter_column(4, 2), 7));
-        transform_right_filter_feature_0_choices(8 * i + 9) := choice(is_set(transform_right_filter_column(8, i + 1),
-          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(8 * i + 10) := choice(is_set(transform_right_filter_column(8, i + 1),
-          1), transform_right_filter_feature_0_choices(8 * i + 9), is_set(transform_right_filter_column(8, i + 1), 0)
-          and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(8 * i + 11) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 10), not
-          is_set(transform_right_filter_column(8, i + 1), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(8 * i + j + 9) := carry(transform_right_filter_feature_0_choices(8 *
-            i + j + 8), not is_set(transform_right_filter_column(8, i + 1), j),
-            transform_right_filter_feature_0_values(j));
-        end loop;
-      end loop;
-      transform_right_filter_feature_0_choices(40) := inverted_carry(transform_right_filter_feature_0_choices(39),
-        is_set(transform_right_filter_column(8, 4), 7), not is_set(transform_right_filter_column(4, 2), 7));
-      for i in 0 to 2 loop
         for j in 0 to 4 loop
-          transform_right_filter_feature_0_choices(40 * i + 8 * j + 41) :=
-            choice(is_set(transform_right_filter_column(7 - i, j), 0), transform_right_filter_feature_0_any, not
-            transform_right_filter_feature_0_values(1));
-          transform_right_filter_feature_0_choices(40 * i + 8 * j + 42) :=
-            choice(is_set(transform_right_filter_column(7 - i, j), 1), transform_right_filter_feature_0_choices(40 * i
-            + 8 * j + 41), is_set(transform_right_filter_column(7 - i, j), 0) and
-            transform_right_filter_feature_0_is_equal);
-          transform_right_filter_feature_0_choices(40 * i + 8 * j + 43) :=
-            inverted_carry(transform_right_filter_feature_0_choices(40 * i + 8 * j + 42), not
-            is_set(transform_right_filter_column(7 - i, j), 2), transform_right_filter_feature_0_values(2));
-          for k in 3 to 6 loop
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + k + 41) :=
-              carry(transform_right_filter_feature_0_choices(40 * i + 8 * j + k + 40), not
-              is_set(transform_right_filter_column(7 - i, j), k), transform_right_filter_feature_0_values(k));
-          end loop;
-          transform_right_filter_feature_0_choices(40 * i + 8 * j + 48) :=
-            inverted_carry(transform_right_filter_feature_0_choices(40 * i + 8 * j + 47),
-            is_set(transform_right_filter_column(7 - i, j), 7), not is_set(transform_right_filter_column(4, 2), 7));
+          transform_right_filter_feature_0_choice(40 * i + 8 * j + 8) := is_larger(transform_right_filter_column(8 - i,
+            j), transform_right_filter_column(4, 2), 0, 7, false);
         end loop;
       end loop;
-      transform_right_filter_feature_0_choices(161) := choice(is_set(transform_right_filter_column(4, 4), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(162) := choice(is_set(transform_right_filter_column(4, 4), 1),
-        transform_right_filter_feature_0_choices(161), is_set(transform_right_filter_column(4, 4), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(163) := inverted_carry(transform_right_filter_feature_0_choices(162),
-        not is_set(transform_right_filter_column(4, 4), 2), transform_right_filter_feature_0_values(2));
-      for i in 164 to 167 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column(4, 4), i - 161), transform_right_filter_feature_0_values(i - 161));
-      end loop;
-      transform_right_filter_feature_0_choices(168) := choice(is_set(transform_right_filter_column(4, 4), 7),
+      transform_right_filter_feature_0_choice(167) := not is_larger(transform_right_filter_column(4, 4),
+        transform_right_filter_column(4, 2), 0, 6, false);
+      transform_right_filter_feature_0_choice(168) := choice(is_set(transform_right_filter_column(4, 4), 7),
         transform_filtering_0_column_inside(4), transform_filtering_0_column_inside(4) and (not
         is_set(transform_right_filter_column(4, 2), 7)));
-      transform_right_filter_feature_0_choices(169) := choice(transform_right_filter_feature_0_choices(167),
+      transform_right_filter_feature_0_choice(169) := choice(transform_right_filter_feature_0_choice(167),
         is_set(transform_right_filter_column(4, 4), 7) and transform_filtering_0_column_inside(4) and (not
-        is_set(transform_right_filter_column(4, 2), 7)), transform_right_filter_feature_0_choices(168));
-      for i in 0 to 1 loop
-        transform_right_filter_feature_0_choices(8 * i + 170) := choice(is_set(transform_right_filter_column(4, 2 * i +
-          1), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(8 * i + 171) := choice(is_set(transform_right_filter_column(4, 2 * i +
-          1), 1), transform_right_filter_feature_0_choices(8 * i + 170), is_set(transform_right_filter_column(4, 2 * i
-          + 1), 0) and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(8 * i + 172) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 171), not
-          is_set(transform_right_filter_column(4, 2 * i + 1), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(8 * i + j + 170) := carry(transform_right_filter_feature_0_choices(8
-            * i + j + 169), not is_set(transform_right_filter_column(4, 2 * i + 1), j),
-            transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(8 * i + 177) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 176), is_set(transform_right_filter_column(4,
-          2 * i + 1), 7), not is_set(transform_right_filter_column(4, 2), 7));
-      end loop;
-      transform_right_filter_feature_0_choices(186) := choice(is_set(transform_right_filter_column(4, 0), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(187) := choice(is_set(transform_right_filter_column(4, 0), 1),
-        transform_right_filter_feature_0_choices(186), is_set(transform_right_filter_column(4, 0), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(188) := inverted_carry(transform_right_filter_feature_0_choices(187),
-        not is_set(transform_right_filter_column(4, 0), 2), transform_right_filter_feature_0_values(2));
-      for i in 189 to 192 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column(4, 0), i - 186), transform_right_filter_feature_0_values(i - 186));
-      end loop;
-      transform_right_filter_feature_0_choices(193) := inverted_carry(transform_right_filter_feature_0_choices(192),
-        is_set(transform_right_filter_column(4, 0), 7), not is_set(transform_right_filter_column(4, 2), 7));
+        is_set(transform_right_filter_column(4, 2), 7)), transform_right_filter_feature_0_choice(168));
+      transform_right_filter_feature_0_choice(177) := is_larger(transform_right_filter_column(4, 1),
+        transform_right_filter_column(4, 2), 0, 7, false);
+      transform_right_filter_feature_0_choice(185) := is_larger(transform_right_filter_column(4, 3),
+        transform_right_filter_column(4, 2), 0, 7, false);
+      transform_right_filter_feature_0_choice(193) := is_larger(transform_right_filter_column(4, 0),
+        transform_right_filter_column(4, 2), 0, 7, false);
       for i in 0 to 2 loop
-        transform_right_filter_feature_0_choices(40 * i + 194) := choice(is_set(transform_right_filter_column(3 - i,
-          3), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(40 * i + 195) := choice(is_set(transform_right_filter_column(3 - i,
-          3), 1), transform_right_filter_feature_0_choices(40 * i + 194), is_set(transform_right_filter_column(3 - i,
-          3), 0) and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(40 * i + 196) :=
-          inverted_carry(transform_right_filter_feature_0_choices(40 * i + 195), not
-          is_set(transform_right_filter_column(3 - i, 3), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(40 * i + j + 194) :=
-            carry(transform_right_filter_feature_0_choices(40 * i + j + 193), not
-            is_set(transform_right_filter_column(3 - i, 3), j), transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(40 * i + 201) :=
-          inverted_carry(transform_right_filter_feature_0_choices(40 * i + 200), is_set(transform_right_filter_column(3
-          - i, 3), 7), not is_set(transform_right_filter_column(4, 2), 7));
-        transform_right_filter_feature_0_choices(40 * i + 202) := choice(is_set(transform_right_filter_column(3 - i,
-          4), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(40 * i + 203) := choice(is_set(transform_right_filter_column(3 - i,
-          4), 1), transform_right_filter_feature_0_choices(40 * i + 202), is_set(transform_right_filter_column(3 - i,
-          4), 0) and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(40 * i + 204) :=
-          inverted_carry(transform_right_filter_feature_0_choices(40 * i + 203), not
-          is_set(transform_right_filter_column(3 - i, 4), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(40 * i + j + 202) :=
-            carry(transform_right_filter_feature_0_choices(40 * i + j + 201), not
-            is_set(transform_right_filter_column(3 - i, 4), j), transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(40 * i + 209) :=
-          inverted_carry(transform_right_filter_feature_0_choices(40 * i + 208), is_set(transform_right_filter_column(3
-          - i, 4), 7), not is_set(transform_right_filter_column(4, 2), 7));
+        transform_right_filter_feature_0_choice(40 * i + 201) := is_larger(transform_right_filter_column(3 - i, 3),
+          transform_right_filter_column(4, 2), 0, 7, false);
+        transform_right_filter_feature_0_choice(40 * i + 209) := is_larger(transform_right_filter_column(3 - i, 4),
+          transform_right_filter_column(4, 2), 0, 7, false);
         for j in 0 to 2 loop
-          transform_right_filter_feature_0_choices(40 * i + 8 * j + 210) :=
-            choice(is_set(transform_right_filter_column(3 - i, 2 - j), 0), transform_right_filter_feature_0_any, not
-            transform_right_filter_feature_0_values(1));
-          transform_right_filter_feature_0_choices(40 * i + 8 * j + 211) :=
-            choice(is_set(transform_right_filter_column(3 - i, 2 - j), 1), transform_right_filter_feature_0_choices(40
-            * i + 8 * j + 210), is_set(transform_right_filter_column(3 - i, 2 - j), 0) and
-            transform_right_filter_feature_0_is_equal);
-          transform_right_filter_feature_0_choices(40 * i + 8 * j + 212) :=
-            inverted_carry(transform_right_filter_feature_0_choices(40 * i + 8 * j + 211), not
-            is_set(transform_right_filter_column(3 - i, 2 - j), 2), transform_right_filter_feature_0_values(2));
-          for k in 3 to 6 loop
-            transform_right_filter_feature_0_choices(40 * i + 8 * j + k + 210) :=
-              carry(transform_right_filter_feature_0_choices(40 * i + 8 * j + k + 209), not
-              is_set(transform_right_filter_column(3 - i, 2 - j), k), transform_right_filter_feature_0_values(k));
-          end loop;
-          transform_right_filter_feature_0_choices(40 * i + 8 * j + 217) :=
-            inverted_carry(transform_right_filter_feature_0_choices(40 * i + 8 * j + 216),
-            is_set(transform_right_filter_column(3 - i, 2 - j), 7), not is_set(transform_right_filter_column(4, 2), 7));
+          transform_right_filter_feature_0_choice(40 * i + 8 * j + 217) := is_larger(transform_right_filter_column(3 -
+            i, 2 - j), transform_right_filter_column(4, 2), 0, 7, false);
         end loop;
       end loop;
       for i in 0 to 1 loop
-        transform_right_filter_feature_0_choices(16 * i + 314) := choice(is_set(transform_right_filter_column(0, 3 -
-          i), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(16 * i + 315) := choice(is_set(transform_right_filter_column(0, 3 -
-          i), 1), transform_right_filter_feature_0_choices(16 * i + 314), is_set(transform_right_filter_column(0, 3 -
-          i), 0) and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(16 * i + 316) :=
-          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 315), not
-          is_set(transform_right_filter_column(0, 3 - i), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(16 * i + j + 314) :=
-            carry(transform_right_filter_feature_0_choices(16 * i + j + 313), not
-            is_set(transform_right_filter_column(0, 3 - i), j), transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(16 * i + 321) :=
-          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 320),
-          is_set(transform_right_filter_column(0, 3 - i), 7), not is_set(transform_right_filter_column(4, 2), 7));
-        transform_right_filter_feature_0_choices(16 * i + 322) := choice(is_set(transform_right_filter_column(0, 4 - 3
-          * i), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(16 * i + 323) := choice(is_set(transform_right_filter_column(0, 4 - 3
-          * i), 1), transform_right_filter_feature_0_choices(16 * i + 322), is_set(transform_right_filter_column(0, 4 -
-          3 * i), 0) and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(16 * i + 324) :=
-          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 323), not
-          is_set(transform_right_filter_column(0, 4 - 3 * i), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(16 * i + j + 322) :=
-            carry(transform_right_filter_feature_0_choices(16 * i + j + 321), not
-            is_set(transform_right_filter_column(0, 4 - 3 * i), j), transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(16 * i + 329) :=
-          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 328),
-          is_set(transform_right_filter_column(0, 4 - 3 * i), 7), not is_set(transform_right_filter_column(4, 2), 7));
+        transform_right_filter_feature_0_choice(16 * i + 321) := is_larger(transform_right_filter_column(0, 3 - i),
+          transform_right_filter_column(4, 2), 0, 7, false);
+        transform_right_filter_feature_0_choice(16 * i + 329) := is_larger(transform_right_filter_column(0, 4 - 3 * i),
+          transform_right_filter_column(4, 2), 0, 7, false);
       end loop;
-      transform_right_filter_feature_0_choices(346) := choice(is_set(transform_right_filter_column(4, 2), 0), not
-        is_set(transform_right_filter_column(0, 0), 1), (transform_right_filter_column(0, 0) mod 4) = 0);
-      transform_right_filter_feature_0_choices(347) := choice(transform_right_filter_feature_0_values(1),
-        is_set(transform_right_filter_column(4, 2), 0) or (not is_set(transform_right_filter_column(0, 0), 1)) or (not
-        is_set(transform_right_filter_column(0, 0), 0)), transform_right_filter_feature_0_choices(346));
-      transform_right_filter_feature_0_values(7) := is_set(transform_right_filter_column(0, 0), 2);
-      transform_right_filter_feature_0_choices(348) := inverted_carry(transform_right_filter_feature_0_choices(347),
-        not transform_right_filter_feature_0_values(2), transform_right_filter_feature_0_values(7));
-      for i in 8 to 11 loop
+      for i in 7 to 11 loop
         transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(0, 0), i - 5);
-        transform_right_filter_feature_0_choices(i + 341) := carry(transform_right_filter_feature_0_choices(i + 340),
-          not transform_right_filter_feature_0_values(i - 5), transform_right_filter_feature_0_values(i));
       end loop;
-      transform_right_filter_feature_0_choices(353) := carry(transform_right_filter_feature_0_choices(352), not
-        is_set(transform_right_filter_column(4, 2), 7), is_set(transform_right_filter_column(0, 0), 7));
+      transform_right_filter_feature_0_choice(353) := not is_larger(transform_right_filter_column(4, 2),
+        transform_right_filter_column(0, 0), 0, 7, true);
       transform_right_filter_feature_0_choice_354 := choice(transform_filtering_0_column_inside(0),
-        (as_number(transform_right_filter_feature_0_choices(321)) * 8) +
-        (as_number(transform_right_filter_feature_0_choices(329)) * 16) +
-        (as_number(transform_right_filter_feature_0_choices(337)) * 4) +
-        (as_number(transform_right_filter_feature_0_choices(345)) * 2) +
-        as_number(transform_right_filter_feature_0_choices(353)), 0);
+        (as_number(transform_right_filter_feature_0_choice(321)) * 8) +
+        (as_number(transform_right_filter_feature_0_choice(329)) * 16) +
+        (as_number(transform_right_filter_feature_0_choice(337)) * 4) +
+        (as_number(transform_right_filter_feature_0_choice(345)) * 2) +
+        as_number(transform_right_filter_feature_0_choice(353)), 0);
       transform_right_filter_feature_0_choice_355 := choice(transform_filtering_0_column_inside(1),
-        (as_number(transform_right_filter_feature_0_choices(281)) * 256) +
-        (as_number(transform_right_filter_feature_0_choices(289)) * 512) +
-        (as_number(transform_right_filter_feature_0_choices(297)) * 128) +
-        (as_number(transform_right_filter_feature_0_choices(305)) * 64) +
-        (as_number(transform_right_filter_feature_0_choices(313)) * 32) + transform_right_filter_feature_0_choice_354,
+        (as_number(transform_right_filter_feature_0_choice(281)) * 256) +
+        (as_number(transform_right_filter_feature_0_choice(289)) * 512) +
+        (as_number(transform_right_filter_feature_0_choice(297)) * 128) +
+        (as_number(transform_right_filter_feature_0_choice(305)) * 64) +
+        (as_number(transform_right_filter_feature_0_choice(313)) * 32) + transform_right_filter_feature_0_choice_354,
         transform_right_filter_feature_0_choice_354);
       transform_right_filter_feature_0_choice_356 := choice(transform_filtering_0_column_inside(2),
-        (as_number(transform_right_filter_feature_0_choices(241)) * 8192) +
-        (as_number(transform_right_filter_feature_0_choices(249)) * 16384) +
-        (as_number(transform_right_filter_feature_0_choices(257)) * 4096) +
-        (as_number(transform_right_filter_feature_0_choices(265)) * 2048) +
-        (as_number(transform_right_filter_feature_0_choices(273)) * 1024) +
-        transform_right_filter_feature_0_choice_355, transform_right_filter_feature_0_choice_355);
+        (as_number(transform_right_filter_feature_0_choice(241)) * 8192) +
+        (as_number(transform_right_filter_feature_0_choice(249)) * 16384) +
+        (as_number(transform_right_filter_feature_0_choice(257)) * 4096) +
+        (as_number(transform_right_filter_feature_0_choice(265)) * 2048) +
+        (as_number(transform_right_filter_feature_0_choice(273)) * 1024) + transform_right_filter_feature_0_choice_355,
+        transform_right_filter_feature_0_choice_355);
       transform_right_filter_feature_0_choice_357 := choice(transform_filtering_0_column_inside(3),
-        (as_number(transform_right_filter_feature_0_choices(201)) * 262144) +
-        (as_number(transform_right_filter_feature_0_choices(209)) * 524288) +
-        (as_number(transform_right_filter_feature_0_choices(217)) * 131072) +
-        (as_number(transform_right_filter_feature_0_choices(225)) * 65536) +
-        (as_number(transform_right_filter_feature_0_choices(233)) * 32768) +
+        (as_number(transform_right_filter_feature_0_choice(201)) * 262144) +
+        (as_number(transform_right_filter_feature_0_choice(209)) * 524288) +
+        (as_number(transform_right_filter_feature_0_choice(217)) * 131072) +
+        (as_number(transform_right_filter_feature_0_choice(225)) * 65536) +
+        (as_number(transform_right_filter_feature_0_choice(233)) * 32768) +
         transform_right_filter_feature_0_choice_356, transform_right_filter_feature_0_choice_356);
       transform_right_filter_feature_0_choice_358 := choice(transform_filtering_0_column_inside(4),
-        (as_number(transform_right_filter_feature_0_choices(177)) * 2097152) +
-        (as_number(transform_right_filter_feature_0_choices(185)) * 4194304) +
-        (as_number(transform_right_filter_feature_0_choices(193)) * 1048576) +
+        (as_number(transform_right_filter_feature_0_choice(177)) * 2097152) +
+        (as_number(transform_right_filter_feature_0_choice(185)) * 4194304) +
+        (as_number(transform_right_filter_feature_0_choice(193)) * 1048576) +
         transform_right_filter_feature_0_choice_357, transform_right_filter_feature_0_choice_357);
       transform_right_filter_feature_0_choice_359 := choice(transform_filtering_0_column_inside(5),
-        (as_number(transform_right_filter_feature_0_choices(128)) * 16777216) +
-        (as_number(transform_right_filter_feature_0_choices(136)) * 33554432) +
-        (as_number(transform_right_filter_feature_0_choices(144)) * 67108864) +
-        (as_number(transform_right_filter_feature_0_choices(152)) * 134217728) +
-        (as_number(transform_right_filter_feature_0_choices(160)) * 268435456) +
-        (as_number(transform_right_filter_feature_0_choices(169)) * 8388608) +
-        transform_right_filter_feature_0_choice_358, (as_number(transform_right_filter_feature_0_choices(169)) *
+        (as_number(transform_right_filter_feature_0_choice(128)) * 16777216) +
+        (as_number(transform_right_filter_feature_0_choice(136)) * 33554432) +
+        (as_number(transform_right_filter_feature_0_choice(144)) * 67108864) +
+        (as_number(transform_right_filter_feature_0_choice(152)) * 134217728) +
+        (as_number(transform_right_filter_feature_0_choice(160)) * 268435456) +
+        (as_number(transform_right_filter_feature_0_choice(169)) * 8388608) +
+        transform_right_filter_feature_0_choice_358, (as_number(transform_right_filter_feature_0_choice(169)) *
         8388608) + transform_right_filter_feature_0_choice_358);
       if transform_filtering_0_column_inside(6) then
         transform_right_filter_feature_0_choice_360 :=
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(120)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(112)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(104)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(96)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(88)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(120)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(112)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(104)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(96)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(88)), 1) &
           to_unsigned(transform_right_filter_feature_0_choice_359, 29);
       else
         transform_right_filter_feature_0_choice_360 := to_unsigned(transform_right_filter_feature_0_choice_359, 34);
       end if;
       if transform_filtering_0_column_inside(7) then
         transform_right_filter_feature_0_choice_361 :=
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(80)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(72)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(64)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(56)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(48)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(80)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(72)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(64)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(56)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(48)), 1) &
           transform_right_filter_feature_0_choice_360(33 downto 0);
       else
         transform_right_filter_feature_0_choice_361 := resize(transform_right_filter_feature_0_choice_360, 39);
@@ -1472,17 +1162,17 @@ begin
       transform_counter_group <= choice(in_valid and in_start_of_frame, transform_counter_group_choice * 32,
         transform_counter_group_choices(3));
       if transform_filtering_0_column_inside(8) then
-        transform_left_filter_feature_0 <= to_unsigned(as_number(transform_left_filter_feature_0_choices(40)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(32)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(24)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(16)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(8)), 1) &
+        transform_left_filter_feature_0 <= to_unsigned(as_number(transform_left_filter_feature_0_choice(40)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(32)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(24)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(16)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(8)), 1) &
           transform_left_filter_feature_0_choice_361(38 downto 0);
-        transform_right_filter_feature_0 <= to_unsigned(as_number(transform_right_filter_feature_0_choices(40)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(32)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(24)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(16)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(8)), 1) &
+        transform_right_filter_feature_0 <= to_unsigned(as_number(transform_right_filter_feature_0_choice(40)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(32)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(24)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(16)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(8)), 1) &
           transform_right_filter_feature_0_choice_361(38 downto 0);
       else
         transform_left_filter_feature_0 <= resize(transform_left_filter_feature_0_choice_361, 44);
@@ -1973,8 +1663,8 @@ begin
       pathsabove_smallest_total_choice := choice(line_comes(11), 63, pathsabove_smallest_total);
       pathsabove_count_phase_is_equal := pathsabove_count_phase = 3;
       pathsabove_count_phase_choice := choice(pathsabove_count_phase_is_equal, 3, (pathsabove_count_phase + 1) mod 4);
-      pathsabove_beside_0_choice := choice(pathsabove_count_phase = 0, pathsabove_held(1), pathsabove_lower_neighbour);
-      pathsabove_beside_15_choice := choice(pathsabove_count_phase_is_equal, pathsabove_held(14), pathsabove_cost(0));
+      pathsabove_beside_choice(0) := choice(pathsabove_count_phase = 0, pathsabove_held(1), pathsabove_lower_neighbour);
+      pathsabove_beside_choice(15) := choice(pathsabove_count_phase_is_equal, pathsabove_held(14), pathsabove_cost(0));
       pathsabove_write_address_address_choice := choice(line_places_first_column(4), 0,
         (pathsabove_write_address_address + 1) mod 4096);
       pathsabove_write_address_count_phase_choice := choice(pathsabove_write_address_count_phase = 3, 3,
@@ -2027,14 +1717,14 @@ begin
         pathsabove_smallest_total_choice) < 0, pathsabove_tree_next_next_next_smallest_0,
         pathsabove_smallest_total_choice);
       pathsabove_count_phase <= choice(line_starts_phases(17), 0, pathsabove_count_phase_choice);
-      pathsabove_beside(0) <= choice((pathsabove_held(1) - pathsabove_beside_0_choice) < 0, pathsabove_held(1),
-        pathsabove_beside_0_choice);
+      pathsabove_beside(0) <= choice((pathsabove_held(1) - pathsabove_beside_choice(0)) < 0, pathsabove_held(1),
+        pathsabove_beside_choice(0));
       for i in 1 to 14 loop
         pathsabove_beside(i) <= choice((pathsabove_held(i + 1) - pathsabove_held(i - 1)) < 0, pathsabove_held(i + 1),
           pathsabove_held(i - 1));
       end loop;
-      pathsabove_beside(15) <= choice((pathsabove_beside_15_choice - pathsabove_held(14)) < 0,
-        pathsabove_beside_15_choice, pathsabove_held(14));
+      pathsabove_beside(15) <= choice((pathsabove_beside_choice(15) - pathsabove_held(14)) < 0,
+        pathsabove_beside_choice(15), pathsabove_held(14));
       for i in 0 to 14 loop
         pathsabove_stay(i) <= choice(pathsabove_own(i) < 24, pathsabove_own(i) mod 32, 24);
       end loop;
@@ -2331,33 +2021,15 @@ begin
         end loop;
       end if;
       -- winnerswinner1
-      winnerswinner1_best_index_0_choice(0, 1) := choice(is_set(paths_sum(0), 0), (not is_set(paths_sum(1), 1)) or (not
-        is_set(paths_sum(1), 0)), not is_set(paths_sum(1), 1));
-      winnerswinner1_best_index_0_choice(0, 2) := choice(is_set(paths_sum(0), 1), winnerswinner1_best_index_0_choice(0,
-        1), is_set(paths_sum(0), 0) and ((paths_sum(1) mod 4) = 0));
-      winnerswinner1_best_index_0_value(0, 1) := is_set(paths_sum(1), 2);
-      winnerswinner1_best_index_0_choice(0, 3) := inverted_carry(winnerswinner1_best_index_0_choice(0, 2), not
-        is_set(paths_sum(0), 2), winnerswinner1_best_index_0_value(0, 1));
-      for i in 2 to 5 loop
+      for i in 1 to 5 loop
         winnerswinner1_best_index_0_value(0, i) := is_set(paths_sum(1), i + 1);
-        winnerswinner1_best_index_0_choice(0, i + 2) := carry(winnerswinner1_best_index_0_choice(0, i + 1), not
-          is_set(paths_sum(0), i + 1), winnerswinner1_best_index_0_value(0, i));
       end loop;
+      winnerswinner1_best_index_0_choice(0, 7) := not is_larger(paths_sum(0), paths_sum(1), 0, 6, false);
       for i in 1 to 7 loop
-        winnerswinner1_best_index_0_choice(i, 1) := choice(is_set(paths_sum(2 * i), 0), (not is_set(paths_sum(2 * i +
-          1), 1)) or (not is_set(paths_sum(2 * i + 1), 0)), not is_set(paths_sum(2 * i + 1), 1));
-        winnerswinner1_best_index_0_choice(i, 2) := choice(is_set(paths_sum(2 * i), 1),
-          winnerswinner1_best_index_0_choice(i, 1), is_set(paths_sum(2 * i), 0) and ((paths_sum(2 * i + 1) mod 4) = 0));
-        winnerswinner1_best_index_0_value(i, 1) := is_set(paths_sum(2 * i + 1), 2);
-        winnerswinner1_best_index_0_choice(i, 3) := inverted_carry(winnerswinner1_best_index_0_choice(i, 2), not
-          is_set(paths_sum(2 * i), 2), winnerswinner1_best_index_0_value(i, 1));
-        for j in 2 to 5 loop
+        for j in 1 to 5 loop
           winnerswinner1_best_index_0_value(i, j) := is_set(paths_sum(2 * i + 1), j + 1);
-          winnerswinner1_best_index_0_choice(i, j + 2) := carry(winnerswinner1_best_index_0_choice(i, j + 1), not
-            is_set(paths_sum(2 * i), j + 1), winnerswinner1_best_index_0_value(i, j));
         end loop;
-        winnerswinner1_best_index_0_choice(i, 8) := inverted_carry(winnerswinner1_best_index_0_choice(i, 7),
-          is_set(paths_sum(2 * i), 7), not is_set(paths_sum(2 * i + 1), 7));
+        winnerswinner1_best_index_0_choice(i, 8) := is_larger(paths_sum(2 * i), paths_sum(2 * i + 1), 0, 7, false);
       end loop;
       for i in 0 to 7 loop
         winnerswinner1_best_cost_0(i) <= choice((paths_sum(2 * i + 1) - paths_sum(2 * i)) < 0, paths_sum(2 * i + 1),
@@ -2370,80 +2042,47 @@ begin
       end loop;
       -- winnerswinner2
       for i in 0 to 3 loop
-        winnerswinner2_best_index_0_choice(i, 1) := choice(is_set(winnerswinner1_best_cost_0(2 * i), 0), (not
-          is_set(winnerswinner1_best_cost_0(2 * i + 1), 1)) or (not is_set(winnerswinner1_best_cost_0(2 * i + 1), 0)),
-          not is_set(winnerswinner1_best_cost_0(2 * i + 1), 1));
-        winnerswinner2_best_index_0_choice(i, 2) := choice(is_set(winnerswinner1_best_cost_0(2 * i), 1),
-          winnerswinner2_best_index_0_choice(i, 1), is_set(winnerswinner1_best_cost_0(2 * i), 0) and
-          ((winnerswinner1_best_cost_0(2 * i + 1) mod 4) = 0));
-        winnerswinner2_best_index_0_value(i, 1) := is_set(winnerswinner1_best_cost_0(2 * i + 1), 2);
-        winnerswinner2_best_index_0_choice(i, 3) := inverted_carry(winnerswinner2_best_index_0_choice(i, 2), not
-          is_set(winnerswinner1_best_cost_0(2 * i), 2), winnerswinner2_best_index_0_value(i, 1));
-        for j in 2 to 5 loop
+        for j in 1 to 5 loop
           winnerswinner2_best_index_0_value(i, j) := is_set(winnerswinner1_best_cost_0(2 * i + 1), j + 1);
-          winnerswinner2_best_index_0_choice(i, j + 2) := carry(winnerswinner2_best_index_0_choice(i, j + 1), not
-            is_set(winnerswinner1_best_cost_0(2 * i), j + 1), winnerswinner2_best_index_0_value(i, j));
         end loop;
-        winnerswinner2_best_index_0_choice(i, 8) := inverted_carry(winnerswinner2_best_index_0_choice(i, 7),
-          is_set(winnerswinner1_best_cost_0(2 * i), 7), not is_set(winnerswinner1_best_cost_0(2 * i + 1), 7));
+        winnerswinner2_best_index_0_choice_8(i) := is_larger(winnerswinner1_best_cost_0(2 * i),
+          winnerswinner1_best_cost_0(2 * i + 1), 0, 7, false);
       end loop;
       for i in 0 to 3 loop
         winnerswinner2_best_cost_0(i) <= choice((winnerswinner1_best_cost_0(2 * i + 1) - winnerswinner1_best_cost_0(2 *
           i)) < 0, winnerswinner1_best_cost_0(2 * i + 1), winnerswinner1_best_cost_0(2 * i));
       end loop;
-      winnerswinner2_best_index_0(0) <= choice(winnerswinner2_best_index_0_choice(0, 8),
-        winnerswinner1_best_index_0(1), as_number(winnerswinner1_best_index_0_0));
+      winnerswinner2_best_index_0(0) <= choice(winnerswinner2_best_index_0_choice_8(0), winnerswinner1_best_index_0(1),
+        as_number(winnerswinner1_best_index_0_0));
       for i in 1 to 3 loop
-        winnerswinner2_best_index_0(i) <= choice(winnerswinner2_best_index_0_choice(i, 8),
-          winnerswinner1_best_index_0(2 * i + 1), winnerswinner1_best_index_0(2 * i));
+        winnerswinner2_best_index_0(i) <= choice(winnerswinner2_best_index_0_choice_8(i), winnerswinner1_best_index_0(2
+          * i + 1), winnerswinner1_best_index_0(2 * i));
       end loop;
       -- winnerswinner3
       for i in 0 to 1 loop
-        winnerswinner3_best_index_0_choice(i, 1) := choice(is_set(winnerswinner2_best_cost_0(2 * i), 0), (not
-          is_set(winnerswinner2_best_cost_0(2 * i + 1), 1)) or (not is_set(winnerswinner2_best_cost_0(2 * i + 1), 0)),
-          not is_set(winnerswinner2_best_cost_0(2 * i + 1), 1));
-        winnerswinner3_best_index_0_choice(i, 2) := choice(is_set(winnerswinner2_best_cost_0(2 * i), 1),
-          winnerswinner3_best_index_0_choice(i, 1), is_set(winnerswinner2_best_cost_0(2 * i), 0) and
-          ((winnerswinner2_best_cost_0(2 * i + 1) mod 4) = 0));
-        winnerswinner3_best_index_0_value(i, 1) := is_set(winnerswinner2_best_cost_0(2 * i + 1), 2);
-        winnerswinner3_best_index_0_choice(i, 3) := inverted_carry(winnerswinner3_best_index_0_choice(i, 2), not
-          is_set(winnerswinner2_best_cost_0(2 * i), 2), winnerswinner3_best_index_0_value(i, 1));
-        for j in 2 to 5 loop
+        for j in 1 to 5 loop
           winnerswinner3_best_index_0_value(i, j) := is_set(winnerswinner2_best_cost_0(2 * i + 1), j + 1);
-          winnerswinner3_best_index_0_choice(i, j + 2) := carry(winnerswinner3_best_index_0_choice(i, j + 1), not
-            is_set(winnerswinner2_best_cost_0(2 * i), j + 1), winnerswinner3_best_index_0_value(i, j));
         end loop;
-        winnerswinner3_best_index_0_choice(i, 8) := inverted_carry(winnerswinner3_best_index_0_choice(i, 7),
-          is_set(winnerswinner2_best_cost_0(2 * i), 7), not is_set(winnerswinner2_best_cost_0(2 * i + 1), 7));
+        winnerswinner3_best_index_0_choice_8(i) := is_larger(winnerswinner2_best_cost_0(2 * i),
+          winnerswinner2_best_cost_0(2 * i + 1), 0, 7, false);
       end loop;
       winnerswinner3_best_cost_0(0) <= choice((winnerswinner2_best_cost_0(1) - winnerswinner2_best_cost_0(0)) < 0,
         winnerswinner2_best_cost_0(1), winnerswinner2_best_cost_0(0));
       winnerswinner3_best_cost_0(1) <= choice((winnerswinner2_best_cost_0(3) - winnerswinner2_best_cost_0(2)) < 0,
         winnerswinner2_best_cost_0(3), winnerswinner2_best_cost_0(2));
-      winnerswinner3_best_index_0(0) <= choice(winnerswinner3_best_index_0_choice(0, 8),
-        winnerswinner2_best_index_0(1), winnerswinner2_best_index_0(0));
-      winnerswinner3_best_index_0(1) <= choice(winnerswinner3_best_index_0_choice(1, 8),
-        winnerswinner2_best_index_0(3), winnerswinner2_best_index_0(2));
+      winnerswinner3_best_index_0(0) <= choice(winnerswinner3_best_index_0_choice_8(0), winnerswinner2_best_index_0(1),
+        winnerswinner2_best_index_0(0));
+      winnerswinner3_best_index_0(1) <= choice(winnerswinner3_best_index_0_choice_8(1), winnerswinner2_best_index_0(3),
+        winnerswinner2_best_index_0(2));
       -- winnerswinner4
-      winnerswinner4_best_index_0_0_choices(1) := choice(is_set(winnerswinner3_best_cost_0(0), 0), (not
-        is_set(winnerswinner3_best_cost_0(1), 1)) or (not is_set(winnerswinner3_best_cost_0(1), 0)), not
-        is_set(winnerswinner3_best_cost_0(1), 1));
-      winnerswinner4_best_index_0_0_choices(2) := choice(is_set(winnerswinner3_best_cost_0(0), 1),
-        winnerswinner4_best_index_0_0_choices(1), is_set(winnerswinner3_best_cost_0(0), 0) and
-        ((winnerswinner3_best_cost_0(1) mod 4) = 0));
-      winnerswinner4_best_index_0_0_values(1) := is_set(winnerswinner3_best_cost_0(1), 2);
-      winnerswinner4_best_index_0_0_choices(3) := inverted_carry(winnerswinner4_best_index_0_0_choices(2), not
-        is_set(winnerswinner3_best_cost_0(0), 2), winnerswinner4_best_index_0_0_values(1));
-      for i in 2 to 5 loop
+      for i in 1 to 5 loop
         winnerswinner4_best_index_0_0_values(i) := is_set(winnerswinner3_best_cost_0(1), i + 1);
-        winnerswinner4_best_index_0_0_choices(i + 2) := carry(winnerswinner4_best_index_0_0_choices(i + 1), not
-          is_set(winnerswinner3_best_cost_0(0), i + 1), winnerswinner4_best_index_0_0_values(i));
       end loop;
-      winnerswinner4_best_index_0_0_choices(8) := inverted_carry(winnerswinner4_best_index_0_0_choices(7),
-        is_set(winnerswinner3_best_cost_0(0), 7), not is_set(winnerswinner3_best_cost_0(1), 7));
+      winnerswinner4_best_index_0_0_choice_8 := is_larger(winnerswinner3_best_cost_0(0), winnerswinner3_best_cost_0(1),
+        0, 7, false);
       winnerswinner4_best_cost_0_0 <= choice((winnerswinner3_best_cost_0(1) - winnerswinner3_best_cost_0(0)) < 0,
         winnerswinner3_best_cost_0(1), winnerswinner3_best_cost_0(0));
-      winnerswinner4_best_index_0_0 <= choice(winnerswinner4_best_index_0_0_choices(8), winnerswinner3_best_index_0(1),
+      winnerswinner4_best_index_0_0 <= choice(winnerswinner4_best_index_0_0_choice_8, winnerswinner3_best_index_0(1),
         winnerswinner3_best_index_0(0));
       -- winners
       winners_best_cost_0_0_choice := choice(line_comes(22), 255, winners_best_cost_0_0);
@@ -2612,117 +2251,35 @@ begin
       map_window_complete_choice := choice(map_window_complete_is_equal, map_sorted_behind, map_sorted_arrives or
         map_sorted_behind);
       map_of_low_0_b_below_a_values(1) := is_set(map_low_0(0), 1);
-      map_of_low_0_b_below_a_choices(1) := choice(is_set(map_low_0(0), 0), (not is_set(map_low_0(1), 1)) or (not
-        is_set(map_low_0(1), 0)), not is_set(map_low_0(1), 1));
       map_of_low_0_b_below_a_is_equal := (map_low_0(1) mod 4) = 0;
-      map_of_low_0_b_below_a_choices(2) := choice(map_of_low_0_b_below_a_values(1), map_of_low_0_b_below_a_choices(1),
-        is_set(map_low_0(0), 0) and map_of_low_0_b_below_a_is_equal);
-      map_of_low_0_b_below_a_values(2) := is_set(map_low_0(0), 2);
-      map_of_low_0_b_below_a_values(3) := is_set(map_low_0(1), 2);
-      map_of_low_0_b_below_a_choices(3) := inverted_carry(map_of_low_0_b_below_a_choices(2), not
-        map_of_low_0_b_below_a_values(2), map_of_low_0_b_below_a_values(3));
-      for i in 3 to 6 loop
+      for i in 2 to 6 loop
         map_of_low_0_b_below_a_values(2 * i - 2) := is_set(map_low_0(0), i);
         map_of_low_0_b_below_a_values(2 * i - 1) := is_set(map_low_0(1), i);
-        map_of_low_0_b_below_a_choices(i + 1) := carry(map_of_low_0_b_below_a_choices(i), not
-          map_of_low_0_b_below_a_values(2 * i - 2), map_of_low_0_b_below_a_values(2 * i - 1));
       end loop;
+      map_of_low_0_b_below_a_choice_7 := not is_larger(map_low_0(0), map_low_0(1), 0, 6, false);
       map_of_low_0_c_below_a_value := is_set(map_low_0(2), 1);
-      map_of_low_0_c_below_a_choices(1) := choice(is_set(map_low_0(2), 0), not map_of_low_0_b_below_a_values(1),
-        (map_low_0(0) mod 4) = 0);
-      map_of_low_0_c_below_a_choices(2) := choice(map_of_low_0_c_below_a_value, is_set(map_low_0(2), 0) or (not
-        map_of_low_0_b_below_a_values(1)) or (not is_set(map_low_0(0), 0)), map_of_low_0_c_below_a_choices(1));
-      map_of_low_0_c_below_a_choices(3) := inverted_carry(map_of_low_0_c_below_a_choices(2), not is_set(map_low_0(2),
-        2), map_of_low_0_b_below_a_values(2));
-      for i in 4 to 7 loop
-        map_of_low_0_c_below_a_choices(i) := carry(map_of_low_0_c_below_a_choices(i - 1), not is_set(map_low_0(2), i -
-          1), map_of_low_0_b_below_a_values(2 * i - 4));
-      end loop;
-      map_of_low_0_c_below_b_choices(1) := choice(is_set(map_low_0(2), 0), not is_set(map_low_0(1), 1),
-        map_of_low_0_b_below_a_is_equal);
-      map_of_low_0_c_below_b_choices(2) := choice(map_of_low_0_c_below_a_value, is_set(map_low_0(2), 0) or (not
-        is_set(map_low_0(1), 1)) or (not is_set(map_low_0(1), 0)), map_of_low_0_c_below_b_choices(1));
-      map_of_low_0_c_below_b_choices(3) := inverted_carry(map_of_low_0_c_below_b_choices(2), not is_set(map_low_0(2),
-        2), map_of_low_0_b_below_a_values(3));
-      for i in 4 to 7 loop
-        map_of_low_0_c_below_b_choices(i) := carry(map_of_low_0_c_below_b_choices(i - 1), not is_set(map_low_0(2), i -
-          1), map_of_low_0_b_below_a_values(2 * i - 3));
-      end loop;
+      map_of_low_0_c_below_a_choice_7 := not is_larger(map_low_0(2), map_low_0(0), 0, 6, true);
+      map_of_low_0_c_below_b_choice_7 := not is_larger(map_low_0(2), map_low_0(1), 0, 6, true);
       map_of_middle_0_b_below_a_values(1) := is_set(map_middle_0(0), 1);
-      map_of_middle_0_b_below_a_choices(1) := choice(is_set(map_middle_0(0), 0), (not is_set(map_middle_0(1), 1)) or
-        (not is_set(map_middle_0(1), 0)), not is_set(map_middle_0(1), 1));
       map_of_middle_0_b_below_a_is_equal := (map_middle_0(1) mod 4) = 0;
-      map_of_middle_0_b_below_a_choices(2) := choice(map_of_middle_0_b_below_a_values(1),
-        map_of_middle_0_b_below_a_choices(1), is_set(map_middle_0(0), 0) and map_of_middle_0_b_below_a_is_equal);
-      map_of_middle_0_b_below_a_values(2) := is_set(map_middle_0(0), 2);
-      map_of_middle_0_b_below_a_values(3) := is_set(map_middle_0(1), 2);
-      map_of_middle_0_b_below_a_choices(3) := inverted_carry(map_of_middle_0_b_below_a_choices(2), not
-        map_of_middle_0_b_below_a_values(2), map_of_middle_0_b_below_a_values(3));
-      for i in 3 to 6 loop
+      for i in 2 to 6 loop
         map_of_middle_0_b_below_a_values(2 * i - 2) := is_set(map_middle_0(0), i);
         map_of_middle_0_b_below_a_values(2 * i - 1) := is_set(map_middle_0(1), i);
-        map_of_middle_0_b_below_a_choices(i + 1) := carry(map_of_middle_0_b_below_a_choices(i), not
-          map_of_middle_0_b_below_a_values(2 * i - 2), map_of_middle_0_b_below_a_values(2 * i - 1));
       end loop;
+      map_of_middle_0_b_below_a_choice_7 := not is_larger(map_middle_0(0), map_middle_0(1), 0, 6, false);
       map_of_middle_0_c_below_a_value := is_set(map_middle_0(2), 1);
-      map_of_middle_0_c_below_a_choices(1) := choice(is_set(map_middle_0(2), 0), not
-        map_of_middle_0_b_below_a_values(1), (map_middle_0(0) mod 4) = 0);
-      map_of_middle_0_c_below_a_choices(2) := choice(map_of_middle_0_c_below_a_value, is_set(map_middle_0(2), 0) or
-        (not map_of_middle_0_b_below_a_values(1)) or (not is_set(map_middle_0(0), 0)),
-        map_of_middle_0_c_below_a_choices(1));
-      map_of_middle_0_c_below_a_choices(3) := inverted_carry(map_of_middle_0_c_below_a_choices(2), not
-        is_set(map_middle_0(2), 2), map_of_middle_0_b_below_a_values(2));
-      for i in 4 to 7 loop
-        map_of_middle_0_c_below_a_choices(i) := carry(map_of_middle_0_c_below_a_choices(i - 1), not
-          is_set(map_middle_0(2), i - 1), map_of_middle_0_b_below_a_values(2 * i - 4));
-      end loop;
-      map_of_middle_0_c_below_b_choices(1) := choice(is_set(map_middle_0(2), 0), not is_set(map_middle_0(1), 1),
-        map_of_middle_0_b_below_a_is_equal);
-      map_of_middle_0_c_below_b_choices(2) := choice(map_of_middle_0_c_below_a_value, is_set(map_middle_0(2), 0) or
-        (not is_set(map_middle_0(1), 1)) or (not is_set(map_middle_0(1), 0)), map_of_middle_0_c_below_b_choices(1));
-      map_of_middle_0_c_below_b_choices(3) := inverted_carry(map_of_middle_0_c_below_b_choices(2), not
-        is_set(map_middle_0(2), 2), map_of_middle_0_b_below_a_values(3));
-      for i in 4 to 7 loop
-        map_of_middle_0_c_below_b_choices(i) := carry(map_of_middle_0_c_below_b_choices(i - 1), not
-          is_set(map_middle_0(2), i - 1), map_of_middle_0_b_below_a_values(2 * i - 3));
-      end loop;
+      map_of_middle_0_c_below_a_choice_7 := not is_larger(map_middle_0(2), map_middle_0(0), 0, 6, true);
+      map_of_middle_0_c_below_b_choice_7 := not is_larger(map_middle_0(2), map_middle_0(1), 0, 6, true);
       map_of_high_0_b_below_a_values(1) := is_set(map_high_0(0), 1);
-      map_of_high_0_b_below_a_choices(1) := choice(is_set(map_high_0(0), 0), (not is_set(map_high_0(1), 1)) or (not
-        is_set(map_high_0(1), 0)), not is_set(map_high_0(1), 1));
       map_of_high_0_b_below_a_is_equal := (map_high_0(1) mod 4) = 0;
-      map_of_high_0_b_below_a_choices(2) := choice(map_of_high_0_b_below_a_values(1),
-        map_of_high_0_b_below_a_choices(1), is_set(map_high_0(0), 0) and map_of_high_0_b_below_a_is_equal);
-      map_of_high_0_b_below_a_values(2) := is_set(map_high_0(0), 2);
-      map_of_high_0_b_below_a_values(3) := is_set(map_high_0(1), 2);
-      map_of_high_0_b_below_a_choices(3) := inverted_carry(map_of_high_0_b_below_a_choices(2), not
-        map_of_high_0_b_below_a_values(2), map_of_high_0_b_below_a_values(3));
-      for i in 3 to 6 loop
+      for i in 2 to 6 loop
         map_of_high_0_b_below_a_values(2 * i - 2) := is_set(map_high_0(0), i);
         map_of_high_0_b_below_a_values(2 * i - 1) := is_set(map_high_0(1), i);
-        map_of_high_0_b_below_a_choices(i + 1) := carry(map_of_high_0_b_below_a_choices(i), not
-          map_of_high_0_b_below_a_values(2 * i - 2), map_of_high_0_b_below_a_values(2 * i - 1));
       end loop;
+      map_of_high_0_b_below_a_choice_7 := not is_larger(map_high_0(0), map_high_0(1), 0, 6, false);
       map_of_high_0_c_below_a_value := is_set(map_high_0(2), 1);
-      map_of_high_0_c_below_a_choices(1) := choice(is_set(map_high_0(2), 0), not map_of_high_0_b_below_a_values(1),
-        (map_high_0(0) mod 4) = 0);
-      map_of_high_0_c_below_a_choices(2) := choice(map_of_high_0_c_below_a_value, is_set(map_high_0(2), 0) or (not
-        map_of_high_0_b_below_a_values(1)) or (not is_set(map_high_0(0), 0)), map_of_high_0_c_below_a_choices(1));
-      map_of_high_0_c_below_a_choices(3) := inverted_carry(map_of_high_0_c_below_a_choices(2), not
-        is_set(map_high_0(2), 2), map_of_high_0_b_below_a_values(2));
-      for i in 4 to 7 loop
-        map_of_high_0_c_below_a_choices(i) := carry(map_of_high_0_c_below_a_choices(i - 1), not is_set(map_high_0(2), i
-          - 1), map_of_high_0_b_below_a_values(2 * i - 4));
-      end loop;
-      map_of_high_0_c_below_b_choices(1) := choice(is_set(map_high_0(2), 0), not is_set(map_high_0(1), 1),
-        map_of_high_0_b_below_a_is_equal);
-      map_of_high_0_c_below_b_choices(2) := choice(map_of_high_0_c_below_a_value, is_set(map_high_0(2), 0) or (not
-        is_set(map_high_0(1), 1)) or (not is_set(map_high_0(1), 0)), map_of_high_0_c_below_b_choices(1));
-      map_of_high_0_c_below_b_choices(3) := inverted_carry(map_of_high_0_c_below_b_choices(2), not
-        is_set(map_high_0(2), 2), map_of_high_0_b_below_a_values(3));
-      for i in 4 to 7 loop
-        map_of_high_0_c_below_b_choices(i) := carry(map_of_high_0_c_below_b_choices(i - 1), not is_set(map_high_0(2), i
-          - 1), map_of_high_0_b_below_a_values(2 * i - 3));
-      end loop;
+      map_of_high_0_c_below_a_choice_7 := not is_larger(map_high_0(2), map_high_0(0), 0, 6, true);
+      map_of_high_0_c_below_b_choice_7 := not is_larger(map_high_0(2), map_high_0(1), 0, 6, true);
       map_largest_low_0_choices(1) := choice(map_of_low_0_c_below_a, map_of_low_0_a, map_of_low_0_c);
       map_largest_low_0_choices(2) := choice(map_of_low_0_c_below_b, map_of_low_0_b, map_of_low_0_c);
       map_median_middle_0_choices(1) := choice(map_of_middle_0_c_below_a, map_of_middle_0_c, map_of_middle_0_a);
@@ -2734,42 +2291,15 @@ begin
       map_smallest_high_0_choices(1) := choice(map_of_high_0_c_below_b, map_of_high_0_c, map_of_high_0_b);
       map_smallest_high_0_choices(2) := choice(map_of_high_0_c_below_a, map_of_high_0_c, map_of_high_0_a);
       map_of_all_0_b_below_a_values(1) := is_set(map_largest_low_0, 1);
-      map_of_all_0_b_below_a_choices(1) := choice(is_set(map_largest_low_0, 0), (not is_set(map_median_middle_0, 1)) or
-        (not is_set(map_median_middle_0, 0)), not is_set(map_median_middle_0, 1));
       map_of_all_0_b_below_a_is_equal := (map_median_middle_0 mod 4) = 0;
-      map_of_all_0_b_below_a_choices(2) := choice(map_of_all_0_b_below_a_values(1), map_of_all_0_b_below_a_choices(1),
-        is_set(map_largest_low_0, 0) and map_of_all_0_b_below_a_is_equal);
-      map_of_all_0_b_below_a_values(2) := is_set(map_largest_low_0, 2);
-      map_of_all_0_b_below_a_values(3) := is_set(map_median_middle_0, 2);
-      map_of_all_0_b_below_a_choices(3) := inverted_carry(map_of_all_0_b_below_a_choices(2), not
-        map_of_all_0_b_below_a_values(2), map_of_all_0_b_below_a_values(3));
-      for i in 3 to 6 loop
+      for i in 2 to 6 loop
         map_of_all_0_b_below_a_values(2 * i - 2) := is_set(map_largest_low_0, i);
         map_of_all_0_b_below_a_values(2 * i - 1) := is_set(map_median_middle_0, i);
-        map_of_all_0_b_below_a_choices(i + 1) := carry(map_of_all_0_b_below_a_choices(i), not
-          map_of_all_0_b_below_a_values(2 * i - 2), map_of_all_0_b_below_a_values(2 * i - 1));
       end loop;
+      map_of_all_0_b_below_a_choice_7 := not is_larger(map_largest_low_0, map_median_middle_0, 0, 6, false);
       map_of_all_0_c_below_a_value := is_set(map_smallest_high_0, 1);
-      map_of_all_0_c_below_a_choices(1) := choice(is_set(map_smallest_high_0, 0), not map_of_all_0_b_below_a_values(1),
-        (map_largest_low_0 mod 4) = 0);
-      map_of_all_0_c_below_a_choices(2) := choice(map_of_all_0_c_below_a_value, is_set(map_smallest_high_0, 0) or (not
-        map_of_all_0_b_below_a_values(1)) or (not is_set(map_largest_low_0, 0)), map_of_all_0_c_below_a_choices(1));
-      map_of_all_0_c_below_a_choices(3) := inverted_carry(map_of_all_0_c_below_a_choices(2), not
-        is_set(map_smallest_high_0, 2), map_of_all_0_b_below_a_values(2));
-      for i in 4 to 7 loop
-        map_of_all_0_c_below_a_choices(i) := carry(map_of_all_0_c_below_a_choices(i - 1), not
-          is_set(map_smallest_high_0, i - 1), map_of_all_0_b_below_a_values(2 * i - 4));
-      end loop;
-      map_of_all_0_c_below_b_choices(1) := choice(is_set(map_smallest_high_0, 0), not is_set(map_median_middle_0, 1),
-        map_of_all_0_b_below_a_is_equal);
-      map_of_all_0_c_below_b_choices(2) := choice(map_of_all_0_c_below_a_value, is_set(map_smallest_high_0, 0) or (not
-        is_set(map_median_middle_0, 1)) or (not is_set(map_median_middle_0, 0)), map_of_all_0_c_below_b_choices(1));
-      map_of_all_0_c_below_b_choices(3) := inverted_carry(map_of_all_0_c_below_b_choices(2), not
-        is_set(map_smallest_high_0, 2), map_of_all_0_b_below_a_values(3));
-      for i in 4 to 7 loop
-        map_of_all_0_c_below_b_choices(i) := carry(map_of_all_0_c_below_b_choices(i - 1), not
-          is_set(map_smallest_high_0, i - 1), map_of_all_0_b_below_a_values(2 * i - 3));
-      end loop;
+      map_of_all_0_c_below_a_choice_7 := not is_larger(map_smallest_high_0, map_largest_low_0, 0, 6, true);
+      map_of_all_0_c_below_b_choice_7 := not is_larger(map_smallest_high_0, map_median_middle_0, 0, 6, true);
       map_out_disparity_0_choices(1) := choice(map_of_all_0_c_below_a, map_of_all_0_c, map_of_all_0_a);
       map_out_disparity_0_choices(2) := choice(map_of_all_0_c_below_b, map_of_all_0_b, map_out_disparity_0_choices(1));
       map_out_disparity_0_choices(3) := choice(map_of_all_0_c_below_b, map_of_all_0_c, map_of_all_0_b);
@@ -2851,34 +2381,34 @@ begin
         map_sorted_high_0_choices(2));
       map_passed_0(1) <= choice(map_passed_0(0), map_passed_0(1) or map_sorted_arrives or map_sorted_behind,
         map_passed_0(1) and (not map_sorted_arrives) and (not map_sorted_behind));
-      map_of_low_0_b_below_a <= inverted_carry(map_of_low_0_b_below_a_choices(7), is_set(map_low_0(0), 7), not
+      map_of_low_0_b_below_a <= inverted_carry(map_of_low_0_b_below_a_choice_7, is_set(map_low_0(0), 7), not
         is_set(map_low_0(1), 7));
-      map_of_low_0_c_below_a <= carry(map_of_low_0_c_below_a_choices(7), not is_set(map_low_0(2), 7),
+      map_of_low_0_c_below_a <= carry(map_of_low_0_c_below_a_choice_7, not is_set(map_low_0(2), 7),
         is_set(map_low_0(0), 7));
-      map_of_low_0_c_below_b <= carry(map_of_low_0_c_below_b_choices(7), not is_set(map_low_0(2), 7),
+      map_of_low_0_c_below_b <= carry(map_of_low_0_c_below_b_choice_7, not is_set(map_low_0(2), 7),
         is_set(map_low_0(1), 7));
-      map_of_middle_0_b_below_a <= inverted_carry(map_of_middle_0_b_below_a_choices(7), is_set(map_middle_0(0), 7), not
+      map_of_middle_0_b_below_a <= inverted_carry(map_of_middle_0_b_below_a_choice_7, is_set(map_middle_0(0), 7), not
         is_set(map_middle_0(1), 7));
-      map_of_middle_0_c_below_a <= carry(map_of_middle_0_c_below_a_choices(7), not is_set(map_middle_0(2), 7),
+      map_of_middle_0_c_below_a <= carry(map_of_middle_0_c_below_a_choice_7, not is_set(map_middle_0(2), 7),
         is_set(map_middle_0(0), 7));
-      map_of_middle_0_c_below_b <= carry(map_of_middle_0_c_below_b_choices(7), not is_set(map_middle_0(2), 7),
+      map_of_middle_0_c_below_b <= carry(map_of_middle_0_c_below_b_choice_7, not is_set(map_middle_0(2), 7),
         is_set(map_middle_0(1), 7));
-      map_of_high_0_b_below_a <= inverted_carry(map_of_high_0_b_below_a_choices(7), is_set(map_high_0(0), 7), not
+      map_of_high_0_b_below_a <= inverted_carry(map_of_high_0_b_below_a_choice_7, is_set(map_high_0(0), 7), not
         is_set(map_high_0(1), 7));
-      map_of_high_0_c_below_a <= carry(map_of_high_0_c_below_a_choices(7), not is_set(map_high_0(2), 7),
+      map_of_high_0_c_below_a <= carry(map_of_high_0_c_below_a_choice_7, not is_set(map_high_0(2), 7),
         is_set(map_high_0(0), 7));
-      map_of_high_0_c_below_b <= carry(map_of_high_0_c_below_b_choices(7), not is_set(map_high_0(2), 7),
+      map_of_high_0_c_below_b <= carry(map_of_high_0_c_below_b_choice_7, not is_set(map_high_0(2), 7),
         is_set(map_high_0(1), 7));
       map_largest_low_0 <= choice(map_of_low_0_b_below_a, map_largest_low_0_choices(1), map_largest_low_0_choices(2));
       map_median_middle_0 <= choice(map_of_middle_0_b_below_a, map_median_middle_0_choices(2),
         map_median_middle_0_choices(4));
       map_smallest_high_0 <= choice(map_of_high_0_b_below_a, map_smallest_high_0_choices(1),
         map_smallest_high_0_choices(2));
-      map_of_all_0_b_below_a <= inverted_carry(map_of_all_0_b_below_a_choices(7), is_set(map_largest_low_0, 7), not
+      map_of_all_0_b_below_a <= inverted_carry(map_of_all_0_b_below_a_choice_7, is_set(map_largest_low_0, 7), not
         is_set(map_median_middle_0, 7));
-      map_of_all_0_c_below_a <= carry(map_of_all_0_c_below_a_choices(7), not is_set(map_smallest_high_0, 7),
+      map_of_all_0_c_below_a <= carry(map_of_all_0_c_below_a_choice_7, not is_set(map_smallest_high_0, 7),
         is_set(map_largest_low_0, 7));
-      map_of_all_0_c_below_b <= carry(map_of_all_0_c_below_b_choices(7), not is_set(map_smallest_high_0, 7),
+      map_of_all_0_c_below_b <= carry(map_of_all_0_c_below_b_choice_7, not is_set(map_smallest_high_0, 7),
         is_set(map_median_middle_0, 7));
       map_out_disparity_0 <= choice(map_of_all_0_b_below_a, map_out_disparity_0_choices(2),
         map_out_disparity_0_choices(4));

@@ -113,6 +113,16 @@ architecture rtl of stereo_core_sgm_640_64_f8_dense is
     return a or b;
   end function;
 
+  -- whether a > b, of bits `low` to `high`; of equal ones, `before`: bit by bit, as the tool has split it
+  function is_larger(a : natural; b : natural; low : natural; high : natural; before : boolean) return boolean is
+    variable is_not : boolean := not before;
+  begin
+    for place in low to high loop
+      is_not := carry(is_not, not is_set(a, place), is_set(b, place));
+    end loop;
+    return not is_not;
+  end function;
+
   function choice(test : boolean; yes : boolean; no : boolean) return boolean is
   begin
     if test then
@@ -188,47 +198,31 @@ architecture rtl of stereo_core_sgm_640_64_f8_dense is
   -- transform
   signal transform_left_0, transform_right_0, transform_left_rows_read_newest_0 : natural range 0 to 255;
   signal transform_left_rows_ready_newest_0, transform_right_rows_read_newest_0 : natural range 0 to 255;
-  signal transform_right_rows_ready_newest_0, transform_left_column_0, transform_left_column_2 : natural range 0 to 255;
-  signal transform_left_column_4, transform_right_column_0, transform_right_column_2 : natural range 0 to 255;
-  signal transform_right_column_4 : natural range 0 to 255;
-  signal transform_left_filter_column_0 : natural_255_1d(0 to 8);  -- transform_left_filter_column_#_0
-  signal transform_left_filter_column_2 : natural_255_1d(0 to 8);  -- transform_left_filter_column_#_2
-  signal transform_left_filter_column_4 : natural_255_1d(0 to 8);  -- transform_left_filter_column_#_4
-  signal transform_right_filter_column_0 : natural_255_1d(0 to 8);  -- transform_right_filter_column_#_0
-  signal transform_right_filter_column_2 : natural_255_1d(0 to 8);  -- transform_right_filter_column_#_2
-  signal transform_right_filter_column_4 : natural_255_1d(0 to 8);  -- transform_right_filter_column_#_4
+  signal transform_right_rows_ready_newest_0 : natural range 0 to 255;
+  signal transform_left_column : natural_255_1d(0 to 2);  -- transform_left_column_2#
+  signal transform_right_column : natural_255_1d(0 to 2);  -- transform_right_column_2#
+  signal transform_left_filter_column : natural_255_2d(0 to 8, 0 to 2);  -- transform_left_filter_column_#_2#
+  signal transform_right_filter_column : natural_255_2d(0 to 8, 0 to 2);  -- transform_right_filter_column_#_2#
   signal transform_valid, transform_counter_next_frame, transform_counter_last_column : boolean;
   signal transform_counter_counts, transform_counter_frame_joins, transform_counter_back_to_back : boolean;
-  signal transform_counter_next_frame_after, transform_read_row_inside_0, transform_read_column_inside_0 : boolean;
-  signal transform_read_column_inside_2, transform_read_column_inside_4, transform_read_column_inside_6 : boolean;
-  signal transform_read_column_inside_8, transform_read_start_of_frame, transform_read_valid : boolean;
-  signal transform_ready_row_inside_0, transform_ready_row_inside_2, transform_ready_row_inside_4 : boolean;
-  signal transform_ready_column_inside_0, transform_ready_column_inside_2, transform_ready_column_inside_4 : boolean;
-  signal transform_ready_column_inside_6, transform_ready_column_inside_8, transform_ready_start_of_frame : boolean;
-  signal transform_ready_valid, transform_reached_first_0, transform_reached_first_2 : boolean;
-  signal transform_reached_first_4 : boolean;
+  signal transform_counter_next_frame_after, transform_read_row_inside_0 : boolean;
+  signal transform_read_column_inside : boolean_1d(0 to 4);  -- transform_read_column_inside_2#
+  signal transform_read_start_of_frame, transform_read_valid : boolean;
+  signal transform_ready_row_inside : boolean_1d(0 to 2);  -- transform_ready_row_inside_2#
+  signal transform_ready_column_inside : boolean_1d(0 to 4);  -- transform_ready_column_inside_2#
+  signal transform_ready_start_of_frame, transform_ready_valid : boolean;
+  signal transform_reached_first : boolean_1d(0 to 2);  -- transform_reached_first_2#
   signal transform_reached_beyond_last : boolean_1d(2 to 3);
-  signal transform_columns_row_inside_0, transform_columns_row_inside_2, transform_columns_row_inside_4 : boolean;
-  signal transform_columns_column_inside_0, transform_columns_column_inside_2 : boolean;
-  signal transform_columns_column_inside_4, transform_columns_column_inside_6 : boolean;
-  signal transform_columns_column_inside_8, transform_columns_start_of_frame, transform_columns_valid : boolean;
-  signal transform_left_filter_low_is_larger_0_0_0, transform_left_filter_low_is_larger_0_0_2 : boolean;
-  signal transform_left_filter_low_is_larger_0_0_4, transform_left_filter_low_is_larger_0_2_0 : boolean;
-  signal transform_left_filter_low_is_larger_0_2_2, transform_left_filter_low_is_larger_0_2_4 : boolean;
+  signal transform_columns_row_inside : boolean_1d(0 to 2);  -- transform_columns_row_inside_2#
+  signal transform_columns_column_inside : boolean_1d(0 to 4);  -- transform_columns_column_inside_2#
+  signal transform_columns_start_of_frame, transform_columns_valid : boolean;
+  signal transform_left_filter_low_is_larger_0 : boolean_2d(0 to 1, 0 to 2);  -- transform_left_filter_low_is_larger_0_2#_2#
   signal transform_left_filter_low_is_larger_0_4_0, transform_left_filter_low_is_larger_0_4_4 : boolean;
-  signal transform_left_filter_low_is_larger_0_6_0, transform_left_filter_low_is_larger_0_6_2 : boolean;
-  signal transform_left_filter_low_is_larger_0_6_4, transform_left_filter_low_is_larger_0_8_0 : boolean;
-  signal transform_left_filter_low_is_larger_0_8_2, transform_left_filter_low_is_larger_0_8_4 : boolean;
-  signal transform_right_filter_low_is_larger_0_0_0, transform_right_filter_low_is_larger_0_0_2 : boolean;
-  signal transform_right_filter_low_is_larger_0_0_4, transform_right_filter_low_is_larger_0_2_0 : boolean;
-  signal transform_right_filter_low_is_larger_0_2_2, transform_right_filter_low_is_larger_0_2_4 : boolean;
+  signal transform_left_filter_low_is_larger_0s : boolean_2d(3 to 4, 0 to 2);  -- transform_left_filter_low_is_larger_0_2#_2#
+  signal transform_right_filter_low_is_larger_0 : boolean_2d(0 to 1, 0 to 2);  -- transform_right_filter_low_is_larger_0_2#_2#
   signal transform_right_filter_low_is_larger_0_4_0, transform_right_filter_low_is_larger_0_4_4 : boolean;
-  signal transform_right_filter_low_is_larger_0_6_0, transform_right_filter_low_is_larger_0_6_2 : boolean;
-  signal transform_right_filter_low_is_larger_0_6_4, transform_right_filter_low_is_larger_0_8_0 : boolean;
-  signal transform_right_filter_low_is_larger_0_8_2, transform_right_filter_low_is_larger_0_8_4 : boolean;
-  signal transform_filtering_0_column_inside_0, transform_filtering_0_column_inside_2 : boolean;
-  signal transform_filtering_0_column_inside_4, transform_filtering_0_column_inside_6 : boolean;
-  signal transform_filtering_0_column_inside_8 : boolean;
+  signal transform_right_filter_low_is_larger_0s : boolean_2d(3 to 4, 0 to 2);  -- transform_right_filter_low_is_larger_0_2#_2#
+  signal transform_filtering_0_column_inside : boolean_1d(0 to 4);  -- transform_filtering_0_column_inside_2#
   signal transform_filtering_start_of_frame : boolean_1d(0 to 2);  -- transform_filtering_#_start_of_frame
   signal transform_filtering_valid : boolean_1d(0 to 2);  -- transform_filtering_#_valid
   signal transform_counter_column, transform_counter_column_after, transform_read_column : natural range 0 to 1023;
@@ -1289,71 +1283,19 @@ begin
   process (clock)
     variable transform_counter_next_frame_is_equal, transform_counter_frame_joins_choice : boolean;
     variable transform_read_column_inside_0_is_less : boolean;
-    variable transform_left_filter_low_is_larger_0_0_0_values : boolean_1d(1 to 4);  -- transform_left_filter_low_is_larger_0_0_0_value_#
-    variable transform_left_filter_low_is_larger_0_0_0_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_0_0_choice_#
+    variable transform_left_filter_low_is_larger_0_value : boolean_3d(0 to 4, 0 to 2, 1 to 4);  -- transform_left_filter_low_is_larger_0_2#_2#_value_#
+    variable transform_left_filter_low_is_larger_0_choice_3 : boolean_2d(0 to 4, 0 to 2);  -- transform_left_filter_low_is_larger_0_2#_2#_choice_3
     variable transform_left_filter_low_is_larger_0_0_2_any : boolean;
-    variable transform_left_filter_low_is_larger_0_0_2_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_0_2_choice_#
     variable transform_left_filter_low_is_larger_0_0_2_is_equal : boolean;
-    variable transform_left_filter_low_is_larger_0_0_2_value : boolean;
-    variable transform_left_filter_low_is_larger_0_0_4_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_0_4_choice_#
-    variable transform_left_filter_low_is_larger_0_0_4_value : boolean;
-    variable transform_left_filter_low_is_larger_0_2_0_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_2_0_choice_#
-    variable transform_left_filter_low_is_larger_0_2_0_value : boolean;
-    variable transform_left_filter_low_is_larger_0_2_2_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_2_2_choice_#
-    variable transform_left_filter_low_is_larger_0_2_2_value : boolean;
-    variable transform_left_filter_low_is_larger_0_2_4_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_2_4_choice_#
-    variable transform_left_filter_low_is_larger_0_2_4_value : boolean;
-    variable transform_left_filter_low_is_larger_0_4_0_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_4_0_choice_#
-    variable transform_left_filter_low_is_larger_0_4_0_value : boolean;
-    variable transform_left_filter_low_is_larger_0_4_4_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_4_4_choice_#
-    variable transform_left_filter_low_is_larger_0_4_4_value : boolean;
-    variable transform_left_filter_low_is_larger_0_6_0_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_6_0_choice_#
-    variable transform_left_filter_low_is_larger_0_6_0_value : boolean;
-    variable transform_left_filter_low_is_larger_0_6_2_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_6_2_choice_#
-    variable transform_left_filter_low_is_larger_0_6_2_value : boolean;
-    variable transform_left_filter_low_is_larger_0_6_4_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_6_4_choice_#
-    variable transform_left_filter_low_is_larger_0_6_4_value : boolean;
-    variable transform_left_filter_low_is_larger_0_8_0_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_8_0_choice_#
-    variable transform_left_filter_low_is_larger_0_8_0_value : boolean;
-    variable transform_left_filter_low_is_larger_0_8_2_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_8_2_choice_#
-    variable transform_left_filter_low_is_larger_0_8_2_value : boolean;
-    variable transform_left_filter_low_is_larger_0_8_4_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_8_4_choice_#
-    variable transform_left_filter_low_is_larger_0_8_4_value : boolean;
     variable transform_left_filter_feature_0_values : boolean_1d(1 to 3);  -- transform_left_filter_feature_0_value_#
-    variable transform_left_filter_feature_0_choices : boolean_1d(1 to 65);  -- transform_left_filter_feature_0_choice_#
+    variable transform_left_filter_feature_0_choice : boolean_1d(3 to 65);
     variable transform_left_filter_feature_0_alls : boolean_1d(1 to 4);  -- transform_left_filter_feature_0_all_#
-    variable transform_right_filter_low_is_larger_0_0_0_values : boolean_1d(1 to 4);  -- transform_right_filter_low_is_larger_0_0_0_value_#
-    variable transform_right_filter_low_is_larger_0_0_0_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_0_0_choice_#
+    variable transform_right_filter_low_is_larger_0_value : boolean_3d(0 to 4, 0 to 2, 1 to 4);  -- transform_right_filter_low_is_larger_0_2#_2#_value_#
+    variable transform_right_filter_low_is_larger_0_choice_3 : boolean_2d(0 to 4, 0 to 2);  -- transform_right_filter_low_is_larger_0_2#_2#_choice_3
     variable transform_right_filter_low_is_larger_0_0_2_any : boolean;
-    variable transform_right_filter_low_is_larger_0_0_2_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_0_2_choice_#
     variable transform_right_filter_low_is_larger_0_0_2_is_equal : boolean;
-    variable transform_right_filter_low_is_larger_0_0_2_value : boolean;
-    variable transform_right_filter_low_is_larger_0_0_4_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_0_4_choice_#
-    variable transform_right_filter_low_is_larger_0_0_4_value : boolean;
-    variable transform_right_filter_low_is_larger_0_2_0_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_2_0_choice_#
-    variable transform_right_filter_low_is_larger_0_2_0_value : boolean;
-    variable transform_right_filter_low_is_larger_0_2_2_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_2_2_choice_#
-    variable transform_right_filter_low_is_larger_0_2_2_value : boolean;
-    variable transform_right_filter_low_is_larger_0_2_4_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_2_4_choice_#
-    variable transform_right_filter_low_is_larger_0_2_4_value : boolean;
-    variable transform_right_filter_low_is_larger_0_4_0_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_4_0_choice_#
-    variable transform_right_filter_low_is_larger_0_4_0_value : boolean;
-    variable transform_right_filter_low_is_larger_0_4_4_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_4_4_choice_#
-    variable transform_right_filter_low_is_larger_0_4_4_value : boolean;
-    variable transform_right_filter_low_is_larger_0_6_0_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_6_0_choice_#
-    variable transform_right_filter_low_is_larger_0_6_0_value : boolean;
-    variable transform_right_filter_low_is_larger_0_6_2_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_6_2_choice_#
-    variable transform_right_filter_low_is_larger_0_6_2_value : boolean;
-    variable transform_right_filter_low_is_larger_0_6_4_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_6_4_choice_#
-    variable transform_right_filter_low_is_larger_0_6_4_value : boolean;
-    variable transform_right_filter_low_is_larger_0_8_0_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_8_0_choice_#
-    variable transform_right_filter_low_is_larger_0_8_0_value : boolean;
-    variable transform_right_filter_low_is_larger_0_8_2_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_8_2_choice_#
-    variable transform_right_filter_low_is_larger_0_8_2_value : boolean;
-    variable transform_right_filter_low_is_larger_0_8_4_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_8_4_choice_#
-    variable transform_right_filter_low_is_larger_0_8_4_value : boolean;
     variable transform_right_filter_feature_0_values : boolean_1d(1 to 3);  -- transform_right_filter_feature_0_value_#
-    variable transform_right_filter_feature_0_choices : boolean_1d(1 to 70);  -- transform_right_filter_feature_0_choice_#
+    variable transform_right_filter_feature_0_choice : boolean_1d(3 to 70);
     variable transform_right_filter_feature_0_alls : boolean_1d(1 to 5);  -- transform_right_filter_feature_0_all_#
     variable raster_place_next_frame_is_equal, raster_place_back_to_back_choice : boolean;
     variable delay_row_inside_1_is_not_less, delay_row_inside_1_is_less, delay_tag_map_column_is_not_less : boolean;
@@ -1361,11 +1303,9 @@ begin
     variable line_order_falls_all, line_order_turned_output_column_choice, costsshift_search_0_0_is_equal : boolean;
     variable costscolumn_pixels_first_0_count_value : boolean_3d(0 to 2, 0 to 4, 1 to 3);  -- costscolumn_pixels_first_#_0_count_#_value_#
     variable costswindow_partial_0_any, pathsleft_read_count_phase_is_equal : boolean;
-    variable pathsleft_stay_0_values : boolean_1d(1 to 10);  -- pathsleft_stay_0_value_#
-    variable pathsleft_stay_value : boolean_2d(1 to 3, 1 to 2);  -- pathsleft_stay_#_value_#
+    variable pathsleft_stay_value : boolean_2d(0 to 7, 1 to 10);  -- pathsleft_stay_#_value_#
     variable pathsleft_stay_0_is_equal : boolean;
-    variable pathsleft_stay_choice : boolean_2d(0 to 7, 1 to 15);  -- pathsleft_stay_#_choice_#
-    variable pathsleft_stay_values : boolean_2d(5 to 7, 1 to 2);  -- pathsleft_stay_#_value_#
+    variable pathsleft_stay_choice : boolean_2d(0 to 7, 7 to 15);  -- pathsleft_stay_#_choice_#
     variable pathsleft_cost_0_any : boolean;
     variable pathsabove_ready_top_choices : boolean_1d(1 to 2);  -- pathsabove_ready_top_choice_#
     variable pathsabove_count_phase_is_equal : boolean;
@@ -1374,23 +1314,21 @@ begin
     variable pathsabove_memory_write_words_0_all : boolean_1d(0 to 1);  -- pathsabove_memory_write_words_#_0_all
     variable pathsturn_sum_memory_write_words_0_all : boolean_1d(0 to 1);  -- pathsturn_sum_memory_write_words_#_0_all
     variable pathsturn_cost_memory_write_words_0_all : boolean_1d(0 to 1);  -- pathsturn_cost_memory_write_words_#_0_all
-    variable pathsright_stay_0_values : boolean_1d(1 to 10);  -- pathsright_stay_0_value_#
-    variable pathsright_stay_value : boolean_2d(1 to 3, 1 to 2);  -- pathsright_stay_#_value_#
+    variable pathsright_stay_value : boolean_2d(0 to 7, 1 to 10);  -- pathsright_stay_#_value_#
     variable pathsright_stay_0_is_equal : boolean;
-    variable pathsright_stay_choice : boolean_2d(0 to 7, 1 to 15);  -- pathsright_stay_#_choice_#
-    variable pathsright_stay_values : boolean_2d(5 to 7, 1 to 2);  -- pathsright_stay_#_value_#
+    variable pathsright_stay_choice : boolean_2d(0 to 7, 7 to 15);  -- pathsright_stay_#_choice_#
     variable winnerswinner1_best_index_0_value : boolean_2d(0 to 3, 1 to 7);  -- winnerswinner1_best_index_0_#_value_#
-    variable winnerswinner1_best_index_0_choice : boolean_2d(0 to 3, 1 to 8);  -- winnerswinner1_best_index_0_#_choice_#
-    variable winnerswinner2_best_index_0_choice : boolean_2d(0 to 1, 1 to 8);  -- winnerswinner2_best_index_0_#_choice_#
+    variable winnerswinner1_best_index_0_choice_8 : boolean_1d(0 to 3);  -- winnerswinner1_best_index_0_#_choice_8
+    variable winnerswinner2_best_index_0_choice : boolean_2d(0 to 1, 7 to 8);  -- winnerswinner2_best_index_0_#_choice_#
     variable winnerswinner2_best_index_0_value : boolean_2d(0 to 1, 1 to 5);  -- winnerswinner2_best_index_0_#_value_#
     variable winnerswinner2_best_below_0_is_equal : boolean_1d(0 to 1);  -- winnerswinner2_best_below_0_#_is_equal
     variable winnerswinner2_best_at_start_0_choice : boolean_1d(0 to 1);  -- winnerswinner2_best_at_start_0_#_choice
-    variable winnerswinner3_best_index_0_0_choices : boolean_1d(1 to 8);  -- winnerswinner3_best_index_0_0_choice_#
+    variable winnerswinner3_best_index_0_0_choice : boolean_1d(7 to 8);
     variable winnerswinner3_best_index_0_0_values : boolean_1d(1 to 5);  -- winnerswinner3_best_index_0_0_value_#
     variable winnerswinner3_best_below_0_0_is_equal, winnerswinner3_best_above_0_0_is_equal : boolean;
     variable winnerswinner3_best_at_start_0_0_choice, winners_best_index_0_0_is_less : boolean;
     variable winners_best_below_0_0_is_equal, winners_best_above_0_0_is_equal, other_0_is_equal, other_12_any : boolean;
-    variable other_choice : boolean_2d(12 to 13, 1 to 42);  -- other_#_choice_#
+    variable other_choice : boolean_2d(12 to 13, 7 to 42);  -- other_#_choice_#
     variable other_value : boolean_2d(12 to 13, 1 to 21);  -- other_#_value_#
     variable other_all : boolean_2d(12 to 13, 1 to 4);  -- other_#_all_#
     variable other_12_differs, refinement_below_0_differs, refinement_divisor_0_0_is_less : boolean;
@@ -1418,7 +1356,7 @@ begin
     variable fill_ends_row_place_0_all, fill_beside_0_left_any, median_counter_group_is_equal : boolean;
     variable median_line_ended_choice, median_window_complete_is_equal, median_window_complete_choice : boolean;
     variable median_low_0_all : boolean_1d(0 to 1);  -- median_low_#_0_all
-    variable relief_newest_choices : boolean_1d(1 to 15);  -- relief_newest_choice_#
+    variable relief_newest_choice : boolean_1d(7 to 15);
     variable relief_newest_values : boolean_1d(1 to 5);  -- relief_newest_value_#
     variable transform_counter_group_after_choice, raster_place_group_after_choice : natural range 0 to 511;
     variable winners_best_cost_0_0_choice : natural range 0 to 511;
@@ -1451,11 +1389,11 @@ begin
     variable costs_cost_choice : natural_21_1d(0 to 7);  -- costs_cost_#_choice
     variable paths_smallest_cost_choice : natural range 0 to 21;
     variable pathsleft_stay_choice_16 : natural_127_1d(0 to 7);  -- pathsleft_stay_#_choice_16
-    variable pathsleft_stay_values_from_1 : natural_127_2d(1 to 6, 3 to 4);  -- pathsleft_stay_#_value_#
+    variable pathsleft_stay_values : natural_127_2d(1 to 6, 3 to 4);  -- pathsleft_stay_#_value_#
     variable pathsleft_step_choice : natural_127_2d(0 to 7, 1 to 2);  -- pathsleft_step_#_choice_#
     variable pathsleft_low_0_choice : natural range 0 to 127;
     variable pathsright_stay_choice_16 : natural_127_1d(0 to 7);  -- pathsright_stay_#_choice_16
-    variable pathsright_stay_values_from_1 : natural_127_2d(1 to 6, 3 to 4);  -- pathsright_stay_#_value_#
+    variable pathsright_stay_values : natural_127_2d(1 to 6, 3 to 4);  -- pathsright_stay_#_value_#
     variable pathsright_step_choice : natural_127_2d(0 to 7, 1 to 2);  -- pathsright_step_#_choice_#
     variable pathsright_low_0_choice : natural range 0 to 127;
     variable support_like_0_value : natural_127_2d(0 to 6, 0 to 4);  -- support_like_0_#_#_value
@@ -1469,7 +1407,7 @@ begin
     variable pathsabove_memory_bank_choices : natural_8191_1d(1 to 2);  -- pathsabove_memory_bank_choice_#
     variable pathsabove_write_address_address_choice, pathsturn_cost_memory_bank_choice : natural range 0 to 8191;
     variable pathsabove_total_choice : natural_31_1d(0 to 7);  -- pathsabove_total_#_choice
-    variable pathsabove_beside_0_choice, pathsabove_beside_7_choice : natural range 0 to 31;
+    variable pathsabove_beside_choice : natural_31_1d(0 to 7);  -- pathsabove_beside_#_choice
     variable pathsabove_memory_write_words_0_choice : natural_31_2d(0 to 2, 1 to 3);  -- pathsabove_memory_write_words_0_#_choice_#
     variable other_base_choice, relief_newest_choice_16 : natural range 0 to 31;
     variable pathsabove_smallest_total_choice : natural range 0 to 52;
@@ -1483,21 +1421,11 @@ begin
     variable winnerswinner3_best_second_0_0_choices : natural_255_1d(1 to 4);  -- winnerswinner3_best_second_0_0_choice_#
     variable winners_best_cost_0_0_choice_2, winners_best_index_0_0_choice : natural range 0 to 255;
     variable winners_best_second_0_0_choices : natural_255_1d(1 to 7);  -- winners_best_second_0_0_choice_#
-    variable other_4_choice : natural range 0 to 255;
-    variable other_12_choices : natural_255_1d(10 to 11);  -- other_12_choice_#
-    variable other_12_choices_from_21 : natural_255_1d(21 to 22);  -- other_12_choice_#
-    variable other_12_choices_from_32 : natural_255_1d(32 to 33);  -- other_12_choice_#
-    variable other_12_choices_from_43 : natural_255_1d(43 to 44);  -- other_12_choice_#
-    variable other_13_choices : natural_255_1d(10 to 11);  -- other_13_choice_#
-    variable other_13_choices_from_20 : natural_255_1d(20 to 21);  -- other_13_choice_#
-    variable other_13_choices_from_31 : natural_255_1d(31 to 32);  -- other_13_choice_#
-    variable other_13_choices_from_42 : natural_255_1d(42 to 43);  -- other_13_choice_#
-    variable other_choices : natural_255_2d(14 to 15, 1 to 8);  -- other_#_choice_#
+    variable other_choices : natural_255_1d(4 to 15);  -- other_#_choice
+    variable other_choices_from_12 : natural_255_2d(12 to 15, 2 to 44);  -- other_#_choice_#
     variable refinement_divisor_0_0_choice, support_out_sure_0_choice : natural range 0 to 255;
     variable relief_newest_values_from_6 : natural_255_1d(6 to 7);  -- relief_newest_value_#
-    variable pathsturn_sum_memory_write_words_0_0_sum : natural range 0 to 158;
-    variable pathsturn_sum_memory_write_words_0_1_sum : natural range 0 to 158;
-    variable pathsturn_sum_memory_write_words_0_2_sum : natural range 0 to 158;
+    variable pathsturn_sum_memory_write_words_0_sum : natural_158_1d(0 to 2);  -- pathsturn_sum_memory_write_words_0_#_sum
     variable winnerswinner2_best_below_0_choice : natural_254_1d(0 to 1);  -- winnerswinner2_best_below_0_#_choice
     variable winnerswinner2_best_above_0_choice : natural_254_1d(0 to 1);  -- winnerswinner2_best_above_0_#_choice
     variable winnerswinner3_best_below_0_0_choice, winnerswinner3_best_above_0_0_choice : natural range 0 to 254;
@@ -1523,18 +1451,31 @@ begin
   begin
     if rising_edge(clock) then
       -- no bit without a value, where an array has places for more
+      transform_left_filter_low_is_larger_0_value := (others => (others => (others => false)));
+      transform_left_filter_low_is_larger_0_choice_3 := (others => (others => false));
+      transform_left_filter_feature_0_choice := (others => false);
+      transform_right_filter_low_is_larger_0_value := (others => (others => (others => false)));
+      transform_right_filter_low_is_larger_0_choice_3 := (others => (others => false));
+      transform_right_filter_feature_0_choice := (others => false);
       costscolumn_pixels_first_0_count_value := (others => (others => (others => false)));
+      pathsleft_stay_value := (others => (others => false));
+      pathsleft_stay_choice := (others => (others => false));
+      pathsright_stay_value := (others => (others => false));
+      pathsright_stay_choice := (others => (others => false));
       other_choice := (others => (others => false));
       other_value := (others => (others => false));
       other_all := (others => (others => false));
       support_like_0_0_choice := (others => false);
       support_like_0_1_differs := (others => false);
       pathsright_stay_change_value := (others => 0);
-      pathsleft_stay_values_from_1 := (others => (others => 0));
+      pathsleft_stay_values := (others => (others => 0));
       pathsleft_step_choice := (others => (others => 0));
-      pathsright_stay_values_from_1 := (others => (others => 0));
+      pathsright_stay_values := (others => (others => 0));
       pathsright_step_choice := (others => (others => 0));
+      pathsabove_beside_choice := (others => 0);
       pathsabove_memory_write_words_0_choice := (others => (others => 0));
+      other_choices := (others => 0);
+      other_choices_from_12 := (others => (others => 0));
       -- transform
       transform_counter_next_frame_is_equal := transform_counter_column = 639;
       transform_counter_frame_joins_choice := choice(transform_counter_last_column, (not
@@ -1542,598 +1483,198 @@ begin
       transform_counter_group_after_choice := choice(transform_counter_back_to_back, 2, (transform_counter_group + 1)
         mod 512);
       transform_read_column_inside_0_is_less := 3 < transform_counter_column;
-      transform_left_filter_low_is_larger_0_0_0_values(1) := is_set(transform_left_filter_column_2(4), 1);
-      transform_left_filter_low_is_larger_0_0_0_choices(1) := choice(is_set(transform_left_filter_column_2(4), 0), not
-        is_set(transform_left_filter_column_0(0), 1), (transform_left_filter_column_0(0) mod 4) = 0);
-      transform_left_filter_low_is_larger_0_0_0_choices(2) :=
-        choice(transform_left_filter_low_is_larger_0_0_0_values(1), is_set(transform_left_filter_column_2(4), 0) or
-        (not is_set(transform_left_filter_column_0(0), 1)) or (not is_set(transform_left_filter_column_0(0), 0)),
-        transform_left_filter_low_is_larger_0_0_0_choices(1));
-      transform_left_filter_low_is_larger_0_0_0_values(2) := is_set(transform_left_filter_column_2(4), 2);
-      transform_left_filter_low_is_larger_0_0_0_values(3) := is_set(transform_left_filter_column_0(0), 2);
-      transform_left_filter_low_is_larger_0_0_0_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_0_0_choices(2), not
-        transform_left_filter_low_is_larger_0_0_0_values(2), transform_left_filter_low_is_larger_0_0_0_values(3));
-      transform_left_filter_low_is_larger_0_0_0_values(4) := is_set(transform_left_filter_column_0(0), 3);
-      transform_left_filter_low_is_larger_0_0_2_any := (not transform_left_filter_low_is_larger_0_0_0_values(1)) or
-        (not is_set(transform_left_filter_column_2(4), 0));
-      transform_left_filter_low_is_larger_0_0_2_choices(1) := choice(is_set(transform_left_filter_column_2(0), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_0_2_is_equal := (transform_left_filter_column_2(4) mod 4) = 0;
-      transform_left_filter_low_is_larger_0_0_2_choices(2) := choice(is_set(transform_left_filter_column_2(0), 1),
-        transform_left_filter_low_is_larger_0_0_2_choices(1), is_set(transform_left_filter_column_2(0), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_0_2_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_0_2_choices(2), not
-        is_set(transform_left_filter_column_2(0), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_0_2_value := is_set(transform_left_filter_column_2(0), 3);
-      transform_left_filter_low_is_larger_0_0_4_choices(1) := choice(is_set(transform_left_filter_column_4(0), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_0_4_choices(2) := choice(is_set(transform_left_filter_column_4(0), 1),
-        transform_left_filter_low_is_larger_0_0_4_choices(1), is_set(transform_left_filter_column_4(0), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_0_4_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_0_4_choices(2), not
-        is_set(transform_left_filter_column_4(0), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_0_4_value := is_set(transform_left_filter_column_4(0), 3);
-      transform_left_filter_low_is_larger_0_2_0_choices(1) := choice(is_set(transform_left_filter_column_0(2), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_2_0_choices(2) := choice(is_set(transform_left_filter_column_0(2), 1),
-        transform_left_filter_low_is_larger_0_2_0_choices(1), is_set(transform_left_filter_column_0(2), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_2_0_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_2_0_choices(2), not
-        is_set(transform_left_filter_column_0(2), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_2_0_value := is_set(transform_left_filter_column_0(2), 3);
-      transform_left_filter_low_is_larger_0_2_2_choices(1) := choice(is_set(transform_left_filter_column_2(2), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_2_2_choices(2) := choice(is_set(transform_left_filter_column_2(2), 1),
-        transform_left_filter_low_is_larger_0_2_2_choices(1), is_set(transform_left_filter_column_2(2), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_2_2_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_2_2_choices(2), not
-        is_set(transform_left_filter_column_2(2), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_2_2_value := is_set(transform_left_filter_column_2(2), 3);
-      transform_left_filter_low_is_larger_0_2_4_choices(1) := choice(is_set(transform_left_filter_column_4(2), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_2_4_choices(2) := choice(is_set(transform_left_filter_column_4(2), 1),
-        transform_left_filter_low_is_larger_0_2_4_choices(1), is_set(transform_left_filter_column_4(2), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_2_4_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_2_4_choices(2), not
-        is_set(transform_left_filter_column_4(2), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_2_4_value := is_set(transform_left_filter_column_4(2), 3);
-      transform_left_filter_low_is_larger_0_4_0_choices(1) := choice(is_set(transform_left_filter_column_0(4), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_4_0_choices(2) := choice(is_set(transform_left_filter_column_0(4), 1),
-        transform_left_filter_low_is_larger_0_4_0_choices(1), is_set(transform_left_filter_column_0(4), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_4_0_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_4_0_choices(2), not
-        is_set(transform_left_filter_column_0(4), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_4_0_value := is_set(transform_left_filter_column_0(4), 3);
-      transform_left_filter_low_is_larger_0_4_4_choices(1) := choice(is_set(transform_left_filter_column_4(4), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_4_4_choices(2) := choice(is_set(transform_left_filter_column_4(4), 1),
-        transform_left_filter_low_is_larger_0_4_4_choices(1), is_set(transform_left_filter_column_4(4), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_4_4_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_4_4_choices(2), not
-        is_set(transform_left_filter_column_4(4), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_4_4_value := is_set(transform_left_filter_column_4(4), 3);
-      transform_left_filter_low_is_larger_0_6_0_choices(1) := choice(is_set(transform_left_filter_column_0(6), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_6_0_choices(2) := choice(is_set(transform_left_filter_column_0(6), 1),
-        transform_left_filter_low_is_larger_0_6_0_choices(1), is_set(transform_left_filter_column_0(6), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_6_0_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_6_0_choices(2), not
-        is_set(transform_left_filter_column_0(6), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_6_0_value := is_set(transform_left_filter_column_0(6), 3);
-      transform_left_filter_low_is_larger_0_6_2_choices(1) := choice(is_set(transform_left_filter_column_2(6), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_6_2_choices(2) := choice(is_set(transform_left_filter_column_2(6), 1),
-        transform_left_filter_low_is_larger_0_6_2_choices(1), is_set(transform_left_filter_column_2(6), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_6_2_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_6_2_choices(2), not
-        is_set(transform_left_filter_column_2(6), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_6_2_value := is_set(transform_left_filter_column_2(6), 3);
-      transform_left_filter_low_is_larger_0_6_4_choices(1) := choice(is_set(transform_left_filter_column_4(6), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_6_4_choices(2) := choice(is_set(transform_left_filter_column_4(6), 1),
-        transform_left_filter_low_is_larger_0_6_4_choices(1), is_set(transform_left_filter_column_4(6), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_6_4_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_6_4_choices(2), not
-        is_set(transform_left_filter_column_4(6), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_6_4_value := is_set(transform_left_filter_column_4(6), 3);
-      transform_left_filter_low_is_larger_0_8_0_choices(1) := choice(is_set(transform_left_filter_column_0(8), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_8_0_choices(2) := choice(is_set(transform_left_filter_column_0(8), 1),
-        transform_left_filter_low_is_larger_0_8_0_choices(1), is_set(transform_left_filter_column_0(8), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_8_0_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_8_0_choices(2), not
-        is_set(transform_left_filter_column_0(8), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_8_0_value := is_set(transform_left_filter_column_0(8), 3);
-      transform_left_filter_low_is_larger_0_8_2_choices(1) := choice(is_set(transform_left_filter_column_2(8), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_8_2_choices(2) := choice(is_set(transform_left_filter_column_2(8), 1),
-        transform_left_filter_low_is_larger_0_8_2_choices(1), is_set(transform_left_filter_column_2(8), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_8_2_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_8_2_choices(2), not
-        is_set(transform_left_filter_column_2(8), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_8_2_value := is_set(transform_left_filter_column_2(8), 3);
-      transform_left_filter_low_is_larger_0_8_4_choices(1) := choice(is_set(transform_left_filter_column_4(8), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_8_4_choices(2) := choice(is_set(transform_left_filter_column_4(8), 1),
-        transform_left_filter_low_is_larger_0_8_4_choices(1), is_set(transform_left_filter_column_4(8), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_8_4_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_8_4_choices(2), not
-        is_set(transform_left_filter_column_4(8), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_8_4_value := is_set(transform_left_filter_column_4(8), 3);
-      transform_left_filter_feature_0_values(1) := is_set(transform_left_filter_column_2(4), 4);
-      transform_left_filter_feature_0_choices(1) := inverted_carry(is_set(transform_left_filter_column_0(0), 4), not
-        transform_left_filter_low_is_larger_0_0_0, transform_left_filter_feature_0_values(1));
-      for i in 2 to 3 loop
-        transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column_2(4), i + 3);
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_0(0), i + 3), transform_left_filter_feature_0_values(i));
+      transform_left_filter_low_is_larger_0_value(0, 0, 1) := is_set(transform_left_filter_column(4, 1), 1);
+      transform_left_filter_low_is_larger_0_value(0, 0, 2) := is_set(transform_left_filter_column(4, 1), 2);
+      transform_left_filter_low_is_larger_0_value(0, 0, 3) := is_set(transform_left_filter_column(0, 0), 2);
+      transform_left_filter_low_is_larger_0_choice_3(0, 0) := not is_larger(transform_left_filter_column(4, 1),
+        transform_left_filter_column(0, 0), 0, 2, true);
+      transform_left_filter_low_is_larger_0_value(0, 0, 4) := is_set(transform_left_filter_column(0, 0), 3);
+      transform_left_filter_low_is_larger_0_0_2_any := (not transform_left_filter_low_is_larger_0_value(0, 0, 1)) or
+        (not is_set(transform_left_filter_column(4, 1), 0));
+      transform_left_filter_low_is_larger_0_0_2_is_equal := (transform_left_filter_column(4, 1) mod 4) = 0;
+      for i in 0 to 1 loop
+        transform_left_filter_low_is_larger_0_choice_3(2 * i, 1 - i) := not is_larger(transform_left_filter_column(4 *
+          i, 1 - i), transform_left_filter_column(4, 1), 0, 2, false);
+        transform_left_filter_low_is_larger_0_value(2 * i, 1 - i, 1) := is_set(transform_left_filter_column(4 * i, 1 -
+          i), 3);
+        transform_left_filter_low_is_larger_0_choice_3(2 * i, 2) := not is_larger(transform_left_filter_column(4 * i,
+          2), transform_left_filter_column(4, 1), 0, 2, false);
+        transform_left_filter_low_is_larger_0_value(2 * i, 2, 1) := is_set(transform_left_filter_column(4 * i, 2), 3);
+        for j in 0 to 2 loop
+          transform_left_filter_low_is_larger_0_choice_3(2 * i + 1, j) := not is_larger(transform_left_filter_column(4
+            * i + 2, j), transform_left_filter_column(4, 1), 0, 2, false);
+          transform_left_filter_low_is_larger_0_value(2 * i + 1, j, 1) := is_set(transform_left_filter_column(4 * i +
+            2, j), 3);
+        end loop;
       end loop;
-      transform_left_filter_feature_0_alls(1) := transform_filtering_0_column_inside_0 and (not
-        is_set(transform_left_filter_column_2(4), 7));
-      transform_left_filter_feature_0_choices(4) := choice(is_set(transform_left_filter_column_0(0), 7),
-        transform_filtering_0_column_inside_0, transform_left_filter_feature_0_alls(1));
-      transform_left_filter_feature_0_choices(5) := choice(transform_left_filter_feature_0_choices(3),
-        is_set(transform_left_filter_column_0(0), 7) and transform_filtering_0_column_inside_0 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(4));
-      transform_left_filter_feature_0_choices(6) := inverted_carry(is_set(transform_left_filter_column_2(0), 4), not
-        transform_left_filter_low_is_larger_0_0_2, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(7) := carry(transform_left_filter_feature_0_choices(6), not
-        is_set(transform_left_filter_column_2(0), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(8) := carry(transform_left_filter_feature_0_choices(7), not
-        is_set(transform_left_filter_column_2(0), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_choices(9) := choice(is_set(transform_left_filter_column_2(0), 7),
-        transform_filtering_0_column_inside_0, transform_left_filter_feature_0_alls(1));
-      transform_left_filter_feature_0_choices(10) := choice(transform_left_filter_feature_0_choices(8),
-        is_set(transform_left_filter_column_2(0), 7) and transform_filtering_0_column_inside_0 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(9));
-      transform_left_filter_feature_0_choices(11) := inverted_carry(is_set(transform_left_filter_column_4(0), 4), not
-        transform_left_filter_low_is_larger_0_0_4, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(12) := carry(transform_left_filter_feature_0_choices(11), not
-        is_set(transform_left_filter_column_4(0), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(13) := carry(transform_left_filter_feature_0_choices(12), not
-        is_set(transform_left_filter_column_4(0), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_choices(14) := choice(transform_left_filter_feature_0_choices(13),
-        transform_filtering_0_column_inside_0 and is_set(transform_left_filter_column_4(0), 7) and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_0 and
-        (is_set(transform_left_filter_column_4(0), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
-      transform_left_filter_feature_0_choices(15) := inverted_carry(is_set(transform_left_filter_column_2(2), 4), not
-        transform_left_filter_low_is_larger_0_2_2, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(16) := carry(transform_left_filter_feature_0_choices(15), not
-        is_set(transform_left_filter_column_2(2), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(17) := carry(transform_left_filter_feature_0_choices(16), not
-        is_set(transform_left_filter_column_2(2), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_alls(2) := transform_filtering_0_column_inside_2 and (not
-        is_set(transform_left_filter_column_2(4), 7));
-      transform_left_filter_feature_0_choices(18) := choice(is_set(transform_left_filter_column_2(2), 7),
-        transform_filtering_0_column_inside_2, transform_left_filter_feature_0_alls(2));
-      transform_left_filter_feature_0_choices(19) := choice(transform_left_filter_feature_0_choices(17),
-        is_set(transform_left_filter_column_2(2), 7) and transform_filtering_0_column_inside_2 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(18));
-      transform_left_filter_feature_0_choices(20) := inverted_carry(is_set(transform_left_filter_column_0(2), 4), not
-        transform_left_filter_low_is_larger_0_2_0, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(21) := carry(transform_left_filter_feature_0_choices(20), not
-        is_set(transform_left_filter_column_0(2), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(22) := carry(transform_left_filter_feature_0_choices(21), not
-        is_set(transform_left_filter_column_0(2), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_choices(23) := choice(is_set(transform_left_filter_column_0(2), 7),
-        transform_filtering_0_column_inside_2, transform_left_filter_feature_0_alls(2));
-      transform_left_filter_feature_0_choices(24) := choice(transform_left_filter_feature_0_choices(22),
-        is_set(transform_left_filter_column_0(2), 7) and transform_filtering_0_column_inside_2 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(23));
-      transform_left_filter_feature_0_choices(25) := inverted_carry(is_set(transform_left_filter_column_4(2), 4), not
-        transform_left_filter_low_is_larger_0_2_4, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(26) := carry(transform_left_filter_feature_0_choices(25), not
-        is_set(transform_left_filter_column_4(2), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(27) := carry(transform_left_filter_feature_0_choices(26), not
-        is_set(transform_left_filter_column_4(2), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_choices(28) := choice(transform_left_filter_feature_0_choices(27),
-        transform_filtering_0_column_inside_2 and is_set(transform_left_filter_column_4(2), 7) and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_2 and
-        (is_set(transform_left_filter_column_4(2), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
-      transform_left_filter_feature_0_choices(29) := inverted_carry(is_set(transform_left_filter_column_0(4), 4), not
-        transform_left_filter_low_is_larger_0_4_0, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(30) := carry(transform_left_filter_feature_0_choices(29), not
-        is_set(transform_left_filter_column_0(4), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(31) := carry(transform_left_filter_feature_0_choices(30), not
-        is_set(transform_left_filter_column_0(4), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_choices(32) := choice(is_set(transform_left_filter_column_0(4), 7),
-        transform_filtering_0_column_inside_4, transform_filtering_0_column_inside_4 and (not
-        is_set(transform_left_filter_column_2(4), 7)));
-      transform_left_filter_feature_0_choices(33) := choice(transform_left_filter_feature_0_choices(31),
-        is_set(transform_left_filter_column_0(4), 7) and transform_filtering_0_column_inside_4 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(32));
-      transform_left_filter_feature_0_choices(34) := inverted_carry(is_set(transform_left_filter_column_4(4), 4), not
-        transform_left_filter_low_is_larger_0_4_4, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(35) := carry(transform_left_filter_feature_0_choices(34), not
-        is_set(transform_left_filter_column_4(4), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(36) := carry(transform_left_filter_feature_0_choices(35), not
-        is_set(transform_left_filter_column_4(4), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_choices(37) := choice(transform_left_filter_feature_0_choices(36),
-        transform_filtering_0_column_inside_4 and is_set(transform_left_filter_column_4(4), 7) and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_4 and
-        (is_set(transform_left_filter_column_4(4), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
-      transform_left_filter_feature_0_choices(38) := inverted_carry(is_set(transform_left_filter_column_2(6), 4), not
-        transform_left_filter_low_is_larger_0_6_2, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(39) := carry(transform_left_filter_feature_0_choices(38), not
-        is_set(transform_left_filter_column_2(6), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(40) := carry(transform_left_filter_feature_0_choices(39), not
-        is_set(transform_left_filter_column_2(6), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_alls(3) := transform_filtering_0_column_inside_6 and (not
-        is_set(transform_left_filter_column_2(4), 7));
-      transform_left_filter_feature_0_choices(41) := choice(is_set(transform_left_filter_column_2(6), 7),
-        transform_filtering_0_column_inside_6, transform_left_filter_feature_0_alls(3));
-      transform_left_filter_feature_0_choices(42) := choice(transform_left_filter_feature_0_choices(40),
-        is_set(transform_left_filter_column_2(6), 7) and transform_filtering_0_column_inside_6 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(41));
-      transform_left_filter_feature_0_choices(43) := inverted_carry(is_set(transform_left_filter_column_0(6), 4), not
-        transform_left_filter_low_is_larger_0_6_0, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(44) := carry(transform_left_filter_feature_0_choices(43), not
-        is_set(transform_left_filter_column_0(6), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(45) := carry(transform_left_filter_feature_0_choices(44), not
-        is_set(transform_left_filter_column_0(6), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_choices(46) := choice(is_set(transform_left_filter_column_0(6), 7),
-        transform_filtering_0_column_inside_6, transform_left_filter_feature_0_alls(3));
-      transform_left_filter_feature_0_choices(47) := choice(transform_left_filter_feature_0_choices(45),
-        is_set(transform_left_filter_column_0(6), 7) and transform_filtering_0_column_inside_6 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(46));
-      transform_left_filter_feature_0_choices(48) := inverted_carry(is_set(transform_left_filter_column_4(6), 4), not
-        transform_left_filter_low_is_larger_0_6_4, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(49) := carry(transform_left_filter_feature_0_choices(48), not
-        is_set(transform_left_filter_column_4(6), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(50) := carry(transform_left_filter_feature_0_choices(49), not
-        is_set(transform_left_filter_column_4(6), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_choices(51) := choice(transform_left_filter_feature_0_choices(50),
-        transform_filtering_0_column_inside_6 and is_set(transform_left_filter_column_4(6), 7) and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_6 and
-        (is_set(transform_left_filter_column_4(6), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
-      transform_left_filter_feature_0_choices(52) := inverted_carry(is_set(transform_left_filter_column_2(8), 4), not
-        transform_left_filter_low_is_larger_0_8_2, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(53) := carry(transform_left_filter_feature_0_choices(52), not
-        is_set(transform_left_filter_column_2(8), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(54) := carry(transform_left_filter_feature_0_choices(53), not
-        is_set(transform_left_filter_column_2(8), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_alls(4) := transform_filtering_0_column_inside_8 and (not
-        is_set(transform_left_filter_column_2(4), 7));
-      transform_left_filter_feature_0_choices(55) := choice(is_set(transform_left_filter_column_2(8), 7),
-        transform_filtering_0_column_inside_8, transform_left_filter_feature_0_alls(4));
-      transform_left_filter_feature_0_choices(56) := choice(transform_left_filter_feature_0_choices(54),
-        is_set(transform_left_filter_column_2(8), 7) and transform_filtering_0_column_inside_8 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(55));
-      transform_left_filter_feature_0_choices(57) := inverted_carry(is_set(transform_left_filter_column_0(8), 4), not
-        transform_left_filter_low_is_larger_0_8_0, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(58) := carry(transform_left_filter_feature_0_choices(57), not
-        is_set(transform_left_filter_column_0(8), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(59) := carry(transform_left_filter_feature_0_choices(58), not
-        is_set(transform_left_filter_column_0(8), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_choices(60) := choice(is_set(transform_left_filter_column_0(8), 7),
-        transform_filtering_0_column_inside_8, transform_left_filter_feature_0_alls(4));
-      transform_left_filter_feature_0_choices(61) := choice(transform_left_filter_feature_0_choices(59),
-        is_set(transform_left_filter_column_0(8), 7) and transform_filtering_0_column_inside_8 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(60));
-      transform_left_filter_feature_0_choices(62) := inverted_carry(is_set(transform_left_filter_column_4(8), 4), not
-        transform_left_filter_low_is_larger_0_8_4, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(63) := carry(transform_left_filter_feature_0_choices(62), not
-        is_set(transform_left_filter_column_4(8), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(64) := carry(transform_left_filter_feature_0_choices(63), not
-        is_set(transform_left_filter_column_4(8), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_choices(65) := choice(transform_left_filter_feature_0_choices(64),
-        transform_filtering_0_column_inside_8 and is_set(transform_left_filter_column_4(8), 7) and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_8 and
-        (is_set(transform_left_filter_column_4(8), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
-      transform_right_filter_low_is_larger_0_0_0_values(1) := is_set(transform_right_filter_column_2(4), 1);
-      transform_right_filter_low_is_larger_0_0_0_choices(1) := choice(is_set(transform_right_filter_column_2(4), 0),
-        not is_set(transform_right_filter_column_0(0), 1), (transform_right_filter_column_0(0) mod 4) = 0);
-      transform_right_filter_low_is_larger_0_0_0_choices(2) :=
-        choice(transform_right_filter_low_is_larger_0_0_0_values(1), is_set(transform_right_filter_column_2(4), 0) or
-        (not is_set(transform_right_filter_column_0(0), 1)) or (not is_set(transform_right_filter_column_0(0), 0)),
-        transform_right_filter_low_is_larger_0_0_0_choices(1));
-      transform_right_filter_low_is_larger_0_0_0_values(2) := is_set(transform_right_filter_column_2(4), 2);
-      transform_right_filter_low_is_larger_0_0_0_values(3) := is_set(transform_right_filter_column_0(0), 2);
-      transform_right_filter_low_is_larger_0_0_0_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_0_0_choices(2), not
-        transform_right_filter_low_is_larger_0_0_0_values(2), transform_right_filter_low_is_larger_0_0_0_values(3));
-      transform_right_filter_low_is_larger_0_0_0_values(4) := is_set(transform_right_filter_column_0(0), 3);
-      transform_right_filter_low_is_larger_0_0_2_any := (not transform_right_filter_low_is_larger_0_0_0_values(1)) or
-        (not is_set(transform_right_filter_column_2(4), 0));
-      transform_right_filter_low_is_larger_0_0_2_choices(1) := choice(is_set(transform_right_filter_column_2(0), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_0_2_is_equal := (transform_right_filter_column_2(4) mod 4) = 0;
-      transform_right_filter_low_is_larger_0_0_2_choices(2) := choice(is_set(transform_right_filter_column_2(0), 1),
-        transform_right_filter_low_is_larger_0_0_2_choices(1), is_set(transform_right_filter_column_2(0), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_0_2_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_0_2_choices(2), not
-        is_set(transform_right_filter_column_2(0), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_0_2_value := is_set(transform_right_filter_column_2(0), 3);
-      transform_right_filter_low_is_larger_0_0_4_choices(1) := choice(is_set(transform_right_filter_column_4(0), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_0_4_choices(2) := choice(is_set(transform_right_filter_column_4(0), 1),
-        transform_right_filter_low_is_larger_0_0_4_choices(1), is_set(transform_right_filter_column_4(0), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_0_4_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_0_4_choices(2), not
-        is_set(transform_right_filter_column_4(0), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_0_4_value := is_set(transform_right_filter_column_4(0), 3);
-      transform_right_filter_low_is_larger_0_2_0_choices(1) := choice(is_set(transform_right_filter_column_0(2), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_2_0_choices(2) := choice(is_set(transform_right_filter_column_0(2), 1),
-        transform_right_filter_low_is_larger_0_2_0_choices(1), is_set(transform_right_filter_column_0(2), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_2_0_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_2_0_choices(2), not
-        is_set(transform_right_filter_column_0(2), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_2_0_value := is_set(transform_right_filter_column_0(2), 3);
-      transform_right_filter_low_is_larger_0_2_2_choices(1) := choice(is_set(transform_right_filter_column_2(2), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_2_2_choices(2) := choice(is_set(transform_right_filter_column_2(2), 1),
-        transform_right_filter_low_is_larger_0_2_2_choices(1), is_set(transform_right_filter_column_2(2), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_2_2_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_2_2_choices(2), not
-        is_set(transform_right_filter_column_2(2), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_2_2_value := is_set(transform_right_filter_column_2(2), 3);
-      transform_right_filter_low_is_larger_0_2_4_choices(1) := choice(is_set(transform_right_filter_column_4(2), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_2_4_choices(2) := choice(is_set(transform_right_filter_column_4(2), 1),
-        transform_right_filter_low_is_larger_0_2_4_choices(1), is_set(transform_right_filter_column_4(2), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_2_4_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_2_4_choices(2), not
-        is_set(transform_right_filter_column_4(2), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_2_4_value := is_set(transform_right_filter_column_4(2), 3);
-      transform_right_filter_low_is_larger_0_4_0_choices(1) := choice(is_set(transform_right_filter_column_0(4), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_4_0_choices(2) := choice(is_set(transform_right_filter_column_0(4), 1),
-        transform_right_filter_low_is_larger_0_4_0_choices(1), is_set(transform_right_filter_column_0(4), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_4_0_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_4_0_choices(2), not
-        is_set(transform_right_filter_column_0(4), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_4_0_value := is_set(transform_right_filter_column_0(4), 3);
-      transform_right_filter_low_is_larger_0_4_4_choices(1) := choice(is_set(transform_right_filter_column_4(4), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_4_4_choices(2) := choice(is_set(transform_right_filter_column_4(4), 1),
-        transform_right_filter_low_is_larger_0_4_4_choices(1), is_set(transform_right_filter_column_4(4), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_4_4_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_4_4_choices(2), not
-        is_set(transform_right_filter_column_4(4), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_4_4_value := is_set(transform_right_filter_column_4(4), 3);
-      transform_right_filter_low_is_larger_0_6_0_choices(1) := choice(is_set(transform_right_filter_column_0(6), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_6_0_choices(2) := choice(is_set(transform_right_filter_column_0(6), 1),
-        transform_right_filter_low_is_larger_0_6_0_choices(1), is_set(transform_right_filter_column_0(6), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_6_0_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_6_0_choices(2), not
-        is_set(transform_right_filter_column_0(6), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_6_0_value := is_set(transform_right_filter_column_0(6), 3);
-      transform_right_filter_low_is_larger_0_6_2_choices(1) := choice(is_set(transform_right_filter_column_2(6), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_6_2_choices(2) := choice(is_set(transform_right_filter_column_2(6), 1),
-        transform_right_filter_low_is_larger_0_6_2_choices(1), is_set(transform_right_filter_column_2(6), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_6_2_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_6_2_choices(2), not
-        is_set(transform_right_filter_column_2(6), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_6_2_value := is_set(transform_right_filter_column_2(6), 3);
-      transform_right_filter_low_is_larger_0_6_4_choices(1) := choice(is_set(transform_right_filter_column_4(6), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_6_4_choices(2) := choice(is_set(transform_right_filter_column_4(6), 1),
-        transform_right_filter_low_is_larger_0_6_4_choices(1), is_set(transform_right_filter_column_4(6), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_6_4_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_6_4_choices(2), not
-        is_set(transform_right_filter_column_4(6), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_6_4_value := is_set(transform_right_filter_column_4(6), 3);
-      transform_right_filter_low_is_larger_0_8_0_choices(1) := choice(is_set(transform_right_filter_column_0(8), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_8_0_choices(2) := choice(is_set(transform_right_filter_column_0(8), 1),
-        transform_right_filter_low_is_larger_0_8_0_choices(1), is_set(transform_right_filter_column_0(8), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_8_0_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_8_0_choices(2), not
-        is_set(transform_right_filter_column_0(8), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_8_0_value := is_set(transform_right_filter_column_0(8), 3);
-      transform_right_filter_low_is_larger_0_8_2_choices(1) := choice(is_set(transform_right_filter_column_2(8), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_8_2_choices(2) := choice(is_set(transform_right_filter_column_2(8), 1),
-        transform_right_filter_low_is_larger_0_8_2_choices(1), is_set(transform_right_filter_column_2(8), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_8_2_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_8_2_choices(2), not
-        is_set(transform_right_filter_column_2(8), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_8_2_value := is_set(transform_right_filter_column_2(8), 3);
-      transform_right_filter_low_is_larger_0_8_4_choices(1) := choice(is_set(transform_right_filter_column_4(8), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_8_4_choices(2) := choice(is_set(transform_right_filter_column_4(8), 1),
-        transform_right_filter_low_is_larger_0_8_4_choices(1), is_set(transform_right_filter_column_4(8), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_8_4_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_8_4_choices(2), not
-        is_set(transform_right_filter_column_4(8), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_8_4_value := is_set(transform_right_filter_column_4(8), 3);
-      transform_right_filter_feature_0_values(1) := is_set(transform_right_filter_column_2(4), 4);
-      transform_right_filter_feature_0_choices(1) := inverted_carry(is_set(transform_right_filter_column_0(0), 4), not
-        transform_right_filter_low_is_larger_0_0_0, transform_right_filter_feature_0_values(1));
-      for i in 2 to 3 loop
-        transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column_2(4), i + 3);
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_0(0), i + 3), transform_right_filter_feature_0_values(i));
+      for i in 0 to 2 loop
+        transform_left_filter_low_is_larger_0_choice_3(4, i) := not is_larger(transform_left_filter_column(8, i),
+          transform_left_filter_column(4, 1), 0, 2, false);
+        transform_left_filter_low_is_larger_0_value(4, i, 1) := is_set(transform_left_filter_column(8, i), 3);
       end loop;
-      transform_right_filter_feature_0_alls(1) := (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_0;
-      transform_right_filter_feature_0_choices(4) := choice(is_set(transform_right_filter_column_0(0), 7),
-        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_alls(1));
-      transform_right_filter_feature_0_choices(5) := choice(transform_right_filter_feature_0_choices(3),
-        is_set(transform_right_filter_column_0(0), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_choices(4));
-      transform_right_filter_feature_0_choices(6) := inverted_carry(is_set(transform_right_filter_column_2(0), 4), not
-        transform_right_filter_low_is_larger_0_0_2, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(7) := carry(transform_right_filter_feature_0_choices(6), not
-        is_set(transform_right_filter_column_2(0), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(8) := carry(transform_right_filter_feature_0_choices(7), not
-        is_set(transform_right_filter_column_2(0), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_choices(9) := choice(is_set(transform_right_filter_column_2(0), 7),
-        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_alls(1));
-      transform_right_filter_feature_0_choices(10) := choice(transform_right_filter_feature_0_choices(8),
-        is_set(transform_right_filter_column_2(0), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_choices(9));
-      transform_right_filter_feature_0_choices(11) := inverted_carry(is_set(transform_right_filter_column_4(0), 4), not
-        transform_right_filter_low_is_larger_0_0_4, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(12) := carry(transform_right_filter_feature_0_choices(11), not
-        is_set(transform_right_filter_column_4(0), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(13) := carry(transform_right_filter_feature_0_choices(12), not
-        is_set(transform_right_filter_column_4(0), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_choices(14) := choice(is_set(transform_right_filter_column_4(0), 7),
-        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_alls(1));
-      transform_right_filter_feature_0_choices(15) := choice(transform_right_filter_feature_0_choices(13),
-        is_set(transform_right_filter_column_4(0), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_choices(14));
-      transform_right_filter_feature_0_choices(16) := inverted_carry(is_set(transform_right_filter_column_2(2), 4), not
-        transform_right_filter_low_is_larger_0_2_2, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(17) := carry(transform_right_filter_feature_0_choices(16), not
-        is_set(transform_right_filter_column_2(2), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(18) := carry(transform_right_filter_feature_0_choices(17), not
-        is_set(transform_right_filter_column_2(2), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_alls(2) := (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_2;
-      transform_right_filter_feature_0_choices(19) := choice(is_set(transform_right_filter_column_2(2), 7),
-        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_alls(2));
-      transform_right_filter_feature_0_choices(20) := choice(transform_right_filter_feature_0_choices(18),
-        is_set(transform_right_filter_column_2(2), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_choices(19));
-      transform_right_filter_feature_0_choices(21) := inverted_carry(is_set(transform_right_filter_column_0(2), 4), not
-        transform_right_filter_low_is_larger_0_2_0, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(22) := carry(transform_right_filter_feature_0_choices(21), not
-        is_set(transform_right_filter_column_0(2), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(23) := carry(transform_right_filter_feature_0_choices(22), not
-        is_set(transform_right_filter_column_0(2), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_choices(24) := choice(is_set(transform_right_filter_column_0(2), 7),
-        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_alls(2));
-      transform_right_filter_feature_0_choices(25) := choice(transform_right_filter_feature_0_choices(23),
-        is_set(transform_right_filter_column_0(2), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_choices(24));
-      transform_right_filter_feature_0_choices(26) := inverted_carry(is_set(transform_right_filter_column_4(2), 4), not
-        transform_right_filter_low_is_larger_0_2_4, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(27) := carry(transform_right_filter_feature_0_choices(26), not
-        is_set(transform_right_filter_column_4(2), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(28) := carry(transform_right_filter_feature_0_choices(27), not
-        is_set(transform_right_filter_column_4(2), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_choices(29) := choice(is_set(transform_right_filter_column_4(2), 7),
-        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_alls(2));
-      transform_right_filter_feature_0_choices(30) := choice(transform_right_filter_feature_0_choices(28),
-        is_set(transform_right_filter_column_4(2), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_choices(29));
-      transform_right_filter_feature_0_choices(31) := inverted_carry(is_set(transform_right_filter_column_0(4), 4), not
-        transform_right_filter_low_is_larger_0_4_0, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(32) := carry(transform_right_filter_feature_0_choices(31), not
-        is_set(transform_right_filter_column_0(4), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(33) := carry(transform_right_filter_feature_0_choices(32), not
-        is_set(transform_right_filter_column_0(4), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_alls(3) := (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_4;
-      transform_right_filter_feature_0_choices(34) := choice(is_set(transform_right_filter_column_0(4), 7),
-        transform_filtering_0_column_inside_4, transform_right_filter_feature_0_alls(3));
-      transform_right_filter_feature_0_choices(35) := choice(transform_right_filter_feature_0_choices(33),
-        is_set(transform_right_filter_column_0(4), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_4, transform_right_filter_feature_0_choices(34));
-      transform_right_filter_feature_0_choices(36) := inverted_carry(is_set(transform_right_filter_column_4(4), 4), not
-        transform_right_filter_low_is_larger_0_4_4, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(37) := carry(transform_right_filter_feature_0_choices(36), not
-        is_set(transform_right_filter_column_4(4), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(38) := carry(transform_right_filter_feature_0_choices(37), not
-        is_set(transform_right_filter_column_4(4), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_choices(39) := choice(is_set(transform_right_filter_column_4(4), 7),
-        transform_filtering_0_column_inside_4, transform_right_filter_feature_0_alls(3));
-      transform_right_filter_feature_0_choices(40) := choice(transform_right_filter_feature_0_choices(38),
-        is_set(transform_right_filter_column_4(4), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_4, transform_right_filter_feature_0_choices(39));
-      transform_right_filter_feature_0_choices(41) := inverted_carry(is_set(transform_right_filter_column_2(6), 4), not
-        transform_right_filter_low_is_larger_0_6_2, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(42) := carry(transform_right_filter_feature_0_choices(41), not
-        is_set(transform_right_filter_column_2(6), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(43) := carry(transform_right_filter_feature_0_choices(42), not
-        is_set(transform_right_filter_column_2(6), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_alls(4) := (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_6;
-      transform_right_filter_feature_0_choices(44) := choice(is_set(transform_right_filter_column_2(6), 7),
-        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_alls(4));
-      transform_right_filter_feature_0_choices(45) := choice(transform_right_filter_feature_0_choices(43),
-        is_set(transform_right_filter_column_2(6), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_choices(44));
-      transform_right_filter_feature_0_choices(46) := inverted_carry(is_set(transform_right_filter_column_0(6), 4), not
-        transform_right_filter_low_is_larger_0_6_0, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(47) := carry(transform_right_filter_feature_0_choices(46), not
-        is_set(transform_right_filter_column_0(6), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(48) := carry(transform_right_filter_feature_0_choices(47), not
-        is_set(transform_right_filter_column_0(6), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_choices(49) := choice(is_set(transform_right_filter_column_0(6), 7),
-        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_alls(4));
-      transform_right_filter_feature_0_choices(50) := choice(transform_right_filter_feature_0_choices(48),
-        is_set(transform_right_filter_column_0(6), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_choices(49));
-      transform_right_filter_feature_0_choices(51) := inverted_carry(is_set(transform_right_filter_column_4(6), 4), not
-        transform_right_filter_low_is_larger_0_6_4, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(52) := carry(transform_right_filter_feature_0_choices(51), not
-        is_set(transform_right_filter_column_4(6), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(53) := carry(transform_right_filter_feature_0_choices(52), not
-        is_set(transform_right_filter_column_4(6), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_choices(54) := choice(is_set(transform_right_filter_column_4(6), 7),
-        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_alls(4));
-      transform_right_filter_feature_0_choices(55) := choice(transform_right_filter_feature_0_choices(53),
-        is_set(transform_right_filter_column_4(6), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_choices(54));
-      transform_right_filter_feature_0_choices(56) := inverted_carry(is_set(transform_right_filter_column_2(8), 4), not
-        transform_right_filter_low_is_larger_0_8_2, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(57) := carry(transform_right_filter_feature_0_choices(56), not
-        is_set(transform_right_filter_column_2(8), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(58) := carry(transform_right_filter_feature_0_choices(57), not
-        is_set(transform_right_filter_column_2(8), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_alls(5) := (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_8;
-      transform_right_filter_feature_0_choices(59) := choice(is_set(transform_right_filter_column_2(8), 7),
-        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_alls(5));
-      transform_right_filter_feature_0_choices(60) := choice(transform_right_filter_feature_0_choices(58),
-        is_set(transform_right_filter_column_2(8), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_choices(59));
-      transform_right_filter_feature_0_choices(61) := inverted_carry(is_set(transform_right_filter_column_0(8), 4), not
-        transform_right_filter_low_is_larger_0_8_0, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(62) := carry(transform_right_filter_feature_0_choices(61), not
-        is_set(transform_right_filter_column_0(8), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(63) := carry(transform_right_filter_feature_0_choices(62), not
-        is_set(transform_right_filter_column_0(8), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_choices(64) := choice(is_set(transform_right_filter_column_0(8), 7),
-        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_alls(5));
-      transform_right_filter_feature_0_choices(65) := choice(transform_right_filter_feature_0_choices(63),
-        is_set(transform_right_filter_column_0(8), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_choices(64));
-      transform_right_filter_feature_0_choices(66) := inverted_carry(is_set(transform_right_filter_column_4(8), 4), not
-        transform_right_filter_low_is_larger_0_8_4, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(67) := carry(transform_right_filter_feature_0_choices(66), not
-        is_set(transform_right_filter_column_4(8), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(68) := carry(transform_right_filter_feature_0_choices(67), not
-        is_set(transform_right_filter_column_4(8), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_choices(69) := choice(is_set(transform_right_filter_column_4(8), 7),
-        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_alls(5));
-      transform_right_filter_feature_0_choices(70) := choice(transform_right_filter_feature_0_choices(68),
-        is_set(transform_right_filter_column_4(8), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_choices(69));
+      transform_left_filter_feature_0_values(1) := is_set(transform_left_filter_column(4, 1), 4);
+      transform_left_filter_feature_0_values(2) := is_set(transform_left_filter_column(4, 1), 5);
+      transform_left_filter_feature_0_values(3) := is_set(transform_left_filter_column(4, 1), 6);
+      for i in 0 to 1 loop
+        transform_left_filter_feature_0_choice(14 * i + 3) := not is_larger(transform_left_filter_column(2 * i, i),
+          transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0(i, i));
+        transform_left_filter_feature_0_alls(i + 1) := transform_filtering_0_column_inside(i) and (not
+          is_set(transform_left_filter_column(4, 1), 7));
+        transform_left_filter_feature_0_choice(14 * i + 4) := choice(is_set(transform_left_filter_column(2 * i, i), 7),
+          transform_filtering_0_column_inside(i), transform_left_filter_feature_0_alls(i + 1));
+        transform_left_filter_feature_0_choice(14 * i + 5) := choice(transform_left_filter_feature_0_choice(14 * i +
+          3), is_set(transform_left_filter_column(2 * i, i), 7) and transform_filtering_0_column_inside(i) and (not
+          is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(14 * i + 4));
+        transform_left_filter_feature_0_choice(14 * i + 8) := not is_larger(transform_left_filter_column(2 * i, 1 - i),
+          transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0(i, 1 - i));
+        transform_left_filter_feature_0_choice(14 * i + 9) := choice(is_set(transform_left_filter_column(2 * i, 1 - i),
+          7), transform_filtering_0_column_inside(i), transform_left_filter_feature_0_alls(i + 1));
+        transform_left_filter_feature_0_choice(14 * i + 10) := choice(transform_left_filter_feature_0_choice(14 * i +
+          8), is_set(transform_left_filter_column(2 * i, 1 - i), 7) and transform_filtering_0_column_inside(i) and (not
+          is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(14 * i + 9));
+        transform_left_filter_feature_0_choice(14 * i + 13) := not is_larger(transform_left_filter_column(2 * i, 2),
+          transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0(i, 2));
+        transform_left_filter_feature_0_choice(14 * i + 14) := choice(transform_left_filter_feature_0_choice(14 * i +
+          13), transform_filtering_0_column_inside(i) and is_set(transform_left_filter_column(2 * i, 2), 7) and (not
+          is_set(transform_left_filter_column(4, 1), 7)), transform_filtering_0_column_inside(i) and
+          (is_set(transform_left_filter_column(2 * i, 2), 7) or (not is_set(transform_left_filter_column(4, 1), 7))));
+      end loop;
+      transform_left_filter_feature_0_choice(31) := not is_larger(transform_left_filter_column(4, 0),
+        transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0_4_0);
+      transform_left_filter_feature_0_choice(32) := choice(is_set(transform_left_filter_column(4, 0), 7),
+        transform_filtering_0_column_inside(2), transform_filtering_0_column_inside(2) and (not
+        is_set(transform_left_filter_column(4, 1), 7)));
+      transform_left_filter_feature_0_choice(33) := choice(transform_left_filter_feature_0_choice(31),
+        is_set(transform_left_filter_column(4, 0), 7) and transform_filtering_0_column_inside(2) and (not
+        is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(32));
+      transform_left_filter_feature_0_choice(36) := not is_larger(transform_left_filter_column(4, 2),
+        transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0_4_4);
+      for i in 2 to 3 loop
+        transform_left_filter_feature_0_choice(14 * i + 9) := choice(transform_left_filter_feature_0_choice(14 * i +
+          8), transform_filtering_0_column_inside(i) and is_set(transform_left_filter_column(2 * i, 2), 7) and (not
+          is_set(transform_left_filter_column(4, 1), 7)), transform_filtering_0_column_inside(i) and
+          (is_set(transform_left_filter_column(2 * i, 2), 7) or (not is_set(transform_left_filter_column(4, 1), 7))));
+        transform_left_filter_feature_0_choice(14 * i + 12) := not is_larger(transform_left_filter_column(2 * i + 2,
+          1), transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0s(i + 1, 1));
+        transform_left_filter_feature_0_alls(i + 1) := transform_filtering_0_column_inside(i + 1) and (not
+          is_set(transform_left_filter_column(4, 1), 7));
+        transform_left_filter_feature_0_choice(14 * i + 13) := choice(is_set(transform_left_filter_column(2 * i + 2,
+          1), 7), transform_filtering_0_column_inside(i + 1), transform_left_filter_feature_0_alls(i + 1));
+        transform_left_filter_feature_0_choice(14 * i + 14) := choice(transform_left_filter_feature_0_choice(14 * i +
+          12), is_set(transform_left_filter_column(2 * i + 2, 1), 7) and transform_filtering_0_column_inside(i + 1) and
+          (not is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(14 * i + 13));
+        transform_left_filter_feature_0_choice(14 * i + 17) := not is_larger(transform_left_filter_column(2 * i + 2,
+          0), transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0s(i + 1, 0));
+        transform_left_filter_feature_0_choice(14 * i + 18) := choice(is_set(transform_left_filter_column(2 * i + 2,
+          0), 7), transform_filtering_0_column_inside(i + 1), transform_left_filter_feature_0_alls(i + 1));
+        transform_left_filter_feature_0_choice(14 * i + 19) := choice(transform_left_filter_feature_0_choice(14 * i +
+          17), is_set(transform_left_filter_column(2 * i + 2, 0), 7) and transform_filtering_0_column_inside(i + 1) and
+          (not is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(14 * i + 18));
+        transform_left_filter_feature_0_choice(14 * i + 22) := not is_larger(transform_left_filter_column(2 * i + 2,
+          2), transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0s(i + 1, 2));
+      end loop;
+      transform_left_filter_feature_0_choice(65) := choice(transform_left_filter_feature_0_choice(64),
+        transform_filtering_0_column_inside(4) and is_set(transform_left_filter_column(8, 2), 7) and (not
+        is_set(transform_left_filter_column(4, 1), 7)), transform_filtering_0_column_inside(4) and
+        (is_set(transform_left_filter_column(8, 2), 7) or (not is_set(transform_left_filter_column(4, 1), 7))));
+      transform_right_filter_low_is_larger_0_value(0, 0, 1) := is_set(transform_right_filter_column(4, 1), 1);
+      transform_right_filter_low_is_larger_0_value(0, 0, 2) := is_set(transform_right_filter_column(4, 1), 2);
+      transform_right_filter_low_is_larger_0_value(0, 0, 3) := is_set(transform_right_filter_column(0, 0), 2);
+      transform_right_filter_low_is_larger_0_choice_3(0, 0) := not is_larger(transform_right_filter_column(4, 1),
+        transform_right_filter_column(0, 0), 0, 2, true);
+      transform_right_filter_low_is_larger_0_value(0, 0, 4) := is_set(transform_right_filter_column(0, 0), 3);
+      transform_right_filter_low_is_larger_0_0_2_any := (not transform_right_filter_low_is_larger_0_value(0, 0, 1)) or
+        (not is_set(transform_right_filter_column(4, 1), 0));
+      transform_right_filter_low_is_larger_0_0_2_is_equal := (transform_right_filter_column(4, 1) mod 4) = 0;
+      for i in 0 to 1 loop
+        transform_right_filter_low_is_larger_0_choice_3(2 * i, 1 - i) := not is_larger(transform_right_filter_column(4
+          * i, 1 - i), transform_right_filter_column(4, 1), 0, 2, false);
+        transform_right_filter_low_is_larger_0_value(2 * i, 1 - i, 1) := is_set(transform_right_filter_column(4 * i, 1
+          - i), 3);
+        transform_right_filter_low_is_larger_0_choice_3(2 * i, 2) := not is_larger(transform_right_filter_column(4 * i,
+          2), transform_right_filter_column(4, 1), 0, 2, false);
+        transform_right_filter_low_is_larger_0_value(2 * i, 2, 1) := is_set(transform_right_filter_column(4 * i, 2), 3);
+        for j in 0 to 2 loop
+          transform_right_filter_low_is_larger_0_choice_3(2 * i + 1, j) := not
+            is_larger(transform_right_filter_column(4 * i + 2, j), transform_right_filter_column(4, 1), 0, 2, false);
+          transform_right_filter_low_is_larger_0_value(2 * i + 1, j, 1) := is_set(transform_right_filter_column(4 * i +
+            2, j), 3);
+        end loop;
+      end loop;
+      for i in 0 to 2 loop
+        transform_right_filter_low_is_larger_0_choice_3(4, i) := not is_larger(transform_right_filter_column(8, i),
+          transform_right_filter_column(4, 1), 0, 2, false);
+        transform_right_filter_low_is_larger_0_value(4, i, 1) := is_set(transform_right_filter_column(8, i), 3);
+      end loop;
+      transform_right_filter_feature_0_values(1) := is_set(transform_right_filter_column(4, 1), 4);
+      transform_right_filter_feature_0_values(2) := is_set(transform_right_filter_column(4, 1), 5);
+      transform_right_filter_feature_0_values(3) := is_set(transform_right_filter_column(4, 1), 6);
+      for i in 0 to 1 loop
+        transform_right_filter_feature_0_choice(15 * i + 3) := not is_larger(transform_right_filter_column(2 * i, i),
+          transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0(i, i));
+        transform_right_filter_feature_0_alls(i + 1) := (not is_set(transform_right_filter_column(4, 1), 7)) and
+          transform_filtering_0_column_inside(i);
+        transform_right_filter_feature_0_choice(15 * i + 4) := choice(is_set(transform_right_filter_column(2 * i, i),
+          7), transform_filtering_0_column_inside(i), transform_right_filter_feature_0_alls(i + 1));
+        transform_right_filter_feature_0_choice(15 * i + 5) := choice(transform_right_filter_feature_0_choice(15 * i +
+          3), is_set(transform_right_filter_column(2 * i, i), 7) and (not is_set(transform_right_filter_column(4, 1),
+          7)) and transform_filtering_0_column_inside(i), transform_right_filter_feature_0_choice(15 * i + 4));
+        transform_right_filter_feature_0_choice(15 * i + 8) := not is_larger(transform_right_filter_column(2 * i, 1 -
+          i), transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0(i, 1 - i));
+        transform_right_filter_feature_0_choice(15 * i + 9) := choice(is_set(transform_right_filter_column(2 * i, 1 -
+          i), 7), transform_filtering_0_column_inside(i), transform_right_filter_feature_0_alls(i + 1));
+        transform_right_filter_feature_0_choice(15 * i + 10) := choice(transform_right_filter_feature_0_choice(15 * i +
+          8), is_set(transform_right_filter_column(2 * i, 1 - i), 7) and (not is_set(transform_right_filter_column(4,
+          1), 7)) and transform_filtering_0_column_inside(i), transform_right_filter_feature_0_choice(15 * i + 9));
+        transform_right_filter_feature_0_choice(15 * i + 13) := not is_larger(transform_right_filter_column(2 * i, 2),
+          transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0(i, 2));
+        transform_right_filter_feature_0_choice(15 * i + 14) := choice(is_set(transform_right_filter_column(2 * i, 2),
+          7), transform_filtering_0_column_inside(i), transform_right_filter_feature_0_alls(i + 1));
+        transform_right_filter_feature_0_choice(15 * i + 15) := choice(transform_right_filter_feature_0_choice(15 * i +
+          13), is_set(transform_right_filter_column(2 * i, 2), 7) and (not is_set(transform_right_filter_column(4, 1),
+          7)) and transform_filtering_0_column_inside(i), transform_right_filter_feature_0_choice(15 * i + 14));
+      end loop;
+      transform_right_filter_feature_0_choice(33) := not is_larger(transform_right_filter_column(4, 0),
+        transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0_4_0);
+      transform_right_filter_feature_0_alls(3) := (not is_set(transform_right_filter_column(4, 1), 7)) and
+        transform_filtering_0_column_inside(2);
+      transform_right_filter_feature_0_choice(34) := choice(is_set(transform_right_filter_column(4, 0), 7),
+        transform_filtering_0_column_inside(2), transform_right_filter_feature_0_alls(3));
+      transform_right_filter_feature_0_choice(35) := choice(transform_right_filter_feature_0_choice(33),
+        is_set(transform_right_filter_column(4, 0), 7) and (not is_set(transform_right_filter_column(4, 1), 7)) and
+        transform_filtering_0_column_inside(2), transform_right_filter_feature_0_choice(34));
+      transform_right_filter_feature_0_choice(38) := not is_larger(transform_right_filter_column(4, 2),
+        transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0_4_4);
+      for i in 2 to 3 loop
+        transform_right_filter_feature_0_choice(15 * i + 9) := choice(is_set(transform_right_filter_column(2 * i, 2),
+          7), transform_filtering_0_column_inside(i), transform_right_filter_feature_0_alls(i + 1));
+        transform_right_filter_feature_0_choice(15 * i + 10) := choice(transform_right_filter_feature_0_choice(15 * i +
+          8), is_set(transform_right_filter_column(2 * i, 2), 7) and (not is_set(transform_right_filter_column(4, 1),
+          7)) and transform_filtering_0_column_inside(i), transform_right_filter_feature_0_choice(15 * i + 9));
+        transform_right_filter_feature_0_choice(15 * i + 13) := not is_larger(transform_right_filter_column(2 * i + 2,
+          1), transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0s(i + 1, 1));
+        transform_right_filter_feature_0_alls(i + 2) := (not is_set(transform_right_filter_column(4, 1), 7)) and
+          transform_filtering_0_column_inside(i + 1);
+        transform_right_filter_feature_0_choice(15 * i + 14) := choice(is_set(transform_right_filter_column(2 * i + 2,
+          1), 7), transform_filtering_0_column_inside(i + 1), transform_right_filter_feature_0_alls(i + 2));
+        transform_right_filter_feature_0_choice(15 * i + 15) := choice(transform_right_filter_feature_0_choice(15 * i +
+          13), is_set(transform_right_filter_column(2 * i + 2, 1), 7) and (not is_set(transform_right_filter_column(4,
+          1), 7)) and transform_filtering_0_column_inside(i + 1), transform_right_filter_feature_0_choice(15 * i + 14));
+        transform_right_filter_feature_0_choice(15 * i + 18) := not is_larger(transform_right_filter_column(2 * i + 2,
+          0), transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0s(i + 1, 0));
+        transform_right_filter_feature_0_choice(15 * i + 19) := choice(is_set(transform_right_filter_column(2 * i + 2,
+          0), 7), transform_filtering_0_column_inside(i + 1), transform_right_filter_feature_0_alls(i + 2));
+        transform_right_filter_feature_0_choice(15 * i + 20) := choice(transform_right_filter_feature_0_choice(15 * i +
+          18), is_set(transform_right_filter_column(2 * i + 2, 0), 7) and (not is_set(transform_right_filter_column(4,
+          1), 7)) and transform_filtering_0_column_inside(i + 1), transform_right_filter_feature_0_choice(15 * i + 19));
+        transform_right_filter_feature_0_choice(15 * i + 23) := not is_larger(transform_right_filter_column(2 * i + 2,
+          2), transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0s(i + 1, 2));
+      end loop;
+      transform_right_filter_feature_0_choice(69) := choice(is_set(transform_right_filter_column(8, 2), 7),
+        transform_filtering_0_column_inside(4), transform_right_filter_feature_0_alls(5));
+      transform_right_filter_feature_0_choice(70) := choice(transform_right_filter_feature_0_choice(68),
+        is_set(transform_right_filter_column(8, 2), 7) and (not is_set(transform_right_filter_column(4, 1), 7)) and
+        transform_filtering_0_column_inside(4), transform_right_filter_feature_0_choice(69));
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
@@ -2149,78 +1690,66 @@ begin
       transform_right_rows_ready_words_0 <= transform_right_rows_read_words_0;
       transform_right_rows_ready_newest_0 <= transform_right_rows_read_newest_0;
       transform_read_column <= transform_counter_column;
-      transform_read_column_inside_0 <= transform_read_column_inside_0_is_less;
-      transform_read_column_inside_2 <= (transform_counter_column < 2) /= transform_read_column_inside_0_is_less;
-      transform_read_column_inside_4 <= true;
-      transform_read_column_inside_6 <= (transform_counter_column < 6) /= transform_read_column_inside_0_is_less;
-      transform_read_column_inside_8 <= (transform_counter_column < 8) /= transform_read_column_inside_0_is_less;
+      transform_read_column_inside(0) <= transform_read_column_inside_0_is_less;
+      transform_read_column_inside(1) <= (transform_counter_column < 2) /= transform_read_column_inside_0_is_less;
+      transform_read_column_inside(2) <= true;
+      transform_read_column_inside(3) <= (transform_counter_column < 6) /= transform_read_column_inside_0_is_less;
+      transform_read_column_inside(4) <= (transform_counter_column < 8) /= transform_read_column_inside_0_is_less;
       transform_read_start_of_frame <= (transform_counter_group = 2) and (transform_counter_column = 4);
       transform_read_valid <= transform_valid;
       transform_ready_column <= transform_read_column;
-      transform_ready_row_inside_0 <= transform_reached_first_0 and (not transform_counter_next_frame_after);
-      transform_ready_row_inside_2 <= transform_reached_first_2 and (not transform_reached_beyond_last(3));
-      transform_ready_row_inside_4 <= transform_read_column_inside_4 and (not transform_reached_beyond_last(2));
-      transform_ready_column_inside_0 <= transform_read_column_inside_0;
-      transform_ready_column_inside_2 <= transform_read_column_inside_2;
-      transform_ready_column_inside_4 <= transform_reached_first_4;
-      transform_ready_column_inside_6 <= transform_read_column_inside_6;
-      transform_ready_column_inside_8 <= transform_read_column_inside_8;
+      transform_ready_row_inside(0) <= transform_reached_first(0) and (not transform_counter_next_frame_after);
+      transform_ready_row_inside(1) <= transform_reached_first(1) and (not transform_reached_beyond_last(3));
+      transform_ready_row_inside(2) <= transform_read_column_inside(2) and (not transform_reached_beyond_last(2));
+      transform_ready_column_inside(0 to 1) <= transform_read_column_inside(0 to 1);
+      transform_ready_column_inside(2) <= transform_reached_first(2);
+      transform_ready_column_inside(3 to 4) <= transform_read_column_inside(3 to 4);
       transform_ready_start_of_frame <= transform_read_start_of_frame;
       transform_ready_valid <= transform_read_valid;
-      transform_reached_first_0 <= 3 < transform_counter_group;
-      transform_reached_first_2 <= 1 < transform_counter_group;
-      transform_reached_first_4 <= (transform_counter_column < 4) /= transform_read_column_inside_0_is_less;
+      transform_reached_first(0) <= 3 < transform_counter_group;
+      transform_reached_first(1) <= 1 < transform_counter_group;
+      transform_reached_first(2) <= (transform_counter_column < 4) /= transform_read_column_inside_0_is_less;
       transform_reached_beyond_last(2) <= 479 < transform_counter_group;
       transform_reached_beyond_last(3) <= 481 < transform_counter_group;
-      transform_left_column_0 <= to_integer(transform_left_rows_ready_words_0(7 downto 0));
-      transform_left_column_2 <= to_integer(transform_left_rows_ready_words_0(23 downto 16));
-      transform_left_column_4 <= transform_left_rows_ready_newest_0;
-      transform_right_column_0 <= to_integer(transform_right_rows_ready_words_0(7 downto 0));
-      transform_right_column_2 <= to_integer(transform_right_rows_ready_words_0(23 downto 16));
-      transform_right_column_4 <= transform_right_rows_ready_newest_0;
-      transform_columns_row_inside_0 <= transform_ready_row_inside_0;
-      transform_columns_row_inside_2 <= transform_ready_row_inside_2;
-      transform_columns_row_inside_4 <= transform_ready_row_inside_4;
-      transform_columns_column_inside_0 <= transform_ready_column_inside_0;
-      transform_columns_column_inside_2 <= transform_ready_column_inside_2;
-      transform_columns_column_inside_4 <= transform_ready_column_inside_4;
-      transform_columns_column_inside_6 <= transform_ready_column_inside_6;
-      transform_columns_column_inside_8 <= transform_ready_column_inside_8;
+      transform_left_column(0) <= to_integer(transform_left_rows_ready_words_0(7 downto 0));
+      transform_left_column(1) <= to_integer(transform_left_rows_ready_words_0(23 downto 16));
+      transform_left_column(2) <= transform_left_rows_ready_newest_0;
+      transform_right_column(0) <= to_integer(transform_right_rows_ready_words_0(7 downto 0));
+      transform_right_column(1) <= to_integer(transform_right_rows_ready_words_0(23 downto 16));
+      transform_right_column(2) <= transform_right_rows_ready_newest_0;
+      transform_columns_row_inside <= transform_ready_row_inside;
+      transform_columns_column_inside <= transform_ready_column_inside;
       transform_columns_start_of_frame <= transform_ready_start_of_frame;
       transform_columns_valid <= transform_ready_valid;
-      transform_left_filter_feature_0 <= as_number(transform_left_filter_feature_0_choices(5)) +
-        (as_number(transform_left_filter_feature_0_choices(10)) * 2) +
-        (as_number(transform_left_filter_feature_0_choices(14)) * 4) +
-        (as_number(transform_left_filter_feature_0_choices(19)) * 16) +
-        (as_number(transform_left_filter_feature_0_choices(24)) * 8) +
-        (as_number(transform_left_filter_feature_0_choices(28)) * 32) +
-        (as_number(transform_left_filter_feature_0_choices(33)) * 64) +
-        (as_number(transform_left_filter_feature_0_choices(37)) * 128) +
-        (as_number(transform_left_filter_feature_0_choices(42)) * 512) +
-        (as_number(transform_left_filter_feature_0_choices(47)) * 256) +
-        (as_number(transform_left_filter_feature_0_choices(51)) * 1024) +
-        (as_number(transform_left_filter_feature_0_choices(56)) * 4096) +
-        (as_number(transform_left_filter_feature_0_choices(61)) * 2048) +
-        (as_number(transform_left_filter_feature_0_choices(65)) * 8192);
-      transform_right_filter_feature_0 <= as_number(transform_right_filter_feature_0_choices(5)) +
-        (as_number(transform_right_filter_feature_0_choices(10)) * 2) +
-        (as_number(transform_right_filter_feature_0_choices(15)) * 4) +
-        (as_number(transform_right_filter_feature_0_choices(20)) * 16) +
-        (as_number(transform_right_filter_feature_0_choices(25)) * 8) +
-        (as_number(transform_right_filter_feature_0_choices(30)) * 32) +
-        (as_number(transform_right_filter_feature_0_choices(35)) * 64) +
-        (as_number(transform_right_filter_feature_0_choices(40)) * 128) +
-        (as_number(transform_right_filter_feature_0_choices(45)) * 512) +
-        (as_number(transform_right_filter_feature_0_choices(50)) * 256) +
-        (as_number(transform_right_filter_feature_0_choices(55)) * 1024) +
-        (as_number(transform_right_filter_feature_0_choices(60)) * 4096) +
-        (as_number(transform_right_filter_feature_0_choices(65)) * 2048) +
-        (as_number(transform_right_filter_feature_0_choices(70)) * 8192);
-      transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
-      transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
-      transform_filtering_0_column_inside_4 <= transform_columns_column_inside_4;
-      transform_filtering_0_column_inside_6 <= transform_columns_column_inside_6;
-      transform_filtering_0_column_inside_8 <= transform_columns_column_inside_8;
+      transform_left_filter_feature_0 <= as_number(transform_left_filter_feature_0_choice(5)) +
+        (as_number(transform_left_filter_feature_0_choice(10)) * 2) +
+        (as_number(transform_left_filter_feature_0_choice(14)) * 4) +
+        (as_number(transform_left_filter_feature_0_choice(19)) * 16) +
+        (as_number(transform_left_filter_feature_0_choice(24)) * 8) +
+        (as_number(transform_left_filter_feature_0_choice(28)) * 32) +
+        (as_number(transform_left_filter_feature_0_choice(33)) * 64) +
+        (as_number(transform_left_filter_feature_0_choice(37)) * 128) +
+        (as_number(transform_left_filter_feature_0_choice(42)) * 512) +
+        (as_number(transform_left_filter_feature_0_choice(47)) * 256) +
+        (as_number(transform_left_filter_feature_0_choice(51)) * 1024) +
+        (as_number(transform_left_filter_feature_0_choice(56)) * 4096) +
+        (as_number(transform_left_filter_feature_0_choice(61)) * 2048) +
+        (as_number(transform_left_filter_feature_0_choice(65)) * 8192);
+      transform_right_filter_feature_0 <= as_number(transform_right_filter_feature_0_choice(5)) +
+        (as_number(transform_right_filter_feature_0_choice(10)) * 2) +
+        (as_number(transform_right_filter_feature_0_choice(15)) * 4) +
+        (as_number(transform_right_filter_feature_0_choice(20)) * 16) +
+        (as_number(transform_right_filter_feature_0_choice(25)) * 8) +
+        (as_number(transform_right_filter_feature_0_choice(30)) * 32) +
+        (as_number(transform_right_filter_feature_0_choice(35)) * 64) +
+        (as_number(transform_right_filter_feature_0_choice(40)) * 128) +
+        (as_number(transform_right_filter_feature_0_choice(45)) * 512) +
+        (as_number(transform_right_filter_feature_0_choice(50)) * 256) +
+        (as_number(transform_right_filter_feature_0_choice(55)) * 1024) +
+        (as_number(transform_right_filter_feature_0_choice(60)) * 4096) +
+        (as_number(transform_right_filter_feature_0_choice(65)) * 2048) +
+        (as_number(transform_right_filter_feature_0_choice(70)) * 8192);
+      transform_filtering_0_column_inside <= transform_columns_column_inside;
       transform_filtering_start_of_frame(0) <= transform_columns_start_of_frame;
       transform_filtering_valid(0) <= transform_columns_valid;
       transform_filtering_start_of_frame(1) <= transform_filtering_start_of_frame(0);
@@ -2233,75 +1762,49 @@ begin
         1024);
       transform_counter_group_after <= choice((not transform_counter_counts) or (not transform_counter_last_column),
         transform_counter_group, transform_counter_group_after_choice);
-      transform_left_filter_low_is_larger_0_0_0 <= carry(transform_left_filter_low_is_larger_0_0_0_choices(3), not
-        is_set(transform_left_filter_column_2(4), 3), transform_left_filter_low_is_larger_0_0_0_values(4));
-      transform_left_filter_low_is_larger_0_0_2 <= inverted_carry(transform_left_filter_low_is_larger_0_0_2_choices(3),
-        transform_left_filter_low_is_larger_0_0_2_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_left_filter_low_is_larger_0_0_4 <= inverted_carry(transform_left_filter_low_is_larger_0_0_4_choices(3),
-        transform_left_filter_low_is_larger_0_0_4_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_left_filter_low_is_larger_0_2_0 <= inverted_carry(transform_left_filter_low_is_larger_0_2_0_choices(3),
-        transform_left_filter_low_is_larger_0_2_0_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_left_filter_low_is_larger_0_2_2 <= inverted_carry(transform_left_filter_low_is_larger_0_2_2_choices(3),
-        transform_left_filter_low_is_larger_0_2_2_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_left_filter_low_is_larger_0_2_4 <= inverted_carry(transform_left_filter_low_is_larger_0_2_4_choices(3),
-        transform_left_filter_low_is_larger_0_2_4_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_left_filter_low_is_larger_0_4_0 <= inverted_carry(transform_left_filter_low_is_larger_0_4_0_choices(3),
-        transform_left_filter_low_is_larger_0_4_0_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_left_filter_low_is_larger_0_4_4 <= inverted_carry(transform_left_filter_low_is_larger_0_4_4_choices(3),
-        transform_left_filter_low_is_larger_0_4_4_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_left_filter_low_is_larger_0_6_0 <= inverted_carry(transform_left_filter_low_is_larger_0_6_0_choices(3),
-        transform_left_filter_low_is_larger_0_6_0_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_left_filter_low_is_larger_0_6_2 <= inverted_carry(transform_left_filter_low_is_larger_0_6_2_choices(3),
-        transform_left_filter_low_is_larger_0_6_2_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_left_filter_low_is_larger_0_6_4 <= inverted_carry(transform_left_filter_low_is_larger_0_6_4_choices(3),
-        transform_left_filter_low_is_larger_0_6_4_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_left_filter_low_is_larger_0_8_0 <= inverted_carry(transform_left_filter_low_is_larger_0_8_0_choices(3),
-        transform_left_filter_low_is_larger_0_8_0_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_left_filter_low_is_larger_0_8_2 <= inverted_carry(transform_left_filter_low_is_larger_0_8_2_choices(3),
-        transform_left_filter_low_is_larger_0_8_2_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_left_filter_low_is_larger_0_8_4 <= inverted_carry(transform_left_filter_low_is_larger_0_8_4_choices(3),
-        transform_left_filter_low_is_larger_0_8_4_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_0_0 <= carry(transform_right_filter_low_is_larger_0_0_0_choices(3), not
-        is_set(transform_right_filter_column_2(4), 3), transform_right_filter_low_is_larger_0_0_0_values(4));
-      transform_right_filter_low_is_larger_0_0_2 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_0_2_choices(3),
-        transform_right_filter_low_is_larger_0_0_2_value, not is_set(transform_right_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_0_4 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_0_4_choices(3),
-        transform_right_filter_low_is_larger_0_0_4_value, not is_set(transform_right_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_2_0 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_2_0_choices(3),
-        transform_right_filter_low_is_larger_0_2_0_value, not is_set(transform_right_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_2_2 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_2_2_choices(3),
-        transform_right_filter_low_is_larger_0_2_2_value, not is_set(transform_right_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_2_4 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_2_4_choices(3),
-        transform_right_filter_low_is_larger_0_2_4_value, not is_set(transform_right_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_4_0 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_4_0_choices(3),
-        transform_right_filter_low_is_larger_0_4_0_value, not is_set(transform_right_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_4_4 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_4_4_choices(3),
-        transform_right_filter_low_is_larger_0_4_4_value, not is_set(transform_right_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_6_0 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_6_0_choices(3),
-        transform_right_filter_low_is_larger_0_6_0_value, not is_set(transform_right_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_6_2 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_6_2_choices(3),
-        transform_right_filter_low_is_larger_0_6_2_value, not is_set(transform_right_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_6_4 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_6_4_choices(3),
-        transform_right_filter_low_is_larger_0_6_4_value, not is_set(transform_right_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_8_0 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_8_0_choices(3),
-        transform_right_filter_low_is_larger_0_8_0_value, not is_set(transform_right_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_8_2 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_8_2_choices(3),
-        transform_right_filter_low_is_larger_0_8_2_value, not is_set(transform_right_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_8_4 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_8_4_choices(3),
-        transform_right_filter_low_is_larger_0_8_4_value, not is_set(transform_right_filter_column_2(4), 3));
+      transform_left_filter_low_is_larger_0(0, 0) <= carry(transform_left_filter_low_is_larger_0_choice_3(0, 0), not
+        is_set(transform_left_filter_column(4, 1), 3), transform_left_filter_low_is_larger_0_value(0, 0, 4));
+      transform_left_filter_low_is_larger_0(0, 1) <= inverted_carry(transform_left_filter_low_is_larger_0_choice_3(0,
+        1), transform_left_filter_low_is_larger_0_value(0, 1, 1), not is_set(transform_left_filter_column(4, 1), 3));
+      transform_left_filter_low_is_larger_0(0, 2) <= inverted_carry(transform_left_filter_low_is_larger_0_choice_3(0,
+        2), transform_left_filter_low_is_larger_0_value(0, 2, 1), not is_set(transform_left_filter_column(4, 1), 3));
+      for i in 0 to 2 loop
+        transform_left_filter_low_is_larger_0(1, i) <= inverted_carry(transform_left_filter_low_is_larger_0_choice_3(1,
+          i), transform_left_filter_low_is_larger_0_value(1, i, 1), not is_set(transform_left_filter_column(4, 1), 3));
+      end loop;
+      transform_left_filter_low_is_larger_0_4_0 <= inverted_carry(transform_left_filter_low_is_larger_0_choice_3(2, 0),
+        transform_left_filter_low_is_larger_0_value(2, 0, 1), not is_set(transform_left_filter_column(4, 1), 3));
+      transform_left_filter_low_is_larger_0_4_4 <= inverted_carry(transform_left_filter_low_is_larger_0_choice_3(2, 2),
+        transform_left_filter_low_is_larger_0_value(2, 2, 1), not is_set(transform_left_filter_column(4, 1), 3));
+      for i in 3 to 4 loop
+        for j in 0 to 2 loop
+          transform_left_filter_low_is_larger_0s(i, j) <=
+            inverted_carry(transform_left_filter_low_is_larger_0_choice_3(i, j),
+            transform_left_filter_low_is_larger_0_value(i, j, 1), not is_set(transform_left_filter_column(4, 1), 3));
+        end loop;
+      end loop;
+      transform_right_filter_low_is_larger_0(0, 0) <= carry(transform_right_filter_low_is_larger_0_choice_3(0, 0), not
+        is_set(transform_right_filter_column(4, 1), 3), transform_right_filter_low_is_larger_0_value(0, 0, 4));
+      transform_right_filter_low_is_larger_0(0, 1) <= inverted_carry(transform_right_filter_low_is_larger_0_choice_3(0,
+        1), transform_right_filter_low_is_larger_0_value(0, 1, 1), not is_set(transform_right_filter_column(4, 1), 3));
+      transform_right_filter_low_is_larger_0(0, 2) <= inverted_carry(transform_right_filter_low_is_larger_0_choice_3(0,
+        2), transform_right_filter_low_is_larger_0_value(0, 2, 1), not is_set(transform_right_filter_column(4, 1), 3));
+      for i in 0 to 2 loop
+        transform_right_filter_low_is_larger_0(1, i) <=
+          inverted_carry(transform_right_filter_low_is_larger_0_choice_3(1, i),
+          transform_right_filter_low_is_larger_0_value(1, i, 1), not is_set(transform_right_filter_column(4, 1), 3));
+      end loop;
+      transform_right_filter_low_is_larger_0_4_0 <= inverted_carry(transform_right_filter_low_is_larger_0_choice_3(2,
+        0), transform_right_filter_low_is_larger_0_value(2, 0, 1), not is_set(transform_right_filter_column(4, 1), 3));
+      transform_right_filter_low_is_larger_0_4_4 <= inverted_carry(transform_right_filter_low_is_larger_0_choice_3(2,
+        2), transform_right_filter_low_is_larger_0_value(2, 2, 1), not is_set(transform_right_filter_column(4, 1), 3));
+      for i in 3 to 4 loop
+        for j in 0 to 2 loop
+          transform_right_filter_low_is_larger_0s(i, j) <=
+            inverted_carry(transform_right_filter_low_is_larger_0_choice_3(i, j),
+            transform_right_filter_low_is_larger_0_value(i, j, 1), not is_set(transform_right_filter_column(4, 1), 3));
+        end loop;
+      end loop;
       transform_counter_group_choice := choice(transform_counter_next_frame, 15, 0);
       if in_valid then
         transform_counter_column <= choice(in_start_of_frame, 0, transform_counter_column_after);
@@ -2321,21 +1824,19 @@ begin
       end if;
       if transform_columns_valid then
         for i in 1 to 8 loop
-          transform_left_filter_column_0(i) <= transform_left_filter_column_0(i - 1);
-          transform_left_filter_column_2(i) <= transform_left_filter_column_2(i - 1);
-          transform_left_filter_column_4(i) <= transform_left_filter_column_4(i - 1);
+          transform_left_filter_column(i, 0) <= transform_left_filter_column(i - 1, 0);
+          transform_left_filter_column(i, 1) <= transform_left_filter_column(i - 1, 1);
+          transform_left_filter_column(i, 2) <= transform_left_filter_column(i - 1, 2);
         end loop;
         for i in 1 to 8 loop
-          transform_right_filter_column_0(i) <= transform_right_filter_column_0(i - 1);
-          transform_right_filter_column_2(i) <= transform_right_filter_column_2(i - 1);
-          transform_right_filter_column_4(i) <= transform_right_filter_column_4(i - 1);
+          transform_right_filter_column(i, 0) <= transform_right_filter_column(i - 1, 0);
+          transform_right_filter_column(i, 1) <= transform_right_filter_column(i - 1, 1);
+          transform_right_filter_column(i, 2) <= transform_right_filter_column(i - 1, 2);
         end loop;
-        transform_left_filter_column_0(0) <= choice(transform_columns_row_inside_0, transform_left_column_0, 0);
-        transform_right_filter_column_0(0) <= choice(transform_columns_row_inside_0, transform_right_column_0, 0);
-        transform_left_filter_column_2(0) <= choice(transform_columns_row_inside_2, transform_left_column_2, 0);
-        transform_right_filter_column_2(0) <= choice(transform_columns_row_inside_2, transform_right_column_2, 0);
-        transform_left_filter_column_4(0) <= choice(transform_columns_row_inside_4, transform_left_column_4, 0);
-        transform_right_filter_column_4(0) <= choice(transform_columns_row_inside_4, transform_right_column_4, 0);
+        for i in 0 to 2 loop
+          transform_left_filter_column(0, i) <= choice(transform_columns_row_inside(i), transform_left_column(i), 0);
+          transform_right_filter_column(0, i) <= choice(transform_columns_row_inside(i), transform_right_column(i), 0);
+        end loop;
       end if;
       -- raster
       raster_place_next_frame_is_equal := raster_place_column = 639;
@@ -2678,37 +2179,19 @@ begin
         1) mod 8);
       pathsleft_ahead_count_phase_choice := choice(pathsleft_ahead_count_phase = 7, 7, (pathsleft_ahead_count_phase +
         1) mod 8);
-      pathsleft_stay_0_values(1) := is_set(pathsleft_fresh_here, 1);
+      pathsleft_stay_value(0, 1) := is_set(pathsleft_fresh_here, 1);
       pathsleft_stay_0_is_equal := (pathsleft_fresh_here mod 4) = 0;
-      pathsleft_stay_choice(0, 1) := choice(pathsleft_read_words(2)(0) = '1', not pathsleft_stay_0_values(1),
-        pathsleft_stay_0_is_equal);
-      pathsleft_stay_choice(0, 2) := choice(pathsleft_read_words(2)(1) = '1', (pathsleft_read_words(2)(0) = '1') or
-        (not pathsleft_stay_0_values(1)) or (not is_set(pathsleft_fresh_here, 0)), pathsleft_stay_choice(0, 1));
-      pathsleft_stay_0_values(2) := is_set(pathsleft_fresh_here, 2);
-      pathsleft_stay_choice(0, 3) := inverted_carry(pathsleft_stay_choice(0, 2), not (pathsleft_read_words(2)(2) =
-        '1'), pathsleft_stay_0_values(2));
-      for i in 3 to 5 loop
-        pathsleft_stay_0_values(i) := is_set(pathsleft_fresh_here, i);
-        pathsleft_stay_choice(0, i + 1) := carry(pathsleft_stay_choice(0, i), not (pathsleft_read_words(2)(i) = '1'),
-          pathsleft_stay_0_values(i));
+      pathsleft_stay_value(0, 2) := is_set(pathsleft_fresh_here, 2);
+      pathsleft_stay_value(0, 3) := is_set(pathsleft_fresh_here, 3);
+      pathsleft_stay_value(0, 4) := is_set(pathsleft_fresh_here, 4);
+      pathsleft_stay_value(0, 5) := is_set(pathsleft_fresh_here, 5);
+      pathsleft_stay_choice(0, 7) := not is_larger(to_integer(pathsleft_read_words(2)(6 downto 0)),
+        pathsleft_fresh_here, 0, 6, true);
+      for i in 6 to 10 loop
+        pathsleft_stay_value(0, i) := pathsleft_read_words(0)(i - 4) = '1';
       end loop;
-      pathsleft_stay_choice(0, 7) := carry(pathsleft_stay_choice(0, 6), not (pathsleft_read_words(2)(6) = '1'),
-        is_set(pathsleft_fresh_here, 6));
-      pathsleft_stay_choice(0, 8) := choice(is_set(pathsleft_fresh_here, 0), (not (pathsleft_read_words(0)(1) = '1'))
-        or (not (pathsleft_read_words(0)(0) = '1')), not (pathsleft_read_words(0)(1) = '1'));
-      pathsleft_stay_choice(0, 9) := choice(pathsleft_stay_0_values(1), pathsleft_stay_choice(0, 8),
-        is_set(pathsleft_fresh_here, 0) and (to_integer(pathsleft_read_words(0)(1 downto 0)) = 0));
-      pathsleft_stay_0_values(6) := pathsleft_read_words(0)(2) = '1';
-      pathsleft_stay_choice(0, 10) := inverted_carry(pathsleft_stay_choice(0, 9), not pathsleft_stay_0_values(2),
-        pathsleft_stay_0_values(6));
-      for i in 7 to 9 loop
-        pathsleft_stay_0_values(i) := pathsleft_read_words(0)(i - 4) = '1';
-        pathsleft_stay_choice(0, i + 4) := carry(pathsleft_stay_choice(0, i + 3), not pathsleft_stay_0_values(i - 4),
-          pathsleft_stay_0_values(i));
-      end loop;
-      pathsleft_stay_0_values(10) := pathsleft_read_words(0)(6) = '1';
-      pathsleft_stay_choice(0, 14) := carry(pathsleft_stay_choice(0, 13), not is_set(pathsleft_fresh_here, 6),
-        pathsleft_stay_0_values(10));
+      pathsleft_stay_choice(0, 14) := not is_larger(pathsleft_fresh_here, to_integer(pathsleft_read_words(0)(6 downto
+        0)), 0, 6, false);
       pathsleft_stay_choice(0, 15) := choice(pathsleft_stay_choice(0, 7), not pathsleft_first, (not
         pathsleft_stay_choice(0, 14)) and (not pathsleft_first));
       pathsleft_stay_choice_16(0) := choice((to_integer(pathsleft_read_words(2)(6 downto 0)) -
@@ -2716,157 +2199,84 @@ begin
         to_integer(pathsleft_read_words(0)(6 downto 0)));
       for i in 1 to 2 loop
         pathsleft_stay_value(i, 1) := pathsleft_read_words(2)(7 * i) = '1';
-        pathsleft_stay_choice(i, 1) := choice(pathsleft_stay_value(i, 1), not pathsleft_stay_0_values(1),
-          pathsleft_stay_0_is_equal);
-        pathsleft_stay_choice(i, 2) := choice(pathsleft_read_words(2)(7 * i + 1) = '1', pathsleft_stay_value(i, 1) or
-          (not pathsleft_stay_0_values(1)) or (not is_set(pathsleft_fresh_here, 0)), pathsleft_stay_choice(i, 1));
-        pathsleft_stay_choice(i, 3) := inverted_carry(pathsleft_stay_choice(i, 2), not (pathsleft_read_words(2)(7 * i +
-          2) = '1'), pathsleft_stay_0_values(2));
-        for j in 4 to 6 loop
-          pathsleft_stay_choice(i, j) := carry(pathsleft_stay_choice(i, j - 1), not (pathsleft_read_words(2)(7 * i + j
-            - 1) = '1'), pathsleft_stay_0_values(j - 1));
-        end loop;
-        pathsleft_stay_choice(i, 7) := carry(pathsleft_stay_choice(i, 6), not (pathsleft_read_words(2)(7 * i + 6) =
-          '1'), is_set(pathsleft_fresh_here, 6));
+        pathsleft_stay_choice(i, 7) := not is_larger(to_integer(pathsleft_read_words(2)(7 * i + 6 downto 7 * i)),
+          pathsleft_fresh_here, 0, 6, true);
         pathsleft_stay_value(i, 2) := pathsleft_read_words(0)(7 * i) = '1';
-        pathsleft_stay_choice(i, 8) := choice(pathsleft_stay_value(i, 2), not pathsleft_stay_0_values(1),
-          pathsleft_stay_0_is_equal);
-        pathsleft_stay_choice(i, 9) := choice(pathsleft_read_words(0)(7 * i + 1) = '1', pathsleft_stay_value(i, 2) or
-          (not pathsleft_stay_0_values(1)) or (not is_set(pathsleft_fresh_here, 0)), pathsleft_stay_choice(i, 8));
-        pathsleft_stay_choice(i, 10) := inverted_carry(pathsleft_stay_choice(i, 9), not (pathsleft_read_words(0)(7 * i
-          + 2) = '1'), pathsleft_stay_0_values(2));
-        for j in 11 to 13 loop
-          pathsleft_stay_choice(i, j) := carry(pathsleft_stay_choice(i, j - 1), not (pathsleft_read_words(0)(7 * i + j
-            - 8) = '1'), pathsleft_stay_0_values(j - 8));
-        end loop;
-        pathsleft_stay_choice(i, 14) := carry(pathsleft_stay_choice(i, 13), not (pathsleft_read_words(0)(7 * i + 6) =
-          '1'), is_set(pathsleft_fresh_here, 6));
+        pathsleft_stay_choice(i, 14) := not is_larger(to_integer(pathsleft_read_words(0)(7 * i + 6 downto 7 * i)),
+          pathsleft_fresh_here, 0, 6, true);
         pathsleft_stay_choice(i, 15) := choice(pathsleft_stay_choice(i, 7), not pathsleft_first,
           pathsleft_stay_choice(i, 14) and (not pathsleft_first));
-        pathsleft_stay_values_from_1(i, 3) := to_integer(pathsleft_read_words(2)(7 * i + 6 downto 7 * i));
-        pathsleft_stay_values_from_1(i, 4) := to_integer(pathsleft_read_words(0)(7 * i + 6 downto 7 * i));
-        pathsleft_stay_choice_16(i) := choice((pathsleft_stay_values_from_1(i, 3) - pathsleft_stay_values_from_1(i, 4))
-          < 0, pathsleft_stay_values_from_1(i, 3), pathsleft_stay_values_from_1(i, 4));
+        pathsleft_stay_values(i, 3) := to_integer(pathsleft_read_words(2)(7 * i + 6 downto 7 * i));
+        pathsleft_stay_values(i, 4) := to_integer(pathsleft_read_words(0)(7 * i + 6 downto 7 * i));
+        pathsleft_stay_choice_16(i) := choice((pathsleft_stay_values(i, 3) - pathsleft_stay_values(i, 4)) < 0,
+          pathsleft_stay_values(i, 3), pathsleft_stay_values(i, 4));
       end loop;
-      for i in 1 to 2 loop
-        pathsleft_stay_value(3, i) := pathsleft_read_words(4 - 2 * i)(21) = '1';
-        pathsleft_stay_choice(3, 7 * i - 6) := choice(pathsleft_stay_value(3, i), not pathsleft_stay_0_values(1),
-          pathsleft_stay_0_is_equal);
-        pathsleft_stay_choice(3, 7 * i - 5) := choice(pathsleft_read_words(4 - 2 * i)(22) = '1',
-          pathsleft_stay_value(3, i) or (not pathsleft_stay_0_values(1)) or (not is_set(pathsleft_fresh_here, 0)),
-          pathsleft_stay_choice(3, 7 * i - 6));
-        pathsleft_stay_choice(3, 7 * i - 4) := inverted_carry(pathsleft_stay_choice(3, 7 * i - 5), not
-          (pathsleft_read_words(4 - 2 * i)(23) = '1'), pathsleft_stay_0_values(2));
-        for j in 24 to 26 loop
-          pathsleft_stay_choice(3, 7 * i + j - 27) := carry(pathsleft_stay_choice(3, 7 * i + j - 28), not
-            (pathsleft_read_words(4 - 2 * i)(j) = '1'), pathsleft_stay_0_values(j - 21));
-        end loop;
-        pathsleft_stay_choice(3, 7 * i) := carry(pathsleft_stay_choice(3, 7 * i - 1), not (pathsleft_read_words(4 - 2 *
-          i)(27) = '1'), is_set(pathsleft_fresh_here, 6));
-      end loop;
+      pathsleft_stay_value(3, 1) := pathsleft_read_words(2)(21) = '1';
+      pathsleft_stay_choice(3, 7) := not is_larger(to_integer(pathsleft_read_words(2)(27 downto 21)),
+        pathsleft_fresh_here, 0, 6, true);
+      pathsleft_stay_value(3, 2) := pathsleft_read_words(0)(21) = '1';
+      pathsleft_stay_choice(3, 14) := not is_larger(to_integer(pathsleft_read_words(0)(27 downto 21)),
+        pathsleft_fresh_here, 0, 6, true);
       pathsleft_stay_choice(3, 15) := choice(pathsleft_stay_choice(3, 7), not pathsleft_first, pathsleft_stay_choice(3,
         14) and (not pathsleft_first));
       pathsleft_stay_choice_16(3) := choice((to_integer(pathsleft_read_words(2)(27 downto 21)) -
         to_integer(pathsleft_read_words(0)(27 downto 21))) < 0, to_integer(pathsleft_read_words(2)(27 downto 21)),
         to_integer(pathsleft_read_words(0)(27 downto 21)));
-      for i in 0 to 1 loop
-        pathsleft_stay_choice(4, 7 * i + 1) := choice(pathsleft_read_words(3 - 2 * i)(0) = '1', not
-          pathsleft_stay_0_values(1), pathsleft_stay_0_is_equal);
-        pathsleft_stay_choice(4, 7 * i + 2) := choice(pathsleft_read_words(3 - 2 * i)(1) = '1', (pathsleft_read_words(3
-          - 2 * i)(0) = '1') or (not pathsleft_stay_0_values(1)) or (not is_set(pathsleft_fresh_here, 0)),
-          pathsleft_stay_choice(4, 7 * i + 1));
-        pathsleft_stay_choice(4, 7 * i + 3) := inverted_carry(pathsleft_stay_choice(4, 7 * i + 2), not
-          (pathsleft_read_words(3 - 2 * i)(2) = '1'), pathsleft_stay_0_values(2));
-        for j in 3 to 5 loop
-          pathsleft_stay_choice(4, 7 * i + j + 1) := carry(pathsleft_stay_choice(4, 7 * i + j), not
-            (pathsleft_read_words(3 - 2 * i)(j) = '1'), pathsleft_stay_0_values(j));
-        end loop;
-        pathsleft_stay_choice(4, 7 * i + 7) := carry(pathsleft_stay_choice(4, 7 * i + 6), not (pathsleft_read_words(3 -
-          2 * i)(6) = '1'), is_set(pathsleft_fresh_here, 6));
-      end loop;
+      pathsleft_stay_choice(4, 7) := not is_larger(to_integer(pathsleft_read_words(3)(6 downto 0)),
+        pathsleft_fresh_here, 0, 6, true);
+      pathsleft_stay_choice(4, 14) := not is_larger(to_integer(pathsleft_read_words(1)(6 downto 0)),
+        pathsleft_fresh_here, 0, 6, true);
       pathsleft_stay_choice(4, 15) := choice(pathsleft_stay_choice(4, 7), not pathsleft_first, pathsleft_stay_choice(4,
         14) and (not pathsleft_first));
       pathsleft_stay_choice_16(4) := choice((to_integer(pathsleft_read_words(3)(6 downto 0)) -
         to_integer(pathsleft_read_words(1)(6 downto 0))) < 0, to_integer(pathsleft_read_words(3)(6 downto 0)),
         to_integer(pathsleft_read_words(1)(6 downto 0)));
       for i in 5 to 6 loop
-        pathsleft_stay_values(i, 1) := pathsleft_read_words(3)(7 * i - 28) = '1';
-        pathsleft_stay_choice(i, 1) := choice(pathsleft_stay_values(i, 1), not pathsleft_stay_0_values(1),
-          pathsleft_stay_0_is_equal);
-        pathsleft_stay_choice(i, 2) := choice(pathsleft_read_words(3)(7 * i - 27) = '1', pathsleft_stay_values(i, 1) or
-          (not pathsleft_stay_0_values(1)) or (not is_set(pathsleft_fresh_here, 0)), pathsleft_stay_choice(i, 1));
-        pathsleft_stay_choice(i, 3) := inverted_carry(pathsleft_stay_choice(i, 2), not (pathsleft_read_words(3)(7 * i -
-          26) = '1'), pathsleft_stay_0_values(2));
-        for j in 4 to 6 loop
-          pathsleft_stay_choice(i, j) := carry(pathsleft_stay_choice(i, j - 1), not (pathsleft_read_words(3)(7 * i + j
-            - 29) = '1'), pathsleft_stay_0_values(j - 1));
-        end loop;
-        pathsleft_stay_choice(i, 7) := carry(pathsleft_stay_choice(i, 6), not (pathsleft_read_words(3)(7 * i - 22) =
-          '1'), is_set(pathsleft_fresh_here, 6));
-        pathsleft_stay_values(i, 2) := pathsleft_read_words(1)(7 * i - 28) = '1';
-        pathsleft_stay_choice(i, 8) := choice(pathsleft_stay_values(i, 2), not pathsleft_stay_0_values(1),
-          pathsleft_stay_0_is_equal);
-        pathsleft_stay_choice(i, 9) := choice(pathsleft_read_words(1)(7 * i - 27) = '1', pathsleft_stay_values(i, 2) or
-          (not pathsleft_stay_0_values(1)) or (not is_set(pathsleft_fresh_here, 0)), pathsleft_stay_choice(i, 8));
-        pathsleft_stay_choice(i, 10) := inverted_carry(pathsleft_stay_choice(i, 9), not (pathsleft_read_words(1)(7 * i
-          - 26) = '1'), pathsleft_stay_0_values(2));
-        for j in 11 to 13 loop
-          pathsleft_stay_choice(i, j) := carry(pathsleft_stay_choice(i, j - 1), not (pathsleft_read_words(1)(7 * i + j
-            - 36) = '1'), pathsleft_stay_0_values(j - 8));
-        end loop;
-        pathsleft_stay_choice(i, 14) := carry(pathsleft_stay_choice(i, 13), not (pathsleft_read_words(1)(7 * i - 22) =
-          '1'), is_set(pathsleft_fresh_here, 6));
+        pathsleft_stay_value(i, 1) := pathsleft_read_words(3)(7 * i - 28) = '1';
+        pathsleft_stay_choice(i, 7) := not is_larger(to_integer(pathsleft_read_words(3)(7 * i - 22 downto 7 * i - 28)),
+          pathsleft_fresh_here, 0, 6, true);
+        pathsleft_stay_value(i, 2) := pathsleft_read_words(1)(7 * i - 28) = '1';
+        pathsleft_stay_choice(i, 14) := not is_larger(to_integer(pathsleft_read_words(1)(7 * i - 22 downto 7 * i -
+          28)), pathsleft_fresh_here, 0, 6, true);
         pathsleft_stay_choice(i, 15) := choice(pathsleft_stay_choice(i, 7), not pathsleft_first,
           pathsleft_stay_choice(i, 14) and (not pathsleft_first));
-        pathsleft_stay_values_from_1(i, 3) := to_integer(pathsleft_read_words(3)(7 * i - 22 downto 7 * i - 28));
-        pathsleft_stay_values_from_1(i, 4) := to_integer(pathsleft_read_words(1)(7 * i - 22 downto 7 * i - 28));
-        pathsleft_stay_choice_16(i) := choice((pathsleft_stay_values_from_1(i, 3) - pathsleft_stay_values_from_1(i, 4))
-          < 0, pathsleft_stay_values_from_1(i, 3), pathsleft_stay_values_from_1(i, 4));
+        pathsleft_stay_values(i, 3) := to_integer(pathsleft_read_words(3)(7 * i - 22 downto 7 * i - 28));
+        pathsleft_stay_values(i, 4) := to_integer(pathsleft_read_words(1)(7 * i - 22 downto 7 * i - 28));
+        pathsleft_stay_choice_16(i) := choice((pathsleft_stay_values(i, 3) - pathsleft_stay_values(i, 4)) < 0,
+          pathsleft_stay_values(i, 3), pathsleft_stay_values(i, 4));
       end loop;
-      for i in 1 to 2 loop
-        pathsleft_stay_values(7, i) := pathsleft_read_words(5 - 2 * i)(21) = '1';
-        pathsleft_stay_choice(7, 7 * i - 6) := choice(pathsleft_stay_values(7, i), not pathsleft_stay_0_values(1),
-          pathsleft_stay_0_is_equal);
-        pathsleft_stay_choice(7, 7 * i - 5) := choice(pathsleft_read_words(5 - 2 * i)(22) = '1',
-          pathsleft_stay_values(7, i) or (not pathsleft_stay_0_values(1)) or (not is_set(pathsleft_fresh_here, 0)),
-          pathsleft_stay_choice(7, 7 * i - 6));
-        pathsleft_stay_choice(7, 7 * i - 4) := inverted_carry(pathsleft_stay_choice(7, 7 * i - 5), not
-          (pathsleft_read_words(5 - 2 * i)(23) = '1'), pathsleft_stay_0_values(2));
-        for j in 24 to 26 loop
-          pathsleft_stay_choice(7, 7 * i + j - 27) := carry(pathsleft_stay_choice(7, 7 * i + j - 28), not
-            (pathsleft_read_words(5 - 2 * i)(j) = '1'), pathsleft_stay_0_values(j - 21));
-        end loop;
-        pathsleft_stay_choice(7, 7 * i) := carry(pathsleft_stay_choice(7, 7 * i - 1), not (pathsleft_read_words(5 - 2 *
-          i)(27) = '1'), is_set(pathsleft_fresh_here, 6));
-      end loop;
+      pathsleft_stay_value(7, 1) := pathsleft_read_words(3)(21) = '1';
+      pathsleft_stay_choice(7, 7) := not is_larger(to_integer(pathsleft_read_words(3)(27 downto 21)),
+        pathsleft_fresh_here, 0, 6, true);
+      pathsleft_stay_value(7, 2) := pathsleft_read_words(1)(21) = '1';
+      pathsleft_stay_choice(7, 14) := not is_larger(to_integer(pathsleft_read_words(1)(27 downto 21)),
+        pathsleft_fresh_here, 0, 6, true);
       pathsleft_stay_choice(7, 15) := choice(pathsleft_stay_choice(7, 7), not pathsleft_first, pathsleft_stay_choice(7,
         14) and (not pathsleft_first));
       pathsleft_stay_choice_16(7) := choice((to_integer(pathsleft_read_words(3)(27 downto 21)) -
         to_integer(pathsleft_read_words(1)(27 downto 21))) < 0, to_integer(pathsleft_read_words(3)(27 downto 21)),
         to_integer(pathsleft_read_words(1)(27 downto 21)));
-      pathsleft_step_choice(0, 1) := choice(pathsleft_is_first, pathsleft_stay_values_from_1(1, 4),
-        pathsleft_lower_neighbour);
-      pathsleft_step_choice(0, 2) := choice((pathsleft_stay_values_from_1(1, 4) - pathsleft_step_choice(0, 1)) < 0,
-        pathsleft_stay_values_from_1(1, 4), pathsleft_step_choice(0, 1));
-      pathsleft_step_choice(1, 1) := choice((pathsleft_stay_values_from_1(2, 4) - to_integer(pathsleft_read_words(0)(6
-        downto 0))) < 0, pathsleft_stay_values_from_1(2, 4), to_integer(pathsleft_read_words(0)(6 downto 0)));
+      pathsleft_step_choice(0, 1) := choice(pathsleft_is_first, pathsleft_stay_values(1, 4), pathsleft_lower_neighbour);
+      pathsleft_step_choice(0, 2) := choice((pathsleft_stay_values(1, 4) - pathsleft_step_choice(0, 1)) < 0,
+        pathsleft_stay_values(1, 4), pathsleft_step_choice(0, 1));
+      pathsleft_step_choice(1, 1) := choice((pathsleft_stay_values(2, 4) - to_integer(pathsleft_read_words(0)(6 downto
+        0))) < 0, pathsleft_stay_values(2, 4), to_integer(pathsleft_read_words(0)(6 downto 0)));
       pathsleft_step_choice(2, 1) := choice((to_integer(pathsleft_read_words(0)(27 downto 21)) -
-        pathsleft_stay_values_from_1(1, 4)) < 0, to_integer(pathsleft_read_words(0)(27 downto 21)),
-        pathsleft_stay_values_from_1(1, 4));
-      pathsleft_step_choice(3, 1) := choice((to_integer(pathsleft_read_words(1)(6 downto 0)) -
-        pathsleft_stay_values_from_1(2, 4)) < 0, to_integer(pathsleft_read_words(1)(6 downto 0)),
-        pathsleft_stay_values_from_1(2, 4));
-      pathsleft_step_choice(4, 1) := choice((pathsleft_stay_values_from_1(5, 4) - to_integer(pathsleft_read_words(0)(27
-        downto 21))) < 0, pathsleft_stay_values_from_1(5, 4), to_integer(pathsleft_read_words(0)(27 downto 21)));
-      pathsleft_step_choice(5, 1) := choice((pathsleft_stay_values_from_1(6, 4) - to_integer(pathsleft_read_words(1)(6
-        downto 0))) < 0, pathsleft_stay_values_from_1(6, 4), to_integer(pathsleft_read_words(1)(6 downto 0)));
+        pathsleft_stay_values(1, 4)) < 0, to_integer(pathsleft_read_words(0)(27 downto 21)), pathsleft_stay_values(1,
+        4));
+      pathsleft_step_choice(3, 1) := choice((to_integer(pathsleft_read_words(1)(6 downto 0)) - pathsleft_stay_values(2,
+        4)) < 0, to_integer(pathsleft_read_words(1)(6 downto 0)), pathsleft_stay_values(2, 4));
+      pathsleft_step_choice(4, 1) := choice((pathsleft_stay_values(5, 4) - to_integer(pathsleft_read_words(0)(27 downto
+        21))) < 0, pathsleft_stay_values(5, 4), to_integer(pathsleft_read_words(0)(27 downto 21)));
+      pathsleft_step_choice(5, 1) := choice((pathsleft_stay_values(6, 4) - to_integer(pathsleft_read_words(1)(6 downto
+        0))) < 0, pathsleft_stay_values(6, 4), to_integer(pathsleft_read_words(1)(6 downto 0)));
       pathsleft_step_choice(6, 1) := choice((to_integer(pathsleft_read_words(1)(27 downto 21)) -
-        pathsleft_stay_values_from_1(5, 4)) < 0, to_integer(pathsleft_read_words(1)(27 downto 21)),
-        pathsleft_stay_values_from_1(5, 4));
-      pathsleft_step_choice(7, 1) := choice(pathsleft_is_last, pathsleft_stay_values_from_1(6, 4),
+        pathsleft_stay_values(5, 4)) < 0, to_integer(pathsleft_read_words(1)(27 downto 21)), pathsleft_stay_values(5,
+        4));
+      pathsleft_step_choice(7, 1) := choice(pathsleft_is_last, pathsleft_stay_values(6, 4),
         to_integer(pathsleft_read_neighbour_0));
-      pathsleft_step_choice(7, 2) := choice((pathsleft_step_choice(7, 1) - pathsleft_stay_values_from_1(6, 4)) < 0,
-        pathsleft_step_choice(7, 1), pathsleft_stay_values_from_1(6, 4));
+      pathsleft_step_choice(7, 2) := choice((pathsleft_step_choice(7, 1) - pathsleft_stay_values(6, 4)) < 0,
+        pathsleft_step_choice(7, 1), pathsleft_stay_values(6, 4));
       pathsleft_stay_change_value(1) := to_integer(paths_cost_delay_held_0(5 downto 0)) / 8;
       for i in 2 to 6 loop
         pathsleft_stay_change_value(i) := to_integer(paths_cost_delay_held_0(3 * i + 2 downto 3 * i));
@@ -2992,8 +2402,8 @@ begin
       pathsabove_smallest_total_choice := choice(line_comes(12), 31, pathsabove_smallest_total);
       pathsabove_count_phase_is_equal := pathsabove_count_phase = 7;
       pathsabove_count_phase_choice := choice(pathsabove_count_phase_is_equal, 7, (pathsabove_count_phase + 1) mod 8);
-      pathsabove_beside_0_choice := choice(pathsabove_count_phase = 0, pathsabove_held(1), pathsabove_lower_neighbour);
-      pathsabove_beside_7_choice := choice(pathsabove_count_phase_is_equal, pathsabove_held(6), pathsabove_cost(0));
+      pathsabove_beside_choice(0) := choice(pathsabove_count_phase = 0, pathsabove_held(1), pathsabove_lower_neighbour);
+      pathsabove_beside_choice(7) := choice(pathsabove_count_phase_is_equal, pathsabove_held(6), pathsabove_cost(0));
       pathsabove_write_address_address_choice := choice(line_places_shown_first_column(2), 0,
         (pathsabove_write_address_address + 1) mod 8192);
       pathsabove_write_address_count_phase_choice := choice(pathsabove_write_address_count_phase = 7, 7,
@@ -3055,14 +2465,14 @@ begin
       pathsabove_smallest_total <= choice((pathsabove_tree_next_next_smallest_0 - pathsabove_smallest_total_choice) <
         0, pathsabove_tree_next_next_smallest_0, pathsabove_smallest_total_choice);
       pathsabove_count_phase <= choice(line_starts_phases(22), 0, pathsabove_count_phase_choice);
-      pathsabove_beside(0) <= choice((pathsabove_held(1) - pathsabove_beside_0_choice) < 0, pathsabove_held(1),
-        pathsabove_beside_0_choice);
+      pathsabove_beside(0) <= choice((pathsabove_held(1) - pathsabove_beside_choice(0)) < 0, pathsabove_held(1),
+        pathsabove_beside_choice(0));
       for i in 1 to 6 loop
         pathsabove_beside(i) <= choice((pathsabove_held(i + 1) - pathsabove_held(i - 1)) < 0, pathsabove_held(i + 1),
           pathsabove_held(i - 1));
       end loop;
-      pathsabove_beside(7) <= choice((pathsabove_beside_7_choice - pathsabove_held(6)) < 0, pathsabove_beside_7_choice,
-        pathsabove_held(6));
+      pathsabove_beside(7) <= choice((pathsabove_beside_choice(7) - pathsabove_held(6)) < 0,
+        pathsabove_beside_choice(7), pathsabove_held(6));
       for i in 0 to 6 loop
         pathsabove_stay(i) <= choice(pathsabove_own(i) < 20, pathsabove_own(i), 20);
       end loop;
@@ -3183,18 +2593,19 @@ begin
         8192);
       pathsturn_write_address_count_phase <= choice(line_starts_phases(19), 0,
         pathsturn_write_address_count_phase_choice);
-      pathsturn_sum_memory_write_words_0_0_sum := pathsleft_cost(2) + pathsabove_cost(2);
+      pathsturn_sum_memory_write_words_0_sum(0) := pathsleft_cost(2) + pathsabove_cost(2);
       pathsturn_sum_memory_write_words_0_sum_2(0) := (((pathsleft_cost(1) + pathsabove_cost(1)) mod 128) * 128) +
-        ((pathsleft_cost(0) + pathsabove_cost(0)) mod 128) + ((pathsturn_sum_memory_write_words_0_0_sum mod 4) * 16384);
-      pathsturn_sum_memory_write_words_0_1_sum := pathsleft_cost(4) + pathsabove_cost(4);
+        ((pathsleft_cost(0) + pathsabove_cost(0)) mod 128) + ((pathsturn_sum_memory_write_words_0_sum(0) mod 4) *
+        16384);
+      pathsturn_sum_memory_write_words_0_sum(1) := pathsleft_cost(4) + pathsabove_cost(4);
       pathsturn_sum_memory_write_words_0_sum_2(1) := (((pathsleft_cost(3) + pathsabove_cost(3)) mod 128) * 32) +
-        ((pathsturn_sum_memory_write_words_0_0_sum mod 128) / 4) + ((pathsturn_sum_memory_write_words_0_1_sum mod 16) *
-        4096);
-      pathsturn_sum_memory_write_words_0_2_sum := pathsleft_cost(6) + pathsabove_cost(6);
+        ((pathsturn_sum_memory_write_words_0_sum(0) mod 128) / 4) + ((pathsturn_sum_memory_write_words_0_sum(1) mod 16)
+        * 4096);
+      pathsturn_sum_memory_write_words_0_sum(2) := pathsleft_cost(6) + pathsabove_cost(6);
       pathsturn_sum_memory_write_words_0_sum_2(2) := (((pathsleft_cost(5) + pathsabove_cost(5)) mod 128) * 8) +
-        ((pathsturn_sum_memory_write_words_0_1_sum mod 128) / 16) + ((pathsturn_sum_memory_write_words_0_2_sum mod 64)
-        * 1024);
-      pathsturn_sum_memory_write_words_0_3_sum := ((pathsturn_sum_memory_write_words_0_2_sum mod 128) / 64) +
+        ((pathsturn_sum_memory_write_words_0_sum(1) mod 128) / 16) + ((pathsturn_sum_memory_write_words_0_sum(2) mod
+        64) * 1024);
+      pathsturn_sum_memory_write_words_0_3_sum := ((pathsturn_sum_memory_write_words_0_sum(2) mod 128) / 64) +
         (((pathsleft_cost(7) + pathsabove_cost(7)) mod 128) * 2);
       pathsturn_sum_memory_write_words_0_all(0) := (pathsturn_sum_write_address(1) < 4096) and pathsturn_writes_sums(1);
       if pathsturn_sum_memory_write_words_0_all(0) then
@@ -3249,37 +2660,19 @@ begin
         pathsright_fresh_past_fours(0) <= choice((pathsright_fresh_past_pairs(2) - pathsright_fresh_past_pairs(0)) < 0,
           pathsright_fresh_past_pairs(2), pathsright_fresh_past_pairs(0));
       end if;
-      pathsright_stay_0_values(1) := is_set(pathsright_fresh_here, 1);
+      pathsright_stay_value(0, 1) := is_set(pathsright_fresh_here, 1);
       pathsright_stay_0_is_equal := (pathsright_fresh_here mod 4) = 0;
-      pathsright_stay_choice(0, 1) := choice(pathsright_read_words(2)(0) = '1', not pathsright_stay_0_values(1),
-        pathsright_stay_0_is_equal);
-      pathsright_stay_choice(0, 2) := choice(pathsright_read_words(2)(1) = '1', (pathsright_read_words(2)(0) = '1') or
-        (not pathsright_stay_0_values(1)) or (not is_set(pathsright_fresh_here, 0)), pathsright_stay_choice(0, 1));
-      pathsright_stay_0_values(2) := is_set(pathsright_fresh_here, 2);
-      pathsright_stay_choice(0, 3) := inverted_carry(pathsright_stay_choice(0, 2), not (pathsright_read_words(2)(2) =
-        '1'), pathsright_stay_0_values(2));
-      for i in 3 to 5 loop
-        pathsright_stay_0_values(i) := is_set(pathsright_fresh_here, i);
-        pathsright_stay_choice(0, i + 1) := carry(pathsright_stay_choice(0, i), not (pathsright_read_words(2)(i) =
-          '1'), pathsright_stay_0_values(i));
+      pathsright_stay_value(0, 2) := is_set(pathsright_fresh_here, 2);
+      pathsright_stay_value(0, 3) := is_set(pathsright_fresh_here, 3);
+      pathsright_stay_value(0, 4) := is_set(pathsright_fresh_here, 4);
+      pathsright_stay_value(0, 5) := is_set(pathsright_fresh_here, 5);
+      pathsright_stay_choice(0, 7) := not is_larger(to_integer(pathsright_read_words(2)(6 downto 0)),
+        pathsright_fresh_here, 0, 6, true);
+      for i in 6 to 10 loop
+        pathsright_stay_value(0, i) := pathsright_read_words(0)(i - 4) = '1';
       end loop;
-      pathsright_stay_choice(0, 7) := carry(pathsright_stay_choice(0, 6), not (pathsright_read_words(2)(6) = '1'),
-        is_set(pathsright_fresh_here, 6));
-      pathsright_stay_choice(0, 8) := choice(is_set(pathsright_fresh_here, 0), (not (pathsright_read_words(0)(1) =
-        '1')) or (not (pathsright_read_words(0)(0) = '1')), not (pathsright_read_words(0)(1) = '1'));
-      pathsright_stay_choice(0, 9) := choice(pathsright_stay_0_values(1), pathsright_stay_choice(0, 8),
-        is_set(pathsright_fresh_here, 0) and (to_integer(pathsright_read_words(0)(1 downto 0)) = 0));
-      pathsright_stay_0_values(6) := pathsright_read_words(0)(2) = '1';
-      pathsright_stay_choice(0, 10) := inverted_carry(pathsright_stay_choice(0, 9), not pathsright_stay_0_values(2),
-        pathsright_stay_0_values(6));
-      for i in 7 to 9 loop
-        pathsright_stay_0_values(i) := pathsright_read_words(0)(i - 4) = '1';
-        pathsright_stay_choice(0, i + 4) := carry(pathsright_stay_choice(0, i + 3), not pathsright_stay_0_values(i -
-          4), pathsright_stay_0_values(i));
-      end loop;
-      pathsright_stay_0_values(10) := pathsright_read_words(0)(6) = '1';
-      pathsright_stay_choice(0, 14) := carry(pathsright_stay_choice(0, 13), not is_set(pathsright_fresh_here, 6),
-        pathsright_stay_0_values(10));
+      pathsright_stay_choice(0, 14) := not is_larger(pathsright_fresh_here, to_integer(pathsright_read_words(0)(6
+        downto 0)), 0, 6, false);
       pathsright_stay_choice(0, 15) := choice(pathsright_stay_choice(0, 7), not pathsleft_first, (not
         pathsright_stay_choice(0, 14)) and (not pathsleft_first));
       pathsright_stay_choice_16(0) := choice((to_integer(pathsright_read_words(2)(6 downto 0)) -
@@ -3287,160 +2680,86 @@ begin
         to_integer(pathsright_read_words(0)(6 downto 0)));
       for i in 1 to 2 loop
         pathsright_stay_value(i, 1) := pathsright_read_words(2)(7 * i) = '1';
-        pathsright_stay_choice(i, 1) := choice(pathsright_stay_value(i, 1), not pathsright_stay_0_values(1),
-          pathsright_stay_0_is_equal);
-        pathsright_stay_choice(i, 2) := choice(pathsright_read_words(2)(7 * i + 1) = '1', pathsright_stay_value(i, 1)
-          or (not pathsright_stay_0_values(1)) or (not is_set(pathsright_fresh_here, 0)), pathsright_stay_choice(i, 1));
-        pathsright_stay_choice(i, 3) := inverted_carry(pathsright_stay_choice(i, 2), not (pathsright_read_words(2)(7 *
-          i + 2) = '1'), pathsright_stay_0_values(2));
-        for j in 4 to 6 loop
-          pathsright_stay_choice(i, j) := carry(pathsright_stay_choice(i, j - 1), not (pathsright_read_words(2)(7 * i +
-            j - 1) = '1'), pathsright_stay_0_values(j - 1));
-        end loop;
-        pathsright_stay_choice(i, 7) := carry(pathsright_stay_choice(i, 6), not (pathsright_read_words(2)(7 * i + 6) =
-          '1'), is_set(pathsright_fresh_here, 6));
+        pathsright_stay_choice(i, 7) := not is_larger(to_integer(pathsright_read_words(2)(7 * i + 6 downto 7 * i)),
+          pathsright_fresh_here, 0, 6, true);
         pathsright_stay_value(i, 2) := pathsright_read_words(0)(7 * i) = '1';
-        pathsright_stay_choice(i, 8) := choice(pathsright_stay_value(i, 2), not pathsright_stay_0_values(1),
-          pathsright_stay_0_is_equal);
-        pathsright_stay_choice(i, 9) := choice(pathsright_read_words(0)(7 * i + 1) = '1', pathsright_stay_value(i, 2)
-          or (not pathsright_stay_0_values(1)) or (not is_set(pathsright_fresh_here, 0)), pathsright_stay_choice(i, 8));
-        pathsright_stay_choice(i, 10) := inverted_carry(pathsright_stay_choice(i, 9), not (pathsright_read_words(0)(7 *
-          i + 2) = '1'), pathsright_stay_0_values(2));
-        for j in 11 to 13 loop
-          pathsright_stay_choice(i, j) := carry(pathsright_stay_choice(i, j - 1), not (pathsright_read_words(0)(7 * i +
-            j - 8) = '1'), pathsright_stay_0_values(j - 8));
-        end loop;
-        pathsright_stay_choice(i, 14) := carry(pathsright_stay_choice(i, 13), not (pathsright_read_words(0)(7 * i + 6)
-          = '1'), is_set(pathsright_fresh_here, 6));
+        pathsright_stay_choice(i, 14) := not is_larger(to_integer(pathsright_read_words(0)(7 * i + 6 downto 7 * i)),
+          pathsright_fresh_here, 0, 6, true);
         pathsright_stay_choice(i, 15) := choice(pathsright_stay_choice(i, 7), not pathsleft_first,
           pathsright_stay_choice(i, 14) and (not pathsleft_first));
-        pathsright_stay_values_from_1(i, 3) := to_integer(pathsright_read_words(2)(7 * i + 6 downto 7 * i));
-        pathsright_stay_values_from_1(i, 4) := to_integer(pathsright_read_words(0)(7 * i + 6 downto 7 * i));
-        pathsright_stay_choice_16(i) := choice((pathsright_stay_values_from_1(i, 3) - pathsright_stay_values_from_1(i,
-          4)) < 0, pathsright_stay_values_from_1(i, 3), pathsright_stay_values_from_1(i, 4));
+        pathsright_stay_values(i, 3) := to_integer(pathsright_read_words(2)(7 * i + 6 downto 7 * i));
+        pathsright_stay_values(i, 4) := to_integer(pathsright_read_words(0)(7 * i + 6 downto 7 * i));
+        pathsright_stay_choice_16(i) := choice((pathsright_stay_values(i, 3) - pathsright_stay_values(i, 4)) < 0,
+          pathsright_stay_values(i, 3), pathsright_stay_values(i, 4));
       end loop;
-      for i in 1 to 2 loop
-        pathsright_stay_value(3, i) := pathsright_read_words(4 - 2 * i)(21) = '1';
-        pathsright_stay_choice(3, 7 * i - 6) := choice(pathsright_stay_value(3, i), not pathsright_stay_0_values(1),
-          pathsright_stay_0_is_equal);
-        pathsright_stay_choice(3, 7 * i - 5) := choice(pathsright_read_words(4 - 2 * i)(22) = '1',
-          pathsright_stay_value(3, i) or (not pathsright_stay_0_values(1)) or (not is_set(pathsright_fresh_here, 0)),
-          pathsright_stay_choice(3, 7 * i - 6));
-        pathsright_stay_choice(3, 7 * i - 4) := inverted_carry(pathsright_stay_choice(3, 7 * i - 5), not
-          (pathsright_read_words(4 - 2 * i)(23) = '1'), pathsright_stay_0_values(2));
-        for j in 24 to 26 loop
-          pathsright_stay_choice(3, 7 * i + j - 27) := carry(pathsright_stay_choice(3, 7 * i + j - 28), not
-            (pathsright_read_words(4 - 2 * i)(j) = '1'), pathsright_stay_0_values(j - 21));
-        end loop;
-        pathsright_stay_choice(3, 7 * i) := carry(pathsright_stay_choice(3, 7 * i - 1), not (pathsright_read_words(4 -
-          2 * i)(27) = '1'), is_set(pathsright_fresh_here, 6));
-      end loop;
+      pathsright_stay_value(3, 1) := pathsright_read_words(2)(21) = '1';
+      pathsright_stay_choice(3, 7) := not is_larger(to_integer(pathsright_read_words(2)(27 downto 21)),
+        pathsright_fresh_here, 0, 6, true);
+      pathsright_stay_value(3, 2) := pathsright_read_words(0)(21) = '1';
+      pathsright_stay_choice(3, 14) := not is_larger(to_integer(pathsright_read_words(0)(27 downto 21)),
+        pathsright_fresh_here, 0, 6, true);
       pathsright_stay_choice(3, 15) := choice(pathsright_stay_choice(3, 7), not pathsleft_first,
         pathsright_stay_choice(3, 14) and (not pathsleft_first));
       pathsright_stay_choice_16(3) := choice((to_integer(pathsright_read_words(2)(27 downto 21)) -
         to_integer(pathsright_read_words(0)(27 downto 21))) < 0, to_integer(pathsright_read_words(2)(27 downto 21)),
         to_integer(pathsright_read_words(0)(27 downto 21)));
-      for i in 0 to 1 loop
-        pathsright_stay_choice(4, 7 * i + 1) := choice(pathsright_read_words(3 - 2 * i)(0) = '1', not
-          pathsright_stay_0_values(1), pathsright_stay_0_is_equal);
-        pathsright_stay_choice(4, 7 * i + 2) := choice(pathsright_read_words(3 - 2 * i)(1) = '1',
-          (pathsright_read_words(3 - 2 * i)(0) = '1') or (not pathsright_stay_0_values(1)) or (not
-          is_set(pathsright_fresh_here, 0)), pathsright_stay_choice(4, 7 * i + 1));
-        pathsright_stay_choice(4, 7 * i + 3) := inverted_carry(pathsright_stay_choice(4, 7 * i + 2), not
-          (pathsright_read_words(3 - 2 * i)(2) = '1'), pathsright_stay_0_values(2));
-        for j in 3 to 5 loop
-          pathsright_stay_choice(4, 7 * i + j + 1) := carry(pathsright_stay_choice(4, 7 * i + j), not
-            (pathsright_read_words(3 - 2 * i)(j) = '1'), pathsright_stay_0_values(j));
-        end loop;
-        pathsright_stay_choice(4, 7 * i + 7) := carry(pathsright_stay_choice(4, 7 * i + 6), not
-          (pathsright_read_words(3 - 2 * i)(6) = '1'), is_set(pathsright_fresh_here, 6));
-      end loop;
+      pathsright_stay_choice(4, 7) := not is_larger(to_integer(pathsright_read_words(3)(6 downto 0)),
+        pathsright_fresh_here, 0, 6, true);
+      pathsright_stay_choice(4, 14) := not is_larger(to_integer(pathsright_read_words(1)(6 downto 0)),
+        pathsright_fresh_here, 0, 6, true);
       pathsright_stay_choice(4, 15) := choice(pathsright_stay_choice(4, 7), not pathsleft_first,
         pathsright_stay_choice(4, 14) and (not pathsleft_first));
       pathsright_stay_choice_16(4) := choice((to_integer(pathsright_read_words(3)(6 downto 0)) -
         to_integer(pathsright_read_words(1)(6 downto 0))) < 0, to_integer(pathsright_read_words(3)(6 downto 0)),
         to_integer(pathsright_read_words(1)(6 downto 0)));
       for i in 5 to 6 loop
-        pathsright_stay_values(i, 1) := pathsright_read_words(3)(7 * i - 28) = '1';
-        pathsright_stay_choice(i, 1) := choice(pathsright_stay_values(i, 1), not pathsright_stay_0_values(1),
-          pathsright_stay_0_is_equal);
-        pathsright_stay_choice(i, 2) := choice(pathsright_read_words(3)(7 * i - 27) = '1', pathsright_stay_values(i, 1)
-          or (not pathsright_stay_0_values(1)) or (not is_set(pathsright_fresh_here, 0)), pathsright_stay_choice(i, 1));
-        pathsright_stay_choice(i, 3) := inverted_carry(pathsright_stay_choice(i, 2), not (pathsright_read_words(3)(7 *
-          i - 26) = '1'), pathsright_stay_0_values(2));
-        for j in 4 to 6 loop
-          pathsright_stay_choice(i, j) := carry(pathsright_stay_choice(i, j - 1), not (pathsright_read_words(3)(7 * i +
-            j - 29) = '1'), pathsright_stay_0_values(j - 1));
-        end loop;
-        pathsright_stay_choice(i, 7) := carry(pathsright_stay_choice(i, 6), not (pathsright_read_words(3)(7 * i - 22) =
-          '1'), is_set(pathsright_fresh_here, 6));
-        pathsright_stay_values(i, 2) := pathsright_read_words(1)(7 * i - 28) = '1';
-        pathsright_stay_choice(i, 8) := choice(pathsright_stay_values(i, 2), not pathsright_stay_0_values(1),
-          pathsright_stay_0_is_equal);
-        pathsright_stay_choice(i, 9) := choice(pathsright_read_words(1)(7 * i - 27) = '1', pathsright_stay_values(i, 2)
-          or (not pathsright_stay_0_values(1)) or (not is_set(pathsright_fresh_here, 0)), pathsright_stay_choice(i, 8));
-        pathsright_stay_choice(i, 10) := inverted_carry(pathsright_stay_choice(i, 9), not (pathsright_read_words(1)(7 *
-          i - 26) = '1'), pathsright_stay_0_values(2));
-        for j in 11 to 13 loop
-          pathsright_stay_choice(i, j) := carry(pathsright_stay_choice(i, j - 1), not (pathsright_read_words(1)(7 * i +
-            j - 36) = '1'), pathsright_stay_0_values(j - 8));
-        end loop;
-        pathsright_stay_choice(i, 14) := carry(pathsright_stay_choice(i, 13), not (pathsright_read_words(1)(7 * i - 22)
-          = '1'), is_set(pathsright_fresh_here, 6));
+        pathsright_stay_value(i, 1) := pathsright_read_words(3)(7 * i - 28) = '1';
+        pathsright_stay_choice(i, 7) := not is_larger(to_integer(pathsright_read_words(3)(7 * i - 22 downto 7 * i -
+          28)), pathsright_fresh_here, 0, 6, true);
+        pathsright_stay_value(i, 2) := pathsright_read_words(1)(7 * i - 28) = '1';
+        pathsright_stay_choice(i, 14) := not is_larger(to_integer(pathsright_read_words(1)(7 * i - 22 downto 7 * i -
+          28)), pathsright_fresh_here, 0, 6, true);
         pathsright_stay_choice(i, 15) := choice(pathsright_stay_choice(i, 7), not pathsleft_first,
           pathsright_stay_choice(i, 14) and (not pathsleft_first));
-        pathsright_stay_values_from_1(i, 3) := to_integer(pathsright_read_words(3)(7 * i - 22 downto 7 * i - 28));
-        pathsright_stay_values_from_1(i, 4) := to_integer(pathsright_read_words(1)(7 * i - 22 downto 7 * i - 28));
-        pathsright_stay_choice_16(i) := choice((pathsright_stay_values_from_1(i, 3) - pathsright_stay_values_from_1(i,
-          4)) < 0, pathsright_stay_values_from_1(i, 3), pathsright_stay_values_from_1(i, 4));
+        pathsright_stay_values(i, 3) := to_integer(pathsright_read_words(3)(7 * i - 22 downto 7 * i - 28));
+        pathsright_stay_values(i, 4) := to_integer(pathsright_read_words(1)(7 * i - 22 downto 7 * i - 28));
+        pathsright_stay_choice_16(i) := choice((pathsright_stay_values(i, 3) - pathsright_stay_values(i, 4)) < 0,
+          pathsright_stay_values(i, 3), pathsright_stay_values(i, 4));
       end loop;
-      for i in 1 to 2 loop
-        pathsright_stay_values(7, i) := pathsright_read_words(5 - 2 * i)(21) = '1';
-        pathsright_stay_choice(7, 7 * i - 6) := choice(pathsright_stay_values(7, i), not pathsright_stay_0_values(1),
-          pathsright_stay_0_is_equal);
-        pathsright_stay_choice(7, 7 * i - 5) := choice(pathsright_read_words(5 - 2 * i)(22) = '1',
-          pathsright_stay_values(7, i) or (not pathsright_stay_0_values(1)) or (not is_set(pathsright_fresh_here, 0)),
-          pathsright_stay_choice(7, 7 * i - 6));
-        pathsright_stay_choice(7, 7 * i - 4) := inverted_carry(pathsright_stay_choice(7, 7 * i - 5), not
-          (pathsright_read_words(5 - 2 * i)(23) = '1'), pathsright_stay_0_values(2));
-        for j in 24 to 26 loop
-          pathsright_stay_choice(7, 7 * i + j - 27) := carry(pathsright_stay_choice(7, 7 * i + j - 28), not
-            (pathsright_read_words(5 - 2 * i)(j) = '1'), pathsright_stay_0_values(j - 21));
-        end loop;
-        pathsright_stay_choice(7, 7 * i) := carry(pathsright_stay_choice(7, 7 * i - 1), not (pathsright_read_words(5 -
-          2 * i)(27) = '1'), is_set(pathsright_fresh_here, 6));
-      end loop;
+      pathsright_stay_value(7, 1) := pathsright_read_words(3)(21) = '1';
+      pathsright_stay_choice(7, 7) := not is_larger(to_integer(pathsright_read_words(3)(27 downto 21)),
+        pathsright_fresh_here, 0, 6, true);
+      pathsright_stay_value(7, 2) := pathsright_read_words(1)(21) = '1';
+      pathsright_stay_choice(7, 14) := not is_larger(to_integer(pathsright_read_words(1)(27 downto 21)),
+        pathsright_fresh_here, 0, 6, true);
       pathsright_stay_choice(7, 15) := choice(pathsright_stay_choice(7, 7), not pathsleft_first,
         pathsright_stay_choice(7, 14) and (not pathsleft_first));
       pathsright_stay_choice_16(7) := choice((to_integer(pathsright_read_words(3)(27 downto 21)) -
         to_integer(pathsright_read_words(1)(27 downto 21))) < 0, to_integer(pathsright_read_words(3)(27 downto 21)),
         to_integer(pathsright_read_words(1)(27 downto 21)));
-      pathsright_step_choice(0, 1) := choice(pathsleft_is_first, pathsright_stay_values_from_1(1, 4),
+      pathsright_step_choice(0, 1) := choice(pathsleft_is_first, pathsright_stay_values(1, 4),
         pathsright_lower_neighbour);
-      pathsright_step_choice(0, 2) := choice((pathsright_stay_values_from_1(1, 4) - pathsright_step_choice(0, 1)) < 0,
-        pathsright_stay_values_from_1(1, 4), pathsright_step_choice(0, 1));
-      pathsright_step_choice(1, 1) := choice((pathsright_stay_values_from_1(2, 4) -
-        to_integer(pathsright_read_words(0)(6 downto 0))) < 0, pathsright_stay_values_from_1(2, 4),
-        to_integer(pathsright_read_words(0)(6 downto 0)));
+      pathsright_step_choice(0, 2) := choice((pathsright_stay_values(1, 4) - pathsright_step_choice(0, 1)) < 0,
+        pathsright_stay_values(1, 4), pathsright_step_choice(0, 1));
+      pathsright_step_choice(1, 1) := choice((pathsright_stay_values(2, 4) - to_integer(pathsright_read_words(0)(6
+        downto 0))) < 0, pathsright_stay_values(2, 4), to_integer(pathsright_read_words(0)(6 downto 0)));
       pathsright_step_choice(2, 1) := choice((to_integer(pathsright_read_words(0)(27 downto 21)) -
-        pathsright_stay_values_from_1(1, 4)) < 0, to_integer(pathsright_read_words(0)(27 downto 21)),
-        pathsright_stay_values_from_1(1, 4));
+        pathsright_stay_values(1, 4)) < 0, to_integer(pathsright_read_words(0)(27 downto 21)),
+        pathsright_stay_values(1, 4));
       pathsright_step_choice(3, 1) := choice((to_integer(pathsright_read_words(1)(6 downto 0)) -
-        pathsright_stay_values_from_1(2, 4)) < 0, to_integer(pathsright_read_words(1)(6 downto 0)),
-        pathsright_stay_values_from_1(2, 4));
-      pathsright_step_choice(4, 1) := choice((pathsright_stay_values_from_1(5, 4) -
-        to_integer(pathsright_read_words(0)(27 downto 21))) < 0, pathsright_stay_values_from_1(5, 4),
-        to_integer(pathsright_read_words(0)(27 downto 21)));
-      pathsright_step_choice(5, 1) := choice((pathsright_stay_values_from_1(6, 4) -
-        to_integer(pathsright_read_words(1)(6 downto 0))) < 0, pathsright_stay_values_from_1(6, 4),
-        to_integer(pathsright_read_words(1)(6 downto 0)));
+        pathsright_stay_values(2, 4)) < 0, to_integer(pathsright_read_words(1)(6 downto 0)), pathsright_stay_values(2,
+        4));
+      pathsright_step_choice(4, 1) := choice((pathsright_stay_values(5, 4) - to_integer(pathsright_read_words(0)(27
+        downto 21))) < 0, pathsright_stay_values(5, 4), to_integer(pathsright_read_words(0)(27 downto 21)));
+      pathsright_step_choice(5, 1) := choice((pathsright_stay_values(6, 4) - to_integer(pathsright_read_words(1)(6
+        downto 0))) < 0, pathsright_stay_values(6, 4), to_integer(pathsright_read_words(1)(6 downto 0)));
       pathsright_step_choice(6, 1) := choice((to_integer(pathsright_read_words(1)(27 downto 21)) -
-        pathsright_stay_values_from_1(5, 4)) < 0, to_integer(pathsright_read_words(1)(27 downto 21)),
-        pathsright_stay_values_from_1(5, 4));
-      pathsright_step_choice(7, 1) := choice(pathsleft_is_last, pathsright_stay_values_from_1(6, 4),
+        pathsright_stay_values(5, 4)) < 0, to_integer(pathsright_read_words(1)(27 downto 21)),
+        pathsright_stay_values(5, 4));
+      pathsright_step_choice(7, 1) := choice(pathsleft_is_last, pathsright_stay_values(6, 4),
         to_integer(pathsright_read_neighbour_0));
-      pathsright_step_choice(7, 2) := choice((pathsright_step_choice(7, 1) - pathsright_stay_values_from_1(6, 4)) < 0,
-        pathsright_step_choice(7, 1), pathsright_stay_values_from_1(6, 4));
+      pathsright_step_choice(7, 2) := choice((pathsright_step_choice(7, 1) - pathsright_stay_values(6, 4)) < 0,
+        pathsright_step_choice(7, 1), pathsright_stay_values(6, 4));
       pathsright_stay_change_value(1) := (pathsturn_cost_memory_ready_words(0) mod 64) / 8;
       pathsright_stay_change_value(2) := (pathsturn_cost_memory_ready_words(0) / 64) mod 8;
       pathsright_stay_change_value(3) := (pathsturn_cost_memory_ready_words(0) / 512) mod 8;
@@ -3552,26 +2871,14 @@ begin
       -- winnerswinner1
       for i in 0 to 3 loop
         winnerswinner1_best_index_0_value(i, 1) := is_set(paths_sum(2 * i + 1), 1);
-        winnerswinner1_best_index_0_value(i, 2) := is_set(paths_sum(2 * i), 1);
-        winnerswinner1_best_index_0_choice(i, 1) := choice(is_set(paths_sum(2 * i + 1), 0), not
-          winnerswinner1_best_index_0_value(i, 2), (paths_sum(2 * i) mod 4) = 0);
-        winnerswinner1_best_index_0_choice(i, 2) := choice(winnerswinner1_best_index_0_value(i, 1), is_set(paths_sum(2
-          * i + 1), 0) or (not winnerswinner1_best_index_0_value(i, 2)) or (not is_set(paths_sum(2 * i), 0)),
-          winnerswinner1_best_index_0_choice(i, 1));
-        winnerswinner1_best_index_0_value(i, 3) := is_set(paths_sum(2 * i), 2);
-        winnerswinner1_best_index_0_choice(i, 3) := inverted_carry(winnerswinner1_best_index_0_choice(i, 2), not
-          is_set(paths_sum(2 * i + 1), 2), winnerswinner1_best_index_0_value(i, 3));
-        for j in 4 to 7 loop
+        for j in 2 to 7 loop
           winnerswinner1_best_index_0_value(i, j) := is_set(paths_sum(2 * i), j - 1);
-          winnerswinner1_best_index_0_choice(i, j) := carry(winnerswinner1_best_index_0_choice(i, j - 1), not
-            is_set(paths_sum(2 * i + 1), j - 1), winnerswinner1_best_index_0_value(i, j));
         end loop;
-        winnerswinner1_best_index_0_choice(i, 8) := carry(winnerswinner1_best_index_0_choice(i, 7), not
-          is_set(paths_sum(2 * i + 1), 7), is_set(paths_sum(2 * i), 7));
+        winnerswinner1_best_index_0_choice_8(i) := not is_larger(paths_sum(2 * i + 1), paths_sum(2 * i), 0, 7, true);
       end loop;
       winnerswinner1_held_0 <= paths_sum;
-      winnerswinner1_best_index_0_0 <= winnerswinner1_best_index_0_choice(0, 8);
-      winnerswinner1_best_place_0_2 <= winnerswinner1_best_index_0_choice(2, 8);
+      winnerswinner1_best_index_0_0 <= winnerswinner1_best_index_0_choice_8(0);
+      winnerswinner1_best_place_0_2 <= winnerswinner1_best_index_0_choice_8(2);
       winnerswinner1_best_late_cost_0 <= winnerswinner1_best_cost_0;
       winnerswinner1_best_but_first_0(0) <= winnerswinner1_held_0(1);
       winnerswinner1_best_but_first_0(1) <= winnerswinner1_held_0(3);
@@ -3586,28 +2893,19 @@ begin
           paths_sum(2 * i));
       end loop;
       for i in 1 to 3 loop
-        winnerswinner1_best_index_0(i) <= choice(winnerswinner1_best_index_0_choice(i, 8), 2 * i + 1, 2 * i);
-        winnerswinner1_best_below_0(i) <= choice(winnerswinner1_best_index_0_choice(i, 8), paths_sum(2 * i), 0);
-        winnerswinner1_best_above_0(i) <= choice(winnerswinner1_best_index_0_choice(i, 8), 0, paths_sum(2 * i + 1));
+        winnerswinner1_best_index_0(i) <= choice(winnerswinner1_best_index_0_choice_8(i), 2 * i + 1, 2 * i);
+        winnerswinner1_best_below_0(i) <= choice(winnerswinner1_best_index_0_choice_8(i), paths_sum(2 * i), 0);
+        winnerswinner1_best_above_0(i) <= choice(winnerswinner1_best_index_0_choice_8(i), 0, paths_sum(2 * i + 1));
       end loop;
-      winnerswinner1_best_below_0(0) <= choice(winnerswinner1_best_index_0_choice(0, 8), paths_sum(0), 0);
-      winnerswinner1_best_above_0(0) <= choice(winnerswinner1_best_index_0_choice(0, 8), 0, paths_sum(1));
+      winnerswinner1_best_below_0(0) <= choice(winnerswinner1_best_index_0_choice_8(0), paths_sum(0), 0);
+      winnerswinner1_best_above_0(0) <= choice(winnerswinner1_best_index_0_choice_8(0), 0, paths_sum(1));
       -- winnerswinner2
       for i in 0 to 1 loop
-        winnerswinner2_best_index_0_choice(i, 1) := choice(is_set(winnerswinner1_best_cost_0(2 * i), 0), (not
-          is_set(winnerswinner1_best_cost_0(2 * i + 1), 1)) or (not is_set(winnerswinner1_best_cost_0(2 * i + 1), 0)),
-          not is_set(winnerswinner1_best_cost_0(2 * i + 1), 1));
-        winnerswinner2_best_index_0_choice(i, 2) := choice(is_set(winnerswinner1_best_cost_0(2 * i), 1),
-          winnerswinner2_best_index_0_choice(i, 1), is_set(winnerswinner1_best_cost_0(2 * i), 0) and
-          ((winnerswinner1_best_cost_0(2 * i + 1) mod 4) = 0));
-        winnerswinner2_best_index_0_value(i, 1) := is_set(winnerswinner1_best_cost_0(2 * i + 1), 2);
-        winnerswinner2_best_index_0_choice(i, 3) := inverted_carry(winnerswinner2_best_index_0_choice(i, 2), not
-          is_set(winnerswinner1_best_cost_0(2 * i), 2), winnerswinner2_best_index_0_value(i, 1));
-        for j in 2 to 5 loop
+        for j in 1 to 5 loop
           winnerswinner2_best_index_0_value(i, j) := is_set(winnerswinner1_best_cost_0(2 * i + 1), j + 1);
-          winnerswinner2_best_index_0_choice(i, j + 2) := carry(winnerswinner2_best_index_0_choice(i, j + 1), not
-            is_set(winnerswinner1_best_cost_0(2 * i), j + 1), winnerswinner2_best_index_0_value(i, j));
         end loop;
+        winnerswinner2_best_index_0_choice(i, 7) := not is_larger(winnerswinner1_best_cost_0(2 * i),
+          winnerswinner1_best_cost_0(2 * i + 1), 0, 6, false);
         winnerswinner2_best_index_0_choice(i, 8) := inverted_carry(winnerswinner2_best_index_0_choice(i, 7),
           is_set(winnerswinner1_best_cost_0(2 * i), 7), not is_set(winnerswinner1_best_cost_0(2 * i + 1), 7));
       end loop;
@@ -3681,21 +2979,12 @@ begin
       winnerswinner2_best_but_last_0(1) <= choice((winnerswinner1_best_but_last_0(3) -
         winnerswinner1_best_late_cost_0(2)) < 0, winnerswinner1_best_but_last_0(3), winnerswinner1_best_late_cost_0(2));
       -- winnerswinner3
-      winnerswinner3_best_index_0_0_choices(1) := choice(is_set(winnerswinner2_best_cost_0(0), 0), (not
-        is_set(winnerswinner2_best_cost_0(1), 1)) or (not is_set(winnerswinner2_best_cost_0(1), 0)), not
-        is_set(winnerswinner2_best_cost_0(1), 1));
-      winnerswinner3_best_index_0_0_choices(2) := choice(is_set(winnerswinner2_best_cost_0(0), 1),
-        winnerswinner3_best_index_0_0_choices(1), is_set(winnerswinner2_best_cost_0(0), 0) and
-        ((winnerswinner2_best_cost_0(1) mod 4) = 0));
-      winnerswinner3_best_index_0_0_values(1) := is_set(winnerswinner2_best_cost_0(1), 2);
-      winnerswinner3_best_index_0_0_choices(3) := inverted_carry(winnerswinner3_best_index_0_0_choices(2), not
-        is_set(winnerswinner2_best_cost_0(0), 2), winnerswinner3_best_index_0_0_values(1));
-      for i in 2 to 5 loop
+      for i in 1 to 5 loop
         winnerswinner3_best_index_0_0_values(i) := is_set(winnerswinner2_best_cost_0(1), i + 1);
-        winnerswinner3_best_index_0_0_choices(i + 2) := carry(winnerswinner3_best_index_0_0_choices(i + 1), not
-          is_set(winnerswinner2_best_cost_0(0), i + 1), winnerswinner3_best_index_0_0_values(i));
       end loop;
-      winnerswinner3_best_index_0_0_choices(8) := inverted_carry(winnerswinner3_best_index_0_0_choices(7),
+      winnerswinner3_best_index_0_0_choice(7) := not is_larger(winnerswinner2_best_cost_0(0),
+        winnerswinner2_best_cost_0(1), 0, 6, false);
+      winnerswinner3_best_index_0_0_choice(8) := inverted_carry(winnerswinner3_best_index_0_0_choice(7),
         is_set(winnerswinner2_best_cost_0(0), 7), not is_set(winnerswinner2_best_cost_0(1), 7));
       winnerswinner3_best_below_0_0_is_equal := winnerswinner2_best_index_0(1) = 4;
       winnerswinner3_best_below_0_0_choice := choice(winnerswinner3_best_below_0_0_is_equal,
@@ -3703,7 +2992,7 @@ begin
       winnerswinner3_best_above_0_0_is_equal := winnerswinner2_best_index_0(0) = 3;
       winnerswinner3_best_above_0_0_choice := choice(winnerswinner3_best_above_0_0_is_equal,
         winnerswinner2_best_first_0(1), winnerswinner2_best_above_0(0));
-      winnerswinner3_best_at_start_0_0_choice := carry(winnerswinner3_best_index_0_0_choices(7), not
+      winnerswinner3_best_at_start_0_0_choice := carry(winnerswinner3_best_index_0_0_choice(7), not
         is_set(winnerswinner2_best_cost_0(0), 7), is_set(winnerswinner2_best_cost_0(1), 7));
       winnerswinner3_best_second_0_0_choices(1) := choice(winnerswinner3_best_place_0_0,
         winnerswinner2_best_second_0(1), winnerswinner2_best_late_cost_0(1));
@@ -3715,7 +3004,7 @@ begin
         winnerswinner2_best_but_last_0(0), winnerswinner3_best_second_0_0_choices(3));
       winnerswinner3_best_first_0_0 <= winnerswinner2_best_first_0(0);
       winnerswinner3_best_last_0_0 <= winnerswinner2_best_last_0(1);
-      winnerswinner3_best_place_0_0 <= winnerswinner3_best_index_0_0_choices(8);
+      winnerswinner3_best_place_0_0 <= winnerswinner3_best_index_0_0_choice(8);
       winnerswinner3_best_at_start_0_0 <= (not winnerswinner3_best_at_start_0_0_choice) and
         winnerswinner3_best_below_0_0_is_equal;
       winnerswinner3_best_at_end_0_0 <= winnerswinner3_best_at_start_0_0_choice and
@@ -3723,11 +3012,11 @@ begin
       winnerswinner3_best_late_cost_0_0 <= winnerswinner3_best_cost_0_0;
       winnerswinner3_best_cost_0_0 <= choice((winnerswinner2_best_cost_0(1) - winnerswinner2_best_cost_0(0)) < 0,
         winnerswinner2_best_cost_0(1), winnerswinner2_best_cost_0(0));
-      winnerswinner3_best_index_0_0 <= choice(winnerswinner3_best_index_0_0_choices(8), winnerswinner2_best_index_0(1),
+      winnerswinner3_best_index_0_0 <= choice(winnerswinner3_best_index_0_0_choice(8), winnerswinner2_best_index_0(1),
         winnerswinner2_best_index_0(0));
-      winnerswinner3_best_below_0_0 <= choice(winnerswinner3_best_index_0_0_choices(8),
+      winnerswinner3_best_below_0_0 <= choice(winnerswinner3_best_index_0_0_choice(8),
         winnerswinner3_best_below_0_0_choice, winnerswinner2_best_below_0(0));
-      winnerswinner3_best_above_0_0 <= choice(winnerswinner3_best_index_0_0_choices(8), winnerswinner2_best_above_0(1),
+      winnerswinner3_best_above_0_0 <= choice(winnerswinner3_best_index_0_0_choice(8), winnerswinner2_best_above_0(1),
         winnerswinner3_best_above_0_0_choice);
       winnerswinner3_best_second_0_0 <= choice((winnerswinner3_best_second_0_0_choices(2) -
         winnerswinner3_best_second_0_0_choices(4)) < 0, winnerswinner3_best_second_0_0_choices(2),
@@ -3799,7 +3088,7 @@ begin
       other_0_is_equal := fill_ready_column = 0;
       other_4_difference := 0 - (refinement_quotient_8_0 / 16);
       other_4_value := (refinement_quotient_8_0 + 15) / 16;
-      other_4_choice := choice(refinement_negative_0(8), other_4_difference mod 256, other_4_value);
+      other_choices(4) := choice(refinement_negative_0(8), other_4_difference mod 256, other_4_value);
       other_4_choice_2 := choice(refinement_negative_0(8), other_4_difference mod 8, other_4_value mod 8);
       for i in 5 to 10 loop
         other_difference(i) := ((refinement_remainder_0(11 - i) * 2) + 512) - refinement_divisor_0(11 - i);
@@ -3807,191 +3096,122 @@ begin
       other_11_difference := (refinement_remainder_0(0) + 512) - refinement_divisor_0(0);
       other_12_any := line_comes(23) or (not is_set(other_write_count_phase, 2)) or (not
         is_set(other_write_count_phase, 1)) or (not is_set(other_write_count_phase, 0));
-      other_choice(12, 1) := choice(is_set(paths_sum(5), 0), (not (other_words(1)(17) = '1')) or (not
-        (other_words(1)(16) = '1')), not (other_words(1)(17) = '1'));
-      other_choice(12, 2) := choice(winnerswinner1_best_index_0_value(2, 1), other_choice(12, 1), is_set(paths_sum(5),
-        0) and (to_integer(other_words(1)(17 downto 16)) = 0));
-      other_value(12, 1) := other_words(1)(18) = '1';
-      other_choice(12, 3) := inverted_carry(other_choice(12, 2), not is_set(paths_sum(5), 2), other_value(12, 1));
-      for i in 2 to 5 loop
+      for i in 1 to 5 loop
         other_value(12, i) := other_words(1)(i + 17) = '1';
-        other_choice(12, i + 2) := carry(other_choice(12, i + 1), not is_set(paths_sum(5), i + 1), other_value(12, i));
       end loop;
+      other_choice(12, 7) := not is_larger(paths_sum(5), to_integer(other_words(1)(22 downto 16)), 0, 6, false);
       other_choice(12, 8) := choice(is_set(paths_sum(5), 7), not other_first_column, (not (other_words(1)(23) = '1'))
         and (not other_first_column));
       other_choice(12, 9) := choice(other_choice(12, 7), is_set(paths_sum(5), 7) and (not (other_words(1)(23) = '1'))
         and (not other_first_column), other_choice(12, 8));
       other_all(12, 1) := (not other_choice(12, 9)) and winnersmask_inside(5) and other_output_column;
       other_12_value_6 := (other_base / 8) * 8;
-      other_12_choices(10) := choice(other_all(12, 1), other_12_value_6 + 5, to_integer(other_words(3)(23 downto 16)));
-      other_12_choices(11) := choice(other_12_any, other_12_choices(10), to_integer(other(12)(15 downto 8)));
-      other_choice(12, 12) := choice(is_set(paths_sum(4), 0), (not (other_words(1)(9) = '1')) or (not
-        (other_words(1)(8) = '1')), not (other_words(1)(9) = '1'));
-      other_choice(12, 13) := choice(winnerswinner1_best_index_0_value(2, 2), other_choice(12, 12),
-        is_set(paths_sum(4), 0) and (to_integer(other_words(1)(9 downto 8)) = 0));
-      other_value(12, 7) := other_words(1)(10) = '1';
-      other_choice(12, 14) := inverted_carry(other_choice(12, 13), not winnerswinner1_best_index_0_value(2, 3),
-        other_value(12, 7));
-      for i in 8 to 11 loop
-        other_value(12, i) := other_words(1)(i + 3) = '1';
-        other_choice(12, i + 7) := carry(other_choice(12, i + 6), not winnerswinner1_best_index_0_value(2, i - 4),
-          other_value(12, i));
+      for i in 1 to 2 loop
+        other_choices_from_12(12, 11 * i - 1) := choice(other_all(12, i), other_12_value_6 + (6 - i),
+          to_integer(other_words(3)(31 - 8 * i downto 24 - 8 * i)));
+        other_choices_from_12(12, 11 * i) := choice(other_12_any, other_choices_from_12(12, 11 * i - 1),
+          to_integer(other(12)(23 - 8 * i downto 16 - 8 * i)));
+        for j in 2 to 6 loop
+          other_value(12, 5 * i + j) := other_words(1)(16 * i + j - 8) = '1';
+        end loop;
+        other_choice(12, 11 * i + 7) := not is_larger(paths_sum(2 * i + 2), to_integer(other_words(1)(16 * i - 2 downto
+          16 * i - 8)), 0, 6, false);
+        other_choice(12, 11 * i + 8) := choice(is_set(paths_sum(2 * i + 2), 7), not other_first_column, (not
+          (other_words(1)(16 * i - 1) = '1')) and (not other_first_column));
+        other_choice(12, 11 * i + 9) := choice(other_choice(12, 11 * i + 7), is_set(paths_sum(2 * i + 2), 7) and (not
+          (other_words(1)(16 * i - 1) = '1')) and (not other_first_column), other_choice(12, 11 * i + 8));
+        other_all(12, i + 1) := (not other_choice(12, 11 * i + 9)) and winnersmask_inside(2 * i + 2) and
+          other_output_column;
       end loop;
-      other_choice(12, 19) := choice(is_set(paths_sum(4), 7), not other_first_column, (not (other_words(1)(15) = '1'))
-        and (not other_first_column));
-      other_choice(12, 20) := choice(other_choice(12, 18), is_set(paths_sum(4), 7) and (not (other_words(1)(15) = '1'))
-        and (not other_first_column), other_choice(12, 19));
-      other_all(12, 2) := (not other_choice(12, 20)) and winnersmask_inside(4) and other_output_column;
-      other_12_choices_from_21(21) := choice(other_all(12, 2), other_12_value_6 + 4, to_integer(other_words(3)(15
-        downto 8)));
-      other_12_choices_from_21(22) := choice(other_12_any, other_12_choices_from_21(21), to_integer(other(12)(7 downto
-        0)));
-      other_choice(12, 23) := choice(is_set(paths_sum(6), 0), (not (other_words(1)(25) = '1')) or (not
-        (other_words(1)(24) = '1')), not (other_words(1)(25) = '1'));
-      other_choice(12, 24) := choice(winnerswinner1_best_index_0_value(3, 2), other_choice(12, 23),
-        is_set(paths_sum(6), 0) and (to_integer(other_words(1)(25 downto 24)) = 0));
-      other_value(12, 12) := other_words(1)(26) = '1';
-      other_choice(12, 25) := inverted_carry(other_choice(12, 24), not winnerswinner1_best_index_0_value(3, 3),
-        other_value(12, 12));
-      for i in 13 to 16 loop
-        other_value(12, i) := other_words(1)(i + 14) = '1';
-        other_choice(12, i + 13) := carry(other_choice(12, i + 12), not winnerswinner1_best_index_0_value(3, i - 9),
-          other_value(12, i));
-      end loop;
-      other_choice(12, 30) := choice(is_set(paths_sum(6), 7), not other_first_column, (not (other_words(1)(31) = '1'))
-        and (not other_first_column));
-      other_choice(12, 31) := choice(other_choice(12, 29), is_set(paths_sum(6), 7) and (not (other_words(1)(31) = '1'))
-        and (not other_first_column), other_choice(12, 30));
-      other_all(12, 3) := (not other_choice(12, 31)) and winnersmask_inside(6) and other_output_column;
-      other_12_choices_from_32(32) := choice(other_all(12, 3), other_12_value_6 + 6, to_integer(other_words(3)(31
+      other_choices_from_12(12, 32) := choice(other_all(12, 3), other_12_value_6 + 6, to_integer(other_words(3)(31
         downto 24)));
-      other_12_choices_from_32(33) := choice(other_12_any, other_12_choices_from_32(32), to_integer(other(12)(23 downto
-        16)));
-      other_choice(12, 34) := choice(is_set(paths_sum(7), 0), (not (other_next_words(0)(1) = '1')) or (not
-        (other_next_words(0)(0) = '1')), not (other_next_words(0)(1) = '1'));
-      other_choice(12, 35) := choice(winnerswinner1_best_index_0_value(3, 1), other_choice(12, 34),
-        is_set(paths_sum(7), 0) and (to_integer(other_next_words(0)(1 downto 0)) = 0));
-      other_value(12, 17) := other_next_words(0)(2) = '1';
-      other_choice(12, 36) := inverted_carry(other_choice(12, 35), not is_set(paths_sum(7), 2), other_value(12, 17));
-      for i in 18 to 21 loop
+      other_choices_from_12(12, 33) := choice(other_12_any, other_choices_from_12(12, 32), to_integer(other(12)(23
+        downto 16)));
+      for i in 17 to 21 loop
         other_value(12, i) := other_next_words(0)(i - 15) = '1';
-        other_choice(12, i + 19) := carry(other_choice(12, i + 18), not is_set(paths_sum(7), i - 15), other_value(12,
-          i));
       end loop;
+      other_choice(12, 40) := not is_larger(paths_sum(7), to_integer(other_next_words(0)(6 downto 0)), 0, 6, false);
       other_12_differs := other_count_phase /= 7;
       other_choice(12, 41) := choice(other_choice(12, 40), other_12_differs and is_set(paths_sum(7), 7) and (not
         (other_next_words(0)(7) = '1')), other_12_differs and (is_set(paths_sum(7), 7) or (not (other_next_words(0)(7)
         = '1'))));
       other_choice(12, 42) := choice(other_choice(12, 41), winnersmask_inside(7) and other_output_column and
         other_first_column, winnersmask_inside(7) and other_output_column);
-      other_12_choices_from_43(43) := choice(other_choice(12, 42), other_12_value_6 + 7,
+      other_choices_from_12(12, 43) := choice(other_choice(12, 42), other_12_value_6 + 7,
         to_integer(other_next_words(2)(7 downto 0)));
-      other_12_choices_from_43(44) := choice(other_12_any, other_12_choices_from_43(43), to_integer(other(12)(31 downto
-        24)));
-      other_choice(13, 1) := choice(is_set(paths_sum(1), 0), (not (other_words(0)(17) = '1')) or (not
-        (other_words(0)(16) = '1')), not (other_words(0)(17) = '1'));
-      other_choice(13, 2) := choice(winnerswinner1_best_index_0_value(0, 1), other_choice(13, 1), is_set(paths_sum(1),
-        0) and (to_integer(other_words(0)(17 downto 16)) = 0));
-      other_value(13, 1) := other_words(0)(18) = '1';
-      other_choice(13, 3) := inverted_carry(other_choice(13, 2), not is_set(paths_sum(1), 2), other_value(13, 1));
-      for i in 2 to 5 loop
+      other_choices_from_12(12, 44) := choice(other_12_any, other_choices_from_12(12, 43), to_integer(other(12)(31
+        downto 24)));
+      for i in 1 to 5 loop
         other_value(13, i) := other_words(0)(i + 17) = '1';
-        other_choice(13, i + 2) := carry(other_choice(13, i + 1), not is_set(paths_sum(1), i + 1), other_value(13, i));
       end loop;
+      other_choice(13, 7) := not is_larger(paths_sum(1), to_integer(other_words(0)(22 downto 16)), 0, 6, false);
       other_choice(13, 8) := choice(is_set(paths_sum(1), 7), not other_first_column, (not (other_words(0)(23) = '1'))
         and (not other_first_column));
       other_choice(13, 9) := choice(other_choice(13, 7), is_set(paths_sum(1), 7) and (not (other_words(0)(23) = '1'))
         and (not other_first_column), other_choice(13, 8));
       other_all(13, 1) := (not other_choice(13, 9)) and winnersmask_inside(1) and other_output_column;
-      other_13_choices(10) := choice(other_all(13, 1), other_12_value_6 + 1, to_integer(other_words(2)(23 downto 16)));
-      other_13_choices(11) := choice(other_12_any, other_13_choices(10), to_integer(other(13)(15 downto 8)));
-      other_choice(13, 12) := choice(is_set(paths_sum(0), 0), (not (other_words(0)(9) = '1')) or (not
-        (other_words(0)(8) = '1')), not (other_words(0)(9) = '1'));
-      other_choice(13, 13) := choice(winnerswinner1_best_index_0_value(0, 2), other_choice(13, 12),
-        is_set(paths_sum(0), 0) and (to_integer(other_words(0)(9 downto 8)) = 0));
-      other_value(13, 6) := other_words(0)(10) = '1';
-      other_choice(13, 14) := inverted_carry(other_choice(13, 13), not winnerswinner1_best_index_0_value(0, 3),
-        other_value(13, 6));
-      for i in 7 to 10 loop
+      other_choices_from_12(13, 10) := choice(other_all(13, 1), other_12_value_6 + 1, to_integer(other_words(2)(23
+        downto 16)));
+      other_choices_from_12(13, 11) := choice(other_12_any, other_choices_from_12(13, 10), to_integer(other(13)(15
+        downto 8)));
+      for i in 6 to 10 loop
         other_value(13, i) := other_words(0)(i + 4) = '1';
-        other_choice(13, i + 8) := carry(other_choice(13, i + 7), not winnerswinner1_best_index_0_value(0, i - 3),
-          other_value(13, i));
       end loop;
+      other_choice(13, 18) := not is_larger(paths_sum(0), to_integer(other_words(0)(14 downto 8)), 0, 6, false);
       other_choice(13, 19) := choice(other_choice(13, 18), (not other_first_column) and is_set(paths_sum(0), 7) and
         (not (other_words(0)(15) = '1')), (not other_first_column) and (is_set(paths_sum(0), 7) or (not
         (other_words(0)(15) = '1'))));
       other_all(13, 2) := (not other_choice(13, 19)) and winnersmask_inside(0) and other_output_column;
-      other_13_choices_from_20(20) := choice(other_all(13, 2), other_base, to_integer(other_words(2)(15 downto 8)));
-      other_13_choices_from_20(21) := choice(other_12_any, other_13_choices_from_20(20), to_integer(other(13)(7 downto
-        0)));
-      other_choice(13, 22) := choice(is_set(paths_sum(2), 0), (not (other_words(0)(25) = '1')) or (not
-        (other_words(0)(24) = '1')), not (other_words(0)(25) = '1'));
-      other_choice(13, 23) := choice(winnerswinner1_best_index_0_value(1, 2), other_choice(13, 22),
-        is_set(paths_sum(2), 0) and (to_integer(other_words(0)(25 downto 24)) = 0));
-      other_value(13, 11) := other_words(0)(26) = '1';
-      other_choice(13, 24) := inverted_carry(other_choice(13, 23), not winnerswinner1_best_index_0_value(1, 3),
-        other_value(13, 11));
-      for i in 12 to 15 loop
-        other_value(13, i) := other_words(0)(i + 15) = '1';
-        other_choice(13, i + 13) := carry(other_choice(13, i + 12), not winnerswinner1_best_index_0_value(1, i - 8),
-          other_value(13, i));
+      other_choices_from_12(13, 20) := choice(other_all(13, 2), other_base, to_integer(other_words(2)(15 downto 8)));
+      for i in 0 to 1 loop
+        other_choices_from_12(13, 11 * i + 21) := choice(other_12_any, other_choices_from_12(13, 11 * i + 20),
+          to_integer(other(13)(16 * i + 7 downto 16 * i)));
+        for j in 11 to 15 loop
+          other_value(13, 5 * i + j) := other_words(i)(j + 15 - 24 * i) = '1';
+        end loop;
+        other_choice(13, 11 * i + 28) := not is_larger(paths_sum(i + 2), to_integer(other_words(i)(30 - 24 * i downto
+          24 - 24 * i)), 0, 6, false);
+        other_choice(13, 11 * i + 29) := choice(is_set(paths_sum(i + 2), 7), not other_first_column, (not
+          (other_words(i)(31 - 24 * i) = '1')) and (not other_first_column));
+        other_choice(13, 11 * i + 30) := choice(other_choice(13, 11 * i + 28), is_set(paths_sum(i + 2), 7) and (not
+          (other_words(i)(31 - 24 * i) = '1')) and (not other_first_column), other_choice(13, 11 * i + 29));
+        other_all(13, i + 3) := (not other_choice(13, 11 * i + 30)) and winnersmask_inside(i + 2) and
+          other_output_column;
+        other_choices_from_12(13, 11 * i + 31) := choice(other_all(13, i + 3), other_12_value_6 + (i + 2),
+          to_integer(other_words(i + 2)(31 - 24 * i downto 24 - 24 * i)));
       end loop;
-      other_choice(13, 29) := choice(is_set(paths_sum(2), 7), not other_first_column, (not (other_words(0)(31) = '1'))
-        and (not other_first_column));
-      other_choice(13, 30) := choice(other_choice(13, 28), is_set(paths_sum(2), 7) and (not (other_words(0)(31) = '1'))
-        and (not other_first_column), other_choice(13, 29));
-      other_all(13, 3) := (not other_choice(13, 30)) and winnersmask_inside(2) and other_output_column;
-      other_13_choices_from_31(31) := choice(other_all(13, 3), other_12_value_6 + 2, to_integer(other_words(2)(31
+      other_choices_from_12(13, 43) := choice(other_12_any, other_choices_from_12(13, 42), to_integer(other(13)(31
         downto 24)));
-      other_13_choices_from_31(32) := choice(other_12_any, other_13_choices_from_31(31), to_integer(other(13)(23 downto
-        16)));
-      other_choice(13, 33) := choice(is_set(paths_sum(3), 0), (not (other_words(1)(1) = '1')) or (not
-        (other_words(1)(0) = '1')), not (other_words(1)(1) = '1'));
-      other_choice(13, 34) := choice(winnerswinner1_best_index_0_value(1, 1), other_choice(13, 33),
-        is_set(paths_sum(3), 0) and (to_integer(other_words(1)(1 downto 0)) = 0));
-      other_value(13, 16) := other_words(1)(2) = '1';
-      other_choice(13, 35) := inverted_carry(other_choice(13, 34), not is_set(paths_sum(3), 2), other_value(13, 16));
-      for i in 17 to 20 loop
-        other_value(13, i) := other_words(1)(i - 14) = '1';
-        other_choice(13, i + 19) := carry(other_choice(13, i + 18), not is_set(paths_sum(3), i - 14), other_value(13,
-          i));
+      other_choices(14) := choice(other_all(12, 1), paths_sum(5), to_integer(other_words(1)(23 downto 16)));
+      other_choices_from_12(14, 2) := choice(other_12_any, other_choices(14), to_integer(other(14)(15 downto 8)));
+      for i in 2 to 3 loop
+        other_choices_from_12(14, 2 * i - 1) := choice(other_all(12, i), paths_sum(2 * i), to_integer(other_words(1)(16
+          * i - 17 downto 16 * i - 24)));
+        other_choices_from_12(14, 2 * i) := choice(other_12_any, other_choices_from_12(14, 2 * i - 1),
+          to_integer(other(14)(16 * i - 25 downto 16 * i - 32)));
       end loop;
-      other_choice(13, 40) := choice(is_set(paths_sum(3), 7), not other_first_column, (not (other_words(1)(7) = '1'))
-        and (not other_first_column));
-      other_choice(13, 41) := choice(other_choice(13, 39), is_set(paths_sum(3), 7) and (not (other_words(1)(7) = '1'))
-        and (not other_first_column), other_choice(13, 40));
-      other_all(13, 4) := (not other_choice(13, 41)) and winnersmask_inside(3) and other_output_column;
-      other_13_choices_from_42(42) := choice(other_all(13, 4), other_12_value_6 + 3, to_integer(other_words(3)(7 downto
-        0)));
-      other_13_choices_from_42(43) := choice(other_12_any, other_13_choices_from_42(42), to_integer(other(13)(31 downto
+      other_choices_from_12(14, 7) := choice(other_choice(12, 42), paths_sum(7), to_integer(other_next_words(0)(7
+        downto 0)));
+      other_choices_from_12(14, 8) := choice(other_12_any, other_choices_from_12(14, 7), to_integer(other(14)(31 downto
         24)));
-      for i in 1 to 2 loop
-        other_choices(14, 2 * i - 1) := choice(other_all(12, i), paths_sum(6 - i), to_integer(other_words(1)(31 - 8 * i
-          downto 24 - 8 * i)));
-        other_choices(14, 2 * i) := choice(other_12_any, other_choices(14, 2 * i - 1), to_integer(other(14)(23 - 8 * i
-          downto 16 - 8 * i)));
+      other_choices(15) := choice(other_all(13, 1), paths_sum(1), to_integer(other_words(0)(23 downto 16)));
+      other_choices_from_12(15, 2) := choice(other_12_any, other_choices(15), to_integer(other(15)(15 downto 8)));
+      for i in 2 to 3 loop
+        other_choices_from_12(15, 2 * i - 1) := choice(other_all(13, i), paths_sum(2 * i - 4),
+          to_integer(other_words(0)(16 * i - 17 downto 16 * i - 24)));
+        other_choices_from_12(15, 2 * i) := choice(other_12_any, other_choices_from_12(15, 2 * i - 1),
+          to_integer(other(15)(16 * i - 25 downto 16 * i - 32)));
       end loop;
-      other_choices(14, 5) := choice(other_all(12, 3), paths_sum(6), to_integer(other_words(1)(31 downto 24)));
-      other_choices(14, 6) := choice(other_12_any, other_choices(14, 5), to_integer(other(14)(23 downto 16)));
-      other_choices(14, 7) := choice(other_choice(12, 42), paths_sum(7), to_integer(other_next_words(0)(7 downto 0)));
-      for i in 14 to 15 loop
-        other_choices(i, 64 - 4 * i) := choice(other_12_any, other_choices(i, 63 - 4 * i), to_integer(other(i)(367 - 24
-          * i downto 360 - 24 * i)));
-        other_choices(15, 4 * i - 55) := choice(other_all(13, 2 * i - 27), paths_sum(i - 13),
-          to_integer(other_words(0)(8 * i - 89 downto 8 * i - 96)));
-        other_choices(15, 4 * i - 54) := choice(other_12_any, other_choices(15, 4 * i - 55), to_integer(other(15)(8 * i
-          - 97 downto 8 * i - 104)));
-        other_choices(15, 4 * i - 53) := choice(other_all(13, 2 * i - 26), paths_sum(3 * i - 42),
-          to_integer(other_words(i - 14)(127 - 8 * i downto 120 - 8 * i)));
-      end loop;
-      other_choices(15, 8) := choice(other_12_any, other_choices(15, 7), to_integer(other(15)(31 downto 24)));
+      other_choices_from_12(15, 7) := choice(other_all(13, 4), paths_sum(3), to_integer(other_words(1)(7 downto 0)));
+      other_choices_from_12(15, 8) := choice(other_12_any, other_choices_from_12(15, 7), to_integer(other(15)(31 downto
+        24)));
       other_words <= other_next_words;
       other_base <= other_base_choice * 8;
       other_0 <= other_0_is_equal;
       other_1 <= ((median_rows_ready_words_0 mod 8192) / 2) * 2;
       other_2 <= support_centre_rest_0(2) mod 16;
       other_3 <= support_centre_0(2) mod 64;
-      other_4 <= ((((other_4_choice / 8) + 1) mod 4) * 8) + other_4_choice_2;
+      other_4 <= ((((other_choices(4) / 8) + 1) mod 4) * 8) + other_4_choice_2;
       other_5 <= ((other_difference(5) / 512) * 2) + ((other_6 / 4) * 4);
       other_6 <= ((other_difference(6) / 512) * 4) + ((other_7 / 8) * 8);
       other_7 <= ((other_difference(7) / 512) * 8) + ((other_8 / 16) * 16);
@@ -3999,14 +3219,14 @@ begin
       other_9 <= ((other_difference(9) / 512) * 32) + ((other_10 / 64) * 64);
       other_10 <= ((other_difference(10) / 512) * 64) + ((other_11 / 128) * 128);
       other_11 <= (other_11_difference / 512) * 128;
-      other(12) <= to_unsigned(other_12_choices_from_43(44), 8) & to_unsigned(other_12_choices_from_32(33), 8) &
-        to_unsigned(other_12_choices(11), 8) & to_unsigned(other_12_choices_from_21(22), 8);
-      other(13) <= to_unsigned(other_13_choices_from_42(43), 8) & to_unsigned(other_13_choices_from_31(32), 8) &
-        to_unsigned(other_13_choices(11), 8) & to_unsigned(other_13_choices_from_20(21), 8);
-      other(14) <= to_unsigned(other_choices(14, 8), 8) & to_unsigned(other_choices(14, 6), 8) &
-        to_unsigned(other_choices(14, 2), 8) & to_unsigned(other_choices(14, 4), 8);
-      other(15) <= to_unsigned(other_choices(15, 8), 8) & to_unsigned(other_choices(15, 6), 8) &
-        to_unsigned(other_choices(15, 2), 8) & to_unsigned(other_choices(15, 4), 8);
+      for i in 0 to 1 loop
+        other(2 * i + 12) <= to_unsigned(other_choices_from_12(2 * i + 12, 44 - 36 * i), 8) &
+          to_unsigned(other_choices_from_12(2 * i + 12, 33 - 27 * i), 8) & to_unsigned(other_choices_from_12(2 * i +
+          12, 11 - 9 * i), 8) & to_unsigned(other_choices_from_12(2 * i + 12, 22 - 18 * i), 8);
+        other(2 * i + 13) <= to_unsigned(other_choices_from_12(2 * i + 13, 43 - 35 * i), 8) &
+          to_unsigned(other_choices_from_12(2 * i + 13, 32 - 26 * i), 8) & to_unsigned(other_choices_from_12(2 * i +
+          13, 11 - 9 * i), 8) & to_unsigned(other_choices_from_12(2 * i + 13, 21 - 17 * i), 8);
+      end loop;
       other_read_count_phase <= choice(line_comes(20), 0, other_read_count_phase_choice);
       other_count_phase <= choice(line_comes(22), 0, other_count_phase_choice);
       other_write_count_phase <= choice(line_comes(23), 0, other_write_count_phase_choice);
@@ -4771,36 +3991,28 @@ begin
       end if;
       -- relief
       if transform_columns_valid then
-        relief_centre_column(0) <= transform_left_column_2;
+        relief_centre_column(0) <= transform_left_column(1);
         relief_centre_column(1 to 4) <= relief_centre_column(0 to 3);
       end if;
-      relief_newest_choices(1) := choice(is_set(relief_centre_grey(1), 0), (not is_set(relief_before, 1)) or (not
-        is_set(relief_before, 0)), not is_set(relief_before, 1));
-      relief_newest_choices(2) := choice(is_set(relief_centre_grey(1), 1), relief_newest_choices(1),
-        is_set(relief_centre_grey(1), 0) and ((relief_before mod 4) = 0));
-      relief_newest_values(1) := is_set(relief_before, 2);
-      relief_newest_choices(3) := inverted_carry(relief_newest_choices(2), not is_set(relief_centre_grey(1), 2),
-        relief_newest_values(1));
-      for i in 2 to 5 loop
+      for i in 1 to 5 loop
         relief_newest_values(i) := is_set(relief_before, i + 1);
-        relief_newest_choices(i + 2) := carry(relief_newest_choices(i + 1), not is_set(relief_centre_grey(1), i + 1),
-          relief_newest_values(i));
       end loop;
-      relief_newest_choices(8) := carry(relief_newest_choices(7), not is_set(relief_centre_grey(1), 7),
+      relief_newest_choice(7) := not is_larger(relief_centre_grey(1), relief_before, 0, 6, false);
+      relief_newest_choice(8) := carry(relief_newest_choice(7), not is_set(relief_centre_grey(1), 7),
         is_set(relief_before, 7));
       relief_newest_values_from_6(6) := (relief_before - relief_centre_grey(1)) mod 256;
       relief_newest_values_from_6(7) := (relief_centre_grey(1) - relief_before) mod 256;
       for i in 5 to 6 loop
-        relief_newest_choices(3 * i - 6) := choice(relief_newest_choices(8), is_set(relief_newest_values_from_6(6), 2 *
-          i - 8), is_set(relief_newest_values_from_6(7), 2 * i - 8));
-        relief_newest_choices(3 * i - 5) := choice(relief_newest_choices(8), not is_set(relief_newest_values_from_6(6),
-          4 * i - 17), not is_set(relief_newest_values_from_6(7), 4 * i - 17));
-        relief_newest_choices(3 * i - 4) := choice(relief_newest_choices(8), is_set(relief_newest_values_from_6(6), i),
+        relief_newest_choice(3 * i - 6) := choice(relief_newest_choice(8), is_set(relief_newest_values_from_6(6), 2 * i
+          - 8), is_set(relief_newest_values_from_6(7), 2 * i - 8));
+        relief_newest_choice(3 * i - 5) := choice(relief_newest_choice(8), not is_set(relief_newest_values_from_6(6), 4
+          * i - 17), not is_set(relief_newest_values_from_6(7), 4 * i - 17));
+        relief_newest_choice(3 * i - 4) := choice(relief_newest_choice(8), is_set(relief_newest_values_from_6(6), i),
           is_set(relief_newest_values_from_6(7), i));
       end loop;
-      relief_newest_choices(15) := inverted_carry(relief_newest_choices(7), is_set(relief_centre_grey(1), 7), not
+      relief_newest_choice(15) := inverted_carry(relief_newest_choice(7), is_set(relief_centre_grey(1), 7), not
         is_set(relief_before, 7));
-      relief_newest_choice_16 := choice(relief_newest_choices(15), (relief_newest_values_from_6(7) / 2) mod 32,
+      relief_newest_choice_16 := choice(relief_newest_choice(15), (relief_newest_values_from_6(7) / 2) mod 32,
         (relief_newest_values_from_6(6) / 2) mod 32);
       relief_centre_grey(0) <= relief_centre_column(4);
       relief_centre_grey(1) <= relief_centre_grey(0);
@@ -4810,9 +4022,9 @@ begin
       relief_rows_ready_newest_0 <= relief_rows_read_newest_0;
       relief_shown_0 <= relief_rows_ready_words_0;
       relief_write_turned_0 <= relief_entered;
-      relief_newest <= choice((not ((not ((not ((not relief_newest_choices(9)) and relief_newest_choices(10))) and
-        relief_newest_choices(11) and relief_newest_choices(12))) and relief_newest_choices(13))) or
-        relief_newest_choices(14), 25, relief_newest_choice_16);
+      relief_newest <= choice((not ((not ((not ((not relief_newest_choice(9)) and relief_newest_choice(10))) and
+        relief_newest_choice(11) and relief_newest_choice(12))) and relief_newest_choice(13))) or
+        relief_newest_choice(14), 25, relief_newest_choice_16);
       relief_entered <= choice(relief_entering < 25, relief_entering, 25);
       relief_write_address <= choice(line_starts_phases(1), line_order_address, 638);
       if transform_filtering_valid(2) then
@@ -4860,90 +4072,36 @@ begin
         transform_right_rows_write_words_0 <= to_unsigned(0, 32);
         transform_read_column <= 0;
         transform_read_row_inside_0 <= false;
-        transform_read_column_inside_0 <= false;
-        transform_read_column_inside_2 <= false;
-        transform_read_column_inside_4 <= false;
-        transform_read_column_inside_6 <= false;
-        transform_read_column_inside_8 <= false;
+        transform_read_column_inside <= (others => false);
         transform_read_start_of_frame <= false;
         transform_read_valid <= false;
         transform_ready_column <= 0;
-        transform_ready_row_inside_0 <= false;
-        transform_ready_row_inside_2 <= false;
-        transform_ready_row_inside_4 <= false;
-        transform_ready_column_inside_0 <= false;
-        transform_ready_column_inside_2 <= false;
-        transform_ready_column_inside_4 <= false;
-        transform_ready_column_inside_6 <= false;
-        transform_ready_column_inside_8 <= false;
+        transform_ready_row_inside <= (others => false);
+        transform_ready_column_inside <= (others => false);
         transform_ready_start_of_frame <= false;
         transform_ready_valid <= false;
-        transform_reached_first_0 <= false;
-        transform_reached_first_2 <= false;
-        transform_reached_first_4 <= false;
+        transform_reached_first <= (others => false);
         transform_reached_beyond_last <= (others => false);
         transform_write_column <= 0;
-        transform_left_column_0 <= 0;
-        transform_left_column_2 <= 0;
-        transform_left_column_4 <= 0;
-        transform_right_column_0 <= 0;
-        transform_right_column_2 <= 0;
-        transform_right_column_4 <= 0;
-        transform_columns_row_inside_0 <= false;
-        transform_columns_row_inside_2 <= false;
-        transform_columns_row_inside_4 <= false;
-        transform_columns_column_inside_0 <= false;
-        transform_columns_column_inside_2 <= false;
-        transform_columns_column_inside_4 <= false;
-        transform_columns_column_inside_6 <= false;
-        transform_columns_column_inside_8 <= false;
+        transform_left_column <= (others => 0);
+        transform_right_column <= (others => 0);
+        transform_columns_row_inside <= (others => false);
+        transform_columns_column_inside <= (others => false);
         transform_columns_start_of_frame <= false;
         transform_columns_valid <= false;
-        for i in 0 to 8 loop
-          transform_left_filter_column_0(i) <= 0;
-          transform_left_filter_column_2(i) <= 0;
-          transform_left_filter_column_4(i) <= 0;
-        end loop;
-        transform_left_filter_low_is_larger_0_0_0 <= false;
-        transform_left_filter_low_is_larger_0_0_2 <= false;
-        transform_left_filter_low_is_larger_0_0_4 <= false;
-        transform_left_filter_low_is_larger_0_2_0 <= false;
-        transform_left_filter_low_is_larger_0_2_2 <= false;
-        transform_left_filter_low_is_larger_0_2_4 <= false;
+        transform_left_filter_column <= (others => (others => 0));
+        transform_left_filter_low_is_larger_0 <= (others => (others => false));
         transform_left_filter_low_is_larger_0_4_0 <= false;
         transform_left_filter_low_is_larger_0_4_4 <= false;
-        transform_left_filter_low_is_larger_0_6_0 <= false;
-        transform_left_filter_low_is_larger_0_6_2 <= false;
-        transform_left_filter_low_is_larger_0_6_4 <= false;
-        transform_left_filter_low_is_larger_0_8_0 <= false;
-        transform_left_filter_low_is_larger_0_8_2 <= false;
-        transform_left_filter_low_is_larger_0_8_4 <= false;
+        transform_left_filter_low_is_larger_0s <= (others => (others => false));
         transform_left_filter_feature_0 <= 0;
-        for i in 0 to 8 loop
-          transform_right_filter_column_0(i) <= 0;
-          transform_right_filter_column_2(i) <= 0;
-          transform_right_filter_column_4(i) <= 0;
-        end loop;
-        transform_right_filter_low_is_larger_0_0_0 <= false;
-        transform_right_filter_low_is_larger_0_0_2 <= false;
-        transform_right_filter_low_is_larger_0_0_4 <= false;
-        transform_right_filter_low_is_larger_0_2_0 <= false;
-        transform_right_filter_low_is_larger_0_2_2 <= false;
-        transform_right_filter_low_is_larger_0_2_4 <= false;
+        transform_right_filter_column <= (others => (others => 0));
+        transform_right_filter_low_is_larger_0 <= (others => (others => false));
         transform_right_filter_low_is_larger_0_4_0 <= false;
         transform_right_filter_low_is_larger_0_4_4 <= false;
-        transform_right_filter_low_is_larger_0_6_0 <= false;
-        transform_right_filter_low_is_larger_0_6_2 <= false;
-        transform_right_filter_low_is_larger_0_6_4 <= false;
-        transform_right_filter_low_is_larger_0_8_0 <= false;
-        transform_right_filter_low_is_larger_0_8_2 <= false;
-        transform_right_filter_low_is_larger_0_8_4 <= false;
+        transform_right_filter_low_is_larger_0s <= (others => (others => false));
         transform_right_filter_feature_0 <= 0;
-        transform_filtering_0_column_inside_0 <= false;
-        transform_filtering_0_column_inside_2 <= false;
-        transform_filtering_0_column_inside_4 <= false;
-        transform_filtering_0_column_inside_6 <= false;
-        transform_filtering_0_column_inside_8 <= false;
+        transform_filtering_0_column_inside <= (others => false);
         for i in 0 to 2 loop
           transform_filtering_start_of_frame(i) <= false;
           transform_filtering_valid(i) <= false;

@@ -112,6 +112,16 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
     return a or b;
   end function;
 
+  -- whether a > b, of bits `low` to `high`; of equal ones, `before`: bit by bit, as the tool has split it
+  function is_larger(a : natural; b : natural; low : natural; high : natural; before : boolean) return boolean is
+    variable is_not : boolean := not before;
+  begin
+    for place in low to high loop
+      is_not := carry(is_not, not is_set(a, place), is_set(b, place));
+    end loop;
+    return not is_not;
+  end function;
+
   function choice(test : boolean; yes : boolean; no : boolean) return boolean is
   begin
     if test then
@@ -185,48 +195,33 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   -- transform
   signal transform_left_0, transform_right_0, transform_left_rows_read_newest_0 : natural range 0 to 255;
   signal transform_left_rows_ready_newest_0, transform_right_rows_read_newest_0 : natural range 0 to 255;
-  signal transform_right_rows_ready_newest_0, transform_left_column_0, transform_left_column_2 : natural range 0 to 255;
-  signal transform_left_column_4, transform_right_column_0, transform_right_column_2 : natural range 0 to 255;
-  signal transform_right_column_4 : natural range 0 to 255;
-  signal transform_left_filter_column_0 : natural_255_1d(0 to 8);  -- transform_left_filter_column_#_0
-  signal transform_left_filter_column_2 : natural_255_1d(0 to 8);  -- transform_left_filter_column_#_2
-  signal transform_left_filter_column_4 : natural_255_1d(0 to 8);  -- transform_left_filter_column_#_4
-  signal transform_right_filter_column_0 : natural_255_1d(0 to 8);  -- transform_right_filter_column_#_0
-  signal transform_right_filter_column_2 : natural_255_1d(0 to 8);  -- transform_right_filter_column_#_2
-  signal transform_right_filter_column_4 : natural_255_1d(0 to 8);  -- transform_right_filter_column_#_4
+  signal transform_right_rows_ready_newest_0 : natural range 0 to 255;
+  signal transform_left_column : natural_255_1d(0 to 2);  -- transform_left_column_2#
+  signal transform_right_column : natural_255_1d(0 to 2);  -- transform_right_column_2#
+  signal transform_left_filter_column : natural_255_2d(0 to 8, 0 to 2);  -- transform_left_filter_column_#_2#
+  signal transform_right_filter_column : natural_255_2d(0 to 8, 0 to 2);  -- transform_right_filter_column_#_2#
   signal transform_valid, transform_counter_next_frame, transform_counter_last_column : boolean;
   signal transform_counter_counts, transform_counter_frame_joins, transform_counter_back_to_back : boolean;
-  signal transform_counter_next_frame_after, transform_read_row_inside_0, transform_read_column_inside_0 : boolean;
-  signal transform_read_column_inside_2, transform_read_column_inside_4, transform_read_column_inside_6 : boolean;
-  signal transform_read_column_inside_8, transform_read_start_of_frame, transform_read_valid : boolean;
-  signal transform_ready_row_inside_0, transform_ready_row_inside_2, transform_ready_row_inside_4 : boolean;
-  signal transform_ready_column_inside_0, transform_ready_column_inside_2, transform_ready_column_inside_4 : boolean;
-  signal transform_ready_column_inside_6, transform_ready_column_inside_8, transform_ready_start_of_frame : boolean;
-  signal transform_ready_valid, transform_reached_first_0, transform_reached_first_2 : boolean;
-  signal transform_reached_first_4 : boolean;
+  signal transform_counter_next_frame_after, transform_read_row_inside_0 : boolean;
+  signal transform_read_column_inside : boolean_1d(0 to 4);  -- transform_read_column_inside_2#
+  signal transform_read_start_of_frame, transform_read_valid : boolean;
+  signal transform_ready_row_inside : boolean_1d(0 to 2);  -- transform_ready_row_inside_2#
+  signal transform_ready_column_inside : boolean_1d(0 to 4);  -- transform_ready_column_inside_2#
+  signal transform_ready_start_of_frame, transform_ready_valid : boolean;
+  signal transform_reached_first : boolean_1d(0 to 2);  -- transform_reached_first_2#
   signal transform_reached_beyond_last : boolean_1d(2 to 3);
-  signal transform_columns_row_inside_0, transform_columns_row_inside_2, transform_columns_row_inside_4 : boolean;
-  signal transform_columns_column_inside_0, transform_columns_column_inside_2 : boolean;
-  signal transform_columns_column_inside_4, transform_columns_column_inside_6 : boolean;
-  signal transform_columns_column_inside_8, transform_columns_start_of_frame, transform_columns_valid : boolean;
-  signal transform_left_filter_low_is_larger_0_0_0, transform_left_filter_low_is_larger_0_0_2 : boolean;
-  signal transform_left_filter_low_is_larger_0_0_4, transform_left_filter_low_is_larger_0_2_0 : boolean;
-  signal transform_left_filter_low_is_larger_0_2_2, transform_left_filter_low_is_larger_0_2_4 : boolean;
+  signal transform_columns_row_inside : boolean_1d(0 to 2);  -- transform_columns_row_inside_2#
+  signal transform_columns_column_inside : boolean_1d(0 to 4);  -- transform_columns_column_inside_2#
+  signal transform_columns_start_of_frame, transform_columns_valid : boolean;
+  signal transform_left_filter_low_is_larger_0 : boolean_2d(0 to 1, 0 to 2);  -- transform_left_filter_low_is_larger_0_2#_2#
   signal transform_left_filter_low_is_larger_0_4_0, transform_left_filter_low_is_larger_0_4_4 : boolean;
-  signal transform_left_filter_low_is_larger_0_6_0, transform_left_filter_low_is_larger_0_6_2 : boolean;
-  signal transform_left_filter_low_is_larger_0_6_4, transform_left_filter_low_is_larger_0_8_0 : boolean;
-  signal transform_left_filter_low_is_larger_0_8_2, transform_left_filter_low_is_larger_0_8_4 : boolean;
-  signal transform_right_filter_low_is_larger_0_0_0, transform_right_filter_low_is_larger_0_0_2 : boolean;
-  signal transform_right_filter_low_is_larger_0_0_4, transform_right_filter_low_is_larger_0_2_0 : boolean;
-  signal transform_right_filter_low_is_larger_0_2_2, transform_right_filter_low_is_larger_0_2_4 : boolean;
+  signal transform_left_filter_low_is_larger_0s : boolean_2d(3 to 4, 0 to 2);  -- transform_left_filter_low_is_larger_0_2#_2#
+  signal transform_right_filter_low_is_larger_0 : boolean_2d(0 to 1, 0 to 2);  -- transform_right_filter_low_is_larger_0_2#_2#
   signal transform_right_filter_low_is_larger_0_4_0, transform_right_filter_low_is_larger_0_4_4 : boolean;
-  signal transform_right_filter_low_is_larger_0_6_0, transform_right_filter_low_is_larger_0_6_2 : boolean;
-  signal transform_right_filter_low_is_larger_0_6_4, transform_right_filter_low_is_larger_0_8_0 : boolean;
-  signal transform_right_filter_low_is_larger_0_8_2, transform_right_filter_low_is_larger_0_8_4 : boolean;
+  signal transform_right_filter_low_is_larger_0s : boolean_2d(3 to 4, 0 to 2);  -- transform_right_filter_low_is_larger_0_2#_2#
   signal transform_filtering_row_inside_4 : boolean_1d(0 to 2);  -- transform_filtering_#_row_inside_4
-  signal transform_filtering_0_column_inside_0, transform_filtering_0_column_inside_2 : boolean;
-  signal transform_filtering_column_inside_4 : boolean_1d(0 to 2);  -- transform_filtering_#_column_inside_4
-  signal transform_filtering_0_column_inside_6, transform_filtering_0_column_inside_8 : boolean;
+  signal transform_filtering_0_column_inside : boolean_1d(0 to 4);  -- transform_filtering_0_column_inside_2#
+  signal transform_filtering_column_inside_4 : boolean_1d(1 to 2);  -- transform_filtering_#_column_inside_4
   signal transform_filtering_start_of_frame : boolean_1d(0 to 2);  -- transform_filtering_#_start_of_frame
   signal transform_filtering_valid : boolean_1d(0 to 2);  -- transform_filtering_#_valid
   signal transform_counter_column, transform_counter_column_after, transform_read_column : natural range 0 to 1023;
@@ -1034,71 +1029,19 @@ begin
   process (clock)
     variable transform_counter_next_frame_is_equal, transform_counter_frame_joins_choice : boolean;
     variable transform_read_column_inside_0_is_less : boolean;
-    variable transform_left_filter_low_is_larger_0_0_0_values : boolean_1d(1 to 4);  -- transform_left_filter_low_is_larger_0_0_0_value_#
-    variable transform_left_filter_low_is_larger_0_0_0_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_0_0_choice_#
+    variable transform_left_filter_low_is_larger_0_value : boolean_3d(0 to 4, 0 to 2, 1 to 4);  -- transform_left_filter_low_is_larger_0_2#_2#_value_#
+    variable transform_left_filter_low_is_larger_0_choice_3 : boolean_2d(0 to 4, 0 to 2);  -- transform_left_filter_low_is_larger_0_2#_2#_choice_3
     variable transform_left_filter_low_is_larger_0_0_2_any : boolean;
-    variable transform_left_filter_low_is_larger_0_0_2_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_0_2_choice_#
     variable transform_left_filter_low_is_larger_0_0_2_is_equal : boolean;
-    variable transform_left_filter_low_is_larger_0_0_2_value : boolean;
-    variable transform_left_filter_low_is_larger_0_0_4_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_0_4_choice_#
-    variable transform_left_filter_low_is_larger_0_0_4_value : boolean;
-    variable transform_left_filter_low_is_larger_0_2_0_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_2_0_choice_#
-    variable transform_left_filter_low_is_larger_0_2_0_value : boolean;
-    variable transform_left_filter_low_is_larger_0_2_2_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_2_2_choice_#
-    variable transform_left_filter_low_is_larger_0_2_2_value : boolean;
-    variable transform_left_filter_low_is_larger_0_2_4_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_2_4_choice_#
-    variable transform_left_filter_low_is_larger_0_2_4_value : boolean;
-    variable transform_left_filter_low_is_larger_0_4_0_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_4_0_choice_#
-    variable transform_left_filter_low_is_larger_0_4_0_value : boolean;
-    variable transform_left_filter_low_is_larger_0_4_4_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_4_4_choice_#
-    variable transform_left_filter_low_is_larger_0_4_4_value : boolean;
-    variable transform_left_filter_low_is_larger_0_6_0_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_6_0_choice_#
-    variable transform_left_filter_low_is_larger_0_6_0_value : boolean;
-    variable transform_left_filter_low_is_larger_0_6_2_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_6_2_choice_#
-    variable transform_left_filter_low_is_larger_0_6_2_value : boolean;
-    variable transform_left_filter_low_is_larger_0_6_4_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_6_4_choice_#
-    variable transform_left_filter_low_is_larger_0_6_4_value : boolean;
-    variable transform_left_filter_low_is_larger_0_8_0_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_8_0_choice_#
-    variable transform_left_filter_low_is_larger_0_8_0_value : boolean;
-    variable transform_left_filter_low_is_larger_0_8_2_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_8_2_choice_#
-    variable transform_left_filter_low_is_larger_0_8_2_value : boolean;
-    variable transform_left_filter_low_is_larger_0_8_4_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_8_4_choice_#
-    variable transform_left_filter_low_is_larger_0_8_4_value : boolean;
     variable transform_left_filter_feature_0_values : boolean_1d(1 to 3);  -- transform_left_filter_feature_0_value_#
-    variable transform_left_filter_feature_0_choices : boolean_1d(1 to 65);  -- transform_left_filter_feature_0_choice_#
+    variable transform_left_filter_feature_0_choice : boolean_1d(3 to 65);
     variable transform_left_filter_feature_0_alls : boolean_1d(1 to 4);  -- transform_left_filter_feature_0_all_#
-    variable transform_right_filter_low_is_larger_0_0_0_values : boolean_1d(1 to 4);  -- transform_right_filter_low_is_larger_0_0_0_value_#
-    variable transform_right_filter_low_is_larger_0_0_0_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_0_0_choice_#
+    variable transform_right_filter_low_is_larger_0_value : boolean_3d(0 to 4, 0 to 2, 1 to 4);  -- transform_right_filter_low_is_larger_0_2#_2#_value_#
+    variable transform_right_filter_low_is_larger_0_choice_3 : boolean_2d(0 to 4, 0 to 2);  -- transform_right_filter_low_is_larger_0_2#_2#_choice_3
     variable transform_right_filter_low_is_larger_0_0_2_any : boolean;
-    variable transform_right_filter_low_is_larger_0_0_2_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_0_2_choice_#
     variable transform_right_filter_low_is_larger_0_0_2_is_equal : boolean;
-    variable transform_right_filter_low_is_larger_0_0_2_value : boolean;
-    variable transform_right_filter_low_is_larger_0_0_4_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_0_4_choice_#
-    variable transform_right_filter_low_is_larger_0_0_4_value : boolean;
-    variable transform_right_filter_low_is_larger_0_2_0_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_2_0_choice_#
-    variable transform_right_filter_low_is_larger_0_2_0_value : boolean;
-    variable transform_right_filter_low_is_larger_0_2_2_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_2_2_choice_#
-    variable transform_right_filter_low_is_larger_0_2_2_value : boolean;
-    variable transform_right_filter_low_is_larger_0_2_4_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_2_4_choice_#
-    variable transform_right_filter_low_is_larger_0_2_4_value : boolean;
-    variable transform_right_filter_low_is_larger_0_4_0_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_4_0_choice_#
-    variable transform_right_filter_low_is_larger_0_4_0_value : boolean;
-    variable transform_right_filter_low_is_larger_0_4_4_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_4_4_choice_#
-    variable transform_right_filter_low_is_larger_0_4_4_value : boolean;
-    variable transform_right_filter_low_is_larger_0_6_0_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_6_0_choice_#
-    variable transform_right_filter_low_is_larger_0_6_0_value : boolean;
-    variable transform_right_filter_low_is_larger_0_6_2_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_6_2_choice_#
-    variable transform_right_filter_low_is_larger_0_6_2_value : boolean;
-    variable transform_right_filter_low_is_larger_0_6_4_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_6_4_choice_#
-    variable transform_right_filter_low_is_larger_0_6_4_value : boolean;
-    variable transform_right_filter_low_is_larger_0_8_0_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_8_0_choice_#
-    variable transform_right_filter_low_is_larger_0_8_0_value : boolean;
-    variable transform_right_filter_low_is_larger_0_8_2_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_8_2_choice_#
-    variable transform_right_filter_low_is_larger_0_8_2_value : boolean;
-    variable transform_right_filter_low_is_larger_0_8_4_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_8_4_choice_#
-    variable transform_right_filter_low_is_larger_0_8_4_value : boolean;
     variable transform_right_filter_feature_0_values : boolean_1d(1 to 3);  -- transform_right_filter_feature_0_value_#
-    variable transform_right_filter_feature_0_choices : boolean_1d(1 to 70);  -- transform_right_filter_feature_0_choice_#
+    variable transform_right_filter_feature_0_choice : boolean_1d(3 to 70);
     variable transform_right_filter_feature_0_alls : boolean_1d(1 to 5);  -- transform_right_filter_feature_0_all_#
     variable raster_place_next_frame_is_equal, raster_place_back_to_back_choice : boolean;
     variable delay_row_inside_1_is_not_less, delay_row_inside_1_is_less, delay_tag_map_column_is_not_less : boolean;
@@ -1115,12 +1058,12 @@ begin
     variable pathsturn_cost_memory_write_words_0_all : boolean_1d(0 to 1);  -- pathsturn_cost_memory_write_words_#_0_all
     variable winnerswinner1_best_index_0_value : boolean_2d(0 to 3, 1 to 13);  -- winnerswinner1_best_index_0_#_value_#
     variable winnerswinner1_best_index_0_choice : boolean_2d(0 to 3, 1 to 8);  -- winnerswinner1_best_index_0_#_choice_#
-    variable winnerswinner2_best_index_0_choice : boolean_2d(0 to 1, 1 to 8);  -- winnerswinner2_best_index_0_#_choice_#
+    variable winnerswinner2_best_index_0_choice_8 : boolean_1d(0 to 1);  -- winnerswinner2_best_index_0_#_choice_8
     variable winnerswinner2_best_index_0_value : boolean_2d(0 to 1, 1 to 5);  -- winnerswinner2_best_index_0_#_value_#
-    variable winnerswinner3_best_index_0_0_choices : boolean_1d(1 to 8);  -- winnerswinner3_best_index_0_0_choice_#
+    variable winnerswinner3_best_index_0_0_choice_8 : boolean;
     variable winnerswinner3_best_index_0_0_values : boolean_1d(1 to 5);  -- winnerswinner3_best_index_0_0_value_#
     variable winners_best_index_0_0_is_less, winners_best_above_0_0_is_equal, other_3_is_equal, other_14_any : boolean;
-    variable other_choice : boolean_2d(14 to 15, 1 to 42);  -- other_#_choice_#
+    variable other_choice : boolean_2d(14 to 15, 7 to 42);  -- other_#_choice_#
     variable other_value : boolean_2d(14 to 15, 1 to 21);  -- other_#_value_#
     variable other_all : boolean_2d(14 to 15, 1 to 4);  -- other_#_all_#
     variable other_14_differs : boolean;
@@ -1168,7 +1111,7 @@ begin
     variable pathsright_low_0_choice : natural range 0 to 127;
     variable pathsleft_q_choices : natural_63_1d(1 to 2);  -- pathsleft_q_choice_#
     variable pathsleft_room_left_choice, pathsabove_smallest_total_choice : natural range 0 to 63;
-    variable pathsabove_beside_0_choice, pathsabove_beside_7_choice : natural range 0 to 63;
+    variable pathsabove_beside_choice : natural_63_1d(0 to 7);  -- pathsabove_beside_#_choice
     variable pathsright_q_choices : natural_63_1d(1 to 2);  -- pathsright_q_choice_#
     variable pathsright_room_left_choice : natural range 0 to 63;
     variable pathsabove_memory_read_address_0_sum : natural range 1 to 8192;
@@ -1192,20 +1135,10 @@ begin
     variable winners_best_cost_0_0_choice_2 : natural range 0 to 255;
     variable winners_best_below_0_0_choices : natural_255_1d(1 to 2);  -- winners_best_below_0_0_choice_#
     variable winners_best_above_0_0_choices : natural_255_1d(1 to 2);  -- winners_best_above_0_0_choice_#
-    variable other_6_choice : natural range 0 to 255;
-    variable other_14_choices : natural_255_1d(10 to 11);  -- other_14_choice_#
-    variable other_14_choices_from_21 : natural_255_1d(21 to 22);  -- other_14_choice_#
-    variable other_14_choices_from_32 : natural_255_1d(32 to 33);  -- other_14_choice_#
-    variable other_14_choices_from_43 : natural_255_1d(43 to 44);  -- other_14_choice_#
-    variable other_15_choices : natural_255_1d(10 to 11);  -- other_15_choice_#
-    variable other_15_choices_from_20 : natural_255_1d(20 to 21);  -- other_15_choice_#
-    variable other_15_choices_from_31 : natural_255_1d(31 to 32);  -- other_15_choice_#
-    variable other_15_choices_from_42 : natural_255_1d(42 to 43);  -- other_15_choice_#
-    variable other_choices : natural_255_2d(16 to 17, 1 to 8);  -- other_#_choice_#
+    variable other_choices : natural_255_1d(6 to 17);  -- other_#_choice
+    variable other_choices_from_14 : natural_255_2d(14 to 17, 2 to 44);  -- other_#_choice_#
     variable refinement_divisor_0_0_choice : natural range 0 to 255;
-    variable pathsturn_sum_memory_write_words_0_0_sum : natural range 0 to 190;
-    variable pathsturn_sum_memory_write_words_0_1_sum : natural range 0 to 190;
-    variable pathsturn_sum_memory_write_words_0_2_sum : natural range 0 to 190;
+    variable pathsturn_sum_memory_write_words_0_sum : natural_190_1d(0 to 2);  -- pathsturn_sum_memory_write_words_0_#_sum
     variable winnerswinner1_best_cost_0_sum : natural_255_to_256_2d(0 to 3, 1 to 2);  -- winnerswinner1_best_cost_0_#_sum_#
     variable other_6_difference : integer range -15 to 0;
     variable other_6_value : natural range 0 to 16;
@@ -1225,6 +1158,12 @@ begin
   begin
     if rising_edge(clock) then
       -- no bit without a value, where an array has places for more
+      transform_left_filter_low_is_larger_0_value := (others => (others => (others => false)));
+      transform_left_filter_low_is_larger_0_choice_3 := (others => (others => false));
+      transform_left_filter_feature_0_choice := (others => false);
+      transform_right_filter_low_is_larger_0_value := (others => (others => (others => false)));
+      transform_right_filter_low_is_larger_0_choice_3 := (others => (others => false));
+      transform_right_filter_feature_0_choice := (others => false);
       costscolumn_pixels_first_0_count_value := (others => (others => (others => false)));
       other_choice := (others => (others => false));
       other_value := (others => (others => false));
@@ -1234,7 +1173,10 @@ begin
       pathsleft_step_choice := (others => (others => 0));
       pathsright_stay_value := (others => (others => 0));
       pathsright_step_choice := (others => (others => 0));
+      pathsabove_beside_choice := (others => 0);
       pathsabove_memory_write_words_0_choice := (others => (others => 0));
+      other_choices := (others => 0);
+      other_choices_from_14 := (others => (others => 0));
       -- transform
       transform_counter_next_frame_is_equal := transform_counter_column = 639;
       transform_counter_frame_joins_choice := choice(transform_counter_last_column, (not
@@ -1242,598 +1184,198 @@ begin
       transform_counter_group_after_choice := choice(transform_counter_back_to_back, 2, (transform_counter_group + 1)
         mod 512);
       transform_read_column_inside_0_is_less := 3 < transform_counter_column;
-      transform_left_filter_low_is_larger_0_0_0_values(1) := is_set(transform_left_filter_column_2(4), 1);
-      transform_left_filter_low_is_larger_0_0_0_choices(1) := choice(is_set(transform_left_filter_column_2(4), 0), not
-        is_set(transform_left_filter_column_0(0), 1), (transform_left_filter_column_0(0) mod 4) = 0);
-      transform_left_filter_low_is_larger_0_0_0_choices(2) :=
-        choice(transform_left_filter_low_is_larger_0_0_0_values(1), is_set(transform_left_filter_column_2(4), 0) or
-        (not is_set(transform_left_filter_column_0(0), 1)) or (not is_set(transform_left_filter_column_0(0), 0)),
-        transform_left_filter_low_is_larger_0_0_0_choices(1));
-      transform_left_filter_low_is_larger_0_0_0_values(2) := is_set(transform_left_filter_column_2(4), 2);
-      transform_left_filter_low_is_larger_0_0_0_values(3) := is_set(transform_left_filter_column_0(0), 2);
-      transform_left_filter_low_is_larger_0_0_0_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_0_0_choices(2), not
-        transform_left_filter_low_is_larger_0_0_0_values(2), transform_left_filter_low_is_larger_0_0_0_values(3));
-      transform_left_filter_low_is_larger_0_0_0_values(4) := is_set(transform_left_filter_column_0(0), 3);
-      transform_left_filter_low_is_larger_0_0_2_any := (not transform_left_filter_low_is_larger_0_0_0_values(1)) or
-        (not is_set(transform_left_filter_column_2(4), 0));
-      transform_left_filter_low_is_larger_0_0_2_choices(1) := choice(is_set(transform_left_filter_column_2(0), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_0_2_is_equal := (transform_left_filter_column_2(4) mod 4) = 0;
-      transform_left_filter_low_is_larger_0_0_2_choices(2) := choice(is_set(transform_left_filter_column_2(0), 1),
-        transform_left_filter_low_is_larger_0_0_2_choices(1), is_set(transform_left_filter_column_2(0), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_0_2_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_0_2_choices(2), not
-        is_set(transform_left_filter_column_2(0), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_0_2_value := is_set(transform_left_filter_column_2(0), 3);
-      transform_left_filter_low_is_larger_0_0_4_choices(1) := choice(is_set(transform_left_filter_column_4(0), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_0_4_choices(2) := choice(is_set(transform_left_filter_column_4(0), 1),
-        transform_left_filter_low_is_larger_0_0_4_choices(1), is_set(transform_left_filter_column_4(0), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_0_4_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_0_4_choices(2), not
-        is_set(transform_left_filter_column_4(0), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_0_4_value := is_set(transform_left_filter_column_4(0), 3);
-      transform_left_filter_low_is_larger_0_2_0_choices(1) := choice(is_set(transform_left_filter_column_0(2), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_2_0_choices(2) := choice(is_set(transform_left_filter_column_0(2), 1),
-        transform_left_filter_low_is_larger_0_2_0_choices(1), is_set(transform_left_filter_column_0(2), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_2_0_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_2_0_choices(2), not
-        is_set(transform_left_filter_column_0(2), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_2_0_value := is_set(transform_left_filter_column_0(2), 3);
-      transform_left_filter_low_is_larger_0_2_2_choices(1) := choice(is_set(transform_left_filter_column_2(2), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_2_2_choices(2) := choice(is_set(transform_left_filter_column_2(2), 1),
-        transform_left_filter_low_is_larger_0_2_2_choices(1), is_set(transform_left_filter_column_2(2), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_2_2_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_2_2_choices(2), not
-        is_set(transform_left_filter_column_2(2), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_2_2_value := is_set(transform_left_filter_column_2(2), 3);
-      transform_left_filter_low_is_larger_0_2_4_choices(1) := choice(is_set(transform_left_filter_column_4(2), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_2_4_choices(2) := choice(is_set(transform_left_filter_column_4(2), 1),
-        transform_left_filter_low_is_larger_0_2_4_choices(1), is_set(transform_left_filter_column_4(2), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_2_4_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_2_4_choices(2), not
-        is_set(transform_left_filter_column_4(2), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_2_4_value := is_set(transform_left_filter_column_4(2), 3);
-      transform_left_filter_low_is_larger_0_4_0_choices(1) := choice(is_set(transform_left_filter_column_0(4), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_4_0_choices(2) := choice(is_set(transform_left_filter_column_0(4), 1),
-        transform_left_filter_low_is_larger_0_4_0_choices(1), is_set(transform_left_filter_column_0(4), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_4_0_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_4_0_choices(2), not
-        is_set(transform_left_filter_column_0(4), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_4_0_value := is_set(transform_left_filter_column_0(4), 3);
-      transform_left_filter_low_is_larger_0_4_4_choices(1) := choice(is_set(transform_left_filter_column_4(4), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_4_4_choices(2) := choice(is_set(transform_left_filter_column_4(4), 1),
-        transform_left_filter_low_is_larger_0_4_4_choices(1), is_set(transform_left_filter_column_4(4), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_4_4_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_4_4_choices(2), not
-        is_set(transform_left_filter_column_4(4), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_4_4_value := is_set(transform_left_filter_column_4(4), 3);
-      transform_left_filter_low_is_larger_0_6_0_choices(1) := choice(is_set(transform_left_filter_column_0(6), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_6_0_choices(2) := choice(is_set(transform_left_filter_column_0(6), 1),
-        transform_left_filter_low_is_larger_0_6_0_choices(1), is_set(transform_left_filter_column_0(6), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_6_0_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_6_0_choices(2), not
-        is_set(transform_left_filter_column_0(6), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_6_0_value := is_set(transform_left_filter_column_0(6), 3);
-      transform_left_filter_low_is_larger_0_6_2_choices(1) := choice(is_set(transform_left_filter_column_2(6), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_6_2_choices(2) := choice(is_set(transform_left_filter_column_2(6), 1),
-        transform_left_filter_low_is_larger_0_6_2_choices(1), is_set(transform_left_filter_column_2(6), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_6_2_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_6_2_choices(2), not
-        is_set(transform_left_filter_column_2(6), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_6_2_value := is_set(transform_left_filter_column_2(6), 3);
-      transform_left_filter_low_is_larger_0_6_4_choices(1) := choice(is_set(transform_left_filter_column_4(6), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_6_4_choices(2) := choice(is_set(transform_left_filter_column_4(6), 1),
-        transform_left_filter_low_is_larger_0_6_4_choices(1), is_set(transform_left_filter_column_4(6), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_6_4_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_6_4_choices(2), not
-        is_set(transform_left_filter_column_4(6), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_6_4_value := is_set(transform_left_filter_column_4(6), 3);
-      transform_left_filter_low_is_larger_0_8_0_choices(1) := choice(is_set(transform_left_filter_column_0(8), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_8_0_choices(2) := choice(is_set(transform_left_filter_column_0(8), 1),
-        transform_left_filter_low_is_larger_0_8_0_choices(1), is_set(transform_left_filter_column_0(8), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_8_0_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_8_0_choices(2), not
-        is_set(transform_left_filter_column_0(8), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_8_0_value := is_set(transform_left_filter_column_0(8), 3);
-      transform_left_filter_low_is_larger_0_8_2_choices(1) := choice(is_set(transform_left_filter_column_2(8), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_8_2_choices(2) := choice(is_set(transform_left_filter_column_2(8), 1),
-        transform_left_filter_low_is_larger_0_8_2_choices(1), is_set(transform_left_filter_column_2(8), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_8_2_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_8_2_choices(2), not
-        is_set(transform_left_filter_column_2(8), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_8_2_value := is_set(transform_left_filter_column_2(8), 3);
-      transform_left_filter_low_is_larger_0_8_4_choices(1) := choice(is_set(transform_left_filter_column_4(8), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_8_4_choices(2) := choice(is_set(transform_left_filter_column_4(8), 1),
-        transform_left_filter_low_is_larger_0_8_4_choices(1), is_set(transform_left_filter_column_4(8), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_8_4_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_8_4_choices(2), not
-        is_set(transform_left_filter_column_4(8), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_8_4_value := is_set(transform_left_filter_column_4(8), 3);
-      transform_left_filter_feature_0_values(1) := is_set(transform_left_filter_column_2(4), 4);
-      transform_left_filter_feature_0_choices(1) := inverted_carry(is_set(transform_left_filter_column_0(0), 4), not
-        transform_left_filter_low_is_larger_0_0_0, transform_left_filter_feature_0_values(1));
-      for i in 2 to 3 loop
-        transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column_2(4), i + 3);
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_0(0), i + 3), transform_left_filter_feature_0_values(i));
+      transform_left_filter_low_is_larger_0_value(0, 0, 1) := is_set(transform_left_filter_column(4, 1), 1);
+      transform_left_filter_low_is_larger_0_value(0, 0, 2) := is_set(transform_left_filter_column(4, 1), 2);
+      transform_left_filter_low_is_larger_0_value(0, 0, 3) := is_set(transform_left_filter_column(0, 0), 2);
+      transform_left_filter_low_is_larger_0_choice_3(0, 0) := not is_larger(transform_left_filter_column(4, 1),
+        transform_left_filter_column(0, 0), 0, 2, true);
+      transform_left_filter_low_is_larger_0_value(0, 0, 4) := is_set(transform_left_filter_column(0, 0), 3);
+      transform_left_filter_low_is_larger_0_0_2_any := (not transform_left_filter_low_is_larger_0_value(0, 0, 1)) or
+        (not is_set(transform_left_filter_column(4, 1), 0));
+      transform_left_filter_low_is_larger_0_0_2_is_equal := (transform_left_filter_column(4, 1) mod 4) = 0;
+      for i in 0 to 1 loop
+        transform_left_filter_low_is_larger_0_choice_3(2 * i, 1 - i) := not is_larger(transform_left_filter_column(4 *
+          i, 1 - i), transform_left_filter_column(4, 1), 0, 2, false);
+        transform_left_filter_low_is_larger_0_value(2 * i, 1 - i, 1) := is_set(transform_left_filter_column(4 * i, 1 -
+          i), 3);
+        transform_left_filter_low_is_larger_0_choice_3(2 * i, 2) := not is_larger(transform_left_filter_column(4 * i,
+          2), transform_left_filter_column(4, 1), 0, 2, false);
+        transform_left_filter_low_is_larger_0_value(2 * i, 2, 1) := is_set(transform_left_filter_column(4 * i, 2), 3);
+        for j in 0 to 2 loop
+          transform_left_filter_low_is_larger_0_choice_3(2 * i + 1, j) := not is_larger(transform_left_filter_column(4
+            * i + 2, j), transform_left_filter_column(4, 1), 0, 2, false);
+          transform_left_filter_low_is_larger_0_value(2 * i + 1, j, 1) := is_set(transform_left_filter_column(4 * i +
+            2, j), 3);
+        end loop;
       end loop;
-      transform_left_filter_feature_0_alls(1) := transform_filtering_0_column_inside_0 and (not
-        is_set(transform_left_filter_column_2(4), 7));
-      transform_left_filter_feature_0_choices(4) := choice(is_set(transform_left_filter_column_0(0), 7),
-        transform_filtering_0_column_inside_0, transform_left_filter_feature_0_alls(1));
-      transform_left_filter_feature_0_choices(5) := choice(transform_left_filter_feature_0_choices(3),
-        is_set(transform_left_filter_column_0(0), 7) and transform_filtering_0_column_inside_0 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(4));
-      transform_left_filter_feature_0_choices(6) := inverted_carry(is_set(transform_left_filter_column_2(0), 4), not
-        transform_left_filter_low_is_larger_0_0_2, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(7) := carry(transform_left_filter_feature_0_choices(6), not
-        is_set(transform_left_filter_column_2(0), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(8) := carry(transform_left_filter_feature_0_choices(7), not
-        is_set(transform_left_filter_column_2(0), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_choices(9) := choice(is_set(transform_left_filter_column_2(0), 7),
-        transform_filtering_0_column_inside_0, transform_left_filter_feature_0_alls(1));
-      transform_left_filter_feature_0_choices(10) := choice(transform_left_filter_feature_0_choices(8),
-        is_set(transform_left_filter_column_2(0), 7) and transform_filtering_0_column_inside_0 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(9));
-      transform_left_filter_feature_0_choices(11) := inverted_carry(is_set(transform_left_filter_column_4(0), 4), not
-        transform_left_filter_low_is_larger_0_0_4, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(12) := carry(transform_left_filter_feature_0_choices(11), not
-        is_set(transform_left_filter_column_4(0), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(13) := carry(transform_left_filter_feature_0_choices(12), not
-        is_set(transform_left_filter_column_4(0), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_choices(14) := choice(transform_left_filter_feature_0_choices(13),
-        transform_filtering_0_column_inside_0 and is_set(transform_left_filter_column_4(0), 7) and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_0 and
-        (is_set(transform_left_filter_column_4(0), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
-      transform_left_filter_feature_0_choices(15) := inverted_carry(is_set(transform_left_filter_column_2(2), 4), not
-        transform_left_filter_low_is_larger_0_2_2, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(16) := carry(transform_left_filter_feature_0_choices(15), not
-        is_set(transform_left_filter_column_2(2), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(17) := carry(transform_left_filter_feature_0_choices(16), not
-        is_set(transform_left_filter_column_2(2), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_alls(2) := transform_filtering_0_column_inside_2 and (not
-        is_set(transform_left_filter_column_2(4), 7));
-      transform_left_filter_feature_0_choices(18) := choice(is_set(transform_left_filter_column_2(2), 7),
-        transform_filtering_0_column_inside_2, transform_left_filter_feature_0_alls(2));
-      transform_left_filter_feature_0_choices(19) := choice(transform_left_filter_feature_0_choices(17),
-        is_set(transform_left_filter_column_2(2), 7) and transform_filtering_0_column_inside_2 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(18));
-      transform_left_filter_feature_0_choices(20) := inverted_carry(is_set(transform_left_filter_column_0(2), 4), not
-        transform_left_filter_low_is_larger_0_2_0, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(21) := carry(transform_left_filter_feature_0_choices(20), not
-        is_set(transform_left_filter_column_0(2), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(22) := carry(transform_left_filter_feature_0_choices(21), not
-        is_set(transform_left_filter_column_0(2), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_choices(23) := choice(is_set(transform_left_filter_column_0(2), 7),
-        transform_filtering_0_column_inside_2, transform_left_filter_feature_0_alls(2));
-      transform_left_filter_feature_0_choices(24) := choice(transform_left_filter_feature_0_choices(22),
-        is_set(transform_left_filter_column_0(2), 7) and transform_filtering_0_column_inside_2 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(23));
-      transform_left_filter_feature_0_choices(25) := inverted_carry(is_set(transform_left_filter_column_4(2), 4), not
-        transform_left_filter_low_is_larger_0_2_4, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(26) := carry(transform_left_filter_feature_0_choices(25), not
-        is_set(transform_left_filter_column_4(2), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(27) := carry(transform_left_filter_feature_0_choices(26), not
-        is_set(transform_left_filter_column_4(2), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_choices(28) := choice(transform_left_filter_feature_0_choices(27),
-        transform_filtering_0_column_inside_2 and is_set(transform_left_filter_column_4(2), 7) and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_2 and
-        (is_set(transform_left_filter_column_4(2), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
-      transform_left_filter_feature_0_choices(29) := inverted_carry(is_set(transform_left_filter_column_0(4), 4), not
-        transform_left_filter_low_is_larger_0_4_0, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(30) := carry(transform_left_filter_feature_0_choices(29), not
-        is_set(transform_left_filter_column_0(4), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(31) := carry(transform_left_filter_feature_0_choices(30), not
-        is_set(transform_left_filter_column_0(4), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_choices(32) := choice(is_set(transform_left_filter_column_0(4), 7),
-        transform_filtering_column_inside_4(0), transform_filtering_column_inside_4(0) and (not
-        is_set(transform_left_filter_column_2(4), 7)));
-      transform_left_filter_feature_0_choices(33) := choice(transform_left_filter_feature_0_choices(31),
-        is_set(transform_left_filter_column_0(4), 7) and transform_filtering_column_inside_4(0) and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(32));
-      transform_left_filter_feature_0_choices(34) := inverted_carry(is_set(transform_left_filter_column_4(4), 4), not
-        transform_left_filter_low_is_larger_0_4_4, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(35) := carry(transform_left_filter_feature_0_choices(34), not
-        is_set(transform_left_filter_column_4(4), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(36) := carry(transform_left_filter_feature_0_choices(35), not
-        is_set(transform_left_filter_column_4(4), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_choices(37) := choice(transform_left_filter_feature_0_choices(36),
-        transform_filtering_column_inside_4(0) and is_set(transform_left_filter_column_4(4), 7) and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_column_inside_4(0) and
-        (is_set(transform_left_filter_column_4(4), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
-      transform_left_filter_feature_0_choices(38) := inverted_carry(is_set(transform_left_filter_column_2(6), 4), not
-        transform_left_filter_low_is_larger_0_6_2, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(39) := carry(transform_left_filter_feature_0_choices(38), not
-        is_set(transform_left_filter_column_2(6), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(40) := carry(transform_left_filter_feature_0_choices(39), not
-        is_set(transform_left_filter_column_2(6), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_alls(3) := transform_filtering_0_column_inside_6 and (not
-        is_set(transform_left_filter_column_2(4), 7));
-      transform_left_filter_feature_0_choices(41) := choice(is_set(transform_left_filter_column_2(6), 7),
-        transform_filtering_0_column_inside_6, transform_left_filter_feature_0_alls(3));
-      transform_left_filter_feature_0_choices(42) := choice(transform_left_filter_feature_0_choices(40),
-        is_set(transform_left_filter_column_2(6), 7) and transform_filtering_0_column_inside_6 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(41));
-      transform_left_filter_feature_0_choices(43) := inverted_carry(is_set(transform_left_filter_column_0(6), 4), not
-        transform_left_filter_low_is_larger_0_6_0, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(44) := carry(transform_left_filter_feature_0_choices(43), not
-        is_set(transform_left_filter_column_0(6), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(45) := carry(transform_left_filter_feature_0_choices(44), not
-        is_set(transform_left_filter_column_0(6), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_choices(46) := choice(is_set(transform_left_filter_column_0(6), 7),
-        transform_filtering_0_column_inside_6, transform_left_filter_feature_0_alls(3));
-      transform_left_filter_feature_0_choices(47) := choice(transform_left_filter_feature_0_choices(45),
-        is_set(transform_left_filter_column_0(6), 7) and transform_filtering_0_column_inside_6 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(46));
-      transform_left_filter_feature_0_choices(48) := inverted_carry(is_set(transform_left_filter_column_4(6), 4), not
-        transform_left_filter_low_is_larger_0_6_4, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(49) := carry(transform_left_filter_feature_0_choices(48), not
-        is_set(transform_left_filter_column_4(6), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(50) := carry(transform_left_filter_feature_0_choices(49), not
-        is_set(transform_left_filter_column_4(6), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_choices(51) := choice(transform_left_filter_feature_0_choices(50),
-        transform_filtering_0_column_inside_6 and is_set(transform_left_filter_column_4(6), 7) and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_6 and
-        (is_set(transform_left_filter_column_4(6), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
-      transform_left_filter_feature_0_choices(52) := inverted_carry(is_set(transform_left_filter_column_2(8), 4), not
-        transform_left_filter_low_is_larger_0_8_2, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(53) := carry(transform_left_filter_feature_0_choices(52), not
-        is_set(transform_left_filter_column_2(8), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(54) := carry(transform_left_filter_feature_0_choices(53), not
-        is_set(transform_left_filter_column_2(8), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_alls(4) := transform_filtering_0_column_inside_8 and (not
-        is_set(transform_left_filter_column_2(4), 7));
-      transform_left_filter_feature_0_choices(55) := choice(is_set(transform_left_filter_column_2(8), 7),
-        transform_filtering_0_column_inside_8, transform_left_filter_feature_0_alls(4));
-      transform_left_filter_feature_0_choices(56) := choice(transform_left_filter_feature_0_choices(54),
-        is_set(transform_left_filter_column_2(8), 7) and transform_filtering_0_column_inside_8 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(55));
-      transform_left_filter_feature_0_choices(57) := inverted_carry(is_set(transform_left_filter_column_0(8), 4), not
-        transform_left_filter_low_is_larger_0_8_0, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(58) := carry(transform_left_filter_feature_0_choices(57), not
-        is_set(transform_left_filter_column_0(8), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(59) := carry(transform_left_filter_feature_0_choices(58), not
-        is_set(transform_left_filter_column_0(8), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_choices(60) := choice(is_set(transform_left_filter_column_0(8), 7),
-        transform_filtering_0_column_inside_8, transform_left_filter_feature_0_alls(4));
-      transform_left_filter_feature_0_choices(61) := choice(transform_left_filter_feature_0_choices(59),
-        is_set(transform_left_filter_column_0(8), 7) and transform_filtering_0_column_inside_8 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(60));
-      transform_left_filter_feature_0_choices(62) := inverted_carry(is_set(transform_left_filter_column_4(8), 4), not
-        transform_left_filter_low_is_larger_0_8_4, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(63) := carry(transform_left_filter_feature_0_choices(62), not
-        is_set(transform_left_filter_column_4(8), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(64) := carry(transform_left_filter_feature_0_choices(63), not
-        is_set(transform_left_filter_column_4(8), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_choices(65) := choice(transform_left_filter_feature_0_choices(64),
-        transform_filtering_0_column_inside_8 and is_set(transform_left_filter_column_4(8), 7) and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_8 and
-        (is_set(transform_left_filter_column_4(8), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
-      transform_right_filter_low_is_larger_0_0_0_values(1) := is_set(transform_right_filter_column_2(4), 1);
-      transform_right_filter_low_is_larger_0_0_0_choices(1) := choice(is_set(transform_right_filter_column_2(4), 0),
-        not is_set(transform_right_filter_column_0(0), 1), (transform_right_filter_column_0(0) mod 4) = 0);
-      transform_right_filter_low_is_larger_0_0_0_choices(2) :=
-        choice(transform_right_filter_low_is_larger_0_0_0_values(1), is_set(transform_right_filter_column_2(4), 0) or
-        (not is_set(transform_right_filter_column_0(0), 1)) or (not is_set(transform_right_filter_column_0(0), 0)),
-        transform_right_filter_low_is_larger_0_0_0_choices(1));
-      transform_right_filter_low_is_larger_0_0_0_values(2) := is_set(transform_right_filter_column_2(4), 2);
-      transform_right_filter_low_is_larger_0_0_0_values(3) := is_set(transform_right_filter_column_0(0), 2);
-      transform_right_filter_low_is_larger_0_0_0_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_0_0_choices(2), not
-        transform_right_filter_low_is_larger_0_0_0_values(2), transform_right_filter_low_is_larger_0_0_0_values(3));
-      transform_right_filter_low_is_larger_0_0_0_values(4) := is_set(transform_right_filter_column_0(0), 3);
-      transform_right_filter_low_is_larger_0_0_2_any := (not transform_right_filter_low_is_larger_0_0_0_values(1)) or
-        (not is_set(transform_right_filter_column_2(4), 0));
-      transform_right_filter_low_is_larger_0_0_2_choices(1) := choice(is_set(transform_right_filter_column_2(0), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_0_2_is_equal := (transform_right_filter_column_2(4) mod 4) = 0;
-      transform_right_filter_low_is_larger_0_0_2_choices(2) := choice(is_set(transform_right_filter_column_2(0), 1),
-        transform_right_filter_low_is_larger_0_0_2_choices(1), is_set(transform_right_filter_column_2(0), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_0_2_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_0_2_choices(2), not
-        is_set(transform_right_filter_column_2(0), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_0_2_value := is_set(transform_right_filter_column_2(0), 3);
-      transform_right_filter_low_is_larger_0_0_4_choices(1) := choice(is_set(transform_right_filter_column_4(0), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_0_4_choices(2) := choice(is_set(transform_right_filter_column_4(0), 1),
-        transform_right_filter_low_is_larger_0_0_4_choices(1), is_set(transform_right_filter_column_4(0), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_0_4_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_0_4_choices(2), not
-        is_set(transform_right_filter_column_4(0), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_0_4_value := is_set(transform_right_filter_column_4(0), 3);
-      transform_right_filter_low_is_larger_0_2_0_choices(1) := choice(is_set(transform_right_filter_column_0(2), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_2_0_choices(2) := choice(is_set(transform_right_filter_column_0(2), 1),
-        transform_right_filter_low_is_larger_0_2_0_choices(1), is_set(transform_right_filter_column_0(2), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_2_0_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_2_0_choices(2), not
-        is_set(transform_right_filter_column_0(2), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_2_0_value := is_set(transform_right_filter_column_0(2), 3);
-      transform_right_filter_low_is_larger_0_2_2_choices(1) := choice(is_set(transform_right_filter_column_2(2), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_2_2_choices(2) := choice(is_set(transform_right_filter_column_2(2), 1),
-        transform_right_filter_low_is_larger_0_2_2_choices(1), is_set(transform_right_filter_column_2(2), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_2_2_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_2_2_choices(2), not
-        is_set(transform_right_filter_column_2(2), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_2_2_value := is_set(transform_right_filter_column_2(2), 3);
-      transform_right_filter_low_is_larger_0_2_4_choices(1) := choice(is_set(transform_right_filter_column_4(2), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_2_4_choices(2) := choice(is_set(transform_right_filter_column_4(2), 1),
-        transform_right_filter_low_is_larger_0_2_4_choices(1), is_set(transform_right_filter_column_4(2), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_2_4_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_2_4_choices(2), not
-        is_set(transform_right_filter_column_4(2), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_2_4_value := is_set(transform_right_filter_column_4(2), 3);
-      transform_right_filter_low_is_larger_0_4_0_choices(1) := choice(is_set(transform_right_filter_column_0(4), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_4_0_choices(2) := choice(is_set(transform_right_filter_column_0(4), 1),
-        transform_right_filter_low_is_larger_0_4_0_choices(1), is_set(transform_right_filter_column_0(4), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_4_0_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_4_0_choices(2), not
-        is_set(transform_right_filter_column_0(4), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_4_0_value := is_set(transform_right_filter_column_0(4), 3);
-      transform_right_filter_low_is_larger_0_4_4_choices(1) := choice(is_set(transform_right_filter_column_4(4), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_4_4_choices(2) := choice(is_set(transform_right_filter_column_4(4), 1),
-        transform_right_filter_low_is_larger_0_4_4_choices(1), is_set(transform_right_filter_column_4(4), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_4_4_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_4_4_choices(2), not
-        is_set(transform_right_filter_column_4(4), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_4_4_value := is_set(transform_right_filter_column_4(4), 3);
-      transform_right_filter_low_is_larger_0_6_0_choices(1) := choice(is_set(transform_right_filter_column_0(6), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_6_0_choices(2) := choice(is_set(transform_right_filter_column_0(6), 1),
-        transform_right_filter_low_is_larger_0_6_0_choices(1), is_set(transform_right_filter_column_0(6), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_6_0_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_6_0_choices(2), not
-        is_set(transform_right_filter_column_0(6), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_6_0_value := is_set(transform_right_filter_column_0(6), 3);
-      transform_right_filter_low_is_larger_0_6_2_choices(1) := choice(is_set(transform_right_filter_column_2(6), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_6_2_choices(2) := choice(is_set(transform_right_filter_column_2(6), 1),
-        transform_right_filter_low_is_larger_0_6_2_choices(1), is_set(transform_right_filter_column_2(6), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_6_2_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_6_2_choices(2), not
-        is_set(transform_right_filter_column_2(6), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_6_2_value := is_set(transform_right_filter_column_2(6), 3);
-      transform_right_filter_low_is_larger_0_6_4_choices(1) := choice(is_set(transform_right_filter_column_4(6), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_6_4_choices(2) := choice(is_set(transform_right_filter_column_4(6), 1),
-        transform_right_filter_low_is_larger_0_6_4_choices(1), is_set(transform_right_filter_column_4(6), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_6_4_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_6_4_choices(2), not
-        is_set(transform_right_filter_column_4(6), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_6_4_value := is_set(transform_right_filter_column_4(6), 3);
-      transform_right_filter_low_is_larger_0_8_0_choices(1) := choice(is_set(transform_right_filter_column_0(8), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_8_0_choices(2) := choice(is_set(transform_right_filter_column_0(8), 1),
-        transform_right_filter_low_is_larger_0_8_0_choices(1), is_set(transform_right_filter_column_0(8), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_8_0_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_8_0_choices(2), not
-        is_set(transform_right_filter_column_0(8), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_8_0_value := is_set(transform_right_filter_column_0(8), 3);
-      transform_right_filter_low_is_larger_0_8_2_choices(1) := choice(is_set(transform_right_filter_column_2(8), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_8_2_choices(2) := choice(is_set(transform_right_filter_column_2(8), 1),
-        transform_right_filter_low_is_larger_0_8_2_choices(1), is_set(transform_right_filter_column_2(8), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_8_2_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_8_2_choices(2), not
-        is_set(transform_right_filter_column_2(8), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_8_2_value := is_set(transform_right_filter_column_2(8), 3);
-      transform_right_filter_low_is_larger_0_8_4_choices(1) := choice(is_set(transform_right_filter_column_4(8), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_8_4_choices(2) := choice(is_set(transform_right_filter_column_4(8), 1),
-        transform_right_filter_low_is_larger_0_8_4_choices(1), is_set(transform_right_filter_column_4(8), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_8_4_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_8_4_choices(2), not
-        is_set(transform_right_filter_column_4(8), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_8_4_value := is_set(transform_right_filter_column_4(8), 3);
-      transform_right_filter_feature_0_values(1) := is_set(transform_right_filter_column_2(4), 4);
-      transform_right_filter_feature_0_choices(1) := inverted_carry(is_set(transform_right_filter_column_0(0), 4), not
-        transform_right_filter_low_is_larger_0_0_0, transform_right_filter_feature_0_values(1));
-      for i in 2 to 3 loop
-        transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column_2(4), i + 3);
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_0(0), i + 3), transform_right_filter_feature_0_values(i));
+      for i in 0 to 2 loop
+        transform_left_filter_low_is_larger_0_choice_3(4, i) := not is_larger(transform_left_filter_column(8, i),
+          transform_left_filter_column(4, 1), 0, 2, false);
+        transform_left_filter_low_is_larger_0_value(4, i, 1) := is_set(transform_left_filter_column(8, i), 3);
       end loop;
-      transform_right_filter_feature_0_alls(1) := (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_0;
-      transform_right_filter_feature_0_choices(4) := choice(is_set(transform_right_filter_column_0(0), 7),
-        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_alls(1));
-      transform_right_filter_feature_0_choices(5) := choice(transform_right_filter_feature_0_choices(3),
-        is_set(transform_right_filter_column_0(0), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_choices(4));
-      transform_right_filter_feature_0_choices(6) := inverted_carry(is_set(transform_right_filter_column_2(0), 4), not
-        transform_right_filter_low_is_larger_0_0_2, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(7) := carry(transform_right_filter_feature_0_choices(6), not
-        is_set(transform_right_filter_column_2(0), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(8) := carry(transform_right_filter_feature_0_choices(7), not
-        is_set(transform_right_filter_column_2(0), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_choices(9) := choice(is_set(transform_right_filter_column_2(0), 7),
-        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_alls(1));
-      transform_right_filter_feature_0_choices(10) := choice(transform_right_filter_feature_0_choices(8),
-        is_set(transform_right_filter_column_2(0), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_choices(9));
-      transform_right_filter_feature_0_choices(11) := inverted_carry(is_set(transform_right_filter_column_4(0), 4), not
-        transform_right_filter_low_is_larger_0_0_4, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(12) := carry(transform_right_filter_feature_0_choices(11), not
-        is_set(transform_right_filter_column_4(0), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(13) := carry(transform_right_filter_feature_0_choices(12), not
-        is_set(transform_right_filter_column_4(0), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_choices(14) := choice(is_set(transform_right_filter_column_4(0), 7),
-        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_alls(1));
-      transform_right_filter_feature_0_choices(15) := choice(transform_right_filter_feature_0_choices(13),
-        is_set(transform_right_filter_column_4(0), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_choices(14));
-      transform_right_filter_feature_0_choices(16) := inverted_carry(is_set(transform_right_filter_column_2(2), 4), not
-        transform_right_filter_low_is_larger_0_2_2, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(17) := carry(transform_right_filter_feature_0_choices(16), not
-        is_set(transform_right_filter_column_2(2), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(18) := carry(transform_right_filter_feature_0_choices(17), not
-        is_set(transform_right_filter_column_2(2), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_alls(2) := (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_2;
-      transform_right_filter_feature_0_choices(19) := choice(is_set(transform_right_filter_column_2(2), 7),
-        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_alls(2));
-      transform_right_filter_feature_0_choices(20) := choice(transform_right_filter_feature_0_choices(18),
-        is_set(transform_right_filter_column_2(2), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_choices(19));
-      transform_right_filter_feature_0_choices(21) := inverted_carry(is_set(transform_right_filter_column_0(2), 4), not
-        transform_right_filter_low_is_larger_0_2_0, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(22) := carry(transform_right_filter_feature_0_choices(21), not
-        is_set(transform_right_filter_column_0(2), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(23) := carry(transform_right_filter_feature_0_choices(22), not
-        is_set(transform_right_filter_column_0(2), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_choices(24) := choice(is_set(transform_right_filter_column_0(2), 7),
-        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_alls(2));
-      transform_right_filter_feature_0_choices(25) := choice(transform_right_filter_feature_0_choices(23),
-        is_set(transform_right_filter_column_0(2), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_choices(24));
-      transform_right_filter_feature_0_choices(26) := inverted_carry(is_set(transform_right_filter_column_4(2), 4), not
-        transform_right_filter_low_is_larger_0_2_4, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(27) := carry(transform_right_filter_feature_0_choices(26), not
-        is_set(transform_right_filter_column_4(2), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(28) := carry(transform_right_filter_feature_0_choices(27), not
-        is_set(transform_right_filter_column_4(2), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_choices(29) := choice(is_set(transform_right_filter_column_4(2), 7),
-        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_alls(2));
-      transform_right_filter_feature_0_choices(30) := choice(transform_right_filter_feature_0_choices(28),
-        is_set(transform_right_filter_column_4(2), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_choices(29));
-      transform_right_filter_feature_0_choices(31) := inverted_carry(is_set(transform_right_filter_column_0(4), 4), not
-        transform_right_filter_low_is_larger_0_4_0, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(32) := carry(transform_right_filter_feature_0_choices(31), not
-        is_set(transform_right_filter_column_0(4), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(33) := carry(transform_right_filter_feature_0_choices(32), not
-        is_set(transform_right_filter_column_0(4), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_alls(3) := (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_column_inside_4(0);
-      transform_right_filter_feature_0_choices(34) := choice(is_set(transform_right_filter_column_0(4), 7),
-        transform_filtering_column_inside_4(0), transform_right_filter_feature_0_alls(3));
-      transform_right_filter_feature_0_choices(35) := choice(transform_right_filter_feature_0_choices(33),
-        is_set(transform_right_filter_column_0(4), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_column_inside_4(0), transform_right_filter_feature_0_choices(34));
-      transform_right_filter_feature_0_choices(36) := inverted_carry(is_set(transform_right_filter_column_4(4), 4), not
-        transform_right_filter_low_is_larger_0_4_4, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(37) := carry(transform_right_filter_feature_0_choices(36), not
-        is_set(transform_right_filter_column_4(4), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(38) := carry(transform_right_filter_feature_0_choices(37), not
-        is_set(transform_right_filter_column_4(4), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_choices(39) := choice(is_set(transform_right_filter_column_4(4), 7),
-        transform_filtering_column_inside_4(0), transform_right_filter_feature_0_alls(3));
-      transform_right_filter_feature_0_choices(40) := choice(transform_right_filter_feature_0_choices(38),
-        is_set(transform_right_filter_column_4(4), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_column_inside_4(0), transform_right_filter_feature_0_choices(39));
-      transform_right_filter_feature_0_choices(41) := inverted_carry(is_set(transform_right_filter_column_2(6), 4), not
-        transform_right_filter_low_is_larger_0_6_2, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(42) := carry(transform_right_filter_feature_0_choices(41), not
-        is_set(transform_right_filter_column_2(6), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(43) := carry(transform_right_filter_feature_0_choices(42), not
-        is_set(transform_right_filter_column_2(6), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_alls(4) := (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_6;
-      transform_right_filter_feature_0_choices(44) := choice(is_set(transform_right_filter_column_2(6), 7),
-        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_alls(4));
-      transform_right_filter_feature_0_choices(45) := choice(transform_right_filter_feature_0_choices(43),
-        is_set(transform_right_filter_column_2(6), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_choices(44));
-      transform_right_filter_feature_0_choices(46) := inverted_carry(is_set(transform_right_filter_column_0(6), 4), not
-        transform_right_filter_low_is_larger_0_6_0, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(47) := carry(transform_right_filter_feature_0_choices(46), not
-        is_set(transform_right_filter_column_0(6), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(48) := carry(transform_right_filter_feature_0_choices(47), not
-        is_set(transform_right_filter_column_0(6), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_choices(49) := choice(is_set(transform_right_filter_column_0(6), 7),
-        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_alls(4));
-      transform_right_filter_feature_0_choices(50) := choice(transform_right_filter_feature_0_choices(48),
-        is_set(transform_right_filter_column_0(6), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_choices(49));
-      transform_right_filter_feature_0_choices(51) := inverted_carry(is_set(transform_right_filter_column_4(6), 4), not
-        transform_right_filter_low_is_larger_0_6_4, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(52) := carry(transform_right_filter_feature_0_choices(51), not
-        is_set(transform_right_filter_column_4(6), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(53) := carry(transform_right_filter_feature_0_choices(52), not
-        is_set(transform_right_filter_column_4(6), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_choices(54) := choice(is_set(transform_right_filter_column_4(6), 7),
-        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_alls(4));
-      transform_right_filter_feature_0_choices(55) := choice(transform_right_filter_feature_0_choices(53),
-        is_set(transform_right_filter_column_4(6), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_choices(54));
-      transform_right_filter_feature_0_choices(56) := inverted_carry(is_set(transform_right_filter_column_2(8), 4), not
-        transform_right_filter_low_is_larger_0_8_2, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(57) := carry(transform_right_filter_feature_0_choices(56), not
-        is_set(transform_right_filter_column_2(8), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(58) := carry(transform_right_filter_feature_0_choices(57), not
-        is_set(transform_right_filter_column_2(8), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_alls(5) := (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_8;
-      transform_right_filter_feature_0_choices(59) := choice(is_set(transform_right_filter_column_2(8), 7),
-        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_alls(5));
-      transform_right_filter_feature_0_choices(60) := choice(transform_right_filter_feature_0_choices(58),
-        is_set(transform_right_filter_column_2(8), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_choices(59));
-      transform_right_filter_feature_0_choices(61) := inverted_carry(is_set(transform_right_filter_column_0(8), 4), not
-        transform_right_filter_low_is_larger_0_8_0, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(62) := carry(transform_right_filter_feature_0_choices(61), not
-        is_set(transform_right_filter_column_0(8), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(63) := carry(transform_right_filter_feature_0_choices(62), not
-        is_set(transform_right_filter_column_0(8), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_choices(64) := choice(is_set(transform_right_filter_column_0(8), 7),
-        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_alls(5));
-      transform_right_filter_feature_0_choices(65) := choice(transform_right_filter_feature_0_choices(63),
-        is_set(transform_right_filter_column_0(8), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_choices(64));
-      transform_right_filter_feature_0_choices(66) := inverted_carry(is_set(transform_right_filter_column_4(8), 4), not
-        transform_right_filter_low_is_larger_0_8_4, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(67) := carry(transform_right_filter_feature_0_choices(66), not
-        is_set(transform_right_filter_column_4(8), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(68) := carry(transform_right_filter_feature_0_choices(67), not
-        is_set(transform_right_filter_column_4(8), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_choices(69) := choice(is_set(transform_right_filter_column_4(8), 7),
-        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_alls(5));
-      transform_right_filter_feature_0_choices(70) := choice(transform_right_filter_feature_0_choices(68),
-        is_set(transform_right_filter_column_4(8), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_choices(69));
+      transform_left_filter_feature_0_values(1) := is_set(transform_left_filter_column(4, 1), 4);
+      transform_left_filter_feature_0_values(2) := is_set(transform_left_filter_column(4, 1), 5);
+      transform_left_filter_feature_0_values(3) := is_set(transform_left_filter_column(4, 1), 6);
+      for i in 0 to 1 loop
+        transform_left_filter_feature_0_choice(14 * i + 3) := not is_larger(transform_left_filter_column(2 * i, i),
+          transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0(i, i));
+        transform_left_filter_feature_0_alls(i + 1) := transform_filtering_0_column_inside(i) and (not
+          is_set(transform_left_filter_column(4, 1), 7));
+        transform_left_filter_feature_0_choice(14 * i + 4) := choice(is_set(transform_left_filter_column(2 * i, i), 7),
+          transform_filtering_0_column_inside(i), transform_left_filter_feature_0_alls(i + 1));
+        transform_left_filter_feature_0_choice(14 * i + 5) := choice(transform_left_filter_feature_0_choice(14 * i +
+          3), is_set(transform_left_filter_column(2 * i, i), 7) and transform_filtering_0_column_inside(i) and (not
+          is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(14 * i + 4));
+        transform_left_filter_feature_0_choice(14 * i + 8) := not is_larger(transform_left_filter_column(2 * i, 1 - i),
+          transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0(i, 1 - i));
+        transform_left_filter_feature_0_choice(14 * i + 9) := choice(is_set(transform_left_filter_column(2 * i, 1 - i),
+          7), transform_filtering_0_column_inside(i), transform_left_filter_feature_0_alls(i + 1));
+        transform_left_filter_feature_0_choice(14 * i + 10) := choice(transform_left_filter_feature_0_choice(14 * i +
+          8), is_set(transform_left_filter_column(2 * i, 1 - i), 7) and transform_filtering_0_column_inside(i) and (not
+          is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(14 * i + 9));
+        transform_left_filter_feature_0_choice(14 * i + 13) := not is_larger(transform_left_filter_column(2 * i, 2),
+          transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0(i, 2));
+        transform_left_filter_feature_0_choice(14 * i + 14) := choice(transform_left_filter_feature_0_choice(14 * i +
+          13), transform_filtering_0_column_inside(i) and is_set(transform_left_filter_column(2 * i, 2), 7) and (not
+          is_set(transform_left_filter_column(4, 1), 7)), transform_filtering_0_column_inside(i) and
+          (is_set(transform_left_filter_column(2 * i, 2), 7) or (not is_set(transform_left_filter_column(4, 1), 7))));
+      end loop;
+      transform_left_filter_feature_0_choice(31) := not is_larger(transform_left_filter_column(4, 0),
+        transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0_4_0);
+      transform_left_filter_feature_0_choice(32) := choice(is_set(transform_left_filter_column(4, 0), 7),
+        transform_filtering_0_column_inside(2), transform_filtering_0_column_inside(2) and (not
+        is_set(transform_left_filter_column(4, 1), 7)));
+      transform_left_filter_feature_0_choice(33) := choice(transform_left_filter_feature_0_choice(31),
+        is_set(transform_left_filter_column(4, 0), 7) and transform_filtering_0_column_inside(2) and (not
+        is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(32));
+      transform_left_filter_feature_0_choice(36) := not is_larger(transform_left_filter_column(4, 2),
+        transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0_4_4);
+      for i in 2 to 3 loop
+        transform_left_filter_feature_0_choice(14 * i + 9) := choice(transform_left_filter_feature_0_choice(14 * i +
+          8), transform_filtering_0_column_inside(i) and is_set(transform_left_filter_column(2 * i, 2), 7) and (not
+          is_set(transform_left_filter_column(4, 1), 7)), transform_filtering_0_column_inside(i) and
+          (is_set(transform_left_filter_column(2 * i, 2), 7) or (not is_set(transform_left_filter_column(4, 1), 7))));
+        transform_left_filter_feature_0_choice(14 * i + 12) := not is_larger(transform_left_filter_column(2 * i + 2,
+          1), transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0s(i + 1, 1));
+        transform_left_filter_feature_0_alls(i + 1) := transform_filtering_0_column_inside(i + 1) and (not
+          is_set(transform_left_filter_column(4, 1), 7));
+        transform_left_filter_feature_0_choice(14 * i + 13) := choice(is_set(transform_left_filter_column(2 * i + 2,
+          1), 7), transform_filtering_0_column_inside(i + 1), transform_left_filter_feature_0_alls(i + 1));
+        transform_left_filter_feature_0_choice(14 * i + 14) := choice(transform_left_filter_feature_0_choice(14 * i +
+          12), is_set(transform_left_filter_column(2 * i + 2, 1), 7) and transform_filtering_0_column_inside(i + 1) and
+          (not is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(14 * i + 13));
+        transform_left_filter_feature_0_choice(14 * i + 17) := not is_larger(transform_left_filter_column(2 * i + 2,
+          0), transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0s(i + 1, 0));
+        transform_left_filter_feature_0_choice(14 * i + 18) := choice(is_set(transform_left_filter_column(2 * i + 2,
+          0), 7), transform_filtering_0_column_inside(i + 1), transform_left_filter_feature_0_alls(i + 1));
+        transform_left_filter_feature_0_choice(14 * i + 19) := choice(transform_left_filter_feature_0_choice(14 * i +
+          17), is_set(transform_left_filter_column(2 * i + 2, 0), 7) and transform_filtering_0_column_inside(i + 1) and
+          (not is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(14 * i + 18));
+        transform_left_filter_feature_0_choice(14 * i + 22) := not is_larger(transform_left_filter_column(2 * i + 2,
+          2), transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0s(i + 1, 2));
+      end loop;
+      transform_left_filter_feature_0_choice(65) := choice(transform_left_filter_feature_0_choice(64),
+        transform_filtering_0_column_inside(4) and is_set(transform_left_filter_column(8, 2), 7) and (not
+        is_set(transform_left_filter_column(4, 1), 7)), transform_filtering_0_column_inside(4) and
+        (is_set(transform_left_filter_column(8, 2), 7) or (not is_set(transform_left_filter_column(4, 1), 7))));
+      transform_right_filter_low_is_larger_0_value(0, 0, 1) := is_set(transform_right_filter_column(4, 1), 1);
+      transform_right_filter_low_is_larger_0_value(0, 0, 2) := is_set(transform_right_filter_column(4, 1), 2);
+      transform_right_filter_low_is_larger_0_value(0, 0, 3) := is_set(transform_right_filter_column(0, 0), 2);
+      transform_right_filter_low_is_larger_0_choice_3(0, 0) := not is_larger(transform_right_filter_column(4, 1),
+        transform_right_filter_column(0, 0), 0, 2, true);
+      transform_right_filter_low_is_larger_0_value(0, 0, 4) := is_set(transform_right_filter_column(0, 0), 3);
+      transform_right_filter_low_is_larger_0_0_2_any := (not transform_right_filter_low_is_larger_0_value(0, 0, 1)) or
+        (not is_set(transform_right_filter_column(4, 1), 0));
+      transform_right_filter_low_is_larger_0_0_2_is_equal := (transform_right_filter_column(4, 1) mod 4) = 0;
+      for i in 0 to 1 loop
+        transform_right_filter_low_is_larger_0_choice_3(2 * i, 1 - i) := not is_larger(transform_right_filter_column(4
+          * i, 1 - i), transform_right_filter_column(4, 1), 0, 2, false);
+        transform_right_filter_low_is_larger_0_value(2 * i, 1 - i, 1) := is_set(transform_right_filter_column(4 * i, 1
+          - i), 3);
+        transform_right_filter_low_is_larger_0_choice_3(2 * i, 2) := not is_larger(transform_right_filter_column(4 * i,
+          2), transform_right_filter_column(4, 1), 0, 2, false);
+        transform_right_filter_low_is_larger_0_value(2 * i, 2, 1) := is_set(transform_right_filter_column(4 * i, 2), 3);
+        for j in 0 to 2 loop
+          transform_right_filter_low_is_larger_0_choice_3(2 * i + 1, j) := not
+            is_larger(transform_right_filter_column(4 * i + 2, j), transform_right_filter_column(4, 1), 0, 2, false);
+          transform_right_filter_low_is_larger_0_value(2 * i + 1, j, 1) := is_set(transform_right_filter_column(4 * i +
+            2, j), 3);
+        end loop;
+      end loop;
+      for i in 0 to 2 loop
+        transform_right_filter_low_is_larger_0_choice_3(4, i) := not is_larger(transform_right_filter_column(8, i),
+          transform_right_filter_column(4, 1), 0, 2, false);
+        transform_right_filter_low_is_larger_0_value(4, i, 1) := is_set(transform_right_filter_column(8, i), 3);
+      end loop;
+      transform_right_filter_feature_0_values(1) := is_set(transform_right_filter_column(4, 1), 4);
+      transform_right_filter_feature_0_values(2) := is_set(transform_right_filter_column(4, 1), 5);
+      transform_right_filter_feature_0_values(3) := is_set(transform_right_filter_column(4, 1), 6);
+      for i in 0 to 1 loop
+        transform_right_filter_feature_0_choice(15 * i + 3) := not is_larger(transform_right_filter_column(2 * i, i),
+          transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0(i, i));
+        transform_right_filter_feature_0_alls(i + 1) := (not is_set(transform_right_filter_column(4, 1), 7)) and
+          transform_filtering_0_column_inside(i);
+        transform_right_filter_feature_0_choice(15 * i + 4) := choice(is_set(transform_right_filter_column(2 * i, i),
+          7), transform_filtering_0_column_inside(i), transform_right_filter_feature_0_alls(i + 1));
+        transform_right_filter_feature_0_choice(15 * i + 5) := choice(transform_right_filter_feature_0_choice(15 * i +
+          3), is_set(transform_right_filter_column(2 * i, i), 7) and (not is_set(transform_right_filter_column(4, 1),
+          7)) and transform_filtering_0_column_inside(i), transform_right_filter_feature_0_choice(15 * i + 4));
+        transform_right_filter_feature_0_choice(15 * i + 8) := not is_larger(transform_right_filter_column(2 * i, 1 -
+          i), transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0(i, 1 - i));
+        transform_right_filter_feature_0_choice(15 * i + 9) := choice(is_set(transform_right_filter_column(2 * i, 1 -
+          i), 7), transform_filtering_0_column_inside(i), transform_right_filter_feature_0_alls(i + 1));
+        transform_right_filter_feature_0_choice(15 * i + 10) := choice(transform_right_filter_feature_0_choice(15 * i +
+          8), is_set(transform_right_filter_column(2 * i, 1 - i), 7) and (not is_set(transform_right_filter_column(4,
+          1), 7)) and transform_filtering_0_column_inside(i), transform_right_filter_feature_0_choice(15 * i + 9));
+        transform_right_filter_feature_0_choice(15 * i + 13) := not is_larger(transform_right_filter_column(2 * i, 2),
+          transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0(i, 2));
+        transform_right_filter_feature_0_choice(15 * i + 14) := choice(is_set(transform_right_filter_column(2 * i, 2),
+          7), transform_filtering_0_column_inside(i), transform_right_filter_feature_0_alls(i + 1));
+        transform_right_filter_feature_0_choice(15 * i + 15) := choice(transform_right_filter_feature_0_choice(15 * i +
+          13), is_set(transform_right_filter_column(2 * i, 2), 7) and (not is_set(transform_right_filter_column(4, 1),
+          7)) and transform_filtering_0_column_inside(i), transform_right_filter_feature_0_choice(15 * i + 14));
+      end loop;
+      transform_right_filter_feature_0_choice(33) := not is_larger(transform_right_filter_column(4, 0),
+        transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0_4_0);
+      transform_right_filter_feature_0_alls(3) := (not is_set(transform_right_filter_column(4, 1), 7)) and
+        transform_filtering_0_column_inside(2);
+      transform_right_filter_feature_0_choice(34) := choice(is_set(transform_right_filter_column(4, 0), 7),
+        transform_filtering_0_column_inside(2), transform_right_filter_feature_0_alls(3));
+      transform_right_filter_feature_0_choice(35) := choice(transform_right_filter_feature_0_choice(33),
+        is_set(transform_right_filter_column(4, 0), 7) and (not is_set(transform_right_filter_column(4, 1), 7)) and
+        transform_filtering_0_column_inside(2), transform_right_filter_feature_0_choice(34));
+      transform_right_filter_feature_0_choice(38) := not is_larger(transform_right_filter_column(4, 2),
+        transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0_4_4);
+      for i in 2 to 3 loop
+        transform_right_filter_feature_0_choice(15 * i + 9) := choice(is_set(transform_right_filter_column(2 * i, 2),
+          7), transform_filtering_0_column_inside(i), transform_right_filter_feature_0_alls(i + 1));
+        transform_right_filter_feature_0_choice(15 * i + 10) := choice(transform_right_filter_feature_0_choice(15 * i +
+          8), is_set(transform_right_filter_column(2 * i, 2), 7) and (not is_set(transform_right_filter_column(4, 1),
+          7)) and transform_filtering_0_column_inside(i), transform_right_filter_feature_0_choice(15 * i + 9));
+        transform_right_filter_feature_0_choice(15 * i + 13) := not is_larger(transform_right_filter_column(2 * i + 2,
+          1), transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0s(i + 1, 1));
+        transform_right_filter_feature_0_alls(i + 2) := (not is_set(transform_right_filter_column(4, 1), 7)) and
+          transform_filtering_0_column_inside(i + 1);
+        transform_right_filter_feature_0_choice(15 * i + 14) := choice(is_set(transform_right_filter_column(2 * i + 2,
+          1), 7), transform_filtering_0_column_inside(i + 1), transform_right_filter_feature_0_alls(i + 2));
+        transform_right_filter_feature_0_choice(15 * i + 15) := choice(transform_right_filter_feature_0_choice(15 * i +
+          13), is_set(transform_right_filter_column(2 * i + 2, 1), 7) and (not is_set(transform_right_filter_column(4,
+          1), 7)) and transform_filtering_0_column_inside(i + 1), transform_right_filter_feature_0_choice(15 * i + 14));
+        transform_right_filter_feature_0_choice(15 * i + 18) := not is_larger(transform_right_filter_column(2 * i + 2,
+          0), transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0s(i + 1, 0));
+        transform_right_filter_feature_0_choice(15 * i + 19) := choice(is_set(transform_right_filter_column(2 * i + 2,
+          0), 7), transform_filtering_0_column_inside(i + 1), transform_right_filter_feature_0_alls(i + 2));
+        transform_right_filter_feature_0_choice(15 * i + 20) := choice(transform_right_filter_feature_0_choice(15 * i +
+          18), is_set(transform_right_filter_column(2 * i + 2, 0), 7) and (not is_set(transform_right_filter_column(4,
+          1), 7)) and transform_filtering_0_column_inside(i + 1), transform_right_filter_feature_0_choice(15 * i + 19));
+        transform_right_filter_feature_0_choice(15 * i + 23) := not is_larger(transform_right_filter_column(2 * i + 2,
+          2), transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0s(i + 1, 2));
+      end loop;
+      transform_right_filter_feature_0_choice(69) := choice(is_set(transform_right_filter_column(8, 2), 7),
+        transform_filtering_0_column_inside(4), transform_right_filter_feature_0_alls(5));
+      transform_right_filter_feature_0_choice(70) := choice(transform_right_filter_feature_0_choice(68),
+        is_set(transform_right_filter_column(8, 2), 7) and (not is_set(transform_right_filter_column(4, 1), 7)) and
+        transform_filtering_0_column_inside(4), transform_right_filter_feature_0_choice(69));
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
@@ -1849,79 +1391,65 @@ begin
       transform_right_rows_ready_words_0 <= transform_right_rows_read_words_0;
       transform_right_rows_ready_newest_0 <= transform_right_rows_read_newest_0;
       transform_read_column <= transform_counter_column;
-      transform_read_column_inside_0 <= transform_read_column_inside_0_is_less;
-      transform_read_column_inside_2 <= (transform_counter_column < 2) /= transform_read_column_inside_0_is_less;
-      transform_read_column_inside_4 <= (transform_counter_column < 4) /= transform_read_column_inside_0_is_less;
-      transform_read_column_inside_6 <= (transform_counter_column < 6) /= transform_read_column_inside_0_is_less;
-      transform_read_column_inside_8 <= (transform_counter_column < 8) /= transform_read_column_inside_0_is_less;
+      transform_read_column_inside(0) <= transform_read_column_inside_0_is_less;
+      for i in 1 to 4 loop
+        transform_read_column_inside(i) <= (transform_counter_column < (2 * i)) /=
+          transform_read_column_inside_0_is_less;
+      end loop;
       transform_read_start_of_frame <= (transform_counter_group = 2) and (transform_counter_column = 4);
       transform_read_valid <= transform_valid;
       transform_ready_column <= transform_read_column;
-      transform_ready_row_inside_0 <= transform_reached_first_0 and (not transform_counter_next_frame_after);
-      transform_ready_row_inside_2 <= transform_reached_first_2 and (not transform_reached_beyond_last(3));
-      transform_ready_row_inside_4 <= transform_reached_first_4 and (not transform_reached_beyond_last(2));
-      transform_ready_column_inside_0 <= transform_read_column_inside_0;
-      transform_ready_column_inside_2 <= transform_read_column_inside_2;
-      transform_ready_column_inside_4 <= transform_read_column_inside_4;
-      transform_ready_column_inside_6 <= transform_read_column_inside_6;
-      transform_ready_column_inside_8 <= transform_read_column_inside_8;
+      transform_ready_row_inside(0) <= transform_reached_first(0) and (not transform_counter_next_frame_after);
+      transform_ready_row_inside(1) <= transform_reached_first(1) and (not transform_reached_beyond_last(3));
+      transform_ready_row_inside(2) <= transform_reached_first(2) and (not transform_reached_beyond_last(2));
+      transform_ready_column_inside <= transform_read_column_inside;
       transform_ready_start_of_frame <= transform_read_start_of_frame;
       transform_ready_valid <= transform_read_valid;
-      transform_reached_first_0 <= 3 < transform_counter_group;
-      transform_reached_first_2 <= 1 < transform_counter_group;
-      transform_reached_first_4 <= true;
+      transform_reached_first(0) <= 3 < transform_counter_group;
+      transform_reached_first(1) <= 1 < transform_counter_group;
+      transform_reached_first(2) <= true;
       transform_reached_beyond_last(2) <= 479 < transform_counter_group;
       transform_reached_beyond_last(3) <= 481 < transform_counter_group;
-      transform_left_column_0 <= to_integer(transform_left_rows_ready_words_0(7 downto 0));
-      transform_left_column_2 <= to_integer(transform_left_rows_ready_words_0(23 downto 16));
-      transform_left_column_4 <= transform_left_rows_ready_newest_0;
-      transform_right_column_0 <= to_integer(transform_right_rows_ready_words_0(7 downto 0));
-      transform_right_column_2 <= to_integer(transform_right_rows_ready_words_0(23 downto 16));
-      transform_right_column_4 <= transform_right_rows_ready_newest_0;
-      transform_columns_row_inside_0 <= transform_ready_row_inside_0;
-      transform_columns_row_inside_2 <= transform_ready_row_inside_2;
-      transform_columns_row_inside_4 <= transform_ready_row_inside_4;
-      transform_columns_column_inside_0 <= transform_ready_column_inside_0;
-      transform_columns_column_inside_2 <= transform_ready_column_inside_2;
-      transform_columns_column_inside_4 <= transform_ready_column_inside_4;
-      transform_columns_column_inside_6 <= transform_ready_column_inside_6;
-      transform_columns_column_inside_8 <= transform_ready_column_inside_8;
+      transform_left_column(0) <= to_integer(transform_left_rows_ready_words_0(7 downto 0));
+      transform_left_column(1) <= to_integer(transform_left_rows_ready_words_0(23 downto 16));
+      transform_left_column(2) <= transform_left_rows_ready_newest_0;
+      transform_right_column(0) <= to_integer(transform_right_rows_ready_words_0(7 downto 0));
+      transform_right_column(1) <= to_integer(transform_right_rows_ready_words_0(23 downto 16));
+      transform_right_column(2) <= transform_right_rows_ready_newest_0;
+      transform_columns_row_inside <= transform_ready_row_inside;
+      transform_columns_column_inside <= transform_ready_column_inside;
       transform_columns_start_of_frame <= transform_ready_start_of_frame;
       transform_columns_valid <= transform_ready_valid;
-      transform_left_filter_feature_0 <= as_number(transform_left_filter_feature_0_choices(5)) +
-        (as_number(transform_left_filter_feature_0_choices(10)) * 2) +
-        (as_number(transform_left_filter_feature_0_choices(14)) * 4) +
-        (as_number(transform_left_filter_feature_0_choices(19)) * 16) +
-        (as_number(transform_left_filter_feature_0_choices(24)) * 8) +
-        (as_number(transform_left_filter_feature_0_choices(28)) * 32) +
-        (as_number(transform_left_filter_feature_0_choices(33)) * 64) +
-        (as_number(transform_left_filter_feature_0_choices(37)) * 128) +
-        (as_number(transform_left_filter_feature_0_choices(42)) * 512) +
-        (as_number(transform_left_filter_feature_0_choices(47)) * 256) +
-        (as_number(transform_left_filter_feature_0_choices(51)) * 1024) +
-        (as_number(transform_left_filter_feature_0_choices(56)) * 4096) +
-        (as_number(transform_left_filter_feature_0_choices(61)) * 2048) +
-        (as_number(transform_left_filter_feature_0_choices(65)) * 8192);
-      transform_right_filter_feature_0 <= as_number(transform_right_filter_feature_0_choices(5)) +
-        (as_number(transform_right_filter_feature_0_choices(10)) * 2) +
-        (as_number(transform_right_filter_feature_0_choices(15)) * 4) +
-        (as_number(transform_right_filter_feature_0_choices(20)) * 16) +
-        (as_number(transform_right_filter_feature_0_choices(25)) * 8) +
-        (as_number(transform_right_filter_feature_0_choices(30)) * 32) +
-        (as_number(transform_right_filter_feature_0_choices(35)) * 64) +
-        (as_number(transform_right_filter_feature_0_choices(40)) * 128) +
-        (as_number(transform_right_filter_feature_0_choices(45)) * 512) +
-        (as_number(transform_right_filter_feature_0_choices(50)) * 256) +
-        (as_number(transform_right_filter_feature_0_choices(55)) * 1024) +
-        (as_number(transform_right_filter_feature_0_choices(60)) * 4096) +
-        (as_number(transform_right_filter_feature_0_choices(65)) * 2048) +
-        (as_number(transform_right_filter_feature_0_choices(70)) * 8192);
+      transform_left_filter_feature_0 <= as_number(transform_left_filter_feature_0_choice(5)) +
+        (as_number(transform_left_filter_feature_0_choice(10)) * 2) +
+        (as_number(transform_left_filter_feature_0_choice(14)) * 4) +
+        (as_number(transform_left_filter_feature_0_choice(19)) * 16) +
+        (as_number(transform_left_filter_feature_0_choice(24)) * 8) +
+        (as_number(transform_left_filter_feature_0_choice(28)) * 32) +
+        (as_number(transform_left_filter_feature_0_choice(33)) * 64) +
+        (as_number(transform_left_filter_feature_0_choice(37)) * 128) +
+        (as_number(transform_left_filter_feature_0_choice(42)) * 512) +
+        (as_number(transform_left_filter_feature_0_choice(47)) * 256) +
+        (as_number(transform_left_filter_feature_0_choice(51)) * 1024) +
+        (as_number(transform_left_filter_feature_0_choice(56)) * 4096) +
+        (as_number(transform_left_filter_feature_0_choice(61)) * 2048) +
+        (as_number(transform_left_filter_feature_0_choice(65)) * 8192);
+      transform_right_filter_feature_0 <= as_number(transform_right_filter_feature_0_choice(5)) +
+        (as_number(transform_right_filter_feature_0_choice(10)) * 2) +
+        (as_number(transform_right_filter_feature_0_choice(15)) * 4) +
+        (as_number(transform_right_filter_feature_0_choice(20)) * 16) +
+        (as_number(transform_right_filter_feature_0_choice(25)) * 8) +
+        (as_number(transform_right_filter_feature_0_choice(30)) * 32) +
+        (as_number(transform_right_filter_feature_0_choice(35)) * 64) +
+        (as_number(transform_right_filter_feature_0_choice(40)) * 128) +
+        (as_number(transform_right_filter_feature_0_choice(45)) * 512) +
+        (as_number(transform_right_filter_feature_0_choice(50)) * 256) +
+        (as_number(transform_right_filter_feature_0_choice(55)) * 1024) +
+        (as_number(transform_right_filter_feature_0_choice(60)) * 4096) +
+        (as_number(transform_right_filter_feature_0_choice(65)) * 2048) +
+        (as_number(transform_right_filter_feature_0_choice(70)) * 8192);
       transform_filtering_row_inside_4(0) <= refinement_passed_0s(8);
-      transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
-      transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
-      transform_filtering_column_inside_4(0) <= transform_columns_column_inside_4;
-      transform_filtering_0_column_inside_6 <= transform_columns_column_inside_6;
-      transform_filtering_0_column_inside_8 <= transform_columns_column_inside_8;
+      transform_filtering_0_column_inside <= transform_columns_column_inside;
       transform_filtering_start_of_frame(0) <= transform_columns_start_of_frame;
       transform_filtering_valid(0) <= transform_columns_valid;
       transform_filtering_row_inside_4(1) <= transform_filtering_row_inside_4(0);
@@ -1938,75 +1466,49 @@ begin
         1024);
       transform_counter_group_after <= choice((not transform_counter_counts) or (not transform_counter_last_column),
         transform_counter_group, transform_counter_group_after_choice);
-      transform_left_filter_low_is_larger_0_0_0 <= carry(transform_left_filter_low_is_larger_0_0_0_choices(3), not
-        is_set(transform_left_filter_column_2(4), 3), transform_left_filter_low_is_larger_0_0_0_values(4));
-      transform_left_filter_low_is_larger_0_0_2 <= inverted_carry(transform_left_filter_low_is_larger_0_0_2_choices(3),
-        transform_left_filter_low_is_larger_0_0_2_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_left_filter_low_is_larger_0_0_4 <= inverted_carry(transform_left_filter_low_is_larger_0_0_4_choices(3),
-        transform_left_filter_low_is_larger_0_0_4_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_left_filter_low_is_larger_0_2_0 <= inverted_carry(transform_left_filter_low_is_larger_0_2_0_choices(3),
-        transform_left_filter_low_is_larger_0_2_0_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_left_filter_low_is_larger_0_2_2 <= inverted_carry(transform_left_filter_low_is_larger_0_2_2_choices(3),
-        transform_left_filter_low_is_larger_0_2_2_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_left_filter_low_is_larger_0_2_4 <= inverted_carry(transform_left_filter_low_is_larger_0_2_4_choices(3),
-        transform_left_filter_low_is_larger_0_2_4_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_left_filter_low_is_larger_0_4_0 <= inverted_carry(transform_left_filter_low_is_larger_0_4_0_choices(3),
-        transform_left_filter_low_is_larger_0_4_0_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_left_filter_low_is_larger_0_4_4 <= inverted_carry(transform_left_filter_low_is_larger_0_4_4_choices(3),
-        transform_left_filter_low_is_larger_0_4_4_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_left_filter_low_is_larger_0_6_0 <= inverted_carry(transform_left_filter_low_is_larger_0_6_0_choices(3),
-        transform_left_filter_low_is_larger_0_6_0_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_left_filter_low_is_larger_0_6_2 <= inverted_carry(transform_left_filter_low_is_larger_0_6_2_choices(3),
-        transform_left_filter_low_is_larger_0_6_2_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_left_filter_low_is_larger_0_6_4 <= inverted_carry(transform_left_filter_low_is_larger_0_6_4_choices(3),
-        transform_left_filter_low_is_larger_0_6_4_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_left_filter_low_is_larger_0_8_0 <= inverted_carry(transform_left_filter_low_is_larger_0_8_0_choices(3),
-        transform_left_filter_low_is_larger_0_8_0_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_left_filter_low_is_larger_0_8_2 <= inverted_carry(transform_left_filter_low_is_larger_0_8_2_choices(3),
-        transform_left_filter_low_is_larger_0_8_2_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_left_filter_low_is_larger_0_8_4 <= inverted_carry(transform_left_filter_low_is_larger_0_8_4_choices(3),
-        transform_left_filter_low_is_larger_0_8_4_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_0_0 <= carry(transform_right_filter_low_is_larger_0_0_0_choices(3), not
-        is_set(transform_right_filter_column_2(4), 3), transform_right_filter_low_is_larger_0_0_0_values(4));
-      transform_right_filter_low_is_larger_0_0_2 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_0_2_choices(3),
-        transform_right_filter_low_is_larger_0_0_2_value, not is_set(transform_right_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_0_4 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_0_4_choices(3),
-        transform_right_filter_low_is_larger_0_0_4_value, not is_set(transform_right_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_2_0 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_2_0_choices(3),
-        transform_right_filter_low_is_larger_0_2_0_value, not is_set(transform_right_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_2_2 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_2_2_choices(3),
-        transform_right_filter_low_is_larger_0_2_2_value, not is_set(transform_right_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_2_4 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_2_4_choices(3),
-        transform_right_filter_low_is_larger_0_2_4_value, not is_set(transform_right_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_4_0 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_4_0_choices(3),
-        transform_right_filter_low_is_larger_0_4_0_value, not is_set(transform_right_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_4_4 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_4_4_choices(3),
-        transform_right_filter_low_is_larger_0_4_4_value, not is_set(transform_right_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_6_0 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_6_0_choices(3),
-        transform_right_filter_low_is_larger_0_6_0_value, not is_set(transform_right_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_6_2 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_6_2_choices(3),
-        transform_right_filter_low_is_larger_0_6_2_value, not is_set(transform_right_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_6_4 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_6_4_choices(3),
-        transform_right_filter_low_is_larger_0_6_4_value, not is_set(transform_right_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_8_0 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_8_0_choices(3),
-        transform_right_filter_low_is_larger_0_8_0_value, not is_set(transform_right_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_8_2 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_8_2_choices(3),
-        transform_right_filter_low_is_larger_0_8_2_value, not is_set(transform_right_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_8_4 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_8_4_choices(3),
-        transform_right_filter_low_is_larger_0_8_4_value, not is_set(transform_right_filter_column_2(4), 3));
+      transform_left_filter_low_is_larger_0(0, 0) <= carry(transform_left_filter_low_is_larger_0_choice_3(0, 0), not
+        is_set(transform_left_filter_column(4, 1), 3), transform_left_filter_low_is_larger_0_value(0, 0, 4));
+      transform_left_filter_low_is_larger_0(0, 1) <= inverted_carry(transform_left_filter_low_is_larger_0_choice_3(0,
+        1), transform_left_filter_low_is_larger_0_value(0, 1, 1), not is_set(transform_left_filter_column(4, 1), 3));
+      transform_left_filter_low_is_larger_0(0, 2) <= inverted_carry(transform_left_filter_low_is_larger_0_choice_3(0,
+        2), transform_left_filter_low_is_larger_0_value(0, 2, 1), not is_set(transform_left_filter_column(4, 1), 3));
+      for i in 0 to 2 loop
+        transform_left_filter_low_is_larger_0(1, i) <= inverted_carry(transform_left_filter_low_is_larger_0_choice_3(1,
+          i), transform_left_filter_low_is_larger_0_value(1, i, 1), not is_set(transform_left_filter_column(4, 1), 3));
+      end loop;
+      transform_left_filter_low_is_larger_0_4_0 <= inverted_carry(transform_left_filter_low_is_larger_0_choice_3(2, 0),
+        transform_left_filter_low_is_larger_0_value(2, 0, 1), not is_set(transform_left_filter_column(4, 1), 3));
+      transform_left_filter_low_is_larger_0_4_4 <= inverted_carry(transform_left_filter_low_is_larger_0_choice_3(2, 2),
+        transform_left_filter_low_is_larger_0_value(2, 2, 1), not is_set(transform_left_filter_column(4, 1), 3));
+      for i in 3 to 4 loop
+        for j in 0 to 2 loop
+          transform_left_filter_low_is_larger_0s(i, j) <=
+            inverted_carry(transform_left_filter_low_is_larger_0_choice_3(i, j),
+            transform_left_filter_low_is_larger_0_value(i, j, 1), not is_set(transform_left_filter_column(4, 1), 3));
+        end loop;
+      end loop;
+      transform_right_filter_low_is_larger_0(0, 0) <= carry(transform_right_filter_low_is_larger_0_choice_3(0, 0), not
+        is_set(transform_right_filter_column(4, 1), 3), transform_right_filter_low_is_larger_0_value(0, 0, 4));
+      transform_right_filter_low_is_larger_0(0, 1) <= inverted_carry(transform_right_filter_low_is_larger_0_choice_3(0,
+        1), transform_right_filter_low_is_larger_0_value(0, 1, 1), not is_set(transform_right_filter_column(4, 1), 3));
+      transform_right_filter_low_is_larger_0(0, 2) <= inverted_carry(transform_right_filter_low_is_larger_0_choice_3(0,
+        2), transform_right_filter_low_is_larger_0_value(0, 2, 1), not is_set(transform_right_filter_column(4, 1), 3));
+      for i in 0 to 2 loop
+        transform_right_filter_low_is_larger_0(1, i) <=
+          inverted_carry(transform_right_filter_low_is_larger_0_choice_3(1, i),
+          transform_right_filter_low_is_larger_0_value(1, i, 1), not is_set(transform_right_filter_column(4, 1), 3));
+      end loop;
+      transform_right_filter_low_is_larger_0_4_0 <= inverted_carry(transform_right_filter_low_is_larger_0_choice_3(2,
+        0), transform_right_filter_low_is_larger_0_value(2, 0, 1), not is_set(transform_right_filter_column(4, 1), 3));
+      transform_right_filter_low_is_larger_0_4_4 <= inverted_carry(transform_right_filter_low_is_larger_0_choice_3(2,
+        2), transform_right_filter_low_is_larger_0_value(2, 2, 1), not is_set(transform_right_filter_column(4, 1), 3));
+      for i in 3 to 4 loop
+        for j in 0 to 2 loop
+          transform_right_filter_low_is_larger_0s(i, j) <=
+            inverted_carry(transform_right_filter_low_is_larger_0_choice_3(i, j),
+            transform_right_filter_low_is_larger_0_value(i, j, 1), not is_set(transform_right_filter_column(4, 1), 3));
+        end loop;
+      end loop;
       transform_counter_group_choice := choice(transform_counter_next_frame, 15, 0);
       if in_valid then
         transform_counter_column <= choice(in_start_of_frame, 0, transform_counter_column_after);
@@ -2026,21 +1528,19 @@ begin
       end if;
       if transform_columns_valid then
         for i in 1 to 8 loop
-          transform_left_filter_column_0(i) <= transform_left_filter_column_0(i - 1);
-          transform_left_filter_column_2(i) <= transform_left_filter_column_2(i - 1);
-          transform_left_filter_column_4(i) <= transform_left_filter_column_4(i - 1);
+          transform_left_filter_column(i, 0) <= transform_left_filter_column(i - 1, 0);
+          transform_left_filter_column(i, 1) <= transform_left_filter_column(i - 1, 1);
+          transform_left_filter_column(i, 2) <= transform_left_filter_column(i - 1, 2);
         end loop;
         for i in 1 to 8 loop
-          transform_right_filter_column_0(i) <= transform_right_filter_column_0(i - 1);
-          transform_right_filter_column_2(i) <= transform_right_filter_column_2(i - 1);
-          transform_right_filter_column_4(i) <= transform_right_filter_column_4(i - 1);
+          transform_right_filter_column(i, 0) <= transform_right_filter_column(i - 1, 0);
+          transform_right_filter_column(i, 1) <= transform_right_filter_column(i - 1, 1);
+          transform_right_filter_column(i, 2) <= transform_right_filter_column(i - 1, 2);
         end loop;
-        transform_left_filter_column_0(0) <= choice(transform_columns_row_inside_0, transform_left_column_0, 0);
-        transform_right_filter_column_0(0) <= choice(transform_columns_row_inside_0, transform_right_column_0, 0);
-        transform_left_filter_column_2(0) <= choice(transform_columns_row_inside_2, transform_left_column_2, 0);
-        transform_right_filter_column_2(0) <= choice(transform_columns_row_inside_2, transform_right_column_2, 0);
-        transform_left_filter_column_4(0) <= choice(transform_columns_row_inside_4, transform_left_column_4, 0);
-        transform_right_filter_column_4(0) <= choice(transform_columns_row_inside_4, transform_right_column_4, 0);
+        for i in 0 to 2 loop
+          transform_left_filter_column(0, i) <= choice(transform_columns_row_inside(i), transform_left_column(i), 0);
+          transform_right_filter_column(0, i) <= choice(transform_columns_row_inside(i), transform_right_column(i), 0);
+        end loop;
       end if;
       -- raster
       raster_place_next_frame_is_equal := raster_place_column = 639;
@@ -2517,8 +2017,8 @@ begin
       pathsabove_smallest_total_choice := choice(line_comes(12), 63, pathsabove_smallest_total);
       pathsabove_count_phase_is_equal := pathsabove_count_phase = 7;
       pathsabove_count_phase_choice := choice(pathsabove_count_phase_is_equal, 7, (pathsabove_count_phase + 1) mod 8);
-      pathsabove_beside_0_choice := choice(pathsabove_count_phase = 0, pathsabove_held(1), pathsabove_lower_neighbour);
-      pathsabove_beside_7_choice := choice(pathsabove_count_phase_is_equal, pathsabove_held(6), pathsabove_cost(0));
+      pathsabove_beside_choice(0) := choice(pathsabove_count_phase = 0, pathsabove_held(1), pathsabove_lower_neighbour);
+      pathsabove_beside_choice(7) := choice(pathsabove_count_phase_is_equal, pathsabove_held(6), pathsabove_cost(0));
       pathsabove_write_address_address_choice := choice(line_places_shown_first_column(2), 0,
         (pathsabove_write_address_address + 1) mod 8192);
       pathsabove_write_address_count_phase_choice := choice(pathsabove_write_address_count_phase = 7, 7,
@@ -2580,14 +2080,14 @@ begin
       pathsabove_smallest_total <= choice((pathsabove_tree_next_next_smallest_0 - pathsabove_smallest_total_choice) <
         0, pathsabove_tree_next_next_smallest_0, pathsabove_smallest_total_choice);
       pathsabove_count_phase <= choice(line_starts_phases(22), 0, pathsabove_count_phase_choice);
-      pathsabove_beside(0) <= choice((pathsabove_held(1) - pathsabove_beside_0_choice) < 0, pathsabove_held(1),
-        pathsabove_beside_0_choice);
+      pathsabove_beside(0) <= choice((pathsabove_held(1) - pathsabove_beside_choice(0)) < 0, pathsabove_held(1),
+        pathsabove_beside_choice(0));
       for i in 1 to 6 loop
         pathsabove_beside(i) <= choice((pathsabove_held(i + 1) - pathsabove_held(i - 1)) < 0, pathsabove_held(i + 1),
           pathsabove_held(i - 1));
       end loop;
-      pathsabove_beside(7) <= choice((pathsabove_beside_7_choice - pathsabove_held(6)) < 0, pathsabove_beside_7_choice,
-        pathsabove_held(6));
+      pathsabove_beside(7) <= choice((pathsabove_beside_choice(7) - pathsabove_held(6)) < 0,
+        pathsabove_beside_choice(7), pathsabove_held(6));
       for i in 0 to 6 loop
         pathsabove_stay(i) <= choice(pathsabove_own(i) < 31, pathsabove_own(i) mod 32, 31);
       end loop;
@@ -2708,18 +2208,19 @@ begin
         8192);
       pathsturn_write_address_count_phase <= choice(line_starts_phases(19), 0,
         pathsturn_write_address_count_phase_choice);
-      pathsturn_sum_memory_write_words_0_0_sum := pathsleft_cost(2) + pathsabove_cost(2);
+      pathsturn_sum_memory_write_words_0_sum(0) := pathsleft_cost(2) + pathsabove_cost(2);
       pathsturn_sum_memory_write_words_0_sum_2(0) := (((pathsleft_cost(1) + pathsabove_cost(1)) mod 128) * 128) +
-        ((pathsleft_cost(0) + pathsabove_cost(0)) mod 128) + ((pathsturn_sum_memory_write_words_0_0_sum mod 4) * 16384);
-      pathsturn_sum_memory_write_words_0_1_sum := pathsleft_cost(4) + pathsabove_cost(4);
+        ((pathsleft_cost(0) + pathsabove_cost(0)) mod 128) + ((pathsturn_sum_memory_write_words_0_sum(0) mod 4) *
+        16384);
+      pathsturn_sum_memory_write_words_0_sum(1) := pathsleft_cost(4) + pathsabove_cost(4);
       pathsturn_sum_memory_write_words_0_sum_2(1) := (((pathsleft_cost(3) + pathsabove_cost(3)) mod 128) * 32) +
-        ((pathsturn_sum_memory_write_words_0_0_sum mod 128) / 4) + ((pathsturn_sum_memory_write_words_0_1_sum mod 16) *
-        4096);
-      pathsturn_sum_memory_write_words_0_2_sum := pathsleft_cost(6) + pathsabove_cost(6);
+        ((pathsturn_sum_memory_write_words_0_sum(0) mod 128) / 4) + ((pathsturn_sum_memory_write_words_0_sum(1) mod 16)
+        * 4096);
+      pathsturn_sum_memory_write_words_0_sum(2) := pathsleft_cost(6) + pathsabove_cost(6);
       pathsturn_sum_memory_write_words_0_sum_2(2) := (((pathsleft_cost(5) + pathsabove_cost(5)) mod 128) * 8) +
-        ((pathsturn_sum_memory_write_words_0_1_sum mod 128) / 16) + ((pathsturn_sum_memory_write_words_0_2_sum mod 64)
-        * 1024);
-      pathsturn_sum_memory_write_words_0_3_sum := ((pathsturn_sum_memory_write_words_0_2_sum mod 128) / 64) +
+        ((pathsturn_sum_memory_write_words_0_sum(1) mod 128) / 16) + ((pathsturn_sum_memory_write_words_0_sum(2) mod
+        64) * 1024);
+      pathsturn_sum_memory_write_words_0_3_sum := ((pathsturn_sum_memory_write_words_0_sum(2) mod 128) / 64) +
         (((pathsleft_cost(7) + pathsabove_cost(7)) mod 128) * 2);
       pathsturn_sum_memory_write_words_0_all(0) := (pathsturn_sum_write_address(1) < 4096) and pathsturn_writes_sums(1);
       if pathsturn_sum_memory_write_words_0_all(0) then
@@ -2996,22 +2497,11 @@ begin
       end if;
       -- winnerswinner2
       for i in 0 to 1 loop
-        winnerswinner2_best_index_0_choice(i, 1) := choice(is_set(winnerswinner1_best_cost_0(2 * i), 0), (not
-          is_set(winnerswinner1_best_cost_0(2 * i + 1), 1)) or (not is_set(winnerswinner1_best_cost_0(2 * i + 1), 0)),
-          not is_set(winnerswinner1_best_cost_0(2 * i + 1), 1));
-        winnerswinner2_best_index_0_choice(i, 2) := choice(is_set(winnerswinner1_best_cost_0(2 * i), 1),
-          winnerswinner2_best_index_0_choice(i, 1), is_set(winnerswinner1_best_cost_0(2 * i), 0) and
-          ((winnerswinner1_best_cost_0(2 * i + 1) mod 4) = 0));
-        winnerswinner2_best_index_0_value(i, 1) := is_set(winnerswinner1_best_cost_0(2 * i + 1), 2);
-        winnerswinner2_best_index_0_choice(i, 3) := inverted_carry(winnerswinner2_best_index_0_choice(i, 2), not
-          is_set(winnerswinner1_best_cost_0(2 * i), 2), winnerswinner2_best_index_0_value(i, 1));
-        for j in 2 to 5 loop
+        for j in 1 to 5 loop
           winnerswinner2_best_index_0_value(i, j) := is_set(winnerswinner1_best_cost_0(2 * i + 1), j + 1);
-          winnerswinner2_best_index_0_choice(i, j + 2) := carry(winnerswinner2_best_index_0_choice(i, j + 1), not
-            is_set(winnerswinner1_best_cost_0(2 * i), j + 1), winnerswinner2_best_index_0_value(i, j));
         end loop;
-        winnerswinner2_best_index_0_choice(i, 8) := inverted_carry(winnerswinner2_best_index_0_choice(i, 7),
-          is_set(winnerswinner1_best_cost_0(2 * i), 7), not is_set(winnerswinner1_best_cost_0(2 * i + 1), 7));
+        winnerswinner2_best_index_0_choice_8(i) := is_larger(winnerswinner1_best_cost_0(2 * i),
+          winnerswinner1_best_cost_0(2 * i + 1), 0, 7, false);
       end loop;
       winnerswinner2_best_below_0_choice(0) := choice(winnerswinner1_best_index_0(1) = 2,
         winnerswinner1_best_last_0(0), winnerswinner1_best_below_0(1));
@@ -3029,35 +2519,24 @@ begin
         winnerswinner1_best_cost_0(1), winnerswinner1_best_cost_0(0));
       winnerswinner2_best_cost_0(1) <= choice((winnerswinner1_best_cost_0(3) - winnerswinner1_best_cost_0(2)) < 0,
         winnerswinner1_best_cost_0(3), winnerswinner1_best_cost_0(2));
-      winnerswinner2_best_index_0(0) <= choice(winnerswinner2_best_index_0_choice(0, 8),
-        winnerswinner1_best_index_0(1), as_number(winnerswinner1_best_index_0_0));
-      winnerswinner2_best_below_0(0) <= choice(winnerswinner2_best_index_0_choice(0, 8),
+      winnerswinner2_best_index_0(0) <= choice(winnerswinner2_best_index_0_choice_8(0), winnerswinner1_best_index_0(1),
+        as_number(winnerswinner1_best_index_0_0));
+      winnerswinner2_best_below_0(0) <= choice(winnerswinner2_best_index_0_choice_8(0),
         winnerswinner2_best_below_0_choice(0), winnerswinner1_best_below_0(0));
-      winnerswinner2_best_above_0(0) <= choice(winnerswinner2_best_index_0_choice(0, 8),
-        winnerswinner1_best_above_0(1), winnerswinner2_best_above_0_choice(0));
-      winnerswinner2_best_index_0(1) <= choice(winnerswinner2_best_index_0_choice(1, 8),
-        winnerswinner1_best_index_0(3), winnerswinner1_best_index_0(2));
-      winnerswinner2_best_below_0(1) <= choice(winnerswinner2_best_index_0_choice(1, 8),
+      winnerswinner2_best_above_0(0) <= choice(winnerswinner2_best_index_0_choice_8(0), winnerswinner1_best_above_0(1),
+        winnerswinner2_best_above_0_choice(0));
+      winnerswinner2_best_index_0(1) <= choice(winnerswinner2_best_index_0_choice_8(1), winnerswinner1_best_index_0(3),
+        winnerswinner1_best_index_0(2));
+      winnerswinner2_best_below_0(1) <= choice(winnerswinner2_best_index_0_choice_8(1),
         winnerswinner2_best_below_0_choice(1), winnerswinner1_best_below_0(2));
-      winnerswinner2_best_above_0(1) <= choice(winnerswinner2_best_index_0_choice(1, 8),
-        winnerswinner1_best_above_0(3), winnerswinner2_best_above_0_choice(1));
+      winnerswinner2_best_above_0(1) <= choice(winnerswinner2_best_index_0_choice_8(1), winnerswinner1_best_above_0(3),
+        winnerswinner2_best_above_0_choice(1));
       -- winnerswinner3
-      winnerswinner3_best_index_0_0_choices(1) := choice(is_set(winnerswinner2_best_cost_0(0), 0), (not
-        is_set(winnerswinner2_best_cost_0(1), 1)) or (not is_set(winnerswinner2_best_cost_0(1), 0)), not
-        is_set(winnerswinner2_best_cost_0(1), 1));
-      winnerswinner3_best_index_0_0_choices(2) := choice(is_set(winnerswinner2_best_cost_0(0), 1),
-        winnerswinner3_best_index_0_0_choices(1), is_set(winnerswinner2_best_cost_0(0), 0) and
-        ((winnerswinner2_best_cost_0(1) mod 4) = 0));
-      winnerswinner3_best_index_0_0_values(1) := is_set(winnerswinner2_best_cost_0(1), 2);
-      winnerswinner3_best_index_0_0_choices(3) := inverted_carry(winnerswinner3_best_index_0_0_choices(2), not
-        is_set(winnerswinner2_best_cost_0(0), 2), winnerswinner3_best_index_0_0_values(1));
-      for i in 2 to 5 loop
+      for i in 1 to 5 loop
         winnerswinner3_best_index_0_0_values(i) := is_set(winnerswinner2_best_cost_0(1), i + 1);
-        winnerswinner3_best_index_0_0_choices(i + 2) := carry(winnerswinner3_best_index_0_0_choices(i + 1), not
-          is_set(winnerswinner2_best_cost_0(0), i + 1), winnerswinner3_best_index_0_0_values(i));
       end loop;
-      winnerswinner3_best_index_0_0_choices(8) := inverted_carry(winnerswinner3_best_index_0_0_choices(7),
-        is_set(winnerswinner2_best_cost_0(0), 7), not is_set(winnerswinner2_best_cost_0(1), 7));
+      winnerswinner3_best_index_0_0_choice_8 := is_larger(winnerswinner2_best_cost_0(0), winnerswinner2_best_cost_0(1),
+        0, 7, false);
       winnerswinner3_best_below_0_0_choice := choice(winnerswinner2_best_index_0(1) = 4, winnerswinner2_best_last_0(0),
         winnerswinner2_best_below_0(1));
       winnerswinner3_best_above_0_0_choice := choice(winnerswinner2_best_index_0(0) = 3,
@@ -3066,11 +2545,11 @@ begin
       winnerswinner3_best_last_0_0 <= winnerswinner2_best_last_0(1);
       winnerswinner3_best_cost_0_0 <= choice((winnerswinner2_best_cost_0(1) - winnerswinner2_best_cost_0(0)) < 0,
         winnerswinner2_best_cost_0(1), winnerswinner2_best_cost_0(0));
-      winnerswinner3_best_index_0_0 <= choice(winnerswinner3_best_index_0_0_choices(8), winnerswinner2_best_index_0(1),
+      winnerswinner3_best_index_0_0 <= choice(winnerswinner3_best_index_0_0_choice_8, winnerswinner2_best_index_0(1),
         winnerswinner2_best_index_0(0));
-      winnerswinner3_best_below_0_0 <= choice(winnerswinner3_best_index_0_0_choices(8),
+      winnerswinner3_best_below_0_0 <= choice(winnerswinner3_best_index_0_0_choice_8,
         winnerswinner3_best_below_0_0_choice, winnerswinner2_best_below_0(0));
-      winnerswinner3_best_above_0_0 <= choice(winnerswinner3_best_index_0_0_choices(8), winnerswinner2_best_above_0(1),
+      winnerswinner3_best_above_0_0 <= choice(winnerswinner3_best_index_0_0_choice_8, winnerswinner2_best_above_0(1),
         winnerswinner3_best_above_0_0_choice);
       -- winners
       winners_best_cost_0_0_choice := choice(line_comes(26), 511, winners_best_cost_0_0);
@@ -3105,7 +2584,7 @@ begin
       other_3_is_equal := map_counter_group = 480;
       other_6_difference := 0 - (refinement_quotient_8_0 / 16);
       other_6_value := (refinement_quotient_8_0 + 15) / 16;
-      other_6_choice := choice(refinement_negative_0(8), other_6_difference mod 256, other_6_value);
+      other_choices(6) := choice(refinement_negative_0(8), other_6_difference mod 256, other_6_value);
       other_6_choice_2 := choice(refinement_negative_0(8), other_6_difference mod 8, other_6_value mod 8);
       for i in 7 to 12 loop
         other_difference(i) := ((refinement_remainder_0(13 - i) * 2) + 512) - refinement_divisor_0(13 - i);
@@ -3113,184 +2592,115 @@ begin
       other_13_difference := (refinement_remainder_0(0) + 512) - refinement_divisor_0(0);
       other_14_any := line_comes(23) or (not is_set(other_write_count_phase, 2)) or (not
         is_set(other_write_count_phase, 1)) or (not is_set(other_write_count_phase, 0));
-      other_choice(14, 1) := choice(is_set(paths_sum(5), 0), (not (other_words(1)(17) = '1')) or (not
-        (other_words(1)(16) = '1')), not (other_words(1)(17) = '1'));
-      other_choice(14, 2) := choice(winnerswinner1_best_index_0_value(2, 1), other_choice(14, 1), is_set(paths_sum(5),
-        0) and (to_integer(other_words(1)(17 downto 16)) = 0));
-      other_value(14, 1) := other_words(1)(18) = '1';
-      other_choice(14, 3) := inverted_carry(other_choice(14, 2), not winnerswinner1_best_index_0_value(2, 5),
-        other_value(14, 1));
-      for i in 2 to 5 loop
+      for i in 1 to 5 loop
         other_value(14, i) := other_words(1)(i + 17) = '1';
-        other_choice(14, i + 2) := carry(other_choice(14, i + 1), not winnerswinner1_best_index_0_value(2, 2 * i + 3),
-          other_value(14, i));
       end loop;
+      other_choice(14, 7) := not is_larger(paths_sum(5), to_integer(other_words(1)(22 downto 16)), 0, 6, false);
       other_choice(14, 8) := choice(is_set(paths_sum(5), 7), not other_first_column, (not (other_words(1)(23) = '1'))
         and (not other_first_column));
       other_choice(14, 9) := choice(other_choice(14, 7), is_set(paths_sum(5), 7) and (not (other_words(1)(23) = '1'))
         and (not other_first_column), other_choice(14, 8));
       other_all(14, 1) := (not other_choice(14, 9)) and winnersmask_inside(5) and other_output_column;
       other_14_value_6 := (other_base / 8) * 8;
-      other_14_choices(10) := choice(other_all(14, 1), other_14_value_6 + 5, to_integer(other_words(3)(23 downto 16)));
-      other_14_choices(11) := choice(other_14_any, other_14_choices(10), to_integer(other(14)(15 downto 8)));
-      other_choice(14, 12) := choice(is_set(paths_sum(4), 0), (not (other_words(1)(9) = '1')) or (not
-        (other_words(1)(8) = '1')), not (other_words(1)(9) = '1'));
-      other_choice(14, 13) := choice(winnerswinner1_best_index_0_value(2, 3), other_choice(14, 12),
-        is_set(paths_sum(4), 0) and (to_integer(other_words(1)(9 downto 8)) = 0));
-      other_value(14, 7) := other_words(1)(10) = '1';
-      other_choice(14, 14) := inverted_carry(other_choice(14, 13), not is_set(paths_sum(4), 2), other_value(14, 7));
-      for i in 8 to 11 loop
-        other_value(14, i) := other_words(1)(i + 3) = '1';
-        other_choice(14, i + 7) := carry(other_choice(14, i + 6), not is_set(paths_sum(4), i - 5), other_value(14, i));
+      for i in 1 to 2 loop
+        other_choices_from_14(14, 11 * i - 1) := choice(other_all(14, i), other_14_value_6 + (6 - i),
+          to_integer(other_words(3)(31 - 8 * i downto 24 - 8 * i)));
+        other_choices_from_14(14, 11 * i) := choice(other_14_any, other_choices_from_14(14, 11 * i - 1),
+          to_integer(other(14)(23 - 8 * i downto 16 - 8 * i)));
+        for j in 2 to 6 loop
+          other_value(14, 5 * i + j) := other_words(1)(16 * i + j - 8) = '1';
+        end loop;
+        other_choice(14, 11 * i + 7) := not is_larger(paths_sum(2 * i + 2), to_integer(other_words(1)(16 * i - 2 downto
+          16 * i - 8)), 0, 6, false);
+        other_choice(14, 11 * i + 8) := choice(is_set(paths_sum(2 * i + 2), 7), not other_first_column, (not
+          (other_words(1)(16 * i - 1) = '1')) and (not other_first_column));
+        other_choice(14, 11 * i + 9) := choice(other_choice(14, 11 * i + 7), is_set(paths_sum(2 * i + 2), 7) and (not
+          (other_words(1)(16 * i - 1) = '1')) and (not other_first_column), other_choice(14, 11 * i + 8));
+        other_all(14, i + 1) := (not other_choice(14, 11 * i + 9)) and winnersmask_inside(2 * i + 2) and
+          other_output_column;
       end loop;
-      other_choice(14, 19) := choice(is_set(paths_sum(4), 7), not other_first_column, (not (other_words(1)(15) = '1'))
-        and (not other_first_column));
-      other_choice(14, 20) := choice(other_choice(14, 18), is_set(paths_sum(4), 7) and (not (other_words(1)(15) = '1'))
-        and (not other_first_column), other_choice(14, 19));
-      other_all(14, 2) := (not other_choice(14, 20)) and winnersmask_inside(4) and other_output_column;
-      other_14_choices_from_21(21) := choice(other_all(14, 2), other_14_value_6 + 4, to_integer(other_words(3)(15
-        downto 8)));
-      other_14_choices_from_21(22) := choice(other_14_any, other_14_choices_from_21(21), to_integer(other(14)(7 downto
-        0)));
-      other_choice(14, 23) := choice(is_set(paths_sum(6), 0), (not (other_words(1)(25) = '1')) or (not
-        (other_words(1)(24) = '1')), not (other_words(1)(25) = '1'));
-      other_choice(14, 24) := choice(winnerswinner1_best_index_0_value(3, 3), other_choice(14, 23),
-        is_set(paths_sum(6), 0) and (to_integer(other_words(1)(25 downto 24)) = 0));
-      other_value(14, 12) := other_words(1)(26) = '1';
-      other_choice(14, 25) := inverted_carry(other_choice(14, 24), not is_set(paths_sum(6), 2), other_value(14, 12));
-      for i in 13 to 16 loop
-        other_value(14, i) := other_words(1)(i + 14) = '1';
-        other_choice(14, i + 13) := carry(other_choice(14, i + 12), not is_set(paths_sum(6), i - 10), other_value(14,
-          i));
-      end loop;
-      other_choice(14, 30) := choice(is_set(paths_sum(6), 7), not other_first_column, (not (other_words(1)(31) = '1'))
-        and (not other_first_column));
-      other_choice(14, 31) := choice(other_choice(14, 29), is_set(paths_sum(6), 7) and (not (other_words(1)(31) = '1'))
-        and (not other_first_column), other_choice(14, 30));
-      other_all(14, 3) := (not other_choice(14, 31)) and winnersmask_inside(6) and other_output_column;
-      other_14_choices_from_32(32) := choice(other_all(14, 3), other_14_value_6 + 6, to_integer(other_words(3)(31
+      other_choices_from_14(14, 32) := choice(other_all(14, 3), other_14_value_6 + 6, to_integer(other_words(3)(31
         downto 24)));
-      other_14_choices_from_32(33) := choice(other_14_any, other_14_choices_from_32(32), to_integer(other(14)(23 downto
-        16)));
-      other_choice(14, 34) := choice(is_set(paths_sum(7), 0), (not (other_next_words(0)(1) = '1')) or (not
-        (other_next_words(0)(0) = '1')), not (other_next_words(0)(1) = '1'));
-      other_choice(14, 35) := choice(winnerswinner1_best_index_0_value(3, 1), other_choice(14, 34),
-        is_set(paths_sum(7), 0) and (to_integer(other_next_words(0)(1 downto 0)) = 0));
-      other_value(14, 17) := other_next_words(0)(2) = '1';
-      other_choice(14, 36) := inverted_carry(other_choice(14, 35), not winnerswinner1_best_index_0_value(3, 5),
-        other_value(14, 17));
-      for i in 18 to 21 loop
+      other_choices_from_14(14, 33) := choice(other_14_any, other_choices_from_14(14, 32), to_integer(other(14)(23
+        downto 16)));
+      for i in 17 to 21 loop
         other_value(14, i) := other_next_words(0)(i - 15) = '1';
-        other_choice(14, i + 19) := carry(other_choice(14, i + 18), not winnerswinner1_best_index_0_value(3, 2 * i -
-          29), other_value(14, i));
       end loop;
+      other_choice(14, 40) := not is_larger(paths_sum(7), to_integer(other_next_words(0)(6 downto 0)), 0, 6, false);
       other_14_differs := other_count_phase /= 7;
       other_choice(14, 41) := choice(other_choice(14, 40), other_14_differs and is_set(paths_sum(7), 7) and (not
         (other_next_words(0)(7) = '1')), other_14_differs and (is_set(paths_sum(7), 7) or (not (other_next_words(0)(7)
         = '1'))));
       other_choice(14, 42) := choice(other_choice(14, 41), winnersmask_inside(7) and other_output_column and
         other_first_column, winnersmask_inside(7) and other_output_column);
-      other_14_choices_from_43(43) := choice(other_choice(14, 42), other_14_value_6 + 7,
+      other_choices_from_14(14, 43) := choice(other_choice(14, 42), other_14_value_6 + 7,
         to_integer(other_next_words(2)(7 downto 0)));
-      other_14_choices_from_43(44) := choice(other_14_any, other_14_choices_from_43(43), to_integer(other(14)(31 downto
-        24)));
-      other_choice(15, 1) := choice(is_set(paths_sum(1), 0), (not (other_words(0)(17) = '1')) or (not
-        (other_words(0)(16) = '1')), not (other_words(0)(17) = '1'));
-      other_choice(15, 2) := choice(winnerswinner1_best_index_0_value(0, 1), other_choice(15, 1), is_set(paths_sum(1),
-        0) and (to_integer(other_words(0)(17 downto 16)) = 0));
-      other_value(15, 1) := other_words(0)(18) = '1';
-      other_choice(15, 3) := inverted_carry(other_choice(15, 2), not winnerswinner1_best_index_0_value(0, 5),
-        other_value(15, 1));
-      for i in 2 to 5 loop
+      other_choices_from_14(14, 44) := choice(other_14_any, other_choices_from_14(14, 43), to_integer(other(14)(31
+        downto 24)));
+      for i in 1 to 5 loop
         other_value(15, i) := other_words(0)(i + 17) = '1';
-        other_choice(15, i + 2) := carry(other_choice(15, i + 1), not winnerswinner1_best_index_0_value(0, 2 * i + 3),
-          other_value(15, i));
       end loop;
+      other_choice(15, 7) := not is_larger(paths_sum(1), to_integer(other_words(0)(22 downto 16)), 0, 6, false);
       other_choice(15, 8) := choice(is_set(paths_sum(1), 7), not other_first_column, (not (other_words(0)(23) = '1'))
         and (not other_first_column));
       other_choice(15, 9) := choice(other_choice(15, 7), is_set(paths_sum(1), 7) and (not (other_words(0)(23) = '1'))
         and (not other_first_column), other_choice(15, 8));
       other_all(15, 1) := (not other_choice(15, 9)) and winnersmask_inside(1) and other_output_column;
-      other_15_choices(10) := choice(other_all(15, 1), other_14_value_6 + 1, to_integer(other_words(2)(23 downto 16)));
-      other_15_choices(11) := choice(other_14_any, other_15_choices(10), to_integer(other(15)(15 downto 8)));
-      other_choice(15, 12) := choice(is_set(paths_sum(0), 0), (not (other_words(0)(9) = '1')) or (not
-        (other_words(0)(8) = '1')), not (other_words(0)(9) = '1'));
-      other_choice(15, 13) := choice(winnerswinner1_best_index_0_value(0, 3), other_choice(15, 12),
-        is_set(paths_sum(0), 0) and (to_integer(other_words(0)(9 downto 8)) = 0));
-      other_value(15, 6) := other_words(0)(10) = '1';
-      other_choice(15, 14) := inverted_carry(other_choice(15, 13), not is_set(paths_sum(0), 2), other_value(15, 6));
-      for i in 7 to 10 loop
+      other_choices_from_14(15, 10) := choice(other_all(15, 1), other_14_value_6 + 1, to_integer(other_words(2)(23
+        downto 16)));
+      other_choices_from_14(15, 11) := choice(other_14_any, other_choices_from_14(15, 10), to_integer(other(15)(15
+        downto 8)));
+      for i in 6 to 10 loop
         other_value(15, i) := other_words(0)(i + 4) = '1';
-        other_choice(15, i + 8) := carry(other_choice(15, i + 7), not is_set(paths_sum(0), i - 4), other_value(15, i));
       end loop;
+      other_choice(15, 18) := not is_larger(paths_sum(0), to_integer(other_words(0)(14 downto 8)), 0, 6, false);
       other_choice(15, 19) := choice(other_choice(15, 18), (not other_first_column) and is_set(paths_sum(0), 7) and
         (not (other_words(0)(15) = '1')), (not other_first_column) and (is_set(paths_sum(0), 7) or (not
         (other_words(0)(15) = '1'))));
       other_all(15, 2) := (not other_choice(15, 19)) and winnersmask_inside(0) and other_output_column;
-      other_15_choices_from_20(20) := choice(other_all(15, 2), other_base, to_integer(other_words(2)(15 downto 8)));
-      other_15_choices_from_20(21) := choice(other_14_any, other_15_choices_from_20(20), to_integer(other(15)(7 downto
-        0)));
-      other_choice(15, 22) := choice(is_set(paths_sum(2), 0), (not (other_words(0)(25) = '1')) or (not
-        (other_words(0)(24) = '1')), not (other_words(0)(25) = '1'));
-      other_choice(15, 23) := choice(winnerswinner1_best_index_0_value(1, 3), other_choice(15, 22),
-        is_set(paths_sum(2), 0) and (to_integer(other_words(0)(25 downto 24)) = 0));
-      other_value(15, 11) := other_words(0)(26) = '1';
-      other_choice(15, 24) := inverted_carry(other_choice(15, 23), not is_set(paths_sum(2), 2), other_value(15, 11));
-      for i in 12 to 15 loop
-        other_value(15, i) := other_words(0)(i + 15) = '1';
-        other_choice(15, i + 13) := carry(other_choice(15, i + 12), not is_set(paths_sum(2), i - 9), other_value(15,
-          i));
+      other_choices_from_14(15, 20) := choice(other_all(15, 2), other_base, to_integer(other_words(2)(15 downto 8)));
+      for i in 0 to 1 loop
+        other_choices_from_14(15, 11 * i + 21) := choice(other_14_any, other_choices_from_14(15, 11 * i + 20),
+          to_integer(other(15)(16 * i + 7 downto 16 * i)));
+        for j in 11 to 15 loop
+          other_value(15, 5 * i + j) := other_words(i)(j + 15 - 24 * i) = '1';
+        end loop;
+        other_choice(15, 11 * i + 28) := not is_larger(paths_sum(i + 2), to_integer(other_words(i)(30 - 24 * i downto
+          24 - 24 * i)), 0, 6, false);
+        other_choice(15, 11 * i + 29) := choice(is_set(paths_sum(i + 2), 7), not other_first_column, (not
+          (other_words(i)(31 - 24 * i) = '1')) and (not other_first_column));
+        other_choice(15, 11 * i + 30) := choice(other_choice(15, 11 * i + 28), is_set(paths_sum(i + 2), 7) and (not
+          (other_words(i)(31 - 24 * i) = '1')) and (not other_first_column), other_choice(15, 11 * i + 29));
+        other_all(15, i + 3) := (not other_choice(15, 11 * i + 30)) and winnersmask_inside(i + 2) and
+          other_output_column;
+        other_choices_from_14(15, 11 * i + 31) := choice(other_all(15, i + 3), other_14_value_6 + (i + 2),
+          to_integer(other_words(i + 2)(31 - 24 * i downto 24 - 24 * i)));
       end loop;
-      other_choice(15, 29) := choice(is_set(paths_sum(2), 7), not other_first_column, (not (other_words(0)(31) = '1'))
-        and (not other_first_column));
-      other_choice(15, 30) := choice(other_choice(15, 28), is_set(paths_sum(2), 7) and (not (other_words(0)(31) = '1'))
-        and (not other_first_column), other_choice(15, 29));
-      other_all(15, 3) := (not other_choice(15, 30)) and winnersmask_inside(2) and other_output_column;
-      other_15_choices_from_31(31) := choice(other_all(15, 3), other_14_value_6 + 2, to_integer(other_words(2)(31
+      other_choices_from_14(15, 43) := choice(other_14_any, other_choices_from_14(15, 42), to_integer(other(15)(31
         downto 24)));
-      other_15_choices_from_31(32) := choice(other_14_any, other_15_choices_from_31(31), to_integer(other(15)(23 downto
-        16)));
-      other_choice(15, 33) := choice(is_set(paths_sum(3), 0), (not (other_words(1)(1) = '1')) or (not
-        (other_words(1)(0) = '1')), not (other_words(1)(1) = '1'));
-      other_choice(15, 34) := choice(winnerswinner1_best_index_0_value(1, 1), other_choice(15, 33),
-        is_set(paths_sum(3), 0) and (to_integer(other_words(1)(1 downto 0)) = 0));
-      other_value(15, 16) := other_words(1)(2) = '1';
-      other_choice(15, 35) := inverted_carry(other_choice(15, 34), not winnerswinner1_best_index_0_value(1, 5),
-        other_value(15, 16));
-      for i in 17 to 20 loop
-        other_value(15, i) := other_words(1)(i - 14) = '1';
-        other_choice(15, i + 19) := carry(other_choice(15, i + 18), not winnerswinner1_best_index_0_value(1, 2 * i -
-          27), other_value(15, i));
+      other_choices(16) := choice(other_all(14, 1), paths_sum(5), to_integer(other_words(1)(23 downto 16)));
+      other_choices_from_14(16, 2) := choice(other_14_any, other_choices(16), to_integer(other(16)(15 downto 8)));
+      for i in 2 to 3 loop
+        other_choices_from_14(16, 2 * i - 1) := choice(other_all(14, i), paths_sum(2 * i), to_integer(other_words(1)(16
+          * i - 17 downto 16 * i - 24)));
+        other_choices_from_14(16, 2 * i) := choice(other_14_any, other_choices_from_14(16, 2 * i - 1),
+          to_integer(other(16)(16 * i - 25 downto 16 * i - 32)));
       end loop;
-      other_choice(15, 40) := choice(is_set(paths_sum(3), 7), not other_first_column, (not (other_words(1)(7) = '1'))
-        and (not other_first_column));
-      other_choice(15, 41) := choice(other_choice(15, 39), is_set(paths_sum(3), 7) and (not (other_words(1)(7) = '1'))
-        and (not other_first_column), other_choice(15, 40));
-      other_all(15, 4) := (not other_choice(15, 41)) and winnersmask_inside(3) and other_output_column;
-      other_15_choices_from_42(42) := choice(other_all(15, 4), other_14_value_6 + 3, to_integer(other_words(3)(7 downto
-        0)));
-      other_15_choices_from_42(43) := choice(other_14_any, other_15_choices_from_42(42), to_integer(other(15)(31 downto
+      other_choices_from_14(16, 7) := choice(other_choice(14, 42), paths_sum(7), to_integer(other_next_words(0)(7
+        downto 0)));
+      other_choices_from_14(16, 8) := choice(other_14_any, other_choices_from_14(16, 7), to_integer(other(16)(31 downto
         24)));
-      for i in 1 to 2 loop
-        other_choices(16, 2 * i - 1) := choice(other_all(14, i), paths_sum(6 - i), to_integer(other_words(1)(31 - 8 * i
-          downto 24 - 8 * i)));
-        other_choices(16, 2 * i) := choice(other_14_any, other_choices(16, 2 * i - 1), to_integer(other(16)(23 - 8 * i
-          downto 16 - 8 * i)));
+      other_choices(17) := choice(other_all(15, 1), paths_sum(1), to_integer(other_words(0)(23 downto 16)));
+      other_choices_from_14(17, 2) := choice(other_14_any, other_choices(17), to_integer(other(17)(15 downto 8)));
+      for i in 2 to 3 loop
+        other_choices_from_14(17, 2 * i - 1) := choice(other_all(15, i), paths_sum(2 * i - 4),
+          to_integer(other_words(0)(16 * i - 17 downto 16 * i - 24)));
+        other_choices_from_14(17, 2 * i) := choice(other_14_any, other_choices_from_14(17, 2 * i - 1),
+          to_integer(other(17)(16 * i - 25 downto 16 * i - 32)));
       end loop;
-      other_choices(16, 5) := choice(other_all(14, 3), paths_sum(6), to_integer(other_words(1)(31 downto 24)));
-      other_choices(16, 6) := choice(other_14_any, other_choices(16, 5), to_integer(other(16)(23 downto 16)));
-      other_choices(16, 7) := choice(other_choice(14, 42), paths_sum(7), to_integer(other_next_words(0)(7 downto 0)));
-      for i in 16 to 17 loop
-        other_choices(i, 72 - 4 * i) := choice(other_14_any, other_choices(i, 71 - 4 * i), to_integer(other(i)(415 - 24
-          * i downto 408 - 24 * i)));
-        other_choices(17, 4 * i - 63) := choice(other_all(15, 2 * i - 31), paths_sum(i - 15),
-          to_integer(other_words(0)(8 * i - 105 downto 8 * i - 112)));
-        other_choices(17, 4 * i - 62) := choice(other_14_any, other_choices(17, 4 * i - 63), to_integer(other(17)(8 * i
-          - 113 downto 8 * i - 120)));
-        other_choices(17, 4 * i - 61) := choice(other_all(15, 2 * i - 30), paths_sum(3 * i - 48),
-          to_integer(other_words(i - 16)(143 - 8 * i downto 136 - 8 * i)));
-      end loop;
-      other_choices(17, 8) := choice(other_14_any, other_choices(17, 7), to_integer(other(17)(31 downto 24)));
+      other_choices_from_14(17, 7) := choice(other_all(15, 4), paths_sum(3), to_integer(other_words(1)(7 downto 0)));
+      other_choices_from_14(17, 8) := choice(other_14_any, other_choices_from_14(17, 7), to_integer(other(17)(31 downto
+        24)));
       other_words <= other_next_words;
       other_base <= other_base_choice * 8;
       other_0 <= winnerswinner1_best_index_0_choice(2, 8);
@@ -3301,7 +2711,7 @@ begin
         to_unsigned(as_number(map_behind), 8) & to_unsigned(as_number(map_arrives), 8) &
         to_unsigned(map_counter_column, 16);
       other_4 <= to_integer(other_5);
-      other_6 <= ((((other_6_choice / 8) + 1) mod 4) * 8) + other_6_choice_2;
+      other_6 <= ((((other_choices(6) / 8) + 1) mod 4) * 8) + other_6_choice_2;
       other_7 <= ((other_difference(7) / 512) * 2) + ((other_8 / 4) * 4);
       other_8 <= ((other_difference(8) / 512) * 4) + ((other_9 / 8) * 8);
       other_9 <= ((other_difference(9) / 512) * 8) + ((other_10 / 16) * 16);
@@ -3309,14 +2719,14 @@ begin
       other_11 <= ((other_difference(11) / 512) * 32) + ((other_12 / 64) * 64);
       other_12 <= ((other_difference(12) / 512) * 64) + ((other_13 / 128) * 128);
       other_13 <= (other_13_difference / 512) * 128;
-      other(14) <= to_unsigned(other_14_choices_from_43(44), 8) & to_unsigned(other_14_choices_from_32(33), 8) &
-        to_unsigned(other_14_choices(11), 8) & to_unsigned(other_14_choices_from_21(22), 8);
-      other(15) <= to_unsigned(other_15_choices_from_42(43), 8) & to_unsigned(other_15_choices_from_31(32), 8) &
-        to_unsigned(other_15_choices(11), 8) & to_unsigned(other_15_choices_from_20(21), 8);
-      other(16) <= to_unsigned(other_choices(16, 8), 8) & to_unsigned(other_choices(16, 6), 8) &
-        to_unsigned(other_choices(16, 2), 8) & to_unsigned(other_choices(16, 4), 8);
-      other(17) <= to_unsigned(other_choices(17, 8), 8) & to_unsigned(other_choices(17, 6), 8) &
-        to_unsigned(other_choices(17, 2), 8) & to_unsigned(other_choices(17, 4), 8);
+      for i in 0 to 1 loop
+        other(2 * i + 14) <= to_unsigned(other_choices_from_14(2 * i + 14, 44 - 36 * i), 8) &
+          to_unsigned(other_choices_from_14(2 * i + 14, 33 - 27 * i), 8) & to_unsigned(other_choices_from_14(2 * i +
+          14, 11 - 9 * i), 8) & to_unsigned(other_choices_from_14(2 * i + 14, 22 - 18 * i), 8);
+        other(2 * i + 15) <= to_unsigned(other_choices_from_14(2 * i + 15, 43 - 35 * i), 8) &
+          to_unsigned(other_choices_from_14(2 * i + 15, 32 - 26 * i), 8) & to_unsigned(other_choices_from_14(2 * i +
+          15, 11 - 9 * i), 8) & to_unsigned(other_choices_from_14(2 * i + 15, 21 - 17 * i), 8);
+      end loop;
       other_read_count_phase <= choice(line_comes(20), 0, other_read_count_phase_choice);
       other_count_phase <= choice(line_comes(22), 0, other_count_phase_choice);
       other_write_count_phase <= choice(line_comes(23), 0, other_write_count_phase_choice);
@@ -3337,7 +2747,7 @@ begin
       refinement_divisor_0_0_choice := choice(refinement_divisor_0_0_is_less, refinement_v_0, refinement_u_0);
       refinement_disparity_0(0) <= winners_best_index_0_0;
       refinement_disparity_0(1 to 11) <= refinement_disparity_0(0 to 10);
-      refinement_passed_0(1) <= transform_reached_first_4;
+      refinement_passed_0(1) <= transform_reached_first(2);
       refinement_passed_0(2 to 3) <= refinement_passed_0(1 to 2);
       refinement_passed_0s(6) <= transform_filtering_column_inside_4(2);
       refinement_passed_0s(7 to 8) <= refinement_passed_0s(6 to 7);

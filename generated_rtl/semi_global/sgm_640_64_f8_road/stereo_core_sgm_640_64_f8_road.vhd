@@ -112,6 +112,16 @@ architecture rtl of stereo_core_sgm_640_64_f8_road is
     return a or b;
   end function;
 
+  -- whether a > b, of bits `low` to `high`; of equal ones, `before`: bit by bit, as the tool has split it
+  function is_larger(a : natural; b : natural; low : natural; high : natural; before : boolean) return boolean is
+    variable is_not : boolean := not before;
+  begin
+    for place in low to high loop
+      is_not := carry(is_not, not is_set(a, place), is_set(b, place));
+    end loop;
+    return not is_not;
+  end function;
+
   function choice(test : boolean; yes : boolean; no : boolean) return boolean is
   begin
     if test then
@@ -183,47 +193,31 @@ architecture rtl of stereo_core_sgm_640_64_f8_road is
   -- transform
   signal transform_left_0, transform_right_0, transform_left_rows_read_newest_0 : natural range 0 to 255;
   signal transform_left_rows_ready_newest_0, transform_right_rows_read_newest_0 : natural range 0 to 255;
-  signal transform_right_rows_ready_newest_0, transform_left_column_0, transform_left_column_2 : natural range 0 to 255;
-  signal transform_left_column_4, transform_right_column_0, transform_right_column_2 : natural range 0 to 255;
-  signal transform_right_column_4 : natural range 0 to 255;
-  signal transform_left_filter_column_0 : natural_255_1d(0 to 8);  -- transform_left_filter_column_#_0
-  signal transform_left_filter_column_2 : natural_255_1d(0 to 8);  -- transform_left_filter_column_#_2
-  signal transform_left_filter_column_4 : natural_255_1d(0 to 8);  -- transform_left_filter_column_#_4
-  signal transform_right_filter_column_0 : natural_255_1d(0 to 8);  -- transform_right_filter_column_#_0
-  signal transform_right_filter_column_2 : natural_255_1d(0 to 8);  -- transform_right_filter_column_#_2
-  signal transform_right_filter_column_4 : natural_255_1d(0 to 8);  -- transform_right_filter_column_#_4
+  signal transform_right_rows_ready_newest_0 : natural range 0 to 255;
+  signal transform_left_column : natural_255_1d(0 to 2);  -- transform_left_column_2#
+  signal transform_right_column : natural_255_1d(0 to 2);  -- transform_right_column_2#
+  signal transform_left_filter_column : natural_255_2d(0 to 8, 0 to 2);  -- transform_left_filter_column_#_2#
+  signal transform_right_filter_column : natural_255_2d(0 to 8, 0 to 2);  -- transform_right_filter_column_#_2#
   signal transform_valid, transform_counter_next_frame, transform_counter_last_column : boolean;
   signal transform_counter_counts, transform_counter_frame_joins, transform_counter_back_to_back : boolean;
-  signal transform_counter_next_frame_after, transform_read_row_inside_0, transform_read_column_inside_0 : boolean;
-  signal transform_read_column_inside_2, transform_read_column_inside_4, transform_read_column_inside_6 : boolean;
-  signal transform_read_column_inside_8, transform_read_start_of_frame, transform_read_valid : boolean;
-  signal transform_ready_row_inside_0, transform_ready_row_inside_2, transform_ready_row_inside_4 : boolean;
-  signal transform_ready_column_inside_0, transform_ready_column_inside_2, transform_ready_column_inside_4 : boolean;
-  signal transform_ready_column_inside_6, transform_ready_column_inside_8, transform_ready_start_of_frame : boolean;
-  signal transform_ready_valid, transform_reached_first_0, transform_reached_first_2 : boolean;
-  signal transform_reached_first_4 : boolean;
+  signal transform_counter_next_frame_after, transform_read_row_inside_0 : boolean;
+  signal transform_read_column_inside : boolean_1d(0 to 4);  -- transform_read_column_inside_2#
+  signal transform_read_start_of_frame, transform_read_valid : boolean;
+  signal transform_ready_row_inside : boolean_1d(0 to 2);  -- transform_ready_row_inside_2#
+  signal transform_ready_column_inside : boolean_1d(0 to 4);  -- transform_ready_column_inside_2#
+  signal transform_ready_start_of_frame, transform_ready_valid : boolean;
+  signal transform_reached_first : boolean_1d(0 to 2);  -- transform_reached_first_2#
   signal transform_reached_beyond_last : boolean_1d(2 to 3);
-  signal transform_columns_row_inside_0, transform_columns_row_inside_2, transform_columns_row_inside_4 : boolean;
-  signal transform_columns_column_inside_0, transform_columns_column_inside_2 : boolean;
-  signal transform_columns_column_inside_4, transform_columns_column_inside_6 : boolean;
-  signal transform_columns_column_inside_8, transform_columns_start_of_frame, transform_columns_valid : boolean;
-  signal transform_left_filter_low_is_larger_0_0_0, transform_left_filter_low_is_larger_0_0_2 : boolean;
-  signal transform_left_filter_low_is_larger_0_0_4, transform_left_filter_low_is_larger_0_2_0 : boolean;
-  signal transform_left_filter_low_is_larger_0_2_2, transform_left_filter_low_is_larger_0_2_4 : boolean;
+  signal transform_columns_row_inside : boolean_1d(0 to 2);  -- transform_columns_row_inside_2#
+  signal transform_columns_column_inside : boolean_1d(0 to 4);  -- transform_columns_column_inside_2#
+  signal transform_columns_start_of_frame, transform_columns_valid : boolean;
+  signal transform_left_filter_low_is_larger_0 : boolean_2d(0 to 1, 0 to 2);  -- transform_left_filter_low_is_larger_0_2#_2#
   signal transform_left_filter_low_is_larger_0_4_0, transform_left_filter_low_is_larger_0_4_4 : boolean;
-  signal transform_left_filter_low_is_larger_0_6_0, transform_left_filter_low_is_larger_0_6_2 : boolean;
-  signal transform_left_filter_low_is_larger_0_6_4, transform_left_filter_low_is_larger_0_8_0 : boolean;
-  signal transform_left_filter_low_is_larger_0_8_2, transform_left_filter_low_is_larger_0_8_4 : boolean;
-  signal transform_right_filter_low_is_larger_0_0_0, transform_right_filter_low_is_larger_0_0_2 : boolean;
-  signal transform_right_filter_low_is_larger_0_0_4, transform_right_filter_low_is_larger_0_2_0 : boolean;
-  signal transform_right_filter_low_is_larger_0_2_2, transform_right_filter_low_is_larger_0_2_4 : boolean;
+  signal transform_left_filter_low_is_larger_0s : boolean_2d(3 to 4, 0 to 2);  -- transform_left_filter_low_is_larger_0_2#_2#
+  signal transform_right_filter_low_is_larger_0 : boolean_2d(0 to 1, 0 to 2);  -- transform_right_filter_low_is_larger_0_2#_2#
   signal transform_right_filter_low_is_larger_0_4_0, transform_right_filter_low_is_larger_0_4_4 : boolean;
-  signal transform_right_filter_low_is_larger_0_6_0, transform_right_filter_low_is_larger_0_6_2 : boolean;
-  signal transform_right_filter_low_is_larger_0_6_4, transform_right_filter_low_is_larger_0_8_0 : boolean;
-  signal transform_right_filter_low_is_larger_0_8_2, transform_right_filter_low_is_larger_0_8_4 : boolean;
-  signal transform_filtering_0_column_inside_0, transform_filtering_0_column_inside_2 : boolean;
-  signal transform_filtering_0_column_inside_4, transform_filtering_0_column_inside_6 : boolean;
-  signal transform_filtering_0_column_inside_8 : boolean;
+  signal transform_right_filter_low_is_larger_0s : boolean_2d(3 to 4, 0 to 2);  -- transform_right_filter_low_is_larger_0_2#_2#
+  signal transform_filtering_0_column_inside : boolean_1d(0 to 4);  -- transform_filtering_0_column_inside_2#
   signal transform_filtering_start_of_frame : boolean_1d(0 to 2);  -- transform_filtering_#_start_of_frame
   signal transform_filtering_valid : boolean_1d(0 to 2);  -- transform_filtering_#_valid
   signal transform_counter_column, transform_counter_column_after, transform_read_column : natural range 0 to 1023;
@@ -938,71 +932,19 @@ begin
   process (clock)
     variable transform_counter_next_frame_is_equal, transform_counter_frame_joins_choice : boolean;
     variable transform_read_column_inside_0_is_less : boolean;
-    variable transform_left_filter_low_is_larger_0_0_0_values : boolean_1d(1 to 4);  -- transform_left_filter_low_is_larger_0_0_0_value_#
-    variable transform_left_filter_low_is_larger_0_0_0_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_0_0_choice_#
+    variable transform_left_filter_low_is_larger_0_value : boolean_3d(0 to 4, 0 to 2, 1 to 4);  -- transform_left_filter_low_is_larger_0_2#_2#_value_#
+    variable transform_left_filter_low_is_larger_0_choice_3 : boolean_2d(0 to 4, 0 to 2);  -- transform_left_filter_low_is_larger_0_2#_2#_choice_3
     variable transform_left_filter_low_is_larger_0_0_2_any : boolean;
-    variable transform_left_filter_low_is_larger_0_0_2_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_0_2_choice_#
     variable transform_left_filter_low_is_larger_0_0_2_is_equal : boolean;
-    variable transform_left_filter_low_is_larger_0_0_2_value : boolean;
-    variable transform_left_filter_low_is_larger_0_0_4_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_0_4_choice_#
-    variable transform_left_filter_low_is_larger_0_0_4_value : boolean;
-    variable transform_left_filter_low_is_larger_0_2_0_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_2_0_choice_#
-    variable transform_left_filter_low_is_larger_0_2_0_value : boolean;
-    variable transform_left_filter_low_is_larger_0_2_2_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_2_2_choice_#
-    variable transform_left_filter_low_is_larger_0_2_2_value : boolean;
-    variable transform_left_filter_low_is_larger_0_2_4_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_2_4_choice_#
-    variable transform_left_filter_low_is_larger_0_2_4_value : boolean;
-    variable transform_left_filter_low_is_larger_0_4_0_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_4_0_choice_#
-    variable transform_left_filter_low_is_larger_0_4_0_value : boolean;
-    variable transform_left_filter_low_is_larger_0_4_4_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_4_4_choice_#
-    variable transform_left_filter_low_is_larger_0_4_4_value : boolean;
-    variable transform_left_filter_low_is_larger_0_6_0_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_6_0_choice_#
-    variable transform_left_filter_low_is_larger_0_6_0_value : boolean;
-    variable transform_left_filter_low_is_larger_0_6_2_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_6_2_choice_#
-    variable transform_left_filter_low_is_larger_0_6_2_value : boolean;
-    variable transform_left_filter_low_is_larger_0_6_4_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_6_4_choice_#
-    variable transform_left_filter_low_is_larger_0_6_4_value : boolean;
-    variable transform_left_filter_low_is_larger_0_8_0_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_8_0_choice_#
-    variable transform_left_filter_low_is_larger_0_8_0_value : boolean;
-    variable transform_left_filter_low_is_larger_0_8_2_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_8_2_choice_#
-    variable transform_left_filter_low_is_larger_0_8_2_value : boolean;
-    variable transform_left_filter_low_is_larger_0_8_4_choices : boolean_1d(1 to 3);  -- transform_left_filter_low_is_larger_0_8_4_choice_#
-    variable transform_left_filter_low_is_larger_0_8_4_value : boolean;
     variable transform_left_filter_feature_0_values : boolean_1d(1 to 3);  -- transform_left_filter_feature_0_value_#
-    variable transform_left_filter_feature_0_choices : boolean_1d(1 to 65);  -- transform_left_filter_feature_0_choice_#
+    variable transform_left_filter_feature_0_choice : boolean_1d(3 to 65);
     variable transform_left_filter_feature_0_alls : boolean_1d(1 to 4);  -- transform_left_filter_feature_0_all_#
-    variable transform_right_filter_low_is_larger_0_0_0_values : boolean_1d(1 to 4);  -- transform_right_filter_low_is_larger_0_0_0_value_#
-    variable transform_right_filter_low_is_larger_0_0_0_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_0_0_choice_#
+    variable transform_right_filter_low_is_larger_0_value : boolean_3d(0 to 4, 0 to 2, 1 to 4);  -- transform_right_filter_low_is_larger_0_2#_2#_value_#
+    variable transform_right_filter_low_is_larger_0_choice_3 : boolean_2d(0 to 4, 0 to 2);  -- transform_right_filter_low_is_larger_0_2#_2#_choice_3
     variable transform_right_filter_low_is_larger_0_0_2_any : boolean;
-    variable transform_right_filter_low_is_larger_0_0_2_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_0_2_choice_#
     variable transform_right_filter_low_is_larger_0_0_2_is_equal : boolean;
-    variable transform_right_filter_low_is_larger_0_0_2_value : boolean;
-    variable transform_right_filter_low_is_larger_0_0_4_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_0_4_choice_#
-    variable transform_right_filter_low_is_larger_0_0_4_value : boolean;
-    variable transform_right_filter_low_is_larger_0_2_0_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_2_0_choice_#
-    variable transform_right_filter_low_is_larger_0_2_0_value : boolean;
-    variable transform_right_filter_low_is_larger_0_2_2_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_2_2_choice_#
-    variable transform_right_filter_low_is_larger_0_2_2_value : boolean;
-    variable transform_right_filter_low_is_larger_0_2_4_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_2_4_choice_#
-    variable transform_right_filter_low_is_larger_0_2_4_value : boolean;
-    variable transform_right_filter_low_is_larger_0_4_0_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_4_0_choice_#
-    variable transform_right_filter_low_is_larger_0_4_0_value : boolean;
-    variable transform_right_filter_low_is_larger_0_4_4_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_4_4_choice_#
-    variable transform_right_filter_low_is_larger_0_4_4_value : boolean;
-    variable transform_right_filter_low_is_larger_0_6_0_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_6_0_choice_#
-    variable transform_right_filter_low_is_larger_0_6_0_value : boolean;
-    variable transform_right_filter_low_is_larger_0_6_2_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_6_2_choice_#
-    variable transform_right_filter_low_is_larger_0_6_2_value : boolean;
-    variable transform_right_filter_low_is_larger_0_6_4_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_6_4_choice_#
-    variable transform_right_filter_low_is_larger_0_6_4_value : boolean;
-    variable transform_right_filter_low_is_larger_0_8_0_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_8_0_choice_#
-    variable transform_right_filter_low_is_larger_0_8_0_value : boolean;
-    variable transform_right_filter_low_is_larger_0_8_2_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_8_2_choice_#
-    variable transform_right_filter_low_is_larger_0_8_2_value : boolean;
-    variable transform_right_filter_low_is_larger_0_8_4_choices : boolean_1d(1 to 3);  -- transform_right_filter_low_is_larger_0_8_4_choice_#
-    variable transform_right_filter_low_is_larger_0_8_4_value : boolean;
     variable transform_right_filter_feature_0_values : boolean_1d(1 to 3);  -- transform_right_filter_feature_0_value_#
-    variable transform_right_filter_feature_0_choices : boolean_1d(1 to 70);  -- transform_right_filter_feature_0_choice_#
+    variable transform_right_filter_feature_0_choice : boolean_1d(3 to 70);
     variable transform_right_filter_feature_0_alls : boolean_1d(1 to 5);  -- transform_right_filter_feature_0_all_#
     variable raster_place_next_frame_is_equal, raster_place_back_to_back_choice : boolean;
     variable delay_row_inside_1_is_not_less, delay_row_inside_1_is_less, delay_tag_map_column_is_not_less : boolean;
@@ -1019,9 +961,9 @@ begin
     variable pathsturn_cost_memory_write_words_0_all : boolean_1d(0 to 1);  -- pathsturn_cost_memory_write_words_#_0_all
     variable winnerswinner1_best_index_0_choice : boolean_2d(0 to 3, 1 to 8);  -- winnerswinner1_best_index_0_#_choice_#
     variable winnerswinner1_best_index_0_value : boolean_2d(0 to 3, 1 to 12);  -- winnerswinner1_best_index_0_#_value_#
-    variable winnerswinner2_best_index_0_choice : boolean_2d(0 to 1, 1 to 8);  -- winnerswinner2_best_index_0_#_choice_#
+    variable winnerswinner2_best_index_0_choice_8 : boolean_1d(0 to 1);  -- winnerswinner2_best_index_0_#_choice_8
     variable winnerswinner2_best_index_0_value : boolean_2d(0 to 1, 1 to 5);  -- winnerswinner2_best_index_0_#_value_#
-    variable winnerswinner3_best_index_0_0_choices : boolean_1d(1 to 8);  -- winnerswinner3_best_index_0_0_choice_#
+    variable winnerswinner3_best_index_0_0_choice_8 : boolean;
     variable winnerswinner3_best_index_0_0_values : boolean_1d(1 to 5);  -- winnerswinner3_best_index_0_0_value_#
     variable turn_order_address_anys : boolean_1d(1 to 2);  -- turn_order_address_any_#
     variable turn_order_falls_all, turn_order_complete_all, turn_ready_tag_row_start_differs : boolean;
@@ -1036,25 +978,19 @@ begin
     variable map_of_column_0_c_below_b_choices : boolean_1d(1 to 6);  -- map_of_column_0_c_below_b_choice_#
     variable map_window_complete_is_equal, map_window_complete_choice : boolean;
     variable map_of_low_0_b_below_a_values : boolean_1d(1 to 11);  -- map_of_low_0_b_below_a_value_#
-    variable map_of_low_0_b_below_a_choices : boolean_1d(1 to 7);  -- map_of_low_0_b_below_a_choice_#
-    variable map_of_low_0_b_below_a_is_equal, map_of_low_0_c_below_a_value : boolean;
-    variable map_of_low_0_c_below_a_choices : boolean_1d(1 to 7);  -- map_of_low_0_c_below_a_choice_#
-    variable map_of_low_0_c_below_b_choices : boolean_1d(1 to 7);  -- map_of_low_0_c_below_b_choice_#
+    variable map_of_low_0_b_below_a_choice_7, map_of_low_0_b_below_a_is_equal, map_of_low_0_c_below_a_value : boolean;
+    variable map_of_low_0_c_below_a_choice_7, map_of_low_0_c_below_b_choice_7 : boolean;
     variable map_of_middle_0_b_below_a_values : boolean_1d(1 to 11);  -- map_of_middle_0_b_below_a_value_#
-    variable map_of_middle_0_b_below_a_choices : boolean_1d(1 to 7);  -- map_of_middle_0_b_below_a_choice_#
-    variable map_of_middle_0_b_below_a_is_equal, map_of_middle_0_c_below_a_value : boolean;
-    variable map_of_middle_0_c_below_a_choices : boolean_1d(1 to 7);  -- map_of_middle_0_c_below_a_choice_#
-    variable map_of_middle_0_c_below_b_choices : boolean_1d(1 to 7);  -- map_of_middle_0_c_below_b_choice_#
+    variable map_of_middle_0_b_below_a_choice_7, map_of_middle_0_b_below_a_is_equal : boolean;
+    variable map_of_middle_0_c_below_a_value, map_of_middle_0_c_below_a_choice_7 : boolean;
+    variable map_of_middle_0_c_below_b_choice_7 : boolean;
     variable map_of_high_0_b_below_a_values : boolean_1d(1 to 11);  -- map_of_high_0_b_below_a_value_#
-    variable map_of_high_0_b_below_a_choices : boolean_1d(1 to 7);  -- map_of_high_0_b_below_a_choice_#
-    variable map_of_high_0_b_below_a_is_equal, map_of_high_0_c_below_a_value : boolean;
-    variable map_of_high_0_c_below_a_choices : boolean_1d(1 to 7);  -- map_of_high_0_c_below_a_choice_#
-    variable map_of_high_0_c_below_b_choices : boolean_1d(1 to 7);  -- map_of_high_0_c_below_b_choice_#
+    variable map_of_high_0_b_below_a_choice_7, map_of_high_0_b_below_a_is_equal : boolean;
+    variable map_of_high_0_c_below_a_value, map_of_high_0_c_below_a_choice_7 : boolean;
+    variable map_of_high_0_c_below_b_choice_7 : boolean;
     variable map_of_all_0_b_below_a_values : boolean_1d(1 to 11);  -- map_of_all_0_b_below_a_value_#
-    variable map_of_all_0_b_below_a_choices : boolean_1d(1 to 7);  -- map_of_all_0_b_below_a_choice_#
-    variable map_of_all_0_b_below_a_is_equal, map_of_all_0_c_below_a_value : boolean;
-    variable map_of_all_0_c_below_a_choices : boolean_1d(1 to 7);  -- map_of_all_0_c_below_a_choice_#
-    variable map_of_all_0_c_below_b_choices : boolean_1d(1 to 7);  -- map_of_all_0_c_below_b_choice_#
+    variable map_of_all_0_b_below_a_choice_7, map_of_all_0_b_below_a_is_equal, map_of_all_0_c_below_a_value : boolean;
+    variable map_of_all_0_c_below_a_choice_7, map_of_all_0_c_below_b_choice_7 : boolean;
     variable map_low_0_all : boolean_1d(0 to 1);  -- map_low_#_0_all
     variable transform_counter_group_after_choice, raster_place_group_after_choice : natural range 0 to 511;
     variable winners_best_cost_0_0_choice : natural range 0 to 511;
@@ -1088,7 +1024,7 @@ begin
     variable pathsright_low_0_choice : natural range 0 to 127;
     variable pathsleft_q_choices : natural_63_1d(1 to 2);  -- pathsleft_q_choice_#
     variable pathsleft_room_left_choice, pathsabove_smallest_total_choice : natural range 0 to 63;
-    variable pathsabove_beside_0_choice, pathsabove_beside_7_choice : natural range 0 to 63;
+    variable pathsabove_beside_choice : natural_63_1d(0 to 7);  -- pathsabove_beside_#_choice
     variable pathsright_q_choices : natural_63_1d(1 to 2);  -- pathsright_q_choice_#
     variable pathsright_room_left_choice : natural range 0 to 63;
     variable pathsabove_memory_read_address_0_sum : natural range 1 to 8192;
@@ -1114,13 +1050,17 @@ begin
     variable map_smallest_high_0_choices : natural_255_1d(1 to 2);  -- map_smallest_high_0_choice_#
     variable map_out_disparity_0_choices : natural_255_1d(1 to 4);  -- map_out_disparity_0_choice_#
     variable map_low_0_0_choice, map_middle_0_0_choice, map_high_0_0_choice : natural range 0 to 255;
-    variable pathsturn_sum_memory_write_words_0_0_sum : natural range 0 to 190;
-    variable pathsturn_sum_memory_write_words_0_1_sum : natural range 0 to 190;
-    variable pathsturn_sum_memory_write_words_0_2_sum : natural range 0 to 190;
+    variable pathsturn_sum_memory_write_words_0_sum : natural_190_1d(0 to 2);  -- pathsturn_sum_memory_write_words_0_#_sum
     variable winnerswinner1_best_cost_0_sum : natural_255_to_256_2d(0 to 3, 1 to 2);  -- winnerswinner1_best_cost_0_#_sum_#
   begin
     if rising_edge(clock) then
       -- no bit without a value, where an array has places for more
+      transform_left_filter_low_is_larger_0_value := (others => (others => (others => false)));
+      transform_left_filter_low_is_larger_0_choice_3 := (others => (others => false));
+      transform_left_filter_feature_0_choice := (others => false);
+      transform_right_filter_low_is_larger_0_value := (others => (others => (others => false)));
+      transform_right_filter_low_is_larger_0_choice_3 := (others => (others => false));
+      transform_right_filter_feature_0_choice := (others => false);
       costscolumn_pixels_first_0_count_value := (others => (others => (others => false)));
       winnerswinner1_best_index_0_choice := (others => (others => false));
       pathsright_stay_change_value := (others => 0);
@@ -1128,6 +1068,7 @@ begin
       pathsleft_step_choice := (others => (others => 0));
       pathsright_stay_value := (others => (others => 0));
       pathsright_step_choice := (others => (others => 0));
+      pathsabove_beside_choice := (others => 0);
       pathsabove_memory_write_words_0_choice := (others => (others => 0));
       -- transform
       transform_counter_next_frame_is_equal := transform_counter_column = 639;
@@ -1136,598 +1077,198 @@ begin
       transform_counter_group_after_choice := choice(transform_counter_back_to_back, 2, (transform_counter_group + 1)
         mod 512);
       transform_read_column_inside_0_is_less := 3 < transform_counter_column;
-      transform_left_filter_low_is_larger_0_0_0_values(1) := is_set(transform_left_filter_column_2(4), 1);
-      transform_left_filter_low_is_larger_0_0_0_choices(1) := choice(is_set(transform_left_filter_column_2(4), 0), not
-        is_set(transform_left_filter_column_0(0), 1), (transform_left_filter_column_0(0) mod 4) = 0);
-      transform_left_filter_low_is_larger_0_0_0_choices(2) :=
-        choice(transform_left_filter_low_is_larger_0_0_0_values(1), is_set(transform_left_filter_column_2(4), 0) or
-        (not is_set(transform_left_filter_column_0(0), 1)) or (not is_set(transform_left_filter_column_0(0), 0)),
-        transform_left_filter_low_is_larger_0_0_0_choices(1));
-      transform_left_filter_low_is_larger_0_0_0_values(2) := is_set(transform_left_filter_column_2(4), 2);
-      transform_left_filter_low_is_larger_0_0_0_values(3) := is_set(transform_left_filter_column_0(0), 2);
-      transform_left_filter_low_is_larger_0_0_0_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_0_0_choices(2), not
-        transform_left_filter_low_is_larger_0_0_0_values(2), transform_left_filter_low_is_larger_0_0_0_values(3));
-      transform_left_filter_low_is_larger_0_0_0_values(4) := is_set(transform_left_filter_column_0(0), 3);
-      transform_left_filter_low_is_larger_0_0_2_any := (not transform_left_filter_low_is_larger_0_0_0_values(1)) or
-        (not is_set(transform_left_filter_column_2(4), 0));
-      transform_left_filter_low_is_larger_0_0_2_choices(1) := choice(is_set(transform_left_filter_column_2(0), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_0_2_is_equal := (transform_left_filter_column_2(4) mod 4) = 0;
-      transform_left_filter_low_is_larger_0_0_2_choices(2) := choice(is_set(transform_left_filter_column_2(0), 1),
-        transform_left_filter_low_is_larger_0_0_2_choices(1), is_set(transform_left_filter_column_2(0), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_0_2_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_0_2_choices(2), not
-        is_set(transform_left_filter_column_2(0), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_0_2_value := is_set(transform_left_filter_column_2(0), 3);
-      transform_left_filter_low_is_larger_0_0_4_choices(1) := choice(is_set(transform_left_filter_column_4(0), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_0_4_choices(2) := choice(is_set(transform_left_filter_column_4(0), 1),
-        transform_left_filter_low_is_larger_0_0_4_choices(1), is_set(transform_left_filter_column_4(0), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_0_4_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_0_4_choices(2), not
-        is_set(transform_left_filter_column_4(0), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_0_4_value := is_set(transform_left_filter_column_4(0), 3);
-      transform_left_filter_low_is_larger_0_2_0_choices(1) := choice(is_set(transform_left_filter_column_0(2), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_2_0_choices(2) := choice(is_set(transform_left_filter_column_0(2), 1),
-        transform_left_filter_low_is_larger_0_2_0_choices(1), is_set(transform_left_filter_column_0(2), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_2_0_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_2_0_choices(2), not
-        is_set(transform_left_filter_column_0(2), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_2_0_value := is_set(transform_left_filter_column_0(2), 3);
-      transform_left_filter_low_is_larger_0_2_2_choices(1) := choice(is_set(transform_left_filter_column_2(2), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_2_2_choices(2) := choice(is_set(transform_left_filter_column_2(2), 1),
-        transform_left_filter_low_is_larger_0_2_2_choices(1), is_set(transform_left_filter_column_2(2), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_2_2_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_2_2_choices(2), not
-        is_set(transform_left_filter_column_2(2), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_2_2_value := is_set(transform_left_filter_column_2(2), 3);
-      transform_left_filter_low_is_larger_0_2_4_choices(1) := choice(is_set(transform_left_filter_column_4(2), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_2_4_choices(2) := choice(is_set(transform_left_filter_column_4(2), 1),
-        transform_left_filter_low_is_larger_0_2_4_choices(1), is_set(transform_left_filter_column_4(2), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_2_4_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_2_4_choices(2), not
-        is_set(transform_left_filter_column_4(2), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_2_4_value := is_set(transform_left_filter_column_4(2), 3);
-      transform_left_filter_low_is_larger_0_4_0_choices(1) := choice(is_set(transform_left_filter_column_0(4), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_4_0_choices(2) := choice(is_set(transform_left_filter_column_0(4), 1),
-        transform_left_filter_low_is_larger_0_4_0_choices(1), is_set(transform_left_filter_column_0(4), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_4_0_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_4_0_choices(2), not
-        is_set(transform_left_filter_column_0(4), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_4_0_value := is_set(transform_left_filter_column_0(4), 3);
-      transform_left_filter_low_is_larger_0_4_4_choices(1) := choice(is_set(transform_left_filter_column_4(4), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_4_4_choices(2) := choice(is_set(transform_left_filter_column_4(4), 1),
-        transform_left_filter_low_is_larger_0_4_4_choices(1), is_set(transform_left_filter_column_4(4), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_4_4_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_4_4_choices(2), not
-        is_set(transform_left_filter_column_4(4), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_4_4_value := is_set(transform_left_filter_column_4(4), 3);
-      transform_left_filter_low_is_larger_0_6_0_choices(1) := choice(is_set(transform_left_filter_column_0(6), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_6_0_choices(2) := choice(is_set(transform_left_filter_column_0(6), 1),
-        transform_left_filter_low_is_larger_0_6_0_choices(1), is_set(transform_left_filter_column_0(6), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_6_0_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_6_0_choices(2), not
-        is_set(transform_left_filter_column_0(6), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_6_0_value := is_set(transform_left_filter_column_0(6), 3);
-      transform_left_filter_low_is_larger_0_6_2_choices(1) := choice(is_set(transform_left_filter_column_2(6), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_6_2_choices(2) := choice(is_set(transform_left_filter_column_2(6), 1),
-        transform_left_filter_low_is_larger_0_6_2_choices(1), is_set(transform_left_filter_column_2(6), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_6_2_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_6_2_choices(2), not
-        is_set(transform_left_filter_column_2(6), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_6_2_value := is_set(transform_left_filter_column_2(6), 3);
-      transform_left_filter_low_is_larger_0_6_4_choices(1) := choice(is_set(transform_left_filter_column_4(6), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_6_4_choices(2) := choice(is_set(transform_left_filter_column_4(6), 1),
-        transform_left_filter_low_is_larger_0_6_4_choices(1), is_set(transform_left_filter_column_4(6), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_6_4_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_6_4_choices(2), not
-        is_set(transform_left_filter_column_4(6), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_6_4_value := is_set(transform_left_filter_column_4(6), 3);
-      transform_left_filter_low_is_larger_0_8_0_choices(1) := choice(is_set(transform_left_filter_column_0(8), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_8_0_choices(2) := choice(is_set(transform_left_filter_column_0(8), 1),
-        transform_left_filter_low_is_larger_0_8_0_choices(1), is_set(transform_left_filter_column_0(8), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_8_0_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_8_0_choices(2), not
-        is_set(transform_left_filter_column_0(8), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_8_0_value := is_set(transform_left_filter_column_0(8), 3);
-      transform_left_filter_low_is_larger_0_8_2_choices(1) := choice(is_set(transform_left_filter_column_2(8), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_8_2_choices(2) := choice(is_set(transform_left_filter_column_2(8), 1),
-        transform_left_filter_low_is_larger_0_8_2_choices(1), is_set(transform_left_filter_column_2(8), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_8_2_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_8_2_choices(2), not
-        is_set(transform_left_filter_column_2(8), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_8_2_value := is_set(transform_left_filter_column_2(8), 3);
-      transform_left_filter_low_is_larger_0_8_4_choices(1) := choice(is_set(transform_left_filter_column_4(8), 0),
-        transform_left_filter_low_is_larger_0_0_2_any, not transform_left_filter_low_is_larger_0_0_0_values(1));
-      transform_left_filter_low_is_larger_0_8_4_choices(2) := choice(is_set(transform_left_filter_column_4(8), 1),
-        transform_left_filter_low_is_larger_0_8_4_choices(1), is_set(transform_left_filter_column_4(8), 0) and
-        transform_left_filter_low_is_larger_0_0_2_is_equal);
-      transform_left_filter_low_is_larger_0_8_4_choices(3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_8_4_choices(2), not
-        is_set(transform_left_filter_column_4(8), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_8_4_value := is_set(transform_left_filter_column_4(8), 3);
-      transform_left_filter_feature_0_values(1) := is_set(transform_left_filter_column_2(4), 4);
-      transform_left_filter_feature_0_choices(1) := inverted_carry(is_set(transform_left_filter_column_0(0), 4), not
-        transform_left_filter_low_is_larger_0_0_0, transform_left_filter_feature_0_values(1));
-      for i in 2 to 3 loop
-        transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column_2(4), i + 3);
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_0(0), i + 3), transform_left_filter_feature_0_values(i));
+      transform_left_filter_low_is_larger_0_value(0, 0, 1) := is_set(transform_left_filter_column(4, 1), 1);
+      transform_left_filter_low_is_larger_0_value(0, 0, 2) := is_set(transform_left_filter_column(4, 1), 2);
+      transform_left_filter_low_is_larger_0_value(0, 0, 3) := is_set(transform_left_filter_column(0, 0), 2);
+      transform_left_filter_low_is_larger_0_choice_3(0, 0) := not is_larger(transform_left_filter_column(4, 1),
+        transform_left_filter_column(0, 0), 0, 2, true);
+      transform_left_filter_low_is_larger_0_value(0, 0, 4) := is_set(transform_left_filter_column(0, 0), 3);
+      transform_left_filter_low_is_larger_0_0_2_any := (not transform_left_filter_low_is_larger_0_value(0, 0, 1)) or
+        (not is_set(transform_left_filter_column(4, 1), 0));
+      transform_left_filter_low_is_larger_0_0_2_is_equal := (transform_left_filter_column(4, 1) mod 4) = 0;
+      for i in 0 to 1 loop
+        transform_left_filter_low_is_larger_0_choice_3(2 * i, 1 - i) := not is_larger(transform_left_filter_column(4 *
+          i, 1 - i), transform_left_filter_column(4, 1), 0, 2, false);
+        transform_left_filter_low_is_larger_0_value(2 * i, 1 - i, 1) := is_set(transform_left_filter_column(4 * i, 1 -
+          i), 3);
+        transform_left_filter_low_is_larger_0_choice_3(2 * i, 2) := not is_larger(transform_left_filter_column(4 * i,
+          2), transform_left_filter_column(4, 1), 0, 2, false);
+        transform_left_filter_low_is_larger_0_value(2 * i, 2, 1) := is_set(transform_left_filter_column(4 * i, 2), 3);
+        for j in 0 to 2 loop
+          transform_left_filter_low_is_larger_0_choice_3(2 * i + 1, j) := not is_larger(transform_left_filter_column(4
+            * i + 2, j), transform_left_filter_column(4, 1), 0, 2, false);
+          transform_left_filter_low_is_larger_0_value(2 * i + 1, j, 1) := is_set(transform_left_filter_column(4 * i +
+            2, j), 3);
+        end loop;
       end loop;
-      transform_left_filter_feature_0_alls(1) := transform_filtering_0_column_inside_0 and (not
-        is_set(transform_left_filter_column_2(4), 7));
-      transform_left_filter_feature_0_choices(4) := choice(is_set(transform_left_filter_column_0(0), 7),
-        transform_filtering_0_column_inside_0, transform_left_filter_feature_0_alls(1));
-      transform_left_filter_feature_0_choices(5) := choice(transform_left_filter_feature_0_choices(3),
-        is_set(transform_left_filter_column_0(0), 7) and transform_filtering_0_column_inside_0 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(4));
-      transform_left_filter_feature_0_choices(6) := inverted_carry(is_set(transform_left_filter_column_2(0), 4), not
-        transform_left_filter_low_is_larger_0_0_2, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(7) := carry(transform_left_filter_feature_0_choices(6), not
-        is_set(transform_left_filter_column_2(0), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(8) := carry(transform_left_filter_feature_0_choices(7), not
-        is_set(transform_left_filter_column_2(0), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_choices(9) := choice(is_set(transform_left_filter_column_2(0), 7),
-        transform_filtering_0_column_inside_0, transform_left_filter_feature_0_alls(1));
-      transform_left_filter_feature_0_choices(10) := choice(transform_left_filter_feature_0_choices(8),
-        is_set(transform_left_filter_column_2(0), 7) and transform_filtering_0_column_inside_0 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(9));
-      transform_left_filter_feature_0_choices(11) := inverted_carry(is_set(transform_left_filter_column_4(0), 4), not
-        transform_left_filter_low_is_larger_0_0_4, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(12) := carry(transform_left_filter_feature_0_choices(11), not
-        is_set(transform_left_filter_column_4(0), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(13) := carry(transform_left_filter_feature_0_choices(12), not
-        is_set(transform_left_filter_column_4(0), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_choices(14) := choice(transform_left_filter_feature_0_choices(13),
-        transform_filtering_0_column_inside_0 and is_set(transform_left_filter_column_4(0), 7) and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_0 and
-        (is_set(transform_left_filter_column_4(0), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
-      transform_left_filter_feature_0_choices(15) := inverted_carry(is_set(transform_left_filter_column_2(2), 4), not
-        transform_left_filter_low_is_larger_0_2_2, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(16) := carry(transform_left_filter_feature_0_choices(15), not
-        is_set(transform_left_filter_column_2(2), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(17) := carry(transform_left_filter_feature_0_choices(16), not
-        is_set(transform_left_filter_column_2(2), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_alls(2) := transform_filtering_0_column_inside_2 and (not
-        is_set(transform_left_filter_column_2(4), 7));
-      transform_left_filter_feature_0_choices(18) := choice(is_set(transform_left_filter_column_2(2), 7),
-        transform_filtering_0_column_inside_2, transform_left_filter_feature_0_alls(2));
-      transform_left_filter_feature_0_choices(19) := choice(transform_left_filter_feature_0_choices(17),
-        is_set(transform_left_filter_column_2(2), 7) and transform_filtering_0_column_inside_2 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(18));
-      transform_left_filter_feature_0_choices(20) := inverted_carry(is_set(transform_left_filter_column_0(2), 4), not
-        transform_left_filter_low_is_larger_0_2_0, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(21) := carry(transform_left_filter_feature_0_choices(20), not
-        is_set(transform_left_filter_column_0(2), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(22) := carry(transform_left_filter_feature_0_choices(21), not
-        is_set(transform_left_filter_column_0(2), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_choices(23) := choice(is_set(transform_left_filter_column_0(2), 7),
-        transform_filtering_0_column_inside_2, transform_left_filter_feature_0_alls(2));
-      transform_left_filter_feature_0_choices(24) := choice(transform_left_filter_feature_0_choices(22),
-        is_set(transform_left_filter_column_0(2), 7) and transform_filtering_0_column_inside_2 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(23));
-      transform_left_filter_feature_0_choices(25) := inverted_carry(is_set(transform_left_filter_column_4(2), 4), not
-        transform_left_filter_low_is_larger_0_2_4, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(26) := carry(transform_left_filter_feature_0_choices(25), not
-        is_set(transform_left_filter_column_4(2), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(27) := carry(transform_left_filter_feature_0_choices(26), not
-        is_set(transform_left_filter_column_4(2), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_choices(28) := choice(transform_left_filter_feature_0_choices(27),
-        transform_filtering_0_column_inside_2 and is_set(transform_left_filter_column_4(2), 7) and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_2 and
-        (is_set(transform_left_filter_column_4(2), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
-      transform_left_filter_feature_0_choices(29) := inverted_carry(is_set(transform_left_filter_column_0(4), 4), not
-        transform_left_filter_low_is_larger_0_4_0, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(30) := carry(transform_left_filter_feature_0_choices(29), not
-        is_set(transform_left_filter_column_0(4), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(31) := carry(transform_left_filter_feature_0_choices(30), not
-        is_set(transform_left_filter_column_0(4), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_choices(32) := choice(is_set(transform_left_filter_column_0(4), 7),
-        transform_filtering_0_column_inside_4, transform_filtering_0_column_inside_4 and (not
-        is_set(transform_left_filter_column_2(4), 7)));
-      transform_left_filter_feature_0_choices(33) := choice(transform_left_filter_feature_0_choices(31),
-        is_set(transform_left_filter_column_0(4), 7) and transform_filtering_0_column_inside_4 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(32));
-      transform_left_filter_feature_0_choices(34) := inverted_carry(is_set(transform_left_filter_column_4(4), 4), not
-        transform_left_filter_low_is_larger_0_4_4, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(35) := carry(transform_left_filter_feature_0_choices(34), not
-        is_set(transform_left_filter_column_4(4), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(36) := carry(transform_left_filter_feature_0_choices(35), not
-        is_set(transform_left_filter_column_4(4), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_choices(37) := choice(transform_left_filter_feature_0_choices(36),
-        transform_filtering_0_column_inside_4 and is_set(transform_left_filter_column_4(4), 7) and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_4 and
-        (is_set(transform_left_filter_column_4(4), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
-      transform_left_filter_feature_0_choices(38) := inverted_carry(is_set(transform_left_filter_column_2(6), 4), not
-        transform_left_filter_low_is_larger_0_6_2, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(39) := carry(transform_left_filter_feature_0_choices(38), not
-        is_set(transform_left_filter_column_2(6), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(40) := carry(transform_left_filter_feature_0_choices(39), not
-        is_set(transform_left_filter_column_2(6), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_alls(3) := transform_filtering_0_column_inside_6 and (not
-        is_set(transform_left_filter_column_2(4), 7));
-      transform_left_filter_feature_0_choices(41) := choice(is_set(transform_left_filter_column_2(6), 7),
-        transform_filtering_0_column_inside_6, transform_left_filter_feature_0_alls(3));
-      transform_left_filter_feature_0_choices(42) := choice(transform_left_filter_feature_0_choices(40),
-        is_set(transform_left_filter_column_2(6), 7) and transform_filtering_0_column_inside_6 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(41));
-      transform_left_filter_feature_0_choices(43) := inverted_carry(is_set(transform_left_filter_column_0(6), 4), not
-        transform_left_filter_low_is_larger_0_6_0, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(44) := carry(transform_left_filter_feature_0_choices(43), not
-        is_set(transform_left_filter_column_0(6), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(45) := carry(transform_left_filter_feature_0_choices(44), not
-        is_set(transform_left_filter_column_0(6), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_choices(46) := choice(is_set(transform_left_filter_column_0(6), 7),
-        transform_filtering_0_column_inside_6, transform_left_filter_feature_0_alls(3));
-      transform_left_filter_feature_0_choices(47) := choice(transform_left_filter_feature_0_choices(45),
-        is_set(transform_left_filter_column_0(6), 7) and transform_filtering_0_column_inside_6 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(46));
-      transform_left_filter_feature_0_choices(48) := inverted_carry(is_set(transform_left_filter_column_4(6), 4), not
-        transform_left_filter_low_is_larger_0_6_4, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(49) := carry(transform_left_filter_feature_0_choices(48), not
-        is_set(transform_left_filter_column_4(6), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(50) := carry(transform_left_filter_feature_0_choices(49), not
-        is_set(transform_left_filter_column_4(6), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_choices(51) := choice(transform_left_filter_feature_0_choices(50),
-        transform_filtering_0_column_inside_6 and is_set(transform_left_filter_column_4(6), 7) and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_6 and
-        (is_set(transform_left_filter_column_4(6), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
-      transform_left_filter_feature_0_choices(52) := inverted_carry(is_set(transform_left_filter_column_2(8), 4), not
-        transform_left_filter_low_is_larger_0_8_2, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(53) := carry(transform_left_filter_feature_0_choices(52), not
-        is_set(transform_left_filter_column_2(8), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(54) := carry(transform_left_filter_feature_0_choices(53), not
-        is_set(transform_left_filter_column_2(8), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_alls(4) := transform_filtering_0_column_inside_8 and (not
-        is_set(transform_left_filter_column_2(4), 7));
-      transform_left_filter_feature_0_choices(55) := choice(is_set(transform_left_filter_column_2(8), 7),
-        transform_filtering_0_column_inside_8, transform_left_filter_feature_0_alls(4));
-      transform_left_filter_feature_0_choices(56) := choice(transform_left_filter_feature_0_choices(54),
-        is_set(transform_left_filter_column_2(8), 7) and transform_filtering_0_column_inside_8 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(55));
-      transform_left_filter_feature_0_choices(57) := inverted_carry(is_set(transform_left_filter_column_0(8), 4), not
-        transform_left_filter_low_is_larger_0_8_0, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(58) := carry(transform_left_filter_feature_0_choices(57), not
-        is_set(transform_left_filter_column_0(8), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(59) := carry(transform_left_filter_feature_0_choices(58), not
-        is_set(transform_left_filter_column_0(8), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_choices(60) := choice(is_set(transform_left_filter_column_0(8), 7),
-        transform_filtering_0_column_inside_8, transform_left_filter_feature_0_alls(4));
-      transform_left_filter_feature_0_choices(61) := choice(transform_left_filter_feature_0_choices(59),
-        is_set(transform_left_filter_column_0(8), 7) and transform_filtering_0_column_inside_8 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(60));
-      transform_left_filter_feature_0_choices(62) := inverted_carry(is_set(transform_left_filter_column_4(8), 4), not
-        transform_left_filter_low_is_larger_0_8_4, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(63) := carry(transform_left_filter_feature_0_choices(62), not
-        is_set(transform_left_filter_column_4(8), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(64) := carry(transform_left_filter_feature_0_choices(63), not
-        is_set(transform_left_filter_column_4(8), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_choices(65) := choice(transform_left_filter_feature_0_choices(64),
-        transform_filtering_0_column_inside_8 and is_set(transform_left_filter_column_4(8), 7) and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_8 and
-        (is_set(transform_left_filter_column_4(8), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
-      transform_right_filter_low_is_larger_0_0_0_values(1) := is_set(transform_right_filter_column_2(4), 1);
-      transform_right_filter_low_is_larger_0_0_0_choices(1) := choice(is_set(transform_right_filter_column_2(4), 0),
-        not is_set(transform_right_filter_column_0(0), 1), (transform_right_filter_column_0(0) mod 4) = 0);
-      transform_right_filter_low_is_larger_0_0_0_choices(2) :=
-        choice(transform_right_filter_low_is_larger_0_0_0_values(1), is_set(transform_right_filter_column_2(4), 0) or
-        (not is_set(transform_right_filter_column_0(0), 1)) or (not is_set(transform_right_filter_column_0(0), 0)),
-        transform_right_filter_low_is_larger_0_0_0_choices(1));
-      transform_right_filter_low_is_larger_0_0_0_values(2) := is_set(transform_right_filter_column_2(4), 2);
-      transform_right_filter_low_is_larger_0_0_0_values(3) := is_set(transform_right_filter_column_0(0), 2);
-      transform_right_filter_low_is_larger_0_0_0_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_0_0_choices(2), not
-        transform_right_filter_low_is_larger_0_0_0_values(2), transform_right_filter_low_is_larger_0_0_0_values(3));
-      transform_right_filter_low_is_larger_0_0_0_values(4) := is_set(transform_right_filter_column_0(0), 3);
-      transform_right_filter_low_is_larger_0_0_2_any := (not transform_right_filter_low_is_larger_0_0_0_values(1)) or
-        (not is_set(transform_right_filter_column_2(4), 0));
-      transform_right_filter_low_is_larger_0_0_2_choices(1) := choice(is_set(transform_right_filter_column_2(0), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_0_2_is_equal := (transform_right_filter_column_2(4) mod 4) = 0;
-      transform_right_filter_low_is_larger_0_0_2_choices(2) := choice(is_set(transform_right_filter_column_2(0), 1),
-        transform_right_filter_low_is_larger_0_0_2_choices(1), is_set(transform_right_filter_column_2(0), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_0_2_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_0_2_choices(2), not
-        is_set(transform_right_filter_column_2(0), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_0_2_value := is_set(transform_right_filter_column_2(0), 3);
-      transform_right_filter_low_is_larger_0_0_4_choices(1) := choice(is_set(transform_right_filter_column_4(0), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_0_4_choices(2) := choice(is_set(transform_right_filter_column_4(0), 1),
-        transform_right_filter_low_is_larger_0_0_4_choices(1), is_set(transform_right_filter_column_4(0), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_0_4_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_0_4_choices(2), not
-        is_set(transform_right_filter_column_4(0), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_0_4_value := is_set(transform_right_filter_column_4(0), 3);
-      transform_right_filter_low_is_larger_0_2_0_choices(1) := choice(is_set(transform_right_filter_column_0(2), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_2_0_choices(2) := choice(is_set(transform_right_filter_column_0(2), 1),
-        transform_right_filter_low_is_larger_0_2_0_choices(1), is_set(transform_right_filter_column_0(2), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_2_0_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_2_0_choices(2), not
-        is_set(transform_right_filter_column_0(2), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_2_0_value := is_set(transform_right_filter_column_0(2), 3);
-      transform_right_filter_low_is_larger_0_2_2_choices(1) := choice(is_set(transform_right_filter_column_2(2), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_2_2_choices(2) := choice(is_set(transform_right_filter_column_2(2), 1),
-        transform_right_filter_low_is_larger_0_2_2_choices(1), is_set(transform_right_filter_column_2(2), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_2_2_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_2_2_choices(2), not
-        is_set(transform_right_filter_column_2(2), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_2_2_value := is_set(transform_right_filter_column_2(2), 3);
-      transform_right_filter_low_is_larger_0_2_4_choices(1) := choice(is_set(transform_right_filter_column_4(2), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_2_4_choices(2) := choice(is_set(transform_right_filter_column_4(2), 1),
-        transform_right_filter_low_is_larger_0_2_4_choices(1), is_set(transform_right_filter_column_4(2), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_2_4_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_2_4_choices(2), not
-        is_set(transform_right_filter_column_4(2), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_2_4_value := is_set(transform_right_filter_column_4(2), 3);
-      transform_right_filter_low_is_larger_0_4_0_choices(1) := choice(is_set(transform_right_filter_column_0(4), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_4_0_choices(2) := choice(is_set(transform_right_filter_column_0(4), 1),
-        transform_right_filter_low_is_larger_0_4_0_choices(1), is_set(transform_right_filter_column_0(4), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_4_0_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_4_0_choices(2), not
-        is_set(transform_right_filter_column_0(4), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_4_0_value := is_set(transform_right_filter_column_0(4), 3);
-      transform_right_filter_low_is_larger_0_4_4_choices(1) := choice(is_set(transform_right_filter_column_4(4), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_4_4_choices(2) := choice(is_set(transform_right_filter_column_4(4), 1),
-        transform_right_filter_low_is_larger_0_4_4_choices(1), is_set(transform_right_filter_column_4(4), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_4_4_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_4_4_choices(2), not
-        is_set(transform_right_filter_column_4(4), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_4_4_value := is_set(transform_right_filter_column_4(4), 3);
-      transform_right_filter_low_is_larger_0_6_0_choices(1) := choice(is_set(transform_right_filter_column_0(6), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_6_0_choices(2) := choice(is_set(transform_right_filter_column_0(6), 1),
-        transform_right_filter_low_is_larger_0_6_0_choices(1), is_set(transform_right_filter_column_0(6), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_6_0_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_6_0_choices(2), not
-        is_set(transform_right_filter_column_0(6), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_6_0_value := is_set(transform_right_filter_column_0(6), 3);
-      transform_right_filter_low_is_larger_0_6_2_choices(1) := choice(is_set(transform_right_filter_column_2(6), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_6_2_choices(2) := choice(is_set(transform_right_filter_column_2(6), 1),
-        transform_right_filter_low_is_larger_0_6_2_choices(1), is_set(transform_right_filter_column_2(6), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_6_2_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_6_2_choices(2), not
-        is_set(transform_right_filter_column_2(6), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_6_2_value := is_set(transform_right_filter_column_2(6), 3);
-      transform_right_filter_low_is_larger_0_6_4_choices(1) := choice(is_set(transform_right_filter_column_4(6), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_6_4_choices(2) := choice(is_set(transform_right_filter_column_4(6), 1),
-        transform_right_filter_low_is_larger_0_6_4_choices(1), is_set(transform_right_filter_column_4(6), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_6_4_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_6_4_choices(2), not
-        is_set(transform_right_filter_column_4(6), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_6_4_value := is_set(transform_right_filter_column_4(6), 3);
-      transform_right_filter_low_is_larger_0_8_0_choices(1) := choice(is_set(transform_right_filter_column_0(8), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_8_0_choices(2) := choice(is_set(transform_right_filter_column_0(8), 1),
-        transform_right_filter_low_is_larger_0_8_0_choices(1), is_set(transform_right_filter_column_0(8), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_8_0_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_8_0_choices(2), not
-        is_set(transform_right_filter_column_0(8), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_8_0_value := is_set(transform_right_filter_column_0(8), 3);
-      transform_right_filter_low_is_larger_0_8_2_choices(1) := choice(is_set(transform_right_filter_column_2(8), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_8_2_choices(2) := choice(is_set(transform_right_filter_column_2(8), 1),
-        transform_right_filter_low_is_larger_0_8_2_choices(1), is_set(transform_right_filter_column_2(8), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_8_2_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_8_2_choices(2), not
-        is_set(transform_right_filter_column_2(8), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_8_2_value := is_set(transform_right_filter_column_2(8), 3);
-      transform_right_filter_low_is_larger_0_8_4_choices(1) := choice(is_set(transform_right_filter_column_4(8), 0),
-        transform_right_filter_low_is_larger_0_0_2_any, not transform_right_filter_low_is_larger_0_0_0_values(1));
-      transform_right_filter_low_is_larger_0_8_4_choices(2) := choice(is_set(transform_right_filter_column_4(8), 1),
-        transform_right_filter_low_is_larger_0_8_4_choices(1), is_set(transform_right_filter_column_4(8), 0) and
-        transform_right_filter_low_is_larger_0_0_2_is_equal);
-      transform_right_filter_low_is_larger_0_8_4_choices(3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_8_4_choices(2), not
-        is_set(transform_right_filter_column_4(8), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_8_4_value := is_set(transform_right_filter_column_4(8), 3);
-      transform_right_filter_feature_0_values(1) := is_set(transform_right_filter_column_2(4), 4);
-      transform_right_filter_feature_0_choices(1) := inverted_carry(is_set(transform_right_filter_column_0(0), 4), not
-        transform_right_filter_low_is_larger_0_0_0, transform_right_filter_feature_0_values(1));
-      for i in 2 to 3 loop
-        transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column_2(4), i + 3);
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_0(0), i + 3), transform_right_filter_feature_0_values(i));
+      for i in 0 to 2 loop
+        transform_left_filter_low_is_larger_0_choice_3(4, i) := not is_larger(transform_left_filter_column(8, i),
+          transform_left_filter_column(4, 1), 0, 2, false);
+        transform_left_filter_low_is_larger_0_value(4, i, 1) := is_set(transform_left_filter_column(8, i), 3);
       end loop;
-      transform_right_filter_feature_0_alls(1) := (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_0;
-      transform_right_filter_feature_0_choices(4) := choice(is_set(transform_right_filter_column_0(0), 7),
-        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_alls(1));
-      transform_right_filter_feature_0_choices(5) := choice(transform_right_filter_feature_0_choices(3),
-        is_set(transform_right_filter_column_0(0), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_choices(4));
-      transform_right_filter_feature_0_choices(6) := inverted_carry(is_set(transform_right_filter_column_2(0), 4), not
-        transform_right_filter_low_is_larger_0_0_2, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(7) := carry(transform_right_filter_feature_0_choices(6), not
-        is_set(transform_right_filter_column_2(0), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(8) := carry(transform_right_filter_feature_0_choices(7), not
-        is_set(transform_right_filter_column_2(0), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_choices(9) := choice(is_set(transform_right_filter_column_2(0), 7),
-        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_alls(1));
-      transform_right_filter_feature_0_choices(10) := choice(transform_right_filter_feature_0_choices(8),
-        is_set(transform_right_filter_column_2(0), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_choices(9));
-      transform_right_filter_feature_0_choices(11) := inverted_carry(is_set(transform_right_filter_column_4(0), 4), not
-        transform_right_filter_low_is_larger_0_0_4, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(12) := carry(transform_right_filter_feature_0_choices(11), not
-        is_set(transform_right_filter_column_4(0), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(13) := carry(transform_right_filter_feature_0_choices(12), not
-        is_set(transform_right_filter_column_4(0), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_choices(14) := choice(is_set(transform_right_filter_column_4(0), 7),
-        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_alls(1));
-      transform_right_filter_feature_0_choices(15) := choice(transform_right_filter_feature_0_choices(13),
-        is_set(transform_right_filter_column_4(0), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_choices(14));
-      transform_right_filter_feature_0_choices(16) := inverted_carry(is_set(transform_right_filter_column_2(2), 4), not
-        transform_right_filter_low_is_larger_0_2_2, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(17) := carry(transform_right_filter_feature_0_choices(16), not
-        is_set(transform_right_filter_column_2(2), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(18) := carry(transform_right_filter_feature_0_choices(17), not
-        is_set(transform_right_filter_column_2(2), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_alls(2) := (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_2;
-      transform_right_filter_feature_0_choices(19) := choice(is_set(transform_right_filter_column_2(2), 7),
-        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_alls(2));
-      transform_right_filter_feature_0_choices(20) := choice(transform_right_filter_feature_0_choices(18),
-        is_set(transform_right_filter_column_2(2), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_choices(19));
-      transform_right_filter_feature_0_choices(21) := inverted_carry(is_set(transform_right_filter_column_0(2), 4), not
-        transform_right_filter_low_is_larger_0_2_0, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(22) := carry(transform_right_filter_feature_0_choices(21), not
-        is_set(transform_right_filter_column_0(2), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(23) := carry(transform_right_filter_feature_0_choices(22), not
-        is_set(transform_right_filter_column_0(2), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_choices(24) := choice(is_set(transform_right_filter_column_0(2), 7),
-        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_alls(2));
-      transform_right_filter_feature_0_choices(25) := choice(transform_right_filter_feature_0_choices(23),
-        is_set(transform_right_filter_column_0(2), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_choices(24));
-      transform_right_filter_feature_0_choices(26) := inverted_carry(is_set(transform_right_filter_column_4(2), 4), not
-        transform_right_filter_low_is_larger_0_2_4, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(27) := carry(transform_right_filter_feature_0_choices(26), not
-        is_set(transform_right_filter_column_4(2), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(28) := carry(transform_right_filter_feature_0_choices(27), not
-        is_set(transform_right_filter_column_4(2), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_choices(29) := choice(is_set(transform_right_filter_column_4(2), 7),
-        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_alls(2));
-      transform_right_filter_feature_0_choices(30) := choice(transform_right_filter_feature_0_choices(28),
-        is_set(transform_right_filter_column_4(2), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_choices(29));
-      transform_right_filter_feature_0_choices(31) := inverted_carry(is_set(transform_right_filter_column_0(4), 4), not
-        transform_right_filter_low_is_larger_0_4_0, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(32) := carry(transform_right_filter_feature_0_choices(31), not
-        is_set(transform_right_filter_column_0(4), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(33) := carry(transform_right_filter_feature_0_choices(32), not
-        is_set(transform_right_filter_column_0(4), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_alls(3) := (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_4;
-      transform_right_filter_feature_0_choices(34) := choice(is_set(transform_right_filter_column_0(4), 7),
-        transform_filtering_0_column_inside_4, transform_right_filter_feature_0_alls(3));
-      transform_right_filter_feature_0_choices(35) := choice(transform_right_filter_feature_0_choices(33),
-        is_set(transform_right_filter_column_0(4), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_4, transform_right_filter_feature_0_choices(34));
-      transform_right_filter_feature_0_choices(36) := inverted_carry(is_set(transform_right_filter_column_4(4), 4), not
-        transform_right_filter_low_is_larger_0_4_4, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(37) := carry(transform_right_filter_feature_0_choices(36), not
-        is_set(transform_right_filter_column_4(4), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(38) := carry(transform_right_filter_feature_0_choices(37), not
-        is_set(transform_right_filter_column_4(4), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_choices(39) := choice(is_set(transform_right_filter_column_4(4), 7),
-        transform_filtering_0_column_inside_4, transform_right_filter_feature_0_alls(3));
-      transform_right_filter_feature_0_choices(40) := choice(transform_right_filter_feature_0_choices(38),
-        is_set(transform_right_filter_column_4(4), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_4, transform_right_filter_feature_0_choices(39));
-      transform_right_filter_feature_0_choices(41) := inverted_carry(is_set(transform_right_filter_column_2(6), 4), not
-        transform_right_filter_low_is_larger_0_6_2, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(42) := carry(transform_right_filter_feature_0_choices(41), not
-        is_set(transform_right_filter_column_2(6), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(43) := carry(transform_right_filter_feature_0_choices(42), not
-        is_set(transform_right_filter_column_2(6), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_alls(4) := (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_6;
-      transform_right_filter_feature_0_choices(44) := choice(is_set(transform_right_filter_column_2(6), 7),
-        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_alls(4));
-      transform_right_filter_feature_0_choices(45) := choice(transform_right_filter_feature_0_choices(43),
-        is_set(transform_right_filter_column_2(6), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_choices(44));
-      transform_right_filter_feature_0_choices(46) := inverted_carry(is_set(transform_right_filter_column_0(6), 4), not
-        transform_right_filter_low_is_larger_0_6_0, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(47) := carry(transform_right_filter_feature_0_choices(46), not
-        is_set(transform_right_filter_column_0(6), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(48) := carry(transform_right_filter_feature_0_choices(47), not
-        is_set(transform_right_filter_column_0(6), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_choices(49) := choice(is_set(transform_right_filter_column_0(6), 7),
-        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_alls(4));
-      transform_right_filter_feature_0_choices(50) := choice(transform_right_filter_feature_0_choices(48),
-        is_set(transform_right_filter_column_0(6), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_choices(49));
-      transform_right_filter_feature_0_choices(51) := inverted_carry(is_set(transform_right_filter_column_4(6), 4), not
-        transform_right_filter_low_is_larger_0_6_4, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(52) := carry(transform_right_filter_feature_0_choices(51), not
-        is_set(transform_right_filter_column_4(6), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(53) := carry(transform_right_filter_feature_0_choices(52), not
-        is_set(transform_right_filter_column_4(6), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_choices(54) := choice(is_set(transform_right_filter_column_4(6), 7),
-        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_alls(4));
-      transform_right_filter_feature_0_choices(55) := choice(transform_right_filter_feature_0_choices(53),
-        is_set(transform_right_filter_column_4(6), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_choices(54));
-      transform_right_filter_feature_0_choices(56) := inverted_carry(is_set(transform_right_filter_column_2(8), 4), not
-        transform_right_filter_low_is_larger_0_8_2, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(57) := carry(transform_right_filter_feature_0_choices(56), not
-        is_set(transform_right_filter_column_2(8), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(58) := carry(transform_right_filter_feature_0_choices(57), not
-        is_set(transform_right_filter_column_2(8), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_alls(5) := (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_8;
-      transform_right_filter_feature_0_choices(59) := choice(is_set(transform_right_filter_column_2(8), 7),
-        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_alls(5));
-      transform_right_filter_feature_0_choices(60) := choice(transform_right_filter_feature_0_choices(58),
-        is_set(transform_right_filter_column_2(8), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_choices(59));
-      transform_right_filter_feature_0_choices(61) := inverted_carry(is_set(transform_right_filter_column_0(8), 4), not
-        transform_right_filter_low_is_larger_0_8_0, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(62) := carry(transform_right_filter_feature_0_choices(61), not
-        is_set(transform_right_filter_column_0(8), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(63) := carry(transform_right_filter_feature_0_choices(62), not
-        is_set(transform_right_filter_column_0(8), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_choices(64) := choice(is_set(transform_right_filter_column_0(8), 7),
-        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_alls(5));
-      transform_right_filter_feature_0_choices(65) := choice(transform_right_filter_feature_0_choices(63),
-        is_set(transform_right_filter_column_0(8), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_choices(64));
-      transform_right_filter_feature_0_choices(66) := inverted_carry(is_set(transform_right_filter_column_4(8), 4), not
-        transform_right_filter_low_is_larger_0_8_4, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(67) := carry(transform_right_filter_feature_0_choices(66), not
-        is_set(transform_right_filter_column_4(8), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(68) := carry(transform_right_filter_feature_0_choices(67), not
-        is_set(transform_right_filter_column_4(8), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_choices(69) := choice(is_set(transform_right_filter_column_4(8), 7),
-        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_alls(5));
-      transform_right_filter_feature_0_choices(70) := choice(transform_right_filter_feature_0_choices(68),
-        is_set(transform_right_filter_column_4(8), 7) and (not is_set(transform_right_filter_column_2(4), 7)) and
-        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_choices(69));
+      transform_left_filter_feature_0_values(1) := is_set(transform_left_filter_column(4, 1), 4);
+      transform_left_filter_feature_0_values(2) := is_set(transform_left_filter_column(4, 1), 5);
+      transform_left_filter_feature_0_values(3) := is_set(transform_left_filter_column(4, 1), 6);
+      for i in 0 to 1 loop
+        transform_left_filter_feature_0_choice(14 * i + 3) := not is_larger(transform_left_filter_column(2 * i, i),
+          transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0(i, i));
+        transform_left_filter_feature_0_alls(i + 1) := transform_filtering_0_column_inside(i) and (not
+          is_set(transform_left_filter_column(4, 1), 7));
+        transform_left_filter_feature_0_choice(14 * i + 4) := choice(is_set(transform_left_filter_column(2 * i, i), 7),
+          transform_filtering_0_column_inside(i), transform_left_filter_feature_0_alls(i + 1));
+        transform_left_filter_feature_0_choice(14 * i + 5) := choice(transform_left_filter_feature_0_choice(14 * i +
+          3), is_set(transform_left_filter_column(2 * i, i), 7) and transform_filtering_0_column_inside(i) and (not
+          is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(14 * i + 4));
+        transform_left_filter_feature_0_choice(14 * i + 8) := not is_larger(transform_left_filter_column(2 * i, 1 - i),
+          transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0(i, 1 - i));
+        transform_left_filter_feature_0_choice(14 * i + 9) := choice(is_set(transform_left_filter_column(2 * i, 1 - i),
+          7), transform_filtering_0_column_inside(i), transform_left_filter_feature_0_alls(i + 1));
+        transform_left_filter_feature_0_choice(14 * i + 10) := choice(transform_left_filter_feature_0_choice(14 * i +
+          8), is_set(transform_left_filter_column(2 * i, 1 - i), 7) and transform_filtering_0_column_inside(i) and (not
+          is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(14 * i + 9));
+        transform_left_filter_feature_0_choice(14 * i + 13) := not is_larger(transform_left_filter_column(2 * i, 2),
+          transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0(i, 2));
+        transform_left_filter_feature_0_choice(14 * i + 14) := choice(transform_left_filter_feature_0_choice(14 * i +
+          13), transform_filtering_0_column_inside(i) and is_set(transform_left_filter_column(2 * i, 2), 7) and (not
+          is_set(transform_left_filter_column(4, 1), 7)), transform_filtering_0_column_inside(i) and
+          (is_set(transform_left_filter_column(2 * i, 2), 7) or (not is_set(transform_left_filter_column(4, 1), 7))));
+      end loop;
+      transform_left_filter_feature_0_choice(31) := not is_larger(transform_left_filter_column(4, 0),
+        transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0_4_0);
+      transform_left_filter_feature_0_choice(32) := choice(is_set(transform_left_filter_column(4, 0), 7),
+        transform_filtering_0_column_inside(2), transform_filtering_0_column_inside(2) and (not
+        is_set(transform_left_filter_column(4, 1), 7)));
+      transform_left_filter_feature_0_choice(33) := choice(transform_left_filter_feature_0_choice(31),
+        is_set(transform_left_filter_column(4, 0), 7) and transform_filtering_0_column_inside(2) and (not
+        is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(32));
+      transform_left_filter_feature_0_choice(36) := not is_larger(transform_left_filter_column(4, 2),
+        transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0_4_4);
+      for i in 2 to 3 loop
+        transform_left_filter_feature_0_choice(14 * i + 9) := choice(transform_left_filter_feature_0_choice(14 * i +
+          8), transform_filtering_0_column_inside(i) and is_set(transform_left_filter_column(2 * i, 2), 7) and (not
+          is_set(transform_left_filter_column(4, 1), 7)), transform_filtering_0_column_inside(i) and
+          (is_set(transform_left_filter_column(2 * i, 2), 7) or (not is_set(transform_left_filter_column(4, 1), 7))));
+        transform_left_filter_feature_0_choice(14 * i + 12) := not is_larger(transform_left_filter_column(2 * i + 2,
+          1), transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0s(i + 1, 1));
+        transform_left_filter_feature_0_alls(i + 1) := transform_filtering_0_column_inside(i + 1) and (not
+          is_set(transform_left_filter_column(4, 1), 7));
+        transform_left_filter_feature_0_choice(14 * i + 13) := choice(is_set(transform_left_filter_column(2 * i + 2,
+          1), 7), transform_filtering_0_column_inside(i + 1), transform_left_filter_feature_0_alls(i + 1));
+        transform_left_filter_feature_0_choice(14 * i + 14) := choice(transform_left_filter_feature_0_choice(14 * i +
+          12), is_set(transform_left_filter_column(2 * i + 2, 1), 7) and transform_filtering_0_column_inside(i + 1) and
+          (not is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(14 * i + 13));
+        transform_left_filter_feature_0_choice(14 * i + 17) := not is_larger(transform_left_filter_column(2 * i + 2,
+          0), transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0s(i + 1, 0));
+        transform_left_filter_feature_0_choice(14 * i + 18) := choice(is_set(transform_left_filter_column(2 * i + 2,
+          0), 7), transform_filtering_0_column_inside(i + 1), transform_left_filter_feature_0_alls(i + 1));
+        transform_left_filter_feature_0_choice(14 * i + 19) := choice(transform_left_filter_feature_0_choice(14 * i +
+          17), is_set(transform_left_filter_column(2 * i + 2, 0), 7) and transform_filtering_0_column_inside(i + 1) and
+          (not is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(14 * i + 18));
+        transform_left_filter_feature_0_choice(14 * i + 22) := not is_larger(transform_left_filter_column(2 * i + 2,
+          2), transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0s(i + 1, 2));
+      end loop;
+      transform_left_filter_feature_0_choice(65) := choice(transform_left_filter_feature_0_choice(64),
+        transform_filtering_0_column_inside(4) and is_set(transform_left_filter_column(8, 2), 7) and (not
+        is_set(transform_left_filter_column(4, 1), 7)), transform_filtering_0_column_inside(4) and
+        (is_set(transform_left_filter_column(8, 2), 7) or (not is_set(transform_left_filter_column(4, 1), 7))));
+      transform_right_filter_low_is_larger_0_value(0, 0, 1) := is_set(transform_right_filter_column(4, 1), 1);
+      transform_right_filter_low_is_larger_0_value(0, 0, 2) := is_set(transform_right_filter_column(4, 1), 2);
+      transform_right_filter_low_is_larger_0_value(0, 0, 3) := is_set(transform_right_filter_column(0, 0), 2);
+      transform_right_filter_low_is_larger_0_choice_3(0, 0) := not is_larger(transform_right_filter_column(4, 1),
+        transform_right_filter_column(0, 0), 0, 2, true);
+      transform_right_filter_low_is_larger_0_value(0, 0, 4) := is_set(transform_right_filter_column(0, 0), 3);
+      transform_right_filter_low_is_larger_0_0_2_any := (not transform_right_filter_low_is_larger_0_value(0, 0, 1)) or
+        (not is_set(transform_right_filter_column(4, 1), 0));
+      transform_right_filter_low_is_larger_0_0_2_is_equal := (transform_right_filter_column(4, 1) mod 4) = 0;
+      for i in 0 to 1 loop
+        transform_right_filter_low_is_larger_0_choice_3(2 * i, 1 - i) := not is_larger(transform_right_filter_column(4
+          * i, 1 - i), transform_right_filter_column(4, 1), 0, 2, false);
+        transform_right_filter_low_is_larger_0_value(2 * i, 1 - i, 1) := is_set(transform_right_filter_column(4 * i, 1
+          - i), 3);
+        transform_right_filter_low_is_larger_0_choice_3(2 * i, 2) := not is_larger(transform_right_filter_column(4 * i,
+          2), transform_right_filter_column(4, 1), 0, 2, false);
+        transform_right_filter_low_is_larger_0_value(2 * i, 2, 1) := is_set(transform_right_filter_column(4 * i, 2), 3);
+        for j in 0 to 2 loop
+          transform_right_filter_low_is_larger_0_choice_3(2 * i + 1, j) := not
+            is_larger(transform_right_filter_column(4 * i + 2, j), transform_right_filter_column(4, 1), 0, 2, false);
+          transform_right_filter_low_is_larger_0_value(2 * i + 1, j, 1) := is_set(transform_right_filter_column(4 * i +
+            2, j), 3);
+        end loop;
+      end loop;
+      for i in 0 to 2 loop
+        transform_right_filter_low_is_larger_0_choice_3(4, i) := not is_larger(transform_right_filter_column(8, i),
+          transform_right_filter_column(4, 1), 0, 2, false);
+        transform_right_filter_low_is_larger_0_value(4, i, 1) := is_set(transform_right_filter_column(8, i), 3);
+      end loop;
+      transform_right_filter_feature_0_values(1) := is_set(transform_right_filter_column(4, 1), 4);
+      transform_right_filter_feature_0_values(2) := is_set(transform_right_filter_column(4, 1), 5);
+      transform_right_filter_feature_0_values(3) := is_set(transform_right_filter_column(4, 1), 6);
+      for i in 0 to 1 loop
+        transform_right_filter_feature_0_choice(15 * i + 3) := not is_larger(transform_right_filter_column(2 * i, i),
+          transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0(i, i));
+        transform_right_filter_feature_0_alls(i + 1) := (not is_set(transform_right_filter_column(4, 1), 7)) and
+          transform_filtering_0_column_inside(i);
+        transform_right_filter_feature_0_choice(15 * i + 4) := choice(is_set(transform_right_filter_column(2 * i, i),
+          7), transform_filtering_0_column_inside(i), transform_right_filter_feature_0_alls(i + 1));
+        transform_right_filter_feature_0_choice(15 * i + 5) := choice(transform_right_filter_feature_0_choice(15 * i +
+          3), is_set(transform_right_filter_column(2 * i, i), 7) and (not is_set(transform_right_filter_column(4, 1),
+          7)) and transform_filtering_0_column_inside(i), transform_right_filter_feature_0_choice(15 * i + 4));
+        transform_right_filter_feature_0_choice(15 * i + 8) := not is_larger(transform_right_filter_column(2 * i, 1 -
+          i), transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0(i, 1 - i));
+        transform_right_filter_feature_0_choice(15 * i + 9) := choice(is_set(transform_right_filter_column(2 * i, 1 -
+          i), 7), transform_filtering_0_column_inside(i), transform_right_filter_feature_0_alls(i + 1));
+        transform_right_filter_feature_0_choice(15 * i + 10) := choice(transform_right_filter_feature_0_choice(15 * i +
+          8), is_set(transform_right_filter_column(2 * i, 1 - i), 7) and (not is_set(transform_right_filter_column(4,
+          1), 7)) and transform_filtering_0_column_inside(i), transform_right_filter_feature_0_choice(15 * i + 9));
+        transform_right_filter_feature_0_choice(15 * i + 13) := not is_larger(transform_right_filter_column(2 * i, 2),
+          transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0(i, 2));
+        transform_right_filter_feature_0_choice(15 * i + 14) := choice(is_set(transform_right_filter_column(2 * i, 2),
+          7), transform_filtering_0_column_inside(i), transform_right_filter_feature_0_alls(i + 1));
+        transform_right_filter_feature_0_choice(15 * i + 15) := choice(transform_right_filter_feature_0_choice(15 * i +
+          13), is_set(transform_right_filter_column(2 * i, 2), 7) and (not is_set(transform_right_filter_column(4, 1),
+          7)) and transform_filtering_0_column_inside(i), transform_right_filter_feature_0_choice(15 * i + 14));
+      end loop;
+      transform_right_filter_feature_0_choice(33) := not is_larger(transform_right_filter_column(4, 0),
+        transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0_4_0);
+      transform_right_filter_feature_0_alls(3) := (not is_set(transform_right_filter_column(4, 1), 7)) and
+        transform_filtering_0_column_inside(2);
+      transform_right_filter_feature_0_choice(34) := choice(is_set(transform_right_filter_column(4, 0), 7),
+        transform_filtering_0_column_inside(2), transform_right_filter_feature_0_alls(3));
+      transform_right_filter_feature_0_choice(35) := choice(transform_right_filter_feature_0_choice(33),
+        is_set(transform_right_filter_column(4, 0), 7) and (not is_set(transform_right_filter_column(4, 1), 7)) and
+        transform_filtering_0_column_inside(2), transform_right_filter_feature_0_choice(34));
+      transform_right_filter_feature_0_choice(38) := not is_larger(transform_right_filter_column(4, 2),
+        transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0_4_4);
+      for i in 2 to 3 loop
+        transform_right_filter_feature_0_choice(15 * i + 9) := choice(is_set(transform_right_filter_column(2 * i, 2),
+          7), transform_filtering_0_column_inside(i), transform_right_filter_feature_0_alls(i + 1));
+        transform_right_filter_feature_0_choice(15 * i + 10) := choice(transform_right_filter_feature_0_choice(15 * i +
+          8), is_set(transform_right_filter_column(2 * i, 2), 7) and (not is_set(transform_right_filter_column(4, 1),
+          7)) and transform_filtering_0_column_inside(i), transform_right_filter_feature_0_choice(15 * i + 9));
+        transform_right_filter_feature_0_choice(15 * i + 13) := not is_larger(transform_right_filter_column(2 * i + 2,
+          1), transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0s(i + 1, 1));
+        transform_right_filter_feature_0_alls(i + 2) := (not is_set(transform_right_filter_column(4, 1), 7)) and
+          transform_filtering_0_column_inside(i + 1);
+        transform_right_filter_feature_0_choice(15 * i + 14) := choice(is_set(transform_right_filter_column(2 * i + 2,
+          1), 7), transform_filtering_0_column_inside(i + 1), transform_right_filter_feature_0_alls(i + 2));
+        transform_right_filter_feature_0_choice(15 * i + 15) := choice(transform_right_filter_feature_0_choice(15 * i +
+          13), is_set(transform_right_filter_column(2 * i + 2, 1), 7) and (not is_set(transform_right_filter_column(4,
+          1), 7)) and transform_filtering_0_column_inside(i + 1), transform_right_filter_feature_0_choice(15 * i + 14));
+        transform_right_filter_feature_0_choice(15 * i + 18) := not is_larger(transform_right_filter_column(2 * i + 2,
+          0), transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0s(i + 1, 0));
+        transform_right_filter_feature_0_choice(15 * i + 19) := choice(is_set(transform_right_filter_column(2 * i + 2,
+          0), 7), transform_filtering_0_column_inside(i + 1), transform_right_filter_feature_0_alls(i + 2));
+        transform_right_filter_feature_0_choice(15 * i + 20) := choice(transform_right_filter_feature_0_choice(15 * i +
+          18), is_set(transform_right_filter_column(2 * i + 2, 0), 7) and (not is_set(transform_right_filter_column(4,
+          1), 7)) and transform_filtering_0_column_inside(i + 1), transform_right_filter_feature_0_choice(15 * i + 19));
+        transform_right_filter_feature_0_choice(15 * i + 23) := not is_larger(transform_right_filter_column(2 * i + 2,
+          2), transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0s(i + 1, 2));
+      end loop;
+      transform_right_filter_feature_0_choice(69) := choice(is_set(transform_right_filter_column(8, 2), 7),
+        transform_filtering_0_column_inside(4), transform_right_filter_feature_0_alls(5));
+      transform_right_filter_feature_0_choice(70) := choice(transform_right_filter_feature_0_choice(68),
+        is_set(transform_right_filter_column(8, 2), 7) and (not is_set(transform_right_filter_column(4, 1), 7)) and
+        transform_filtering_0_column_inside(4), transform_right_filter_feature_0_choice(69));
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
@@ -1743,78 +1284,66 @@ begin
       transform_right_rows_ready_words_0 <= transform_right_rows_read_words_0;
       transform_right_rows_ready_newest_0 <= transform_right_rows_read_newest_0;
       transform_read_column <= transform_counter_column;
-      transform_read_column_inside_0 <= transform_read_column_inside_0_is_less;
-      transform_read_column_inside_2 <= (transform_counter_column < 2) /= transform_read_column_inside_0_is_less;
-      transform_read_column_inside_4 <= true;
-      transform_read_column_inside_6 <= (transform_counter_column < 6) /= transform_read_column_inside_0_is_less;
-      transform_read_column_inside_8 <= (transform_counter_column < 8) /= transform_read_column_inside_0_is_less;
+      transform_read_column_inside(0) <= transform_read_column_inside_0_is_less;
+      transform_read_column_inside(1) <= (transform_counter_column < 2) /= transform_read_column_inside_0_is_less;
+      transform_read_column_inside(2) <= true;
+      transform_read_column_inside(3) <= (transform_counter_column < 6) /= transform_read_column_inside_0_is_less;
+      transform_read_column_inside(4) <= (transform_counter_column < 8) /= transform_read_column_inside_0_is_less;
       transform_read_start_of_frame <= (transform_counter_group = 2) and (transform_counter_column = 4);
       transform_read_valid <= transform_valid;
       transform_ready_column <= transform_read_column;
-      transform_ready_row_inside_0 <= transform_reached_first_0 and (not transform_counter_next_frame_after);
-      transform_ready_row_inside_2 <= transform_reached_first_2 and (not transform_reached_beyond_last(3));
-      transform_ready_row_inside_4 <= transform_read_column_inside_4 and (not transform_reached_beyond_last(2));
-      transform_ready_column_inside_0 <= transform_read_column_inside_0;
-      transform_ready_column_inside_2 <= transform_read_column_inside_2;
-      transform_ready_column_inside_4 <= transform_reached_first_4;
-      transform_ready_column_inside_6 <= transform_read_column_inside_6;
-      transform_ready_column_inside_8 <= transform_read_column_inside_8;
+      transform_ready_row_inside(0) <= transform_reached_first(0) and (not transform_counter_next_frame_after);
+      transform_ready_row_inside(1) <= transform_reached_first(1) and (not transform_reached_beyond_last(3));
+      transform_ready_row_inside(2) <= transform_read_column_inside(2) and (not transform_reached_beyond_last(2));
+      transform_ready_column_inside(0 to 1) <= transform_read_column_inside(0 to 1);
+      transform_ready_column_inside(2) <= transform_reached_first(2);
+      transform_ready_column_inside(3 to 4) <= transform_read_column_inside(3 to 4);
       transform_ready_start_of_frame <= transform_read_start_of_frame;
       transform_ready_valid <= transform_read_valid;
-      transform_reached_first_0 <= 3 < transform_counter_group;
-      transform_reached_first_2 <= 1 < transform_counter_group;
-      transform_reached_first_4 <= (transform_counter_column < 4) /= transform_read_column_inside_0_is_less;
+      transform_reached_first(0) <= 3 < transform_counter_group;
+      transform_reached_first(1) <= 1 < transform_counter_group;
+      transform_reached_first(2) <= (transform_counter_column < 4) /= transform_read_column_inside_0_is_less;
       transform_reached_beyond_last(2) <= 479 < transform_counter_group;
       transform_reached_beyond_last(3) <= 481 < transform_counter_group;
-      transform_left_column_0 <= to_integer(transform_left_rows_ready_words_0(7 downto 0));
-      transform_left_column_2 <= to_integer(transform_left_rows_ready_words_0(23 downto 16));
-      transform_left_column_4 <= transform_left_rows_ready_newest_0;
-      transform_right_column_0 <= to_integer(transform_right_rows_ready_words_0(7 downto 0));
-      transform_right_column_2 <= to_integer(transform_right_rows_ready_words_0(23 downto 16));
-      transform_right_column_4 <= transform_right_rows_ready_newest_0;
-      transform_columns_row_inside_0 <= transform_ready_row_inside_0;
-      transform_columns_row_inside_2 <= transform_ready_row_inside_2;
-      transform_columns_row_inside_4 <= transform_ready_row_inside_4;
-      transform_columns_column_inside_0 <= transform_ready_column_inside_0;
-      transform_columns_column_inside_2 <= transform_ready_column_inside_2;
-      transform_columns_column_inside_4 <= transform_ready_column_inside_4;
-      transform_columns_column_inside_6 <= transform_ready_column_inside_6;
-      transform_columns_column_inside_8 <= transform_ready_column_inside_8;
+      transform_left_column(0) <= to_integer(transform_left_rows_ready_words_0(7 downto 0));
+      transform_left_column(1) <= to_integer(transform_left_rows_ready_words_0(23 downto 16));
+      transform_left_column(2) <= transform_left_rows_ready_newest_0;
+      transform_right_column(0) <= to_integer(transform_right_rows_ready_words_0(7 downto 0));
+      transform_right_column(1) <= to_integer(transform_right_rows_ready_words_0(23 downto 16));
+      transform_right_column(2) <= transform_right_rows_ready_newest_0;
+      transform_columns_row_inside <= transform_ready_row_inside;
+      transform_columns_column_inside <= transform_ready_column_inside;
       transform_columns_start_of_frame <= transform_ready_start_of_frame;
       transform_columns_valid <= transform_ready_valid;
-      transform_left_filter_feature_0 <= as_number(transform_left_filter_feature_0_choices(5)) +
-        (as_number(transform_left_filter_feature_0_choices(10)) * 2) +
-        (as_number(transform_left_filter_feature_0_choices(14)) * 4) +
-        (as_number(transform_left_filter_feature_0_choices(19)) * 16) +
-        (as_number(transform_left_filter_feature_0_choices(24)) * 8) +
-        (as_number(transform_left_filter_feature_0_choices(28)) * 32) +
-        (as_number(transform_left_filter_feature_0_choices(33)) * 64) +
-        (as_number(transform_left_filter_feature_0_choices(37)) * 128) +
-        (as_number(transform_left_filter_feature_0_choices(42)) * 512) +
-        (as_number(transform_left_filter_feature_0_choices(47)) * 256) +
-        (as_number(transform_left_filter_feature_0_choices(51)) * 1024) +
-        (as_number(transform_left_filter_feature_0_choices(56)) * 4096) +
-        (as_number(transform_left_filter_feature_0_choices(61)) * 2048) +
-        (as_number(transform_left_filter_feature_0_choices(65)) * 8192);
-      transform_right_filter_feature_0 <= as_number(transform_right_filter_feature_0_choices(5)) +
-        (as_number(transform_right_filter_feature_0_choices(10)) * 2) +
-        (as_number(transform_right_filter_feature_0_choices(15)) * 4) +
-        (as_number(transform_right_filter_feature_0_choices(20)) * 16) +
-        (as_number(transform_right_filter_feature_0_choices(25)) * 8) +
-        (as_number(transform_right_filter_feature_0_choices(30)) * 32) +
-        (as_number(transform_right_filter_feature_0_choices(35)) * 64) +
-        (as_number(transform_right_filter_feature_0_choices(40)) * 128) +
-        (as_number(transform_right_filter_feature_0_choices(45)) * 512) +
-        (as_number(transform_right_filter_feature_0_choices(50)) * 256) +
-        (as_number(transform_right_filter_feature_0_choices(55)) * 1024) +
-        (as_number(transform_right_filter_feature_0_choices(60)) * 4096) +
-        (as_number(transform_right_filter_feature_0_choices(65)) * 2048) +
-        (as_number(transform_right_filter_feature_0_choices(70)) * 8192);
-      transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
-      transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
-      transform_filtering_0_column_inside_4 <= transform_columns_column_inside_4;
-      transform_filtering_0_column_inside_6 <= transform_columns_column_inside_6;
-      transform_filtering_0_column_inside_8 <= transform_columns_column_inside_8;
+      transform_left_filter_feature_0 <= as_number(transform_left_filter_feature_0_choice(5)) +
+        (as_number(transform_left_filter_feature_0_choice(10)) * 2) +
+        (as_number(transform_left_filter_feature_0_choice(14)) * 4) +
+        (as_number(transform_left_filter_feature_0_choice(19)) * 16) +
+        (as_number(transform_left_filter_feature_0_choice(24)) * 8) +
+        (as_number(transform_left_filter_feature_0_choice(28)) * 32) +
+        (as_number(transform_left_filter_feature_0_choice(33)) * 64) +
+        (as_number(transform_left_filter_feature_0_choice(37)) * 128) +
+        (as_number(transform_left_filter_feature_0_choice(42)) * 512) +
+        (as_number(transform_left_filter_feature_0_choice(47)) * 256) +
+        (as_number(transform_left_filter_feature_0_choice(51)) * 1024) +
+        (as_number(transform_left_filter_feature_0_choice(56)) * 4096) +
+        (as_number(transform_left_filter_feature_0_choice(61)) * 2048) +
+        (as_number(transform_left_filter_feature_0_choice(65)) * 8192);
+      transform_right_filter_feature_0 <= as_number(transform_right_filter_feature_0_choice(5)) +
+        (as_number(transform_right_filter_feature_0_choice(10)) * 2) +
+        (as_number(transform_right_filter_feature_0_choice(15)) * 4) +
+        (as_number(transform_right_filter_feature_0_choice(20)) * 16) +
+        (as_number(transform_right_filter_feature_0_choice(25)) * 8) +
+        (as_number(transform_right_filter_feature_0_choice(30)) * 32) +
+        (as_number(transform_right_filter_feature_0_choice(35)) * 64) +
+        (as_number(transform_right_filter_feature_0_choice(40)) * 128) +
+        (as_number(transform_right_filter_feature_0_choice(45)) * 512) +
+        (as_number(transform_right_filter_feature_0_choice(50)) * 256) +
+        (as_number(transform_right_filter_feature_0_choice(55)) * 1024) +
+        (as_number(transform_right_filter_feature_0_choice(60)) * 4096) +
+        (as_number(transform_right_filter_feature_0_choice(65)) * 2048) +
+        (as_number(transform_right_filter_feature_0_choice(70)) * 8192);
+      transform_filtering_0_column_inside <= transform_columns_column_inside;
       transform_filtering_start_of_frame(0) <= transform_columns_start_of_frame;
       transform_filtering_valid(0) <= transform_columns_valid;
       transform_filtering_start_of_frame(1) <= transform_filtering_start_of_frame(0);
@@ -1827,75 +1356,49 @@ begin
         1024);
       transform_counter_group_after <= choice((not transform_counter_counts) or (not transform_counter_last_column),
         transform_counter_group, transform_counter_group_after_choice);
-      transform_left_filter_low_is_larger_0_0_0 <= carry(transform_left_filter_low_is_larger_0_0_0_choices(3), not
-        is_set(transform_left_filter_column_2(4), 3), transform_left_filter_low_is_larger_0_0_0_values(4));
-      transform_left_filter_low_is_larger_0_0_2 <= inverted_carry(transform_left_filter_low_is_larger_0_0_2_choices(3),
-        transform_left_filter_low_is_larger_0_0_2_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_left_filter_low_is_larger_0_0_4 <= inverted_carry(transform_left_filter_low_is_larger_0_0_4_choices(3),
-        transform_left_filter_low_is_larger_0_0_4_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_left_filter_low_is_larger_0_2_0 <= inverted_carry(transform_left_filter_low_is_larger_0_2_0_choices(3),
-        transform_left_filter_low_is_larger_0_2_0_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_left_filter_low_is_larger_0_2_2 <= inverted_carry(transform_left_filter_low_is_larger_0_2_2_choices(3),
-        transform_left_filter_low_is_larger_0_2_2_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_left_filter_low_is_larger_0_2_4 <= inverted_carry(transform_left_filter_low_is_larger_0_2_4_choices(3),
-        transform_left_filter_low_is_larger_0_2_4_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_left_filter_low_is_larger_0_4_0 <= inverted_carry(transform_left_filter_low_is_larger_0_4_0_choices(3),
-        transform_left_filter_low_is_larger_0_4_0_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_left_filter_low_is_larger_0_4_4 <= inverted_carry(transform_left_filter_low_is_larger_0_4_4_choices(3),
-        transform_left_filter_low_is_larger_0_4_4_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_left_filter_low_is_larger_0_6_0 <= inverted_carry(transform_left_filter_low_is_larger_0_6_0_choices(3),
-        transform_left_filter_low_is_larger_0_6_0_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_left_filter_low_is_larger_0_6_2 <= inverted_carry(transform_left_filter_low_is_larger_0_6_2_choices(3),
-        transform_left_filter_low_is_larger_0_6_2_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_left_filter_low_is_larger_0_6_4 <= inverted_carry(transform_left_filter_low_is_larger_0_6_4_choices(3),
-        transform_left_filter_low_is_larger_0_6_4_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_left_filter_low_is_larger_0_8_0 <= inverted_carry(transform_left_filter_low_is_larger_0_8_0_choices(3),
-        transform_left_filter_low_is_larger_0_8_0_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_left_filter_low_is_larger_0_8_2 <= inverted_carry(transform_left_filter_low_is_larger_0_8_2_choices(3),
-        transform_left_filter_low_is_larger_0_8_2_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_left_filter_low_is_larger_0_8_4 <= inverted_carry(transform_left_filter_low_is_larger_0_8_4_choices(3),
-        transform_left_filter_low_is_larger_0_8_4_value, not is_set(transform_left_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_0_0 <= carry(transform_right_filter_low_is_larger_0_0_0_choices(3), not
-        is_set(transform_right_filter_column_2(4), 3), transform_right_filter_low_is_larger_0_0_0_values(4));
-      transform_right_filter_low_is_larger_0_0_2 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_0_2_choices(3),
-        transform_right_filter_low_is_larger_0_0_2_value, not is_set(transform_right_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_0_4 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_0_4_choices(3),
-        transform_right_filter_low_is_larger_0_0_4_value, not is_set(transform_right_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_2_0 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_2_0_choices(3),
-        transform_right_filter_low_is_larger_0_2_0_value, not is_set(transform_right_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_2_2 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_2_2_choices(3),
-        transform_right_filter_low_is_larger_0_2_2_value, not is_set(transform_right_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_2_4 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_2_4_choices(3),
-        transform_right_filter_low_is_larger_0_2_4_value, not is_set(transform_right_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_4_0 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_4_0_choices(3),
-        transform_right_filter_low_is_larger_0_4_0_value, not is_set(transform_right_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_4_4 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_4_4_choices(3),
-        transform_right_filter_low_is_larger_0_4_4_value, not is_set(transform_right_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_6_0 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_6_0_choices(3),
-        transform_right_filter_low_is_larger_0_6_0_value, not is_set(transform_right_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_6_2 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_6_2_choices(3),
-        transform_right_filter_low_is_larger_0_6_2_value, not is_set(transform_right_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_6_4 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_6_4_choices(3),
-        transform_right_filter_low_is_larger_0_6_4_value, not is_set(transform_right_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_8_0 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_8_0_choices(3),
-        transform_right_filter_low_is_larger_0_8_0_value, not is_set(transform_right_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_8_2 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_8_2_choices(3),
-        transform_right_filter_low_is_larger_0_8_2_value, not is_set(transform_right_filter_column_2(4), 3));
-      transform_right_filter_low_is_larger_0_8_4 <=
-        inverted_carry(transform_right_filter_low_is_larger_0_8_4_choices(3),
-        transform_right_filter_low_is_larger_0_8_4_value, not is_set(transform_right_filter_column_2(4), 3));
+      transform_left_filter_low_is_larger_0(0, 0) <= carry(transform_left_filter_low_is_larger_0_choice_3(0, 0), not
+        is_set(transform_left_filter_column(4, 1), 3), transform_left_filter_low_is_larger_0_value(0, 0, 4));
+      transform_left_filter_low_is_larger_0(0, 1) <= inverted_carry(transform_left_filter_low_is_larger_0_choice_3(0,
+        1), transform_left_filter_low_is_larger_0_value(0, 1, 1), not is_set(transform_left_filter_column(4, 1), 3));
+      transform_left_filter_low_is_larger_0(0, 2) <= inverted_carry(transform_left_filter_low_is_larger_0_choice_3(0,
+        2), transform_left_filter_low_is_larger_0_value(0, 2, 1), not is_set(transform_left_filter_column(4, 1), 3));
+      for i in 0 to 2 loop
+        transform_left_filter_low_is_larger_0(1, i) <= inverted_carry(transform_left_filter_low_is_larger_0_choice_3(1,
+          i), transform_left_filter_low_is_larger_0_value(1, i, 1), not is_set(transform_left_filter_column(4, 1), 3));
+      end loop;
+      transform_left_filter_low_is_larger_0_4_0 <= inverted_carry(transform_left_filter_low_is_larger_0_choice_3(2, 0),
+        transform_left_filter_low_is_larger_0_value(2, 0, 1), not is_set(transform_left_filter_column(4, 1), 3));
+      transform_left_filter_low_is_larger_0_4_4 <= inverted_carry(transform_left_filter_low_is_larger_0_choice_3(2, 2),
+        transform_left_filter_low_is_larger_0_value(2, 2, 1), not is_set(transform_left_filter_column(4, 1), 3));
+      for i in 3 to 4 loop
+        for j in 0 to 2 loop
+          transform_left_filter_low_is_larger_0s(i, j) <=
+            inverted_carry(transform_left_filter_low_is_larger_0_choice_3(i, j),
+            transform_left_filter_low_is_larger_0_value(i, j, 1), not is_set(transform_left_filter_column(4, 1), 3));
+        end loop;
+      end loop;
+      transform_right_filter_low_is_larger_0(0, 0) <= carry(transform_right_filter_low_is_larger_0_choice_3(0, 0), not
+        is_set(transform_right_filter_column(4, 1), 3), transform_right_filter_low_is_larger_0_value(0, 0, 4));
+      transform_right_filter_low_is_larger_0(0, 1) <= inverted_carry(transform_right_filter_low_is_larger_0_choice_3(0,
+        1), transform_right_filter_low_is_larger_0_value(0, 1, 1), not is_set(transform_right_filter_column(4, 1), 3));
+      transform_right_filter_low_is_larger_0(0, 2) <= inverted_carry(transform_right_filter_low_is_larger_0_choice_3(0,
+        2), transform_right_filter_low_is_larger_0_value(0, 2, 1), not is_set(transform_right_filter_column(4, 1), 3));
+      for i in 0 to 2 loop
+        transform_right_filter_low_is_larger_0(1, i) <=
+          inverted_carry(transform_right_filter_low_is_larger_0_choice_3(1, i),
+          transform_right_filter_low_is_larger_0_value(1, i, 1), not is_set(transform_right_filter_column(4, 1), 3));
+      end loop;
+      transform_right_filter_low_is_larger_0_4_0 <= inverted_carry(transform_right_filter_low_is_larger_0_choice_3(2,
+        0), transform_right_filter_low_is_larger_0_value(2, 0, 1), not is_set(transform_right_filter_column(4, 1), 3));
+      transform_right_filter_low_is_larger_0_4_4 <= inverted_carry(transform_right_filter_low_is_larger_0_choice_3(2,
+        2), transform_right_filter_low_is_larger_0_value(2, 2, 1), not is_set(transform_right_filter_column(4, 1), 3));
+      for i in 3 to 4 loop
+        for j in 0 to 2 loop
+          transform_right_filter_low_is_larger_0s(i, j) <=
+            inverted_carry(transform_right_filter_low_is_larger_0_choice_3(i, j),
+            transform_right_filter_low_is_larger_0_value(i, j, 1), not is_set(transform_right_filter_column(4, 1), 3));
+        end loop;
+      end loop;
       transform_counter_group_choice := choice(transform_counter_next_frame, 15, 0);
       if in_valid then
         transform_counter_column <= choice(in_start_of_frame, 0, transform_counter_column_after);
@@ -1915,21 +1418,19 @@ begin
       end if;
       if transform_columns_valid then
         for i in 1 to 8 loop
-          transform_left_filter_column_0(i) <= transform_left_filter_column_0(i - 1);
-          transform_left_filter_column_2(i) <= transform_left_filter_column_2(i - 1);
-          transform_left_filter_column_4(i) <= transform_left_filter_column_4(i - 1);
+          transform_left_filter_column(i, 0) <= transform_left_filter_column(i - 1, 0);
+          transform_left_filter_column(i, 1) <= transform_left_filter_column(i - 1, 1);
+          transform_left_filter_column(i, 2) <= transform_left_filter_column(i - 1, 2);
         end loop;
         for i in 1 to 8 loop
-          transform_right_filter_column_0(i) <= transform_right_filter_column_0(i - 1);
-          transform_right_filter_column_2(i) <= transform_right_filter_column_2(i - 1);
-          transform_right_filter_column_4(i) <= transform_right_filter_column_4(i - 1);
+          transform_right_filter_column(i, 0) <= transform_right_filter_column(i - 1, 0);
+          transform_right_filter_column(i, 1) <= transform_right_filter_column(i - 1, 1);
+          transform_right_filter_column(i, 2) <= transform_right_filter_column(i - 1, 2);
         end loop;
-        transform_left_filter_column_0(0) <= choice(transform_columns_row_inside_0, transform_left_column_0, 0);
-        transform_right_filter_column_0(0) <= choice(transform_columns_row_inside_0, transform_right_column_0, 0);
-        transform_left_filter_column_2(0) <= choice(transform_columns_row_inside_2, transform_left_column_2, 0);
-        transform_right_filter_column_2(0) <= choice(transform_columns_row_inside_2, transform_right_column_2, 0);
-        transform_left_filter_column_4(0) <= choice(transform_columns_row_inside_4, transform_left_column_4, 0);
-        transform_right_filter_column_4(0) <= choice(transform_columns_row_inside_4, transform_right_column_4, 0);
+        for i in 0 to 2 loop
+          transform_left_filter_column(0, i) <= choice(transform_columns_row_inside(i), transform_left_column(i), 0);
+          transform_right_filter_column(0, i) <= choice(transform_columns_row_inside(i), transform_right_column(i), 0);
+        end loop;
       end if;
       -- raster
       raster_place_next_frame_is_equal := raster_place_column = 639;
@@ -2419,8 +1920,8 @@ begin
       pathsabove_smallest_total_choice := choice(line_comes(12), 63, pathsabove_smallest_total);
       pathsabove_count_phase_is_equal := pathsabove_count_phase = 7;
       pathsabove_count_phase_choice := choice(pathsabove_count_phase_is_equal, 7, (pathsabove_count_phase + 1) mod 8);
-      pathsabove_beside_0_choice := choice(pathsabove_count_phase = 0, pathsabove_held(1), pathsabove_lower_neighbour);
-      pathsabove_beside_7_choice := choice(pathsabove_count_phase_is_equal, pathsabove_held(6), pathsabove_cost(0));
+      pathsabove_beside_choice(0) := choice(pathsabove_count_phase = 0, pathsabove_held(1), pathsabove_lower_neighbour);
+      pathsabove_beside_choice(7) := choice(pathsabove_count_phase_is_equal, pathsabove_held(6), pathsabove_cost(0));
       pathsabove_write_address_address_choice := choice(line_places_shown_first_column(2), 0,
         (pathsabove_write_address_address + 1) mod 8192);
       pathsabove_write_address_count_phase_choice := choice(pathsabove_write_address_count_phase = 7, 7,
@@ -2482,14 +1983,14 @@ begin
       pathsabove_smallest_total <= choice((pathsabove_tree_next_next_smallest_0 - pathsabove_smallest_total_choice) <
         0, pathsabove_tree_next_next_smallest_0, pathsabove_smallest_total_choice);
       pathsabove_count_phase <= choice(line_starts_phases(22), 0, pathsabove_count_phase_choice);
-      pathsabove_beside(0) <= choice((pathsabove_held(1) - pathsabove_beside_0_choice) < 0, pathsabove_held(1),
-        pathsabove_beside_0_choice);
+      pathsabove_beside(0) <= choice((pathsabove_held(1) - pathsabove_beside_choice(0)) < 0, pathsabove_held(1),
+        pathsabove_beside_choice(0));
       for i in 1 to 6 loop
         pathsabove_beside(i) <= choice((pathsabove_held(i + 1) - pathsabove_held(i - 1)) < 0, pathsabove_held(i + 1),
           pathsabove_held(i - 1));
       end loop;
-      pathsabove_beside(7) <= choice((pathsabove_beside_7_choice - pathsabove_held(6)) < 0, pathsabove_beside_7_choice,
-        pathsabove_held(6));
+      pathsabove_beside(7) <= choice((pathsabove_beside_choice(7) - pathsabove_held(6)) < 0,
+        pathsabove_beside_choice(7), pathsabove_held(6));
       for i in 0 to 6 loop
         pathsabove_stay(i) <= choice(pathsabove_own(i) < 31, pathsabove_own(i) mod 32, 31);
       end loop;
@@ -2610,18 +2111,19 @@ begin
         8192);
       pathsturn_write_address_count_phase <= choice(line_starts_phases(19), 0,
         pathsturn_write_address_count_phase_choice);
-      pathsturn_sum_memory_write_words_0_0_sum := pathsleft_cost(2) + pathsabove_cost(2);
+      pathsturn_sum_memory_write_words_0_sum(0) := pathsleft_cost(2) + pathsabove_cost(2);
       pathsturn_sum_memory_write_words_0_sum_2(0) := (((pathsleft_cost(1) + pathsabove_cost(1)) mod 128) * 128) +
-        ((pathsleft_cost(0) + pathsabove_cost(0)) mod 128) + ((pathsturn_sum_memory_write_words_0_0_sum mod 4) * 16384);
-      pathsturn_sum_memory_write_words_0_1_sum := pathsleft_cost(4) + pathsabove_cost(4);
+        ((pathsleft_cost(0) + pathsabove_cost(0)) mod 128) + ((pathsturn_sum_memory_write_words_0_sum(0) mod 4) *
+        16384);
+      pathsturn_sum_memory_write_words_0_sum(1) := pathsleft_cost(4) + pathsabove_cost(4);
       pathsturn_sum_memory_write_words_0_sum_2(1) := (((pathsleft_cost(3) + pathsabove_cost(3)) mod 128) * 32) +
-        ((pathsturn_sum_memory_write_words_0_0_sum mod 128) / 4) + ((pathsturn_sum_memory_write_words_0_1_sum mod 16) *
-        4096);
-      pathsturn_sum_memory_write_words_0_2_sum := pathsleft_cost(6) + pathsabove_cost(6);
+        ((pathsturn_sum_memory_write_words_0_sum(0) mod 128) / 4) + ((pathsturn_sum_memory_write_words_0_sum(1) mod 16)
+        * 4096);
+      pathsturn_sum_memory_write_words_0_sum(2) := pathsleft_cost(6) + pathsabove_cost(6);
       pathsturn_sum_memory_write_words_0_sum_2(2) := (((pathsleft_cost(5) + pathsabove_cost(5)) mod 128) * 8) +
-        ((pathsturn_sum_memory_write_words_0_1_sum mod 128) / 16) + ((pathsturn_sum_memory_write_words_0_2_sum mod 64)
-        * 1024);
-      pathsturn_sum_memory_write_words_0_3_sum := ((pathsturn_sum_memory_write_words_0_2_sum mod 128) / 64) +
+        ((pathsturn_sum_memory_write_words_0_sum(1) mod 128) / 16) + ((pathsturn_sum_memory_write_words_0_sum(2) mod
+        64) * 1024);
+      pathsturn_sum_memory_write_words_0_3_sum := ((pathsturn_sum_memory_write_words_0_sum(2) mod 128) / 64) +
         (((pathsleft_cost(7) + pathsabove_cost(7)) mod 128) * 2);
       pathsturn_sum_memory_write_words_0_all(0) := (pathsturn_sum_write_address(1) < 4096) and pathsturn_writes_sums(1);
       if pathsturn_sum_memory_write_words_0_all(0) then
@@ -2930,51 +2432,29 @@ begin
       end if;
       -- winnerswinner2
       for i in 0 to 1 loop
-        winnerswinner2_best_index_0_choice(i, 1) := choice(is_set(winnerswinner1_best_cost_0(2 * i), 0), (not
-          is_set(winnerswinner1_best_cost_0(2 * i + 1), 1)) or (not is_set(winnerswinner1_best_cost_0(2 * i + 1), 0)),
-          not is_set(winnerswinner1_best_cost_0(2 * i + 1), 1));
-        winnerswinner2_best_index_0_choice(i, 2) := choice(is_set(winnerswinner1_best_cost_0(2 * i), 1),
-          winnerswinner2_best_index_0_choice(i, 1), is_set(winnerswinner1_best_cost_0(2 * i), 0) and
-          ((winnerswinner1_best_cost_0(2 * i + 1) mod 4) = 0));
-        winnerswinner2_best_index_0_value(i, 1) := is_set(winnerswinner1_best_cost_0(2 * i + 1), 2);
-        winnerswinner2_best_index_0_choice(i, 3) := inverted_carry(winnerswinner2_best_index_0_choice(i, 2), not
-          is_set(winnerswinner1_best_cost_0(2 * i), 2), winnerswinner2_best_index_0_value(i, 1));
-        for j in 2 to 5 loop
+        for j in 1 to 5 loop
           winnerswinner2_best_index_0_value(i, j) := is_set(winnerswinner1_best_cost_0(2 * i + 1), j + 1);
-          winnerswinner2_best_index_0_choice(i, j + 2) := carry(winnerswinner2_best_index_0_choice(i, j + 1), not
-            is_set(winnerswinner1_best_cost_0(2 * i), j + 1), winnerswinner2_best_index_0_value(i, j));
         end loop;
-        winnerswinner2_best_index_0_choice(i, 8) := inverted_carry(winnerswinner2_best_index_0_choice(i, 7),
-          is_set(winnerswinner1_best_cost_0(2 * i), 7), not is_set(winnerswinner1_best_cost_0(2 * i + 1), 7));
+        winnerswinner2_best_index_0_choice_8(i) := is_larger(winnerswinner1_best_cost_0(2 * i),
+          winnerswinner1_best_cost_0(2 * i + 1), 0, 7, false);
       end loop;
       winnerswinner2_best_cost_0(0) <= choice((winnerswinner1_best_cost_0(1) - winnerswinner1_best_cost_0(0)) < 0,
         winnerswinner1_best_cost_0(1), winnerswinner1_best_cost_0(0));
       winnerswinner2_best_cost_0(1) <= choice((winnerswinner1_best_cost_0(3) - winnerswinner1_best_cost_0(2)) < 0,
         winnerswinner1_best_cost_0(3), winnerswinner1_best_cost_0(2));
-      winnerswinner2_best_index_0(0) <= choice(winnerswinner2_best_index_0_choice(0, 8),
-        winnerswinner1_best_index_0(1), as_number(winnerswinner1_best_index_0_0));
-      winnerswinner2_best_index_0(1) <= choice(winnerswinner2_best_index_0_choice(1, 8),
-        winnerswinner1_best_index_0(3), winnerswinner1_best_index_0(2));
+      winnerswinner2_best_index_0(0) <= choice(winnerswinner2_best_index_0_choice_8(0), winnerswinner1_best_index_0(1),
+        as_number(winnerswinner1_best_index_0_0));
+      winnerswinner2_best_index_0(1) <= choice(winnerswinner2_best_index_0_choice_8(1), winnerswinner1_best_index_0(3),
+        winnerswinner1_best_index_0(2));
       -- winnerswinner3
-      winnerswinner3_best_index_0_0_choices(1) := choice(is_set(winnerswinner2_best_cost_0(0), 0), (not
-        is_set(winnerswinner2_best_cost_0(1), 1)) or (not is_set(winnerswinner2_best_cost_0(1), 0)), not
-        is_set(winnerswinner2_best_cost_0(1), 1));
-      winnerswinner3_best_index_0_0_choices(2) := choice(is_set(winnerswinner2_best_cost_0(0), 1),
-        winnerswinner3_best_index_0_0_choices(1), is_set(winnerswinner2_best_cost_0(0), 0) and
-        ((winnerswinner2_best_cost_0(1) mod 4) = 0));
-      winnerswinner3_best_index_0_0_values(1) := is_set(winnerswinner2_best_cost_0(1), 2);
-      winnerswinner3_best_index_0_0_choices(3) := inverted_carry(winnerswinner3_best_index_0_0_choices(2), not
-        is_set(winnerswinner2_best_cost_0(0), 2), winnerswinner3_best_index_0_0_values(1));
-      for i in 2 to 5 loop
+      for i in 1 to 5 loop
         winnerswinner3_best_index_0_0_values(i) := is_set(winnerswinner2_best_cost_0(1), i + 1);
-        winnerswinner3_best_index_0_0_choices(i + 2) := carry(winnerswinner3_best_index_0_0_choices(i + 1), not
-          is_set(winnerswinner2_best_cost_0(0), i + 1), winnerswinner3_best_index_0_0_values(i));
       end loop;
-      winnerswinner3_best_index_0_0_choices(8) := inverted_carry(winnerswinner3_best_index_0_0_choices(7),
-        is_set(winnerswinner2_best_cost_0(0), 7), not is_set(winnerswinner2_best_cost_0(1), 7));
+      winnerswinner3_best_index_0_0_choice_8 := is_larger(winnerswinner2_best_cost_0(0), winnerswinner2_best_cost_0(1),
+        0, 7, false);
       winnerswinner3_best_cost_0_0 <= choice((winnerswinner2_best_cost_0(1) - winnerswinner2_best_cost_0(0)) < 0,
         winnerswinner2_best_cost_0(1), winnerswinner2_best_cost_0(0));
-      winnerswinner3_best_index_0_0 <= choice(winnerswinner3_best_index_0_0_choices(8), winnerswinner2_best_index_0(1),
+      winnerswinner3_best_index_0_0 <= choice(winnerswinner3_best_index_0_0_choice_8, winnerswinner2_best_index_0(1),
         winnerswinner2_best_index_0(0));
       -- winners
       winners_best_cost_0_0_choice := choice(line_comes(26), 511, winners_best_cost_0_0);
@@ -3130,117 +2610,35 @@ begin
       map_window_complete_choice := choice(map_window_complete_is_equal, map_sorted_behind, map_sorted_arrives or
         map_sorted_behind);
       map_of_low_0_b_below_a_values(1) := is_set(map_low_0(0), 1);
-      map_of_low_0_b_below_a_choices(1) := choice(is_set(map_low_0(0), 0), (not is_set(map_low_0(1), 1)) or (not
-        is_set(map_low_0(1), 0)), not is_set(map_low_0(1), 1));
       map_of_low_0_b_below_a_is_equal := (map_low_0(1) mod 4) = 0;
-      map_of_low_0_b_below_a_choices(2) := choice(map_of_low_0_b_below_a_values(1), map_of_low_0_b_below_a_choices(1),
-        is_set(map_low_0(0), 0) and map_of_low_0_b_below_a_is_equal);
-      map_of_low_0_b_below_a_values(2) := is_set(map_low_0(0), 2);
-      map_of_low_0_b_below_a_values(3) := is_set(map_low_0(1), 2);
-      map_of_low_0_b_below_a_choices(3) := inverted_carry(map_of_low_0_b_below_a_choices(2), not
-        map_of_low_0_b_below_a_values(2), map_of_low_0_b_below_a_values(3));
-      for i in 3 to 6 loop
+      for i in 2 to 6 loop
         map_of_low_0_b_below_a_values(2 * i - 2) := is_set(map_low_0(0), i);
         map_of_low_0_b_below_a_values(2 * i - 1) := is_set(map_low_0(1), i);
-        map_of_low_0_b_below_a_choices(i + 1) := carry(map_of_low_0_b_below_a_choices(i), not
-          map_of_low_0_b_below_a_values(2 * i - 2), map_of_low_0_b_below_a_values(2 * i - 1));
       end loop;
+      map_of_low_0_b_below_a_choice_7 := not is_larger(map_low_0(0), map_low_0(1), 0, 6, false);
       map_of_low_0_c_below_a_value := is_set(map_low_0(2), 1);
-      map_of_low_0_c_below_a_choices(1) := choice(is_set(map_low_0(2), 0), not map_of_low_0_b_below_a_values(1),
-        (map_low_0(0) mod 4) = 0);
-      map_of_low_0_c_below_a_choices(2) := choice(map_of_low_0_c_below_a_value, is_set(map_low_0(2), 0) or (not
-        map_of_low_0_b_below_a_values(1)) or (not is_set(map_low_0(0), 0)), map_of_low_0_c_below_a_choices(1));
-      map_of_low_0_c_below_a_choices(3) := inverted_carry(map_of_low_0_c_below_a_choices(2), not is_set(map_low_0(2),
-        2), map_of_low_0_b_below_a_values(2));
-      for i in 4 to 7 loop
-        map_of_low_0_c_below_a_choices(i) := carry(map_of_low_0_c_below_a_choices(i - 1), not is_set(map_low_0(2), i -
-          1), map_of_low_0_b_below_a_values(2 * i - 4));
-      end loop;
-      map_of_low_0_c_below_b_choices(1) := choice(is_set(map_low_0(2), 0), not is_set(map_low_0(1), 1),
-        map_of_low_0_b_below_a_is_equal);
-      map_of_low_0_c_below_b_choices(2) := choice(map_of_low_0_c_below_a_value, is_set(map_low_0(2), 0) or (not
-        is_set(map_low_0(1), 1)) or (not is_set(map_low_0(1), 0)), map_of_low_0_c_below_b_choices(1));
-      map_of_low_0_c_below_b_choices(3) := inverted_carry(map_of_low_0_c_below_b_choices(2), not is_set(map_low_0(2),
-        2), map_of_low_0_b_below_a_values(3));
-      for i in 4 to 7 loop
-        map_of_low_0_c_below_b_choices(i) := carry(map_of_low_0_c_below_b_choices(i - 1), not is_set(map_low_0(2), i -
-          1), map_of_low_0_b_below_a_values(2 * i - 3));
-      end loop;
+      map_of_low_0_c_below_a_choice_7 := not is_larger(map_low_0(2), map_low_0(0), 0, 6, true);
+      map_of_low_0_c_below_b_choice_7 := not is_larger(map_low_0(2), map_low_0(1), 0, 6, true);
       map_of_middle_0_b_below_a_values(1) := is_set(map_middle_0(0), 1);
-      map_of_middle_0_b_below_a_choices(1) := choice(is_set(map_middle_0(0), 0), (not is_set(map_middle_0(1), 1)) or
-        (not is_set(map_middle_0(1), 0)), not is_set(map_middle_0(1), 1));
       map_of_middle_0_b_below_a_is_equal := (map_middle_0(1) mod 4) = 0;
-      map_of_middle_0_b_below_a_choices(2) := choice(map_of_middle_0_b_below_a_values(1),
-        map_of_middle_0_b_below_a_choices(1), is_set(map_middle_0(0), 0) and map_of_middle_0_b_below_a_is_equal);
-      map_of_middle_0_b_below_a_values(2) := is_set(map_middle_0(0), 2);
-      map_of_middle_0_b_below_a_values(3) := is_set(map_middle_0(1), 2);
-      map_of_middle_0_b_below_a_choices(3) := inverted_carry(map_of_middle_0_b_below_a_choices(2), not
-        map_of_middle_0_b_below_a_values(2), map_of_middle_0_b_below_a_values(3));
-      for i in 3 to 6 loop
+      for i in 2 to 6 loop
         map_of_middle_0_b_below_a_values(2 * i - 2) := is_set(map_middle_0(0), i);
         map_of_middle_0_b_below_a_values(2 * i - 1) := is_set(map_middle_0(1), i);
-        map_of_middle_0_b_below_a_choices(i + 1) := carry(map_of_middle_0_b_below_a_choices(i), not
-          map_of_middle_0_b_below_a_values(2 * i - 2), map_of_middle_0_b_below_a_values(2 * i - 1));
       end loop;
+      map_of_middle_0_b_below_a_choice_7 := not is_larger(map_middle_0(0), map_middle_0(1), 0, 6, false);
       map_of_middle_0_c_below_a_value := is_set(map_middle_0(2), 1);
-      map_of_middle_0_c_below_a_choices(1) := choice(is_set(map_middle_0(2), 0), not
-        map_of_middle_0_b_below_a_values(1), (map_middle_0(0) mod 4) = 0);
-      map_of_middle_0_c_below_a_choices(2) := choice(map_of_middle_0_c_below_a_value, is_set(map_middle_0(2), 0) or
-        (not map_of_middle_0_b_below_a_values(1)) or (not is_set(map_middle_0(0), 0)),
-        map_of_middle_0_c_below_a_choices(1));
-      map_of_middle_0_c_below_a_choices(3) := inverted_carry(map_of_middle_0_c_below_a_choices(2), not
-        is_set(map_middle_0(2), 2), map_of_middle_0_b_below_a_values(2));
-      for i in 4 to 7 loop
-        map_of_middle_0_c_below_a_choices(i) := carry(map_of_middle_0_c_below_a_choices(i - 1), not
-          is_set(map_middle_0(2), i - 1), map_of_middle_0_b_below_a_values(2 * i - 4));
-      end loop;
-      map_of_middle_0_c_below_b_choices(1) := choice(is_set(map_middle_0(2), 0), not is_set(map_middle_0(1), 1),
-        map_of_middle_0_b_below_a_is_equal);
-      map_of_middle_0_c_below_b_choices(2) := choice(map_of_middle_0_c_below_a_value, is_set(map_middle_0(2), 0) or
-        (not is_set(map_middle_0(1), 1)) or (not is_set(map_middle_0(1), 0)), map_of_middle_0_c_below_b_choices(1));
-      map_of_middle_0_c_below_b_choices(3) := inverted_carry(map_of_middle_0_c_below_b_choices(2), not
-        is_set(map_middle_0(2), 2), map_of_middle_0_b_below_a_values(3));
-      for i in 4 to 7 loop
-        map_of_middle_0_c_below_b_choices(i) := carry(map_of_middle_0_c_below_b_choices(i - 1), not
-          is_set(map_middle_0(2), i - 1), map_of_middle_0_b_below_a_values(2 * i - 3));
-      end loop;
+      map_of_middle_0_c_below_a_choice_7 := not is_larger(map_middle_0(2), map_middle_0(0), 0, 6, true);
+      map_of_middle_0_c_below_b_choice_7 := not is_larger(map_middle_0(2), map_middle_0(1), 0, 6, true);
       map_of_high_0_b_below_a_values(1) := is_set(map_high_0(0), 1);
-      map_of_high_0_b_below_a_choices(1) := choice(is_set(map_high_0(0), 0), (not is_set(map_high_0(1), 1)) or (not
-        is_set(map_high_0(1), 0)), not is_set(map_high_0(1), 1));
       map_of_high_0_b_below_a_is_equal := (map_high_0(1) mod 4) = 0;
-      map_of_high_0_b_below_a_choices(2) := choice(map_of_high_0_b_below_a_values(1),
-        map_of_high_0_b_below_a_choices(1), is_set(map_high_0(0), 0) and map_of_high_0_b_below_a_is_equal);
-      map_of_high_0_b_below_a_values(2) := is_set(map_high_0(0), 2);
-      map_of_high_0_b_below_a_values(3) := is_set(map_high_0(1), 2);
-      map_of_high_0_b_below_a_choices(3) := inverted_carry(map_of_high_0_b_below_a_choices(2), not
-        map_of_high_0_b_below_a_values(2), map_of_high_0_b_below_a_values(3));
-      for i in 3 to 6 loop
+      for i in 2 to 6 loop
         map_of_high_0_b_below_a_values(2 * i - 2) := is_set(map_high_0(0), i);
         map_of_high_0_b_below_a_values(2 * i - 1) := is_set(map_high_0(1), i);
-        map_of_high_0_b_below_a_choices(i + 1) := carry(map_of_high_0_b_below_a_choices(i), not
-          map_of_high_0_b_below_a_values(2 * i - 2), map_of_high_0_b_below_a_values(2 * i - 1));
       end loop;
+      map_of_high_0_b_below_a_choice_7 := not is_larger(map_high_0(0), map_high_0(1), 0, 6, false);
       map_of_high_0_c_below_a_value := is_set(map_high_0(2), 1);
-      map_of_high_0_c_below_a_choices(1) := choice(is_set(map_high_0(2), 0), not map_of_high_0_b_below_a_values(1),
-        (map_high_0(0) mod 4) = 0);
-      map_of_high_0_c_below_a_choices(2) := choice(map_of_high_0_c_below_a_value, is_set(map_high_0(2), 0) or (not
-        map_of_high_0_b_below_a_values(1)) or (not is_set(map_high_0(0), 0)), map_of_high_0_c_below_a_choices(1));
-      map_of_high_0_c_below_a_choices(3) := inverted_carry(map_of_high_0_c_below_a_choices(2), not
-        is_set(map_high_0(2), 2), map_of_high_0_b_below_a_values(2));
-      for i in 4 to 7 loop
-        map_of_high_0_c_below_a_choices(i) := carry(map_of_high_0_c_below_a_choices(i - 1), not is_set(map_high_0(2), i
-          - 1), map_of_high_0_b_below_a_values(2 * i - 4));
-      end loop;
-      map_of_high_0_c_below_b_choices(1) := choice(is_set(map_high_0(2), 0), not is_set(map_high_0(1), 1),
-        map_of_high_0_b_below_a_is_equal);
-      map_of_high_0_c_below_b_choices(2) := choice(map_of_high_0_c_below_a_value, is_set(map_high_0(2), 0) or (not
-        is_set(map_high_0(1), 1)) or (not is_set(map_high_0(1), 0)), map_of_high_0_c_below_b_choices(1));
-      map_of_high_0_c_below_b_choices(3) := inverted_carry(map_of_high_0_c_below_b_choices(2), not
-        is_set(map_high_0(2), 2), map_of_high_0_b_below_a_values(3));
-      for i in 4 to 7 loop
-        map_of_high_0_c_below_b_choices(i) := carry(map_of_high_0_c_below_b_choices(i - 1), not is_set(map_high_0(2), i
-          - 1), map_of_high_0_b_below_a_values(2 * i - 3));
-      end loop;
+      map_of_high_0_c_below_a_choice_7 := not is_larger(map_high_0(2), map_high_0(0), 0, 6, true);
+      map_of_high_0_c_below_b_choice_7 := not is_larger(map_high_0(2), map_high_0(1), 0, 6, true);
       map_largest_low_0_choices(1) := choice(map_of_low_0_c_below_a, map_of_low_0_a, map_of_low_0_c);
       map_largest_low_0_choices(2) := choice(map_of_low_0_c_below_b, map_of_low_0_b, map_of_low_0_c);
       map_median_middle_0_choices(1) := choice(map_of_middle_0_c_below_a, map_of_middle_0_c, map_of_middle_0_a);
@@ -3252,42 +2650,15 @@ begin
       map_smallest_high_0_choices(1) := choice(map_of_high_0_c_below_b, map_of_high_0_c, map_of_high_0_b);
       map_smallest_high_0_choices(2) := choice(map_of_high_0_c_below_a, map_of_high_0_c, map_of_high_0_a);
       map_of_all_0_b_below_a_values(1) := is_set(map_largest_low_0, 1);
-      map_of_all_0_b_below_a_choices(1) := choice(is_set(map_largest_low_0, 0), (not is_set(map_median_middle_0, 1)) or
-        (not is_set(map_median_middle_0, 0)), not is_set(map_median_middle_0, 1));
       map_of_all_0_b_below_a_is_equal := (map_median_middle_0 mod 4) = 0;
-      map_of_all_0_b_below_a_choices(2) := choice(map_of_all_0_b_below_a_values(1), map_of_all_0_b_below_a_choices(1),
-        is_set(map_largest_low_0, 0) and map_of_all_0_b_below_a_is_equal);
-      map_of_all_0_b_below_a_values(2) := is_set(map_largest_low_0, 2);
-      map_of_all_0_b_below_a_values(3) := is_set(map_median_middle_0, 2);
-      map_of_all_0_b_below_a_choices(3) := inverted_carry(map_of_all_0_b_below_a_choices(2), not
-        map_of_all_0_b_below_a_values(2), map_of_all_0_b_below_a_values(3));
-      for i in 3 to 6 loop
+      for i in 2 to 6 loop
         map_of_all_0_b_below_a_values(2 * i - 2) := is_set(map_largest_low_0, i);
         map_of_all_0_b_below_a_values(2 * i - 1) := is_set(map_median_middle_0, i);
-        map_of_all_0_b_below_a_choices(i + 1) := carry(map_of_all_0_b_below_a_choices(i), not
-          map_of_all_0_b_below_a_values(2 * i - 2), map_of_all_0_b_below_a_values(2 * i - 1));
       end loop;
+      map_of_all_0_b_below_a_choice_7 := not is_larger(map_largest_low_0, map_median_middle_0, 0, 6, false);
       map_of_all_0_c_below_a_value := is_set(map_smallest_high_0, 1);
-      map_of_all_0_c_below_a_choices(1) := choice(is_set(map_smallest_high_0, 0), not map_of_all_0_b_below_a_values(1),
-        (map_largest_low_0 mod 4) = 0);
-      map_of_all_0_c_below_a_choices(2) := choice(map_of_all_0_c_below_a_value, is_set(map_smallest_high_0, 0) or (not
-        map_of_all_0_b_below_a_values(1)) or (not is_set(map_largest_low_0, 0)), map_of_all_0_c_below_a_choices(1));
-      map_of_all_0_c_below_a_choices(3) := inverted_carry(map_of_all_0_c_below_a_choices(2), not
-        is_set(map_smallest_high_0, 2), map_of_all_0_b_below_a_values(2));
-      for i in 4 to 7 loop
-        map_of_all_0_c_below_a_choices(i) := carry(map_of_all_0_c_below_a_choices(i - 1), not
-          is_set(map_smallest_high_0, i - 1), map_of_all_0_b_below_a_values(2 * i - 4));
-      end loop;
-      map_of_all_0_c_below_b_choices(1) := choice(is_set(map_smallest_high_0, 0), not is_set(map_median_middle_0, 1),
-        map_of_all_0_b_below_a_is_equal);
-      map_of_all_0_c_below_b_choices(2) := choice(map_of_all_0_c_below_a_value, is_set(map_smallest_high_0, 0) or (not
-        is_set(map_median_middle_0, 1)) or (not is_set(map_median_middle_0, 0)), map_of_all_0_c_below_b_choices(1));
-      map_of_all_0_c_below_b_choices(3) := inverted_carry(map_of_all_0_c_below_b_choices(2), not
-        is_set(map_smallest_high_0, 2), map_of_all_0_b_below_a_values(3));
-      for i in 4 to 7 loop
-        map_of_all_0_c_below_b_choices(i) := carry(map_of_all_0_c_below_b_choices(i - 1), not
-          is_set(map_smallest_high_0, i - 1), map_of_all_0_b_below_a_values(2 * i - 3));
-      end loop;
+      map_of_all_0_c_below_a_choice_7 := not is_larger(map_smallest_high_0, map_largest_low_0, 0, 6, true);
+      map_of_all_0_c_below_b_choice_7 := not is_larger(map_smallest_high_0, map_median_middle_0, 0, 6, true);
       map_out_disparity_0_choices(1) := choice(map_of_all_0_c_below_a, map_of_all_0_c, map_of_all_0_a);
       map_out_disparity_0_choices(2) := choice(map_of_all_0_c_below_b, map_of_all_0_b, map_out_disparity_0_choices(1));
       map_out_disparity_0_choices(3) := choice(map_of_all_0_c_below_b, map_of_all_0_c, map_of_all_0_b);
@@ -3369,34 +2740,34 @@ begin
         map_sorted_high_0_choices(2));
       map_passed_0(1) <= choice(map_passed_0(0), map_passed_0(1) or map_sorted_arrives or map_sorted_behind,
         map_passed_0(1) and (not map_sorted_arrives) and (not map_sorted_behind));
-      map_of_low_0_b_below_a <= inverted_carry(map_of_low_0_b_below_a_choices(7), is_set(map_low_0(0), 7), not
+      map_of_low_0_b_below_a <= inverted_carry(map_of_low_0_b_below_a_choice_7, is_set(map_low_0(0), 7), not
         is_set(map_low_0(1), 7));
-      map_of_low_0_c_below_a <= carry(map_of_low_0_c_below_a_choices(7), not is_set(map_low_0(2), 7),
+      map_of_low_0_c_below_a <= carry(map_of_low_0_c_below_a_choice_7, not is_set(map_low_0(2), 7),
         is_set(map_low_0(0), 7));
-      map_of_low_0_c_below_b <= carry(map_of_low_0_c_below_b_choices(7), not is_set(map_low_0(2), 7),
+      map_of_low_0_c_below_b <= carry(map_of_low_0_c_below_b_choice_7, not is_set(map_low_0(2), 7),
         is_set(map_low_0(1), 7));
-      map_of_middle_0_b_below_a <= inverted_carry(map_of_middle_0_b_below_a_choices(7), is_set(map_middle_0(0), 7), not
+      map_of_middle_0_b_below_a <= inverted_carry(map_of_middle_0_b_below_a_choice_7, is_set(map_middle_0(0), 7), not
         is_set(map_middle_0(1), 7));
-      map_of_middle_0_c_below_a <= carry(map_of_middle_0_c_below_a_choices(7), not is_set(map_middle_0(2), 7),
+      map_of_middle_0_c_below_a <= carry(map_of_middle_0_c_below_a_choice_7, not is_set(map_middle_0(2), 7),
         is_set(map_middle_0(0), 7));
-      map_of_middle_0_c_below_b <= carry(map_of_middle_0_c_below_b_choices(7), not is_set(map_middle_0(2), 7),
+      map_of_middle_0_c_below_b <= carry(map_of_middle_0_c_below_b_choice_7, not is_set(map_middle_0(2), 7),
         is_set(map_middle_0(1), 7));
-      map_of_high_0_b_below_a <= inverted_carry(map_of_high_0_b_below_a_choices(7), is_set(map_high_0(0), 7), not
+      map_of_high_0_b_below_a <= inverted_carry(map_of_high_0_b_below_a_choice_7, is_set(map_high_0(0), 7), not
         is_set(map_high_0(1), 7));
-      map_of_high_0_c_below_a <= carry(map_of_high_0_c_below_a_choices(7), not is_set(map_high_0(2), 7),
+      map_of_high_0_c_below_a <= carry(map_of_high_0_c_below_a_choice_7, not is_set(map_high_0(2), 7),
         is_set(map_high_0(0), 7));
-      map_of_high_0_c_below_b <= carry(map_of_high_0_c_below_b_choices(7), not is_set(map_high_0(2), 7),
+      map_of_high_0_c_below_b <= carry(map_of_high_0_c_below_b_choice_7, not is_set(map_high_0(2), 7),
         is_set(map_high_0(1), 7));
       map_largest_low_0 <= choice(map_of_low_0_b_below_a, map_largest_low_0_choices(1), map_largest_low_0_choices(2));
       map_median_middle_0 <= choice(map_of_middle_0_b_below_a, map_median_middle_0_choices(2),
         map_median_middle_0_choices(4));
       map_smallest_high_0 <= choice(map_of_high_0_b_below_a, map_smallest_high_0_choices(1),
         map_smallest_high_0_choices(2));
-      map_of_all_0_b_below_a <= inverted_carry(map_of_all_0_b_below_a_choices(7), is_set(map_largest_low_0, 7), not
+      map_of_all_0_b_below_a <= inverted_carry(map_of_all_0_b_below_a_choice_7, is_set(map_largest_low_0, 7), not
         is_set(map_median_middle_0, 7));
-      map_of_all_0_c_below_a <= carry(map_of_all_0_c_below_a_choices(7), not is_set(map_smallest_high_0, 7),
+      map_of_all_0_c_below_a <= carry(map_of_all_0_c_below_a_choice_7, not is_set(map_smallest_high_0, 7),
         is_set(map_largest_low_0, 7));
-      map_of_all_0_c_below_b <= carry(map_of_all_0_c_below_b_choices(7), not is_set(map_smallest_high_0, 7),
+      map_of_all_0_c_below_b <= carry(map_of_all_0_c_below_b_choice_7, not is_set(map_smallest_high_0, 7),
         is_set(map_median_middle_0, 7));
       map_out_disparity_0 <= choice(map_of_all_0_b_below_a, map_out_disparity_0_choices(2),
         map_out_disparity_0_choices(4));

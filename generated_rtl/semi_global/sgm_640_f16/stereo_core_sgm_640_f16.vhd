@@ -111,6 +111,16 @@ architecture rtl of stereo_core_sgm_640_f16 is
     return a or b;
   end function;
 
+  -- whether a > b, of bits `low` to `high`; of equal ones, `before`: bit by bit, as the tool has split it
+  function is_larger(a : natural; b : natural; low : natural; high : natural; before : boolean) return boolean is
+    variable is_not : boolean := not before;
+  begin
+    for place in low to high loop
+      is_not := carry(is_not, not is_set(a, place), is_set(b, place));
+    end loop;
+    return not is_not;
+  end function;
+
   function choice(test : boolean; yes : boolean; no : boolean) return boolean is
   begin
     if test then
@@ -817,85 +827,19 @@ begin
 
   process (clock)
     variable transform_counter_next_frame_is_equal, transform_counter_frame_joins_choice : boolean;
-    variable transform_read_column_inside_0_is_less, transform_left_filter_low_is_larger_0_0_0_value : boolean;
-    variable transform_left_filter_low_is_larger_0_0_1_value, transform_left_filter_low_is_larger_0_0_2_value : boolean;
-    variable transform_left_filter_low_is_larger_0_0_3_value, transform_left_filter_low_is_larger_0_0_4_value : boolean;
-    variable transform_left_filter_low_is_larger_0_1_0_value, transform_left_filter_low_is_larger_0_1_1_value : boolean;
-    variable transform_left_filter_low_is_larger_0_1_2_value, transform_left_filter_low_is_larger_0_1_3_value : boolean;
-    variable transform_left_filter_low_is_larger_0_1_4_value, transform_left_filter_low_is_larger_0_2_0_value : boolean;
-    variable transform_left_filter_low_is_larger_0_2_1_value, transform_left_filter_low_is_larger_0_2_2_value : boolean;
-    variable transform_left_filter_low_is_larger_0_2_3_value, transform_left_filter_low_is_larger_0_2_4_value : boolean;
-    variable transform_left_filter_low_is_larger_0_3_0_value, transform_left_filter_low_is_larger_0_3_1_value : boolean;
-    variable transform_left_filter_low_is_larger_0_3_2_value, transform_left_filter_low_is_larger_0_3_3_value : boolean;
-    variable transform_left_filter_low_is_larger_0_3_4_value : boolean;
-    variable transform_left_filter_low_is_larger_0_choice : boolean_3d(0 to 8, 0 to 4, 1 to 3);  -- transform_left_filter_low_is_larger_0_#_#_choice_#
-    variable transform_left_filter_low_is_larger_0_0_0_values : boolean_1d(2 to 4);  -- transform_left_filter_low_is_larger_0_0_0_value_#
+    variable transform_read_column_inside_0_is_less : boolean;
+    variable transform_left_filter_low_is_larger_0_value : boolean_3d(0 to 8, 0 to 4, 1 to 4);  -- transform_left_filter_low_is_larger_0_#_#_value_#
+    variable transform_left_filter_low_is_larger_0_choice_3 : boolean_2d(0 to 8, 0 to 4);  -- transform_left_filter_low_is_larger_0_#_#_choice_3
     variable transform_left_filter_low_is_larger_0_0_1_any : boolean;
     variable transform_left_filter_low_is_larger_0_0_1_is_equal : boolean;
-    variable transform_left_filter_low_is_larger_0_4_0_value, transform_left_filter_low_is_larger_0_4_1_value : boolean;
-    variable transform_left_filter_low_is_larger_0_4_3_value, transform_left_filter_low_is_larger_0_4_4_value : boolean;
-    variable transform_left_filter_low_is_larger_0_5_0_value, transform_left_filter_low_is_larger_0_5_1_value : boolean;
-    variable transform_left_filter_low_is_larger_0_5_2_value, transform_left_filter_low_is_larger_0_5_3_value : boolean;
-    variable transform_left_filter_low_is_larger_0_5_4_value, transform_left_filter_low_is_larger_0_6_0_value : boolean;
-    variable transform_left_filter_low_is_larger_0_6_1_value, transform_left_filter_low_is_larger_0_6_2_value : boolean;
-    variable transform_left_filter_low_is_larger_0_6_3_value, transform_left_filter_low_is_larger_0_6_4_value : boolean;
-    variable transform_left_filter_low_is_larger_0_7_0_value, transform_left_filter_low_is_larger_0_7_1_value : boolean;
-    variable transform_left_filter_low_is_larger_0_7_2_value, transform_left_filter_low_is_larger_0_7_3_value : boolean;
-    variable transform_left_filter_low_is_larger_0_7_4_value, transform_left_filter_low_is_larger_0_8_0_value : boolean;
-    variable transform_left_filter_low_is_larger_0_8_1_value, transform_left_filter_low_is_larger_0_8_2_value : boolean;
-    variable transform_left_filter_low_is_larger_0_8_3_value, transform_left_filter_low_is_larger_0_8_4_value : boolean;
     variable transform_left_filter_feature_0_values : boolean_1d(1 to 6);  -- transform_left_filter_feature_0_value_#
-    variable transform_left_filter_feature_0_choices : boolean_1d(1 to 177);  -- transform_left_filter_feature_0_choice_#
-    variable transform_right_filter_low_is_larger_0_0_0_value : boolean;
-    variable transform_right_filter_low_is_larger_0_0_1_value : boolean;
-    variable transform_right_filter_low_is_larger_0_0_2_value : boolean;
-    variable transform_right_filter_low_is_larger_0_0_3_value : boolean;
-    variable transform_right_filter_low_is_larger_0_0_4_value : boolean;
-    variable transform_right_filter_low_is_larger_0_1_0_value : boolean;
-    variable transform_right_filter_low_is_larger_0_1_1_value : boolean;
-    variable transform_right_filter_low_is_larger_0_1_2_value : boolean;
-    variable transform_right_filter_low_is_larger_0_1_3_value : boolean;
-    variable transform_right_filter_low_is_larger_0_1_4_value : boolean;
-    variable transform_right_filter_low_is_larger_0_2_0_value : boolean;
-    variable transform_right_filter_low_is_larger_0_2_1_value : boolean;
-    variable transform_right_filter_low_is_larger_0_2_2_value : boolean;
-    variable transform_right_filter_low_is_larger_0_2_3_value : boolean;
-    variable transform_right_filter_low_is_larger_0_2_4_value : boolean;
-    variable transform_right_filter_low_is_larger_0_3_0_value : boolean;
-    variable transform_right_filter_low_is_larger_0_3_1_value : boolean;
-    variable transform_right_filter_low_is_larger_0_3_2_value : boolean;
-    variable transform_right_filter_low_is_larger_0_3_3_value : boolean;
-    variable transform_right_filter_low_is_larger_0_3_4_value : boolean;
-    variable transform_right_filter_low_is_larger_0_choice : boolean_3d(0 to 8, 0 to 4, 1 to 3);  -- transform_right_filter_low_is_larger_0_#_#_choice_#
-    variable transform_right_filter_low_is_larger_0_0_0_values : boolean_1d(2 to 4);  -- transform_right_filter_low_is_larger_0_0_0_value_#
+    variable transform_left_filter_feature_0_choice : boolean_1d(4 to 177);
+    variable transform_right_filter_low_is_larger_0_value : boolean_3d(0 to 8, 0 to 4, 1 to 4);  -- transform_right_filter_low_is_larger_0_#_#_value_#
+    variable transform_right_filter_low_is_larger_0_choice_3 : boolean_2d(0 to 8, 0 to 4);  -- transform_right_filter_low_is_larger_0_#_#_choice_3
     variable transform_right_filter_low_is_larger_0_0_1_any : boolean;
     variable transform_right_filter_low_is_larger_0_0_1_is_equal : boolean;
-    variable transform_right_filter_low_is_larger_0_4_0_value : boolean;
-    variable transform_right_filter_low_is_larger_0_4_1_value : boolean;
-    variable transform_right_filter_low_is_larger_0_4_3_value : boolean;
-    variable transform_right_filter_low_is_larger_0_4_4_value : boolean;
-    variable transform_right_filter_low_is_larger_0_5_0_value : boolean;
-    variable transform_right_filter_low_is_larger_0_5_1_value : boolean;
-    variable transform_right_filter_low_is_larger_0_5_2_value : boolean;
-    variable transform_right_filter_low_is_larger_0_5_3_value : boolean;
-    variable transform_right_filter_low_is_larger_0_5_4_value : boolean;
-    variable transform_right_filter_low_is_larger_0_6_0_value : boolean;
-    variable transform_right_filter_low_is_larger_0_6_1_value : boolean;
-    variable transform_right_filter_low_is_larger_0_6_2_value : boolean;
-    variable transform_right_filter_low_is_larger_0_6_3_value : boolean;
-    variable transform_right_filter_low_is_larger_0_6_4_value : boolean;
-    variable transform_right_filter_low_is_larger_0_7_0_value : boolean;
-    variable transform_right_filter_low_is_larger_0_7_1_value : boolean;
-    variable transform_right_filter_low_is_larger_0_7_2_value : boolean;
-    variable transform_right_filter_low_is_larger_0_7_3_value : boolean;
-    variable transform_right_filter_low_is_larger_0_7_4_value : boolean;
-    variable transform_right_filter_low_is_larger_0_8_0_value : boolean;
-    variable transform_right_filter_low_is_larger_0_8_1_value : boolean;
-    variable transform_right_filter_low_is_larger_0_8_2_value : boolean;
-    variable transform_right_filter_low_is_larger_0_8_3_value : boolean;
-    variable transform_right_filter_low_is_larger_0_8_4_value : boolean;
     variable transform_right_filter_feature_0_values : boolean_1d(1 to 6);  -- transform_right_filter_feature_0_value_#
-    variable transform_right_filter_feature_0_choices : boolean_1d(1 to 177);  -- transform_right_filter_feature_0_choice_#
+    variable transform_right_filter_feature_0_choice : boolean_1d(4 to 177);
     variable delay_tag_first_cost_is_equal, delay_tag_map_column_is_not_less, delay_tag_map_column_is_less : boolean;
     variable line_order_falls_any, line_order_falls_all, line_order_complete_any : boolean;
     variable line_order_turned_output_column_choice : boolean;
@@ -911,11 +855,11 @@ begin
     variable pathsturn_cost_memory_ready_words_0_is_equals : boolean_1d(1 to 2);  -- pathsturn_cost_memory_ready_words_0_is_equal_#
     variable pathsturn_sum_memory_write_words_0_all : boolean_1d(0 to 2);  -- pathsturn_sum_memory_write_words_#_0_all
     variable pathsturn_cost_memory_write_words_0_all : boolean_1d(0 to 2);  -- pathsturn_cost_memory_write_words_#_0_all
-    variable winnerswinner1_best_index_0_choice : boolean_2d(0 to 3, 1 to 8);  -- winnerswinner1_best_index_0_#_choice_#
+    variable winnerswinner1_best_index_0_choice : boolean_2d(0 to 3, 7 to 8);  -- winnerswinner1_best_index_0_#_choice_#
     variable winnerswinner1_best_index_0_value : boolean_2d(0 to 3, 1 to 5);  -- winnerswinner1_best_index_0_#_value_#
-    variable winnerswinner2_best_index_0_choice : boolean_2d(0 to 1, 1 to 8);  -- winnerswinner2_best_index_0_#_choice_#
+    variable winnerswinner2_best_index_0_choice_8 : boolean_1d(0 to 1);  -- winnerswinner2_best_index_0_#_choice_8
     variable winnerswinner2_best_index_0_value : boolean_2d(0 to 1, 1 to 5);  -- winnerswinner2_best_index_0_#_value_#
-    variable winnerswinner3_best_index_0_0_choices : boolean_1d(1 to 8);  -- winnerswinner3_best_index_0_0_choice_#
+    variable winnerswinner3_best_index_0_0_choice_8 : boolean;
     variable winnerswinner3_best_index_0_0_values : boolean_1d(1 to 5);  -- winnerswinner3_best_index_0_0_value_#
     variable winners_best_index_0_0_values : boolean_1d(1 to 6);  -- winners_best_index_0_0_value_#
     variable winners_best_index_0_0_choices : boolean_1d(1 to 7);  -- winners_best_index_0_0_choice_#
@@ -932,25 +876,19 @@ begin
     variable map_of_column_0_c_below_b_choices : boolean_1d(1 to 6);  -- map_of_column_0_c_below_b_choice_#
     variable map_window_complete_is_equal, map_window_complete_choice : boolean;
     variable map_of_low_0_b_below_a_values : boolean_1d(1 to 11);  -- map_of_low_0_b_below_a_value_#
-    variable map_of_low_0_b_below_a_choices : boolean_1d(1 to 7);  -- map_of_low_0_b_below_a_choice_#
-    variable map_of_low_0_b_below_a_is_equal, map_of_low_0_c_below_a_value : boolean;
-    variable map_of_low_0_c_below_a_choices : boolean_1d(1 to 7);  -- map_of_low_0_c_below_a_choice_#
-    variable map_of_low_0_c_below_b_choices : boolean_1d(1 to 7);  -- map_of_low_0_c_below_b_choice_#
+    variable map_of_low_0_b_below_a_choice_7, map_of_low_0_b_below_a_is_equal, map_of_low_0_c_below_a_value : boolean;
+    variable map_of_low_0_c_below_a_choice_7, map_of_low_0_c_below_b_choice_7 : boolean;
     variable map_of_middle_0_b_below_a_values : boolean_1d(1 to 11);  -- map_of_middle_0_b_below_a_value_#
-    variable map_of_middle_0_b_below_a_choices : boolean_1d(1 to 7);  -- map_of_middle_0_b_below_a_choice_#
-    variable map_of_middle_0_b_below_a_is_equal, map_of_middle_0_c_below_a_value : boolean;
-    variable map_of_middle_0_c_below_a_choices : boolean_1d(1 to 7);  -- map_of_middle_0_c_below_a_choice_#
-    variable map_of_middle_0_c_below_b_choices : boolean_1d(1 to 7);  -- map_of_middle_0_c_below_b_choice_#
+    variable map_of_middle_0_b_below_a_choice_7, map_of_middle_0_b_below_a_is_equal : boolean;
+    variable map_of_middle_0_c_below_a_value, map_of_middle_0_c_below_a_choice_7 : boolean;
+    variable map_of_middle_0_c_below_b_choice_7 : boolean;
     variable map_of_high_0_b_below_a_values : boolean_1d(1 to 11);  -- map_of_high_0_b_below_a_value_#
-    variable map_of_high_0_b_below_a_choices : boolean_1d(1 to 7);  -- map_of_high_0_b_below_a_choice_#
-    variable map_of_high_0_b_below_a_is_equal, map_of_high_0_c_below_a_value : boolean;
-    variable map_of_high_0_c_below_a_choices : boolean_1d(1 to 7);  -- map_of_high_0_c_below_a_choice_#
-    variable map_of_high_0_c_below_b_choices : boolean_1d(1 to 7);  -- map_of_high_0_c_below_b_choice_#
+    variable map_of_high_0_b_below_a_choice_7, map_of_high_0_b_below_a_is_equal : boolean;
+    variable map_of_high_0_c_below_a_value, map_of_high_0_c_below_a_choice_7 : boolean;
+    variable map_of_high_0_c_below_b_choice_7 : boolean;
     variable map_of_all_0_b_below_a_values : boolean_1d(1 to 11);  -- map_of_all_0_b_below_a_value_#
-    variable map_of_all_0_b_below_a_choices : boolean_1d(1 to 7);  -- map_of_all_0_b_below_a_choice_#
-    variable map_of_all_0_b_below_a_is_equal, map_of_all_0_c_below_a_value : boolean;
-    variable map_of_all_0_c_below_a_choices : boolean_1d(1 to 7);  -- map_of_all_0_c_below_a_choice_#
-    variable map_of_all_0_c_below_b_choices : boolean_1d(1 to 7);  -- map_of_all_0_c_below_b_choice_#
+    variable map_of_all_0_b_below_a_choice_7, map_of_all_0_b_below_a_is_equal, map_of_all_0_c_below_a_value : boolean;
+    variable map_of_all_0_c_below_a_choice_7, map_of_all_0_c_below_b_choice_7 : boolean;
     variable map_low_0_all : boolean_1d(0 to 1);  -- map_low_#_0_all
     variable transform_counter_group_after_choice : natural range 0 to 511;
     variable map_counter_group_choices : natural_511_1d(2 to 3);  -- map_counter_group_choice_#
@@ -992,7 +930,7 @@ begin
     variable pathsleft_stay_choice : natural_63_1d(0 to 7);  -- pathsleft_stay_#_choice
     variable pathsleft_step_choice : natural_63_2d(0 to 7, 1 to 2);  -- pathsleft_step_#_choice_#
     variable pathsleft_low_0_choice, pathsabove_smallest_total_choice : natural range 0 to 63;
-    variable pathsabove_beside_0_choice, pathsabove_beside_7_choice : natural range 0 to 63;
+    variable pathsabove_beside_choice : natural_63_1d(0 to 7);  -- pathsabove_beside_#_choice
     variable pathsright_lower_neighbour_value : natural range 0 to 63;
     variable pathsright_stay_value : natural_63_2d(0 to 6, 1 to 2);  -- pathsright_stay_#_value_#
     variable pathsright_stay_choice : natural_63_1d(0 to 7);  -- pathsright_stay_#_choice
@@ -1021,24 +959,24 @@ begin
     variable map_low_0_0_choice, map_middle_0_0_choice, map_high_0_0_choice : natural range 0 to 255;
     variable pathsabove_memory_write_words_0_0_choice : natural range 0 to 7;
     variable pathsabove_memory_write_words_0_3_choice_3 : natural range 0 to 3;
-    variable pathsturn_sum_memory_write_words_0_0_sum : natural range 0 to 126;
-    variable pathsturn_sum_memory_write_words_0_1_sum : natural range 0 to 126;
-    variable pathsturn_sum_memory_write_words_0_2_sum : natural range 0 to 126;
-    variable pathsturn_sum_memory_write_words_0_3_sum : natural range 0 to 126;
-    variable pathsturn_sum_memory_write_words_0_4_sum : natural range 0 to 126;
-    variable pathsturn_sum_memory_write_words_0_5_sum : natural range 0 to 126;
+    variable pathsturn_sum_memory_write_words_0_sum : natural_126_1d(0 to 5);  -- pathsturn_sum_memory_write_words_0_#_sum
     variable pathsturn_sum_memory_write_words_0_0_sum_2 : natural range 0 to 254;
     variable pathsturn_sum_memory_write_words_0_6_sum : natural range 0 to 253;
   begin
     if rising_edge(clock) then
       -- no bit without a value, where an array has places for more
-      transform_left_filter_low_is_larger_0_choice := (others => (others => (others => false)));
-      transform_right_filter_low_is_larger_0_choice := (others => (others => (others => false)));
+      transform_left_filter_low_is_larger_0_value := (others => (others => (others => false)));
+      transform_left_filter_low_is_larger_0_choice_3 := (others => (others => false));
+      transform_left_filter_feature_0_choice := (others => false);
+      transform_right_filter_low_is_larger_0_value := (others => (others => (others => false)));
+      transform_right_filter_low_is_larger_0_choice_3 := (others => (others => false));
+      transform_right_filter_feature_0_choice := (others => false);
       costswindow_first_0_count_value := (others => (others => false));
       winnerswinner1_best_index_0_choice := (others => (others => false));
       pathsabove_memory_write_words_0_choice := (others => (others => 0));
       pathsleft_stay_value := (others => (others => 0));
       pathsleft_step_choice := (others => (others => 0));
+      pathsabove_beside_choice := (others => 0);
       pathsright_stay_value := (others => (others => 0));
       pathsright_step_choice := (others => (others => 0));
       -- transform
@@ -1048,1212 +986,293 @@ begin
       transform_counter_group_after_choice := choice(transform_counter_back_to_back, 2, (transform_counter_group + 1)
         mod 512);
       transform_read_column_inside_0_is_less := 3 < transform_counter_column;
-      transform_left_filter_low_is_larger_0_0_0_value := is_set(transform_left_filter_column(4, 2), 1);
-      transform_left_filter_low_is_larger_0_choice(0, 0, 1) := choice(is_set(transform_left_filter_column(4, 2), 0),
-        not is_set(transform_left_filter_column(0, 0), 1), (transform_left_filter_column(0, 0) mod 4) = 0);
-      transform_left_filter_low_is_larger_0_choice(0, 0, 2) := choice(transform_left_filter_low_is_larger_0_0_0_value,
-        is_set(transform_left_filter_column(4, 2), 0) or (not is_set(transform_left_filter_column(0, 0), 1)) or (not
-        is_set(transform_left_filter_column(0, 0), 0)), transform_left_filter_low_is_larger_0_choice(0, 0, 1));
-      transform_left_filter_low_is_larger_0_0_0_values(2) := is_set(transform_left_filter_column(4, 2), 2);
-      transform_left_filter_low_is_larger_0_0_0_values(3) := is_set(transform_left_filter_column(0, 0), 2);
-      transform_left_filter_low_is_larger_0_choice(0, 0, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(0, 0, 2), not
-        transform_left_filter_low_is_larger_0_0_0_values(2), transform_left_filter_low_is_larger_0_0_0_values(3));
-      transform_left_filter_low_is_larger_0_0_0_values(4) := is_set(transform_left_filter_column(0, 0), 3);
-      transform_left_filter_low_is_larger_0_0_1_any := (not transform_left_filter_low_is_larger_0_0_0_value) or (not
-        is_set(transform_left_filter_column(4, 2), 0));
-      transform_left_filter_low_is_larger_0_choice(0, 1, 1) := choice(is_set(transform_left_filter_column(0, 1), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
+      transform_left_filter_low_is_larger_0_value(0, 0, 1) := is_set(transform_left_filter_column(4, 2), 1);
+      transform_left_filter_low_is_larger_0_value(0, 0, 2) := is_set(transform_left_filter_column(4, 2), 2);
+      transform_left_filter_low_is_larger_0_value(0, 0, 3) := is_set(transform_left_filter_column(0, 0), 2);
+      transform_left_filter_low_is_larger_0_choice_3(0, 0) := not is_larger(transform_left_filter_column(4, 2),
+        transform_left_filter_column(0, 0), 0, 2, true);
+      transform_left_filter_low_is_larger_0_value(0, 0, 4) := is_set(transform_left_filter_column(0, 0), 3);
+      transform_left_filter_low_is_larger_0_0_1_any := (not transform_left_filter_low_is_larger_0_value(0, 0, 1)) or
+        (not is_set(transform_left_filter_column(4, 2), 0));
       transform_left_filter_low_is_larger_0_0_1_is_equal := (transform_left_filter_column(4, 2) mod 4) = 0;
-      transform_left_filter_low_is_larger_0_choice(0, 1, 2) := choice(is_set(transform_left_filter_column(0, 1), 1),
-        transform_left_filter_low_is_larger_0_choice(0, 1, 1), is_set(transform_left_filter_column(0, 1), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(0, 1, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(0, 1, 2), not
-        is_set(transform_left_filter_column(0, 1), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_0_1_value := is_set(transform_left_filter_column(0, 1), 3);
-      transform_left_filter_low_is_larger_0_choice(0, 2, 1) := choice(is_set(transform_left_filter_column(0, 2), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(0, 2, 2) := choice(is_set(transform_left_filter_column(0, 2), 1),
-        transform_left_filter_low_is_larger_0_choice(0, 2, 1), is_set(transform_left_filter_column(0, 2), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(0, 2, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(0, 2, 2), not
-        is_set(transform_left_filter_column(0, 2), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_0_2_value := is_set(transform_left_filter_column(0, 2), 3);
-      transform_left_filter_low_is_larger_0_choice(0, 3, 1) := choice(is_set(transform_left_filter_column(0, 3), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(0, 3, 2) := choice(is_set(transform_left_filter_column(0, 3), 1),
-        transform_left_filter_low_is_larger_0_choice(0, 3, 1), is_set(transform_left_filter_column(0, 3), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(0, 3, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(0, 3, 2), not
-        is_set(transform_left_filter_column(0, 3), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_0_3_value := is_set(transform_left_filter_column(0, 3), 3);
-      transform_left_filter_low_is_larger_0_choice(0, 4, 1) := choice(is_set(transform_left_filter_column(0, 4), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(0, 4, 2) := choice(is_set(transform_left_filter_column(0, 4), 1),
-        transform_left_filter_low_is_larger_0_choice(0, 4, 1), is_set(transform_left_filter_column(0, 4), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(0, 4, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(0, 4, 2), not
-        is_set(transform_left_filter_column(0, 4), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_0_4_value := is_set(transform_left_filter_column(0, 4), 3);
-      transform_left_filter_low_is_larger_0_choice(1, 0, 1) := choice(is_set(transform_left_filter_column(1, 0), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(1, 0, 2) := choice(is_set(transform_left_filter_column(1, 0), 1),
-        transform_left_filter_low_is_larger_0_choice(1, 0, 1), is_set(transform_left_filter_column(1, 0), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(1, 0, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(1, 0, 2), not
-        is_set(transform_left_filter_column(1, 0), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_1_0_value := is_set(transform_left_filter_column(1, 0), 3);
-      transform_left_filter_low_is_larger_0_choice(1, 1, 1) := choice(is_set(transform_left_filter_column(1, 1), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(1, 1, 2) := choice(is_set(transform_left_filter_column(1, 1), 1),
-        transform_left_filter_low_is_larger_0_choice(1, 1, 1), is_set(transform_left_filter_column(1, 1), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(1, 1, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(1, 1, 2), not
-        is_set(transform_left_filter_column(1, 1), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_1_1_value := is_set(transform_left_filter_column(1, 1), 3);
-      transform_left_filter_low_is_larger_0_choice(1, 2, 1) := choice(is_set(transform_left_filter_column(1, 2), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(1, 2, 2) := choice(is_set(transform_left_filter_column(1, 2), 1),
-        transform_left_filter_low_is_larger_0_choice(1, 2, 1), is_set(transform_left_filter_column(1, 2), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(1, 2, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(1, 2, 2), not
-        is_set(transform_left_filter_column(1, 2), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_1_2_value := is_set(transform_left_filter_column(1, 2), 3);
-      transform_left_filter_low_is_larger_0_choice(1, 3, 1) := choice(is_set(transform_left_filter_column(1, 3), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(1, 3, 2) := choice(is_set(transform_left_filter_column(1, 3), 1),
-        transform_left_filter_low_is_larger_0_choice(1, 3, 1), is_set(transform_left_filter_column(1, 3), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(1, 3, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(1, 3, 2), not
-        is_set(transform_left_filter_column(1, 3), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_1_3_value := is_set(transform_left_filter_column(1, 3), 3);
-      transform_left_filter_low_is_larger_0_choice(1, 4, 1) := choice(is_set(transform_left_filter_column(1, 4), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(1, 4, 2) := choice(is_set(transform_left_filter_column(1, 4), 1),
-        transform_left_filter_low_is_larger_0_choice(1, 4, 1), is_set(transform_left_filter_column(1, 4), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(1, 4, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(1, 4, 2), not
-        is_set(transform_left_filter_column(1, 4), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_1_4_value := is_set(transform_left_filter_column(1, 4), 3);
-      transform_left_filter_low_is_larger_0_choice(2, 0, 1) := choice(is_set(transform_left_filter_column(2, 0), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(2, 0, 2) := choice(is_set(transform_left_filter_column(2, 0), 1),
-        transform_left_filter_low_is_larger_0_choice(2, 0, 1), is_set(transform_left_filter_column(2, 0), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(2, 0, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(2, 0, 2), not
-        is_set(transform_left_filter_column(2, 0), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_2_0_value := is_set(transform_left_filter_column(2, 0), 3);
-      transform_left_filter_low_is_larger_0_choice(2, 1, 1) := choice(is_set(transform_left_filter_column(2, 1), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(2, 1, 2) := choice(is_set(transform_left_filter_column(2, 1), 1),
-        transform_left_filter_low_is_larger_0_choice(2, 1, 1), is_set(transform_left_filter_column(2, 1), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(2, 1, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(2, 1, 2), not
-        is_set(transform_left_filter_column(2, 1), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_2_1_value := is_set(transform_left_filter_column(2, 1), 3);
-      transform_left_filter_low_is_larger_0_choice(2, 2, 1) := choice(is_set(transform_left_filter_column(2, 2), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(2, 2, 2) := choice(is_set(transform_left_filter_column(2, 2), 1),
-        transform_left_filter_low_is_larger_0_choice(2, 2, 1), is_set(transform_left_filter_column(2, 2), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(2, 2, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(2, 2, 2), not
-        is_set(transform_left_filter_column(2, 2), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_2_2_value := is_set(transform_left_filter_column(2, 2), 3);
-      transform_left_filter_low_is_larger_0_choice(2, 3, 1) := choice(is_set(transform_left_filter_column(2, 3), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(2, 3, 2) := choice(is_set(transform_left_filter_column(2, 3), 1),
-        transform_left_filter_low_is_larger_0_choice(2, 3, 1), is_set(transform_left_filter_column(2, 3), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(2, 3, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(2, 3, 2), not
-        is_set(transform_left_filter_column(2, 3), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_2_3_value := is_set(transform_left_filter_column(2, 3), 3);
-      transform_left_filter_low_is_larger_0_choice(2, 4, 1) := choice(is_set(transform_left_filter_column(2, 4), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(2, 4, 2) := choice(is_set(transform_left_filter_column(2, 4), 1),
-        transform_left_filter_low_is_larger_0_choice(2, 4, 1), is_set(transform_left_filter_column(2, 4), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(2, 4, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(2, 4, 2), not
-        is_set(transform_left_filter_column(2, 4), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_2_4_value := is_set(transform_left_filter_column(2, 4), 3);
-      transform_left_filter_low_is_larger_0_choice(3, 0, 1) := choice(is_set(transform_left_filter_column(3, 0), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(3, 0, 2) := choice(is_set(transform_left_filter_column(3, 0), 1),
-        transform_left_filter_low_is_larger_0_choice(3, 0, 1), is_set(transform_left_filter_column(3, 0), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(3, 0, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(3, 0, 2), not
-        is_set(transform_left_filter_column(3, 0), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_3_0_value := is_set(transform_left_filter_column(3, 0), 3);
-      transform_left_filter_low_is_larger_0_choice(3, 1, 1) := choice(is_set(transform_left_filter_column(3, 1), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(3, 1, 2) := choice(is_set(transform_left_filter_column(3, 1), 1),
-        transform_left_filter_low_is_larger_0_choice(3, 1, 1), is_set(transform_left_filter_column(3, 1), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(3, 1, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(3, 1, 2), not
-        is_set(transform_left_filter_column(3, 1), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_3_1_value := is_set(transform_left_filter_column(3, 1), 3);
-      transform_left_filter_low_is_larger_0_choice(3, 2, 1) := choice(is_set(transform_left_filter_column(3, 2), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(3, 2, 2) := choice(is_set(transform_left_filter_column(3, 2), 1),
-        transform_left_filter_low_is_larger_0_choice(3, 2, 1), is_set(transform_left_filter_column(3, 2), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(3, 2, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(3, 2, 2), not
-        is_set(transform_left_filter_column(3, 2), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_3_2_value := is_set(transform_left_filter_column(3, 2), 3);
-      transform_left_filter_low_is_larger_0_choice(3, 3, 1) := choice(is_set(transform_left_filter_column(3, 3), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(3, 3, 2) := choice(is_set(transform_left_filter_column(3, 3), 1),
-        transform_left_filter_low_is_larger_0_choice(3, 3, 1), is_set(transform_left_filter_column(3, 3), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(3, 3, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(3, 3, 2), not
-        is_set(transform_left_filter_column(3, 3), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_3_3_value := is_set(transform_left_filter_column(3, 3), 3);
-      transform_left_filter_low_is_larger_0_choice(3, 4, 1) := choice(is_set(transform_left_filter_column(3, 4), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(3, 4, 2) := choice(is_set(transform_left_filter_column(3, 4), 1),
-        transform_left_filter_low_is_larger_0_choice(3, 4, 1), is_set(transform_left_filter_column(3, 4), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(3, 4, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(3, 4, 2), not
-        is_set(transform_left_filter_column(3, 4), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_3_4_value := is_set(transform_left_filter_column(3, 4), 3);
-      transform_left_filter_low_is_larger_0_choice(4, 0, 1) := choice(is_set(transform_left_filter_column(4, 0), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(4, 0, 2) := choice(is_set(transform_left_filter_column(4, 0), 1),
-        transform_left_filter_low_is_larger_0_choice(4, 0, 1), is_set(transform_left_filter_column(4, 0), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(4, 0, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(4, 0, 2), not
-        is_set(transform_left_filter_column(4, 0), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_4_0_value := is_set(transform_left_filter_column(4, 0), 3);
-      transform_left_filter_low_is_larger_0_choice(4, 1, 1) := choice(is_set(transform_left_filter_column(4, 1), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(4, 1, 2) := choice(is_set(transform_left_filter_column(4, 1), 1),
-        transform_left_filter_low_is_larger_0_choice(4, 1, 1), is_set(transform_left_filter_column(4, 1), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(4, 1, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(4, 1, 2), not
-        is_set(transform_left_filter_column(4, 1), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_4_1_value := is_set(transform_left_filter_column(4, 1), 3);
-      transform_left_filter_low_is_larger_0_choice(4, 3, 1) := choice(is_set(transform_left_filter_column(4, 3), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(4, 3, 2) := choice(is_set(transform_left_filter_column(4, 3), 1),
-        transform_left_filter_low_is_larger_0_choice(4, 3, 1), is_set(transform_left_filter_column(4, 3), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(4, 3, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(4, 3, 2), not
-        is_set(transform_left_filter_column(4, 3), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_4_3_value := is_set(transform_left_filter_column(4, 3), 3);
-      transform_left_filter_low_is_larger_0_choice(4, 4, 1) := choice(is_set(transform_left_filter_column(4, 4), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(4, 4, 2) := choice(is_set(transform_left_filter_column(4, 4), 1),
-        transform_left_filter_low_is_larger_0_choice(4, 4, 1), is_set(transform_left_filter_column(4, 4), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(4, 4, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(4, 4, 2), not
-        is_set(transform_left_filter_column(4, 4), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_4_4_value := is_set(transform_left_filter_column(4, 4), 3);
-      transform_left_filter_low_is_larger_0_choice(5, 0, 1) := choice(is_set(transform_left_filter_column(5, 0), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(5, 0, 2) := choice(is_set(transform_left_filter_column(5, 0), 1),
-        transform_left_filter_low_is_larger_0_choice(5, 0, 1), is_set(transform_left_filter_column(5, 0), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(5, 0, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(5, 0, 2), not
-        is_set(transform_left_filter_column(5, 0), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_5_0_value := is_set(transform_left_filter_column(5, 0), 3);
-      transform_left_filter_low_is_larger_0_choice(5, 1, 1) := choice(is_set(transform_left_filter_column(5, 1), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(5, 1, 2) := choice(is_set(transform_left_filter_column(5, 1), 1),
-        transform_left_filter_low_is_larger_0_choice(5, 1, 1), is_set(transform_left_filter_column(5, 1), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(5, 1, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(5, 1, 2), not
-        is_set(transform_left_filter_column(5, 1), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_5_1_value := is_set(transform_left_filter_column(5, 1), 3);
-      transform_left_filter_low_is_larger_0_choice(5, 2, 1) := choice(is_set(transform_left_filter_column(5, 2), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(5, 2, 2) := choice(is_set(transform_left_filter_column(5, 2), 1),
-        transform_left_filter_low_is_larger_0_choice(5, 2, 1), is_set(transform_left_filter_column(5, 2), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(5, 2, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(5, 2, 2), not
-        is_set(transform_left_filter_column(5, 2), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_5_2_value := is_set(transform_left_filter_column(5, 2), 3);
-      transform_left_filter_low_is_larger_0_choice(5, 3, 1) := choice(is_set(transform_left_filter_column(5, 3), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(5, 3, 2) := choice(is_set(transform_left_filter_column(5, 3), 1),
-        transform_left_filter_low_is_larger_0_choice(5, 3, 1), is_set(transform_left_filter_column(5, 3), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(5, 3, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(5, 3, 2), not
-        is_set(transform_left_filter_column(5, 3), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_5_3_value := is_set(transform_left_filter_column(5, 3), 3);
-      transform_left_filter_low_is_larger_0_choice(5, 4, 1) := choice(is_set(transform_left_filter_column(5, 4), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(5, 4, 2) := choice(is_set(transform_left_filter_column(5, 4), 1),
-        transform_left_filter_low_is_larger_0_choice(5, 4, 1), is_set(transform_left_filter_column(5, 4), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(5, 4, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(5, 4, 2), not
-        is_set(transform_left_filter_column(5, 4), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_5_4_value := is_set(transform_left_filter_column(5, 4), 3);
-      transform_left_filter_low_is_larger_0_choice(6, 0, 1) := choice(is_set(transform_left_filter_column(6, 0), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(6, 0, 2) := choice(is_set(transform_left_filter_column(6, 0), 1),
-        transform_left_filter_low_is_larger_0_choice(6, 0, 1), is_set(transform_left_filter_column(6, 0), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(6, 0, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(6, 0, 2), not
-        is_set(transform_left_filter_column(6, 0), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_6_0_value := is_set(transform_left_filter_column(6, 0), 3);
-      transform_left_filter_low_is_larger_0_choice(6, 1, 1) := choice(is_set(transform_left_filter_column(6, 1), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(6, 1, 2) := choice(is_set(transform_left_filter_column(6, 1), 1),
-        transform_left_filter_low_is_larger_0_choice(6, 1, 1), is_set(transform_left_filter_column(6, 1), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(6, 1, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(6, 1, 2), not
-        is_set(transform_left_filter_column(6, 1), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_6_1_value := is_set(transform_left_filter_column(6, 1), 3);
-      transform_left_filter_low_is_larger_0_choice(6, 2, 1) := choice(is_set(transform_left_filter_column(6, 2), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(6, 2, 2) := choice(is_set(transform_left_filter_column(6, 2), 1),
-        transform_left_filter_low_is_larger_0_choice(6, 2, 1), is_set(transform_left_filter_column(6, 2), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(6, 2, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(6, 2, 2), not
-        is_set(transform_left_filter_column(6, 2), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_6_2_value := is_set(transform_left_filter_column(6, 2), 3);
-      transform_left_filter_low_is_larger_0_choice(6, 3, 1) := choice(is_set(transform_left_filter_column(6, 3), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(6, 3, 2) := choice(is_set(transform_left_filter_column(6, 3), 1),
-        transform_left_filter_low_is_larger_0_choice(6, 3, 1), is_set(transform_left_filter_column(6, 3), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(6, 3, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(6, 3, 2), not
-        is_set(transform_left_filter_column(6, 3), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_6_3_value := is_set(transform_left_filter_column(6, 3), 3);
-      transform_left_filter_low_is_larger_0_choice(6, 4, 1) := choice(is_set(transform_left_filter_column(6, 4), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(6, 4, 2) := choice(is_set(transform_left_filter_column(6, 4), 1),
-        transform_left_filter_low_is_larger_0_choice(6, 4, 1), is_set(transform_left_filter_column(6, 4), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(6, 4, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(6, 4, 2), not
-        is_set(transform_left_filter_column(6, 4), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_6_4_value := is_set(transform_left_filter_column(6, 4), 3);
-      transform_left_filter_low_is_larger_0_choice(7, 0, 1) := choice(is_set(transform_left_filter_column(7, 0), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(7, 0, 2) := choice(is_set(transform_left_filter_column(7, 0), 1),
-        transform_left_filter_low_is_larger_0_choice(7, 0, 1), is_set(transform_left_filter_column(7, 0), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(7, 0, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(7, 0, 2), not
-        is_set(transform_left_filter_column(7, 0), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_7_0_value := is_set(transform_left_filter_column(7, 0), 3);
-      transform_left_filter_low_is_larger_0_choice(7, 1, 1) := choice(is_set(transform_left_filter_column(7, 1), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(7, 1, 2) := choice(is_set(transform_left_filter_column(7, 1), 1),
-        transform_left_filter_low_is_larger_0_choice(7, 1, 1), is_set(transform_left_filter_column(7, 1), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(7, 1, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(7, 1, 2), not
-        is_set(transform_left_filter_column(7, 1), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_7_1_value := is_set(transform_left_filter_column(7, 1), 3);
-      transform_left_filter_low_is_larger_0_choice(7, 2, 1) := choice(is_set(transform_left_filter_column(7, 2), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(7, 2, 2) := choice(is_set(transform_left_filter_column(7, 2), 1),
-        transform_left_filter_low_is_larger_0_choice(7, 2, 1), is_set(transform_left_filter_column(7, 2), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(7, 2, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(7, 2, 2), not
-        is_set(transform_left_filter_column(7, 2), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_7_2_value := is_set(transform_left_filter_column(7, 2), 3);
-      transform_left_filter_low_is_larger_0_choice(7, 3, 1) := choice(is_set(transform_left_filter_column(7, 3), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(7, 3, 2) := choice(is_set(transform_left_filter_column(7, 3), 1),
-        transform_left_filter_low_is_larger_0_choice(7, 3, 1), is_set(transform_left_filter_column(7, 3), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(7, 3, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(7, 3, 2), not
-        is_set(transform_left_filter_column(7, 3), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_7_3_value := is_set(transform_left_filter_column(7, 3), 3);
-      transform_left_filter_low_is_larger_0_choice(7, 4, 1) := choice(is_set(transform_left_filter_column(7, 4), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(7, 4, 2) := choice(is_set(transform_left_filter_column(7, 4), 1),
-        transform_left_filter_low_is_larger_0_choice(7, 4, 1), is_set(transform_left_filter_column(7, 4), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(7, 4, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(7, 4, 2), not
-        is_set(transform_left_filter_column(7, 4), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_7_4_value := is_set(transform_left_filter_column(7, 4), 3);
-      transform_left_filter_low_is_larger_0_choice(8, 0, 1) := choice(is_set(transform_left_filter_column(8, 0), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(8, 0, 2) := choice(is_set(transform_left_filter_column(8, 0), 1),
-        transform_left_filter_low_is_larger_0_choice(8, 0, 1), is_set(transform_left_filter_column(8, 0), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(8, 0, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(8, 0, 2), not
-        is_set(transform_left_filter_column(8, 0), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_8_0_value := is_set(transform_left_filter_column(8, 0), 3);
-      transform_left_filter_low_is_larger_0_choice(8, 1, 1) := choice(is_set(transform_left_filter_column(8, 1), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(8, 1, 2) := choice(is_set(transform_left_filter_column(8, 1), 1),
-        transform_left_filter_low_is_larger_0_choice(8, 1, 1), is_set(transform_left_filter_column(8, 1), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(8, 1, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(8, 1, 2), not
-        is_set(transform_left_filter_column(8, 1), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_8_1_value := is_set(transform_left_filter_column(8, 1), 3);
-      transform_left_filter_low_is_larger_0_choice(8, 2, 1) := choice(is_set(transform_left_filter_column(8, 2), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(8, 2, 2) := choice(is_set(transform_left_filter_column(8, 2), 1),
-        transform_left_filter_low_is_larger_0_choice(8, 2, 1), is_set(transform_left_filter_column(8, 2), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(8, 2, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(8, 2, 2), not
-        is_set(transform_left_filter_column(8, 2), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_8_2_value := is_set(transform_left_filter_column(8, 2), 3);
-      transform_left_filter_low_is_larger_0_choice(8, 3, 1) := choice(is_set(transform_left_filter_column(8, 3), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(8, 3, 2) := choice(is_set(transform_left_filter_column(8, 3), 1),
-        transform_left_filter_low_is_larger_0_choice(8, 3, 1), is_set(transform_left_filter_column(8, 3), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(8, 3, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(8, 3, 2), not
-        is_set(transform_left_filter_column(8, 3), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_8_3_value := is_set(transform_left_filter_column(8, 3), 3);
-      transform_left_filter_low_is_larger_0_choice(8, 4, 1) := choice(is_set(transform_left_filter_column(8, 4), 0),
-        transform_left_filter_low_is_larger_0_0_1_any, not transform_left_filter_low_is_larger_0_0_0_value);
-      transform_left_filter_low_is_larger_0_choice(8, 4, 2) := choice(is_set(transform_left_filter_column(8, 4), 1),
-        transform_left_filter_low_is_larger_0_choice(8, 4, 1), is_set(transform_left_filter_column(8, 4), 0) and
-        transform_left_filter_low_is_larger_0_0_1_is_equal);
-      transform_left_filter_low_is_larger_0_choice(8, 4, 3) :=
-        inverted_carry(transform_left_filter_low_is_larger_0_choice(8, 4, 2), not
-        is_set(transform_left_filter_column(8, 4), 2), transform_left_filter_low_is_larger_0_0_0_values(2));
-      transform_left_filter_low_is_larger_0_8_4_value := is_set(transform_left_filter_column(8, 4), 3);
-      transform_left_filter_feature_0_values(1) := is_set(transform_left_filter_column(4, 2), 4);
-      transform_left_filter_feature_0_choices(1) := inverted_carry(is_set(transform_left_filter_column(8, 0), 4), not
-        transform_left_filter_low_is_larger_0s(8, 0), transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_values(2) := is_set(transform_left_filter_column(4, 2), 5);
-      transform_left_filter_feature_0_choices(2) := carry(transform_left_filter_feature_0_choices(1), not
-        is_set(transform_left_filter_column(8, 0), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_values(3) := is_set(transform_left_filter_column(4, 2), 6);
-      for i in 0 to 3 loop
-        transform_left_filter_feature_0_choices(4 * i + 3) := carry(transform_left_filter_feature_0_choices(4 * i + 2),
-          not is_set(transform_left_filter_column(8, i), 6), transform_left_filter_feature_0_values(3));
-        transform_left_filter_feature_0_choices(4 * i + 4) := inverted_carry(transform_left_filter_feature_0_choices(4
-          * i + 3), is_set(transform_left_filter_column(8, i), 7), not is_set(transform_left_filter_column(4, 2), 7));
-        transform_left_filter_feature_0_choices(4 * i + 5) := inverted_carry(is_set(transform_left_filter_column(8, i +
-          1), 4), not transform_left_filter_low_is_larger_0s(8, i + 1), transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(4 * i + 6) := carry(transform_left_filter_feature_0_choices(4 * i + 5),
-          not is_set(transform_left_filter_column(8, i + 1), 5), transform_left_filter_feature_0_values(2));
+      for i in 1 to 4 loop
+        transform_left_filter_low_is_larger_0_choice_3(0, i) := not is_larger(transform_left_filter_column(0, i),
+          transform_left_filter_column(4, 2), 0, 2, false);
+        transform_left_filter_low_is_larger_0_value(0, i, 1) := is_set(transform_left_filter_column(0, i), 3);
       end loop;
-      transform_left_filter_feature_0_choices(19) := carry(transform_left_filter_feature_0_choices(18), not
-        is_set(transform_left_filter_column(8, 4), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_choices(20) := inverted_carry(transform_left_filter_feature_0_choices(19),
-        is_set(transform_left_filter_column(8, 4), 7), not is_set(transform_left_filter_column(4, 2), 7));
-      for i in 0 to 2 loop
+      for i in 1 to 3 loop
         for j in 0 to 4 loop
-          transform_left_filter_feature_0_choices(20 * i + 4 * j + 21) :=
-            inverted_carry(is_set(transform_left_filter_column(7 - i, j), 4), not
-            transform_left_filter_low_is_larger_0s(7 - i, j), transform_left_filter_feature_0_values(1));
-          transform_left_filter_feature_0_choices(20 * i + 4 * j + 22) :=
-            carry(transform_left_filter_feature_0_choices(20 * i + 4 * j + 21), not
-            is_set(transform_left_filter_column(7 - i, j), 5), transform_left_filter_feature_0_values(2));
-          transform_left_filter_feature_0_choices(20 * i + 4 * j + 23) :=
-            carry(transform_left_filter_feature_0_choices(20 * i + 4 * j + 22), not
-            is_set(transform_left_filter_column(7 - i, j), 6), transform_left_filter_feature_0_values(3));
-          transform_left_filter_feature_0_choices(20 * i + 4 * j + 24) :=
-            inverted_carry(transform_left_filter_feature_0_choices(20 * i + 4 * j + 23),
-            is_set(transform_left_filter_column(7 - i, j), 7), not is_set(transform_left_filter_column(4, 2), 7));
-        end loop;
-      end loop;
-      transform_left_filter_feature_0_choices(81) := inverted_carry(is_set(transform_left_filter_column(4, 4), 4), not
-        transform_left_filter_low_is_larger_0_4s(4), transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(82) := carry(transform_left_filter_feature_0_choices(81), not
-        is_set(transform_left_filter_column(4, 4), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(83) := carry(transform_left_filter_feature_0_choices(82), not
-        is_set(transform_left_filter_column(4, 4), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_choices(84) := choice(is_set(transform_left_filter_column(4, 4), 7),
-        transform_filtering_0_column_inside(4), transform_filtering_0_column_inside(4) and (not
-        is_set(transform_left_filter_column(4, 2), 7)));
-      transform_left_filter_feature_0_choices(85) := choice(transform_left_filter_feature_0_choices(83),
-        is_set(transform_left_filter_column(4, 4), 7) and transform_filtering_0_column_inside(4) and (not
-        is_set(transform_left_filter_column(4, 2), 7)), transform_left_filter_feature_0_choices(84));
-      transform_left_filter_feature_0_choices(86) := inverted_carry(is_set(transform_left_filter_column(4, 1), 4), not
-        transform_left_filter_low_is_larger_0_4(1), transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(87) := carry(transform_left_filter_feature_0_choices(86), not
-        is_set(transform_left_filter_column(4, 1), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(88) := carry(transform_left_filter_feature_0_choices(87), not
-        is_set(transform_left_filter_column(4, 1), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_choices(89) := inverted_carry(transform_left_filter_feature_0_choices(88),
-        is_set(transform_left_filter_column(4, 1), 7), not is_set(transform_left_filter_column(4, 2), 7));
-      transform_left_filter_feature_0_choices(90) := inverted_carry(is_set(transform_left_filter_column(4, 3), 4), not
-        transform_left_filter_low_is_larger_0_4s(3), transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(91) := carry(transform_left_filter_feature_0_choices(90), not
-        is_set(transform_left_filter_column(4, 3), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(92) := carry(transform_left_filter_feature_0_choices(91), not
-        is_set(transform_left_filter_column(4, 3), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_choices(93) := inverted_carry(transform_left_filter_feature_0_choices(92),
-        is_set(transform_left_filter_column(4, 3), 7), not is_set(transform_left_filter_column(4, 2), 7));
-      transform_left_filter_feature_0_choices(94) := inverted_carry(is_set(transform_left_filter_column(4, 0), 4), not
-        transform_left_filter_low_is_larger_0_4(0), transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(95) := carry(transform_left_filter_feature_0_choices(94), not
-        is_set(transform_left_filter_column(4, 0), 5), transform_left_filter_feature_0_values(2));
-      transform_left_filter_feature_0_choices(96) := carry(transform_left_filter_feature_0_choices(95), not
-        is_set(transform_left_filter_column(4, 0), 6), transform_left_filter_feature_0_values(3));
-      transform_left_filter_feature_0_choices(97) := inverted_carry(transform_left_filter_feature_0_choices(96),
-        is_set(transform_left_filter_column(4, 0), 7), not is_set(transform_left_filter_column(4, 2), 7));
-      for i in 0 to 2 loop
-        transform_left_filter_feature_0_choices(20 * i + 98) := inverted_carry(is_set(transform_left_filter_column(3 -
-          i, 3), 4), not transform_left_filter_low_is_larger_0(3 - i, 3), transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(20 * i + 99) := carry(transform_left_filter_feature_0_choices(20 * i +
-          98), not is_set(transform_left_filter_column(3 - i, 3), 5), transform_left_filter_feature_0_values(2));
-        transform_left_filter_feature_0_choices(20 * i + 100) := carry(transform_left_filter_feature_0_choices(20 * i +
-          99), not is_set(transform_left_filter_column(3 - i, 3), 6), transform_left_filter_feature_0_values(3));
-        transform_left_filter_feature_0_choices(20 * i + 101) :=
-          inverted_carry(transform_left_filter_feature_0_choices(20 * i + 100), is_set(transform_left_filter_column(3 -
-          i, 3), 7), not is_set(transform_left_filter_column(4, 2), 7));
-        transform_left_filter_feature_0_choices(20 * i + 102) := inverted_carry(is_set(transform_left_filter_column(3 -
-          i, 4), 4), not transform_left_filter_low_is_larger_0(3 - i, 4), transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(20 * i + 103) := carry(transform_left_filter_feature_0_choices(20 * i +
-          102), not is_set(transform_left_filter_column(3 - i, 4), 5), transform_left_filter_feature_0_values(2));
-        transform_left_filter_feature_0_choices(20 * i + 104) := carry(transform_left_filter_feature_0_choices(20 * i +
-          103), not is_set(transform_left_filter_column(3 - i, 4), 6), transform_left_filter_feature_0_values(3));
-        transform_left_filter_feature_0_choices(20 * i + 105) :=
-          inverted_carry(transform_left_filter_feature_0_choices(20 * i + 104), is_set(transform_left_filter_column(3 -
-          i, 4), 7), not is_set(transform_left_filter_column(4, 2), 7));
-        for j in 0 to 2 loop
-          transform_left_filter_feature_0_choices(20 * i + 4 * j + 106) :=
-            inverted_carry(is_set(transform_left_filter_column(3 - i, 2 - j), 4), not
-            transform_left_filter_low_is_larger_0(3 - i, 2 - j), transform_left_filter_feature_0_values(1));
-          transform_left_filter_feature_0_choices(20 * i + 4 * j + 107) :=
-            carry(transform_left_filter_feature_0_choices(20 * i + 4 * j + 106), not
-            is_set(transform_left_filter_column(3 - i, 2 - j), 5), transform_left_filter_feature_0_values(2));
-          transform_left_filter_feature_0_choices(20 * i + 4 * j + 108) :=
-            carry(transform_left_filter_feature_0_choices(20 * i + 4 * j + 107), not
-            is_set(transform_left_filter_column(3 - i, 2 - j), 6), transform_left_filter_feature_0_values(3));
-          transform_left_filter_feature_0_choices(20 * i + 4 * j + 109) :=
-            inverted_carry(transform_left_filter_feature_0_choices(20 * i + 4 * j + 108),
-            is_set(transform_left_filter_column(3 - i, 2 - j), 7), not is_set(transform_left_filter_column(4, 2), 7));
+          transform_left_filter_low_is_larger_0_choice_3(i, j) := not is_larger(transform_left_filter_column(i, j),
+            transform_left_filter_column(4, 2), 0, 2, false);
+          transform_left_filter_low_is_larger_0_value(i, j, 1) := is_set(transform_left_filter_column(i, j), 3);
         end loop;
       end loop;
       for i in 0 to 1 loop
-        transform_left_filter_feature_0_choices(8 * i + 158) := inverted_carry(is_set(transform_left_filter_column(0, 3
-          - i), 4), not transform_left_filter_low_is_larger_0(0, 3 - i), transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(8 * i + 159) := carry(transform_left_filter_feature_0_choices(8 * i +
-          158), not is_set(transform_left_filter_column(0, 3 - i), 5), transform_left_filter_feature_0_values(2));
-        transform_left_filter_feature_0_choices(8 * i + 160) := carry(transform_left_filter_feature_0_choices(8 * i +
-          159), not is_set(transform_left_filter_column(0, 3 - i), 6), transform_left_filter_feature_0_values(3));
-        transform_left_filter_feature_0_choices(8 * i + 161) :=
-          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 160), is_set(transform_left_filter_column(0, 3
-          - i), 7), not is_set(transform_left_filter_column(4, 2), 7));
-        transform_left_filter_feature_0_choices(8 * i + 162) := inverted_carry(is_set(transform_left_filter_column(0, 4
-          - 3 * i), 4), not transform_left_filter_low_is_larger_0(0, 4 - 3 * i),
-          transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(8 * i + 163) := carry(transform_left_filter_feature_0_choices(8 * i +
-          162), not is_set(transform_left_filter_column(0, 4 - 3 * i), 5), transform_left_filter_feature_0_values(2));
-        transform_left_filter_feature_0_choices(8 * i + 164) := carry(transform_left_filter_feature_0_choices(8 * i +
-          163), not is_set(transform_left_filter_column(0, 4 - 3 * i), 6), transform_left_filter_feature_0_values(3));
-        transform_left_filter_feature_0_choices(8 * i + 165) :=
-          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 164), is_set(transform_left_filter_column(0, 4
-          - 3 * i), 7), not is_set(transform_left_filter_column(4, 2), 7));
+        transform_left_filter_low_is_larger_0_choice_3(4, 3 * i) := not is_larger(transform_left_filter_column(4, 3 *
+          i), transform_left_filter_column(4, 2), 0, 2, false);
+        transform_left_filter_low_is_larger_0_value(4, 3 * i, 1) := is_set(transform_left_filter_column(4, 3 * i), 3);
+        transform_left_filter_low_is_larger_0_choice_3(4, 3 * i + 1) := not is_larger(transform_left_filter_column(4, 3
+          * i + 1), transform_left_filter_column(4, 2), 0, 2, false);
+        transform_left_filter_low_is_larger_0_value(4, 3 * i + 1, 1) := is_set(transform_left_filter_column(4, 3 * i +
+          1), 3);
+      end loop;
+      for i in 5 to 8 loop
+        for j in 0 to 4 loop
+          transform_left_filter_low_is_larger_0_choice_3(i, j) := not is_larger(transform_left_filter_column(i, j),
+            transform_left_filter_column(4, 2), 0, 2, false);
+          transform_left_filter_low_is_larger_0_value(i, j, 1) := is_set(transform_left_filter_column(i, j), 3);
+        end loop;
+      end loop;
+      transform_left_filter_feature_0_values(1) := is_set(transform_left_filter_column(4, 2), 4);
+      transform_left_filter_feature_0_values(2) := is_set(transform_left_filter_column(4, 2), 5);
+      transform_left_filter_feature_0_values(3) := is_set(transform_left_filter_column(4, 2), 6);
+      for i in 0 to 3 loop
+        for j in 0 to 4 loop
+          transform_left_filter_feature_0_choice(20 * i + 4 * j + 4) := is_larger(transform_left_filter_column(8 - i,
+            j), transform_left_filter_column(4, 2), 4, 7, transform_left_filter_low_is_larger_0s(8 - i, j));
+        end loop;
+      end loop;
+      transform_left_filter_feature_0_choice(83) := not is_larger(transform_left_filter_column(4, 4),
+        transform_left_filter_column(4, 2), 4, 6, transform_left_filter_low_is_larger_0_4s(4));
+      transform_left_filter_feature_0_choice(84) := choice(is_set(transform_left_filter_column(4, 4), 7),
+        transform_filtering_0_column_inside(4), transform_filtering_0_column_inside(4) and (not
+        is_set(transform_left_filter_column(4, 2), 7)));
+      transform_left_filter_feature_0_choice(85) := choice(transform_left_filter_feature_0_choice(83),
+        is_set(transform_left_filter_column(4, 4), 7) and transform_filtering_0_column_inside(4) and (not
+        is_set(transform_left_filter_column(4, 2), 7)), transform_left_filter_feature_0_choice(84));
+      transform_left_filter_feature_0_choice(89) := is_larger(transform_left_filter_column(4, 1),
+        transform_left_filter_column(4, 2), 4, 7, transform_left_filter_low_is_larger_0_4(1));
+      transform_left_filter_feature_0_choice(93) := is_larger(transform_left_filter_column(4, 3),
+        transform_left_filter_column(4, 2), 4, 7, transform_left_filter_low_is_larger_0_4s(3));
+      transform_left_filter_feature_0_choice(97) := is_larger(transform_left_filter_column(4, 0),
+        transform_left_filter_column(4, 2), 4, 7, transform_left_filter_low_is_larger_0_4(0));
+      for i in 0 to 2 loop
+        transform_left_filter_feature_0_choice(20 * i + 101) := is_larger(transform_left_filter_column(3 - i, 3),
+          transform_left_filter_column(4, 2), 4, 7, transform_left_filter_low_is_larger_0(3 - i, 3));
+        transform_left_filter_feature_0_choice(20 * i + 105) := is_larger(transform_left_filter_column(3 - i, 4),
+          transform_left_filter_column(4, 2), 4, 7, transform_left_filter_low_is_larger_0(3 - i, 4));
+        for j in 0 to 2 loop
+          transform_left_filter_feature_0_choice(20 * i + 4 * j + 109) := is_larger(transform_left_filter_column(3 - i,
+            2 - j), transform_left_filter_column(4, 2), 4, 7, transform_left_filter_low_is_larger_0(3 - i, 2 - j));
+        end loop;
+      end loop;
+      for i in 0 to 1 loop
+        transform_left_filter_feature_0_choice(8 * i + 161) := is_larger(transform_left_filter_column(0, 3 - i),
+          transform_left_filter_column(4, 2), 4, 7, transform_left_filter_low_is_larger_0(0, 3 - i));
+        transform_left_filter_feature_0_choice(8 * i + 165) := is_larger(transform_left_filter_column(0, 4 - 3 * i),
+          transform_left_filter_column(4, 2), 4, 7, transform_left_filter_low_is_larger_0(0, 4 - 3 * i));
       end loop;
       transform_left_filter_feature_0_values(4) := is_set(transform_left_filter_column(0, 0), 4);
-      transform_left_filter_feature_0_choices(174) := inverted_carry(transform_left_filter_feature_0_values(1),
+      transform_left_filter_feature_0_choice(174) := inverted_carry(transform_left_filter_feature_0_values(1),
         transform_left_filter_feature_0_values(4), transform_left_filter_low_is_larger_0(0, 0));
-      for i in 5 to 6 loop
-        transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(0, 0), i);
-        transform_left_filter_feature_0_choices(i + 170) := carry(transform_left_filter_feature_0_choices(i + 169), not
-          transform_left_filter_feature_0_values(i - 3), transform_left_filter_feature_0_values(i));
-      end loop;
-      transform_left_filter_feature_0_choices(177) := carry(transform_left_filter_feature_0_choices(176), not
-        is_set(transform_left_filter_column(4, 2), 7), is_set(transform_left_filter_column(0, 0), 7));
+      transform_left_filter_feature_0_values(5) := is_set(transform_left_filter_column(0, 0), 5);
+      transform_left_filter_feature_0_values(6) := is_set(transform_left_filter_column(0, 0), 6);
+      transform_left_filter_feature_0_choice(177) := not is_larger(transform_left_filter_column(4, 2),
+        transform_left_filter_column(0, 0), 5, 7, not transform_left_filter_feature_0_choice(174));
       transform_left_filter_feature_0_choice_178 := choice(transform_filtering_0_column_inside(0),
-        (as_number(transform_left_filter_feature_0_choices(161)) * 8) +
-        (as_number(transform_left_filter_feature_0_choices(165)) * 16) +
-        (as_number(transform_left_filter_feature_0_choices(169)) * 4) +
-        (as_number(transform_left_filter_feature_0_choices(173)) * 2) +
-        as_number(transform_left_filter_feature_0_choices(177)), 0);
+        (as_number(transform_left_filter_feature_0_choice(161)) * 8) +
+        (as_number(transform_left_filter_feature_0_choice(165)) * 16) +
+        (as_number(transform_left_filter_feature_0_choice(169)) * 4) +
+        (as_number(transform_left_filter_feature_0_choice(173)) * 2) +
+        as_number(transform_left_filter_feature_0_choice(177)), 0);
       transform_left_filter_feature_0_choice_179 := choice(transform_filtering_0_column_inside(1),
-        (as_number(transform_left_filter_feature_0_choices(141)) * 256) +
-        (as_number(transform_left_filter_feature_0_choices(145)) * 512) +
-        (as_number(transform_left_filter_feature_0_choices(149)) * 128) +
-        (as_number(transform_left_filter_feature_0_choices(153)) * 64) +
-        (as_number(transform_left_filter_feature_0_choices(157)) * 32) + transform_left_filter_feature_0_choice_178,
+        (as_number(transform_left_filter_feature_0_choice(141)) * 256) +
+        (as_number(transform_left_filter_feature_0_choice(145)) * 512) +
+        (as_number(transform_left_filter_feature_0_choice(149)) * 128) +
+        (as_number(transform_left_filter_feature_0_choice(153)) * 64) +
+        (as_number(transform_left_filter_feature_0_choice(157)) * 32) + transform_left_filter_feature_0_choice_178,
         transform_left_filter_feature_0_choice_178);
       transform_left_filter_feature_0_choice_180 := choice(transform_filtering_0_column_inside(2),
-        (as_number(transform_left_filter_feature_0_choices(121)) * 8192) +
-        (as_number(transform_left_filter_feature_0_choices(125)) * 16384) +
-        (as_number(transform_left_filter_feature_0_choices(129)) * 4096) +
-        (as_number(transform_left_filter_feature_0_choices(133)) * 2048) +
-        (as_number(transform_left_filter_feature_0_choices(137)) * 1024) + transform_left_filter_feature_0_choice_179,
+        (as_number(transform_left_filter_feature_0_choice(121)) * 8192) +
+        (as_number(transform_left_filter_feature_0_choice(125)) * 16384) +
+        (as_number(transform_left_filter_feature_0_choice(129)) * 4096) +
+        (as_number(transform_left_filter_feature_0_choice(133)) * 2048) +
+        (as_number(transform_left_filter_feature_0_choice(137)) * 1024) + transform_left_filter_feature_0_choice_179,
         transform_left_filter_feature_0_choice_179);
       transform_left_filter_feature_0_choice_181 := choice(transform_filtering_0_column_inside(3),
-        (as_number(transform_left_filter_feature_0_choices(101)) * 262144) +
-        (as_number(transform_left_filter_feature_0_choices(105)) * 524288) +
-        (as_number(transform_left_filter_feature_0_choices(109)) * 131072) +
-        (as_number(transform_left_filter_feature_0_choices(113)) * 65536) +
-        (as_number(transform_left_filter_feature_0_choices(117)) * 32768) + transform_left_filter_feature_0_choice_180,
+        (as_number(transform_left_filter_feature_0_choice(101)) * 262144) +
+        (as_number(transform_left_filter_feature_0_choice(105)) * 524288) +
+        (as_number(transform_left_filter_feature_0_choice(109)) * 131072) +
+        (as_number(transform_left_filter_feature_0_choice(113)) * 65536) +
+        (as_number(transform_left_filter_feature_0_choice(117)) * 32768) + transform_left_filter_feature_0_choice_180,
         transform_left_filter_feature_0_choice_180);
       transform_left_filter_feature_0_choice_182 := choice(transform_filtering_0_column_inside(4),
-        (as_number(transform_left_filter_feature_0_choices(89)) * 2097152) +
-        (as_number(transform_left_filter_feature_0_choices(93)) * 4194304) +
-        (as_number(transform_left_filter_feature_0_choices(97)) * 1048576) +
-        transform_left_filter_feature_0_choice_181, transform_left_filter_feature_0_choice_181);
+        (as_number(transform_left_filter_feature_0_choice(89)) * 2097152) +
+        (as_number(transform_left_filter_feature_0_choice(93)) * 4194304) +
+        (as_number(transform_left_filter_feature_0_choice(97)) * 1048576) + transform_left_filter_feature_0_choice_181,
+        transform_left_filter_feature_0_choice_181);
       transform_left_filter_feature_0_choice_183 := choice(transform_filtering_0_column_inside(5),
-        (as_number(transform_left_filter_feature_0_choices(64)) * 16777216) +
-        (as_number(transform_left_filter_feature_0_choices(68)) * 33554432) +
-        (as_number(transform_left_filter_feature_0_choices(72)) * 67108864) +
-        (as_number(transform_left_filter_feature_0_choices(76)) * 134217728) +
-        (as_number(transform_left_filter_feature_0_choices(80)) * 268435456) +
-        (as_number(transform_left_filter_feature_0_choices(85)) * 8388608) +
-        transform_left_filter_feature_0_choice_182, (as_number(transform_left_filter_feature_0_choices(85)) * 8388608)
-        + transform_left_filter_feature_0_choice_182);
+        (as_number(transform_left_filter_feature_0_choice(64)) * 16777216) +
+        (as_number(transform_left_filter_feature_0_choice(68)) * 33554432) +
+        (as_number(transform_left_filter_feature_0_choice(72)) * 67108864) +
+        (as_number(transform_left_filter_feature_0_choice(76)) * 134217728) +
+        (as_number(transform_left_filter_feature_0_choice(80)) * 268435456) +
+        (as_number(transform_left_filter_feature_0_choice(85)) * 8388608) + transform_left_filter_feature_0_choice_182,
+        (as_number(transform_left_filter_feature_0_choice(85)) * 8388608) + transform_left_filter_feature_0_choice_182);
       if transform_filtering_0_column_inside(6) then
         transform_left_filter_feature_0_choice_184 :=
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(60)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(56)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(52)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(48)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(44)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(60)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(56)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(52)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(48)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(44)), 1) &
           to_unsigned(transform_left_filter_feature_0_choice_183, 29);
       else
         transform_left_filter_feature_0_choice_184 := to_unsigned(transform_left_filter_feature_0_choice_183, 34);
       end if;
       if transform_filtering_0_column_inside(7) then
         transform_left_filter_feature_0_choice_185 :=
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(40)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(36)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(32)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(28)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(24)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(40)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(36)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(32)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(28)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(24)), 1) &
           transform_left_filter_feature_0_choice_184(33 downto 0);
       else
         transform_left_filter_feature_0_choice_185 := resize(transform_left_filter_feature_0_choice_184, 39);
       end if;
-      transform_right_filter_low_is_larger_0_0_0_value := is_set(transform_right_filter_column(4, 2), 1);
-      transform_right_filter_low_is_larger_0_choice(0, 0, 1) := choice(is_set(transform_right_filter_column(4, 2), 0),
-        not is_set(transform_right_filter_column(0, 0), 1), (transform_right_filter_column(0, 0) mod 4) = 0);
-      transform_right_filter_low_is_larger_0_choice(0, 0, 2) :=
-        choice(transform_right_filter_low_is_larger_0_0_0_value, is_set(transform_right_filter_column(4, 2), 0) or (not
-        is_set(transform_right_filter_column(0, 0), 1)) or (not is_set(transform_right_filter_column(0, 0), 0)),
-        transform_right_filter_low_is_larger_0_choice(0, 0, 1));
-      transform_right_filter_low_is_larger_0_0_0_values(2) := is_set(transform_right_filter_column(4, 2), 2);
-      transform_right_filter_low_is_larger_0_0_0_values(3) := is_set(transform_right_filter_column(0, 0), 2);
-      transform_right_filter_low_is_larger_0_choice(0, 0, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(0, 0, 2), not
-        transform_right_filter_low_is_larger_0_0_0_values(2), transform_right_filter_low_is_larger_0_0_0_values(3));
-      transform_right_filter_low_is_larger_0_0_0_values(4) := is_set(transform_right_filter_column(0, 0), 3);
-      transform_right_filter_low_is_larger_0_0_1_any := (not transform_right_filter_low_is_larger_0_0_0_value) or (not
-        is_set(transform_right_filter_column(4, 2), 0));
-      transform_right_filter_low_is_larger_0_choice(0, 1, 1) := choice(is_set(transform_right_filter_column(0, 1), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
+      transform_right_filter_low_is_larger_0_value(0, 0, 1) := is_set(transform_right_filter_column(4, 2), 1);
+      transform_right_filter_low_is_larger_0_value(0, 0, 2) := is_set(transform_right_filter_column(4, 2), 2);
+      transform_right_filter_low_is_larger_0_value(0, 0, 3) := is_set(transform_right_filter_column(0, 0), 2);
+      transform_right_filter_low_is_larger_0_choice_3(0, 0) := not is_larger(transform_right_filter_column(4, 2),
+        transform_right_filter_column(0, 0), 0, 2, true);
+      transform_right_filter_low_is_larger_0_value(0, 0, 4) := is_set(transform_right_filter_column(0, 0), 3);
+      transform_right_filter_low_is_larger_0_0_1_any := (not transform_right_filter_low_is_larger_0_value(0, 0, 1)) or
+        (not is_set(transform_right_filter_column(4, 2), 0));
       transform_right_filter_low_is_larger_0_0_1_is_equal := (transform_right_filter_column(4, 2) mod 4) = 0;
-      transform_right_filter_low_is_larger_0_choice(0, 1, 2) := choice(is_set(transform_right_filter_column(0, 1), 1),
-        transform_right_filter_low_is_larger_0_choice(0, 1, 1), is_set(transform_right_filter_column(0, 1), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(0, 1, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(0, 1, 2), not
-        is_set(transform_right_filter_column(0, 1), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_0_1_value := is_set(transform_right_filter_column(0, 1), 3);
-      transform_right_filter_low_is_larger_0_choice(0, 2, 1) := choice(is_set(transform_right_filter_column(0, 2), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(0, 2, 2) := choice(is_set(transform_right_filter_column(0, 2), 1),
-        transform_right_filter_low_is_larger_0_choice(0, 2, 1), is_set(transform_right_filter_column(0, 2), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(0, 2, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(0, 2, 2), not
-        is_set(transform_right_filter_column(0, 2), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_0_2_value := is_set(transform_right_filter_column(0, 2), 3);
-      transform_right_filter_low_is_larger_0_choice(0, 3, 1) := choice(is_set(transform_right_filter_column(0, 3), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(0, 3, 2) := choice(is_set(transform_right_filter_column(0, 3), 1),
-        transform_right_filter_low_is_larger_0_choice(0, 3, 1), is_set(transform_right_filter_column(0, 3), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(0, 3, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(0, 3, 2), not
-        is_set(transform_right_filter_column(0, 3), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_0_3_value := is_set(transform_right_filter_column(0, 3), 3);
-      transform_right_filter_low_is_larger_0_choice(0, 4, 1) := choice(is_set(transform_right_filter_column(0, 4), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(0, 4, 2) := choice(is_set(transform_right_filter_column(0, 4), 1),
-        transform_right_filter_low_is_larger_0_choice(0, 4, 1), is_set(transform_right_filter_column(0, 4), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(0, 4, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(0, 4, 2), not
-        is_set(transform_right_filter_column(0, 4), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_0_4_value := is_set(transform_right_filter_column(0, 4), 3);
-      transform_right_filter_low_is_larger_0_choice(1, 0, 1) := choice(is_set(transform_right_filter_column(1, 0), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(1, 0, 2) := choice(is_set(transform_right_filter_column(1, 0), 1),
-        transform_right_filter_low_is_larger_0_choice(1, 0, 1), is_set(transform_right_filter_column(1, 0), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(1, 0, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(1, 0, 2), not
-        is_set(transform_right_filter_column(1, 0), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_1_0_value := is_set(transform_right_filter_column(1, 0), 3);
-      transform_right_filter_low_is_larger_0_choice(1, 1, 1) := choice(is_set(transform_right_filter_column(1, 1), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(1, 1, 2) := choice(is_set(transform_right_filter_column(1, 1), 1),
-        transform_right_filter_low_is_larger_0_choice(1, 1, 1), is_set(transform_right_filter_column(1, 1), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(1, 1, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(1, 1, 2), not
-        is_set(transform_right_filter_column(1, 1), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_1_1_value := is_set(transform_right_filter_column(1, 1), 3);
-      transform_right_filter_low_is_larger_0_choice(1, 2, 1) := choice(is_set(transform_right_filter_column(1, 2), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(1, 2, 2) := choice(is_set(transform_right_filter_column(1, 2), 1),
-        transform_right_filter_low_is_larger_0_choice(1, 2, 1), is_set(transform_right_filter_column(1, 2), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(1, 2, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(1, 2, 2), not
-        is_set(transform_right_filter_column(1, 2), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_1_2_value := is_set(transform_right_filter_column(1, 2), 3);
-      transform_right_filter_low_is_larger_0_choice(1, 3, 1) := choice(is_set(transform_right_filter_column(1, 3), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(1, 3, 2) := choice(is_set(transform_right_filter_column(1, 3), 1),
-        transform_right_filter_low_is_larger_0_choice(1, 3, 1), is_set(transform_right_filter_column(1, 3), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(1, 3, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(1, 3, 2), not
-        is_set(transform_right_filter_column(1, 3), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_1_3_value := is_set(transform_right_filter_column(1, 3), 3);
-      transform_right_filter_low_is_larger_0_choice(1, 4, 1) := choice(is_set(transform_right_filter_column(1, 4), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(1, 4, 2) := choice(is_set(transform_right_filter_column(1, 4), 1),
-        transform_right_filter_low_is_larger_0_choice(1, 4, 1), is_set(transform_right_filter_column(1, 4), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(1, 4, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(1, 4, 2), not
-        is_set(transform_right_filter_column(1, 4), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_1_4_value := is_set(transform_right_filter_column(1, 4), 3);
-      transform_right_filter_low_is_larger_0_choice(2, 0, 1) := choice(is_set(transform_right_filter_column(2, 0), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(2, 0, 2) := choice(is_set(transform_right_filter_column(2, 0), 1),
-        transform_right_filter_low_is_larger_0_choice(2, 0, 1), is_set(transform_right_filter_column(2, 0), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(2, 0, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(2, 0, 2), not
-        is_set(transform_right_filter_column(2, 0), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_2_0_value := is_set(transform_right_filter_column(2, 0), 3);
-      transform_right_filter_low_is_larger_0_choice(2, 1, 1) := choice(is_set(transform_right_filter_column(2, 1), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(2, 1, 2) := choice(is_set(transform_right_filter_column(2, 1), 1),
-        transform_right_filter_low_is_larger_0_choice(2, 1, 1), is_set(transform_right_filter_column(2, 1), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(2, 1, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(2, 1, 2), not
-        is_set(transform_right_filter_column(2, 1), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_2_1_value := is_set(transform_right_filter_column(2, 1), 3);
-      transform_right_filter_low_is_larger_0_choice(2, 2, 1) := choice(is_set(transform_right_filter_column(2, 2), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(2, 2, 2) := choice(is_set(transform_right_filter_column(2, 2), 1),
-        transform_right_filter_low_is_larger_0_choice(2, 2, 1), is_set(transform_right_filter_column(2, 2), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(2, 2, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(2, 2, 2), not
-        is_set(transform_right_filter_column(2, 2), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_2_2_value := is_set(transform_right_filter_column(2, 2), 3);
-      transform_right_filter_low_is_larger_0_choice(2, 3, 1) := choice(is_set(transform_right_filter_column(2, 3), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(2, 3, 2) := choice(is_set(transform_right_filter_column(2, 3), 1),
-        transform_right_filter_low_is_larger_0_choice(2, 3, 1), is_set(transform_right_filter_column(2, 3), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(2, 3, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(2, 3, 2), not
-        is_set(transform_right_filter_column(2, 3), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_2_3_value := is_set(transform_right_filter_column(2, 3), 3);
-      transform_right_filter_low_is_larger_0_choice(2, 4, 1) := choice(is_set(transform_right_filter_column(2, 4), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(2, 4, 2) := choice(is_set(transform_right_filter_column(2, 4), 1),
-        transform_right_filter_low_is_larger_0_choice(2, 4, 1), is_set(transform_right_filter_column(2, 4), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(2, 4, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(2, 4, 2), not
-        is_set(transform_right_filter_column(2, 4), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_2_4_value := is_set(transform_right_filter_column(2, 4), 3);
-      transform_right_filter_low_is_larger_0_choice(3, 0, 1) := choice(is_set(transform_right_filter_column(3, 0), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(3, 0, 2) := choice(is_set(transform_right_filter_column(3, 0), 1),
-        transform_right_filter_low_is_larger_0_choice(3, 0, 1), is_set(transform_right_filter_column(3, 0), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(3, 0, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(3, 0, 2), not
-        is_set(transform_right_filter_column(3, 0), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_3_0_value := is_set(transform_right_filter_column(3, 0), 3);
-      transform_right_filter_low_is_larger_0_choice(3, 1, 1) := choice(is_set(transform_right_filter_column(3, 1), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(3, 1, 2) := choice(is_set(transform_right_filter_column(3, 1), 1),
-        transform_right_filter_low_is_larger_0_choice(3, 1, 1), is_set(transform_right_filter_column(3, 1), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(3, 1, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(3, 1, 2), not
-        is_set(transform_right_filter_column(3, 1), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_3_1_value := is_set(transform_right_filter_column(3, 1), 3);
-      transform_right_filter_low_is_larger_0_choice(3, 2, 1) := choice(is_set(transform_right_filter_column(3, 2), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(3, 2, 2) := choice(is_set(transform_right_filter_column(3, 2), 1),
-        transform_right_filter_low_is_larger_0_choice(3, 2, 1), is_set(transform_right_filter_column(3, 2), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(3, 2, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(3, 2, 2), not
-        is_set(transform_right_filter_column(3, 2), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_3_2_value := is_set(transform_right_filter_column(3, 2), 3);
-      transform_right_filter_low_is_larger_0_choice(3, 3, 1) := choice(is_set(transform_right_filter_column(3, 3), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(3, 3, 2) := choice(is_set(transform_right_filter_column(3, 3), 1),
-        transform_right_filter_low_is_larger_0_choice(3, 3, 1), is_set(transform_right_filter_column(3, 3), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(3, 3, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(3, 3, 2), not
-        is_set(transform_right_filter_column(3, 3), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_3_3_value := is_set(transform_right_filter_column(3, 3), 3);
-      transform_right_filter_low_is_larger_0_choice(3, 4, 1) := choice(is_set(transform_right_filter_column(3, 4), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(3, 4, 2) := choice(is_set(transform_right_filter_column(3, 4), 1),
-        transform_right_filter_low_is_larger_0_choice(3, 4, 1), is_set(transform_right_filter_column(3, 4), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(3, 4, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(3, 4, 2), not
-        is_set(transform_right_filter_column(3, 4), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_3_4_value := is_set(transform_right_filter_column(3, 4), 3);
-      transform_right_filter_low_is_larger_0_choice(4, 0, 1) := choice(is_set(transform_right_filter_column(4, 0), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(4, 0, 2) := choice(is_set(transform_right_filter_column(4, 0), 1),
-        transform_right_filter_low_is_larger_0_choice(4, 0, 1), is_set(transform_right_filter_column(4, 0), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(4, 0, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(4, 0, 2), not
-        is_set(transform_right_filter_column(4, 0), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_4_0_value := is_set(transform_right_filter_column(4, 0), 3);
-      transform_right_filter_low_is_larger_0_choice(4, 1, 1) := choice(is_set(transform_right_filter_column(4, 1), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(4, 1, 2) := choice(is_set(transform_right_filter_column(4, 1), 1),
-        transform_right_filter_low_is_larger_0_choice(4, 1, 1), is_set(transform_right_filter_column(4, 1), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(4, 1, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(4, 1, 2), not
-        is_set(transform_right_filter_column(4, 1), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_4_1_value := is_set(transform_right_filter_column(4, 1), 3);
-      transform_right_filter_low_is_larger_0_choice(4, 3, 1) := choice(is_set(transform_right_filter_column(4, 3), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(4, 3, 2) := choice(is_set(transform_right_filter_column(4, 3), 1),
-        transform_right_filter_low_is_larger_0_choice(4, 3, 1), is_set(transform_right_filter_column(4, 3), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(4, 3, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(4, 3, 2), not
-        is_set(transform_right_filter_column(4, 3), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_4_3_value := is_set(transform_right_filter_column(4, 3), 3);
-      transform_right_filter_low_is_larger_0_choice(4, 4, 1) := choice(is_set(transform_right_filter_column(4, 4), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(4, 4, 2) := choice(is_set(transform_right_filter_column(4, 4), 1),
-        transform_right_filter_low_is_larger_0_choice(4, 4, 1), is_set(transform_right_filter_column(4, 4), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(4, 4, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(4, 4, 2), not
-        is_set(transform_right_filter_column(4, 4), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_4_4_value := is_set(transform_right_filter_column(4, 4), 3);
-      transform_right_filter_low_is_larger_0_choice(5, 0, 1) := choice(is_set(transform_right_filter_column(5, 0), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(5, 0, 2) := choice(is_set(transform_right_filter_column(5, 0), 1),
-        transform_right_filter_low_is_larger_0_choice(5, 0, 1), is_set(transform_right_filter_column(5, 0), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(5, 0, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(5, 0, 2), not
-        is_set(transform_right_filter_column(5, 0), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_5_0_value := is_set(transform_right_filter_column(5, 0), 3);
-      transform_right_filter_low_is_larger_0_choice(5, 1, 1) := choice(is_set(transform_right_filter_column(5, 1), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(5, 1, 2) := choice(is_set(transform_right_filter_column(5, 1), 1),
-        transform_right_filter_low_is_larger_0_choice(5, 1, 1), is_set(transform_right_filter_column(5, 1), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(5, 1, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(5, 1, 2), not
-        is_set(transform_right_filter_column(5, 1), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_5_1_value := is_set(transform_right_filter_column(5, 1), 3);
-      transform_right_filter_low_is_larger_0_choice(5, 2, 1) := choice(is_set(transform_right_filter_column(5, 2), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(5, 2, 2) := choice(is_set(transform_right_filter_column(5, 2), 1),
-        transform_right_filter_low_is_larger_0_choice(5, 2, 1), is_set(transform_right_filter_column(5, 2), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(5, 2, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(5, 2, 2), not
-        is_set(transform_right_filter_column(5, 2), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_5_2_value := is_set(transform_right_filter_column(5, 2), 3);
-      transform_right_filter_low_is_larger_0_choice(5, 3, 1) := choice(is_set(transform_right_filter_column(5, 3), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(5, 3, 2) := choice(is_set(transform_right_filter_column(5, 3), 1),
-        transform_right_filter_low_is_larger_0_choice(5, 3, 1), is_set(transform_right_filter_column(5, 3), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(5, 3, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(5, 3, 2), not
-        is_set(transform_right_filter_column(5, 3), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_5_3_value := is_set(transform_right_filter_column(5, 3), 3);
-      transform_right_filter_low_is_larger_0_choice(5, 4, 1) := choice(is_set(transform_right_filter_column(5, 4), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(5, 4, 2) := choice(is_set(transform_right_filter_column(5, 4), 1),
-        transform_right_filter_low_is_larger_0_choice(5, 4, 1), is_set(transform_right_filter_column(5, 4), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(5, 4, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(5, 4, 2), not
-        is_set(transform_right_filter_column(5, 4), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_5_4_value := is_set(transform_right_filter_column(5, 4), 3);
-      transform_right_filter_low_is_larger_0_choice(6, 0, 1) := choice(is_set(transform_right_filter_column(6, 0), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(6, 0, 2) := choice(is_set(transform_right_filter_column(6, 0), 1),
-        transform_right_filter_low_is_larger_0_choice(6, 0, 1), is_set(transform_right_filter_column(6, 0), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(6, 0, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(6, 0, 2), not
-        is_set(transform_right_filter_column(6, 0), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_6_0_value := is_set(transform_right_filter_column(6, 0), 3);
-      transform_right_filter_low_is_larger_0_choice(6, 1, 1) := choice(is_set(transform_right_filter_column(6, 1), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(6, 1, 2) := choice(is_set(transform_right_filter_column(6, 1), 1),
-        transform_right_filter_low_is_larger_0_choice(6, 1, 1), is_set(transform_right_filter_column(6, 1), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(6, 1, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(6, 1, 2), not
-        is_set(transform_right_filter_column(6, 1), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_6_1_value := is_set(transform_right_filter_column(6, 1), 3);
-      transform_right_filter_low_is_larger_0_choice(6, 2, 1) := choice(is_set(transform_right_filter_column(6, 2), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(6, 2, 2) := choice(is_set(transform_right_filter_column(6, 2), 1),
-        transform_right_filter_low_is_larger_0_choice(6, 2, 1), is_set(transform_right_filter_column(6, 2), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(6, 2, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(6, 2, 2), not
-        is_set(transform_right_filter_column(6, 2), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_6_2_value := is_set(transform_right_filter_column(6, 2), 3);
-      transform_right_filter_low_is_larger_0_choice(6, 3, 1) := choice(is_set(transform_right_filter_column(6, 3), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(6, 3, 2) := choice(is_set(transform_right_filter_column(6, 3), 1),
-        transform_right_filter_low_is_larger_0_choice(6, 3, 1), is_set(transform_right_filter_column(6, 3), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(6, 3, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(6, 3, 2), not
-        is_set(transform_right_filter_column(6, 3), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_6_3_value := is_set(transform_right_filter_column(6, 3), 3);
-      transform_right_filter_low_is_larger_0_choice(6, 4, 1) := choice(is_set(transform_right_filter_column(6, 4), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(6, 4, 2) := choice(is_set(transform_right_filter_column(6, 4), 1),
-        transform_right_filter_low_is_larger_0_choice(6, 4, 1), is_set(transform_right_filter_column(6, 4), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(6, 4, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(6, 4, 2), not
-        is_set(transform_right_filter_column(6, 4), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_6_4_value := is_set(transform_right_filter_column(6, 4), 3);
-      transform_right_filter_low_is_larger_0_choice(7, 0, 1) := choice(is_set(transform_right_filter_column(7, 0), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(7, 0, 2) := choice(is_set(transform_right_filter_column(7, 0), 1),
-        transform_right_filter_low_is_larger_0_choice(7, 0, 1), is_set(transform_right_filter_column(7, 0), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(7, 0, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(7, 0, 2), not
-        is_set(transform_right_filter_column(7, 0), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_7_0_value := is_set(transform_right_filter_column(7, 0), 3);
-      transform_right_filter_low_is_larger_0_choice(7, 1, 1) := choice(is_set(transform_right_filter_column(7, 1), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(7, 1, 2) := choice(is_set(transform_right_filter_column(7, 1), 1),
-        transform_right_filter_low_is_larger_0_choice(7, 1, 1), is_set(transform_right_filter_column(7, 1), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(7, 1, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(7, 1, 2), not
-        is_set(transform_right_filter_column(7, 1), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_7_1_value := is_set(transform_right_filter_column(7, 1), 3);
-      transform_right_filter_low_is_larger_0_choice(7, 2, 1) := choice(is_set(transform_right_filter_column(7, 2), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(7, 2, 2) := choice(is_set(transform_right_filter_column(7, 2), 1),
-        transform_right_filter_low_is_larger_0_choice(7, 2, 1), is_set(transform_right_filter_column(7, 2), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(7, 2, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(7, 2, 2), not
-        is_set(transform_right_filter_column(7, 2), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_7_2_value := is_set(transform_right_filter_column(7, 2), 3);
-      transform_right_filter_low_is_larger_0_choice(7, 3, 1) := choice(is_set(transform_right_filter_column(7, 3), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(7, 3, 2) := choice(is_set(transform_right_filter_column(7, 3), 1),
-        transform_right_filter_low_is_larger_0_choice(7, 3, 1), is_set(transform_right_filter_column(7, 3), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(7, 3, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(7, 3, 2), not
-        is_set(transform_right_filter_column(7, 3), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_7_3_value := is_set(transform_right_filter_column(7, 3), 3);
-      transform_right_filter_low_is_larger_0_choice(7, 4, 1) := choice(is_set(transform_right_filter_column(7, 4), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(7, 4, 2) := choice(is_set(transform_right_filter_column(7, 4), 1),
-        transform_right_filter_low_is_larger_0_choice(7, 4, 1), is_set(transform_right_filter_column(7, 4), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(7, 4, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(7, 4, 2), not
-        is_set(transform_right_filter_column(7, 4), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_7_4_value := is_set(transform_right_filter_column(7, 4), 3);
-      transform_right_filter_low_is_larger_0_choice(8, 0, 1) := choice(is_set(transform_right_filter_column(8, 0), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(8, 0, 2) := choice(is_set(transform_right_filter_column(8, 0), 1),
-        transform_right_filter_low_is_larger_0_choice(8, 0, 1), is_set(transform_right_filter_column(8, 0), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(8, 0, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(8, 0, 2), not
-        is_set(transform_right_filter_column(8, 0), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_8_0_value := is_set(transform_right_filter_column(8, 0), 3);
-      transform_right_filter_low_is_larger_0_choice(8, 1, 1) := choice(is_set(transform_right_filter_column(8, 1), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(8, 1, 2) := choice(is_set(transform_right_filter_column(8, 1), 1),
-        transform_right_filter_low_is_larger_0_choice(8, 1, 1), is_set(transform_right_filter_column(8, 1), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(8, 1, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(8, 1, 2), not
-        is_set(transform_right_filter_column(8, 1), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_8_1_value := is_set(transform_right_filter_column(8, 1), 3);
-      transform_right_filter_low_is_larger_0_choice(8, 2, 1) := choice(is_set(transform_right_filter_column(8, 2), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(8, 2, 2) := choice(is_set(transform_right_filter_column(8, 2), 1),
-        transform_right_filter_low_is_larger_0_choice(8, 2, 1), is_set(transform_right_filter_column(8, 2), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(8, 2, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(8, 2, 2), not
-        is_set(transform_right_filter_column(8, 2), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_8_2_value := is_set(transform_right_filter_column(8, 2), 3);
-      transform_right_filter_low_is_larger_0_choice(8, 3, 1) := choice(is_set(transform_right_filter_column(8, 3), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(8, 3, 2) := choice(is_set(transform_right_filter_column(8, 3), 1),
-        transform_right_filter_low_is_larger_0_choice(8, 3, 1), is_set(transform_right_filter_column(8, 3), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(8, 3, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(8, 3, 2), not
-        is_set(transform_right_filter_column(8, 3), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_8_3_value := is_set(transform_right_filter_column(8, 3), 3);
-      transform_right_filter_low_is_larger_0_choice(8, 4, 1) := choice(is_set(transform_right_filter_column(8, 4), 0),
-        transform_right_filter_low_is_larger_0_0_1_any, not transform_right_filter_low_is_larger_0_0_0_value);
-      transform_right_filter_low_is_larger_0_choice(8, 4, 2) := choice(is_set(transform_right_filter_column(8, 4), 1),
-        transform_right_filter_low_is_larger_0_choice(8, 4, 1), is_set(transform_right_filter_column(8, 4), 0) and
-        transform_right_filter_low_is_larger_0_0_1_is_equal);
-      transform_right_filter_low_is_larger_0_choice(8, 4, 3) :=
-        inverted_carry(transform_right_filter_low_is_larger_0_choice(8, 4, 2), not
-        is_set(transform_right_filter_column(8, 4), 2), transform_right_filter_low_is_larger_0_0_0_values(2));
-      transform_right_filter_low_is_larger_0_8_4_value := is_set(transform_right_filter_column(8, 4), 3);
-      transform_right_filter_feature_0_values(1) := is_set(transform_right_filter_column(4, 2), 4);
-      transform_right_filter_feature_0_choices(1) := inverted_carry(is_set(transform_right_filter_column(8, 0), 4), not
-        transform_right_filter_low_is_larger_0s(8, 0), transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_values(2) := is_set(transform_right_filter_column(4, 2), 5);
-      transform_right_filter_feature_0_choices(2) := carry(transform_right_filter_feature_0_choices(1), not
-        is_set(transform_right_filter_column(8, 0), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_values(3) := is_set(transform_right_filter_column(4, 2), 6);
-      for i in 0 to 3 loop
-        transform_right_filter_feature_0_choices(4 * i + 3) := carry(transform_right_filter_feature_0_choices(4 * i +
-          2), not is_set(transform_right_filter_column(8, i), 6), transform_right_filter_feature_0_values(3));
-        transform_right_filter_feature_0_choices(4 * i + 4) :=
-          inverted_carry(transform_right_filter_feature_0_choices(4 * i + 3), is_set(transform_right_filter_column(8,
-          i), 7), not is_set(transform_right_filter_column(4, 2), 7));
-        transform_right_filter_feature_0_choices(4 * i + 5) := inverted_carry(is_set(transform_right_filter_column(8, i
-          + 1), 4), not transform_right_filter_low_is_larger_0s(8, i + 1), transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(4 * i + 6) := carry(transform_right_filter_feature_0_choices(4 * i +
-          5), not is_set(transform_right_filter_column(8, i + 1), 5), transform_right_filter_feature_0_values(2));
+      for i in 1 to 4 loop
+        transform_right_filter_low_is_larger_0_choice_3(0, i) := not is_larger(transform_right_filter_column(0, i),
+          transform_right_filter_column(4, 2), 0, 2, false);
+        transform_right_filter_low_is_larger_0_value(0, i, 1) := is_set(transform_right_filter_column(0, i), 3);
       end loop;
-      transform_right_filter_feature_0_choices(19) := carry(transform_right_filter_feature_0_choices(18), not
-        is_set(transform_right_filter_column(8, 4), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_choices(20) := inverted_carry(transform_right_filter_feature_0_choices(19),
-        is_set(transform_right_filter_column(8, 4), 7), not is_set(transform_right_filter_column(4, 2), 7));
-      for i in 0 to 2 loop
+      for i in 1 to 3 loop
         for j in 0 to 4 loop
-          transform_right_filter_feature_0_choices(20 * i + 4 * j + 21) :=
-            inverted_carry(is_set(transform_right_filter_column(7 - i, j), 4), not
-            transform_right_filter_low_is_larger_0s(7 - i, j), transform_right_filter_feature_0_values(1));
-          transform_right_filter_feature_0_choices(20 * i + 4 * j + 22) :=
-            carry(transform_right_filter_feature_0_choices(20 * i + 4 * j + 21), not
-            is_set(transform_right_filter_column(7 - i, j), 5), transform_right_filter_feature_0_values(2));
-          transform_right_filter_feature_0_choices(20 * i + 4 * j + 23) :=
-            carry(transform_right_filter_feature_0_choices(20 * i + 4 * j + 22), not
-            is_set(transform_right_filter_column(7 - i, j), 6), transform_right_filter_feature_0_values(3));
-          transform_right_filter_feature_0_choices(20 * i + 4 * j + 24) :=
-            inverted_carry(transform_right_filter_feature_0_choices(20 * i + 4 * j + 23),
-            is_set(transform_right_filter_column(7 - i, j), 7), not is_set(transform_right_filter_column(4, 2), 7));
-        end loop;
-      end loop;
-      transform_right_filter_feature_0_choices(81) := inverted_carry(is_set(transform_right_filter_column(4, 4), 4),
-        not transform_right_filter_low_is_larger_0_4s(4), transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(82) := carry(transform_right_filter_feature_0_choices(81), not
-        is_set(transform_right_filter_column(4, 4), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(83) := carry(transform_right_filter_feature_0_choices(82), not
-        is_set(transform_right_filter_column(4, 4), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_choices(84) := choice(is_set(transform_right_filter_column(4, 4), 7),
-        transform_filtering_0_column_inside(4), transform_filtering_0_column_inside(4) and (not
-        is_set(transform_right_filter_column(4, 2), 7)));
-      transform_right_filter_feature_0_choices(85) := choice(transform_right_filter_feature_0_choices(83),
-        is_set(transform_right_filter_column(4, 4), 7) and transform_filtering_0_column_inside(4) and (not
-        is_set(transform_right_filter_column(4, 2), 7)), transform_right_filter_feature_0_choices(84));
-      transform_right_filter_feature_0_choices(86) := inverted_carry(is_set(transform_right_filter_column(4, 1), 4),
-        not transform_right_filter_low_is_larger_0_4(1), transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(87) := carry(transform_right_filter_feature_0_choices(86), not
-        is_set(transform_right_filter_column(4, 1), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(88) := carry(transform_right_filter_feature_0_choices(87), not
-        is_set(transform_right_filter_column(4, 1), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_choices(89) := inverted_carry(transform_right_filter_feature_0_choices(88),
-        is_set(transform_right_filter_column(4, 1), 7), not is_set(transform_right_filter_column(4, 2), 7));
-      transform_right_filter_feature_0_choices(90) := inverted_carry(is_set(transform_right_filter_column(4, 3), 4),
-        not transform_right_filter_low_is_larger_0_4s(3), transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(91) := carry(transform_right_filter_feature_0_choices(90), not
-        is_set(transform_right_filter_column(4, 3), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(92) := carry(transform_right_filter_feature_0_choices(91), not
-        is_set(transform_right_filter_column(4, 3), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_choices(93) := inverted_carry(transform_right_filter_feature_0_choices(92),
-        is_set(transform_right_filter_column(4, 3), 7), not is_set(transform_right_filter_column(4, 2), 7));
-      transform_right_filter_feature_0_choices(94) := inverted_carry(is_set(transform_right_filter_column(4, 0), 4),
-        not transform_right_filter_low_is_larger_0_4(0), transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(95) := carry(transform_right_filter_feature_0_choices(94), not
-        is_set(transform_right_filter_column(4, 0), 5), transform_right_filter_feature_0_values(2));
-      transform_right_filter_feature_0_choices(96) := carry(transform_right_filter_feature_0_choices(95), not
-        is_set(transform_right_filter_column(4, 0), 6), transform_right_filter_feature_0_values(3));
-      transform_right_filter_feature_0_choices(97) := inverted_carry(transform_right_filter_feature_0_choices(96),
-        is_set(transform_right_filter_column(4, 0), 7), not is_set(transform_right_filter_column(4, 2), 7));
-      for i in 0 to 2 loop
-        transform_right_filter_feature_0_choices(20 * i + 98) := inverted_carry(is_set(transform_right_filter_column(3
-          - i, 3), 4), not transform_right_filter_low_is_larger_0(3 - i, 3),
-          transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(20 * i + 99) := carry(transform_right_filter_feature_0_choices(20 * i
-          + 98), not is_set(transform_right_filter_column(3 - i, 3), 5), transform_right_filter_feature_0_values(2));
-        transform_right_filter_feature_0_choices(20 * i + 100) := carry(transform_right_filter_feature_0_choices(20 * i
-          + 99), not is_set(transform_right_filter_column(3 - i, 3), 6), transform_right_filter_feature_0_values(3));
-        transform_right_filter_feature_0_choices(20 * i + 101) :=
-          inverted_carry(transform_right_filter_feature_0_choices(20 * i + 100), is_set(transform_right_filter_column(3
-          - i, 3), 7), not is_set(transform_right_filter_column(4, 2), 7));
-        transform_right_filter_feature_0_choices(20 * i + 102) := inverted_carry(is_set(transform_right_filter_column(3
-          - i, 4), 4), not transform_right_filter_low_is_larger_0(3 - i, 4),
-          transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(20 * i + 103) := carry(transform_right_filter_feature_0_choices(20 * i
-          + 102), not is_set(transform_right_filter_column(3 - i, 4), 5), transform_right_filter_feature_0_values(2));
-        transform_right_filter_feature_0_choices(20 * i + 104) := carry(transform_right_filter_feature_0_choices(20 * i
-          + 103), not is_set(transform_right_filter_column(3 - i, 4), 6), transform_right_filter_feature_0_values(3));
-        transform_right_filter_feature_0_choices(20 * i + 105) :=
-          inverted_carry(transform_right_filter_feature_0_choices(20 * i + 104), is_set(transform_right_filter_column(3
-          - i, 4), 7), not is_set(transform_right_filter_column(4, 2), 7));
-        for j in 0 to 2 loop
-          transform_right_filter_feature_0_choices(20 * i + 4 * j + 106) :=
-            inverted_carry(is_set(transform_right_filter_column(3 - i, 2 - j), 4), not
-            transform_right_filter_low_is_larger_0(3 - i, 2 - j), transform_right_filter_feature_0_values(1));
-          transform_right_filter_feature_0_choices(20 * i + 4 * j + 107) :=
-            carry(transform_right_filter_feature_0_choices(20 * i + 4 * j + 106), not
-            is_set(transform_right_filter_column(3 - i, 2 - j), 5), transform_right_filter_feature_0_values(2));
-          transform_right_filter_feature_0_choices(20 * i + 4 * j + 108) :=
-            carry(transform_right_filter_feature_0_choices(20 * i + 4 * j + 107), not
-            is_set(transform_right_filter_column(3 - i, 2 - j), 6), transform_right_filter_feature_0_values(3));
-          transform_right_filter_feature_0_choices(20 * i + 4 * j + 109) :=
-            inverted_carry(transform_right_filter_feature_0_choices(20 * i + 4 * j + 108),
-            is_set(transform_right_filter_column(3 - i, 2 - j), 7), not is_set(transform_right_filter_column(4, 2), 7));
+          transform_right_filter_low_is_larger_0_choice_3(i, j) := not is_larger(transform_right_filter_column(i, j),
+            transform_right_filter_column(4, 2), 0, 2, false);
+          transform_right_filter_low_is_larger_0_value(i, j, 1) := is_set(transform_right_filter_column(i, j), 3);
         end loop;
       end loop;
       for i in 0 to 1 loop
-        transform_right_filter_feature_0_choices(8 * i + 158) := inverted_carry(is_set(transform_right_filter_column(0,
-          3 - i), 4), not transform_right_filter_low_is_larger_0(0, 3 - i), transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(8 * i + 159) := carry(transform_right_filter_feature_0_choices(8 * i +
-          158), not is_set(transform_right_filter_column(0, 3 - i), 5), transform_right_filter_feature_0_values(2));
-        transform_right_filter_feature_0_choices(8 * i + 160) := carry(transform_right_filter_feature_0_choices(8 * i +
-          159), not is_set(transform_right_filter_column(0, 3 - i), 6), transform_right_filter_feature_0_values(3));
-        transform_right_filter_feature_0_choices(8 * i + 161) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 160), is_set(transform_right_filter_column(0,
-          3 - i), 7), not is_set(transform_right_filter_column(4, 2), 7));
-        transform_right_filter_feature_0_choices(8 * i + 162) := inverted_carry(is_set(transform_right_filter_column(0,
-          4 - 3 * i), 4), not transform_right_filter_low_is_larger_0(0, 4 - 3 * i),
-          transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(8 * i + 163) := carry(transform_right_filter_feature_0_choices(8 * i +
-          162), not is_set(transform_right_filter_column(0, 4 - 3 * i), 5), transform_right_filter_feature_0_values(2));
-        transform_right_filter_feature_0_choices(8 * i + 164) := carry(transform_right_filter_feature_0_choices(8 * i +
-          163), not is_set(transform_right_filter_column(0, 4 - 3 * i), 6), transform_right_filter_feature_0_values(3));
-        transform_right_filter_feature_0_choices(8 * i + 165) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 164), is_set(transform_right_filter_column(0,
-          4 - 3 * i), 7), not is_set(transform_right_filter_column(4, 2), 7));
+        transform_right_filter_low_is_larger_0_choice_3(4, 3 * i) := not is_larger(transform_right_filter_column(4, 3 *
+          i), transform_right_filter_column(4, 2), 0, 2, false);
+        transform_right_filter_low_is_larger_0_value(4, 3 * i, 1) := is_set(transform_right_filter_column(4, 3 * i), 3);
+        transform_right_filter_low_is_larger_0_choice_3(4, 3 * i + 1) := not is_larger(transform_right_filter_column(4,
+          3 * i + 1), transform_right_filter_column(4, 2), 0, 2, false);
+        transform_right_filter_low_is_larger_0_value(4, 3 * i + 1, 1) := is_set(transform_right_filter_column(4, 3 * i
+          + 1), 3);
+      end loop;
+      for i in 5 to 8 loop
+        for j in 0 to 4 loop
+          transform_right_filter_low_is_larger_0_choice_3(i, j) := not is_larger(transform_right_filter_column(i, j),
+            transform_right_filter_column(4, 2), 0, 2, false);
+          transform_right_filter_low_is_larger_0_value(i, j, 1) := is_set(transform_right_filter_column(i, j), 3);
+        end loop;
+      end loop;
+      transform_right_filter_feature_0_values(1) := is_set(transform_right_filter_column(4, 2), 4);
+      transform_right_filter_feature_0_values(2) := is_set(transform_right_filter_column(4, 2), 5);
+      transform_right_filter_feature_0_values(3) := is_set(transform_right_filter_column(4, 2), 6);
+      for i in 0 to 3 loop
+        for j in 0 to 4 loop
+          transform_right_filter_feature_0_choice(20 * i + 4 * j + 4) := is_larger(transform_right_filter_column(8 - i,
+            j), transform_right_filter_column(4, 2), 4, 7, transform_right_filter_low_is_larger_0s(8 - i, j));
+        end loop;
+      end loop;
+      transform_right_filter_feature_0_choice(83) := not is_larger(transform_right_filter_column(4, 4),
+        transform_right_filter_column(4, 2), 4, 6, transform_right_filter_low_is_larger_0_4s(4));
+      transform_right_filter_feature_0_choice(84) := choice(is_set(transform_right_filter_column(4, 4), 7),
+        transform_filtering_0_column_inside(4), transform_filtering_0_column_inside(4) and (not
+        is_set(transform_right_filter_column(4, 2), 7)));
+      transform_right_filter_feature_0_choice(85) := choice(transform_right_filter_feature_0_choice(83),
+        is_set(transform_right_filter_column(4, 4), 7) and transform_filtering_0_column_inside(4) and (not
+        is_set(transform_right_filter_column(4, 2), 7)), transform_right_filter_feature_0_choice(84));
+      transform_right_filter_feature_0_choice(89) := is_larger(transform_right_filter_column(4, 1),
+        transform_right_filter_column(4, 2), 4, 7, transform_right_filter_low_is_larger_0_4(1));
+      transform_right_filter_feature_0_choice(93) := is_larger(transform_right_filter_column(4, 3),
+        transform_right_filter_column(4, 2), 4, 7, transform_right_filter_low_is_larger_0_4s(3));
+      transform_right_filter_feature_0_choice(97) := is_larger(transform_right_filter_column(4, 0),
+        transform_right_filter_column(4, 2), 4, 7, transform_right_filter_low_is_larger_0_4(0));
+      for i in 0 to 2 loop
+        transform_right_filter_feature_0_choice(20 * i + 101) := is_larger(transform_right_filter_column(3 - i, 3),
+          transform_right_filter_column(4, 2), 4, 7, transform_right_filter_low_is_larger_0(3 - i, 3));
+        transform_right_filter_feature_0_choice(20 * i + 105) := is_larger(transform_right_filter_column(3 - i, 4),
+          transform_right_filter_column(4, 2), 4, 7, transform_right_filter_low_is_larger_0(3 - i, 4));
+        for j in 0 to 2 loop
+          transform_right_filter_feature_0_choice(20 * i + 4 * j + 109) := is_larger(transform_right_filter_column(3 -
+            i, 2 - j), transform_right_filter_column(4, 2), 4, 7, transform_right_filter_low_is_larger_0(3 - i, 2 - j));
+        end loop;
+      end loop;
+      for i in 0 to 1 loop
+        transform_right_filter_feature_0_choice(8 * i + 161) := is_larger(transform_right_filter_column(0, 3 - i),
+          transform_right_filter_column(4, 2), 4, 7, transform_right_filter_low_is_larger_0(0, 3 - i));
+        transform_right_filter_feature_0_choice(8 * i + 165) := is_larger(transform_right_filter_column(0, 4 - 3 * i),
+          transform_right_filter_column(4, 2), 4, 7, transform_right_filter_low_is_larger_0(0, 4 - 3 * i));
       end loop;
       transform_right_filter_feature_0_values(4) := is_set(transform_right_filter_column(0, 0), 4);
-      transform_right_filter_feature_0_choices(174) := inverted_carry(transform_right_filter_feature_0_values(1),
+      transform_right_filter_feature_0_choice(174) := inverted_carry(transform_right_filter_feature_0_values(1),
         transform_right_filter_feature_0_values(4), transform_right_filter_low_is_larger_0(0, 0));
-      for i in 5 to 6 loop
-        transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(0, 0), i);
-        transform_right_filter_feature_0_choices(i + 170) := carry(transform_right_filter_feature_0_choices(i + 169),
-          not transform_right_filter_feature_0_values(i - 3), transform_right_filter_feature_0_values(i));
-      end loop;
-      transform_right_filter_feature_0_choices(177) := carry(transform_right_filter_feature_0_choices(176), not
-        is_set(transform_right_filter_column(4, 2), 7), is_set(transform_right_filter_column(0, 0), 7));
+      transform_right_filter_feature_0_values(5) := is_set(transform_right_filter_column(0, 0), 5);
+      transform_right_filter_feature_0_values(6) := is_set(transform_right_filter_column(0, 0), 6);
+      transform_right_filter_feature_0_choice(177) := not is_larger(transform_right_filter_column(4, 2),
+        transform_right_filter_column(0, 0), 5, 7, not transform_right_filter_feature_0_choice(174));
       transform_right_filter_feature_0_choice_178 := choice(transform_filtering_0_column_inside(0),
-        (as_number(transform_right_filter_feature_0_choices(161)) * 8) +
-        (as_number(transform_right_filter_feature_0_choices(165)) * 16) +
-        (as_number(transform_right_filter_feature_0_choices(169)) * 4) +
-        (as_number(transform_right_filter_feature_0_choices(173)) * 2) +
-        as_number(transform_right_filter_feature_0_choices(177)), 0);
+        (as_number(transform_right_filter_feature_0_choice(161)) * 8) +
+        (as_number(transform_right_filter_feature_0_choice(165)) * 16) +
+        (as_number(transform_right_filter_feature_0_choice(169)) * 4) +
+        (as_number(transform_right_filter_feature_0_choice(173)) * 2) +
+        as_number(transform_right_filter_feature_0_choice(177)), 0);
       transform_right_filter_feature_0_choice_179 := choice(transform_filtering_0_column_inside(1),
-        (as_number(transform_right_filter_feature_0_choices(141)) * 256) +
-        (as_number(transform_right_filter_feature_0_choices(145)) * 512) +
-        (as_number(transform_right_filter_feature_0_choices(149)) * 128) +
-        (as_number(transform_right_filter_feature_0_choices(153)) * 64) +
-        (as_number(transform_right_filter_feature_0_choices(157)) * 32) + transform_right_filter_feature_0_choice_178,
+        (as_number(transform_right_filter_feature_0_choice(141)) * 256) +
+        (as_number(transform_right_filter_feature_0_choice(145)) * 512) +
+        (as_number(transform_right_filter_feature_0_choice(149)) * 128) +
+        (as_number(transform_right_filter_feature_0_choice(153)) * 64) +
+        (as_number(transform_right_filter_feature_0_choice(157)) * 32) + transform_right_filter_feature_0_choice_178,
         transform_right_filter_feature_0_choice_178);
       transform_right_filter_feature_0_choice_180 := choice(transform_filtering_0_column_inside(2),
-        (as_number(transform_right_filter_feature_0_choices(121)) * 8192) +
-        (as_number(transform_right_filter_feature_0_choices(125)) * 16384) +
-        (as_number(transform_right_filter_feature_0_choices(129)) * 4096) +
-        (as_number(transform_right_filter_feature_0_choices(133)) * 2048) +
-        (as_number(transform_right_filter_feature_0_choices(137)) * 1024) +
-        transform_right_filter_feature_0_choice_179, transform_right_filter_feature_0_choice_179);
+        (as_number(transform_right_filter_feature_0_choice(121)) * 8192) +
+        (as_number(transform_right_filter_feature_0_choice(125)) * 16384) +
+        (as_number(transform_right_filter_feature_0_choice(129)) * 4096) +
+        (as_number(transform_right_filter_feature_0_choice(133)) * 2048) +
+        (as_number(transform_right_filter_feature_0_choice(137)) * 1024) + transform_right_filter_feature_0_choice_179,
+        transform_right_filter_feature_0_choice_179);
       transform_right_filter_feature_0_choice_181 := choice(transform_filtering_0_column_inside(3),
-        (as_number(transform_right_filter_feature_0_choices(101)) * 262144) +
-        (as_number(transform_right_filter_feature_0_choices(105)) * 524288) +
-        (as_number(transform_right_filter_feature_0_choices(109)) * 131072) +
-        (as_number(transform_right_filter_feature_0_choices(113)) * 65536) +
-        (as_number(transform_right_filter_feature_0_choices(117)) * 32768) +
+        (as_number(transform_right_filter_feature_0_choice(101)) * 262144) +
+        (as_number(transform_right_filter_feature_0_choice(105)) * 524288) +
+        (as_number(transform_right_filter_feature_0_choice(109)) * 131072) +
+        (as_number(transform_right_filter_feature_0_choice(113)) * 65536) +
+        (as_number(transform_right_filter_feature_0_choice(117)) * 32768) +
         transform_right_filter_feature_0_choice_180, transform_right_filter_feature_0_choice_180);
       transform_right_filter_feature_0_choice_182 := choice(transform_filtering_0_column_inside(4),
-        (as_number(transform_right_filter_feature_0_choices(89)) * 2097152) +
-        (as_number(transform_right_filter_feature_0_choices(93)) * 4194304) +
-        (as_number(transform_right_filter_feature_0_choices(97)) * 1048576) +
+        (as_number(transform_right_filter_feature_0_choice(89)) * 2097152) +
+        (as_number(transform_right_filter_feature_0_choice(93)) * 4194304) +
+        (as_number(transform_right_filter_feature_0_choice(97)) * 1048576) +
         transform_right_filter_feature_0_choice_181, transform_right_filter_feature_0_choice_181);
       transform_right_filter_feature_0_choice_183 := choice(transform_filtering_0_column_inside(5),
-        (as_number(transform_right_filter_feature_0_choices(64)) * 16777216) +
-        (as_number(transform_right_filter_feature_0_choices(68)) * 33554432) +
-        (as_number(transform_right_filter_feature_0_choices(72)) * 67108864) +
-        (as_number(transform_right_filter_feature_0_choices(76)) * 134217728) +
-        (as_number(transform_right_filter_feature_0_choices(80)) * 268435456) +
-        (as_number(transform_right_filter_feature_0_choices(85)) * 8388608) +
-        transform_right_filter_feature_0_choice_182, (as_number(transform_right_filter_feature_0_choices(85)) *
-        8388608) + transform_right_filter_feature_0_choice_182);
+        (as_number(transform_right_filter_feature_0_choice(64)) * 16777216) +
+        (as_number(transform_right_filter_feature_0_choice(68)) * 33554432) +
+        (as_number(transform_right_filter_feature_0_choice(72)) * 67108864) +
+        (as_number(transform_right_filter_feature_0_choice(76)) * 134217728) +
+        (as_number(transform_right_filter_feature_0_choice(80)) * 268435456) +
+        (as_number(transform_right_filter_feature_0_choice(85)) * 8388608) +
+        transform_right_filter_feature_0_choice_182, (as_number(transform_right_filter_feature_0_choice(85)) * 8388608)
+        + transform_right_filter_feature_0_choice_182);
       if transform_filtering_0_column_inside(6) then
         transform_right_filter_feature_0_choice_184 :=
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(60)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(56)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(52)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(48)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(44)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(60)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(56)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(52)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(48)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(44)), 1) &
           to_unsigned(transform_right_filter_feature_0_choice_183, 29);
       else
         transform_right_filter_feature_0_choice_184 := to_unsigned(transform_right_filter_feature_0_choice_183, 34);
       end if;
       if transform_filtering_0_column_inside(7) then
         transform_right_filter_feature_0_choice_185 :=
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(40)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(36)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(32)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(28)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(24)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(40)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(36)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(32)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(28)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(24)), 1) &
           transform_right_filter_feature_0_choice_184(33 downto 0);
       else
         transform_right_filter_feature_0_choice_185 := resize(transform_right_filter_feature_0_choice_184, 39);
@@ -2330,199 +1349,80 @@ begin
         1024);
       transform_counter_group_after <= choice((not transform_counter_counts) or (not transform_counter_last_column),
         transform_counter_group, transform_counter_group_after_choice);
-      transform_left_filter_low_is_larger_0(0, 0) <= carry(transform_left_filter_low_is_larger_0_choice(0, 0, 3), not
-        is_set(transform_left_filter_column(4, 2), 3), transform_left_filter_low_is_larger_0_0_0_values(4));
-      transform_left_filter_low_is_larger_0(0, 1) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(0, 1,
-        3), transform_left_filter_low_is_larger_0_0_1_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0(0, 2) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(0, 2,
-        3), transform_left_filter_low_is_larger_0_0_2_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0(0, 3) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(0, 3,
-        3), transform_left_filter_low_is_larger_0_0_3_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0(0, 4) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(0, 4,
-        3), transform_left_filter_low_is_larger_0_0_4_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0(1, 0) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(1, 0,
-        3), transform_left_filter_low_is_larger_0_1_0_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0(1, 1) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(1, 1,
-        3), transform_left_filter_low_is_larger_0_1_1_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0(1, 2) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(1, 2,
-        3), transform_left_filter_low_is_larger_0_1_2_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0(1, 3) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(1, 3,
-        3), transform_left_filter_low_is_larger_0_1_3_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0(1, 4) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(1, 4,
-        3), transform_left_filter_low_is_larger_0_1_4_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0(2, 0) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(2, 0,
-        3), transform_left_filter_low_is_larger_0_2_0_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0(2, 1) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(2, 1,
-        3), transform_left_filter_low_is_larger_0_2_1_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0(2, 2) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(2, 2,
-        3), transform_left_filter_low_is_larger_0_2_2_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0(2, 3) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(2, 3,
-        3), transform_left_filter_low_is_larger_0_2_3_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0(2, 4) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(2, 4,
-        3), transform_left_filter_low_is_larger_0_2_4_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0(3, 0) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(3, 0,
-        3), transform_left_filter_low_is_larger_0_3_0_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0(3, 1) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(3, 1,
-        3), transform_left_filter_low_is_larger_0_3_1_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0(3, 2) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(3, 2,
-        3), transform_left_filter_low_is_larger_0_3_2_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0(3, 3) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(3, 3,
-        3), transform_left_filter_low_is_larger_0_3_3_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0(3, 4) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(3, 4,
-        3), transform_left_filter_low_is_larger_0_3_4_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0_4(0) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(4, 0,
-        3), transform_left_filter_low_is_larger_0_4_0_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0_4(1) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(4, 1,
-        3), transform_left_filter_low_is_larger_0_4_1_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0_4s(3) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(4, 3,
-        3), transform_left_filter_low_is_larger_0_4_3_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0_4s(4) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(4, 4,
-        3), transform_left_filter_low_is_larger_0_4_4_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0s(5, 0) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(5, 0,
-        3), transform_left_filter_low_is_larger_0_5_0_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0s(5, 1) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(5, 1,
-        3), transform_left_filter_low_is_larger_0_5_1_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0s(5, 2) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(5, 2,
-        3), transform_left_filter_low_is_larger_0_5_2_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0s(5, 3) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(5, 3,
-        3), transform_left_filter_low_is_larger_0_5_3_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0s(5, 4) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(5, 4,
-        3), transform_left_filter_low_is_larger_0_5_4_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0s(6, 0) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(6, 0,
-        3), transform_left_filter_low_is_larger_0_6_0_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0s(6, 1) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(6, 1,
-        3), transform_left_filter_low_is_larger_0_6_1_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0s(6, 2) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(6, 2,
-        3), transform_left_filter_low_is_larger_0_6_2_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0s(6, 3) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(6, 3,
-        3), transform_left_filter_low_is_larger_0_6_3_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0s(6, 4) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(6, 4,
-        3), transform_left_filter_low_is_larger_0_6_4_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0s(7, 0) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(7, 0,
-        3), transform_left_filter_low_is_larger_0_7_0_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0s(7, 1) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(7, 1,
-        3), transform_left_filter_low_is_larger_0_7_1_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0s(7, 2) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(7, 2,
-        3), transform_left_filter_low_is_larger_0_7_2_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0s(7, 3) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(7, 3,
-        3), transform_left_filter_low_is_larger_0_7_3_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0s(7, 4) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(7, 4,
-        3), transform_left_filter_low_is_larger_0_7_4_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0s(8, 0) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(8, 0,
-        3), transform_left_filter_low_is_larger_0_8_0_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0s(8, 1) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(8, 1,
-        3), transform_left_filter_low_is_larger_0_8_1_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0s(8, 2) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(8, 2,
-        3), transform_left_filter_low_is_larger_0_8_2_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0s(8, 3) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(8, 3,
-        3), transform_left_filter_low_is_larger_0_8_3_value, not is_set(transform_left_filter_column(4, 2), 3));
-      transform_left_filter_low_is_larger_0s(8, 4) <= inverted_carry(transform_left_filter_low_is_larger_0_choice(8, 4,
-        3), transform_left_filter_low_is_larger_0_8_4_value, not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0(0, 0) <= carry(transform_left_filter_low_is_larger_0_choice_3(0, 0), not
+        is_set(transform_left_filter_column(4, 2), 3), transform_left_filter_low_is_larger_0_value(0, 0, 4));
+      for i in 1 to 4 loop
+        transform_left_filter_low_is_larger_0(0, i) <= inverted_carry(transform_left_filter_low_is_larger_0_choice_3(0,
+          i), transform_left_filter_low_is_larger_0_value(0, i, 1), not is_set(transform_left_filter_column(4, 2), 3));
+      end loop;
+      for i in 1 to 3 loop
+        for j in 0 to 4 loop
+          transform_left_filter_low_is_larger_0(i, j) <=
+            inverted_carry(transform_left_filter_low_is_larger_0_choice_3(i, j),
+            transform_left_filter_low_is_larger_0_value(i, j, 1), not is_set(transform_left_filter_column(4, 2), 3));
+        end loop;
+      end loop;
+      transform_left_filter_low_is_larger_0_4(0) <= inverted_carry(transform_left_filter_low_is_larger_0_choice_3(4,
+        0), transform_left_filter_low_is_larger_0_value(4, 0, 1), not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0_4(1) <= inverted_carry(transform_left_filter_low_is_larger_0_choice_3(4,
+        1), transform_left_filter_low_is_larger_0_value(4, 1, 1), not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0_4s(3) <= inverted_carry(transform_left_filter_low_is_larger_0_choice_3(4,
+        3), transform_left_filter_low_is_larger_0_value(4, 3, 1), not is_set(transform_left_filter_column(4, 2), 3));
+      transform_left_filter_low_is_larger_0_4s(4) <= inverted_carry(transform_left_filter_low_is_larger_0_choice_3(4,
+        4), transform_left_filter_low_is_larger_0_value(4, 4, 1), not is_set(transform_left_filter_column(4, 2), 3));
+      for i in 5 to 8 loop
+        for j in 0 to 4 loop
+          transform_left_filter_low_is_larger_0s(i, j) <=
+            inverted_carry(transform_left_filter_low_is_larger_0_choice_3(i, j),
+            transform_left_filter_low_is_larger_0_value(i, j, 1), not is_set(transform_left_filter_column(4, 2), 3));
+        end loop;
+      end loop;
       if transform_filtering_0_column_inside(8) then
-        transform_left_filter_feature_0 <= to_unsigned(as_number(transform_left_filter_feature_0_choices(20)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(16)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(12)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(8)), 1) &
-          to_unsigned(as_number(transform_left_filter_feature_0_choices(4)), 1) &
+        transform_left_filter_feature_0 <= to_unsigned(as_number(transform_left_filter_feature_0_choice(20)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(16)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(12)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(8)), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice(4)), 1) &
           transform_left_filter_feature_0_choice_185(38 downto 0);
-        transform_right_filter_feature_0 <= to_unsigned(as_number(transform_right_filter_feature_0_choices(20)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(16)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(12)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(8)), 1) &
-          to_unsigned(as_number(transform_right_filter_feature_0_choices(4)), 1) &
+        transform_right_filter_feature_0 <= to_unsigned(as_number(transform_right_filter_feature_0_choice(20)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(16)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(12)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(8)), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice(4)), 1) &
           transform_right_filter_feature_0_choice_185(38 downto 0);
       else
         transform_left_filter_feature_0 <= resize(transform_left_filter_feature_0_choice_185, 44);
         transform_right_filter_feature_0 <= resize(transform_right_filter_feature_0_choice_185, 44);
       end if;
-      transform_right_filter_low_is_larger_0(0, 0) <= carry(transform_right_filter_low_is_larger_0_choice(0, 0, 3), not
-        is_set(transform_right_filter_column(4, 2), 3), transform_right_filter_low_is_larger_0_0_0_values(4));
-      transform_right_filter_low_is_larger_0(0, 1) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(0,
-        1, 3), transform_right_filter_low_is_larger_0_0_1_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0(0, 2) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(0,
-        2, 3), transform_right_filter_low_is_larger_0_0_2_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0(0, 3) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(0,
-        3, 3), transform_right_filter_low_is_larger_0_0_3_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0(0, 4) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(0,
-        4, 3), transform_right_filter_low_is_larger_0_0_4_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0(1, 0) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(1,
-        0, 3), transform_right_filter_low_is_larger_0_1_0_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0(1, 1) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(1,
-        1, 3), transform_right_filter_low_is_larger_0_1_1_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0(1, 2) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(1,
-        2, 3), transform_right_filter_low_is_larger_0_1_2_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0(1, 3) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(1,
-        3, 3), transform_right_filter_low_is_larger_0_1_3_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0(1, 4) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(1,
-        4, 3), transform_right_filter_low_is_larger_0_1_4_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0(2, 0) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(2,
-        0, 3), transform_right_filter_low_is_larger_0_2_0_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0(2, 1) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(2,
-        1, 3), transform_right_filter_low_is_larger_0_2_1_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0(2, 2) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(2,
-        2, 3), transform_right_filter_low_is_larger_0_2_2_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0(2, 3) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(2,
-        3, 3), transform_right_filter_low_is_larger_0_2_3_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0(2, 4) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(2,
-        4, 3), transform_right_filter_low_is_larger_0_2_4_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0(3, 0) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(3,
-        0, 3), transform_right_filter_low_is_larger_0_3_0_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0(3, 1) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(3,
-        1, 3), transform_right_filter_low_is_larger_0_3_1_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0(3, 2) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(3,
-        2, 3), transform_right_filter_low_is_larger_0_3_2_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0(3, 3) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(3,
-        3, 3), transform_right_filter_low_is_larger_0_3_3_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0(3, 4) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(3,
-        4, 3), transform_right_filter_low_is_larger_0_3_4_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0_4(0) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(4, 0,
-        3), transform_right_filter_low_is_larger_0_4_0_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0_4(1) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(4, 1,
-        3), transform_right_filter_low_is_larger_0_4_1_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0_4s(3) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(4,
-        3, 3), transform_right_filter_low_is_larger_0_4_3_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0_4s(4) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(4,
-        4, 3), transform_right_filter_low_is_larger_0_4_4_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0s(5, 0) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(5,
-        0, 3), transform_right_filter_low_is_larger_0_5_0_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0s(5, 1) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(5,
-        1, 3), transform_right_filter_low_is_larger_0_5_1_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0s(5, 2) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(5,
-        2, 3), transform_right_filter_low_is_larger_0_5_2_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0s(5, 3) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(5,
-        3, 3), transform_right_filter_low_is_larger_0_5_3_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0s(5, 4) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(5,
-        4, 3), transform_right_filter_low_is_larger_0_5_4_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0s(6, 0) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(6,
-        0, 3), transform_right_filter_low_is_larger_0_6_0_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0s(6, 1) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(6,
-        1, 3), transform_right_filter_low_is_larger_0_6_1_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0s(6, 2) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(6,
-        2, 3), transform_right_filter_low_is_larger_0_6_2_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0s(6, 3) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(6,
-        3, 3), transform_right_filter_low_is_larger_0_6_3_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0s(6, 4) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(6,
-        4, 3), transform_right_filter_low_is_larger_0_6_4_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0s(7, 0) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(7,
-        0, 3), transform_right_filter_low_is_larger_0_7_0_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0s(7, 1) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(7,
-        1, 3), transform_right_filter_low_is_larger_0_7_1_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0s(7, 2) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(7,
-        2, 3), transform_right_filter_low_is_larger_0_7_2_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0s(7, 3) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(7,
-        3, 3), transform_right_filter_low_is_larger_0_7_3_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0s(7, 4) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(7,
-        4, 3), transform_right_filter_low_is_larger_0_7_4_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0s(8, 0) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(8,
-        0, 3), transform_right_filter_low_is_larger_0_8_0_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0s(8, 1) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(8,
-        1, 3), transform_right_filter_low_is_larger_0_8_1_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0s(8, 2) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(8,
-        2, 3), transform_right_filter_low_is_larger_0_8_2_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0s(8, 3) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(8,
-        3, 3), transform_right_filter_low_is_larger_0_8_3_value, not is_set(transform_right_filter_column(4, 2), 3));
-      transform_right_filter_low_is_larger_0s(8, 4) <= inverted_carry(transform_right_filter_low_is_larger_0_choice(8,
-        4, 3), transform_right_filter_low_is_larger_0_8_4_value, not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0(0, 0) <= carry(transform_right_filter_low_is_larger_0_choice_3(0, 0), not
+        is_set(transform_right_filter_column(4, 2), 3), transform_right_filter_low_is_larger_0_value(0, 0, 4));
+      for i in 1 to 4 loop
+        transform_right_filter_low_is_larger_0(0, i) <=
+          inverted_carry(transform_right_filter_low_is_larger_0_choice_3(0, i),
+          transform_right_filter_low_is_larger_0_value(0, i, 1), not is_set(transform_right_filter_column(4, 2), 3));
+      end loop;
+      for i in 1 to 3 loop
+        for j in 0 to 4 loop
+          transform_right_filter_low_is_larger_0(i, j) <=
+            inverted_carry(transform_right_filter_low_is_larger_0_choice_3(i, j),
+            transform_right_filter_low_is_larger_0_value(i, j, 1), not is_set(transform_right_filter_column(4, 2), 3));
+        end loop;
+      end loop;
+      transform_right_filter_low_is_larger_0_4(0) <= inverted_carry(transform_right_filter_low_is_larger_0_choice_3(4,
+        0), transform_right_filter_low_is_larger_0_value(4, 0, 1), not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0_4(1) <= inverted_carry(transform_right_filter_low_is_larger_0_choice_3(4,
+        1), transform_right_filter_low_is_larger_0_value(4, 1, 1), not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0_4s(3) <= inverted_carry(transform_right_filter_low_is_larger_0_choice_3(4,
+        3), transform_right_filter_low_is_larger_0_value(4, 3, 1), not is_set(transform_right_filter_column(4, 2), 3));
+      transform_right_filter_low_is_larger_0_4s(4) <= inverted_carry(transform_right_filter_low_is_larger_0_choice_3(4,
+        4), transform_right_filter_low_is_larger_0_value(4, 4, 1), not is_set(transform_right_filter_column(4, 2), 3));
+      for i in 5 to 8 loop
+        for j in 0 to 4 loop
+          transform_right_filter_low_is_larger_0s(i, j) <=
+            inverted_carry(transform_right_filter_low_is_larger_0_choice_3(i, j),
+            transform_right_filter_low_is_larger_0_value(i, j, 1), not is_set(transform_right_filter_column(4, 2), 3));
+        end loop;
+      end loop;
       transform_counter_group_choice := choice(transform_counter_next_frame, 15, 0);
       if in_valid then
         transform_counter_column <= choice(in_start_of_frame, 0, transform_counter_column_after);
@@ -2943,8 +1843,8 @@ begin
       pathsabove_smallest_total_choice := choice(line_comes(10), 63, pathsabove_smallest_total);
       pathsabove_count_phase_is_equal := pathsabove_count_phase = 15;
       pathsabove_count_phase_choice := choice(pathsabove_count_phase_is_equal, 15, (pathsabove_count_phase + 1) mod 16);
-      pathsabove_beside_0_choice := choice(pathsabove_count_phase = 0, pathsabove_held(1), pathsabove_lower_neighbour);
-      pathsabove_beside_7_choice := choice(pathsabove_count_phase_is_equal, pathsabove_held(6), pathsabove_cost(0));
+      pathsabove_beside_choice(0) := choice(pathsabove_count_phase = 0, pathsabove_held(1), pathsabove_lower_neighbour);
+      pathsabove_beside_choice(7) := choice(pathsabove_count_phase_is_equal, pathsabove_held(6), pathsabove_cost(0));
       pathsabove_write_address_address_choice := choice(line_places_first_column(1), 0,
         (pathsabove_write_address_address + 1) mod 16384);
       pathsabove_write_address_count_phase_choice := choice(pathsabove_write_address_count_phase = 15, 15,
@@ -3001,14 +1901,14 @@ begin
       pathsabove_smallest_total <= choice((pathsabove_tree_next_next_smallest_0 - pathsabove_smallest_total_choice) <
         0, pathsabove_tree_next_next_smallest_0, pathsabove_smallest_total_choice);
       pathsabove_count_phase <= choice(line_starts_phases(28), 0, pathsabove_count_phase_choice);
-      pathsabove_beside(0) <= choice((pathsabove_held(1) - pathsabove_beside_0_choice) < 0, pathsabove_held(1),
-        pathsabove_beside_0_choice);
+      pathsabove_beside(0) <= choice((pathsabove_held(1) - pathsabove_beside_choice(0)) < 0, pathsabove_held(1),
+        pathsabove_beside_choice(0));
       for i in 1 to 6 loop
         pathsabove_beside(i) <= choice((pathsabove_held(i + 1) - pathsabove_held(i - 1)) < 0, pathsabove_held(i + 1),
           pathsabove_held(i - 1));
       end loop;
-      pathsabove_beside(7) <= choice((pathsabove_beside_7_choice - pathsabove_held(6)) < 0, pathsabove_beside_7_choice,
-        pathsabove_held(6));
+      pathsabove_beside(7) <= choice((pathsabove_beside_choice(7) - pathsabove_held(6)) < 0,
+        pathsabove_beside_choice(7), pathsabove_held(6));
       for i in 0 to 6 loop
         pathsabove_stay(i) <= choice(pathsabove_own(i) < 24, pathsabove_own(i) mod 32, 24);
       end loop;
@@ -3150,26 +2050,26 @@ begin
         is_set(pathsturn_write_address_count_phase, 0))))) mod 16384);
       pathsturn_write_address_count_phase <= choice(line_starts_phases(25), 0,
         pathsturn_write_address_count_phase_choice);
-      pathsturn_sum_memory_write_words_0_0_sum := pathsleft_cost(1) + pathsabove_cost(1);
+      pathsturn_sum_memory_write_words_0_sum(0) := pathsleft_cost(1) + pathsabove_cost(1);
       pathsturn_sum_memory_write_words_0_0_sum_2 := pathsleft_cost(0) + pathsabove_cost(0) +
-        ((pathsturn_sum_memory_write_words_0_0_sum mod 2) * 128);
-      pathsturn_sum_memory_write_words_0_1_sum := pathsleft_cost(2) + pathsabove_cost(2);
-      pathsturn_sum_memory_write_words_0_sum_2(1) := (pathsturn_sum_memory_write_words_0_0_sum / 2) +
-        ((pathsturn_sum_memory_write_words_0_1_sum mod 4) * 64);
-      pathsturn_sum_memory_write_words_0_2_sum := pathsleft_cost(3) + pathsabove_cost(3);
-      pathsturn_sum_memory_write_words_0_sum_2(2) := (pathsturn_sum_memory_write_words_0_1_sum / 4) +
-        ((pathsturn_sum_memory_write_words_0_2_sum mod 8) * 32);
-      pathsturn_sum_memory_write_words_0_3_sum := pathsleft_cost(4) + pathsabove_cost(4);
-      pathsturn_sum_memory_write_words_0_sum_2(3) := (pathsturn_sum_memory_write_words_0_2_sum / 8) +
-        ((pathsturn_sum_memory_write_words_0_3_sum mod 16) * 16);
-      pathsturn_sum_memory_write_words_0_4_sum := pathsleft_cost(5) + pathsabove_cost(5);
-      pathsturn_sum_memory_write_words_0_sum_2(4) := (pathsturn_sum_memory_write_words_0_3_sum / 16) +
-        ((pathsturn_sum_memory_write_words_0_4_sum mod 32) * 8);
-      pathsturn_sum_memory_write_words_0_5_sum := pathsleft_cost(6) + pathsabove_cost(6);
-      pathsturn_sum_memory_write_words_0_sum_2(5) := (pathsturn_sum_memory_write_words_0_4_sum / 32) +
-        ((pathsturn_sum_memory_write_words_0_5_sum mod 64) * 4);
-      pathsturn_sum_memory_write_words_0_6_sum := (pathsturn_sum_memory_write_words_0_5_sum / 64) + ((pathsleft_cost(7)
-        + pathsabove_cost(7)) * 2);
+        ((pathsturn_sum_memory_write_words_0_sum(0) mod 2) * 128);
+      pathsturn_sum_memory_write_words_0_sum(1) := pathsleft_cost(2) + pathsabove_cost(2);
+      pathsturn_sum_memory_write_words_0_sum_2(1) := (pathsturn_sum_memory_write_words_0_sum(0) / 2) +
+        ((pathsturn_sum_memory_write_words_0_sum(1) mod 4) * 64);
+      pathsturn_sum_memory_write_words_0_sum(2) := pathsleft_cost(3) + pathsabove_cost(3);
+      pathsturn_sum_memory_write_words_0_sum_2(2) := (pathsturn_sum_memory_write_words_0_sum(1) / 4) +
+        ((pathsturn_sum_memory_write_words_0_sum(2) mod 8) * 32);
+      pathsturn_sum_memory_write_words_0_sum(3) := pathsleft_cost(4) + pathsabove_cost(4);
+      pathsturn_sum_memory_write_words_0_sum_2(3) := (pathsturn_sum_memory_write_words_0_sum(2) / 8) +
+        ((pathsturn_sum_memory_write_words_0_sum(3) mod 16) * 16);
+      pathsturn_sum_memory_write_words_0_sum(4) := pathsleft_cost(5) + pathsabove_cost(5);
+      pathsturn_sum_memory_write_words_0_sum_2(4) := (pathsturn_sum_memory_write_words_0_sum(3) / 16) +
+        ((pathsturn_sum_memory_write_words_0_sum(4) mod 32) * 8);
+      pathsturn_sum_memory_write_words_0_sum(5) := pathsleft_cost(6) + pathsabove_cost(6);
+      pathsturn_sum_memory_write_words_0_sum_2(5) := (pathsturn_sum_memory_write_words_0_sum(4) / 32) +
+        ((pathsturn_sum_memory_write_words_0_sum(5) mod 64) * 4);
+      pathsturn_sum_memory_write_words_0_6_sum := (pathsturn_sum_memory_write_words_0_sum(5) / 64) +
+        ((pathsleft_cost(7) + pathsabove_cost(7)) * 2);
       pathsturn_sum_memory_write_words_0_all(0) := (pathsturn_sum_write_address(1) < 4096) and pathsturn_writes_sums(1);
       for i in 0 to 1 loop
         if pathsturn_sum_memory_write_words_0_all(i) then
@@ -3332,33 +2232,15 @@ begin
         end loop;
       end if;
       -- winnerswinner1
-      winnerswinner1_best_index_0_choice(0, 1) := choice(is_set(paths_sum(0), 0), (not is_set(paths_sum(1), 1)) or (not
-        is_set(paths_sum(1), 0)), not is_set(paths_sum(1), 1));
-      winnerswinner1_best_index_0_choice(0, 2) := choice(is_set(paths_sum(0), 1), winnerswinner1_best_index_0_choice(0,
-        1), is_set(paths_sum(0), 0) and ((paths_sum(1) mod 4) = 0));
-      winnerswinner1_best_index_0_value(0, 1) := is_set(paths_sum(1), 2);
-      winnerswinner1_best_index_0_choice(0, 3) := inverted_carry(winnerswinner1_best_index_0_choice(0, 2), not
-        is_set(paths_sum(0), 2), winnerswinner1_best_index_0_value(0, 1));
-      for i in 2 to 5 loop
+      for i in 1 to 5 loop
         winnerswinner1_best_index_0_value(0, i) := is_set(paths_sum(1), i + 1);
-        winnerswinner1_best_index_0_choice(0, i + 2) := carry(winnerswinner1_best_index_0_choice(0, i + 1), not
-          is_set(paths_sum(0), i + 1), winnerswinner1_best_index_0_value(0, i));
       end loop;
+      winnerswinner1_best_index_0_choice(0, 7) := not is_larger(paths_sum(0), paths_sum(1), 0, 6, false);
       for i in 1 to 3 loop
-        winnerswinner1_best_index_0_choice(i, 1) := choice(is_set(paths_sum(2 * i), 0), (not is_set(paths_sum(2 * i +
-          1), 1)) or (not is_set(paths_sum(2 * i + 1), 0)), not is_set(paths_sum(2 * i + 1), 1));
-        winnerswinner1_best_index_0_choice(i, 2) := choice(is_set(paths_sum(2 * i), 1),
-          winnerswinner1_best_index_0_choice(i, 1), is_set(paths_sum(2 * i), 0) and ((paths_sum(2 * i + 1) mod 4) = 0));
-        winnerswinner1_best_index_0_value(i, 1) := is_set(paths_sum(2 * i + 1), 2);
-        winnerswinner1_best_index_0_choice(i, 3) := inverted_carry(winnerswinner1_best_index_0_choice(i, 2), not
-          is_set(paths_sum(2 * i), 2), winnerswinner1_best_index_0_value(i, 1));
-        for j in 2 to 5 loop
+        for j in 1 to 5 loop
           winnerswinner1_best_index_0_value(i, j) := is_set(paths_sum(2 * i + 1), j + 1);
-          winnerswinner1_best_index_0_choice(i, j + 2) := carry(winnerswinner1_best_index_0_choice(i, j + 1), not
-            is_set(paths_sum(2 * i), j + 1), winnerswinner1_best_index_0_value(i, j));
         end loop;
-        winnerswinner1_best_index_0_choice(i, 8) := inverted_carry(winnerswinner1_best_index_0_choice(i, 7),
-          is_set(paths_sum(2 * i), 7), not is_set(paths_sum(2 * i + 1), 7));
+        winnerswinner1_best_index_0_choice(i, 8) := is_larger(paths_sum(2 * i), paths_sum(2 * i + 1), 0, 7, false);
       end loop;
       for i in 0 to 3 loop
         winnerswinner1_best_cost_0(i) <= choice((paths_sum(2 * i + 1) - paths_sum(2 * i)) < 0, paths_sum(2 * i + 1),
@@ -3375,51 +2257,29 @@ begin
       end if;
       -- winnerswinner2
       for i in 0 to 1 loop
-        winnerswinner2_best_index_0_choice(i, 1) := choice(is_set(winnerswinner1_best_cost_0(2 * i), 0), (not
-          is_set(winnerswinner1_best_cost_0(2 * i + 1), 1)) or (not is_set(winnerswinner1_best_cost_0(2 * i + 1), 0)),
-          not is_set(winnerswinner1_best_cost_0(2 * i + 1), 1));
-        winnerswinner2_best_index_0_choice(i, 2) := choice(is_set(winnerswinner1_best_cost_0(2 * i), 1),
-          winnerswinner2_best_index_0_choice(i, 1), is_set(winnerswinner1_best_cost_0(2 * i), 0) and
-          ((winnerswinner1_best_cost_0(2 * i + 1) mod 4) = 0));
-        winnerswinner2_best_index_0_value(i, 1) := is_set(winnerswinner1_best_cost_0(2 * i + 1), 2);
-        winnerswinner2_best_index_0_choice(i, 3) := inverted_carry(winnerswinner2_best_index_0_choice(i, 2), not
-          is_set(winnerswinner1_best_cost_0(2 * i), 2), winnerswinner2_best_index_0_value(i, 1));
-        for j in 2 to 5 loop
+        for j in 1 to 5 loop
           winnerswinner2_best_index_0_value(i, j) := is_set(winnerswinner1_best_cost_0(2 * i + 1), j + 1);
-          winnerswinner2_best_index_0_choice(i, j + 2) := carry(winnerswinner2_best_index_0_choice(i, j + 1), not
-            is_set(winnerswinner1_best_cost_0(2 * i), j + 1), winnerswinner2_best_index_0_value(i, j));
         end loop;
-        winnerswinner2_best_index_0_choice(i, 8) := inverted_carry(winnerswinner2_best_index_0_choice(i, 7),
-          is_set(winnerswinner1_best_cost_0(2 * i), 7), not is_set(winnerswinner1_best_cost_0(2 * i + 1), 7));
+        winnerswinner2_best_index_0_choice_8(i) := is_larger(winnerswinner1_best_cost_0(2 * i),
+          winnerswinner1_best_cost_0(2 * i + 1), 0, 7, false);
       end loop;
       winnerswinner2_best_cost_0(0) <= choice((winnerswinner1_best_cost_0(1) - winnerswinner1_best_cost_0(0)) < 0,
         winnerswinner1_best_cost_0(1), winnerswinner1_best_cost_0(0));
       winnerswinner2_best_cost_0(1) <= choice((winnerswinner1_best_cost_0(3) - winnerswinner1_best_cost_0(2)) < 0,
         winnerswinner1_best_cost_0(3), winnerswinner1_best_cost_0(2));
-      winnerswinner2_best_index_0(0) <= choice(winnerswinner2_best_index_0_choice(0, 8),
-        winnerswinner1_best_index_0(1), as_number(winnerswinner1_best_index_0_0));
-      winnerswinner2_best_index_0(1) <= choice(winnerswinner2_best_index_0_choice(1, 8),
-        winnerswinner1_best_index_0(3), winnerswinner1_best_index_0(2));
+      winnerswinner2_best_index_0(0) <= choice(winnerswinner2_best_index_0_choice_8(0), winnerswinner1_best_index_0(1),
+        as_number(winnerswinner1_best_index_0_0));
+      winnerswinner2_best_index_0(1) <= choice(winnerswinner2_best_index_0_choice_8(1), winnerswinner1_best_index_0(3),
+        winnerswinner1_best_index_0(2));
       -- winnerswinner3
-      winnerswinner3_best_index_0_0_choices(1) := choice(is_set(winnerswinner2_best_cost_0(0), 0), (not
-        is_set(winnerswinner2_best_cost_0(1), 1)) or (not is_set(winnerswinner2_best_cost_0(1), 0)), not
-        is_set(winnerswinner2_best_cost_0(1), 1));
-      winnerswinner3_best_index_0_0_choices(2) := choice(is_set(winnerswinner2_best_cost_0(0), 1),
-        winnerswinner3_best_index_0_0_choices(1), is_set(winnerswinner2_best_cost_0(0), 0) and
-        ((winnerswinner2_best_cost_0(1) mod 4) = 0));
-      winnerswinner3_best_index_0_0_values(1) := is_set(winnerswinner2_best_cost_0(1), 2);
-      winnerswinner3_best_index_0_0_choices(3) := inverted_carry(winnerswinner3_best_index_0_0_choices(2), not
-        is_set(winnerswinner2_best_cost_0(0), 2), winnerswinner3_best_index_0_0_values(1));
-      for i in 2 to 5 loop
+      for i in 1 to 5 loop
         winnerswinner3_best_index_0_0_values(i) := is_set(winnerswinner2_best_cost_0(1), i + 1);
-        winnerswinner3_best_index_0_0_choices(i + 2) := carry(winnerswinner3_best_index_0_0_choices(i + 1), not
-          is_set(winnerswinner2_best_cost_0(0), i + 1), winnerswinner3_best_index_0_0_values(i));
       end loop;
-      winnerswinner3_best_index_0_0_choices(8) := inverted_carry(winnerswinner3_best_index_0_0_choices(7),
-        is_set(winnerswinner2_best_cost_0(0), 7), not is_set(winnerswinner2_best_cost_0(1), 7));
+      winnerswinner3_best_index_0_0_choice_8 := is_larger(winnerswinner2_best_cost_0(0), winnerswinner2_best_cost_0(1),
+        0, 7, false);
       winnerswinner3_best_cost_0_0 <= choice((winnerswinner2_best_cost_0(1) - winnerswinner2_best_cost_0(0)) < 0,
         winnerswinner2_best_cost_0(1), winnerswinner2_best_cost_0(0));
-      winnerswinner3_best_index_0_0 <= choice(winnerswinner3_best_index_0_0_choices(8), winnerswinner2_best_index_0(1),
+      winnerswinner3_best_index_0_0 <= choice(winnerswinner3_best_index_0_0_choice_8, winnerswinner2_best_index_0(1),
         winnerswinner2_best_index_0(0));
       -- winners
       winners_best_cost_0_0_choice := choice(line_comes(32), 255, winners_best_cost_0_0);
@@ -3586,117 +2446,35 @@ begin
       map_window_complete_choice := choice(map_window_complete_is_equal, map_sorted_behind, map_sorted_arrives or
         map_sorted_behind);
       map_of_low_0_b_below_a_values(1) := is_set(map_low_0(0), 1);
-      map_of_low_0_b_below_a_choices(1) := choice(is_set(map_low_0(0), 0), (not is_set(map_low_0(1), 1)) or (not
-        is_set(map_low_0(1), 0)), not is_set(map_low_0(1), 1));
       map_of_low_0_b_below_a_is_equal := (map_low_0(1) mod 4) = 0;
-      map_of_low_0_b_below_a_choices(2) := choice(map_of_low_0_b_below_a_values(1), map_of_low_0_b_below_a_choices(1),
-        is_set(map_low_0(0), 0) and map_of_low_0_b_below_a_is_equal);
-      map_of_low_0_b_below_a_values(2) := is_set(map_low_0(0), 2);
-      map_of_low_0_b_below_a_values(3) := is_set(map_low_0(1), 2);
-      map_of_low_0_b_below_a_choices(3) := inverted_carry(map_of_low_0_b_below_a_choices(2), not
-        map_of_low_0_b_below_a_values(2), map_of_low_0_b_below_a_values(3));
-      for i in 3 to 6 loop
+      for i in 2 to 6 loop
         map_of_low_0_b_below_a_values(2 * i - 2) := is_set(map_low_0(0), i);
         map_of_low_0_b_below_a_values(2 * i - 1) := is_set(map_low_0(1), i);
-        map_of_low_0_b_below_a_choices(i + 1) := carry(map_of_low_0_b_below_a_choices(i), not
-          map_of_low_0_b_below_a_values(2 * i - 2), map_of_low_0_b_below_a_values(2 * i - 1));
       end loop;
+      map_of_low_0_b_below_a_choice_7 := not is_larger(map_low_0(0), map_low_0(1), 0, 6, false);
       map_of_low_0_c_below_a_value := is_set(map_low_0(2), 1);
-      map_of_low_0_c_below_a_choices(1) := choice(is_set(map_low_0(2), 0), not map_of_low_0_b_below_a_values(1),
-        (map_low_0(0) mod 4) = 0);
-      map_of_low_0_c_below_a_choices(2) := choice(map_of_low_0_c_below_a_value, is_set(map_low_0(2), 0) or (not
-        map_of_low_0_b_below_a_values(1)) or (not is_set(map_low_0(0), 0)), map_of_low_0_c_below_a_choices(1));
-      map_of_low_0_c_below_a_choices(3) := inverted_carry(map_of_low_0_c_below_a_choices(2), not is_set(map_low_0(2),
-        2), map_of_low_0_b_below_a_values(2));
-      for i in 4 to 7 loop
-        map_of_low_0_c_below_a_choices(i) := carry(map_of_low_0_c_below_a_choices(i - 1), not is_set(map_low_0(2), i -
-          1), map_of_low_0_b_below_a_values(2 * i - 4));
-      end loop;
-      map_of_low_0_c_below_b_choices(1) := choice(is_set(map_low_0(2), 0), not is_set(map_low_0(1), 1),
-        map_of_low_0_b_below_a_is_equal);
-      map_of_low_0_c_below_b_choices(2) := choice(map_of_low_0_c_below_a_value, is_set(map_low_0(2), 0) or (not
-        is_set(map_low_0(1), 1)) or (not is_set(map_low_0(1), 0)), map_of_low_0_c_below_b_choices(1));
-      map_of_low_0_c_below_b_choices(3) := inverted_carry(map_of_low_0_c_below_b_choices(2), not is_set(map_low_0(2),
-        2), map_of_low_0_b_below_a_values(3));
-      for i in 4 to 7 loop
-        map_of_low_0_c_below_b_choices(i) := carry(map_of_low_0_c_below_b_choices(i - 1), not is_set(map_low_0(2), i -
-          1), map_of_low_0_b_below_a_values(2 * i - 3));
-      end loop;
+      map_of_low_0_c_below_a_choice_7 := not is_larger(map_low_0(2), map_low_0(0), 0, 6, true);
+      map_of_low_0_c_below_b_choice_7 := not is_larger(map_low_0(2), map_low_0(1), 0, 6, true);
       map_of_middle_0_b_below_a_values(1) := is_set(map_middle_0(0), 1);
-      map_of_middle_0_b_below_a_choices(1) := choice(is_set(map_middle_0(0), 0), (not is_set(map_middle_0(1), 1)) or
-        (not is_set(map_middle_0(1), 0)), not is_set(map_middle_0(1), 1));
       map_of_middle_0_b_below_a_is_equal := (map_middle_0(1) mod 4) = 0;
-      map_of_middle_0_b_below_a_choices(2) := choice(map_of_middle_0_b_below_a_values(1),
-        map_of_middle_0_b_below_a_choices(1), is_set(map_middle_0(0), 0) and map_of_middle_0_b_below_a_is_equal);
-      map_of_middle_0_b_below_a_values(2) := is_set(map_middle_0(0), 2);
-      map_of_middle_0_b_below_a_values(3) := is_set(map_middle_0(1), 2);
-      map_of_middle_0_b_below_a_choices(3) := inverted_carry(map_of_middle_0_b_below_a_choices(2), not
-        map_of_middle_0_b_below_a_values(2), map_of_middle_0_b_below_a_values(3));
-      for i in 3 to 6 loop
+      for i in 2 to 6 loop
         map_of_middle_0_b_below_a_values(2 * i - 2) := is_set(map_middle_0(0), i);
         map_of_middle_0_b_below_a_values(2 * i - 1) := is_set(map_middle_0(1), i);
-        map_of_middle_0_b_below_a_choices(i + 1) := carry(map_of_middle_0_b_below_a_choices(i), not
-          map_of_middle_0_b_below_a_values(2 * i - 2), map_of_middle_0_b_below_a_values(2 * i - 1));
       end loop;
+      map_of_middle_0_b_below_a_choice_7 := not is_larger(map_middle_0(0), map_middle_0(1), 0, 6, false);
       map_of_middle_0_c_below_a_value := is_set(map_middle_0(2), 1);
-      map_of_middle_0_c_below_a_choices(1) := choice(is_set(map_middle_0(2), 0), not
-        map_of_middle_0_b_below_a_values(1), (map_middle_0(0) mod 4) = 0);
-      map_of_middle_0_c_below_a_choices(2) := choice(map_of_middle_0_c_below_a_value, is_set(map_middle_0(2), 0) or
-        (not map_of_middle_0_b_below_a_values(1)) or (not is_set(map_middle_0(0), 0)),
-        map_of_middle_0_c_below_a_choices(1));
-      map_of_middle_0_c_below_a_choices(3) := inverted_carry(map_of_middle_0_c_below_a_choices(2), not
-        is_set(map_middle_0(2), 2), map_of_middle_0_b_below_a_values(2));
-      for i in 4 to 7 loop
-        map_of_middle_0_c_below_a_choices(i) := carry(map_of_middle_0_c_below_a_choices(i - 1), not
-          is_set(map_middle_0(2), i - 1), map_of_middle_0_b_below_a_values(2 * i - 4));
-      end loop;
-      map_of_middle_0_c_below_b_choices(1) := choice(is_set(map_middle_0(2), 0), not is_set(map_middle_0(1), 1),
-        map_of_middle_0_b_below_a_is_equal);
-      map_of_middle_0_c_below_b_choices(2) := choice(map_of_middle_0_c_below_a_value, is_set(map_middle_0(2), 0) or
-        (not is_set(map_middle_0(1), 1)) or (not is_set(map_middle_0(1), 0)), map_of_middle_0_c_below_b_choices(1));
-      map_of_middle_0_c_below_b_choices(3) := inverted_carry(map_of_middle_0_c_below_b_choices(2), not
-        is_set(map_middle_0(2), 2), map_of_middle_0_b_below_a_values(3));
-      for i in 4 to 7 loop
-        map_of_middle_0_c_below_b_choices(i) := carry(map_of_middle_0_c_below_b_choices(i - 1), not
-          is_set(map_middle_0(2), i - 1), map_of_middle_0_b_below_a_values(2 * i - 3));
-      end loop;
+      map_of_middle_0_c_below_a_choice_7 := not is_larger(map_middle_0(2), map_middle_0(0), 0, 6, true);
+      map_of_middle_0_c_below_b_choice_7 := not is_larger(map_middle_0(2), map_middle_0(1), 0, 6, true);
       map_of_high_0_b_below_a_values(1) := is_set(map_high_0(0), 1);
-      map_of_high_0_b_below_a_choices(1) := choice(is_set(map_high_0(0), 0), (not is_set(map_high_0(1), 1)) or (not
-        is_set(map_high_0(1), 0)), not is_set(map_high_0(1), 1));
       map_of_high_0_b_below_a_is_equal := (map_high_0(1) mod 4) = 0;
-      map_of_high_0_b_below_a_choices(2) := choice(map_of_high_0_b_below_a_values(1),
-        map_of_high_0_b_below_a_choices(1), is_set(map_high_0(0), 0) and map_of_high_0_b_below_a_is_equal);
-      map_of_high_0_b_below_a_values(2) := is_set(map_high_0(0), 2);
-      map_of_high_0_b_below_a_values(3) := is_set(map_high_0(1), 2);
-      map_of_high_0_b_below_a_choices(3) := inverted_carry(map_of_high_0_b_below_a_choices(2), not
-        map_of_high_0_b_below_a_values(2), map_of_high_0_b_below_a_values(3));
-      for i in 3 to 6 loop
+      for i in 2 to 6 loop
         map_of_high_0_b_below_a_values(2 * i - 2) := is_set(map_high_0(0), i);
         map_of_high_0_b_below_a_values(2 * i - 1) := is_set(map_high_0(1), i);
-        map_of_high_0_b_below_a_choices(i + 1) := carry(map_of_high_0_b_below_a_choices(i), not
-          map_of_high_0_b_below_a_values(2 * i - 2), map_of_high_0_b_below_a_values(2 * i - 1));
       end loop;
+      map_of_high_0_b_below_a_choice_7 := not is_larger(map_high_0(0), map_high_0(1), 0, 6, false);
       map_of_high_0_c_below_a_value := is_set(map_high_0(2), 1);
-      map_of_high_0_c_below_a_choices(1) := choice(is_set(map_high_0(2), 0), not map_of_high_0_b_below_a_values(1),
-        (map_high_0(0) mod 4) = 0);
-      map_of_high_0_c_below_a_choices(2) := choice(map_of_high_0_c_below_a_value, is_set(map_high_0(2), 0) or (not
-        map_of_high_0_b_below_a_values(1)) or (not is_set(map_high_0(0), 0)), map_of_high_0_c_below_a_choices(1));
-      map_of_high_0_c_below_a_choices(3) := inverted_carry(map_of_high_0_c_below_a_choices(2), not
-        is_set(map_high_0(2), 2), map_of_high_0_b_below_a_values(2));
-      for i in 4 to 7 loop
-        map_of_high_0_c_below_a_choices(i) := carry(map_of_high_0_c_below_a_choices(i - 1), not is_set(map_high_0(2), i
-          - 1), map_of_high_0_b_below_a_values(2 * i - 4));
-      end loop;
-      map_of_high_0_c_below_b_choices(1) := choice(is_set(map_high_0(2), 0), not is_set(map_high_0(1), 1),
-        map_of_high_0_b_below_a_is_equal);
-      map_of_high_0_c_below_b_choices(2) := choice(map_of_high_0_c_below_a_value, is_set(map_high_0(2), 0) or (not
-        is_set(map_high_0(1), 1)) or (not is_set(map_high_0(1), 0)), map_of_high_0_c_below_b_choices(1));
-      map_of_high_0_c_below_b_choices(3) := inverted_carry(map_of_high_0_c_below_b_choices(2), not
-        is_set(map_high_0(2), 2), map_of_high_0_b_below_a_values(3));
-      for i in 4 to 7 loop
-        map_of_high_0_c_below_b_choices(i) := carry(map_of_high_0_c_below_b_choices(i - 1), not is_set(map_high_0(2), i
-          - 1), map_of_high_0_b_below_a_values(2 * i - 3));
-      end loop;
+      map_of_high_0_c_below_a_choice_7 := not is_larger(map_high_0(2), map_high_0(0), 0, 6, true);
+      map_of_high_0_c_below_b_choice_7 := not is_larger(map_high_0(2), map_high_0(1), 0, 6, true);
       map_largest_low_0_choices(1) := choice(map_of_low_0_c_below_a, map_of_low_0_a, map_of_low_0_c);
       map_largest_low_0_choices(2) := choice(map_of_low_0_c_below_b, map_of_low_0_b, map_of_low_0_c);
       map_median_middle_0_choices(1) := choice(map_of_middle_0_c_below_a, map_of_middle_0_c, map_of_middle_0_a);
@@ -3708,42 +2486,15 @@ begin
       map_smallest_high_0_choices(1) := choice(map_of_high_0_c_below_b, map_of_high_0_c, map_of_high_0_b);
       map_smallest_high_0_choices(2) := choice(map_of_high_0_c_below_a, map_of_high_0_c, map_of_high_0_a);
       map_of_all_0_b_below_a_values(1) := is_set(map_largest_low_0, 1);
-      map_of_all_0_b_below_a_choices(1) := choice(is_set(map_largest_low_0, 0), (not is_set(map_median_middle_0, 1)) or
-        (not is_set(map_median_middle_0, 0)), not is_set(map_median_middle_0, 1));
       map_of_all_0_b_below_a_is_equal := (map_median_middle_0 mod 4) = 0;
-      map_of_all_0_b_below_a_choices(2) := choice(map_of_all_0_b_below_a_values(1), map_of_all_0_b_below_a_choices(1),
-        is_set(map_largest_low_0, 0) and map_of_all_0_b_below_a_is_equal);
-      map_of_all_0_b_below_a_values(2) := is_set(map_largest_low_0, 2);
-      map_of_all_0_b_below_a_values(3) := is_set(map_median_middle_0, 2);
-      map_of_all_0_b_below_a_choices(3) := inverted_carry(map_of_all_0_b_below_a_choices(2), not
-        map_of_all_0_b_below_a_values(2), map_of_all_0_b_below_a_values(3));
-      for i in 3 to 6 loop
+      for i in 2 to 6 loop
         map_of_all_0_b_below_a_values(2 * i - 2) := is_set(map_largest_low_0, i);
         map_of_all_0_b_below_a_values(2 * i - 1) := is_set(map_median_middle_0, i);
-        map_of_all_0_b_below_a_choices(i + 1) := carry(map_of_all_0_b_below_a_choices(i), not
-          map_of_all_0_b_below_a_values(2 * i - 2), map_of_all_0_b_below_a_values(2 * i - 1));
       end loop;
+      map_of_all_0_b_below_a_choice_7 := not is_larger(map_largest_low_0, map_median_middle_0, 0, 6, false);
       map_of_all_0_c_below_a_value := is_set(map_smallest_high_0, 1);
-      map_of_all_0_c_below_a_choices(1) := choice(is_set(map_smallest_high_0, 0), not map_of_all_0_b_below_a_values(1),
-        (map_largest_low_0 mod 4) = 0);
-      map_of_all_0_c_below_a_choices(2) := choice(map_of_all_0_c_below_a_value, is_set(map_smallest_high_0, 0) or (not
-        map_of_all_0_b_below_a_values(1)) or (not is_set(map_largest_low_0, 0)), map_of_all_0_c_below_a_choices(1));
-      map_of_all_0_c_below_a_choices(3) := inverted_carry(map_of_all_0_c_below_a_choices(2), not
-        is_set(map_smallest_high_0, 2), map_of_all_0_b_below_a_values(2));
-      for i in 4 to 7 loop
-        map_of_all_0_c_below_a_choices(i) := carry(map_of_all_0_c_below_a_choices(i - 1), not
-          is_set(map_smallest_high_0, i - 1), map_of_all_0_b_below_a_values(2 * i - 4));
-      end loop;
-      map_of_all_0_c_below_b_choices(1) := choice(is_set(map_smallest_high_0, 0), not is_set(map_median_middle_0, 1),
-        map_of_all_0_b_below_a_is_equal);
-      map_of_all_0_c_below_b_choices(2) := choice(map_of_all_0_c_below_a_value, is_set(map_smallest_high_0, 0) or (not
-        is_set(map_median_middle_0, 1)) or (not is_set(map_median_middle_0, 0)), map_of_all_0_c_below_b_choices(1));
-      map_of_all_0_c_below_b_choices(3) := inverted_carry(map_of_all_0_c_below_b_choices(2), not
-        is_set(map_smallest_high_0, 2), map_of_all_0_b_below_a_values(3));
-      for i in 4 to 7 loop
-        map_of_all_0_c_below_b_choices(i) := carry(map_of_all_0_c_below_b_choices(i - 1), not
-          is_set(map_smallest_high_0, i - 1), map_of_all_0_b_below_a_values(2 * i - 3));
-      end loop;
+      map_of_all_0_c_below_a_choice_7 := not is_larger(map_smallest_high_0, map_largest_low_0, 0, 6, true);
+      map_of_all_0_c_below_b_choice_7 := not is_larger(map_smallest_high_0, map_median_middle_0, 0, 6, true);
       map_out_disparity_0_choices(1) := choice(map_of_all_0_c_below_a, map_of_all_0_c, map_of_all_0_a);
       map_out_disparity_0_choices(2) := choice(map_of_all_0_c_below_b, map_of_all_0_b, map_out_disparity_0_choices(1));
       map_out_disparity_0_choices(3) := choice(map_of_all_0_c_below_b, map_of_all_0_c, map_of_all_0_b);
@@ -3825,34 +2576,34 @@ begin
         map_sorted_high_0_choices(2));
       map_passed_0(1) <= choice(map_passed_0(0), map_passed_0(1) or map_sorted_arrives or map_sorted_behind,
         map_passed_0(1) and (not map_sorted_arrives) and (not map_sorted_behind));
-      map_of_low_0_b_below_a <= inverted_carry(map_of_low_0_b_below_a_choices(7), is_set(map_low_0(0), 7), not
+      map_of_low_0_b_below_a <= inverted_carry(map_of_low_0_b_below_a_choice_7, is_set(map_low_0(0), 7), not
         is_set(map_low_0(1), 7));
-      map_of_low_0_c_below_a <= carry(map_of_low_0_c_below_a_choices(7), not is_set(map_low_0(2), 7),
+      map_of_low_0_c_below_a <= carry(map_of_low_0_c_below_a_choice_7, not is_set(map_low_0(2), 7),
         is_set(map_low_0(0), 7));
-      map_of_low_0_c_below_b <= carry(map_of_low_0_c_below_b_choices(7), not is_set(map_low_0(2), 7),
+      map_of_low_0_c_below_b <= carry(map_of_low_0_c_below_b_choice_7, not is_set(map_low_0(2), 7),
         is_set(map_low_0(1), 7));
-      map_of_middle_0_b_below_a <= inverted_carry(map_of_middle_0_b_below_a_choices(7), is_set(map_middle_0(0), 7), not
+      map_of_middle_0_b_below_a <= inverted_carry(map_of_middle_0_b_below_a_choice_7, is_set(map_middle_0(0), 7), not
         is_set(map_middle_0(1), 7));
-      map_of_middle_0_c_below_a <= carry(map_of_middle_0_c_below_a_choices(7), not is_set(map_middle_0(2), 7),
+      map_of_middle_0_c_below_a <= carry(map_of_middle_0_c_below_a_choice_7, not is_set(map_middle_0(2), 7),
         is_set(map_middle_0(0), 7));
-      map_of_middle_0_c_below_b <= carry(map_of_middle_0_c_below_b_choices(7), not is_set(map_middle_0(2), 7),
+      map_of_middle_0_c_below_b <= carry(map_of_middle_0_c_below_b_choice_7, not is_set(map_middle_0(2), 7),
         is_set(map_middle_0(1), 7));
-      map_of_high_0_b_below_a <= inverted_carry(map_of_high_0_b_below_a_choices(7), is_set(map_high_0(0), 7), not
+      map_of_high_0_b_below_a <= inverted_carry(map_of_high_0_b_below_a_choice_7, is_set(map_high_0(0), 7), not
         is_set(map_high_0(1), 7));
-      map_of_high_0_c_below_a <= carry(map_of_high_0_c_below_a_choices(7), not is_set(map_high_0(2), 7),
+      map_of_high_0_c_below_a <= carry(map_of_high_0_c_below_a_choice_7, not is_set(map_high_0(2), 7),
         is_set(map_high_0(0), 7));
-      map_of_high_0_c_below_b <= carry(map_of_high_0_c_below_b_choices(7), not is_set(map_high_0(2), 7),
+      map_of_high_0_c_below_b <= carry(map_of_high_0_c_below_b_choice_7, not is_set(map_high_0(2), 7),
         is_set(map_high_0(1), 7));
       map_largest_low_0 <= choice(map_of_low_0_b_below_a, map_largest_low_0_choices(1), map_largest_low_0_choices(2));
       map_median_middle_0 <= choice(map_of_middle_0_b_below_a, map_median_middle_0_choices(2),
         map_median_middle_0_choices(4));
       map_smallest_high_0 <= choice(map_of_high_0_b_below_a, map_smallest_high_0_choices(1),
         map_smallest_high_0_choices(2));
-      map_of_all_0_b_below_a <= inverted_carry(map_of_all_0_b_below_a_choices(7), is_set(map_largest_low_0, 7), not
+      map_of_all_0_b_below_a <= inverted_carry(map_of_all_0_b_below_a_choice_7, is_set(map_largest_low_0, 7), not
         is_set(map_median_middle_0, 7));
-      map_of_all_0_c_below_a <= carry(map_of_all_0_c_below_a_choices(7), not is_set(map_smallest_high_0, 7),
+      map_of_all_0_c_below_a <= carry(map_of_all_0_c_below_a_choice_7, not is_set(map_smallest_high_0, 7),
         is_set(map_largest_low_0, 7));
-      map_of_all_0_c_below_b <= carry(map_of_all_0_c_below_b_choices(7), not is_set(map_smallest_high_0, 7),
+      map_of_all_0_c_below_b <= carry(map_of_all_0_c_below_b_choice_7, not is_set(map_smallest_high_0, 7),
         is_set(map_median_middle_0, 7));
       map_out_disparity_0 <= choice(map_of_all_0_b_below_a, map_out_disparity_0_choices(2),
         map_out_disparity_0_choices(4));

@@ -111,6 +111,16 @@ architecture rtl of stereo_core_tiny_sgm_road is
     return a or b;
   end function;
 
+  -- whether a > b, of bits `low` to `high`; of equal ones, `before`: bit by bit, as the tool has split it
+  function is_larger(a : natural; b : natural; low : natural; high : natural; before : boolean) return boolean is
+    variable is_not : boolean := not before;
+  begin
+    for place in low to high loop
+      is_not := carry(is_not, not is_set(a, place), is_set(b, place));
+    end loop;
+    return not is_not;
+  end function;
+
   function choice(test : boolean; yes : boolean; no : boolean) return boolean is
   begin
     if test then
@@ -176,29 +186,22 @@ architecture rtl of stereo_core_tiny_sgm_road is
   -- transform
   signal transform_left_0, transform_right_0, transform_left_rows_read_newest_0 : natural range 0 to 255;
   signal transform_left_rows_ready_newest_0, transform_right_rows_read_newest_0 : natural range 0 to 255;
-  signal transform_right_rows_ready_newest_0, transform_left_column_0, transform_left_column_2 : natural range 0 to 255;
-  signal transform_left_column_4, transform_right_column_0, transform_right_column_2 : natural range 0 to 255;
-  signal transform_right_column_4 : natural range 0 to 255;
-  signal transform_left_filter_column_0 : natural_255_1d(0 to 8);  -- transform_left_filter_column_#_0
-  signal transform_left_filter_column_2 : natural_255_1d(0 to 8);  -- transform_left_filter_column_#_2
-  signal transform_left_filter_column_4 : natural_255_1d(0 to 8);  -- transform_left_filter_column_#_4
-  signal transform_right_filter_column_0 : natural_255_1d(0 to 8);  -- transform_right_filter_column_#_0
-  signal transform_right_filter_column_2 : natural_255_1d(0 to 8);  -- transform_right_filter_column_#_2
-  signal transform_right_filter_column_4 : natural_255_1d(0 to 8);  -- transform_right_filter_column_#_4
-  signal transform_valid, transform_counter_next_frame, transform_read_row_inside_0 : boolean;
-  signal transform_read_row_inside_2, transform_read_row_inside_4, transform_read_column_inside_0 : boolean;
-  signal transform_read_column_inside_2, transform_read_column_inside_4, transform_read_column_inside_6 : boolean;
-  signal transform_read_column_inside_8, transform_read_start_of_frame, transform_read_valid : boolean;
-  signal transform_ready_row_inside_0, transform_ready_row_inside_2, transform_ready_row_inside_4 : boolean;
-  signal transform_ready_column_inside_0, transform_ready_column_inside_2, transform_ready_column_inside_4 : boolean;
-  signal transform_ready_column_inside_6, transform_ready_column_inside_8, transform_ready_start_of_frame : boolean;
-  signal transform_ready_valid, transform_columns_row_inside_0, transform_columns_row_inside_2 : boolean;
-  signal transform_columns_row_inside_4, transform_columns_column_inside_0, transform_columns_column_inside_2 : boolean;
-  signal transform_columns_column_inside_4, transform_columns_column_inside_6 : boolean;
-  signal transform_columns_column_inside_8, transform_columns_start_of_frame, transform_columns_valid : boolean;
-  signal transform_filtering_0_column_inside_0, transform_filtering_0_column_inside_2 : boolean;
-  signal transform_filtering_0_column_inside_4, transform_filtering_0_column_inside_6 : boolean;
-  signal transform_filtering_0_column_inside_8 : boolean;
+  signal transform_right_rows_ready_newest_0 : natural range 0 to 255;
+  signal transform_left_column : natural_255_1d(0 to 2);  -- transform_left_column_2#
+  signal transform_right_column : natural_255_1d(0 to 2);  -- transform_right_column_2#
+  signal transform_left_filter_column : natural_255_2d(0 to 8, 0 to 2);  -- transform_left_filter_column_#_2#
+  signal transform_right_filter_column : natural_255_2d(0 to 8, 0 to 2);  -- transform_right_filter_column_#_2#
+  signal transform_valid, transform_counter_next_frame : boolean;
+  signal transform_read_row_inside : boolean_1d(0 to 2);  -- transform_read_row_inside_2#
+  signal transform_read_column_inside : boolean_1d(0 to 4);  -- transform_read_column_inside_2#
+  signal transform_read_start_of_frame, transform_read_valid : boolean;
+  signal transform_ready_row_inside : boolean_1d(0 to 2);  -- transform_ready_row_inside_2#
+  signal transform_ready_column_inside : boolean_1d(0 to 4);  -- transform_ready_column_inside_2#
+  signal transform_ready_start_of_frame, transform_ready_valid : boolean;
+  signal transform_columns_row_inside : boolean_1d(0 to 2);  -- transform_columns_row_inside_2#
+  signal transform_columns_column_inside : boolean_1d(0 to 4);  -- transform_columns_column_inside_2#
+  signal transform_columns_start_of_frame, transform_columns_valid : boolean;
+  signal transform_filtering_0_column_inside : boolean_1d(0 to 4);  -- transform_filtering_0_column_inside_2#
   signal transform_filtering_start_of_frame : boolean_1d(0 to 1);  -- transform_filtering_#_start_of_frame
   signal transform_filtering_valid : boolean_1d(0 to 1);  -- transform_filtering_#_valid
   signal transform_counter_column, transform_read_column, transform_ready_column : natural range 0 to 63;
@@ -674,12 +677,12 @@ begin
     variable transform_read_column_inside_6_choice : boolean;
     variable transform_left_filter_feature_0_values : boolean_1d(1 to 11);  -- transform_left_filter_feature_0_value_#
     variable transform_left_filter_feature_0_any : boolean;
-    variable transform_left_filter_feature_0_choices : boolean_1d(1 to 121);  -- transform_left_filter_feature_0_choice_#
+    variable transform_left_filter_feature_0_choice : boolean_1d(8 to 121);
     variable transform_left_filter_feature_0_is_equal : boolean;
     variable transform_left_filter_feature_0_alls : boolean_1d(1 to 4);  -- transform_left_filter_feature_0_all_#
     variable transform_right_filter_feature_0_values : boolean_1d(1 to 11);  -- transform_right_filter_feature_0_value_#
     variable transform_right_filter_feature_0_any : boolean;
-    variable transform_right_filter_feature_0_choices : boolean_1d(1 to 125);  -- transform_right_filter_feature_0_choice_#
+    variable transform_right_filter_feature_0_choice : boolean_1d(8 to 125);
     variable transform_right_filter_feature_0_is_equal : boolean;
     variable transform_right_filter_feature_0_alls : boolean_1d(1 to 4);  -- transform_right_filter_feature_0_all_#
     variable transform_counter_next_frame_choice : boolean;
@@ -693,23 +696,22 @@ begin
     variable slice2cost_pixels_first_0_count_value : boolean_3d(0 to 2, 0 to 4, 1 to 3);  -- slice2cost_pixels_first_#_0_count_#_value_#
     variable entry_order_falls_any, entry_order_falls_all, entry_order_complete_all, entry_order_complete_any : boolean;
     variable entry_order_turned_output_column_choice, forward_left_start_cost_0_any : boolean;
-    variable forward_left_start_cost_0_choices : boolean_1d(1 to 6);  -- forward_left_start_cost_0_choice_#
+    variable forward_left_start_cost_0_choice_6 : boolean;
     variable forward_left_start_cost_0_values : boolean_1d(1 to 3);  -- forward_left_start_cost_0_value_#
-    variable forward_left_start_cost_0_is_less, sums_right_start_cost_0_any : boolean;
-    variable sums_right_start_cost_0_choices : boolean_1d(1 to 6);  -- sums_right_start_cost_0_choice_#
+    variable forward_left_start_cost_0_is_less, sums_right_start_cost_0_any, sums_right_start_cost_0_choice_6 : boolean;
     variable sums_right_start_cost_0_values : boolean_1d(1 to 3);  -- sums_right_start_cost_0_value_#
     variable sums_right_start_cost_0_is_less, sums_turn_writes_copy_0_choice : boolean;
-    variable winnerswinner1_of_pair_0_choice : boolean_2d(0 to 10, 1 to 8);  -- winnerswinner1_of_pair_0_#_choice_#
-    variable winnerswinner1_of_pair_0_value : boolean_2d(0 to 10, 1 to 5);  -- winnerswinner1_of_pair_0_#_value_#
-    variable winnerswinner1_of_four_0_choice : boolean_2d(0 to 8, 1 to 8);  -- winnerswinner1_of_four_0_#_choice_#
-    variable winnerswinner1_of_four_0_value : boolean_2d(0 to 8, 1 to 12);  -- winnerswinner1_of_four_0_#_value_#
-    variable winnerswinner2_of_pair_0_0_choices : boolean_1d(1 to 8);  -- winnerswinner2_of_pair_0_0_choice_#
+    variable winnerswinner1_of_pair_0_choice_8 : boolean_1d(0 to 5);  -- winnerswinner1_of_pair_0_2#_choice_8
+    variable winnerswinner1_of_pair_0_value : boolean_2d(0 to 5, 1 to 5);  -- winnerswinner1_of_pair_0_2#_value_#
+    variable winnerswinner1_of_four_0_choice : boolean_2d(0 to 2, 1 to 8);  -- winnerswinner1_of_four_0_4#_choice_#
+    variable winnerswinner1_of_four_0_value : boolean_2d(0 to 2, 1 to 12);  -- winnerswinner1_of_four_0_4#_value_#
+    variable winnerswinner2_of_pair_0_0_choice_8 : boolean;
     variable winnerswinner2_of_pair_0_0_values : boolean_1d(1 to 5);  -- winnerswinner2_of_pair_0_0_value_#
     variable winnerswinner2_four_index_0_0_values : boolean_1d(1 to 12);  -- winnerswinner2_four_index_0_0_value_#
     variable winnerswinner2_four_index_0_0_choices : boolean_1d(1 to 7);  -- winnerswinner2_four_index_0_0_choice_#
     variable turn_order_address_anys : boolean_1d(1 to 2);  -- turn_order_address_any_#
     variable turn_order_falls_all, turn_order_complete_all, turn_order_turned_output_column_choice : boolean;
-    variable relief_newest_choices : boolean_1d(1 to 16);  -- relief_newest_choice_#
+    variable relief_newest_choice : boolean_1d(7 to 16);
     variable relief_newest_values : boolean_1d(1 to 5);  -- relief_newest_value_#
     variable transform_counter_group_choice, transform_left_filter_feature_0_choice_17 : natural range 0 to 3;
     variable transform_right_filter_feature_0_choice_17, raster_place_group_choice : natural range 0 to 3;
@@ -723,12 +725,12 @@ begin
     variable sums_right_pair_choice : natural_127_1d(0 to 5);  -- sums_right_pair_#_choice
     variable sums_right_cost_choice : natural_127_2d(0 to 11, 1 to 2);  -- sums_right_cost_#_choice_#
     variable sums_right_arrived_choice : natural_127_2d(0 to 11, 1 to 2);  -- sums_right_arrived_#_choice_#
-    variable forward_left_start_cost_0_choices_from_7 : natural_63_1d(7 to 9);  -- forward_left_start_cost_0_choice_#
+    variable forward_left_start_cost_0_choice : natural_63_1d(7 to 9);
     variable forward_left_room_value : natural range 0 to 63;
     variable forward_left_room_choices : natural_63_1d(1 to 3);  -- forward_left_room_choice_#
     variable forward_left_smallest_choice, forward_left_relief_pairs_0_choice : natural range 0 to 63;
     variable forward_left_relief_recent_choice, forward_left_relief_largest_choice : natural range 0 to 63;
-    variable sums_right_start_cost_0_choices_from_7 : natural_63_1d(7 to 9);  -- sums_right_start_cost_0_choice_#
+    variable sums_right_start_cost_0_choice : natural_63_1d(7 to 9);
     variable sums_right_room_value : natural range 0 to 63;
     variable sums_right_room_choices : natural_63_1d(1 to 3);  -- sums_right_room_choice_#
     variable sums_right_smallest_choice, sums_right_relief_pairs_0_choice : natural range 0 to 63;
@@ -749,15 +751,11 @@ begin
   begin
     if rising_edge(clock) then
       -- no bit without a value, where an array has places for more
-      transform_left_filter_feature_0_choices := (others => false);
-      transform_right_filter_feature_0_choices := (others => false);
+      transform_left_filter_feature_0_choice := (others => false);
+      transform_right_filter_feature_0_choice := (others => false);
       slice0cost_pixels_first_0_count_value := (others => (others => (others => false)));
       slice1cost_pixels_first_0_count_value := (others => (others => (others => false)));
       slice2cost_pixels_first_0_count_value := (others => (others => (others => false)));
-      winnerswinner1_of_pair_0_choice := (others => (others => false));
-      winnerswinner1_of_pair_0_value := (others => (others => false));
-      winnerswinner1_of_four_0_choice := (others => (others => false));
-      winnerswinner1_of_four_0_value := (others => (others => false));
       forward_left_arrived_choice := (others => (others => 0));
       sums_right_arrived_choice := (others => (others => 0));
       -- transform
@@ -778,476 +776,187 @@ begin
       transform_read_column_inside_6_choice := choice(is_set(transform_counter_column, 1), (not
         is_set(transform_counter_column, 5)) and (not transform_read_column_inside_0_values(1)) and (not
         transform_read_column_inside_0_values(3)), (transform_counter_column / 16) = 0);
-      transform_left_filter_feature_0_values(1) := is_set(transform_left_filter_column_2(4), 1);
+      transform_left_filter_feature_0_values(1) := is_set(transform_left_filter_column(4, 1), 1);
       transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_values(1)) or (not
-        is_set(transform_left_filter_column_2(4), 0));
-      transform_left_filter_feature_0_choices(1) := choice(is_set(transform_left_filter_column_0(4), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_is_equal := (transform_left_filter_column_2(4) mod 4) = 0;
-      transform_left_filter_feature_0_choices(2) := choice(is_set(transform_left_filter_column_0(4), 1),
-        transform_left_filter_feature_0_choices(1), is_set(transform_left_filter_column_0(4), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_values(2) := is_set(transform_left_filter_column_2(4), 2);
-      transform_left_filter_feature_0_choices(3) := inverted_carry(transform_left_filter_feature_0_choices(2), not
-        is_set(transform_left_filter_column_0(4), 2), transform_left_filter_feature_0_values(2));
-      for i in 3 to 6 loop
-        transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column_2(4), i);
-        transform_left_filter_feature_0_choices(i + 1) := carry(transform_left_filter_feature_0_choices(i), not
-          is_set(transform_left_filter_column_0(4), i), transform_left_filter_feature_0_values(i));
+        is_set(transform_left_filter_column(4, 1), 0));
+      transform_left_filter_feature_0_is_equal := (transform_left_filter_column(4, 1) mod 4) = 0;
+      for i in 2 to 6 loop
+        transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(4, 1), i);
       end loop;
-      transform_left_filter_feature_0_choices(8) := inverted_carry(transform_left_filter_feature_0_choices(7),
-        is_set(transform_left_filter_column_0(4), 7), not is_set(transform_left_filter_column_2(4), 7));
-      transform_left_filter_feature_0_choices(9) := choice(is_set(transform_left_filter_column_4(4), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(10) := choice(is_set(transform_left_filter_column_4(4), 1),
-        transform_left_filter_feature_0_choices(9), is_set(transform_left_filter_column_4(4), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(11) := inverted_carry(transform_left_filter_feature_0_choices(10), not
-        is_set(transform_left_filter_column_4(4), 2), transform_left_filter_feature_0_values(2));
-      for i in 12 to 15 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_4(4), i - 9), transform_left_filter_feature_0_values(i - 9));
-      end loop;
-      transform_left_filter_feature_0_choices(16) := inverted_carry(transform_left_filter_feature_0_choices(15),
-        is_set(transform_left_filter_column_4(4), 7), not is_set(transform_left_filter_column_2(4), 7));
-      transform_left_filter_feature_0_choice_17 := choice(transform_filtering_0_column_inside_4,
-        as_number(transform_left_filter_feature_0_choices(8)) + (as_number(transform_left_filter_feature_0_choices(16))
-        * 2), 0);
-      transform_left_filter_feature_0_choices(18) := choice(is_set(transform_left_filter_column_2(0), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(19) := choice(is_set(transform_left_filter_column_2(0), 1),
-        transform_left_filter_feature_0_choices(18), is_set(transform_left_filter_column_2(0), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(20) := inverted_carry(transform_left_filter_feature_0_choices(19), not
-        is_set(transform_left_filter_column_2(0), 2), transform_left_filter_feature_0_values(2));
-      for i in 21 to 24 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_2(0), i - 18), transform_left_filter_feature_0_values(i - 18));
-      end loop;
-      transform_left_filter_feature_0_alls(1) := transform_filtering_0_column_inside_0 and (not
-        is_set(transform_left_filter_column_2(4), 7));
-      transform_left_filter_feature_0_choices(25) := choice(is_set(transform_left_filter_column_2(0), 7),
-        transform_filtering_0_column_inside_0, transform_left_filter_feature_0_alls(1));
-      transform_left_filter_feature_0_choices(26) := choice(transform_left_filter_feature_0_choices(24),
-        is_set(transform_left_filter_column_2(0), 7) and transform_filtering_0_column_inside_0 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(25));
-      transform_left_filter_feature_0_choices(27) := choice(is_set(transform_left_filter_column_0(0), 0),
-        (transform_left_filter_column_2(4) mod 4) = 3, transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(28) := choice(is_set(transform_left_filter_column_0(0), 1),
-        transform_left_filter_feature_0_choices(27), (not is_set(transform_left_filter_column_0(0), 0)) or
-        transform_left_filter_feature_0_values(1) or is_set(transform_left_filter_column_2(4), 0));
-      transform_left_filter_feature_0_values(7) := is_set(transform_left_filter_column_0(0), 2);
-      transform_left_filter_feature_0_choices(29) := inverted_carry(transform_left_filter_feature_0_choices(28),
+      transform_left_filter_feature_0_choice(8) := is_larger(transform_left_filter_column(4, 0),
+        transform_left_filter_column(4, 1), 0, 7, false);
+      transform_left_filter_feature_0_choice(16) := is_larger(transform_left_filter_column(4, 2),
+        transform_left_filter_column(4, 1), 0, 7, false);
+      transform_left_filter_feature_0_choice_17 := choice(transform_filtering_0_column_inside(2),
+        as_number(transform_left_filter_feature_0_choice(8)) + (as_number(transform_left_filter_feature_0_choice(16)) *
+        2), 0);
+      transform_left_filter_feature_0_choice(24) := not is_larger(transform_left_filter_column(0, 1),
+        transform_left_filter_column(4, 1), 0, 6, false);
+      transform_left_filter_feature_0_alls(1) := transform_filtering_0_column_inside(0) and (not
+        is_set(transform_left_filter_column(4, 1), 7));
+      transform_left_filter_feature_0_choice(25) := choice(is_set(transform_left_filter_column(0, 1), 7),
+        transform_filtering_0_column_inside(0), transform_left_filter_feature_0_alls(1));
+      transform_left_filter_feature_0_choice(26) := choice(transform_left_filter_feature_0_choice(24),
+        is_set(transform_left_filter_column(0, 1), 7) and transform_filtering_0_column_inside(0) and (not
+        is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(25));
+      transform_left_filter_feature_0_choice(27) := choice(is_set(transform_left_filter_column(0, 0), 0),
+        (transform_left_filter_column(4, 1) mod 4) = 3, transform_left_filter_feature_0_values(1));
+      transform_left_filter_feature_0_choice(28) := choice(is_set(transform_left_filter_column(0, 0), 1),
+        transform_left_filter_feature_0_choice(27), (not is_set(transform_left_filter_column(0, 0), 0)) or
+        transform_left_filter_feature_0_values(1) or is_set(transform_left_filter_column(4, 1), 0));
+      transform_left_filter_feature_0_values(7) := is_set(transform_left_filter_column(0, 0), 2);
+      transform_left_filter_feature_0_choice(29) := inverted_carry(transform_left_filter_feature_0_choice(28),
         transform_left_filter_feature_0_values(7), not transform_left_filter_feature_0_values(2));
       for i in 8 to 11 loop
-        transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column_0(0), i - 5);
-        transform_left_filter_feature_0_choices(i + 22) := carry(transform_left_filter_feature_0_choices(i + 21),
+        transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(0, 0), i - 5);
+        transform_left_filter_feature_0_choice(i + 22) := carry(transform_left_filter_feature_0_choice(i + 21),
           transform_left_filter_feature_0_values(i), not transform_left_filter_feature_0_values(i - 5));
       end loop;
-      transform_left_filter_feature_0_choices(34) := choice(is_set(transform_left_filter_column_0(0), 7),
-        transform_filtering_0_column_inside_0, transform_left_filter_feature_0_alls(1));
-      transform_left_filter_feature_0_choices(35) := choice(transform_left_filter_feature_0_choices(33),
-        transform_left_filter_feature_0_choices(34), is_set(transform_left_filter_column_0(0), 7) and
-        transform_filtering_0_column_inside_0 and (not is_set(transform_left_filter_column_2(4), 7)));
-      transform_left_filter_feature_0_choices(36) := choice(is_set(transform_left_filter_column_4(0), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(37) := choice(is_set(transform_left_filter_column_4(0), 1),
-        transform_left_filter_feature_0_choices(36), is_set(transform_left_filter_column_4(0), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(38) := inverted_carry(transform_left_filter_feature_0_choices(37), not
-        is_set(transform_left_filter_column_4(0), 2), transform_left_filter_feature_0_values(2));
-      for i in 39 to 42 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_4(0), i - 36), transform_left_filter_feature_0_values(i - 36));
+      transform_left_filter_feature_0_choice(34) := choice(is_set(transform_left_filter_column(0, 0), 7),
+        transform_filtering_0_column_inside(0), transform_left_filter_feature_0_alls(1));
+      transform_left_filter_feature_0_choice(35) := choice(transform_left_filter_feature_0_choice(33),
+        transform_left_filter_feature_0_choice(34), is_set(transform_left_filter_column(0, 0), 7) and
+        transform_filtering_0_column_inside(0) and (not is_set(transform_left_filter_column(4, 1), 7)));
+      for i in 0 to 1 loop
+        transform_left_filter_feature_0_choice(26 * i + 42) := not is_larger(transform_left_filter_column(2 * i, 2),
+          transform_left_filter_column(4, 1), 0, 6, false);
+        transform_left_filter_feature_0_choice(26 * i + 43) := choice(transform_left_filter_feature_0_choice(26 * i +
+          42), transform_filtering_0_column_inside(i) and is_set(transform_left_filter_column(2 * i, 2), 7) and (not
+          is_set(transform_left_filter_column(4, 1), 7)), transform_filtering_0_column_inside(i) and
+          (is_set(transform_left_filter_column(2 * i, 2), 7) or (not is_set(transform_left_filter_column(4, 1), 7))));
+        transform_left_filter_feature_0_choice(26 * i + 50) := not is_larger(transform_left_filter_column(4 * i + 2,
+          1), transform_left_filter_column(4, 1), 0, 6, false);
+        transform_left_filter_feature_0_alls(i + 2) := transform_filtering_0_column_inside(2 * i + 1) and (not
+          is_set(transform_left_filter_column(4, 1), 7));
+        transform_left_filter_feature_0_choice(26 * i + 51) := choice(is_set(transform_left_filter_column(4 * i + 2,
+          1), 7), transform_filtering_0_column_inside(2 * i + 1), transform_left_filter_feature_0_alls(i + 2));
+        transform_left_filter_feature_0_choice(26 * i + 52) := choice(transform_left_filter_feature_0_choice(26 * i +
+          50), is_set(transform_left_filter_column(4 * i + 2, 1), 7) and transform_filtering_0_column_inside(2 * i + 1)
+          and (not is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(26 * i + 51));
+        transform_left_filter_feature_0_choice(26 * i + 59) := not is_larger(transform_left_filter_column(4 * i + 2,
+          0), transform_left_filter_column(4, 1), 0, 6, false);
+        transform_left_filter_feature_0_choice(26 * i + 60) := choice(is_set(transform_left_filter_column(4 * i + 2,
+          0), 7), transform_filtering_0_column_inside(2 * i + 1), transform_left_filter_feature_0_alls(i + 2));
+        transform_left_filter_feature_0_choice(26 * i + 61) := choice(transform_left_filter_feature_0_choice(26 * i +
+          59), is_set(transform_left_filter_column(4 * i + 2, 0), 7) and transform_filtering_0_column_inside(2 * i + 1)
+          and (not is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(26 * i + 60));
       end loop;
-      transform_left_filter_feature_0_choices(43) := choice(transform_left_filter_feature_0_choices(42),
-        transform_filtering_0_column_inside_0 and is_set(transform_left_filter_column_4(0), 7) and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_0 and
-        (is_set(transform_left_filter_column_4(0), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
-      transform_left_filter_feature_0_choices(44) := choice(is_set(transform_left_filter_column_2(2), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(45) := choice(is_set(transform_left_filter_column_2(2), 1),
-        transform_left_filter_feature_0_choices(44), is_set(transform_left_filter_column_2(2), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(46) := inverted_carry(transform_left_filter_feature_0_choices(45), not
-        is_set(transform_left_filter_column_2(2), 2), transform_left_filter_feature_0_values(2));
-      for i in 47 to 50 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_2(2), i - 44), transform_left_filter_feature_0_values(i - 44));
+      transform_left_filter_feature_0_choice(94) := not is_larger(transform_left_filter_column(6, 2),
+        transform_left_filter_column(4, 1), 0, 6, false);
+      transform_left_filter_feature_0_choice(95) := choice(transform_left_filter_feature_0_choice(94),
+        transform_filtering_0_column_inside(3) and is_set(transform_left_filter_column(6, 2), 7) and (not
+        is_set(transform_left_filter_column(4, 1), 7)), transform_filtering_0_column_inside(3) and
+        (is_set(transform_left_filter_column(6, 2), 7) or (not is_set(transform_left_filter_column(4, 1), 7))));
+      transform_left_filter_feature_0_choice(102) := not is_larger(transform_left_filter_column(8, 1),
+        transform_left_filter_column(4, 1), 0, 6, false);
+      transform_left_filter_feature_0_alls(4) := transform_filtering_0_column_inside(4) and (not
+        is_set(transform_left_filter_column(4, 1), 7));
+      for i in 0 to 1 loop
+        transform_left_filter_feature_0_choice(9 * i + 103) := choice(is_set(transform_left_filter_column(8, 1 - i),
+          7), transform_filtering_0_column_inside(4), transform_left_filter_feature_0_alls(4));
+        transform_left_filter_feature_0_choice(9 * i + 104) := choice(transform_left_filter_feature_0_choice(9 * i +
+          102), is_set(transform_left_filter_column(8, 1 - i), 7) and transform_filtering_0_column_inside(4) and (not
+          is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(9 * i + 103));
+        transform_left_filter_feature_0_choice(9 * i + 111) := not is_larger(transform_left_filter_column(8, 2 * i),
+          transform_left_filter_column(4, 1), 0, 6, false);
       end loop;
-      transform_left_filter_feature_0_alls(2) := transform_filtering_0_column_inside_2 and (not
-        is_set(transform_left_filter_column_2(4), 7));
-      transform_left_filter_feature_0_choices(51) := choice(is_set(transform_left_filter_column_2(2), 7),
-        transform_filtering_0_column_inside_2, transform_left_filter_feature_0_alls(2));
-      transform_left_filter_feature_0_choices(52) := choice(transform_left_filter_feature_0_choices(50),
-        is_set(transform_left_filter_column_2(2), 7) and transform_filtering_0_column_inside_2 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(51));
-      transform_left_filter_feature_0_choices(53) := choice(is_set(transform_left_filter_column_0(2), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(54) := choice(is_set(transform_left_filter_column_0(2), 1),
-        transform_left_filter_feature_0_choices(53), is_set(transform_left_filter_column_0(2), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(55) := inverted_carry(transform_left_filter_feature_0_choices(54), not
-        is_set(transform_left_filter_column_0(2), 2), transform_left_filter_feature_0_values(2));
-      for i in 56 to 59 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_0(2), i - 53), transform_left_filter_feature_0_values(i - 53));
-      end loop;
-      transform_left_filter_feature_0_choices(60) := choice(is_set(transform_left_filter_column_0(2), 7),
-        transform_filtering_0_column_inside_2, transform_left_filter_feature_0_alls(2));
-      transform_left_filter_feature_0_choices(61) := choice(transform_left_filter_feature_0_choices(59),
-        is_set(transform_left_filter_column_0(2), 7) and transform_filtering_0_column_inside_2 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(60));
-      transform_left_filter_feature_0_choices(62) := choice(is_set(transform_left_filter_column_4(2), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(63) := choice(is_set(transform_left_filter_column_4(2), 1),
-        transform_left_filter_feature_0_choices(62), is_set(transform_left_filter_column_4(2), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(64) := inverted_carry(transform_left_filter_feature_0_choices(63), not
-        is_set(transform_left_filter_column_4(2), 2), transform_left_filter_feature_0_values(2));
-      for i in 65 to 68 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_4(2), i - 62), transform_left_filter_feature_0_values(i - 62));
-      end loop;
-      transform_left_filter_feature_0_choices(69) := choice(transform_left_filter_feature_0_choices(68),
-        transform_filtering_0_column_inside_2 and is_set(transform_left_filter_column_4(2), 7) and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_2 and
-        (is_set(transform_left_filter_column_4(2), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
-      transform_left_filter_feature_0_choices(70) := choice(is_set(transform_left_filter_column_2(6), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(71) := choice(is_set(transform_left_filter_column_2(6), 1),
-        transform_left_filter_feature_0_choices(70), is_set(transform_left_filter_column_2(6), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(72) := inverted_carry(transform_left_filter_feature_0_choices(71), not
-        is_set(transform_left_filter_column_2(6), 2), transform_left_filter_feature_0_values(2));
-      for i in 73 to 76 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_2(6), i - 70), transform_left_filter_feature_0_values(i - 70));
-      end loop;
-      transform_left_filter_feature_0_alls(3) := transform_filtering_0_column_inside_6 and (not
-        is_set(transform_left_filter_column_2(4), 7));
-      transform_left_filter_feature_0_choices(77) := choice(is_set(transform_left_filter_column_2(6), 7),
-        transform_filtering_0_column_inside_6, transform_left_filter_feature_0_alls(3));
-      transform_left_filter_feature_0_choices(78) := choice(transform_left_filter_feature_0_choices(76),
-        is_set(transform_left_filter_column_2(6), 7) and transform_filtering_0_column_inside_6 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(77));
-      transform_left_filter_feature_0_choices(79) := choice(is_set(transform_left_filter_column_0(6), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(80) := choice(is_set(transform_left_filter_column_0(6), 1),
-        transform_left_filter_feature_0_choices(79), is_set(transform_left_filter_column_0(6), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(81) := inverted_carry(transform_left_filter_feature_0_choices(80), not
-        is_set(transform_left_filter_column_0(6), 2), transform_left_filter_feature_0_values(2));
-      for i in 82 to 85 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_0(6), i - 79), transform_left_filter_feature_0_values(i - 79));
-      end loop;
-      transform_left_filter_feature_0_choices(86) := choice(is_set(transform_left_filter_column_0(6), 7),
-        transform_filtering_0_column_inside_6, transform_left_filter_feature_0_alls(3));
-      transform_left_filter_feature_0_choices(87) := choice(transform_left_filter_feature_0_choices(85),
-        is_set(transform_left_filter_column_0(6), 7) and transform_filtering_0_column_inside_6 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(86));
-      transform_left_filter_feature_0_choices(88) := choice(is_set(transform_left_filter_column_4(6), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(89) := choice(is_set(transform_left_filter_column_4(6), 1),
-        transform_left_filter_feature_0_choices(88), is_set(transform_left_filter_column_4(6), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(90) := inverted_carry(transform_left_filter_feature_0_choices(89), not
-        is_set(transform_left_filter_column_4(6), 2), transform_left_filter_feature_0_values(2));
-      for i in 91 to 94 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_4(6), i - 88), transform_left_filter_feature_0_values(i - 88));
-      end loop;
-      transform_left_filter_feature_0_choices(95) := choice(transform_left_filter_feature_0_choices(94),
-        transform_filtering_0_column_inside_6 and is_set(transform_left_filter_column_4(6), 7) and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_6 and
-        (is_set(transform_left_filter_column_4(6), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
-      transform_left_filter_feature_0_choices(96) := choice(is_set(transform_left_filter_column_2(8), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(97) := choice(is_set(transform_left_filter_column_2(8), 1),
-        transform_left_filter_feature_0_choices(96), is_set(transform_left_filter_column_2(8), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(98) := inverted_carry(transform_left_filter_feature_0_choices(97), not
-        is_set(transform_left_filter_column_2(8), 2), transform_left_filter_feature_0_values(2));
-      for i in 99 to 102 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_2(8), i - 96), transform_left_filter_feature_0_values(i - 96));
-      end loop;
-      transform_left_filter_feature_0_alls(4) := transform_filtering_0_column_inside_8 and (not
-        is_set(transform_left_filter_column_2(4), 7));
-      transform_left_filter_feature_0_choices(103) := choice(is_set(transform_left_filter_column_2(8), 7),
-        transform_filtering_0_column_inside_8, transform_left_filter_feature_0_alls(4));
-      transform_left_filter_feature_0_choices(104) := choice(transform_left_filter_feature_0_choices(102),
-        is_set(transform_left_filter_column_2(8), 7) and transform_filtering_0_column_inside_8 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(103));
-      transform_left_filter_feature_0_choices(105) := choice(is_set(transform_left_filter_column_0(8), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(106) := choice(is_set(transform_left_filter_column_0(8), 1),
-        transform_left_filter_feature_0_choices(105), is_set(transform_left_filter_column_0(8), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(107) := inverted_carry(transform_left_filter_feature_0_choices(106), not
-        is_set(transform_left_filter_column_0(8), 2), transform_left_filter_feature_0_values(2));
-      for i in 108 to 111 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_0(8), i - 105), transform_left_filter_feature_0_values(i - 105));
-      end loop;
-      transform_left_filter_feature_0_choices(112) := choice(is_set(transform_left_filter_column_0(8), 7),
-        transform_filtering_0_column_inside_8, transform_left_filter_feature_0_alls(4));
-      transform_left_filter_feature_0_choices(113) := choice(transform_left_filter_feature_0_choices(111),
-        is_set(transform_left_filter_column_0(8), 7) and transform_filtering_0_column_inside_8 and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_left_filter_feature_0_choices(112));
-      transform_left_filter_feature_0_choices(114) := choice(is_set(transform_left_filter_column_4(8), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(115) := choice(is_set(transform_left_filter_column_4(8), 1),
-        transform_left_filter_feature_0_choices(114), is_set(transform_left_filter_column_4(8), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(116) := inverted_carry(transform_left_filter_feature_0_choices(115), not
-        is_set(transform_left_filter_column_4(8), 2), transform_left_filter_feature_0_values(2));
-      for i in 117 to 120 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column_4(8), i - 114), transform_left_filter_feature_0_values(i - 114));
-      end loop;
-      transform_left_filter_feature_0_choices(121) := choice(transform_left_filter_feature_0_choices(120),
-        transform_filtering_0_column_inside_8 and is_set(transform_left_filter_column_4(8), 7) and (not
-        is_set(transform_left_filter_column_2(4), 7)), transform_filtering_0_column_inside_8 and
-        (is_set(transform_left_filter_column_4(8), 7) or (not is_set(transform_left_filter_column_2(4), 7))));
-      transform_right_filter_feature_0_values(1) := is_set(transform_right_filter_column_2(4), 1);
+      transform_left_filter_feature_0_choice(121) := choice(transform_left_filter_feature_0_choice(120),
+        transform_filtering_0_column_inside(4) and is_set(transform_left_filter_column(8, 2), 7) and (not
+        is_set(transform_left_filter_column(4, 1), 7)), transform_filtering_0_column_inside(4) and
+        (is_set(transform_left_filter_column(8, 2), 7) or (not is_set(transform_left_filter_column(4, 1), 7))));
+      transform_right_filter_feature_0_values(1) := is_set(transform_right_filter_column(4, 1), 1);
       transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_values(1)) or (not
-        is_set(transform_right_filter_column_2(4), 0));
-      transform_right_filter_feature_0_choices(1) := choice(is_set(transform_right_filter_column_0(4), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_is_equal := (transform_right_filter_column_2(4) mod 4) = 0;
-      transform_right_filter_feature_0_choices(2) := choice(is_set(transform_right_filter_column_0(4), 1),
-        transform_right_filter_feature_0_choices(1), is_set(transform_right_filter_column_0(4), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_values(2) := is_set(transform_right_filter_column_2(4), 2);
-      transform_right_filter_feature_0_choices(3) := inverted_carry(transform_right_filter_feature_0_choices(2), not
-        is_set(transform_right_filter_column_0(4), 2), transform_right_filter_feature_0_values(2));
-      for i in 3 to 6 loop
-        transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column_2(4), i);
-        transform_right_filter_feature_0_choices(i + 1) := carry(transform_right_filter_feature_0_choices(i), not
-          is_set(transform_right_filter_column_0(4), i), transform_right_filter_feature_0_values(i));
+        is_set(transform_right_filter_column(4, 1), 0));
+      transform_right_filter_feature_0_is_equal := (transform_right_filter_column(4, 1) mod 4) = 0;
+      for i in 2 to 6 loop
+        transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(4, 1), i);
       end loop;
-      transform_right_filter_feature_0_choices(8) := inverted_carry(transform_right_filter_feature_0_choices(7),
-        is_set(transform_right_filter_column_0(4), 7), not is_set(transform_right_filter_column_2(4), 7));
-      transform_right_filter_feature_0_choices(9) := choice(is_set(transform_right_filter_column_4(4), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(10) := choice(is_set(transform_right_filter_column_4(4), 1),
-        transform_right_filter_feature_0_choices(9), is_set(transform_right_filter_column_4(4), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(11) := inverted_carry(transform_right_filter_feature_0_choices(10), not
-        is_set(transform_right_filter_column_4(4), 2), transform_right_filter_feature_0_values(2));
-      for i in 12 to 15 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_4(4), i - 9), transform_right_filter_feature_0_values(i - 9));
-      end loop;
-      transform_right_filter_feature_0_choices(16) := inverted_carry(transform_right_filter_feature_0_choices(15),
-        is_set(transform_right_filter_column_4(4), 7), not is_set(transform_right_filter_column_2(4), 7));
-      transform_right_filter_feature_0_choice_17 := choice(transform_filtering_0_column_inside_4,
-        as_number(transform_right_filter_feature_0_choices(8)) +
-        (as_number(transform_right_filter_feature_0_choices(16)) * 2), 0);
-      transform_right_filter_feature_0_choices(18) := choice(is_set(transform_right_filter_column_2(0), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(19) := choice(is_set(transform_right_filter_column_2(0), 1),
-        transform_right_filter_feature_0_choices(18), is_set(transform_right_filter_column_2(0), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(20) := inverted_carry(transform_right_filter_feature_0_choices(19), not
-        is_set(transform_right_filter_column_2(0), 2), transform_right_filter_feature_0_values(2));
-      for i in 21 to 24 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_2(0), i - 18), transform_right_filter_feature_0_values(i - 18));
-      end loop;
-      transform_right_filter_feature_0_alls(1) := transform_filtering_0_column_inside_0 and (not
-        is_set(transform_right_filter_column_2(4), 7));
-      transform_right_filter_feature_0_choices(25) := choice(is_set(transform_right_filter_column_2(0), 7),
-        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_alls(1));
-      transform_right_filter_feature_0_choices(26) := choice(transform_right_filter_feature_0_choices(24),
-        is_set(transform_right_filter_column_2(0), 7) and transform_filtering_0_column_inside_0 and (not
-        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(25));
-      transform_right_filter_feature_0_choices(27) := choice(is_set(transform_right_filter_column_0(0), 0),
-        (transform_right_filter_column_2(4) mod 4) = 3, transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(28) := choice(is_set(transform_right_filter_column_0(0), 1),
-        transform_right_filter_feature_0_choices(27), (not is_set(transform_right_filter_column_0(0), 0)) or
-        transform_right_filter_feature_0_values(1) or is_set(transform_right_filter_column_2(4), 0));
-      transform_right_filter_feature_0_values(7) := is_set(transform_right_filter_column_0(0), 2);
-      transform_right_filter_feature_0_choices(29) := inverted_carry(transform_right_filter_feature_0_choices(28),
+      transform_right_filter_feature_0_choice(8) := is_larger(transform_right_filter_column(4, 0),
+        transform_right_filter_column(4, 1), 0, 7, false);
+      transform_right_filter_feature_0_choice(16) := is_larger(transform_right_filter_column(4, 2),
+        transform_right_filter_column(4, 1), 0, 7, false);
+      transform_right_filter_feature_0_choice_17 := choice(transform_filtering_0_column_inside(2),
+        as_number(transform_right_filter_feature_0_choice(8)) + (as_number(transform_right_filter_feature_0_choice(16))
+        * 2), 0);
+      transform_right_filter_feature_0_choice(24) := not is_larger(transform_right_filter_column(0, 1),
+        transform_right_filter_column(4, 1), 0, 6, false);
+      transform_right_filter_feature_0_alls(1) := transform_filtering_0_column_inside(0) and (not
+        is_set(transform_right_filter_column(4, 1), 7));
+      transform_right_filter_feature_0_choice(25) := choice(is_set(transform_right_filter_column(0, 1), 7),
+        transform_filtering_0_column_inside(0), transform_right_filter_feature_0_alls(1));
+      transform_right_filter_feature_0_choice(26) := choice(transform_right_filter_feature_0_choice(24),
+        is_set(transform_right_filter_column(0, 1), 7) and transform_filtering_0_column_inside(0) and (not
+        is_set(transform_right_filter_column(4, 1), 7)), transform_right_filter_feature_0_choice(25));
+      transform_right_filter_feature_0_choice(27) := choice(is_set(transform_right_filter_column(0, 0), 0),
+        (transform_right_filter_column(4, 1) mod 4) = 3, transform_right_filter_feature_0_values(1));
+      transform_right_filter_feature_0_choice(28) := choice(is_set(transform_right_filter_column(0, 0), 1),
+        transform_right_filter_feature_0_choice(27), (not is_set(transform_right_filter_column(0, 0), 0)) or
+        transform_right_filter_feature_0_values(1) or is_set(transform_right_filter_column(4, 1), 0));
+      transform_right_filter_feature_0_values(7) := is_set(transform_right_filter_column(0, 0), 2);
+      transform_right_filter_feature_0_choice(29) := inverted_carry(transform_right_filter_feature_0_choice(28),
         transform_right_filter_feature_0_values(7), not transform_right_filter_feature_0_values(2));
       for i in 8 to 11 loop
-        transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column_0(0), i - 5);
-        transform_right_filter_feature_0_choices(i + 22) := carry(transform_right_filter_feature_0_choices(i + 21),
+        transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(0, 0), i - 5);
+        transform_right_filter_feature_0_choice(i + 22) := carry(transform_right_filter_feature_0_choice(i + 21),
           transform_right_filter_feature_0_values(i), not transform_right_filter_feature_0_values(i - 5));
       end loop;
-      transform_right_filter_feature_0_choices(34) := choice(is_set(transform_right_filter_column_0(0), 7),
-        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_alls(1));
-      transform_right_filter_feature_0_choices(35) := choice(transform_right_filter_feature_0_choices(33),
-        transform_right_filter_feature_0_choices(34), is_set(transform_right_filter_column_0(0), 7) and
-        transform_filtering_0_column_inside_0 and (not is_set(transform_right_filter_column_2(4), 7)));
-      transform_right_filter_feature_0_choices(36) := choice(is_set(transform_right_filter_column_4(0), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(37) := choice(is_set(transform_right_filter_column_4(0), 1),
-        transform_right_filter_feature_0_choices(36), is_set(transform_right_filter_column_4(0), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(38) := inverted_carry(transform_right_filter_feature_0_choices(37), not
-        is_set(transform_right_filter_column_4(0), 2), transform_right_filter_feature_0_values(2));
-      for i in 39 to 42 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_4(0), i - 36), transform_right_filter_feature_0_values(i - 36));
+      transform_right_filter_feature_0_choice(34) := choice(is_set(transform_right_filter_column(0, 0), 7),
+        transform_filtering_0_column_inside(0), transform_right_filter_feature_0_alls(1));
+      transform_right_filter_feature_0_choice(35) := choice(transform_right_filter_feature_0_choice(33),
+        transform_right_filter_feature_0_choice(34), is_set(transform_right_filter_column(0, 0), 7) and
+        transform_filtering_0_column_inside(0) and (not is_set(transform_right_filter_column(4, 1), 7)));
+      for i in 0 to 1 loop
+        transform_right_filter_feature_0_choice(27 * i + 42) := not is_larger(transform_right_filter_column(2 * i, 2),
+          transform_right_filter_column(4, 1), 0, 6, false);
+        transform_right_filter_feature_0_choice(27 * i + 43) := choice(is_set(transform_right_filter_column(2 * i, 2),
+          7), transform_filtering_0_column_inside(i), transform_right_filter_feature_0_alls(i + 1));
+        transform_right_filter_feature_0_choice(27 * i + 44) := choice(transform_right_filter_feature_0_choice(27 * i +
+          42), is_set(transform_right_filter_column(2 * i, 2), 7) and transform_filtering_0_column_inside(i) and (not
+          is_set(transform_right_filter_column(4, 1), 7)), transform_right_filter_feature_0_choice(27 * i + 43));
+        transform_right_filter_feature_0_choice(27 * i + 51) := not is_larger(transform_right_filter_column(4 * i + 2,
+          1), transform_right_filter_column(4, 1), 0, 6, false);
+        transform_right_filter_feature_0_alls(i + 2) := transform_filtering_0_column_inside(2 * i + 1) and (not
+          is_set(transform_right_filter_column(4, 1), 7));
+        transform_right_filter_feature_0_choice(27 * i + 52) := choice(is_set(transform_right_filter_column(4 * i + 2,
+          1), 7), transform_filtering_0_column_inside(2 * i + 1), transform_right_filter_feature_0_alls(i + 2));
+        transform_right_filter_feature_0_choice(27 * i + 53) := choice(transform_right_filter_feature_0_choice(27 * i +
+          51), is_set(transform_right_filter_column(4 * i + 2, 1), 7) and transform_filtering_0_column_inside(2 * i +
+          1) and (not is_set(transform_right_filter_column(4, 1), 7)), transform_right_filter_feature_0_choice(27 * i +
+          52));
+        transform_right_filter_feature_0_choice(27 * i + 60) := not is_larger(transform_right_filter_column(4 * i + 2,
+          0), transform_right_filter_column(4, 1), 0, 6, false);
+        transform_right_filter_feature_0_choice(27 * i + 61) := choice(is_set(transform_right_filter_column(4 * i + 2,
+          0), 7), transform_filtering_0_column_inside(2 * i + 1), transform_right_filter_feature_0_alls(i + 2));
+        transform_right_filter_feature_0_choice(27 * i + 62) := choice(transform_right_filter_feature_0_choice(27 * i +
+          60), is_set(transform_right_filter_column(4 * i + 2, 0), 7) and transform_filtering_0_column_inside(2 * i +
+          1) and (not is_set(transform_right_filter_column(4, 1), 7)), transform_right_filter_feature_0_choice(27 * i +
+          61));
       end loop;
-      transform_right_filter_feature_0_choices(43) := choice(is_set(transform_right_filter_column_4(0), 7),
-        transform_filtering_0_column_inside_0, transform_right_filter_feature_0_alls(1));
-      transform_right_filter_feature_0_choices(44) := choice(transform_right_filter_feature_0_choices(42),
-        is_set(transform_right_filter_column_4(0), 7) and transform_filtering_0_column_inside_0 and (not
-        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(43));
-      transform_right_filter_feature_0_choices(45) := choice(is_set(transform_right_filter_column_2(2), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(46) := choice(is_set(transform_right_filter_column_2(2), 1),
-        transform_right_filter_feature_0_choices(45), is_set(transform_right_filter_column_2(2), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(47) := inverted_carry(transform_right_filter_feature_0_choices(46), not
-        is_set(transform_right_filter_column_2(2), 2), transform_right_filter_feature_0_values(2));
-      for i in 48 to 51 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_2(2), i - 45), transform_right_filter_feature_0_values(i - 45));
+      transform_right_filter_feature_0_choice(96) := not is_larger(transform_right_filter_column(6, 2),
+        transform_right_filter_column(4, 1), 0, 6, false);
+      transform_right_filter_feature_0_choice(97) := choice(is_set(transform_right_filter_column(6, 2), 7),
+        transform_filtering_0_column_inside(3), transform_right_filter_feature_0_alls(3));
+      transform_right_filter_feature_0_choice(98) := choice(transform_right_filter_feature_0_choice(96),
+        is_set(transform_right_filter_column(6, 2), 7) and transform_filtering_0_column_inside(3) and (not
+        is_set(transform_right_filter_column(4, 1), 7)), transform_right_filter_feature_0_choice(97));
+      transform_right_filter_feature_0_choice(105) := not is_larger(transform_right_filter_column(8, 1),
+        transform_right_filter_column(4, 1), 0, 6, false);
+      transform_right_filter_feature_0_alls(4) := transform_filtering_0_column_inside(4) and (not
+        is_set(transform_right_filter_column(4, 1), 7));
+      for i in 0 to 1 loop
+        transform_right_filter_feature_0_choice(9 * i + 106) := choice(is_set(transform_right_filter_column(8, 1 - i),
+          7), transform_filtering_0_column_inside(4), transform_right_filter_feature_0_alls(4));
+        transform_right_filter_feature_0_choice(9 * i + 107) := choice(transform_right_filter_feature_0_choice(9 * i +
+          105), is_set(transform_right_filter_column(8, 1 - i), 7) and transform_filtering_0_column_inside(4) and (not
+          is_set(transform_right_filter_column(4, 1), 7)), transform_right_filter_feature_0_choice(9 * i + 106));
+        transform_right_filter_feature_0_choice(9 * i + 114) := not is_larger(transform_right_filter_column(8, 2 * i),
+          transform_right_filter_column(4, 1), 0, 6, false);
       end loop;
-      transform_right_filter_feature_0_alls(2) := transform_filtering_0_column_inside_2 and (not
-        is_set(transform_right_filter_column_2(4), 7));
-      transform_right_filter_feature_0_choices(52) := choice(is_set(transform_right_filter_column_2(2), 7),
-        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_alls(2));
-      transform_right_filter_feature_0_choices(53) := choice(transform_right_filter_feature_0_choices(51),
-        is_set(transform_right_filter_column_2(2), 7) and transform_filtering_0_column_inside_2 and (not
-        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(52));
-      transform_right_filter_feature_0_choices(54) := choice(is_set(transform_right_filter_column_0(2), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(55) := choice(is_set(transform_right_filter_column_0(2), 1),
-        transform_right_filter_feature_0_choices(54), is_set(transform_right_filter_column_0(2), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(56) := inverted_carry(transform_right_filter_feature_0_choices(55), not
-        is_set(transform_right_filter_column_0(2), 2), transform_right_filter_feature_0_values(2));
-      for i in 57 to 60 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_0(2), i - 54), transform_right_filter_feature_0_values(i - 54));
-      end loop;
-      transform_right_filter_feature_0_choices(61) := choice(is_set(transform_right_filter_column_0(2), 7),
-        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_alls(2));
-      transform_right_filter_feature_0_choices(62) := choice(transform_right_filter_feature_0_choices(60),
-        is_set(transform_right_filter_column_0(2), 7) and transform_filtering_0_column_inside_2 and (not
-        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(61));
-      transform_right_filter_feature_0_choices(63) := choice(is_set(transform_right_filter_column_4(2), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(64) := choice(is_set(transform_right_filter_column_4(2), 1),
-        transform_right_filter_feature_0_choices(63), is_set(transform_right_filter_column_4(2), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(65) := inverted_carry(transform_right_filter_feature_0_choices(64), not
-        is_set(transform_right_filter_column_4(2), 2), transform_right_filter_feature_0_values(2));
-      for i in 66 to 69 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_4(2), i - 63), transform_right_filter_feature_0_values(i - 63));
-      end loop;
-      transform_right_filter_feature_0_choices(70) := choice(is_set(transform_right_filter_column_4(2), 7),
-        transform_filtering_0_column_inside_2, transform_right_filter_feature_0_alls(2));
-      transform_right_filter_feature_0_choices(71) := choice(transform_right_filter_feature_0_choices(69),
-        is_set(transform_right_filter_column_4(2), 7) and transform_filtering_0_column_inside_2 and (not
-        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(70));
-      transform_right_filter_feature_0_choices(72) := choice(is_set(transform_right_filter_column_2(6), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(73) := choice(is_set(transform_right_filter_column_2(6), 1),
-        transform_right_filter_feature_0_choices(72), is_set(transform_right_filter_column_2(6), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(74) := inverted_carry(transform_right_filter_feature_0_choices(73), not
-        is_set(transform_right_filter_column_2(6), 2), transform_right_filter_feature_0_values(2));
-      for i in 75 to 78 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_2(6), i - 72), transform_right_filter_feature_0_values(i - 72));
-      end loop;
-      transform_right_filter_feature_0_alls(3) := transform_filtering_0_column_inside_6 and (not
-        is_set(transform_right_filter_column_2(4), 7));
-      transform_right_filter_feature_0_choices(79) := choice(is_set(transform_right_filter_column_2(6), 7),
-        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_alls(3));
-      transform_right_filter_feature_0_choices(80) := choice(transform_right_filter_feature_0_choices(78),
-        is_set(transform_right_filter_column_2(6), 7) and transform_filtering_0_column_inside_6 and (not
-        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(79));
-      transform_right_filter_feature_0_choices(81) := choice(is_set(transform_right_filter_column_0(6), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(82) := choice(is_set(transform_right_filter_column_0(6), 1),
-        transform_right_filter_feature_0_choices(81), is_set(transform_right_filter_column_0(6), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(83) := inverted_carry(transform_right_filter_feature_0_choices(82), not
-        is_set(transform_right_filter_column_0(6), 2), transform_right_filter_feature_0_values(2));
-      for i in 84 to 87 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_0(6), i - 81), transform_right_filter_feature_0_values(i - 81));
-      end loop;
-      transform_right_filter_feature_0_choices(88) := choice(is_set(transform_right_filter_column_0(6), 7),
-        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_alls(3));
-      transform_right_filter_feature_0_choices(89) := choice(transform_right_filter_feature_0_choices(87),
-        is_set(transform_right_filter_column_0(6), 7) and transform_filtering_0_column_inside_6 and (not
-        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(88));
-      transform_right_filter_feature_0_choices(90) := choice(is_set(transform_right_filter_column_4(6), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(91) := choice(is_set(transform_right_filter_column_4(6), 1),
-        transform_right_filter_feature_0_choices(90), is_set(transform_right_filter_column_4(6), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(92) := inverted_carry(transform_right_filter_feature_0_choices(91), not
-        is_set(transform_right_filter_column_4(6), 2), transform_right_filter_feature_0_values(2));
-      for i in 93 to 96 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_4(6), i - 90), transform_right_filter_feature_0_values(i - 90));
-      end loop;
-      transform_right_filter_feature_0_choices(97) := choice(is_set(transform_right_filter_column_4(6), 7),
-        transform_filtering_0_column_inside_6, transform_right_filter_feature_0_alls(3));
-      transform_right_filter_feature_0_choices(98) := choice(transform_right_filter_feature_0_choices(96),
-        is_set(transform_right_filter_column_4(6), 7) and transform_filtering_0_column_inside_6 and (not
-        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(97));
-      transform_right_filter_feature_0_choices(99) := choice(is_set(transform_right_filter_column_2(8), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(100) := choice(is_set(transform_right_filter_column_2(8), 1),
-        transform_right_filter_feature_0_choices(99), is_set(transform_right_filter_column_2(8), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(101) := inverted_carry(transform_right_filter_feature_0_choices(100),
-        not is_set(transform_right_filter_column_2(8), 2), transform_right_filter_feature_0_values(2));
-      for i in 102 to 105 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_2(8), i - 99), transform_right_filter_feature_0_values(i - 99));
-      end loop;
-      transform_right_filter_feature_0_alls(4) := transform_filtering_0_column_inside_8 and (not
-        is_set(transform_right_filter_column_2(4), 7));
-      transform_right_filter_feature_0_choices(106) := choice(is_set(transform_right_filter_column_2(8), 7),
-        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_alls(4));
-      transform_right_filter_feature_0_choices(107) := choice(transform_right_filter_feature_0_choices(105),
-        is_set(transform_right_filter_column_2(8), 7) and transform_filtering_0_column_inside_8 and (not
-        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(106));
-      transform_right_filter_feature_0_choices(108) := choice(is_set(transform_right_filter_column_0(8), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(109) := choice(is_set(transform_right_filter_column_0(8), 1),
-        transform_right_filter_feature_0_choices(108), is_set(transform_right_filter_column_0(8), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(110) := inverted_carry(transform_right_filter_feature_0_choices(109),
-        not is_set(transform_right_filter_column_0(8), 2), transform_right_filter_feature_0_values(2));
-      for i in 111 to 114 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_0(8), i - 108), transform_right_filter_feature_0_values(i - 108));
-      end loop;
-      transform_right_filter_feature_0_choices(115) := choice(is_set(transform_right_filter_column_0(8), 7),
-        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_alls(4));
-      transform_right_filter_feature_0_choices(116) := choice(transform_right_filter_feature_0_choices(114),
-        is_set(transform_right_filter_column_0(8), 7) and transform_filtering_0_column_inside_8 and (not
-        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(115));
-      transform_right_filter_feature_0_choices(117) := choice(is_set(transform_right_filter_column_4(8), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(118) := choice(is_set(transform_right_filter_column_4(8), 1),
-        transform_right_filter_feature_0_choices(117), is_set(transform_right_filter_column_4(8), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(119) := inverted_carry(transform_right_filter_feature_0_choices(118),
-        not is_set(transform_right_filter_column_4(8), 2), transform_right_filter_feature_0_values(2));
-      for i in 120 to 123 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column_4(8), i - 117), transform_right_filter_feature_0_values(i - 117));
-      end loop;
-      transform_right_filter_feature_0_choices(124) := choice(is_set(transform_right_filter_column_4(8), 7),
-        transform_filtering_0_column_inside_8, transform_right_filter_feature_0_alls(4));
-      transform_right_filter_feature_0_choices(125) := choice(transform_right_filter_feature_0_choices(123),
-        is_set(transform_right_filter_column_4(8), 7) and transform_filtering_0_column_inside_8 and (not
-        is_set(transform_right_filter_column_2(4), 7)), transform_right_filter_feature_0_choices(124));
+      transform_right_filter_feature_0_choice(124) := choice(is_set(transform_right_filter_column(8, 2), 7),
+        transform_filtering_0_column_inside(4), transform_right_filter_feature_0_alls(4));
+      transform_right_filter_feature_0_choice(125) := choice(transform_right_filter_feature_0_choice(123),
+        is_set(transform_right_filter_column(8, 2), 7) and transform_filtering_0_column_inside(4) and (not
+        is_set(transform_right_filter_column(4, 1), 7)), transform_right_filter_feature_0_choice(124));
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
@@ -1258,87 +967,72 @@ begin
       transform_right_rows_ready_words_0 <= transform_right_rows_read_words_0;
       transform_right_rows_ready_newest_0 <= transform_right_rows_read_newest_0;
       transform_read_column <= transform_counter_column;
-      transform_read_row_inside_0 <= (((((transform_counter_group / 4) + 16383) mod 16384) * 4) +
+      transform_read_row_inside(0) <= (((((transform_counter_group / 4) + 16383) mod 16384) * 4) +
         (transform_counter_group mod 4)) < 12;
-      transform_read_row_inside_2 <= (((((transform_counter_group / 2) + 32767) mod 32768) * 2) +
+      transform_read_row_inside(1) <= (((((transform_counter_group / 2) + 32767) mod 32768) * 2) +
         (transform_counter_group mod 2)) < 12;
-      transform_read_row_inside_4 <= (not is_set(transform_counter_group, 3)) or (not is_set(transform_counter_group,
+      transform_read_row_inside(2) <= (not is_set(transform_counter_group, 3)) or (not is_set(transform_counter_group,
         2));
-      transform_read_column_inside_0 <= is_set(transform_counter_column, 5) or transform_read_column_inside_0_values(1)
-        or transform_read_column_inside_0_values(2) or transform_read_column_inside_0_values(3);
-      transform_read_column_inside_4 <= true;
-      transform_read_column_inside_8 <= is_set(transform_counter_column, 5) or transform_read_column_inside_0_values(1)
-        or transform_read_column_inside_0_values(2) or (not transform_read_column_inside_0_values(3));
+      transform_read_column_inside(0) <= is_set(transform_counter_column, 5) or
+        transform_read_column_inside_0_values(1) or transform_read_column_inside_0_values(2) or
+        transform_read_column_inside_0_values(3);
+      transform_read_column_inside(2) <= true;
+      transform_read_column_inside(4) <= is_set(transform_counter_column, 5) or
+        transform_read_column_inside_0_values(1) or transform_read_column_inside_0_values(2) or (not
+        transform_read_column_inside_0_values(3));
       transform_read_start_of_frame <= (transform_counter_column = 4) and (transform_counter_group = 2);
       transform_read_valid <= transform_valid;
       transform_ready_column <= transform_read_column;
-      transform_ready_row_inside_0 <= transform_read_row_inside_0;
-      transform_ready_row_inside_2 <= transform_read_row_inside_2;
-      transform_ready_row_inside_4 <= transform_read_row_inside_4;
-      transform_ready_column_inside_0 <= transform_read_column_inside_0;
-      transform_ready_column_inside_2 <= transform_read_column_inside_2;
-      transform_ready_column_inside_4 <= transform_read_column_inside_4;
-      transform_ready_column_inside_6 <= transform_read_column_inside_6;
-      transform_ready_column_inside_8 <= transform_read_column_inside_8;
+      transform_ready_row_inside <= transform_read_row_inside;
+      transform_ready_column_inside <= transform_read_column_inside;
       transform_ready_start_of_frame <= transform_read_start_of_frame;
       transform_ready_valid <= transform_read_valid;
-      transform_left_column_0 <= to_integer(transform_left_rows_ready_words_0(7 downto 0));
-      transform_left_column_2 <= to_integer(transform_left_rows_ready_words_0(23 downto 16));
-      transform_left_column_4 <= transform_left_rows_ready_newest_0;
-      transform_right_column_0 <= to_integer(transform_right_rows_ready_words_0(7 downto 0));
-      transform_right_column_2 <= to_integer(transform_right_rows_ready_words_0(23 downto 16));
-      transform_right_column_4 <= transform_right_rows_ready_newest_0;
-      transform_columns_row_inside_0 <= transform_ready_row_inside_0;
-      transform_columns_row_inside_2 <= transform_ready_row_inside_2;
-      transform_columns_row_inside_4 <= transform_ready_row_inside_4;
-      transform_columns_column_inside_0 <= transform_ready_column_inside_0;
-      transform_columns_column_inside_2 <= transform_ready_column_inside_2;
-      transform_columns_column_inside_4 <= transform_ready_column_inside_4;
-      transform_columns_column_inside_6 <= transform_ready_column_inside_6;
-      transform_columns_column_inside_8 <= transform_ready_column_inside_8;
+      transform_left_column(0) <= to_integer(transform_left_rows_ready_words_0(7 downto 0));
+      transform_left_column(1) <= to_integer(transform_left_rows_ready_words_0(23 downto 16));
+      transform_left_column(2) <= transform_left_rows_ready_newest_0;
+      transform_right_column(0) <= to_integer(transform_right_rows_ready_words_0(7 downto 0));
+      transform_right_column(1) <= to_integer(transform_right_rows_ready_words_0(23 downto 16));
+      transform_right_column(2) <= transform_right_rows_ready_newest_0;
+      transform_columns_row_inside <= transform_ready_row_inside;
+      transform_columns_column_inside <= transform_ready_column_inside;
       transform_columns_start_of_frame <= transform_ready_start_of_frame;
       transform_columns_valid <= transform_ready_valid;
       transform_left_filter_feature_0 <= (transform_left_filter_feature_0_choice_17 * 64) +
-        (as_number(transform_left_filter_feature_0_choices(26)) * 2) +
-        as_number(transform_left_filter_feature_0_choices(35)) +
-        (as_number(transform_left_filter_feature_0_choices(43)) * 4) +
-        (as_number(transform_left_filter_feature_0_choices(52)) * 16) +
-        (as_number(transform_left_filter_feature_0_choices(61)) * 8) +
-        (as_number(transform_left_filter_feature_0_choices(69)) * 32) +
-        (as_number(transform_left_filter_feature_0_choices(78)) * 512) +
-        (as_number(transform_left_filter_feature_0_choices(87)) * 256) +
-        (as_number(transform_left_filter_feature_0_choices(95)) * 1024) +
-        (as_number(transform_left_filter_feature_0_choices(104)) * 4096) +
-        (as_number(transform_left_filter_feature_0_choices(113)) * 2048) +
-        (as_number(transform_left_filter_feature_0_choices(121)) * 8192);
+        (as_number(transform_left_filter_feature_0_choice(26)) * 2) +
+        as_number(transform_left_filter_feature_0_choice(35)) + (as_number(transform_left_filter_feature_0_choice(43))
+        * 4) + (as_number(transform_left_filter_feature_0_choice(52)) * 16) +
+        (as_number(transform_left_filter_feature_0_choice(61)) * 8) +
+        (as_number(transform_left_filter_feature_0_choice(69)) * 32) +
+        (as_number(transform_left_filter_feature_0_choice(78)) * 512) +
+        (as_number(transform_left_filter_feature_0_choice(87)) * 256) +
+        (as_number(transform_left_filter_feature_0_choice(95)) * 1024) +
+        (as_number(transform_left_filter_feature_0_choice(104)) * 4096) +
+        (as_number(transform_left_filter_feature_0_choice(113)) * 2048) +
+        (as_number(transform_left_filter_feature_0_choice(121)) * 8192);
       transform_right_filter_feature_0 <= (transform_right_filter_feature_0_choice_17 * 64) +
-        (as_number(transform_right_filter_feature_0_choices(26)) * 2) +
-        as_number(transform_right_filter_feature_0_choices(35)) +
-        (as_number(transform_right_filter_feature_0_choices(44)) * 4) +
-        (as_number(transform_right_filter_feature_0_choices(53)) * 16) +
-        (as_number(transform_right_filter_feature_0_choices(62)) * 8) +
-        (as_number(transform_right_filter_feature_0_choices(71)) * 32) +
-        (as_number(transform_right_filter_feature_0_choices(80)) * 512) +
-        (as_number(transform_right_filter_feature_0_choices(89)) * 256) +
-        (as_number(transform_right_filter_feature_0_choices(98)) * 1024) +
-        (as_number(transform_right_filter_feature_0_choices(107)) * 4096) +
-        (as_number(transform_right_filter_feature_0_choices(116)) * 2048) +
-        (as_number(transform_right_filter_feature_0_choices(125)) * 8192);
-      transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
-      transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
-      transform_filtering_0_column_inside_4 <= transform_columns_column_inside_4;
-      transform_filtering_0_column_inside_6 <= transform_columns_column_inside_6;
-      transform_filtering_0_column_inside_8 <= transform_columns_column_inside_8;
+        (as_number(transform_right_filter_feature_0_choice(26)) * 2) +
+        as_number(transform_right_filter_feature_0_choice(35)) +
+        (as_number(transform_right_filter_feature_0_choice(44)) * 4) +
+        (as_number(transform_right_filter_feature_0_choice(53)) * 16) +
+        (as_number(transform_right_filter_feature_0_choice(62)) * 8) +
+        (as_number(transform_right_filter_feature_0_choice(71)) * 32) +
+        (as_number(transform_right_filter_feature_0_choice(80)) * 512) +
+        (as_number(transform_right_filter_feature_0_choice(89)) * 256) +
+        (as_number(transform_right_filter_feature_0_choice(98)) * 1024) +
+        (as_number(transform_right_filter_feature_0_choice(107)) * 4096) +
+        (as_number(transform_right_filter_feature_0_choice(116)) * 2048) +
+        (as_number(transform_right_filter_feature_0_choice(125)) * 8192);
+      transform_filtering_0_column_inside <= transform_columns_column_inside;
       transform_filtering_start_of_frame(0) <= transform_columns_start_of_frame;
       transform_filtering_valid(0) <= transform_columns_valid;
       transform_filtering_start_of_frame(1) <= transform_filtering_start_of_frame(0);
       transform_filtering_valid(1) <= transform_filtering_valid(0);
       transform_counter_group <= choice(in_valid and in_start_of_frame, transform_counter_group_choice * 4,
         transform_counter_group_choices(3));
-      transform_read_column_inside_2 <= choice(((transform_counter_column / 2) mod 16) = 0,
+      transform_read_column_inside(1) <= choice(((transform_counter_column / 2) mod 16) = 0,
         transform_read_column_inside_2_is_equal /= is_set(transform_counter_column, 5),
         transform_read_column_inside_2_differs);
-      transform_read_column_inside_6 <= choice(transform_read_column_inside_6_choice,
+      transform_read_column_inside(3) <= choice(transform_read_column_inside_6_choice,
         transform_read_column_inside_2_is_equal /= transform_read_column_inside_0_values(2),
         transform_read_column_inside_2_differs);
       transform_counter_next_frame_choice := choice(in_start_of_frame, transform_counter_group_all,
@@ -1359,21 +1053,19 @@ begin
       end if;
       if transform_columns_valid then
         for i in 1 to 8 loop
-          transform_left_filter_column_0(i) <= transform_left_filter_column_0(i - 1);
-          transform_left_filter_column_2(i) <= transform_left_filter_column_2(i - 1);
-          transform_left_filter_column_4(i) <= transform_left_filter_column_4(i - 1);
+          transform_left_filter_column(i, 0) <= transform_left_filter_column(i - 1, 0);
+          transform_left_filter_column(i, 1) <= transform_left_filter_column(i - 1, 1);
+          transform_left_filter_column(i, 2) <= transform_left_filter_column(i - 1, 2);
         end loop;
         for i in 1 to 8 loop
-          transform_right_filter_column_0(i) <= transform_right_filter_column_0(i - 1);
-          transform_right_filter_column_2(i) <= transform_right_filter_column_2(i - 1);
-          transform_right_filter_column_4(i) <= transform_right_filter_column_4(i - 1);
+          transform_right_filter_column(i, 0) <= transform_right_filter_column(i - 1, 0);
+          transform_right_filter_column(i, 1) <= transform_right_filter_column(i - 1, 1);
+          transform_right_filter_column(i, 2) <= transform_right_filter_column(i - 1, 2);
         end loop;
-        transform_left_filter_column_0(0) <= choice(transform_columns_row_inside_0, transform_left_column_0, 0);
-        transform_right_filter_column_0(0) <= choice(transform_columns_row_inside_0, transform_right_column_0, 0);
-        transform_left_filter_column_2(0) <= choice(transform_columns_row_inside_2, transform_left_column_2, 0);
-        transform_right_filter_column_2(0) <= choice(transform_columns_row_inside_2, transform_right_column_2, 0);
-        transform_left_filter_column_4(0) <= choice(transform_columns_row_inside_4, transform_left_column_4, 0);
-        transform_right_filter_column_4(0) <= choice(transform_columns_row_inside_4, transform_right_column_4, 0);
+        for i in 0 to 2 loop
+          transform_left_filter_column(0, i) <= choice(transform_columns_row_inside(i), transform_left_column(i), 0);
+          transform_right_filter_column(0, i) <= choice(transform_columns_row_inside(i), transform_right_column(i), 0);
+        end loop;
       end if;
       -- raster
       raster_place_group_is_equals(1) := raster_place_group = 11;
@@ -1849,32 +1541,20 @@ begin
       end loop;
       forward_left_start_cost_0_any := ((((forward_left_tree_next_next_smallest_0 mod 64) + forward_left_relief_beyond)
         / 64) = 1) or is_set(forward_left_tree_next_next_smallest_0, 6);
-      forward_left_start_cost_0_choices(1) := choice(is_set(forward_left_relief_largest, 0), (not
-        is_set(forward_left_room, 1)) or (not is_set(forward_left_room, 0)), not is_set(forward_left_room, 1));
-      forward_left_start_cost_0_choices(2) := choice(is_set(forward_left_relief_largest, 1),
-        forward_left_start_cost_0_choices(1), is_set(forward_left_relief_largest, 0) and ((forward_left_room mod 4) =
-        0));
       forward_left_start_cost_0_values(1) := is_set(forward_left_room, 2);
-      forward_left_start_cost_0_choices(3) := inverted_carry(forward_left_start_cost_0_choices(2), not
-        is_set(forward_left_relief_largest, 2), forward_left_start_cost_0_values(1));
       forward_left_start_cost_0_values(2) := is_set(forward_left_room, 3);
-      forward_left_start_cost_0_choices(4) := carry(forward_left_start_cost_0_choices(3), not
-        is_set(forward_left_relief_largest, 3), forward_left_start_cost_0_values(2));
       forward_left_start_cost_0_values(3) := is_set(forward_left_room, 4);
-      forward_left_start_cost_0_choices(5) := carry(forward_left_start_cost_0_choices(4), not
-        is_set(forward_left_relief_largest, 4), forward_left_start_cost_0_values(3));
-      forward_left_start_cost_0_choices(6) := inverted_carry(forward_left_start_cost_0_choices(5),
-        is_set(forward_left_relief_largest, 5), not is_set(forward_left_room, 5));
-      forward_left_start_cost_0_choices_from_7(7) := choice(forward_left_start_cost_0_choices(6), 0, (forward_left_room
-        - forward_left_relief_largest) mod 64);
+      forward_left_start_cost_0_choice_6 := is_larger(forward_left_relief_largest, forward_left_room, 0, 5, false);
+      forward_left_start_cost_0_choice(7) := choice(forward_left_start_cost_0_choice_6, 0, (forward_left_room -
+        forward_left_relief_largest) mod 64);
       forward_left_start_cost_0_is_less := 127 < ((forward_left_tree_next_next_smallest_0 mod 64) +
         forward_left_relief_reach_of_best);
-      forward_left_start_cost_0_choices_from_7(8) := choice(forward_left_start_cost_0_is_less,
+      forward_left_start_cost_0_choice(8) := choice(forward_left_start_cost_0_is_less,
         (forward_left_tree_next_next_smallest_0 + forward_left_relief_reach_of_best) mod 64, 0);
-      forward_left_start_cost_0_choices_from_7(9) := choice(forward_left_start_cost_0_any,
-        forward_left_start_cost_0_choices_from_7(7), forward_left_start_cost_0_choices_from_7(8));
+      forward_left_start_cost_0_choice(9) := choice(forward_left_start_cost_0_any, forward_left_start_cost_0_choice(7),
+        forward_left_start_cost_0_choice(8));
       forward_left_room_value := (forward_left_start_cost(6) + forward_left_room) mod 64;
-      forward_left_room_choices(1) := choice(forward_left_start_cost_0_choices(6), forward_left_room_value,
+      forward_left_room_choices(1) := choice(forward_left_start_cost_0_choice_6, forward_left_room_value,
         (forward_left_start_cost(6) + forward_left_relief_largest) mod 64);
       forward_left_room_choices(2) := choice(forward_left_start_cost_0_is_less, (forward_left_relief_room_of_best -
         forward_left_tree_next_next_smallest_0) mod 64, forward_left_room_value);
@@ -1890,7 +1570,7 @@ begin
       forward_left_relief_largest_choice := choice((forward_reliefs_moved(2) - forward_left_relief_recent) < 0,
         forward_left_relief_recent, forward_reliefs_moved(2));
       forward_left_relief_reach_of_best_sum := forward_left_room + forward_left_relief_leaves;
-      forward_left_relief_reach_of_best_choice := choice(forward_left_start_cost_0_choices(6),
+      forward_left_relief_reach_of_best_choice := choice(forward_left_start_cost_0_choice_6,
         forward_left_relief_reach_of_best_sum, forward_left_relief_largest + forward_left_relief_leaves);
       forward_left_relief_reach_of_best_choices(2) := choice(forward_left_start_cost_0_is_less,
         (forward_left_relief_reach_again - (forward_left_tree_next_next_smallest_0 mod 64)) mod 256,
@@ -2052,7 +1732,7 @@ begin
         forward_left_tree_next_next_smallest_0 <= choice((forward_left_tree_next_smallest(1) -
           forward_left_tree_next_smallest(0)) < 0, forward_left_tree_next_smallest(1),
           forward_left_tree_next_smallest(0));
-        forward_left_start_cost(0) <= choice(sums_right_first(2), 60, forward_left_start_cost_0_choices_from_7(9));
+        forward_left_start_cost(0) <= choice(sums_right_first(2), 60, forward_left_start_cost_0_choice(9));
         for i in 1 to 6 loop
           forward_left_start_cost(i) <= choice(sums_right_first(2), 0, forward_left_start_cost(i - 1));
         end loop;
@@ -2130,31 +1810,20 @@ begin
       end loop;
       sums_right_start_cost_0_any := ((((sums_right_tree_next_next_smallest_0 mod 64) + sums_right_relief_beyond) / 64)
         = 1) or is_set(sums_right_tree_next_next_smallest_0, 6);
-      sums_right_start_cost_0_choices(1) := choice(is_set(sums_right_relief_largest, 0), (not is_set(sums_right_room,
-        1)) or (not is_set(sums_right_room, 0)), not is_set(sums_right_room, 1));
-      sums_right_start_cost_0_choices(2) := choice(is_set(sums_right_relief_largest, 1),
-        sums_right_start_cost_0_choices(1), is_set(sums_right_relief_largest, 0) and ((sums_right_room mod 4) = 0));
       sums_right_start_cost_0_values(1) := is_set(sums_right_room, 2);
-      sums_right_start_cost_0_choices(3) := inverted_carry(sums_right_start_cost_0_choices(2), not
-        is_set(sums_right_relief_largest, 2), sums_right_start_cost_0_values(1));
       sums_right_start_cost_0_values(2) := is_set(sums_right_room, 3);
-      sums_right_start_cost_0_choices(4) := carry(sums_right_start_cost_0_choices(3), not
-        is_set(sums_right_relief_largest, 3), sums_right_start_cost_0_values(2));
       sums_right_start_cost_0_values(3) := is_set(sums_right_room, 4);
-      sums_right_start_cost_0_choices(5) := carry(sums_right_start_cost_0_choices(4), not
-        is_set(sums_right_relief_largest, 4), sums_right_start_cost_0_values(3));
-      sums_right_start_cost_0_choices(6) := inverted_carry(sums_right_start_cost_0_choices(5),
-        is_set(sums_right_relief_largest, 5), not is_set(sums_right_room, 5));
-      sums_right_start_cost_0_choices_from_7(7) := choice(sums_right_start_cost_0_choices(6), 0, (sums_right_room -
+      sums_right_start_cost_0_choice_6 := is_larger(sums_right_relief_largest, sums_right_room, 0, 5, false);
+      sums_right_start_cost_0_choice(7) := choice(sums_right_start_cost_0_choice_6, 0, (sums_right_room -
         sums_right_relief_largest) mod 64);
       sums_right_start_cost_0_is_less := 127 < ((sums_right_tree_next_next_smallest_0 mod 64) +
         sums_right_relief_reach_of_best);
-      sums_right_start_cost_0_choices_from_7(8) := choice(sums_right_start_cost_0_is_less,
+      sums_right_start_cost_0_choice(8) := choice(sums_right_start_cost_0_is_less,
         (sums_right_tree_next_next_smallest_0 + sums_right_relief_reach_of_best) mod 64, 0);
-      sums_right_start_cost_0_choices_from_7(9) := choice(sums_right_start_cost_0_any,
-        sums_right_start_cost_0_choices_from_7(7), sums_right_start_cost_0_choices_from_7(8));
+      sums_right_start_cost_0_choice(9) := choice(sums_right_start_cost_0_any, sums_right_start_cost_0_choice(7),
+        sums_right_start_cost_0_choice(8));
       sums_right_room_value := (sums_right_start_cost(6) + sums_right_room) mod 64;
-      sums_right_room_choices(1) := choice(sums_right_start_cost_0_choices(6), sums_right_room_value,
+      sums_right_room_choices(1) := choice(sums_right_start_cost_0_choice_6, sums_right_room_value,
         (sums_right_start_cost(6) + sums_right_relief_largest) mod 64);
       sums_right_room_choices(2) := choice(sums_right_start_cost_0_is_less, (sums_right_relief_room_of_best -
         sums_right_tree_next_next_smallest_0) mod 64, sums_right_room_value);
@@ -2169,7 +1838,7 @@ begin
       sums_right_relief_largest_choice := choice(((sums_turn_ready_smallest_0 / 8) - sums_right_relief_recent) < 0,
         sums_right_relief_recent, sums_turn_ready_smallest_0 / 8);
       sums_right_relief_reach_of_best_sum := sums_right_room + sums_right_relief_leaves;
-      sums_right_relief_reach_of_best_choice := choice(sums_right_start_cost_0_choices(6),
+      sums_right_relief_reach_of_best_choice := choice(sums_right_start_cost_0_choice_6,
         sums_right_relief_reach_of_best_sum, sums_right_relief_largest + sums_right_relief_leaves);
       sums_right_relief_reach_of_best_choices(2) := choice(sums_right_start_cost_0_is_less,
         (sums_right_relief_reach_again - (sums_right_tree_next_next_smallest_0 mod 64)) mod 256,
@@ -2281,7 +1950,7 @@ begin
           sums_right_tree_smallest(1), sums_right_tree_smallest(0));
         sums_right_tree_next_next_smallest_0 <= choice((sums_right_tree_next_smallest(1) -
           sums_right_tree_next_smallest(0)) < 0, sums_right_tree_next_smallest(1), sums_right_tree_next_smallest(0));
-        sums_right_start_cost(0) <= choice(forward_first(0), 60, sums_right_start_cost_0_choices_from_7(9));
+        sums_right_start_cost(0) <= choice(forward_first(0), 60, sums_right_start_cost_0_choice(9));
         for i in 1 to 6 loop
           sums_right_start_cost(i) <= choice(forward_first(0), 0, sums_right_start_cost(i - 1));
         end loop;
@@ -2327,58 +1996,47 @@ begin
       end if;
       -- winnerswinner1
       for i in 0 to 5 loop
-        winnerswinner1_of_pair_0_choice(2 * i, 1) := choice(is_set(sums_sum_0(2 * i), 0), (not is_set(sums_sum_0(2 * i
-          + 1), 1)) or (not is_set(sums_sum_0(2 * i + 1), 0)), not is_set(sums_sum_0(2 * i + 1), 1));
-        winnerswinner1_of_pair_0_choice(2 * i, 2) := choice(is_set(sums_sum_0(2 * i), 1),
-          winnerswinner1_of_pair_0_choice(2 * i, 1), is_set(sums_sum_0(2 * i), 0) and ((sums_sum_0(2 * i + 1) mod 4) =
-          0));
-        winnerswinner1_of_pair_0_value(2 * i, 1) := is_set(sums_sum_0(2 * i + 1), 2);
-        winnerswinner1_of_pair_0_choice(2 * i, 3) := inverted_carry(winnerswinner1_of_pair_0_choice(2 * i, 2), not
-          is_set(sums_sum_0(2 * i), 2), winnerswinner1_of_pair_0_value(2 * i, 1));
-        for j in 2 to 5 loop
-          winnerswinner1_of_pair_0_value(2 * i, j) := is_set(sums_sum_0(2 * i + 1), j + 1);
-          winnerswinner1_of_pair_0_choice(2 * i, j + 2) := carry(winnerswinner1_of_pair_0_choice(2 * i, j + 1), not
-            is_set(sums_sum_0(2 * i), j + 1), winnerswinner1_of_pair_0_value(2 * i, j));
+        for j in 1 to 5 loop
+          winnerswinner1_of_pair_0_value(i, j) := is_set(sums_sum_0(2 * i + 1), j + 1);
         end loop;
-        winnerswinner1_of_pair_0_choice(2 * i, 8) := inverted_carry(winnerswinner1_of_pair_0_choice(2 * i, 7),
-          is_set(sums_sum_0(2 * i), 7), not is_set(sums_sum_0(2 * i + 1), 7));
+        winnerswinner1_of_pair_0_choice_8(i) := is_larger(sums_sum_0(2 * i), sums_sum_0(2 * i + 1), 0, 7, false);
       end loop;
       for i in 0 to 2 loop
-        winnerswinner1_of_four_0_choice(4 * i, 1) := choice(is_set(winnerswinner1_of_pair_0(4 * i + 1), 0), (not
+        winnerswinner1_of_four_0_choice(i, 1) := choice(is_set(winnerswinner1_of_pair_0(4 * i + 1), 0), (not
           is_set(winnerswinner1_of_pair_0(4 * i + 3), 0)) and (not is_set(winnerswinner1_of_pair_0(4 * i + 2), 0)),
           is_set(winnerswinner1_of_pair_0(4 * i), 0) and (not is_set(winnerswinner1_of_pair_0(4 * i + 3), 0)) and (not
           is_set(winnerswinner1_of_pair_0(4 * i + 2), 0)));
-        winnerswinner1_of_four_0_value(4 * i, 1) := is_set(winnerswinner1_of_pair_0(4 * i + 1), 1);
-        winnerswinner1_of_four_0_value(4 * i, 2) := is_set(winnerswinner1_of_pair_0(4 * i), 1);
-        winnerswinner1_of_four_0_choice(4 * i, 2) := choice((not is_set(winnerswinner1_of_pair_0(4 * i + 3), 1)) and
-          (not is_set(winnerswinner1_of_pair_0(4 * i + 2), 1)), winnerswinner1_of_four_0_choice(4 * i, 1) or
-          winnerswinner1_of_four_0_value(4 * i, 1) or winnerswinner1_of_four_0_value(4 * i, 2),
-          winnerswinner1_of_four_0_choice(4 * i, 1) and (winnerswinner1_of_four_0_value(4 * i, 1) or
-          winnerswinner1_of_four_0_value(4 * i, 2)));
-        winnerswinner1_of_four_0_value(4 * i, 3) := is_set(winnerswinner1_of_pair_0(4 * i + 3), 2);
-        winnerswinner1_of_four_0_value(4 * i, 4) := is_set(winnerswinner1_of_pair_0(4 * i + 2), 2);
-        winnerswinner1_of_four_0_choice(4 * i, 3) := choice(winnerswinner1_of_four_0_choice(4 * i, 2), (not
+        winnerswinner1_of_four_0_value(i, 1) := is_set(winnerswinner1_of_pair_0(4 * i + 1), 1);
+        winnerswinner1_of_four_0_value(i, 2) := is_set(winnerswinner1_of_pair_0(4 * i), 1);
+        winnerswinner1_of_four_0_choice(i, 2) := choice((not is_set(winnerswinner1_of_pair_0(4 * i + 3), 1)) and (not
+          is_set(winnerswinner1_of_pair_0(4 * i + 2), 1)), winnerswinner1_of_four_0_choice(i, 1) or
+          winnerswinner1_of_four_0_value(i, 1) or winnerswinner1_of_four_0_value(i, 2),
+          winnerswinner1_of_four_0_choice(i, 1) and (winnerswinner1_of_four_0_value(i, 1) or
+          winnerswinner1_of_four_0_value(i, 2)));
+        winnerswinner1_of_four_0_value(i, 3) := is_set(winnerswinner1_of_pair_0(4 * i + 3), 2);
+        winnerswinner1_of_four_0_value(i, 4) := is_set(winnerswinner1_of_pair_0(4 * i + 2), 2);
+        winnerswinner1_of_four_0_choice(i, 3) := choice(winnerswinner1_of_four_0_choice(i, 2), (not
           is_set(winnerswinner1_of_pair_0(4 * i + 1), 2)) and (not is_set(winnerswinner1_of_pair_0(4 * i), 2)) and
-          (winnerswinner1_of_four_0_value(4 * i, 3) or winnerswinner1_of_four_0_value(4 * i, 4)), ((not
+          (winnerswinner1_of_four_0_value(i, 3) or winnerswinner1_of_four_0_value(i, 4)), ((not
           is_set(winnerswinner1_of_pair_0(4 * i + 1), 2)) and (not is_set(winnerswinner1_of_pair_0(4 * i), 2))) or
-          winnerswinner1_of_four_0_value(4 * i, 3) or winnerswinner1_of_four_0_value(4 * i, 4));
+          winnerswinner1_of_four_0_value(i, 3) or winnerswinner1_of_four_0_value(i, 4));
         for j in 3 to 6 loop
-          winnerswinner1_of_four_0_value(4 * i, 2 * j - 1) := is_set(winnerswinner1_of_pair_0(4 * i + 3), j);
-          winnerswinner1_of_four_0_value(4 * i, 2 * j) := is_set(winnerswinner1_of_pair_0(4 * i + 2), j);
-          winnerswinner1_of_four_0_choice(4 * i, j + 1) := choice(winnerswinner1_of_four_0_choice(4 * i, j), ((not
+          winnerswinner1_of_four_0_value(i, 2 * j - 1) := is_set(winnerswinner1_of_pair_0(4 * i + 3), j);
+          winnerswinner1_of_four_0_value(i, 2 * j) := is_set(winnerswinner1_of_pair_0(4 * i + 2), j);
+          winnerswinner1_of_four_0_choice(i, j + 1) := choice(winnerswinner1_of_four_0_choice(i, j), ((not
             is_set(winnerswinner1_of_pair_0(4 * i + 1), j)) and (not is_set(winnerswinner1_of_pair_0(4 * i), j))) or
-            winnerswinner1_of_four_0_value(4 * i, 2 * j - 1) or winnerswinner1_of_four_0_value(4 * i, 2 * j), (not
+            winnerswinner1_of_four_0_value(i, 2 * j - 1) or winnerswinner1_of_four_0_value(i, 2 * j), (not
             is_set(winnerswinner1_of_pair_0(4 * i + 1), j)) and (not is_set(winnerswinner1_of_pair_0(4 * i), j)) and
-            (winnerswinner1_of_four_0_value(4 * i, 2 * j - 1) or winnerswinner1_of_four_0_value(4 * i, 2 * j)));
+            (winnerswinner1_of_four_0_value(i, 2 * j - 1) or winnerswinner1_of_four_0_value(i, 2 * j)));
         end loop;
-        winnerswinner1_of_four_0_choice(4 * i, 8) := choice(winnerswinner1_of_four_0_choice(4 * i, 7), (not ((not
+        winnerswinner1_of_four_0_choice(i, 8) := choice(winnerswinner1_of_four_0_choice(i, 7), (not ((not
           is_set(winnerswinner1_of_pair_0(4 * i + 1), 7)) and (not is_set(winnerswinner1_of_pair_0(4 * i), 7)))) and
           (not is_set(winnerswinner1_of_pair_0(4 * i + 3), 7)) and (not is_set(winnerswinner1_of_pair_0(4 * i + 2),
           7)), (not ((not is_set(winnerswinner1_of_pair_0(4 * i + 1), 7)) and (not is_set(winnerswinner1_of_pair_0(4 *
           i), 7)))) or ((not is_set(winnerswinner1_of_pair_0(4 * i + 3), 7)) and (not is_set(winnerswinner1_of_pair_0(4
           * i + 2), 7))));
       end loop;
-      winnerswinner1_pair_index_0_0 <= winnerswinner1_of_pair_0_choice(0, 8);
+      winnerswinner1_pair_index_0_0 <= winnerswinner1_of_pair_0_choice_8(0);
       winnerswinner1_pair_tag <= sums_tag;
       winnerswinner1_four_tag <= winnerswinner1_pair_tag;
       for i in 0 to 2 loop
@@ -2388,13 +2046,12 @@ begin
       end loop;
       winnerswinner1_best_index_0 <= winnerswinner1_four_index_0;
       winnerswinner1_tag <= winnerswinner1_four_tag;
-      winnerswinner1_of_pair_0(0) <= choice(winnerswinner1_of_pair_0_choice(0, 8), 0, sums_sum_0(0));
-      winnerswinner1_of_pair_0(1) <= choice(winnerswinner1_of_pair_0_choice(0, 8), sums_sum_0(1), 0);
+      winnerswinner1_of_pair_0(0) <= choice(winnerswinner1_of_pair_0_choice_8(0), 0, sums_sum_0(0));
+      winnerswinner1_of_pair_0(1) <= choice(winnerswinner1_of_pair_0_choice_8(0), sums_sum_0(1), 0);
       for i in 1 to 5 loop
-        winnerswinner1_of_pair_0(2 * i) <= choice(winnerswinner1_of_pair_0_choice(2 * i, 8), 0, sums_sum_0(2 * i));
-        winnerswinner1_of_pair_0(2 * i + 1) <= choice(winnerswinner1_of_pair_0_choice(2 * i, 8), sums_sum_0(2 * i + 1),
-          0);
-        winnerswinner1_pair_index_0(i) <= choice(winnerswinner1_of_pair_0_choice(2 * i, 8), 2 * i + 1, 2 * i);
+        winnerswinner1_of_pair_0(2 * i) <= choice(winnerswinner1_of_pair_0_choice_8(i), 0, sums_sum_0(2 * i));
+        winnerswinner1_of_pair_0(2 * i + 1) <= choice(winnerswinner1_of_pair_0_choice_8(i), sums_sum_0(2 * i + 1), 0);
+        winnerswinner1_pair_index_0(i) <= choice(winnerswinner1_of_pair_0_choice_8(i), 2 * i + 1, 2 * i);
       end loop;
       winnerswinner1_of_four_0(0) <= choice(winnerswinner1_of_four_0_choice(0, 8), 0, winnerswinner1_of_pair_0(0));
       winnerswinner1_of_four_0(1) <= choice(winnerswinner1_of_four_0_choice(0, 8), 0, winnerswinner1_of_pair_0(1));
@@ -2403,34 +2060,23 @@ begin
       winnerswinner1_four_index_0(0) <= choice(winnerswinner1_of_four_0_choice(0, 8), winnerswinner1_pair_index_0(1),
         as_number(winnerswinner1_pair_index_0_0));
       for i in 1 to 2 loop
-        winnerswinner1_of_four_0(4 * i) <= choice(winnerswinner1_of_four_0_choice(4 * i, 8), 0,
-          winnerswinner1_of_pair_0(4 * i));
-        winnerswinner1_of_four_0(4 * i + 1) <= choice(winnerswinner1_of_four_0_choice(4 * i, 8), 0,
+        winnerswinner1_of_four_0(4 * i) <= choice(winnerswinner1_of_four_0_choice(i, 8), 0, winnerswinner1_of_pair_0(4
+          * i));
+        winnerswinner1_of_four_0(4 * i + 1) <= choice(winnerswinner1_of_four_0_choice(i, 8), 0,
           winnerswinner1_of_pair_0(4 * i + 1));
-        winnerswinner1_of_four_0(4 * i + 2) <= choice(winnerswinner1_of_four_0_choice(4 * i, 8),
-          winnerswinner1_of_pair_0(4 * i + 2), 0);
-        winnerswinner1_of_four_0(4 * i + 3) <= choice(winnerswinner1_of_four_0_choice(4 * i, 8),
-          winnerswinner1_of_pair_0(4 * i + 3), 0);
-        winnerswinner1_four_index_0(i) <= choice(winnerswinner1_of_four_0_choice(4 * i, 8),
-          winnerswinner1_pair_index_0(2 * i + 1), winnerswinner1_pair_index_0(2 * i));
+        winnerswinner1_of_four_0(4 * i + 2) <= choice(winnerswinner1_of_four_0_choice(i, 8), winnerswinner1_of_pair_0(4
+          * i + 2), 0);
+        winnerswinner1_of_four_0(4 * i + 3) <= choice(winnerswinner1_of_four_0_choice(i, 8), winnerswinner1_of_pair_0(4
+          * i + 3), 0);
+        winnerswinner1_four_index_0(i) <= choice(winnerswinner1_of_four_0_choice(i, 8), winnerswinner1_pair_index_0(2 *
+          i + 1), winnerswinner1_pair_index_0(2 * i));
       end loop;
       -- winnerswinner2
-      winnerswinner2_of_pair_0_0_choices(1) := choice(is_set(winnerswinner1_best_cost_0(0), 0), (not
-        is_set(winnerswinner1_best_cost_0(1), 1)) or (not is_set(winnerswinner1_best_cost_0(1), 0)), not
-        is_set(winnerswinner1_best_cost_0(1), 1));
-      winnerswinner2_of_pair_0_0_choices(2) := choice(is_set(winnerswinner1_best_cost_0(0), 1),
-        winnerswinner2_of_pair_0_0_choices(1), is_set(winnerswinner1_best_cost_0(0), 0) and
-        ((winnerswinner1_best_cost_0(1) mod 4) = 0));
-      winnerswinner2_of_pair_0_0_values(1) := is_set(winnerswinner1_best_cost_0(1), 2);
-      winnerswinner2_of_pair_0_0_choices(3) := inverted_carry(winnerswinner2_of_pair_0_0_choices(2), not
-        is_set(winnerswinner1_best_cost_0(0), 2), winnerswinner2_of_pair_0_0_values(1));
-      for i in 2 to 5 loop
+      for i in 1 to 5 loop
         winnerswinner2_of_pair_0_0_values(i) := is_set(winnerswinner1_best_cost_0(1), i + 1);
-        winnerswinner2_of_pair_0_0_choices(i + 2) := carry(winnerswinner2_of_pair_0_0_choices(i + 1), not
-          is_set(winnerswinner1_best_cost_0(0), i + 1), winnerswinner2_of_pair_0_0_values(i));
       end loop;
-      winnerswinner2_of_pair_0_0_choices(8) := inverted_carry(winnerswinner2_of_pair_0_0_choices(7),
-        is_set(winnerswinner1_best_cost_0(0), 7), not is_set(winnerswinner1_best_cost_0(1), 7));
+      winnerswinner2_of_pair_0_0_choice_8 := is_larger(winnerswinner1_best_cost_0(0), winnerswinner1_best_cost_0(1), 0,
+        7, false);
       winnerswinner2_four_index_0_0_values(1) := is_set(winnerswinner2_of_pair_0(1), 1);
       winnerswinner2_four_index_0_0_values(2) := is_set(winnerswinner2_of_pair_0(0), 1);
       winnerswinner2_four_index_0_0_choices(1) := choice((not is_set(winnerswinner2_of_pair_0(2), 0)) and
@@ -2456,9 +2102,9 @@ begin
       winnerswinner2_four_tag <= winnerswinner2_pair_tag;
       winnerswinner2_best_index_0_0 <= winnerswinner2_four_index_0_0;
       winnerswinner2_tag <= winnerswinner2_four_tag;
-      winnerswinner2_of_pair_0(0) <= choice(winnerswinner2_of_pair_0_0_choices(8), 0, winnerswinner1_best_cost_0(0));
-      winnerswinner2_of_pair_0(1) <= choice(winnerswinner2_of_pair_0_0_choices(8), winnerswinner1_best_cost_0(1), 0);
-      winnerswinner2_pair_index_0(0) <= choice(winnerswinner2_of_pair_0_0_choices(8), winnerswinner1_best_index_0(1),
+      winnerswinner2_of_pair_0(0) <= choice(winnerswinner2_of_pair_0_0_choice_8, 0, winnerswinner1_best_cost_0(0));
+      winnerswinner2_of_pair_0(1) <= choice(winnerswinner2_of_pair_0_0_choice_8, winnerswinner1_best_cost_0(1), 0);
+      winnerswinner2_pair_index_0(0) <= choice(winnerswinner2_of_pair_0_0_choice_8, winnerswinner1_best_index_0(1),
         winnerswinner1_best_index_0(0));
       winnerswinner2_four_index_0_0 <= choice(winnerswinner2_four_index_0_0_choices(7), winnerswinner2_pair_index_0(1),
         winnerswinner2_pair_index_0(0));
@@ -2509,40 +2155,32 @@ begin
       end if;
       -- relief
       if transform_columns_valid then
-        relief_centre_column(0) <= transform_right_column_2;
+        relief_centre_column(0) <= transform_right_column(1);
         relief_centre_column(1 to 4) <= relief_centre_column(0 to 3);
       end if;
-      relief_newest_choices(1) := choice(is_set(relief_centre_grey_0, 0), (not is_set(relief_before, 1)) or (not
-        is_set(relief_before, 0)), not is_set(relief_before, 1));
-      relief_newest_choices(2) := choice(is_set(relief_centre_grey_0, 1), relief_newest_choices(1),
-        is_set(relief_centre_grey_0, 0) and ((relief_before mod 4) = 0));
-      relief_newest_values(1) := is_set(relief_before, 2);
-      relief_newest_choices(3) := inverted_carry(relief_newest_choices(2), not is_set(relief_centre_grey_0, 2),
-        relief_newest_values(1));
-      for i in 2 to 5 loop
+      for i in 1 to 5 loop
         relief_newest_values(i) := is_set(relief_before, i + 1);
-        relief_newest_choices(i + 2) := carry(relief_newest_choices(i + 1), not is_set(relief_centre_grey_0, i + 1),
-          relief_newest_values(i));
       end loop;
-      relief_newest_choices(8) := carry(relief_newest_choices(7), not is_set(relief_centre_grey_0, 7),
+      relief_newest_choice(7) := not is_larger(relief_centre_grey_0, relief_before, 0, 6, false);
+      relief_newest_choice(8) := carry(relief_newest_choice(7), not is_set(relief_centre_grey_0, 7),
         is_set(relief_before, 7));
       relief_newest_values_from_6(6) := (relief_before - relief_centre_grey_0) mod 256;
       relief_newest_values_from_6(7) := (relief_centre_grey_0 - relief_before) mod 256;
-      relief_newest_choices(9) := choice(relief_newest_choices(8), is_set(relief_newest_values_from_6(6), 2),
+      relief_newest_choice(9) := choice(relief_newest_choice(8), is_set(relief_newest_values_from_6(6), 2),
         is_set(relief_newest_values_from_6(7), 2));
-      relief_newest_choices(10) := choice(relief_newest_choices(8), not is_set(relief_newest_values_from_6(6), 3), not
+      relief_newest_choice(10) := choice(relief_newest_choice(8), not is_set(relief_newest_values_from_6(6), 3), not
         is_set(relief_newest_values_from_6(7), 3));
       for i in 0 to 1 loop
-        relief_newest_choices(2 * i + 11) := choice(relief_newest_choices(8), not
-          is_set(relief_newest_values_from_6(6), 4 * i + 1), not is_set(relief_newest_values_from_6(7), 4 * i + 1));
-        relief_newest_choices(2 * i + 12) := choice(relief_newest_choices(8), is_set(relief_newest_values_from_6(6), 2
-          * i + 4), is_set(relief_newest_values_from_6(7), 2 * i + 4));
+        relief_newest_choice(2 * i + 11) := choice(relief_newest_choice(8), not is_set(relief_newest_values_from_6(6),
+          4 * i + 1), not is_set(relief_newest_values_from_6(7), 4 * i + 1));
+        relief_newest_choice(2 * i + 12) := choice(relief_newest_choice(8), is_set(relief_newest_values_from_6(6), 2 *
+          i + 4), is_set(relief_newest_values_from_6(7), 2 * i + 4));
       end loop;
-      relief_newest_choices(15) := choice(relief_newest_choices(8), is_set(relief_newest_values_from_6(6), 7),
+      relief_newest_choice(15) := choice(relief_newest_choice(8), is_set(relief_newest_values_from_6(6), 7),
         is_set(relief_newest_values_from_6(7), 7));
-      relief_newest_choices(16) := inverted_carry(relief_newest_choices(7), is_set(relief_centre_grey_0, 7), not
+      relief_newest_choice(16) := inverted_carry(relief_newest_choice(7), is_set(relief_centre_grey_0, 7), not
         is_set(relief_before, 7));
-      relief_newest_choice_17 := choice(relief_newest_choices(16), (relief_newest_values_from_6(7) / 2) mod 64,
+      relief_newest_choice_17 := choice(relief_newest_choice(16), (relief_newest_values_from_6(7) / 2) mod 64,
         (relief_newest_values_from_6(6) / 2) mod 64);
       relief_centre_grey_0 <= relief_centre_column(4);
       relief_rows_read_newest_0 <= to_integer(relief_delayed_0);
@@ -2552,9 +2190,9 @@ begin
       relief_waiting(0) <= relief_column_0;
       relief_waiting(1 to 8) <= relief_waiting(0 to 7);
       relief_entered <= relief_entering;
-      relief_newest <= choice(((not ((not ((not ((not relief_newest_choices(9)) and relief_newest_choices(10) and
-        relief_newest_choices(11))) and relief_newest_choices(12))) and relief_newest_choices(13))) and
-        relief_newest_choices(14)) or relief_newest_choices(15), 40, relief_newest_choice_17);
+      relief_newest <= choice(((not ((not ((not ((not relief_newest_choice(9)) and relief_newest_choice(10) and
+        relief_newest_choice(11))) and relief_newest_choice(12))) and relief_newest_choice(13))) and
+        relief_newest_choice(14)) or relief_newest_choice(15), 40, relief_newest_choice_17);
       relief_entering <= choice(relief_waiting(8) < 40, relief_waiting(8), 40);
       if transform_filtering_valid(1) then
         relief_before <= relief_centre_grey_0;

@@ -102,12 +102,14 @@ architecture rtl of stereo_core_tiny_trellis is
     return a and b;
   end function;
 
-  function inverted_carry(before : boolean; a : boolean; b : boolean) return boolean is
+  -- whether a > b, of bits `low` to `high`; of equal ones, `before`: bit by bit, as the tool has split it
+  function is_larger(a : natural; b : natural; low : natural; high : natural; before : boolean) return boolean is
+    variable is_not : boolean := not before;
   begin
-    if before then
-      return a and b;
-    end if;
-    return a or b;
+    for place in low to high loop
+      is_not := carry(is_not, not is_set(a, place), is_set(b, place));
+    end loop;
+    return not is_not;
   end function;
 
   function choice(test : boolean; yes : boolean; no : boolean) return boolean is
@@ -444,11 +446,11 @@ begin
     variable transform_read_column_inside_1_differs : boolean;
     variable transform_left_filter_feature_0_values : boolean_1d(1 to 11);  -- transform_left_filter_feature_0_value_#
     variable transform_left_filter_feature_0_any : boolean;
-    variable transform_left_filter_feature_0_choices : boolean_1d(1 to 192);  -- transform_left_filter_feature_0_choice_#
+    variable transform_left_filter_feature_0_choice : boolean_1d(8 to 192);
     variable transform_left_filter_feature_0_is_equal : boolean;
     variable transform_right_filter_feature_0_values : boolean_1d(1 to 11);  -- transform_right_filter_feature_0_value_#
     variable transform_right_filter_feature_0_any : boolean;
-    variable transform_right_filter_feature_0_choices : boolean_1d(1 to 192);  -- transform_right_filter_feature_0_choice_#
+    variable transform_right_filter_feature_0_choice : boolean_1d(8 to 192);
     variable transform_right_filter_feature_0_is_equal, transform_counter_next_frame_choice : boolean;
     variable raster_place_group_is_equals : boolean_1d(1 to 3);  -- raster_place_group_is_equal_#
     variable raster_place_group_all, raster_place_group_choice_2 : boolean;
@@ -491,8 +493,7 @@ begin
     variable forward_pair_cost_sum : natural_26_1d(0 to 11);  -- forward_pair_cost_#_sum
     variable forward_path_choice : natural_511_2d(0 to 11, 1 to 3);  -- forward_path_#_choice_#
     variable forward_dropped_choice : natural_511_1d(0 to 5);  -- forward_dropped_#_choice
-    variable forward_decision_0_choice, forward_decision_1_choice, forward_decision_2_choice : natural range 1 to 2;
-    variable forward_decision_3_choice, forward_decision_4_choice, forward_decision_5_choice : natural range 1 to 2;
+    variable forward_decision_choice : natural_1_to_2_1d(0 to 5);  -- forward_decision_#_choice
     variable forward_decision_choice_2 : natural_2_1d(1 to 5);  -- forward_decision_#_choice_2
     variable last_path_0_2_difference : integer range -255 to 256;
     variable traceback_state_sum : natural range 1 to 256;
@@ -504,6 +505,8 @@ begin
     if rising_edge(clock) then
       -- no bit without a value, where an array has places for more
       transform_read_column_inside_choice := (others => (others => false));
+      transform_left_filter_feature_0_choice := (others => false);
+      transform_right_filter_feature_0_choice := (others => false);
       slice0cost_pixels_first_0_count_value := (others => (others => (others => false)));
       slice1cost_pixels_first_0_count_value := (others => (others => (others => false)));
       slice2cost_pixels_first_0_count_value := (others => (others => (others => false)));
@@ -532,417 +535,139 @@ begin
       transform_left_filter_feature_0_values(1) := is_set(transform_left_filter_column(2, 2), 1);
       transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_values(1)) or (not
         is_set(transform_left_filter_column(2, 2), 0));
-      transform_left_filter_feature_0_choices(1) := choice(is_set(transform_left_filter_column(4, 0), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
       transform_left_filter_feature_0_is_equal := (transform_left_filter_column(2, 2) mod 4) = 0;
-      transform_left_filter_feature_0_choices(2) := choice(is_set(transform_left_filter_column(4, 0), 1),
-        transform_left_filter_feature_0_choices(1), is_set(transform_left_filter_column(4, 0), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_values(2) := is_set(transform_left_filter_column(2, 2), 2);
-      transform_left_filter_feature_0_choices(3) := inverted_carry(transform_left_filter_feature_0_choices(2), not
-        is_set(transform_left_filter_column(4, 0), 2), transform_left_filter_feature_0_values(2));
-      for i in 3 to 6 loop
+      for i in 2 to 6 loop
         transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(2, 2), i);
-        transform_left_filter_feature_0_choices(i + 1) := carry(transform_left_filter_feature_0_choices(i), not
-          is_set(transform_left_filter_column(4, 0), i), transform_left_filter_feature_0_values(i));
       end loop;
-      for i in 0 to 3 loop
-        transform_left_filter_feature_0_choices(8 * i + 8) := inverted_carry(transform_left_filter_feature_0_choices(8
-          * i + 7), is_set(transform_left_filter_column(4, i), 7), not is_set(transform_left_filter_column(2, 2), 7));
-        transform_left_filter_feature_0_choices(8 * i + 9) := choice(is_set(transform_left_filter_column(4, i + 1), 0),
-          transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(8 * i + 10) := choice(is_set(transform_left_filter_column(4, i + 1),
-          1), transform_left_filter_feature_0_choices(8 * i + 9), is_set(transform_left_filter_column(4, i + 1), 0) and
-          transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(8 * i + 11) := inverted_carry(transform_left_filter_feature_0_choices(8
-          * i + 10), not is_set(transform_left_filter_column(4, i + 1), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(8 * i + j + 9) := carry(transform_left_filter_feature_0_choices(8 * i
-            + j + 8), not is_set(transform_left_filter_column(4, i + 1), j), transform_left_filter_feature_0_values(j));
+      for i in 0 to 1 loop
+        for j in 0 to 4 loop
+          transform_left_filter_feature_0_choice(40 * i + 8 * j + 8) := is_larger(transform_left_filter_column(4 - i,
+            j), transform_left_filter_column(2, 2), 0, 7, false);
         end loop;
       end loop;
-      transform_left_filter_feature_0_choices(40) := inverted_carry(transform_left_filter_feature_0_choices(39),
-        is_set(transform_left_filter_column(4, 4), 7), not is_set(transform_left_filter_column(2, 2), 7));
-      for i in 0 to 4 loop
-        transform_left_filter_feature_0_choices(8 * i + 41) := choice(is_set(transform_left_filter_column(3, i), 0),
-          transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(8 * i + 42) := choice(is_set(transform_left_filter_column(3, i), 1),
-          transform_left_filter_feature_0_choices(8 * i + 41), is_set(transform_left_filter_column(3, i), 0) and
-          transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(8 * i + 43) := inverted_carry(transform_left_filter_feature_0_choices(8
-          * i + 42), not is_set(transform_left_filter_column(3, i), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(8 * i + j + 41) := carry(transform_left_filter_feature_0_choices(8 *
-            i + j + 40), not is_set(transform_left_filter_column(3, i), j), transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(8 * i + 48) := inverted_carry(transform_left_filter_feature_0_choices(8
-          * i + 47), is_set(transform_left_filter_column(3, i), 7), not is_set(transform_left_filter_column(2, 2), 7));
-      end loop;
-      transform_left_filter_feature_0_choices(81) := choice(is_set(transform_left_filter_column(2, 4), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(82) := choice(is_set(transform_left_filter_column(2, 4), 1),
-        transform_left_filter_feature_0_choices(81), is_set(transform_left_filter_column(2, 4), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(83) := inverted_carry(transform_left_filter_feature_0_choices(82), not
-        is_set(transform_left_filter_column(2, 4), 2), transform_left_filter_feature_0_values(2));
-      for i in 84 to 87 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column(2, 4), i - 81), transform_left_filter_feature_0_values(i - 81));
-      end loop;
-      transform_left_filter_feature_0_choices(88) := choice(transform_left_filter_feature_0_choices(87),
+      transform_left_filter_feature_0_choice(87) := not is_larger(transform_left_filter_column(2, 4),
+        transform_left_filter_column(2, 2), 0, 6, false);
+      transform_left_filter_feature_0_choice(88) := choice(transform_left_filter_feature_0_choice(87),
         transform_filtering_0_column_inside(2) and is_set(transform_left_filter_column(2, 4), 7) and (not
         is_set(transform_left_filter_column(2, 2), 7)), transform_filtering_0_column_inside(2) and
         (is_set(transform_left_filter_column(2, 4), 7) or (not is_set(transform_left_filter_column(2, 2), 7))));
       for i in 0 to 1 loop
-        transform_left_filter_feature_0_choices(16 * i + 89) := choice(is_set(transform_left_filter_column(2, 1 - i),
-          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(16 * i + 90) := choice(is_set(transform_left_filter_column(2, 1 - i),
-          1), transform_left_filter_feature_0_choices(16 * i + 89), is_set(transform_left_filter_column(2, 1 - i), 0)
-          and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(16 * i + 91) :=
-          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 90), not
-          is_set(transform_left_filter_column(2, 1 - i), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(16 * i + j + 89) := carry(transform_left_filter_feature_0_choices(16
-            * i + j + 88), not is_set(transform_left_filter_column(2, 1 - i), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(16 * i + 96) :=
-          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 95), is_set(transform_left_filter_column(2, 1
-          - i), 7), not is_set(transform_left_filter_column(2, 2), 7));
-        transform_left_filter_feature_0_choices(16 * i + 97) := choice(is_set(transform_left_filter_column(2 - i, 3),
-          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(16 * i + 98) := choice(is_set(transform_left_filter_column(2 - i, 3),
-          1), transform_left_filter_feature_0_choices(16 * i + 97), is_set(transform_left_filter_column(2 - i, 3), 0)
-          and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(16 * i + 99) :=
-          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 98), not
-          is_set(transform_left_filter_column(2 - i, 3), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(16 * i + j + 97) := carry(transform_left_filter_feature_0_choices(16
-            * i + j + 96), not is_set(transform_left_filter_column(2 - i, 3), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(16 * i + 104) :=
-          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 103), is_set(transform_left_filter_column(2 -
-          i, 3), 7), not is_set(transform_left_filter_column(2, 2), 7));
+        transform_left_filter_feature_0_choice(16 * i + 96) := is_larger(transform_left_filter_column(2, 1 - i),
+          transform_left_filter_column(2, 2), 0, 7, false);
+        transform_left_filter_feature_0_choice(16 * i + 104) := is_larger(transform_left_filter_column(2 - i, 3),
+          transform_left_filter_column(2, 2), 0, 7, false);
       end loop;
-      transform_left_filter_feature_0_choices(121) := choice(is_set(transform_left_filter_column(1, 4), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(122) := choice(is_set(transform_left_filter_column(1, 4), 1),
-        transform_left_filter_feature_0_choices(121), is_set(transform_left_filter_column(1, 4), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(123) := inverted_carry(transform_left_filter_feature_0_choices(122), not
-        is_set(transform_left_filter_column(1, 4), 2), transform_left_filter_feature_0_values(2));
-      for i in 124 to 127 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column(1, 4), i - 121), transform_left_filter_feature_0_values(i - 121));
-      end loop;
-      transform_left_filter_feature_0_choices(128) := inverted_carry(transform_left_filter_feature_0_choices(127),
-        is_set(transform_left_filter_column(1, 4), 7), not is_set(transform_left_filter_column(2, 2), 7));
+      transform_left_filter_feature_0_choice(128) := is_larger(transform_left_filter_column(1, 4),
+        transform_left_filter_column(2, 2), 0, 7, false);
       for i in 0 to 2 loop
-        transform_left_filter_feature_0_choices(8 * i + 129) := choice(is_set(transform_left_filter_column(1, 2 - i),
-          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(8 * i + 130) := choice(is_set(transform_left_filter_column(1, 2 - i),
-          1), transform_left_filter_feature_0_choices(8 * i + 129), is_set(transform_left_filter_column(1, 2 - i), 0)
-          and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(8 * i + 131) :=
-          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 130), not
-          is_set(transform_left_filter_column(1, 2 - i), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(8 * i + j + 129) := carry(transform_left_filter_feature_0_choices(8 *
-            i + j + 128), not is_set(transform_left_filter_column(1, 2 - i), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(8 * i + 136) :=
-          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 135), is_set(transform_left_filter_column(1, 2
-          - i), 7), not is_set(transform_left_filter_column(2, 2), 7));
+        transform_left_filter_feature_0_choice(8 * i + 136) := is_larger(transform_left_filter_column(1, 2 - i),
+          transform_left_filter_column(2, 2), 0, 7, false);
       end loop;
       for i in 0 to 1 loop
-        transform_left_filter_feature_0_choices(16 * i + 153) := choice(is_set(transform_left_filter_column(0, 3 - i),
-          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(16 * i + 154) := choice(is_set(transform_left_filter_column(0, 3 - i),
-          1), transform_left_filter_feature_0_choices(16 * i + 153), is_set(transform_left_filter_column(0, 3 - i), 0)
-          and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(16 * i + 155) :=
-          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 154), not
-          is_set(transform_left_filter_column(0, 3 - i), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(16 * i + j + 153) := carry(transform_left_filter_feature_0_choices(16
-            * i + j + 152), not is_set(transform_left_filter_column(0, 3 - i), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(16 * i + 160) :=
-          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 159), is_set(transform_left_filter_column(0,
-          3 - i), 7), not is_set(transform_left_filter_column(2, 2), 7));
-        transform_left_filter_feature_0_choices(16 * i + 161) := choice(is_set(transform_left_filter_column(0, 4 - 3 *
-          i), 0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(16 * i + 162) := choice(is_set(transform_left_filter_column(0, 4 - 3 *
-          i), 1), transform_left_filter_feature_0_choices(16 * i + 161), is_set(transform_left_filter_column(0, 4 - 3 *
-          i), 0) and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(16 * i + 163) :=
-          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 162), not
-          is_set(transform_left_filter_column(0, 4 - 3 * i), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(16 * i + j + 161) := carry(transform_left_filter_feature_0_choices(16
-            * i + j + 160), not is_set(transform_left_filter_column(0, 4 - 3 * i), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(16 * i + 168) :=
-          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 167), is_set(transform_left_filter_column(0,
-          4 - 3 * i), 7), not is_set(transform_left_filter_column(2, 2), 7));
+        transform_left_filter_feature_0_choice(16 * i + 160) := is_larger(transform_left_filter_column(0, 3 - i),
+          transform_left_filter_column(2, 2), 0, 7, false);
+        transform_left_filter_feature_0_choice(16 * i + 168) := is_larger(transform_left_filter_column(0, 4 - 3 * i),
+          transform_left_filter_column(2, 2), 0, 7, false);
       end loop;
-      transform_left_filter_feature_0_choices(185) := choice(is_set(transform_left_filter_column(2, 2), 0), not
-        is_set(transform_left_filter_column(0, 0), 1), (transform_left_filter_column(0, 0) mod 4) = 0);
-      transform_left_filter_feature_0_choices(186) := choice(transform_left_filter_feature_0_values(1),
-        is_set(transform_left_filter_column(2, 2), 0) or (not is_set(transform_left_filter_column(0, 0), 1)) or (not
-        is_set(transform_left_filter_column(0, 0), 0)), transform_left_filter_feature_0_choices(185));
-      transform_left_filter_feature_0_values(7) := is_set(transform_left_filter_column(0, 0), 2);
-      transform_left_filter_feature_0_choices(187) := inverted_carry(transform_left_filter_feature_0_choices(186), not
-        transform_left_filter_feature_0_values(2), transform_left_filter_feature_0_values(7));
-      for i in 8 to 11 loop
+      for i in 7 to 11 loop
         transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(0, 0), i - 5);
-        transform_left_filter_feature_0_choices(i + 180) := carry(transform_left_filter_feature_0_choices(i + 179), not
-          transform_left_filter_feature_0_values(i - 5), transform_left_filter_feature_0_values(i));
       end loop;
-      transform_left_filter_feature_0_choices(192) := carry(transform_left_filter_feature_0_choices(191), not
-        is_set(transform_left_filter_column(2, 2), 7), is_set(transform_left_filter_column(0, 0), 7));
+      transform_left_filter_feature_0_choice(192) := not is_larger(transform_left_filter_column(2, 2),
+        transform_left_filter_column(0, 0), 0, 7, true);
       transform_left_filter_feature_0_choice_193 := choice(transform_filtering_0_column_inside(0),
-        (as_number(transform_left_filter_feature_0_choices(160)) * 8) +
-        (as_number(transform_left_filter_feature_0_choices(168)) * 16) +
-        (as_number(transform_left_filter_feature_0_choices(176)) * 4) +
-        (as_number(transform_left_filter_feature_0_choices(184)) * 2) +
-        as_number(transform_left_filter_feature_0_choices(192)), 0);
+        (as_number(transform_left_filter_feature_0_choice(160)) * 8) +
+        (as_number(transform_left_filter_feature_0_choice(168)) * 16) +
+        (as_number(transform_left_filter_feature_0_choice(176)) * 4) +
+        (as_number(transform_left_filter_feature_0_choice(184)) * 2) +
+        as_number(transform_left_filter_feature_0_choice(192)), 0);
       transform_left_filter_feature_0_choice_194 := choice(transform_filtering_0_column_inside(1),
-        (as_number(transform_left_filter_feature_0_choices(120)) * 256) +
-        (as_number(transform_left_filter_feature_0_choices(128)) * 512) +
-        (as_number(transform_left_filter_feature_0_choices(136)) * 128) +
-        (as_number(transform_left_filter_feature_0_choices(144)) * 64) +
-        (as_number(transform_left_filter_feature_0_choices(152)) * 32) + transform_left_filter_feature_0_choice_193,
+        (as_number(transform_left_filter_feature_0_choice(120)) * 256) +
+        (as_number(transform_left_filter_feature_0_choice(128)) * 512) +
+        (as_number(transform_left_filter_feature_0_choice(136)) * 128) +
+        (as_number(transform_left_filter_feature_0_choice(144)) * 64) +
+        (as_number(transform_left_filter_feature_0_choice(152)) * 32) + transform_left_filter_feature_0_choice_193,
         transform_left_filter_feature_0_choice_193);
       transform_left_filter_feature_0_choice_195 := choice(transform_filtering_0_column_inside(2),
-        (as_number(transform_left_filter_feature_0_choices(96)) * 2048) +
-        (as_number(transform_left_filter_feature_0_choices(104)) * 4096) +
-        (as_number(transform_left_filter_feature_0_choices(112)) * 1024) + transform_left_filter_feature_0_choice_194,
+        (as_number(transform_left_filter_feature_0_choice(96)) * 2048) +
+        (as_number(transform_left_filter_feature_0_choice(104)) * 4096) +
+        (as_number(transform_left_filter_feature_0_choice(112)) * 1024) + transform_left_filter_feature_0_choice_194,
         transform_left_filter_feature_0_choice_194);
       transform_left_filter_feature_0_choice_196 := choice(transform_filtering_0_column_inside(3),
-        (as_number(transform_left_filter_feature_0_choices(48)) * 16384) +
-        (as_number(transform_left_filter_feature_0_choices(56)) * 32768) +
-        (as_number(transform_left_filter_feature_0_choices(64)) * 65536) +
-        (as_number(transform_left_filter_feature_0_choices(72)) * 131072) +
-        (as_number(transform_left_filter_feature_0_choices(80)) * 262144) +
-        (as_number(transform_left_filter_feature_0_choices(88)) * 8192) + transform_left_filter_feature_0_choice_195,
-        (as_number(transform_left_filter_feature_0_choices(88)) * 8192) + transform_left_filter_feature_0_choice_195);
+        (as_number(transform_left_filter_feature_0_choice(48)) * 16384) +
+        (as_number(transform_left_filter_feature_0_choice(56)) * 32768) +
+        (as_number(transform_left_filter_feature_0_choice(64)) * 65536) +
+        (as_number(transform_left_filter_feature_0_choice(72)) * 131072) +
+        (as_number(transform_left_filter_feature_0_choice(80)) * 262144) +
+        (as_number(transform_left_filter_feature_0_choice(88)) * 8192) + transform_left_filter_feature_0_choice_195,
+        (as_number(transform_left_filter_feature_0_choice(88)) * 8192) + transform_left_filter_feature_0_choice_195);
       transform_right_filter_feature_0_values(1) := is_set(transform_right_filter_column(2, 2), 1);
       transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_values(1)) or (not
         is_set(transform_right_filter_column(2, 2), 0));
-      transform_right_filter_feature_0_choices(1) := choice(is_set(transform_right_filter_column(4, 0), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
       transform_right_filter_feature_0_is_equal := (transform_right_filter_column(2, 2) mod 4) = 0;
-      transform_right_filter_feature_0_choices(2) := choice(is_set(transform_right_filter_column(4, 0), 1),
-        transform_right_filter_feature_0_choices(1), is_set(transform_right_filter_column(4, 0), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_values(2) := is_set(transform_right_filter_column(2, 2), 2);
-      transform_right_filter_feature_0_choices(3) := inverted_carry(transform_right_filter_feature_0_choices(2), not
-        is_set(transform_right_filter_column(4, 0), 2), transform_right_filter_feature_0_values(2));
-      for i in 3 to 6 loop
+      for i in 2 to 6 loop
         transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(2, 2), i);
-        transform_right_filter_feature_0_choices(i + 1) := carry(transform_right_filter_feature_0_choices(i), not
-          is_set(transform_right_filter_column(4, 0), i), transform_right_filter_feature_0_values(i));
       end loop;
-      for i in 0 to 3 loop
-        transform_right_filter_feature_0_choices(8 * i + 8) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 7), is_set(transform_right_filter_column(4,
-          i), 7), not is_set(transform_right_filter_column(2, 2), 7));
-        transform_right_filter_feature_0_choices(8 * i + 9) := choice(is_set(transform_right_filter_column(4, i + 1),
-          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(8 * i + 10) := choice(is_set(transform_right_filter_column(4, i + 1),
-          1), transform_right_filter_feature_0_choices(8 * i + 9), is_set(transform_right_filter_column(4, i + 1), 0)
-          and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(8 * i + 11) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 10), not
-          is_set(transform_right_filter_column(4, i + 1), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(8 * i + j + 9) := carry(transform_right_filter_feature_0_choices(8 *
-            i + j + 8), not is_set(transform_right_filter_column(4, i + 1), j),
-            transform_right_filter_feature_0_values(j));
+      for i in 0 to 1 loop
+        for j in 0 to 4 loop
+          transform_right_filter_feature_0_choice(40 * i + 8 * j + 8) := is_larger(transform_right_filter_column(4 - i,
+            j), transform_right_filter_column(2, 2), 0, 7, false);
         end loop;
       end loop;
-      transform_right_filter_feature_0_choices(40) := inverted_carry(transform_right_filter_feature_0_choices(39),
-        is_set(transform_right_filter_column(4, 4), 7), not is_set(transform_right_filter_column(2, 2), 7));
-      for i in 0 to 4 loop
-        transform_right_filter_feature_0_choices(8 * i + 41) := choice(is_set(transform_right_filter_column(3, i), 0),
-          transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(8 * i + 42) := choice(is_set(transform_right_filter_column(3, i), 1),
-          transform_right_filter_feature_0_choices(8 * i + 41), is_set(transform_right_filter_column(3, i), 0) and
-          transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(8 * i + 43) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 42), not
-          is_set(transform_right_filter_column(3, i), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(8 * i + j + 41) := carry(transform_right_filter_feature_0_choices(8
-            * i + j + 40), not is_set(transform_right_filter_column(3, i), j),
-            transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(8 * i + 48) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 47), is_set(transform_right_filter_column(3,
-          i), 7), not is_set(transform_right_filter_column(2, 2), 7));
-      end loop;
-      transform_right_filter_feature_0_choices(81) := choice(is_set(transform_right_filter_column(2, 4), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(82) := choice(is_set(transform_right_filter_column(2, 4), 1),
-        transform_right_filter_feature_0_choices(81), is_set(transform_right_filter_column(2, 4), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(83) := inverted_carry(transform_right_filter_feature_0_choices(82), not
-        is_set(transform_right_filter_column(2, 4), 2), transform_right_filter_feature_0_values(2));
-      for i in 84 to 87 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column(2, 4), i - 81), transform_right_filter_feature_0_values(i - 81));
-      end loop;
-      transform_right_filter_feature_0_choices(88) := choice(transform_right_filter_feature_0_choices(87),
+      transform_right_filter_feature_0_choice(87) := not is_larger(transform_right_filter_column(2, 4),
+        transform_right_filter_column(2, 2), 0, 6, false);
+      transform_right_filter_feature_0_choice(88) := choice(transform_right_filter_feature_0_choice(87),
         transform_filtering_0_column_inside(2) and is_set(transform_right_filter_column(2, 4), 7) and (not
         is_set(transform_right_filter_column(2, 2), 7)), transform_filtering_0_column_inside(2) and
         (is_set(transform_right_filter_column(2, 4), 7) or (not is_set(transform_right_filter_column(2, 2), 7))));
       for i in 0 to 1 loop
-        transform_right_filter_feature_0_choices(16 * i + 89) := choice(is_set(transform_right_filter_column(2, 1 - i),
-          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(16 * i + 90) := choice(is_set(transform_right_filter_column(2, 1 - i),
-          1), transform_right_filter_feature_0_choices(16 * i + 89), is_set(transform_right_filter_column(2, 1 - i), 0)
-          and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(16 * i + 91) :=
-          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 90), not
-          is_set(transform_right_filter_column(2, 1 - i), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(16 * i + j + 89) :=
-            carry(transform_right_filter_feature_0_choices(16 * i + j + 88), not
-            is_set(transform_right_filter_column(2, 1 - i), j), transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(16 * i + 96) :=
-          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 95), is_set(transform_right_filter_column(2,
-          1 - i), 7), not is_set(transform_right_filter_column(2, 2), 7));
-        transform_right_filter_feature_0_choices(16 * i + 97) := choice(is_set(transform_right_filter_column(2 - i, 3),
-          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(16 * i + 98) := choice(is_set(transform_right_filter_column(2 - i, 3),
-          1), transform_right_filter_feature_0_choices(16 * i + 97), is_set(transform_right_filter_column(2 - i, 3), 0)
-          and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(16 * i + 99) :=
-          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 98), not
-          is_set(transform_right_filter_column(2 - i, 3), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(16 * i + j + 97) :=
-            carry(transform_right_filter_feature_0_choices(16 * i + j + 96), not is_set(transform_right_filter_column(2
-            - i, 3), j), transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(16 * i + 104) :=
-          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 103), is_set(transform_right_filter_column(2
-          - i, 3), 7), not is_set(transform_right_filter_column(2, 2), 7));
+        transform_right_filter_feature_0_choice(16 * i + 96) := is_larger(transform_right_filter_column(2, 1 - i),
+          transform_right_filter_column(2, 2), 0, 7, false);
+        transform_right_filter_feature_0_choice(16 * i + 104) := is_larger(transform_right_filter_column(2 - i, 3),
+          transform_right_filter_column(2, 2), 0, 7, false);
       end loop;
-      transform_right_filter_feature_0_choices(121) := choice(is_set(transform_right_filter_column(1, 4), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(122) := choice(is_set(transform_right_filter_column(1, 4), 1),
-        transform_right_filter_feature_0_choices(121), is_set(transform_right_filter_column(1, 4), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(123) := inverted_carry(transform_right_filter_feature_0_choices(122),
-        not is_set(transform_right_filter_column(1, 4), 2), transform_right_filter_feature_0_values(2));
-      for i in 124 to 127 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column(1, 4), i - 121), transform_right_filter_feature_0_values(i - 121));
-      end loop;
-      transform_right_filter_feature_0_choices(128) := inverted_carry(transform_right_filter_feature_0_choices(127),
-        is_set(transform_right_filter_column(1, 4), 7), not is_set(transform_right_filter_column(2, 2), 7));
+      transform_right_filter_feature_0_choice(128) := is_larger(transform_right_filter_column(1, 4),
+        transform_right_filter_column(2, 2), 0, 7, false);
       for i in 0 to 2 loop
-        transform_right_filter_feature_0_choices(8 * i + 129) := choice(is_set(transform_right_filter_column(1, 2 - i),
-          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(8 * i + 130) := choice(is_set(transform_right_filter_column(1, 2 - i),
-          1), transform_right_filter_feature_0_choices(8 * i + 129), is_set(transform_right_filter_column(1, 2 - i), 0)
-          and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(8 * i + 131) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 130), not
-          is_set(transform_right_filter_column(1, 2 - i), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(8 * i + j + 129) := carry(transform_right_filter_feature_0_choices(8
-            * i + j + 128), not is_set(transform_right_filter_column(1, 2 - i), j),
-            transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(8 * i + 136) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 135), is_set(transform_right_filter_column(1,
-          2 - i), 7), not is_set(transform_right_filter_column(2, 2), 7));
+        transform_right_filter_feature_0_choice(8 * i + 136) := is_larger(transform_right_filter_column(1, 2 - i),
+          transform_right_filter_column(2, 2), 0, 7, false);
       end loop;
       for i in 0 to 1 loop
-        transform_right_filter_feature_0_choices(16 * i + 153) := choice(is_set(transform_right_filter_column(0, 3 -
-          i), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(16 * i + 154) := choice(is_set(transform_right_filter_column(0, 3 -
-          i), 1), transform_right_filter_feature_0_choices(16 * i + 153), is_set(transform_right_filter_column(0, 3 -
-          i), 0) and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(16 * i + 155) :=
-          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 154), not
-          is_set(transform_right_filter_column(0, 3 - i), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(16 * i + j + 153) :=
-            carry(transform_right_filter_feature_0_choices(16 * i + j + 152), not
-            is_set(transform_right_filter_column(0, 3 - i), j), transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(16 * i + 160) :=
-          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 159),
-          is_set(transform_right_filter_column(0, 3 - i), 7), not is_set(transform_right_filter_column(2, 2), 7));
-        transform_right_filter_feature_0_choices(16 * i + 161) := choice(is_set(transform_right_filter_column(0, 4 - 3
-          * i), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(16 * i + 162) := choice(is_set(transform_right_filter_column(0, 4 - 3
-          * i), 1), transform_right_filter_feature_0_choices(16 * i + 161), is_set(transform_right_filter_column(0, 4 -
-          3 * i), 0) and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(16 * i + 163) :=
-          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 162), not
-          is_set(transform_right_filter_column(0, 4 - 3 * i), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(16 * i + j + 161) :=
-            carry(transform_right_filter_feature_0_choices(16 * i + j + 160), not
-            is_set(transform_right_filter_column(0, 4 - 3 * i), j), transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(16 * i + 168) :=
-          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 167),
-          is_set(transform_right_filter_column(0, 4 - 3 * i), 7), not is_set(transform_right_filter_column(2, 2), 7));
+        transform_right_filter_feature_0_choice(16 * i + 160) := is_larger(transform_right_filter_column(0, 3 - i),
+          transform_right_filter_column(2, 2), 0, 7, false);
+        transform_right_filter_feature_0_choice(16 * i + 168) := is_larger(transform_right_filter_column(0, 4 - 3 * i),
+          transform_right_filter_column(2, 2), 0, 7, false);
       end loop;
-      transform_right_filter_feature_0_choices(185) := choice(is_set(transform_right_filter_column(2, 2), 0), not
-        is_set(transform_right_filter_column(0, 0), 1), (transform_right_filter_column(0, 0) mod 4) = 0);
-      transform_right_filter_feature_0_choices(186) := choice(transform_right_filter_feature_0_values(1),
-        is_set(transform_right_filter_column(2, 2), 0) or (not is_set(transform_right_filter_column(0, 0), 1)) or (not
-        is_set(transform_right_filter_column(0, 0), 0)), transform_right_filter_feature_0_choices(185));
-      transform_right_filter_feature_0_values(7) := is_set(transform_right_filter_column(0, 0), 2);
-      transform_right_filter_feature_0_choices(187) := inverted_carry(transform_right_filter_feature_0_choices(186),
-        not transform_right_filter_feature_0_values(2), transform_right_filter_feature_0_values(7));
-      for i in 8 to 11 loop
+      for i in 7 to 11 loop
         transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(0, 0), i - 5);
-        transform_right_filter_feature_0_choices(i + 180) := carry(transform_right_filter_feature_0_choices(i + 179),
-          not transform_right_filter_feature_0_values(i - 5), transform_right_filter_feature_0_values(i));
       end loop;
-      transform_right_filter_feature_0_choices(192) := carry(transform_right_filter_feature_0_choices(191), not
-        is_set(transform_right_filter_column(2, 2), 7), is_set(transform_right_filter_column(0, 0), 7));
+      transform_right_filter_feature_0_choice(192) := not is_larger(transform_right_filter_column(2, 2),
+        transform_right_filter_column(0, 0), 0, 7, true);
       transform_right_filter_feature_0_choice_193 := choice(transform_filtering_0_column_inside(0),
-        (as_number(transform_right_filter_feature_0_choices(160)) * 8) +
-        (as_number(transform_right_filter_feature_0_choices(168)) * 16) +
-        (as_number(transform_right_filter_feature_0_choices(176)) * 4) +
-        (as_number(transform_right_filter_feature_0_choices(184)) * 2) +
-        as_number(transform_right_filter_feature_0_choices(192)), 0);
+        (as_number(transform_right_filter_feature_0_choice(160)) * 8) +
+        (as_number(transform_right_filter_feature_0_choice(168)) * 16) +
+        (as_number(transform_right_filter_feature_0_choice(176)) * 4) +
+        (as_number(transform_right_filter_feature_0_choice(184)) * 2) +
+        as_number(transform_right_filter_feature_0_choice(192)), 0);
       transform_right_filter_feature_0_choice_194 := choice(transform_filtering_0_column_inside(1),
-        (as_number(transform_right_filter_feature_0_choices(120)) * 256) +
-        (as_number(transform_right_filter_feature_0_choices(128)) * 512) +
-        (as_number(transform_right_filter_feature_0_choices(136)) * 128) +
-        (as_number(transform_right_filter_feature_0_choices(144)) * 64) +
-        (as_number(transform_right_filter_feature_0_choices(152)) * 32) + transform_right_filter_feature_0_choice_193,
+        (as_number(transform_right_filter_feature_0_choice(120)) * 256) +
+        (as_number(transform_right_filter_feature_0_choice(128)) * 512) +
+        (as_number(transform_right_filter_feature_0_choice(136)) * 128) +
+        (as_number(transform_right_filter_feature_0_choice(144)) * 64) +
+        (as_number(transform_right_filter_feature_0_choice(152)) * 32) + transform_right_filter_feature_0_choice_193,
         transform_right_filter_feature_0_choice_193);
       transform_right_filter_feature_0_choice_195 := choice(transform_filtering_0_column_inside(2),
-        (as_number(transform_right_filter_feature_0_choices(96)) * 2048) +
-        (as_number(transform_right_filter_feature_0_choices(104)) * 4096) +
-        (as_number(transform_right_filter_feature_0_choices(112)) * 1024) +
-        transform_right_filter_feature_0_choice_194, transform_right_filter_feature_0_choice_194);
+        (as_number(transform_right_filter_feature_0_choice(96)) * 2048) +
+        (as_number(transform_right_filter_feature_0_choice(104)) * 4096) +
+        (as_number(transform_right_filter_feature_0_choice(112)) * 1024) + transform_right_filter_feature_0_choice_194,
+        transform_right_filter_feature_0_choice_194);
       transform_right_filter_feature_0_choice_196 := choice(transform_filtering_0_column_inside(3),
-        (as_number(transform_right_filter_feature_0_choices(48)) * 16384) +
-        (as_number(transform_right_filter_feature_0_choices(56)) * 32768) +
-        (as_number(transform_right_filter_feature_0_choices(64)) * 65536) +
-        (as_number(transform_right_filter_feature_0_choices(72)) * 131072) +
-        (as_number(transform_right_filter_feature_0_choices(80)) * 262144) +
-        (as_number(transform_right_filter_feature_0_choices(88)) * 8192) + transform_right_filter_feature_0_choice_195,
-        (as_number(transform_right_filter_feature_0_choices(88)) * 8192) + transform_right_filter_feature_0_choice_195);
+        (as_number(transform_right_filter_feature_0_choice(48)) * 16384) +
+        (as_number(transform_right_filter_feature_0_choice(56)) * 32768) +
+        (as_number(transform_right_filter_feature_0_choice(64)) * 65536) +
+        (as_number(transform_right_filter_feature_0_choice(72)) * 131072) +
+        (as_number(transform_right_filter_feature_0_choice(80)) * 262144) +
+        (as_number(transform_right_filter_feature_0_choice(88)) * 8192) + transform_right_filter_feature_0_choice_195,
+        (as_number(transform_right_filter_feature_0_choice(88)) * 8192) + transform_right_filter_feature_0_choice_195);
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
@@ -999,18 +724,18 @@ begin
       transform_read_column_inside(3) <= choice(transform_read_column_inside_choice(3, 1),
         transform_read_column_inside_choice(3, 2), transform_read_column_inside_1_differs);
       transform_left_filter_feature_0 <= choice(transform_filtering_0_column_inside(4),
-        (as_number(transform_left_filter_feature_0_choices(8)) * 524288) +
-        (as_number(transform_left_filter_feature_0_choices(16)) * 1048576) +
-        (as_number(transform_left_filter_feature_0_choices(24)) * 2097152) +
-        (as_number(transform_left_filter_feature_0_choices(32)) * 4194304) +
-        (as_number(transform_left_filter_feature_0_choices(40)) * 8388608) +
-        transform_left_filter_feature_0_choice_196, transform_left_filter_feature_0_choice_196);
+        (as_number(transform_left_filter_feature_0_choice(8)) * 524288) +
+        (as_number(transform_left_filter_feature_0_choice(16)) * 1048576) +
+        (as_number(transform_left_filter_feature_0_choice(24)) * 2097152) +
+        (as_number(transform_left_filter_feature_0_choice(32)) * 4194304) +
+        (as_number(transform_left_filter_feature_0_choice(40)) * 8388608) + transform_left_filter_feature_0_choice_196,
+        transform_left_filter_feature_0_choice_196);
       transform_right_filter_feature_0 <= choice(transform_filtering_0_column_inside(4),
-        (as_number(transform_right_filter_feature_0_choices(8)) * 524288) +
-        (as_number(transform_right_filter_feature_0_choices(16)) * 1048576) +
-        (as_number(transform_right_filter_feature_0_choices(24)) * 2097152) +
-        (as_number(transform_right_filter_feature_0_choices(32)) * 4194304) +
-        (as_number(transform_right_filter_feature_0_choices(40)) * 8388608) +
+        (as_number(transform_right_filter_feature_0_choice(8)) * 524288) +
+        (as_number(transform_right_filter_feature_0_choice(16)) * 1048576) +
+        (as_number(transform_right_filter_feature_0_choice(24)) * 2097152) +
+        (as_number(transform_right_filter_feature_0_choice(32)) * 4194304) +
+        (as_number(transform_right_filter_feature_0_choice(40)) * 8388608) +
         transform_right_filter_feature_0_choice_196, transform_right_filter_feature_0_choice_196);
       transform_counter_next_frame_choice := choice(in_start_of_frame, transform_counter_group_all,
         transform_counter_next_frame);
@@ -1549,17 +1274,11 @@ begin
         forward_dropped_value(i) := (((forward_path(i + 6) - forward_path(i + 1)) mod 512) / 256) = 1;
         forward_dropped_choice(i) := choice(forward_dropped_value(i), forward_path(i + 6), forward_path(i + 1));
       end loop;
-      forward_decision_0_choice := choice(forward_far(0), 2, 1);
-      forward_decision_1_choice := choice(forward_far(1), 2, 1);
-      forward_decision_choice_2(1) := choice(forward_path_value(1), forward_decision_1_choice, 0);
-      forward_decision_2_choice := choice(forward_far(2), 2, 1);
-      forward_decision_choice_2(2) := choice(forward_path_value(2), forward_decision_2_choice, 0);
-      forward_decision_3_choice := choice(forward_far(3), 2, 1);
-      forward_decision_choice_2(3) := choice(forward_path_value(3), forward_decision_3_choice, 0);
-      forward_decision_4_choice := choice(forward_far(4), 2, 1);
-      forward_decision_choice_2(4) := choice(forward_path_value(4), forward_decision_4_choice, 0);
-      forward_decision_5_choice := choice(forward_far(5), 2, 1);
-      forward_decision_choice_2(5) := choice(forward_path_value(5), forward_decision_5_choice, 0);
+      forward_decision_choice(0) := choice(forward_far(0), 2, 1);
+      for i in 1 to 5 loop
+        forward_decision_choice(i) := choice(forward_far(i), 2, 1);
+        forward_decision_choice_2(i) := choice(forward_path_value(i), forward_decision_choice(i), 0);
+      end loop;
       if entry_tag.valid then
         forward_next_cost <= entry_cost;
         forward_next_first <= entry_tag.first_column;
@@ -1587,7 +1306,7 @@ begin
           forward_dropped(i) <= choice(forward_next_first, 128, (forward_pair_cost(i) + forward_path(i + 1)) mod 512);
         end loop;
         forward_dropped(11) <= choice(forward_next_first, 128, (forward_pair_cost(11) + forward_path(11)) mod 512);
-        forward_decision(0) <= choice(forward_path_value(0), forward_decision_0_choice, 0);
+        forward_decision(0) <= choice(forward_path_value(0), forward_decision_choice(0), 0);
         for i in 1 to 5 loop
           forward_decision(i) <= choice(forward_path_any(i), forward_decision_choice_2(i), 3);
         end loop;

@@ -110,6 +110,16 @@ architecture rtl of stereo_core_trellis_1300 is
     return a or b;
   end function;
 
+  -- whether a > b, of bits `low` to `high`; of equal ones, `before`: bit by bit, as the tool has split it
+  function is_larger(a : natural; b : natural; low : natural; high : natural; before : boolean) return boolean is
+    variable is_not : boolean := not before;
+  begin
+    for place in low to high loop
+      is_not := carry(is_not, not is_set(a, place), is_set(b, place));
+    end loop;
+    return not is_not;
+  end function;
+
   function choice(test : boolean; yes : boolean; no : boolean) return boolean is
   begin
     if test then
@@ -512,11 +522,11 @@ begin
     variable transform_read_column_inside_0_is_less : boolean;
     variable transform_left_filter_feature_0_values : boolean_1d(1 to 11);  -- transform_left_filter_feature_0_value_#
     variable transform_left_filter_feature_0_any : boolean;
-    variable transform_left_filter_feature_0_choices : boolean_1d(1 to 192);  -- transform_left_filter_feature_0_choice_#
+    variable transform_left_filter_feature_0_choice : boolean_1d(8 to 192);
     variable transform_left_filter_feature_0_is_equal : boolean;
     variable transform_right_filter_feature_0_values : boolean_1d(1 to 11);  -- transform_right_filter_feature_0_value_#
     variable transform_right_filter_feature_0_any : boolean;
-    variable transform_right_filter_feature_0_choices : boolean_1d(1 to 192);  -- transform_right_filter_feature_0_choice_#
+    variable transform_right_filter_feature_0_choice : boolean_1d(8 to 192);
     variable transform_right_filter_feature_0_is_equal : boolean;
     variable transform_counter_next_frame_choices : boolean_1d(1 to 2);  -- transform_counter_next_frame_choice_#
     variable raster_place_group_is_equals : boolean_1d(1 to 2);  -- raster_place_group_is_equal_#
@@ -558,25 +568,19 @@ begin
     variable map_of_column_0_c_below_b_choices : boolean_1d(1 to 6);  -- map_of_column_0_c_below_b_choice_#
     variable map_window_complete_is_equal, map_window_complete_choice : boolean;
     variable map_of_low_0_b_below_a_values : boolean_1d(1 to 11);  -- map_of_low_0_b_below_a_value_#
-    variable map_of_low_0_b_below_a_choices : boolean_1d(1 to 7);  -- map_of_low_0_b_below_a_choice_#
-    variable map_of_low_0_b_below_a_is_equal, map_of_low_0_c_below_a_value : boolean;
-    variable map_of_low_0_c_below_a_choices : boolean_1d(1 to 7);  -- map_of_low_0_c_below_a_choice_#
-    variable map_of_low_0_c_below_b_choices : boolean_1d(1 to 7);  -- map_of_low_0_c_below_b_choice_#
+    variable map_of_low_0_b_below_a_choice_7, map_of_low_0_b_below_a_is_equal, map_of_low_0_c_below_a_value : boolean;
+    variable map_of_low_0_c_below_a_choice_7, map_of_low_0_c_below_b_choice_7 : boolean;
     variable map_of_middle_0_b_below_a_values : boolean_1d(1 to 11);  -- map_of_middle_0_b_below_a_value_#
-    variable map_of_middle_0_b_below_a_choices : boolean_1d(1 to 7);  -- map_of_middle_0_b_below_a_choice_#
-    variable map_of_middle_0_b_below_a_is_equal, map_of_middle_0_c_below_a_value : boolean;
-    variable map_of_middle_0_c_below_a_choices : boolean_1d(1 to 7);  -- map_of_middle_0_c_below_a_choice_#
-    variable map_of_middle_0_c_below_b_choices : boolean_1d(1 to 7);  -- map_of_middle_0_c_below_b_choice_#
+    variable map_of_middle_0_b_below_a_choice_7, map_of_middle_0_b_below_a_is_equal : boolean;
+    variable map_of_middle_0_c_below_a_value, map_of_middle_0_c_below_a_choice_7 : boolean;
+    variable map_of_middle_0_c_below_b_choice_7 : boolean;
     variable map_of_high_0_b_below_a_values : boolean_1d(1 to 11);  -- map_of_high_0_b_below_a_value_#
-    variable map_of_high_0_b_below_a_choices : boolean_1d(1 to 7);  -- map_of_high_0_b_below_a_choice_#
-    variable map_of_high_0_b_below_a_is_equal, map_of_high_0_c_below_a_value : boolean;
-    variable map_of_high_0_c_below_a_choices : boolean_1d(1 to 7);  -- map_of_high_0_c_below_a_choice_#
-    variable map_of_high_0_c_below_b_choices : boolean_1d(1 to 7);  -- map_of_high_0_c_below_b_choice_#
+    variable map_of_high_0_b_below_a_choice_7, map_of_high_0_b_below_a_is_equal : boolean;
+    variable map_of_high_0_c_below_a_value, map_of_high_0_c_below_a_choice_7 : boolean;
+    variable map_of_high_0_c_below_b_choice_7 : boolean;
     variable map_of_all_0_b_below_a_values : boolean_1d(1 to 11);  -- map_of_all_0_b_below_a_value_#
-    variable map_of_all_0_b_below_a_choices : boolean_1d(1 to 7);  -- map_of_all_0_b_below_a_choice_#
-    variable map_of_all_0_b_below_a_is_equal, map_of_all_0_c_below_a_value : boolean;
-    variable map_of_all_0_c_below_a_choices : boolean_1d(1 to 7);  -- map_of_all_0_c_below_a_choice_#
-    variable map_of_all_0_c_below_b_choices : boolean_1d(1 to 7);  -- map_of_all_0_c_below_b_choice_#
+    variable map_of_all_0_b_below_a_choice_7, map_of_all_0_b_below_a_is_equal, map_of_all_0_c_below_a_value : boolean;
+    variable map_of_all_0_c_below_a_choice_7, map_of_all_0_c_below_b_choice_7 : boolean;
     variable map_low_0_all : boolean_1d(0 to 1);  -- map_low_#_0_all
     variable transform_counter_group_choice, raster_place_group_choice, map_counter_group_choice : natural range 0 to 5;
     variable transform_counter_group_choices : natural_1023_1d(2 to 3);  -- transform_counter_group_choice_#
@@ -595,26 +599,7 @@ begin
     variable forward_pair_cost_sum : natural_26_1d(0 to 63);  -- forward_pair_cost_#_sum
     variable forward_path_choice : natural_2047_2d(0 to 63, 1 to 3);  -- forward_path_#_choice_#
     variable forward_dropped_choice : natural_2047_1d(0 to 57);  -- forward_dropped_#_choice
-    variable forward_decision_0_choice, forward_decision_1_choice, forward_decision_2_choice : natural range 1 to 2;
-    variable forward_decision_3_choice, forward_decision_4_choice, forward_decision_5_choice : natural range 1 to 2;
-    variable forward_decision_6_choice, forward_decision_7_choice, forward_decision_8_choice : natural range 1 to 2;
-    variable forward_decision_9_choice, forward_decision_10_choice, forward_decision_11_choice : natural range 1 to 2;
-    variable forward_decision_12_choice, forward_decision_13_choice, forward_decision_14_choice : natural range 1 to 2;
-    variable forward_decision_15_choice, forward_decision_16_choice, forward_decision_17_choice : natural range 1 to 2;
-    variable forward_decision_18_choice, forward_decision_19_choice, forward_decision_20_choice : natural range 1 to 2;
-    variable forward_decision_21_choice, forward_decision_22_choice, forward_decision_23_choice : natural range 1 to 2;
-    variable forward_decision_24_choice, forward_decision_25_choice, forward_decision_26_choice : natural range 1 to 2;
-    variable forward_decision_27_choice, forward_decision_28_choice, forward_decision_29_choice : natural range 1 to 2;
-    variable forward_decision_30_choice, forward_decision_31_choice, forward_decision_32_choice : natural range 1 to 2;
-    variable forward_decision_33_choice, forward_decision_34_choice, forward_decision_35_choice : natural range 1 to 2;
-    variable forward_decision_36_choice, forward_decision_37_choice, forward_decision_38_choice : natural range 1 to 2;
-    variable forward_decision_39_choice, forward_decision_40_choice, forward_decision_41_choice : natural range 1 to 2;
-    variable forward_decision_42_choice, forward_decision_43_choice, forward_decision_44_choice : natural range 1 to 2;
-    variable forward_decision_45_choice, forward_decision_46_choice, forward_decision_47_choice : natural range 1 to 2;
-    variable forward_decision_48_choice, forward_decision_49_choice, forward_decision_50_choice : natural range 1 to 2;
-    variable forward_decision_51_choice, forward_decision_52_choice, forward_decision_53_choice : natural range 1 to 2;
-    variable forward_decision_54_choice, forward_decision_55_choice, forward_decision_56_choice : natural range 1 to 2;
-    variable forward_decision_57_choice : natural range 1 to 2;
+    variable forward_decision_choice : natural_1_to_2_1d(0 to 57);  -- forward_decision_#_choice
     variable forward_decision_choice_2 : natural_2_1d(1 to 57);  -- forward_decision_#_choice_2
     variable last_path_0_2_difference : integer range -1023 to 1024;
     variable traceback_state_sum : natural range 1 to 256;
@@ -634,6 +619,8 @@ begin
   begin
     if rising_edge(clock) then
       -- no bit without a value, where an array has places for more
+      transform_left_filter_feature_0_choice := (others => false);
+      transform_right_filter_feature_0_choice := (others => false);
       slice0cost_pixels_first_0_count_value := (others => (others => (others => false)));
       slice1cost_pixels_first_0_count_value := (others => (others => (others => false)));
       slice2cost_pixels_first_0_count_value := (others => (others => (others => false)));
@@ -654,417 +641,139 @@ begin
       transform_left_filter_feature_0_values(1) := is_set(transform_left_filter_column(2, 2), 1);
       transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_values(1)) or (not
         is_set(transform_left_filter_column(2, 2), 0));
-      transform_left_filter_feature_0_choices(1) := choice(is_set(transform_left_filter_column(4, 0), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
       transform_left_filter_feature_0_is_equal := (transform_left_filter_column(2, 2) mod 4) = 0;
-      transform_left_filter_feature_0_choices(2) := choice(is_set(transform_left_filter_column(4, 0), 1),
-        transform_left_filter_feature_0_choices(1), is_set(transform_left_filter_column(4, 0), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_values(2) := is_set(transform_left_filter_column(2, 2), 2);
-      transform_left_filter_feature_0_choices(3) := inverted_carry(transform_left_filter_feature_0_choices(2), not
-        is_set(transform_left_filter_column(4, 0), 2), transform_left_filter_feature_0_values(2));
-      for i in 3 to 6 loop
+      for i in 2 to 6 loop
         transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(2, 2), i);
-        transform_left_filter_feature_0_choices(i + 1) := carry(transform_left_filter_feature_0_choices(i), not
-          is_set(transform_left_filter_column(4, 0), i), transform_left_filter_feature_0_values(i));
       end loop;
-      for i in 0 to 3 loop
-        transform_left_filter_feature_0_choices(8 * i + 8) := inverted_carry(transform_left_filter_feature_0_choices(8
-          * i + 7), is_set(transform_left_filter_column(4, i), 7), not is_set(transform_left_filter_column(2, 2), 7));
-        transform_left_filter_feature_0_choices(8 * i + 9) := choice(is_set(transform_left_filter_column(4, i + 1), 0),
-          transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(8 * i + 10) := choice(is_set(transform_left_filter_column(4, i + 1),
-          1), transform_left_filter_feature_0_choices(8 * i + 9), is_set(transform_left_filter_column(4, i + 1), 0) and
-          transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(8 * i + 11) := inverted_carry(transform_left_filter_feature_0_choices(8
-          * i + 10), not is_set(transform_left_filter_column(4, i + 1), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(8 * i + j + 9) := carry(transform_left_filter_feature_0_choices(8 * i
-            + j + 8), not is_set(transform_left_filter_column(4, i + 1), j), transform_left_filter_feature_0_values(j));
+      for i in 0 to 1 loop
+        for j in 0 to 4 loop
+          transform_left_filter_feature_0_choice(40 * i + 8 * j + 8) := is_larger(transform_left_filter_column(4 - i,
+            j), transform_left_filter_column(2, 2), 0, 7, false);
         end loop;
       end loop;
-      transform_left_filter_feature_0_choices(40) := inverted_carry(transform_left_filter_feature_0_choices(39),
-        is_set(transform_left_filter_column(4, 4), 7), not is_set(transform_left_filter_column(2, 2), 7));
-      for i in 0 to 4 loop
-        transform_left_filter_feature_0_choices(8 * i + 41) := choice(is_set(transform_left_filter_column(3, i), 0),
-          transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(8 * i + 42) := choice(is_set(transform_left_filter_column(3, i), 1),
-          transform_left_filter_feature_0_choices(8 * i + 41), is_set(transform_left_filter_column(3, i), 0) and
-          transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(8 * i + 43) := inverted_carry(transform_left_filter_feature_0_choices(8
-          * i + 42), not is_set(transform_left_filter_column(3, i), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(8 * i + j + 41) := carry(transform_left_filter_feature_0_choices(8 *
-            i + j + 40), not is_set(transform_left_filter_column(3, i), j), transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(8 * i + 48) := inverted_carry(transform_left_filter_feature_0_choices(8
-          * i + 47), is_set(transform_left_filter_column(3, i), 7), not is_set(transform_left_filter_column(2, 2), 7));
-      end loop;
-      transform_left_filter_feature_0_choices(81) := choice(is_set(transform_left_filter_column(2, 4), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(82) := choice(is_set(transform_left_filter_column(2, 4), 1),
-        transform_left_filter_feature_0_choices(81), is_set(transform_left_filter_column(2, 4), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(83) := inverted_carry(transform_left_filter_feature_0_choices(82), not
-        is_set(transform_left_filter_column(2, 4), 2), transform_left_filter_feature_0_values(2));
-      for i in 84 to 87 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column(2, 4), i - 81), transform_left_filter_feature_0_values(i - 81));
-      end loop;
-      transform_left_filter_feature_0_choices(88) := choice(transform_left_filter_feature_0_choices(87),
+      transform_left_filter_feature_0_choice(87) := not is_larger(transform_left_filter_column(2, 4),
+        transform_left_filter_column(2, 2), 0, 6, false);
+      transform_left_filter_feature_0_choice(88) := choice(transform_left_filter_feature_0_choice(87),
         transform_filtering_0_column_inside(2) and is_set(transform_left_filter_column(2, 4), 7) and (not
         is_set(transform_left_filter_column(2, 2), 7)), transform_filtering_0_column_inside(2) and
         (is_set(transform_left_filter_column(2, 4), 7) or (not is_set(transform_left_filter_column(2, 2), 7))));
       for i in 0 to 1 loop
-        transform_left_filter_feature_0_choices(16 * i + 89) := choice(is_set(transform_left_filter_column(2, 1 - i),
-          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(16 * i + 90) := choice(is_set(transform_left_filter_column(2, 1 - i),
-          1), transform_left_filter_feature_0_choices(16 * i + 89), is_set(transform_left_filter_column(2, 1 - i), 0)
-          and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(16 * i + 91) :=
-          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 90), not
-          is_set(transform_left_filter_column(2, 1 - i), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(16 * i + j + 89) := carry(transform_left_filter_feature_0_choices(16
-            * i + j + 88), not is_set(transform_left_filter_column(2, 1 - i), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(16 * i + 96) :=
-          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 95), is_set(transform_left_filter_column(2, 1
-          - i), 7), not is_set(transform_left_filter_column(2, 2), 7));
-        transform_left_filter_feature_0_choices(16 * i + 97) := choice(is_set(transform_left_filter_column(2 - i, 3),
-          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(16 * i + 98) := choice(is_set(transform_left_filter_column(2 - i, 3),
-          1), transform_left_filter_feature_0_choices(16 * i + 97), is_set(transform_left_filter_column(2 - i, 3), 0)
-          and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(16 * i + 99) :=
-          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 98), not
-          is_set(transform_left_filter_column(2 - i, 3), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(16 * i + j + 97) := carry(transform_left_filter_feature_0_choices(16
-            * i + j + 96), not is_set(transform_left_filter_column(2 - i, 3), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(16 * i + 104) :=
-          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 103), is_set(transform_left_filter_column(2 -
-          i, 3), 7), not is_set(transform_left_filter_column(2, 2), 7));
+        transform_left_filter_feature_0_choice(16 * i + 96) := is_larger(transform_left_filter_column(2, 1 - i),
+          transform_left_filter_column(2, 2), 0, 7, false);
+        transform_left_filter_feature_0_choice(16 * i + 104) := is_larger(transform_left_filter_column(2 - i, 3),
+          transform_left_filter_column(2, 2), 0, 7, false);
       end loop;
-      transform_left_filter_feature_0_choices(121) := choice(is_set(transform_left_filter_column(1, 4), 0),
-        transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-      transform_left_filter_feature_0_choices(122) := choice(is_set(transform_left_filter_column(1, 4), 1),
-        transform_left_filter_feature_0_choices(121), is_set(transform_left_filter_column(1, 4), 0) and
-        transform_left_filter_feature_0_is_equal);
-      transform_left_filter_feature_0_choices(123) := inverted_carry(transform_left_filter_feature_0_choices(122), not
-        is_set(transform_left_filter_column(1, 4), 2), transform_left_filter_feature_0_values(2));
-      for i in 124 to 127 loop
-        transform_left_filter_feature_0_choices(i) := carry(transform_left_filter_feature_0_choices(i - 1), not
-          is_set(transform_left_filter_column(1, 4), i - 121), transform_left_filter_feature_0_values(i - 121));
-      end loop;
-      transform_left_filter_feature_0_choices(128) := inverted_carry(transform_left_filter_feature_0_choices(127),
-        is_set(transform_left_filter_column(1, 4), 7), not is_set(transform_left_filter_column(2, 2), 7));
+      transform_left_filter_feature_0_choice(128) := is_larger(transform_left_filter_column(1, 4),
+        transform_left_filter_column(2, 2), 0, 7, false);
       for i in 0 to 2 loop
-        transform_left_filter_feature_0_choices(8 * i + 129) := choice(is_set(transform_left_filter_column(1, 2 - i),
-          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(8 * i + 130) := choice(is_set(transform_left_filter_column(1, 2 - i),
-          1), transform_left_filter_feature_0_choices(8 * i + 129), is_set(transform_left_filter_column(1, 2 - i), 0)
-          and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(8 * i + 131) :=
-          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 130), not
-          is_set(transform_left_filter_column(1, 2 - i), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(8 * i + j + 129) := carry(transform_left_filter_feature_0_choices(8 *
-            i + j + 128), not is_set(transform_left_filter_column(1, 2 - i), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(8 * i + 136) :=
-          inverted_carry(transform_left_filter_feature_0_choices(8 * i + 135), is_set(transform_left_filter_column(1, 2
-          - i), 7), not is_set(transform_left_filter_column(2, 2), 7));
+        transform_left_filter_feature_0_choice(8 * i + 136) := is_larger(transform_left_filter_column(1, 2 - i),
+          transform_left_filter_column(2, 2), 0, 7, false);
       end loop;
       for i in 0 to 1 loop
-        transform_left_filter_feature_0_choices(16 * i + 153) := choice(is_set(transform_left_filter_column(0, 3 - i),
-          0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(16 * i + 154) := choice(is_set(transform_left_filter_column(0, 3 - i),
-          1), transform_left_filter_feature_0_choices(16 * i + 153), is_set(transform_left_filter_column(0, 3 - i), 0)
-          and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(16 * i + 155) :=
-          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 154), not
-          is_set(transform_left_filter_column(0, 3 - i), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(16 * i + j + 153) := carry(transform_left_filter_feature_0_choices(16
-            * i + j + 152), not is_set(transform_left_filter_column(0, 3 - i), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(16 * i + 160) :=
-          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 159), is_set(transform_left_filter_column(0,
-          3 - i), 7), not is_set(transform_left_filter_column(2, 2), 7));
-        transform_left_filter_feature_0_choices(16 * i + 161) := choice(is_set(transform_left_filter_column(0, 4 - 3 *
-          i), 0), transform_left_filter_feature_0_any, not transform_left_filter_feature_0_values(1));
-        transform_left_filter_feature_0_choices(16 * i + 162) := choice(is_set(transform_left_filter_column(0, 4 - 3 *
-          i), 1), transform_left_filter_feature_0_choices(16 * i + 161), is_set(transform_left_filter_column(0, 4 - 3 *
-          i), 0) and transform_left_filter_feature_0_is_equal);
-        transform_left_filter_feature_0_choices(16 * i + 163) :=
-          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 162), not
-          is_set(transform_left_filter_column(0, 4 - 3 * i), 2), transform_left_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_left_filter_feature_0_choices(16 * i + j + 161) := carry(transform_left_filter_feature_0_choices(16
-            * i + j + 160), not is_set(transform_left_filter_column(0, 4 - 3 * i), j),
-            transform_left_filter_feature_0_values(j));
-        end loop;
-        transform_left_filter_feature_0_choices(16 * i + 168) :=
-          inverted_carry(transform_left_filter_feature_0_choices(16 * i + 167), is_set(transform_left_filter_column(0,
-          4 - 3 * i), 7), not is_set(transform_left_filter_column(2, 2), 7));
+        transform_left_filter_feature_0_choice(16 * i + 160) := is_larger(transform_left_filter_column(0, 3 - i),
+          transform_left_filter_column(2, 2), 0, 7, false);
+        transform_left_filter_feature_0_choice(16 * i + 168) := is_larger(transform_left_filter_column(0, 4 - 3 * i),
+          transform_left_filter_column(2, 2), 0, 7, false);
       end loop;
-      transform_left_filter_feature_0_choices(185) := choice(is_set(transform_left_filter_column(2, 2), 0), not
-        is_set(transform_left_filter_column(0, 0), 1), (transform_left_filter_column(0, 0) mod 4) = 0);
-      transform_left_filter_feature_0_choices(186) := choice(transform_left_filter_feature_0_values(1),
-        is_set(transform_left_filter_column(2, 2), 0) or (not is_set(transform_left_filter_column(0, 0), 1)) or (not
-        is_set(transform_left_filter_column(0, 0), 0)), transform_left_filter_feature_0_choices(185));
-      transform_left_filter_feature_0_values(7) := is_set(transform_left_filter_column(0, 0), 2);
-      transform_left_filter_feature_0_choices(187) := inverted_carry(transform_left_filter_feature_0_choices(186), not
-        transform_left_filter_feature_0_values(2), transform_left_filter_feature_0_values(7));
-      for i in 8 to 11 loop
+      for i in 7 to 11 loop
         transform_left_filter_feature_0_values(i) := is_set(transform_left_filter_column(0, 0), i - 5);
-        transform_left_filter_feature_0_choices(i + 180) := carry(transform_left_filter_feature_0_choices(i + 179), not
-          transform_left_filter_feature_0_values(i - 5), transform_left_filter_feature_0_values(i));
       end loop;
-      transform_left_filter_feature_0_choices(192) := carry(transform_left_filter_feature_0_choices(191), not
-        is_set(transform_left_filter_column(2, 2), 7), is_set(transform_left_filter_column(0, 0), 7));
+      transform_left_filter_feature_0_choice(192) := not is_larger(transform_left_filter_column(2, 2),
+        transform_left_filter_column(0, 0), 0, 7, true);
       transform_left_filter_feature_0_choice_193 := choice(transform_filtering_0_column_inside(0),
-        (as_number(transform_left_filter_feature_0_choices(160)) * 8) +
-        (as_number(transform_left_filter_feature_0_choices(168)) * 16) +
-        (as_number(transform_left_filter_feature_0_choices(176)) * 4) +
-        (as_number(transform_left_filter_feature_0_choices(184)) * 2) +
-        as_number(transform_left_filter_feature_0_choices(192)), 0);
+        (as_number(transform_left_filter_feature_0_choice(160)) * 8) +
+        (as_number(transform_left_filter_feature_0_choice(168)) * 16) +
+        (as_number(transform_left_filter_feature_0_choice(176)) * 4) +
+        (as_number(transform_left_filter_feature_0_choice(184)) * 2) +
+        as_number(transform_left_filter_feature_0_choice(192)), 0);
       transform_left_filter_feature_0_choice_194 := choice(transform_filtering_0_column_inside(1),
-        (as_number(transform_left_filter_feature_0_choices(120)) * 256) +
-        (as_number(transform_left_filter_feature_0_choices(128)) * 512) +
-        (as_number(transform_left_filter_feature_0_choices(136)) * 128) +
-        (as_number(transform_left_filter_feature_0_choices(144)) * 64) +
-        (as_number(transform_left_filter_feature_0_choices(152)) * 32) + transform_left_filter_feature_0_choice_193,
+        (as_number(transform_left_filter_feature_0_choice(120)) * 256) +
+        (as_number(transform_left_filter_feature_0_choice(128)) * 512) +
+        (as_number(transform_left_filter_feature_0_choice(136)) * 128) +
+        (as_number(transform_left_filter_feature_0_choice(144)) * 64) +
+        (as_number(transform_left_filter_feature_0_choice(152)) * 32) + transform_left_filter_feature_0_choice_193,
         transform_left_filter_feature_0_choice_193);
       transform_left_filter_feature_0_choice_195 := choice(transform_filtering_0_column_inside(2),
-        (as_number(transform_left_filter_feature_0_choices(96)) * 2048) +
-        (as_number(transform_left_filter_feature_0_choices(104)) * 4096) +
-        (as_number(transform_left_filter_feature_0_choices(112)) * 1024) + transform_left_filter_feature_0_choice_194,
+        (as_number(transform_left_filter_feature_0_choice(96)) * 2048) +
+        (as_number(transform_left_filter_feature_0_choice(104)) * 4096) +
+        (as_number(transform_left_filter_feature_0_choice(112)) * 1024) + transform_left_filter_feature_0_choice_194,
         transform_left_filter_feature_0_choice_194);
       transform_left_filter_feature_0_choice_196 := choice(transform_filtering_0_column_inside(3),
-        (as_number(transform_left_filter_feature_0_choices(48)) * 16384) +
-        (as_number(transform_left_filter_feature_0_choices(56)) * 32768) +
-        (as_number(transform_left_filter_feature_0_choices(64)) * 65536) +
-        (as_number(transform_left_filter_feature_0_choices(72)) * 131072) +
-        (as_number(transform_left_filter_feature_0_choices(80)) * 262144) +
-        (as_number(transform_left_filter_feature_0_choices(88)) * 8192) + transform_left_filter_feature_0_choice_195,
-        (as_number(transform_left_filter_feature_0_choices(88)) * 8192) + transform_left_filter_feature_0_choice_195);
+        (as_number(transform_left_filter_feature_0_choice(48)) * 16384) +
+        (as_number(transform_left_filter_feature_0_choice(56)) * 32768) +
+        (as_number(transform_left_filter_feature_0_choice(64)) * 65536) +
+        (as_number(transform_left_filter_feature_0_choice(72)) * 131072) +
+        (as_number(transform_left_filter_feature_0_choice(80)) * 262144) +
+        (as_number(transform_left_filter_feature_0_choice(88)) * 8192) + transform_left_filter_feature_0_choice_195,
+        (as_number(transform_left_filter_feature_0_choice(88)) * 8192) + transform_left_filter_feature_0_choice_195);
       transform_right_filter_feature_0_values(1) := is_set(transform_right_filter_column(2, 2), 1);
       transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_values(1)) or (not
         is_set(transform_right_filter_column(2, 2), 0));
-      transform_right_filter_feature_0_choices(1) := choice(is_set(transform_right_filter_column(4, 0), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
       transform_right_filter_feature_0_is_equal := (transform_right_filter_column(2, 2) mod 4) = 0;
-      transform_right_filter_feature_0_choices(2) := choice(is_set(transform_right_filter_column(4, 0), 1),
-        transform_right_filter_feature_0_choices(1), is_set(transform_right_filter_column(4, 0), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_values(2) := is_set(transform_right_filter_column(2, 2), 2);
-      transform_right_filter_feature_0_choices(3) := inverted_carry(transform_right_filter_feature_0_choices(2), not
-        is_set(transform_right_filter_column(4, 0), 2), transform_right_filter_feature_0_values(2));
-      for i in 3 to 6 loop
+      for i in 2 to 6 loop
         transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(2, 2), i);
-        transform_right_filter_feature_0_choices(i + 1) := carry(transform_right_filter_feature_0_choices(i), not
-          is_set(transform_right_filter_column(4, 0), i), transform_right_filter_feature_0_values(i));
       end loop;
-      for i in 0 to 3 loop
-        transform_right_filter_feature_0_choices(8 * i + 8) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 7), is_set(transform_right_filter_column(4,
-          i), 7), not is_set(transform_right_filter_column(2, 2), 7));
-        transform_right_filter_feature_0_choices(8 * i + 9) := choice(is_set(transform_right_filter_column(4, i + 1),
-          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(8 * i + 10) := choice(is_set(transform_right_filter_column(4, i + 1),
-          1), transform_right_filter_feature_0_choices(8 * i + 9), is_set(transform_right_filter_column(4, i + 1), 0)
-          and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(8 * i + 11) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 10), not
-          is_set(transform_right_filter_column(4, i + 1), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(8 * i + j + 9) := carry(transform_right_filter_feature_0_choices(8 *
-            i + j + 8), not is_set(transform_right_filter_column(4, i + 1), j),
-            transform_right_filter_feature_0_values(j));
+      for i in 0 to 1 loop
+        for j in 0 to 4 loop
+          transform_right_filter_feature_0_choice(40 * i + 8 * j + 8) := is_larger(transform_right_filter_column(4 - i,
+            j), transform_right_filter_column(2, 2), 0, 7, false);
         end loop;
       end loop;
-      transform_right_filter_feature_0_choices(40) := inverted_carry(transform_right_filter_feature_0_choices(39),
-        is_set(transform_right_filter_column(4, 4), 7), not is_set(transform_right_filter_column(2, 2), 7));
-      for i in 0 to 4 loop
-        transform_right_filter_feature_0_choices(8 * i + 41) := choice(is_set(transform_right_filter_column(3, i), 0),
-          transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(8 * i + 42) := choice(is_set(transform_right_filter_column(3, i), 1),
-          transform_right_filter_feature_0_choices(8 * i + 41), is_set(transform_right_filter_column(3, i), 0) and
-          transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(8 * i + 43) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 42), not
-          is_set(transform_right_filter_column(3, i), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(8 * i + j + 41) := carry(transform_right_filter_feature_0_choices(8
-            * i + j + 40), not is_set(transform_right_filter_column(3, i), j),
-            transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(8 * i + 48) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 47), is_set(transform_right_filter_column(3,
-          i), 7), not is_set(transform_right_filter_column(2, 2), 7));
-      end loop;
-      transform_right_filter_feature_0_choices(81) := choice(is_set(transform_right_filter_column(2, 4), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(82) := choice(is_set(transform_right_filter_column(2, 4), 1),
-        transform_right_filter_feature_0_choices(81), is_set(transform_right_filter_column(2, 4), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(83) := inverted_carry(transform_right_filter_feature_0_choices(82), not
-        is_set(transform_right_filter_column(2, 4), 2), transform_right_filter_feature_0_values(2));
-      for i in 84 to 87 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column(2, 4), i - 81), transform_right_filter_feature_0_values(i - 81));
-      end loop;
-      transform_right_filter_feature_0_choices(88) := choice(transform_right_filter_feature_0_choices(87),
+      transform_right_filter_feature_0_choice(87) := not is_larger(transform_right_filter_column(2, 4),
+        transform_right_filter_column(2, 2), 0, 6, false);
+      transform_right_filter_feature_0_choice(88) := choice(transform_right_filter_feature_0_choice(87),
         transform_filtering_0_column_inside(2) and is_set(transform_right_filter_column(2, 4), 7) and (not
         is_set(transform_right_filter_column(2, 2), 7)), transform_filtering_0_column_inside(2) and
         (is_set(transform_right_filter_column(2, 4), 7) or (not is_set(transform_right_filter_column(2, 2), 7))));
       for i in 0 to 1 loop
-        transform_right_filter_feature_0_choices(16 * i + 89) := choice(is_set(transform_right_filter_column(2, 1 - i),
-          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(16 * i + 90) := choice(is_set(transform_right_filter_column(2, 1 - i),
-          1), transform_right_filter_feature_0_choices(16 * i + 89), is_set(transform_right_filter_column(2, 1 - i), 0)
-          and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(16 * i + 91) :=
-          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 90), not
-          is_set(transform_right_filter_column(2, 1 - i), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(16 * i + j + 89) :=
-            carry(transform_right_filter_feature_0_choices(16 * i + j + 88), not
-            is_set(transform_right_filter_column(2, 1 - i), j), transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(16 * i + 96) :=
-          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 95), is_set(transform_right_filter_column(2,
-          1 - i), 7), not is_set(transform_right_filter_column(2, 2), 7));
-        transform_right_filter_feature_0_choices(16 * i + 97) := choice(is_set(transform_right_filter_column(2 - i, 3),
-          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(16 * i + 98) := choice(is_set(transform_right_filter_column(2 - i, 3),
-          1), transform_right_filter_feature_0_choices(16 * i + 97), is_set(transform_right_filter_column(2 - i, 3), 0)
-          and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(16 * i + 99) :=
-          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 98), not
-          is_set(transform_right_filter_column(2 - i, 3), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(16 * i + j + 97) :=
-            carry(transform_right_filter_feature_0_choices(16 * i + j + 96), not is_set(transform_right_filter_column(2
-            - i, 3), j), transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(16 * i + 104) :=
-          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 103), is_set(transform_right_filter_column(2
-          - i, 3), 7), not is_set(transform_right_filter_column(2, 2), 7));
+        transform_right_filter_feature_0_choice(16 * i + 96) := is_larger(transform_right_filter_column(2, 1 - i),
+          transform_right_filter_column(2, 2), 0, 7, false);
+        transform_right_filter_feature_0_choice(16 * i + 104) := is_larger(transform_right_filter_column(2 - i, 3),
+          transform_right_filter_column(2, 2), 0, 7, false);
       end loop;
-      transform_right_filter_feature_0_choices(121) := choice(is_set(transform_right_filter_column(1, 4), 0),
-        transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-      transform_right_filter_feature_0_choices(122) := choice(is_set(transform_right_filter_column(1, 4), 1),
-        transform_right_filter_feature_0_choices(121), is_set(transform_right_filter_column(1, 4), 0) and
-        transform_right_filter_feature_0_is_equal);
-      transform_right_filter_feature_0_choices(123) := inverted_carry(transform_right_filter_feature_0_choices(122),
-        not is_set(transform_right_filter_column(1, 4), 2), transform_right_filter_feature_0_values(2));
-      for i in 124 to 127 loop
-        transform_right_filter_feature_0_choices(i) := carry(transform_right_filter_feature_0_choices(i - 1), not
-          is_set(transform_right_filter_column(1, 4), i - 121), transform_right_filter_feature_0_values(i - 121));
-      end loop;
-      transform_right_filter_feature_0_choices(128) := inverted_carry(transform_right_filter_feature_0_choices(127),
-        is_set(transform_right_filter_column(1, 4), 7), not is_set(transform_right_filter_column(2, 2), 7));
+      transform_right_filter_feature_0_choice(128) := is_larger(transform_right_filter_column(1, 4),
+        transform_right_filter_column(2, 2), 0, 7, false);
       for i in 0 to 2 loop
-        transform_right_filter_feature_0_choices(8 * i + 129) := choice(is_set(transform_right_filter_column(1, 2 - i),
-          0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(8 * i + 130) := choice(is_set(transform_right_filter_column(1, 2 - i),
-          1), transform_right_filter_feature_0_choices(8 * i + 129), is_set(transform_right_filter_column(1, 2 - i), 0)
-          and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(8 * i + 131) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 130), not
-          is_set(transform_right_filter_column(1, 2 - i), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(8 * i + j + 129) := carry(transform_right_filter_feature_0_choices(8
-            * i + j + 128), not is_set(transform_right_filter_column(1, 2 - i), j),
-            transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(8 * i + 136) :=
-          inverted_carry(transform_right_filter_feature_0_choices(8 * i + 135), is_set(transform_right_filter_column(1,
-          2 - i), 7), not is_set(transform_right_filter_column(2, 2), 7));
+        transform_right_filter_feature_0_choice(8 * i + 136) := is_larger(transform_right_filter_column(1, 2 - i),
+          transform_right_filter_column(2, 2), 0, 7, false);
       end loop;
       for i in 0 to 1 loop
-        transform_right_filter_feature_0_choices(16 * i + 153) := choice(is_set(transform_right_filter_column(0, 3 -
-          i), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(16 * i + 154) := choice(is_set(transform_right_filter_column(0, 3 -
-          i), 1), transform_right_filter_feature_0_choices(16 * i + 153), is_set(transform_right_filter_column(0, 3 -
-          i), 0) and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(16 * i + 155) :=
-          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 154), not
-          is_set(transform_right_filter_column(0, 3 - i), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(16 * i + j + 153) :=
-            carry(transform_right_filter_feature_0_choices(16 * i + j + 152), not
-            is_set(transform_right_filter_column(0, 3 - i), j), transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(16 * i + 160) :=
-          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 159),
-          is_set(transform_right_filter_column(0, 3 - i), 7), not is_set(transform_right_filter_column(2, 2), 7));
-        transform_right_filter_feature_0_choices(16 * i + 161) := choice(is_set(transform_right_filter_column(0, 4 - 3
-          * i), 0), transform_right_filter_feature_0_any, not transform_right_filter_feature_0_values(1));
-        transform_right_filter_feature_0_choices(16 * i + 162) := choice(is_set(transform_right_filter_column(0, 4 - 3
-          * i), 1), transform_right_filter_feature_0_choices(16 * i + 161), is_set(transform_right_filter_column(0, 4 -
-          3 * i), 0) and transform_right_filter_feature_0_is_equal);
-        transform_right_filter_feature_0_choices(16 * i + 163) :=
-          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 162), not
-          is_set(transform_right_filter_column(0, 4 - 3 * i), 2), transform_right_filter_feature_0_values(2));
-        for j in 3 to 6 loop
-          transform_right_filter_feature_0_choices(16 * i + j + 161) :=
-            carry(transform_right_filter_feature_0_choices(16 * i + j + 160), not
-            is_set(transform_right_filter_column(0, 4 - 3 * i), j), transform_right_filter_feature_0_values(j));
-        end loop;
-        transform_right_filter_feature_0_choices(16 * i + 168) :=
-          inverted_carry(transform_right_filter_feature_0_choices(16 * i + 167),
-          is_set(transform_right_filter_column(0, 4 - 3 * i), 7), not is_set(transform_right_filter_column(2, 2), 7));
+        transform_right_filter_feature_0_choice(16 * i + 160) := is_larger(transform_right_filter_column(0, 3 - i),
+          transform_right_filter_column(2, 2), 0, 7, false);
+        transform_right_filter_feature_0_choice(16 * i + 168) := is_larger(transform_right_filter_column(0, 4 - 3 * i),
+          transform_right_filter_column(2, 2), 0, 7, false);
       end loop;
-      transform_right_filter_feature_0_choices(185) := choice(is_set(transform_right_filter_column(2, 2), 0), not
-        is_set(transform_right_filter_column(0, 0), 1), (transform_right_filter_column(0, 0) mod 4) = 0);
-      transform_right_filter_feature_0_choices(186) := choice(transform_right_filter_feature_0_values(1),
-        is_set(transform_right_filter_column(2, 2), 0) or (not is_set(transform_right_filter_column(0, 0), 1)) or (not
-        is_set(transform_right_filter_column(0, 0), 0)), transform_right_filter_feature_0_choices(185));
-      transform_right_filter_feature_0_values(7) := is_set(transform_right_filter_column(0, 0), 2);
-      transform_right_filter_feature_0_choices(187) := inverted_carry(transform_right_filter_feature_0_choices(186),
-        not transform_right_filter_feature_0_values(2), transform_right_filter_feature_0_values(7));
-      for i in 8 to 11 loop
+      for i in 7 to 11 loop
         transform_right_filter_feature_0_values(i) := is_set(transform_right_filter_column(0, 0), i - 5);
-        transform_right_filter_feature_0_choices(i + 180) := carry(transform_right_filter_feature_0_choices(i + 179),
-          not transform_right_filter_feature_0_values(i - 5), transform_right_filter_feature_0_values(i));
       end loop;
-      transform_right_filter_feature_0_choices(192) := carry(transform_right_filter_feature_0_choices(191), not
-        is_set(transform_right_filter_column(2, 2), 7), is_set(transform_right_filter_column(0, 0), 7));
+      transform_right_filter_feature_0_choice(192) := not is_larger(transform_right_filter_column(2, 2),
+        transform_right_filter_column(0, 0), 0, 7, true);
       transform_right_filter_feature_0_choice_193 := choice(transform_filtering_0_column_inside(0),
-        (as_number(transform_right_filter_feature_0_choices(160)) * 8) +
-        (as_number(transform_right_filter_feature_0_choices(168)) * 16) +
-        (as_number(transform_right_filter_feature_0_choices(176)) * 4) +
-        (as_number(transform_right_filter_feature_0_choices(184)) * 2) +
-        as_number(transform_right_filter_feature_0_choices(192)), 0);
+        (as_number(transform_right_filter_feature_0_choice(160)) * 8) +
+        (as_number(transform_right_filter_feature_0_choice(168)) * 16) +
+        (as_number(transform_right_filter_feature_0_choice(176)) * 4) +
+        (as_number(transform_right_filter_feature_0_choice(184)) * 2) +
+        as_number(transform_right_filter_feature_0_choice(192)), 0);
       transform_right_filter_feature_0_choice_194 := choice(transform_filtering_0_column_inside(1),
-        (as_number(transform_right_filter_feature_0_choices(120)) * 256) +
-        (as_number(transform_right_filter_feature_0_choices(128)) * 512) +
-        (as_number(transform_right_filter_feature_0_choices(136)) * 128) +
-        (as_number(transform_right_filter_feature_0_choices(144)) * 64) +
-        (as_number(transform_right_filter_feature_0_choices(152)) * 32) + transform_right_filter_feature_0_choice_193,
+        (as_number(transform_right_filter_feature_0_choice(120)) * 256) +
+        (as_number(transform_right_filter_feature_0_choice(128)) * 512) +
+        (as_number(transform_right_filter_feature_0_choice(136)) * 128) +
+        (as_number(transform_right_filter_feature_0_choice(144)) * 64) +
+        (as_number(transform_right_filter_feature_0_choice(152)) * 32) + transform_right_filter_feature_0_choice_193,
         transform_right_filter_feature_0_choice_193);
       transform_right_filter_feature_0_choice_195 := choice(transform_filtering_0_column_inside(2),
-        (as_number(transform_right_filter_feature_0_choices(96)) * 2048) +
-        (as_number(transform_right_filter_feature_0_choices(104)) * 4096) +
-        (as_number(transform_right_filter_feature_0_choices(112)) * 1024) +
-        transform_right_filter_feature_0_choice_194, transform_right_filter_feature_0_choice_194);
+        (as_number(transform_right_filter_feature_0_choice(96)) * 2048) +
+        (as_number(transform_right_filter_feature_0_choice(104)) * 4096) +
+        (as_number(transform_right_filter_feature_0_choice(112)) * 1024) + transform_right_filter_feature_0_choice_194,
+        transform_right_filter_feature_0_choice_194);
       transform_right_filter_feature_0_choice_196 := choice(transform_filtering_0_column_inside(3),
-        (as_number(transform_right_filter_feature_0_choices(48)) * 16384) +
-        (as_number(transform_right_filter_feature_0_choices(56)) * 32768) +
-        (as_number(transform_right_filter_feature_0_choices(64)) * 65536) +
-        (as_number(transform_right_filter_feature_0_choices(72)) * 131072) +
-        (as_number(transform_right_filter_feature_0_choices(80)) * 262144) +
-        (as_number(transform_right_filter_feature_0_choices(88)) * 8192) + transform_right_filter_feature_0_choice_195,
-        (as_number(transform_right_filter_feature_0_choices(88)) * 8192) + transform_right_filter_feature_0_choice_195);
+        (as_number(transform_right_filter_feature_0_choice(48)) * 16384) +
+        (as_number(transform_right_filter_feature_0_choice(56)) * 32768) +
+        (as_number(transform_right_filter_feature_0_choice(64)) * 65536) +
+        (as_number(transform_right_filter_feature_0_choice(72)) * 131072) +
+        (as_number(transform_right_filter_feature_0_choice(80)) * 262144) +
+        (as_number(transform_right_filter_feature_0_choice(88)) * 8192) + transform_right_filter_feature_0_choice_195,
+        (as_number(transform_right_filter_feature_0_choice(88)) * 8192) + transform_right_filter_feature_0_choice_195);
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
@@ -1116,18 +825,18 @@ begin
       transform_counter_group <= choice(in_valid and in_start_of_frame, transform_counter_group_choice * 128,
         transform_counter_group_choices(3));
       transform_left_filter_feature_0 <= choice(transform_filtering_0_column_inside(4),
-        (as_number(transform_left_filter_feature_0_choices(8)) * 524288) +
-        (as_number(transform_left_filter_feature_0_choices(16)) * 1048576) +
-        (as_number(transform_left_filter_feature_0_choices(24)) * 2097152) +
-        (as_number(transform_left_filter_feature_0_choices(32)) * 4194304) +
-        (as_number(transform_left_filter_feature_0_choices(40)) * 8388608) +
-        transform_left_filter_feature_0_choice_196, transform_left_filter_feature_0_choice_196);
+        (as_number(transform_left_filter_feature_0_choice(8)) * 524288) +
+        (as_number(transform_left_filter_feature_0_choice(16)) * 1048576) +
+        (as_number(transform_left_filter_feature_0_choice(24)) * 2097152) +
+        (as_number(transform_left_filter_feature_0_choice(32)) * 4194304) +
+        (as_number(transform_left_filter_feature_0_choice(40)) * 8388608) + transform_left_filter_feature_0_choice_196,
+        transform_left_filter_feature_0_choice_196);
       transform_right_filter_feature_0 <= choice(transform_filtering_0_column_inside(4),
-        (as_number(transform_right_filter_feature_0_choices(8)) * 524288) +
-        (as_number(transform_right_filter_feature_0_choices(16)) * 1048576) +
-        (as_number(transform_right_filter_feature_0_choices(24)) * 2097152) +
-        (as_number(transform_right_filter_feature_0_choices(32)) * 4194304) +
-        (as_number(transform_right_filter_feature_0_choices(40)) * 8388608) +
+        (as_number(transform_right_filter_feature_0_choice(8)) * 524288) +
+        (as_number(transform_right_filter_feature_0_choice(16)) * 1048576) +
+        (as_number(transform_right_filter_feature_0_choice(24)) * 2097152) +
+        (as_number(transform_right_filter_feature_0_choice(32)) * 4194304) +
+        (as_number(transform_right_filter_feature_0_choice(40)) * 8388608) +
         transform_right_filter_feature_0_choice_196, transform_right_filter_feature_0_choice_196);
       transform_counter_next_frame_choices(1) := choice(transform_counter_group_is_equals(2), (transform_counter_group
         /= 641) and transform_counter_next_frame, transform_counter_next_frame);
@@ -1790,121 +1499,11 @@ begin
         forward_dropped_value(i) := (((forward_path(i + 6) - forward_path(i + 1)) mod 2048) / 1024) = 1;
         forward_dropped_choice(i) := choice(forward_dropped_value(i), forward_path(i + 6), forward_path(i + 1));
       end loop;
-      forward_decision_0_choice := choice(forward_far(0), 2, 1);
-      forward_decision_1_choice := choice(forward_far(1), 2, 1);
-      forward_decision_choice_2(1) := choice(forward_path_value(1), forward_decision_1_choice, 0);
-      forward_decision_2_choice := choice(forward_far(2), 2, 1);
-      forward_decision_choice_2(2) := choice(forward_path_value(2), forward_decision_2_choice, 0);
-      forward_decision_3_choice := choice(forward_far(3), 2, 1);
-      forward_decision_choice_2(3) := choice(forward_path_value(3), forward_decision_3_choice, 0);
-      forward_decision_4_choice := choice(forward_far(4), 2, 1);
-      forward_decision_choice_2(4) := choice(forward_path_value(4), forward_decision_4_choice, 0);
-      forward_decision_5_choice := choice(forward_far(5), 2, 1);
-      forward_decision_choice_2(5) := choice(forward_path_value(5), forward_decision_5_choice, 0);
-      forward_decision_6_choice := choice(forward_far(6), 2, 1);
-      forward_decision_choice_2(6) := choice(forward_path_value(6), forward_decision_6_choice, 0);
-      forward_decision_7_choice := choice(forward_far(7), 2, 1);
-      forward_decision_choice_2(7) := choice(forward_path_value(7), forward_decision_7_choice, 0);
-      forward_decision_8_choice := choice(forward_far(8), 2, 1);
-      forward_decision_choice_2(8) := choice(forward_path_value(8), forward_decision_8_choice, 0);
-      forward_decision_9_choice := choice(forward_far(9), 2, 1);
-      forward_decision_choice_2(9) := choice(forward_path_value(9), forward_decision_9_choice, 0);
-      forward_decision_10_choice := choice(forward_far(10), 2, 1);
-      forward_decision_choice_2(10) := choice(forward_path_value(10), forward_decision_10_choice, 0);
-      forward_decision_11_choice := choice(forward_far(11), 2, 1);
-      forward_decision_choice_2(11) := choice(forward_path_value(11), forward_decision_11_choice, 0);
-      forward_decision_12_choice := choice(forward_far(12), 2, 1);
-      forward_decision_choice_2(12) := choice(forward_path_value(12), forward_decision_12_choice, 0);
-      forward_decision_13_choice := choice(forward_far(13), 2, 1);
-      forward_decision_choice_2(13) := choice(forward_path_value(13), forward_decision_13_choice, 0);
-      forward_decision_14_choice := choice(forward_far(14), 2, 1);
-      forward_decision_choice_2(14) := choice(forward_path_value(14), forward_decision_14_choice, 0);
-      forward_decision_15_choice := choice(forward_far(15), 2, 1);
-      forward_decision_choice_2(15) := choice(forward_path_value(15), forward_decision_15_choice, 0);
-      forward_decision_16_choice := choice(forward_far(16), 2, 1);
-      forward_decision_choice_2(16) := choice(forward_path_value(16), forward_decision_16_choice, 0);
-      forward_decision_17_choice := choice(forward_far(17), 2, 1);
-      forward_decision_choice_2(17) := choice(forward_path_value(17), forward_decision_17_choice, 0);
-      forward_decision_18_choice := choice(forward_far(18), 2, 1);
-      forward_decision_choice_2(18) := choice(forward_path_value(18), forward_decision_18_choice, 0);
-      forward_decision_19_choice := choice(forward_far(19), 2, 1);
-      forward_decision_choice_2(19) := choice(forward_path_value(19), forward_decision_19_choice, 0);
-      forward_decision_20_choice := choice(forward_far(20), 2, 1);
-      forward_decision_choice_2(20) := choice(forward_path_value(20), forward_decision_20_choice, 0);
-      forward_decision_21_choice := choice(forward_far(21), 2, 1);
-      forward_decision_choice_2(21) := choice(forward_path_value(21), forward_decision_21_choice, 0);
-      forward_decision_22_choice := choice(forward_far(22), 2, 1);
-      forward_decision_choice_2(22) := choice(forward_path_value(22), forward_decision_22_choice, 0);
-      forward_decision_23_choice := choice(forward_far(23), 2, 1);
-      forward_decision_choice_2(23) := choice(forward_path_value(23), forward_decision_23_choice, 0);
-      forward_decision_24_choice := choice(forward_far(24), 2, 1);
-      forward_decision_choice_2(24) := choice(forward_path_value(24), forward_decision_24_choice, 0);
-      forward_decision_25_choice := choice(forward_far(25), 2, 1);
-      forward_decision_choice_2(25) := choice(forward_path_value(25), forward_decision_25_choice, 0);
-      forward_decision_26_choice := choice(forward_far(26), 2, 1);
-      forward_decision_choice_2(26) := choice(forward_path_value(26), forward_decision_26_choice, 0);
-      forward_decision_27_choice := choice(forward_far(27), 2, 1);
-      forward_decision_choice_2(27) := choice(forward_path_value(27), forward_decision_27_choice, 0);
-      forward_decision_28_choice := choice(forward_far(28), 2, 1);
-      forward_decision_choice_2(28) := choice(forward_path_value(28), forward_decision_28_choice, 0);
-      forward_decision_29_choice := choice(forward_far(29), 2, 1);
-      forward_decision_choice_2(29) := choice(forward_path_value(29), forward_decision_29_choice, 0);
-      forward_decision_30_choice := choice(forward_far(30), 2, 1);
-      forward_decision_choice_2(30) := choice(forward_path_value(30), forward_decision_30_choice, 0);
-      forward_decision_31_choice := choice(forward_far(31), 2, 1);
-      forward_decision_choice_2(31) := choice(forward_path_value(31), forward_decision_31_choice, 0);
-      forward_decision_32_choice := choice(forward_far(32), 2, 1);
-      forward_decision_choice_2(32) := choice(forward_path_value(32), forward_decision_32_choice, 0);
-      forward_decision_33_choice := choice(forward_far(33), 2, 1);
-      forward_decision_choice_2(33) := choice(forward_path_value(33), forward_decision_33_choice, 0);
-      forward_decision_34_choice := choice(forward_far(34), 2, 1);
-      forward_decision_choice_2(34) := choice(forward_path_value(34), forward_decision_34_choice, 0);
-      forward_decision_35_choice := choice(forward_far(35), 2, 1);
-      forward_decision_choice_2(35) := choice(forward_path_value(35), forward_decision_35_choice, 0);
-      forward_decision_36_choice := choice(forward_far(36), 2, 1);
-      forward_decision_choice_2(36) := choice(forward_path_value(36), forward_decision_36_choice, 0);
-      forward_decision_37_choice := choice(forward_far(37), 2, 1);
-      forward_decision_choice_2(37) := choice(forward_path_value(37), forward_decision_37_choice, 0);
-      forward_decision_38_choice := choice(forward_far(38), 2, 1);
-      forward_decision_choice_2(38) := choice(forward_path_value(38), forward_decision_38_choice, 0);
-      forward_decision_39_choice := choice(forward_far(39), 2, 1);
-      forward_decision_choice_2(39) := choice(forward_path_value(39), forward_decision_39_choice, 0);
-      forward_decision_40_choice := choice(forward_far(40), 2, 1);
-      forward_decision_choice_2(40) := choice(forward_path_value(40), forward_decision_40_choice, 0);
-      forward_decision_41_choice := choice(forward_far(41), 2, 1);
-      forward_decision_choice_2(41) := choice(forward_path_value(41), forward_decision_41_choice, 0);
-      forward_decision_42_choice := choice(forward_far(42), 2, 1);
-      forward_decision_choice_2(42) := choice(forward_path_value(42), forward_decision_42_choice, 0);
-      forward_decision_43_choice := choice(forward_far(43), 2, 1);
-      forward_decision_choice_2(43) := choice(forward_path_value(43), forward_decision_43_choice, 0);
-      forward_decision_44_choice := choice(forward_far(44), 2, 1);
-      forward_decision_choice_2(44) := choice(forward_path_value(44), forward_decision_44_choice, 0);
-      forward_decision_45_choice := choice(forward_far(45), 2, 1);
-      forward_decision_choice_2(45) := choice(forward_path_value(45), forward_decision_45_choice, 0);
-      forward_decision_46_choice := choice(forward_far(46), 2, 1);
-      forward_decision_choice_2(46) := choice(forward_path_value(46), forward_decision_46_choice, 0);
-      forward_decision_47_choice := choice(forward_far(47), 2, 1);
-      forward_decision_choice_2(47) := choice(forward_path_value(47), forward_decision_47_choice, 0);
-      forward_decision_48_choice := choice(forward_far(48), 2, 1);
-      forward_decision_choice_2(48) := choice(forward_path_value(48), forward_decision_48_choice, 0);
-      forward_decision_49_choice := choice(forward_far(49), 2, 1);
-      forward_decision_choice_2(49) := choice(forward_path_value(49), forward_decision_49_choice, 0);
-      forward_decision_50_choice := choice(forward_far(50), 2, 1);
-      forward_decision_choice_2(50) := choice(forward_path_value(50), forward_decision_50_choice, 0);
-      forward_decision_51_choice := choice(forward_far(51), 2, 1);
-      forward_decision_choice_2(51) := choice(forward_path_value(51), forward_decision_51_choice, 0);
-      forward_decision_52_choice := choice(forward_far(52), 2, 1);
-      forward_decision_choice_2(52) := choice(forward_path_value(52), forward_decision_52_choice, 0);
-      forward_decision_53_choice := choice(forward_far(53), 2, 1);
-      forward_decision_choice_2(53) := choice(forward_path_value(53), forward_decision_53_choice, 0);
-      forward_decision_54_choice := choice(forward_far(54), 2, 1);
-      forward_decision_choice_2(54) := choice(forward_path_value(54), forward_decision_54_choice, 0);
-      forward_decision_55_choice := choice(forward_far(55), 2, 1);
-      forward_decision_choice_2(55) := choice(forward_path_value(55), forward_decision_55_choice, 0);
-      forward_decision_56_choice := choice(forward_far(56), 2, 1);
-      forward_decision_choice_2(56) := choice(forward_path_value(56), forward_decision_56_choice, 0);
-      forward_decision_57_choice := choice(forward_far(57), 2, 1);
-      forward_decision_choice_2(57) := choice(forward_path_value(57), forward_decision_57_choice, 0);
+      forward_decision_choice(0) := choice(forward_far(0), 2, 1);
+      for i in 1 to 57 loop
+        forward_decision_choice(i) := choice(forward_far(i), 2, 1);
+        forward_decision_choice_2(i) := choice(forward_path_value(i), forward_decision_choice(i), 0);
+      end loop;
       if entry_tag.valid then
         forward_next_cost <= entry_cost;
         forward_next_first <= entry_tag.first_column;
@@ -1935,7 +1534,7 @@ begin
           forward_dropped(i) <= choice(forward_next_first, 512, (forward_pair_cost(i) + forward_path(i + 1)) mod 2048);
         end loop;
         forward_dropped(63) <= choice(forward_next_first, 512, (forward_pair_cost(63) + forward_path(63)) mod 2048);
-        forward_decision(0) <= choice(forward_path_value(0), forward_decision_0_choice, 0);
+        forward_decision(0) <= choice(forward_path_value(0), forward_decision_choice(0), 0);
         for i in 1 to 57 loop
           forward_decision(i) <= choice(forward_path_any(i), forward_decision_choice_2(i), 3);
         end loop;
@@ -2499,117 +2098,35 @@ begin
       map_window_complete_choice := choice(map_window_complete_is_equal, map_sorted_behind, map_sorted_arrives or
         map_sorted_behind);
       map_of_low_0_b_below_a_values(1) := is_set(map_low_0(0), 1);
-      map_of_low_0_b_below_a_choices(1) := choice(is_set(map_low_0(0), 0), (not is_set(map_low_0(1), 1)) or (not
-        is_set(map_low_0(1), 0)), not is_set(map_low_0(1), 1));
       map_of_low_0_b_below_a_is_equal := (map_low_0(1) mod 4) = 0;
-      map_of_low_0_b_below_a_choices(2) := choice(map_of_low_0_b_below_a_values(1), map_of_low_0_b_below_a_choices(1),
-        is_set(map_low_0(0), 0) and map_of_low_0_b_below_a_is_equal);
-      map_of_low_0_b_below_a_values(2) := is_set(map_low_0(0), 2);
-      map_of_low_0_b_below_a_values(3) := is_set(map_low_0(1), 2);
-      map_of_low_0_b_below_a_choices(3) := inverted_carry(map_of_low_0_b_below_a_choices(2), not
-        map_of_low_0_b_below_a_values(2), map_of_low_0_b_below_a_values(3));
-      for i in 3 to 6 loop
+      for i in 2 to 6 loop
         map_of_low_0_b_below_a_values(2 * i - 2) := is_set(map_low_0(0), i);
         map_of_low_0_b_below_a_values(2 * i - 1) := is_set(map_low_0(1), i);
-        map_of_low_0_b_below_a_choices(i + 1) := carry(map_of_low_0_b_below_a_choices(i), not
-          map_of_low_0_b_below_a_values(2 * i - 2), map_of_low_0_b_below_a_values(2 * i - 1));
       end loop;
+      map_of_low_0_b_below_a_choice_7 := not is_larger(map_low_0(0), map_low_0(1), 0, 6, false);
       map_of_low_0_c_below_a_value := is_set(map_low_0(2), 1);
-      map_of_low_0_c_below_a_choices(1) := choice(is_set(map_low_0(2), 0), not map_of_low_0_b_below_a_values(1),
-        (map_low_0(0) mod 4) = 0);
-      map_of_low_0_c_below_a_choices(2) := choice(map_of_low_0_c_below_a_value, is_set(map_low_0(2), 0) or (not
-        map_of_low_0_b_below_a_values(1)) or (not is_set(map_low_0(0), 0)), map_of_low_0_c_below_a_choices(1));
-      map_of_low_0_c_below_a_choices(3) := inverted_carry(map_of_low_0_c_below_a_choices(2), not is_set(map_low_0(2),
-        2), map_of_low_0_b_below_a_values(2));
-      for i in 4 to 7 loop
-        map_of_low_0_c_below_a_choices(i) := carry(map_of_low_0_c_below_a_choices(i - 1), not is_set(map_low_0(2), i -
-          1), map_of_low_0_b_below_a_values(2 * i - 4));
-      end loop;
-      map_of_low_0_c_below_b_choices(1) := choice(is_set(map_low_0(2), 0), not is_set(map_low_0(1), 1),
-        map_of_low_0_b_below_a_is_equal);
-      map_of_low_0_c_below_b_choices(2) := choice(map_of_low_0_c_below_a_value, is_set(map_low_0(2), 0) or (not
-        is_set(map_low_0(1), 1)) or (not is_set(map_low_0(1), 0)), map_of_low_0_c_below_b_choices(1));
-      map_of_low_0_c_below_b_choices(3) := inverted_carry(map_of_low_0_c_below_b_choices(2), not is_set(map_low_0(2),
-        2), map_of_low_0_b_below_a_values(3));
-      for i in 4 to 7 loop
-        map_of_low_0_c_below_b_choices(i) := carry(map_of_low_0_c_below_b_choices(i - 1), not is_set(map_low_0(2), i -
-          1), map_of_low_0_b_below_a_values(2 * i - 3));
-      end loop;
+      map_of_low_0_c_below_a_choice_7 := not is_larger(map_low_0(2), map_low_0(0), 0, 6, true);
+      map_of_low_0_c_below_b_choice_7 := not is_larger(map_low_0(2), map_low_0(1), 0, 6, true);
       map_of_middle_0_b_below_a_values(1) := is_set(map_middle_0(0), 1);
-      map_of_middle_0_b_below_a_choices(1) := choice(is_set(map_middle_0(0), 0), (not is_set(map_middle_0(1), 1)) or
-        (not is_set(map_middle_0(1), 0)), not is_set(map_middle_0(1), 1));
       map_of_middle_0_b_below_a_is_equal := (map_middle_0(1) mod 4) = 0;
-      map_of_middle_0_b_below_a_choices(2) := choice(map_of_middle_0_b_below_a_values(1),
-        map_of_middle_0_b_below_a_choices(1), is_set(map_middle_0(0), 0) and map_of_middle_0_b_below_a_is_equal);
-      map_of_middle_0_b_below_a_values(2) := is_set(map_middle_0(0), 2);
-      map_of_middle_0_b_below_a_values(3) := is_set(map_middle_0(1), 2);
-      map_of_middle_0_b_below_a_choices(3) := inverted_carry(map_of_middle_0_b_below_a_choices(2), not
-        map_of_middle_0_b_below_a_values(2), map_of_middle_0_b_below_a_values(3));
-      for i in 3 to 6 loop
+      for i in 2 to 6 loop
         map_of_middle_0_b_below_a_values(2 * i - 2) := is_set(map_middle_0(0), i);
         map_of_middle_0_b_below_a_values(2 * i - 1) := is_set(map_middle_0(1), i);
-        map_of_middle_0_b_below_a_choices(i + 1) := carry(map_of_middle_0_b_below_a_choices(i), not
-          map_of_middle_0_b_below_a_values(2 * i - 2), map_of_middle_0_b_below_a_values(2 * i - 1));
       end loop;
+      map_of_middle_0_b_below_a_choice_7 := not is_larger(map_middle_0(0), map_middle_0(1), 0, 6, false);
       map_of_middle_0_c_below_a_value := is_set(map_middle_0(2), 1);
-      map_of_middle_0_c_below_a_choices(1) := choice(is_set(map_middle_0(2), 0), not
-        map_of_middle_0_b_below_a_values(1), (map_middle_0(0) mod 4) = 0);
-      map_of_middle_0_c_below_a_choices(2) := choice(map_of_middle_0_c_below_a_value, is_set(map_middle_0(2), 0) or
-        (not map_of_middle_0_b_below_a_values(1)) or (not is_set(map_middle_0(0), 0)),
-        map_of_middle_0_c_below_a_choices(1));
-      map_of_middle_0_c_below_a_choices(3) := inverted_carry(map_of_middle_0_c_below_a_choices(2), not
-        is_set(map_middle_0(2), 2), map_of_middle_0_b_below_a_values(2));
-      for i in 4 to 7 loop
-        map_of_middle_0_c_below_a_choices(i) := carry(map_of_middle_0_c_below_a_choices(i - 1), not
-          is_set(map_middle_0(2), i - 1), map_of_middle_0_b_below_a_values(2 * i - 4));
-      end loop;
-      map_of_middle_0_c_below_b_choices(1) := choice(is_set(map_middle_0(2), 0), not is_set(map_middle_0(1), 1),
-        map_of_middle_0_b_below_a_is_equal);
-      map_of_middle_0_c_below_b_choices(2) := choice(map_of_middle_0_c_below_a_value, is_set(map_middle_0(2), 0) or
-        (not is_set(map_middle_0(1), 1)) or (not is_set(map_middle_0(1), 0)), map_of_middle_0_c_below_b_choices(1));
-      map_of_middle_0_c_below_b_choices(3) := inverted_carry(map_of_middle_0_c_below_b_choices(2), not
-        is_set(map_middle_0(2), 2), map_of_middle_0_b_below_a_values(3));
-      for i in 4 to 7 loop
-        map_of_middle_0_c_below_b_choices(i) := carry(map_of_middle_0_c_below_b_choices(i - 1), not
-          is_set(map_middle_0(2), i - 1), map_of_middle_0_b_below_a_values(2 * i - 3));
-      end loop;
+      map_of_middle_0_c_below_a_choice_7 := not is_larger(map_middle_0(2), map_middle_0(0), 0, 6, true);
+      map_of_middle_0_c_below_b_choice_7 := not is_larger(map_middle_0(2), map_middle_0(1), 0, 6, true);
       map_of_high_0_b_below_a_values(1) := is_set(map_high_0(0), 1);
-      map_of_high_0_b_below_a_choices(1) := choice(is_set(map_high_0(0), 0), (not is_set(map_high_0(1), 1)) or (not
-        is_set(map_high_0(1), 0)), not is_set(map_high_0(1), 1));
       map_of_high_0_b_below_a_is_equal := (map_high_0(1) mod 4) = 0;
-      map_of_high_0_b_below_a_choices(2) := choice(map_of_high_0_b_below_a_values(1),
-        map_of_high_0_b_below_a_choices(1), is_set(map_high_0(0), 0) and map_of_high_0_b_below_a_is_equal);
-      map_of_high_0_b_below_a_values(2) := is_set(map_high_0(0), 2);
-      map_of_high_0_b_below_a_values(3) := is_set(map_high_0(1), 2);
-      map_of_high_0_b_below_a_choices(3) := inverted_carry(map_of_high_0_b_below_a_choices(2), not
-        map_of_high_0_b_below_a_values(2), map_of_high_0_b_below_a_values(3));
-      for i in 3 to 6 loop
+      for i in 2 to 6 loop
         map_of_high_0_b_below_a_values(2 * i - 2) := is_set(map_high_0(0), i);
         map_of_high_0_b_below_a_values(2 * i - 1) := is_set(map_high_0(1), i);
-        map_of_high_0_b_below_a_choices(i + 1) := carry(map_of_high_0_b_below_a_choices(i), not
-          map_of_high_0_b_below_a_values(2 * i - 2), map_of_high_0_b_below_a_values(2 * i - 1));
       end loop;
+      map_of_high_0_b_below_a_choice_7 := not is_larger(map_high_0(0), map_high_0(1), 0, 6, false);
       map_of_high_0_c_below_a_value := is_set(map_high_0(2), 1);
-      map_of_high_0_c_below_a_choices(1) := choice(is_set(map_high_0(2), 0), not map_of_high_0_b_below_a_values(1),
-        (map_high_0(0) mod 4) = 0);
-      map_of_high_0_c_below_a_choices(2) := choice(map_of_high_0_c_below_a_value, is_set(map_high_0(2), 0) or (not
-        map_of_high_0_b_below_a_values(1)) or (not is_set(map_high_0(0), 0)), map_of_high_0_c_below_a_choices(1));
-      map_of_high_0_c_below_a_choices(3) := inverted_carry(map_of_high_0_c_below_a_choices(2), not
-        is_set(map_high_0(2), 2), map_of_high_0_b_below_a_values(2));
-      for i in 4 to 7 loop
-        map_of_high_0_c_below_a_choices(i) := carry(map_of_high_0_c_below_a_choices(i - 1), not is_set(map_high_0(2), i
-          - 1), map_of_high_0_b_below_a_values(2 * i - 4));
-      end loop;
-      map_of_high_0_c_below_b_choices(1) := choice(is_set(map_high_0(2), 0), not is_set(map_high_0(1), 1),
-        map_of_high_0_b_below_a_is_equal);
-      map_of_high_0_c_below_b_choices(2) := choice(map_of_high_0_c_below_a_value, is_set(map_high_0(2), 0) or (not
-        is_set(map_high_0(1), 1)) or (not is_set(map_high_0(1), 0)), map_of_high_0_c_below_b_choices(1));
-      map_of_high_0_c_below_b_choices(3) := inverted_carry(map_of_high_0_c_below_b_choices(2), not
-        is_set(map_high_0(2), 2), map_of_high_0_b_below_a_values(3));
-      for i in 4 to 7 loop
-        map_of_high_0_c_below_b_choices(i) := carry(map_of_high_0_c_below_b_choices(i - 1), not is_set(map_high_0(2), i
-          - 1), map_of_high_0_b_below_a_values(2 * i - 3));
-      end loop;
+      map_of_high_0_c_below_a_choice_7 := not is_larger(map_high_0(2), map_high_0(0), 0, 6, true);
+      map_of_high_0_c_below_b_choice_7 := not is_larger(map_high_0(2), map_high_0(1), 0, 6, true);
       map_largest_low_0_choices(1) := choice(map_of_low_0_c_below_a, map_of_low_0_a, map_of_low_0_c);
       map_largest_low_0_choices(2) := choice(map_of_low_0_c_below_b, map_of_low_0_b, map_of_low_0_c);
       map_median_middle_0_choices(1) := choice(map_of_middle_0_c_below_a, map_of_middle_0_c, map_of_middle_0_a);
@@ -2621,42 +2138,15 @@ begin
       map_smallest_high_0_choices(1) := choice(map_of_high_0_c_below_b, map_of_high_0_c, map_of_high_0_b);
       map_smallest_high_0_choices(2) := choice(map_of_high_0_c_below_a, map_of_high_0_c, map_of_high_0_a);
       map_of_all_0_b_below_a_values(1) := is_set(map_largest_low_0, 1);
-      map_of_all_0_b_below_a_choices(1) := choice(is_set(map_largest_low_0, 0), (not is_set(map_median_middle_0, 1)) or
-        (not is_set(map_median_middle_0, 0)), not is_set(map_median_middle_0, 1));
       map_of_all_0_b_below_a_is_equal := (map_median_middle_0 mod 4) = 0;
-      map_of_all_0_b_below_a_choices(2) := choice(map_of_all_0_b_below_a_values(1), map_of_all_0_b_below_a_choices(1),
-        is_set(map_largest_low_0, 0) and map_of_all_0_b_below_a_is_equal);
-      map_of_all_0_b_below_a_values(2) := is_set(map_largest_low_0, 2);
-      map_of_all_0_b_below_a_values(3) := is_set(map_median_middle_0, 2);
-      map_of_all_0_b_below_a_choices(3) := inverted_carry(map_of_all_0_b_below_a_choices(2), not
-        map_of_all_0_b_below_a_values(2), map_of_all_0_b_below_a_values(3));
-      for i in 3 to 6 loop
+      for i in 2 to 6 loop
         map_of_all_0_b_below_a_values(2 * i - 2) := is_set(map_largest_low_0, i);
         map_of_all_0_b_below_a_values(2 * i - 1) := is_set(map_median_middle_0, i);
-        map_of_all_0_b_below_a_choices(i + 1) := carry(map_of_all_0_b_below_a_choices(i), not
-          map_of_all_0_b_below_a_values(2 * i - 2), map_of_all_0_b_below_a_values(2 * i - 1));
       end loop;
+      map_of_all_0_b_below_a_choice_7 := not is_larger(map_largest_low_0, map_median_middle_0, 0, 6, false);
       map_of_all_0_c_below_a_value := is_set(map_smallest_high_0, 1);
-      map_of_all_0_c_below_a_choices(1) := choice(is_set(map_smallest_high_0, 0), not map_of_all_0_b_below_a_values(1),
-        (map_largest_low_0 mod 4) = 0);
-      map_of_all_0_c_below_a_choices(2) := choice(map_of_all_0_c_below_a_value, is_set(map_smallest_high_0, 0) or (not
-        map_of_all_0_b_below_a_values(1)) or (not is_set(map_largest_low_0, 0)), map_of_all_0_c_below_a_choices(1));
-      map_of_all_0_c_below_a_choices(3) := inverted_carry(map_of_all_0_c_below_a_choices(2), not
-        is_set(map_smallest_high_0, 2), map_of_all_0_b_below_a_values(2));
-      for i in 4 to 7 loop
-        map_of_all_0_c_below_a_choices(i) := carry(map_of_all_0_c_below_a_choices(i - 1), not
-          is_set(map_smallest_high_0, i - 1), map_of_all_0_b_below_a_values(2 * i - 4));
-      end loop;
-      map_of_all_0_c_below_b_choices(1) := choice(is_set(map_smallest_high_0, 0), not is_set(map_median_middle_0, 1),
-        map_of_all_0_b_below_a_is_equal);
-      map_of_all_0_c_below_b_choices(2) := choice(map_of_all_0_c_below_a_value, is_set(map_smallest_high_0, 0) or (not
-        is_set(map_median_middle_0, 1)) or (not is_set(map_median_middle_0, 0)), map_of_all_0_c_below_b_choices(1));
-      map_of_all_0_c_below_b_choices(3) := inverted_carry(map_of_all_0_c_below_b_choices(2), not
-        is_set(map_smallest_high_0, 2), map_of_all_0_b_below_a_values(3));
-      for i in 4 to 7 loop
-        map_of_all_0_c_below_b_choices(i) := carry(map_of_all_0_c_below_b_choices(i - 1), not
-          is_set(map_smallest_high_0, i - 1), map_of_all_0_b_below_a_values(2 * i - 3));
-      end loop;
+      map_of_all_0_c_below_a_choice_7 := not is_larger(map_smallest_high_0, map_largest_low_0, 0, 6, true);
+      map_of_all_0_c_below_b_choice_7 := not is_larger(map_smallest_high_0, map_median_middle_0, 0, 6, true);
       map_out_disparity_0_choices(1) := choice(map_of_all_0_c_below_a, map_of_all_0_c, map_of_all_0_a);
       map_out_disparity_0_choices(2) := choice(map_of_all_0_c_below_b, map_of_all_0_b, map_out_disparity_0_choices(1));
       map_out_disparity_0_choices(3) := choice(map_of_all_0_c_below_b, map_of_all_0_c, map_of_all_0_b);
@@ -2739,34 +2229,34 @@ begin
         map_sorted_high_0_choices(2));
       map_passed_0(1) <= choice(map_passed_0(0), map_passed_0(1) or map_sorted_arrives or map_sorted_behind,
         map_passed_0(1) and (not map_sorted_arrives) and (not map_sorted_behind));
-      map_of_low_0_b_below_a <= inverted_carry(map_of_low_0_b_below_a_choices(7), is_set(map_low_0(0), 7), not
+      map_of_low_0_b_below_a <= inverted_carry(map_of_low_0_b_below_a_choice_7, is_set(map_low_0(0), 7), not
         is_set(map_low_0(1), 7));
-      map_of_low_0_c_below_a <= carry(map_of_low_0_c_below_a_choices(7), not is_set(map_low_0(2), 7),
+      map_of_low_0_c_below_a <= carry(map_of_low_0_c_below_a_choice_7, not is_set(map_low_0(2), 7),
         is_set(map_low_0(0), 7));
-      map_of_low_0_c_below_b <= carry(map_of_low_0_c_below_b_choices(7), not is_set(map_low_0(2), 7),
+      map_of_low_0_c_below_b <= carry(map_of_low_0_c_below_b_choice_7, not is_set(map_low_0(2), 7),
         is_set(map_low_0(1), 7));
-      map_of_middle_0_b_below_a <= inverted_carry(map_of_middle_0_b_below_a_choices(7), is_set(map_middle_0(0), 7), not
+      map_of_middle_0_b_below_a <= inverted_carry(map_of_middle_0_b_below_a_choice_7, is_set(map_middle_0(0), 7), not
         is_set(map_middle_0(1), 7));
-      map_of_middle_0_c_below_a <= carry(map_of_middle_0_c_below_a_choices(7), not is_set(map_middle_0(2), 7),
+      map_of_middle_0_c_below_a <= carry(map_of_middle_0_c_below_a_choice_7, not is_set(map_middle_0(2), 7),
         is_set(map_middle_0(0), 7));
-      map_of_middle_0_c_below_b <= carry(map_of_middle_0_c_below_b_choices(7), not is_set(map_middle_0(2), 7),
+      map_of_middle_0_c_below_b <= carry(map_of_middle_0_c_below_b_choice_7, not is_set(map_middle_0(2), 7),
         is_set(map_middle_0(1), 7));
-      map_of_high_0_b_below_a <= inverted_carry(map_of_high_0_b_below_a_choices(7), is_set(map_high_0(0), 7), not
+      map_of_high_0_b_below_a <= inverted_carry(map_of_high_0_b_below_a_choice_7, is_set(map_high_0(0), 7), not
         is_set(map_high_0(1), 7));
-      map_of_high_0_c_below_a <= carry(map_of_high_0_c_below_a_choices(7), not is_set(map_high_0(2), 7),
+      map_of_high_0_c_below_a <= carry(map_of_high_0_c_below_a_choice_7, not is_set(map_high_0(2), 7),
         is_set(map_high_0(0), 7));
-      map_of_high_0_c_below_b <= carry(map_of_high_0_c_below_b_choices(7), not is_set(map_high_0(2), 7),
+      map_of_high_0_c_below_b <= carry(map_of_high_0_c_below_b_choice_7, not is_set(map_high_0(2), 7),
         is_set(map_high_0(1), 7));
       map_largest_low_0 <= choice(map_of_low_0_b_below_a, map_largest_low_0_choices(1), map_largest_low_0_choices(2));
       map_median_middle_0 <= choice(map_of_middle_0_b_below_a, map_median_middle_0_choices(2),
         map_median_middle_0_choices(4));
       map_smallest_high_0 <= choice(map_of_high_0_b_below_a, map_smallest_high_0_choices(1),
         map_smallest_high_0_choices(2));
-      map_of_all_0_b_below_a <= inverted_carry(map_of_all_0_b_below_a_choices(7), is_set(map_largest_low_0, 7), not
+      map_of_all_0_b_below_a <= inverted_carry(map_of_all_0_b_below_a_choice_7, is_set(map_largest_low_0, 7), not
         is_set(map_median_middle_0, 7));
-      map_of_all_0_c_below_a <= carry(map_of_all_0_c_below_a_choices(7), not is_set(map_smallest_high_0, 7),
+      map_of_all_0_c_below_a <= carry(map_of_all_0_c_below_a_choice_7, not is_set(map_smallest_high_0, 7),
         is_set(map_largest_low_0, 7));
-      map_of_all_0_c_below_b <= carry(map_of_all_0_c_below_b_choices(7), not is_set(map_smallest_high_0, 7),
+      map_of_all_0_c_below_b <= carry(map_of_all_0_c_below_b_choice_7, not is_set(map_smallest_high_0, 7),
         is_set(map_median_middle_0, 7));
       map_out_disparity_0 <= choice(map_of_all_0_b_below_a, map_out_disparity_0_choices(2),
         map_out_disparity_0_choices(4));

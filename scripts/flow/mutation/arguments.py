@@ -31,6 +31,60 @@ ARGUMENTS = (
         "a record in the clock of a reset belongs to no frame, and moves reading and writing alike",
         "test_a_record_in_the_clock_of_a_reset_changes_nothing",
     ),
+    Argument(
+        r"(entry_next_tag|slice0_tag_\d+|slice0window_tag)_valid <= false;",
+        r"false -> true$|assignment dropped",
+        "a column in the clock of a reset is none of a map, and such columns come between rows, too",
+        "test_a_column_in_the_clock_of_a_reset_changes_nothing",
+    ),
+    Argument(
+        r"slice0window_centre_map_column_0 <= false;",
+        r"false -> true$|assignment dropped",
+        "a row that has begun before the first start of frame counts as none",
+        "test_a_row_that_begins_with_a_reset_counts_as_none",
+    ),
+    Argument(
+        r"raster_place_column <= 0;",
+        r"0 -> 1$|assignment dropped",
+        "before a start of frame no record belongs to a row, and the start begins with column 0",
+        "test_records_before_a_start_may_have_any_column",
+    ),
+    Argument(
+        r"delay_row_inside_1 <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;",
+        r"and -> or",
+        "a window of three rows whose middle row is outside the image belongs to no row of the map",
+        "test_rows_beside_the_map_may_have_any_cost",
+    ),
+    Argument(
+        r"\w*order_falls <= false;",
+        r"false -> true$|assignment dropped",
+        "rows are turned round upward and downward in turn, whichever comes first",
+        "test_the_first_row_may_be_turned_downward",
+    ),
+    Argument(
+        r"\w*turn_write_place <= 0;",
+        r"0 -> 1$|assignment dropped",
+        "what a column writes before the first one of a row is written again before it is read",
+        "test_the_first_place_that_is_written_may_be_any",
+    ),
+    Argument(
+        r"forward_path_11_value := .*;",
+        r"256 -> 512$",
+        "the last state falls from itself, which costs as much as to stay and the drop besides",
+        "test_the_last_state_never_falls",
+    ),
+    Argument(
+        r"forward_occluding_\d+ <= 128;",
+        r"assignment dropped",
+        "29 columns cost less than half the range of the numbers: what a row leaves loses against the next one",
+        "test_what_a_row_leaves_loses_against_the_next_one",
+    ),
+    Argument(
+        r"forward_far_\d+_any := \(not entry_tag_valid\) or \(not forward_next_first\);",
+        r"column 28: not -> ",
+        "the column before the first one of a row is none of the map: nobody reads how its disparities fall",
+        "test_the_column_before_a_row_may_fall_anyhow",
+    ),
 )
 
 

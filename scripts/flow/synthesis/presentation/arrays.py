@@ -7,7 +7,7 @@ import re
 from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import groupby, product
-from math import prod
+from math import gcd, prod
 
 from . import widths
 from .widths import Kind
@@ -15,6 +15,7 @@ from .words import Words
 
 FEWEST = 2  # elements of an array
 _NUMBER = re.compile(r"(?<=_)(0|[1-9]\d*)(?=_|$)")
+_INDEX = re.compile(r"(\d*)#")
 _RANGE = re.compile(r"(natural|integer) range (-?)(\d+) to (\d+)")
 _UNSIGNED = re.compile(r"unsigned\((\d+) downto 0\)")
 # Of VHDL-93 and VHDL-2008: no name of an array.
@@ -30,14 +31,15 @@ RESERVED = frozenset(
 )
 # The lowering counts variables of the same name: `choice`, `choice_2`, ...
 _COUNTED = "_#"
-_FILLED = 3  # of variables: their array has at most so many places for each
+_FEWEST_WITH_STEP = 3  # indices of which only each second, third ... is there
+_FILLED = 8  # of variables: their array has at most so many places for each, as of a comparison of 8 steps one is left
 Places = tuple[int, ...]
 
 
 @dataclass(frozen=True)
 class Array:
     name: str
-    pattern: str  # of the names of its elements, # for an index
+    pattern: str  # of the names of its elements, # for an index, 2# for twice the index
     kind: Kind
     ranges: tuple[tuple[int, int], ...]
     is_variable: bool = False
@@ -90,7 +92,7 @@ class Array:
 
     def element(self, indices: Sequence[int]) -> str:
         parts = iter(indices)
-        name = re.sub("#", lambda _: str(next(parts)), self.pattern)
+        name = _INDEX.sub(lambda match: str(next(parts) * int(match[1] or 1)), self.pattern)
         is_first = self.is_variable and self.pattern.endswith(_COUNTED) and indices[-1] == 1
         return name.removesuffix("_1") if is_first else name
 
@@ -133,10 +135,12 @@ def found_in(kinds: Mapping[str, Kind], taken: set[str], selections: Container[s
 
 def _of_family(key: str, members: Mapping[str, Kind], common: Mapping[str, Kind], used: set[str]) -> list[Array]:
     """`common`: types in place of their own."""
-    places = {tuple(map(int, _NUMBER.findall(name))): common.get(name, kind) for name, kind in members.items()}
+    numbers = {name: tuple(map(int, _NUMBER.findall(name))) for name in members}
+    steps = _steps(list(numbers.values()))
+    places = {_divided(numbers[name], steps): common.get(name, kind) for name, kind in members.items()}
     arrays: list[Array] = []
     for kind, ranges in sorted(_boxes(places), key=lambda box: box[1]):
-        array = _named(key, kind, ranges, used | {one.name for one in arrays})
+        array = _named(key, kind, ranges, steps, used | {one.name for one in arrays})
         joined, tops = widths.joined([members[name][0] for name, _ in array.elements()])
         arrays.append(replace(array, kind=(joined, kind[1]), tops=tops))
     return arrays
@@ -158,20 +162,59 @@ def of_variables(kinds: Mapping[str, Kind], taken: set[str], kept: Container[str
     arrays = []
     used = taken | RESERVED
     for (key, kind), members in families.items():
-        for ranges in _frames(members, 1 if (key, kind) in full else _FILLED):
-            arrays.append(replace(_named(key, kind, ranges, used), is_variable=True))
+        steps = _steps(members)
+        divided = [_divided(one, steps) for one in members]
+        for ranges in _frames(divided, 1 if (key, kind) in full else _FILLED, key.endswith(_COUNTED)):
+            own = (
+                (key.removesuffix(_COUNTED), kind, ranges[:-1])
+                if _is_first(key, ranges, steps)
+                else (key, kind, ranges)
+            )
+            arrays.append(replace(_named(*own, steps, used), is_variable=True))
             used.add(arrays[-1].name)
     return arrays
 
 
-def _frames(members: Sequence[Places], most: int) -> list[tuple[tuple[int, int], ...]]:
+def _steps(members: Sequence[Places]) -> Places:
+    """Of each index: the number of which all are multiples, as where a window has each second column."""
+    indices = [set(one) for one in zip(*members)]
+    return tuple(max(gcd(*one), 1) if len(one) >= _FEWEST_WITH_STEP else 1 for one in indices)
+
+
+def _divided(places: Places, steps: Places) -> Places:
+    return tuple(place // step for place, step in zip(places, steps))
+
+
+def _frames(members: Sequence[Places], most: int, is_counted: bool) -> list[tuple[tuple[int, int], ...]]:
     """Bounds of arrays that have no more than `most` places for each of these."""
     bounds = tuple((min(one), max(one)) for one in zip(*members))
     if len(members) < FEWEST:
         return []
     if prod(last - low + 1 for low, last in bounds) <= most * len(members):
         return [bounds]
-    return [ranges for _, ranges in _boxes(dict.fromkeys(members, ("", "")))]
+    full = [ranges for _, ranges in _boxes(dict.fromkeys(members, ("", "")))]
+    first = [one for one in members if one[-1] == 1]
+    if is_counted and len(bounds) > 1 and 0 < len(first) < len(members):
+        others = [one for one in members if one[-1] > 1]
+        parts = _frames(first, most, False) + _frames(others, most, False)
+        if _declarations(members, parts) < _declarations(members, full):
+            return parts
+    return full
+
+
+def _declarations(members: Sequence[Places], frames: Sequence[tuple[tuple[int, int], ...]]) -> int:
+    """Of arrays, and of those in none of them."""
+    single = [one for one in members if not any(_is_inside(one, ranges) for ranges in frames)]
+    return len(frames) + len(single)
+
+
+def _is_inside(places: Places, ranges: tuple[tuple[int, int], ...]) -> bool:
+    return all(first <= place <= last for place, (first, last) in zip(places, ranges))
+
+
+def _is_first(key: str, ranges: tuple[tuple[int, int], ...], steps: Places) -> bool:
+    """Of variables without a count behind their names."""
+    return key.endswith(_COUNTED) and ranges[-1] == (1, 1) and steps[-1] == 1
 
 
 _Box = tuple[Kind, tuple[tuple[int, int], ...]]
@@ -228,19 +271,14 @@ def _slabs(
     return [tuple(sorted(one for value in run for one in of_value[value])) for run in runs]
 
 
-def _named(key: str, kind: Kind, ranges: tuple[tuple[int, int], ...], used: set[str]) -> Array:
+def _named(key: str, kind: Kind, ranges: tuple[tuple[int, int], ...], steps: Places, used: set[str]) -> Array:
     """An index that all have stays in the name."""
-    bounds = iter(ranges)
-    pattern = (
-        "#".join(
-            part + (str(bound[0]) if bound and bound[0] == bound[1] else "\0" if bound else "")
-            for part, bound in ((part, next(bounds, None)) for part in key.split("#"))
-        )
-        .replace("#", "")
-        .replace("\0", "#")
-    )
+    first, *rest = key.split("#")
+    pattern = first
+    for part, (low, high), step in zip(rest, ranges, steps):
+        pattern += (str(low * step) if low == high else "#" if step == 1 else f"{step}#") + part
     varying = tuple(bound for bound in ranges if bound[0] != bound[1])
-    base = pattern.replace("_#", "")
+    base = re.sub(r"_\d*#", "", pattern)
     # `choice` beside `choice_2` ..., and indices in two parts, as something between them is missing.
     names = [base, f"{base}s", f"{base}s_from_{varying[0][0]}", *(f"{base}s_{number}" for number in range(2, 1000))]
     name = next(one for one in names if one not in used)

@@ -7,9 +7,14 @@ import re
 from collections.abc import Collection, Iterable
 
 from ...base.errors import FlowError
-from . import bits, carries, choices
+from . import bits, carries, choices, comparisons
 
-_NAMED = {bits.NAME: bits.FUNCTION, carries.NAME: carries.FUNCTION, carries.INVERTED: carries.INVERTED_FUNCTION}
+_NAMED = {
+    bits.NAME: bits.FUNCTION,
+    carries.NAME: carries.FUNCTION,
+    carries.INVERTED: carries.INVERTED_FUNCTION,
+    comparisons.NAME: comparisons.FUNCTION,
+}
 _OF_CHOICES = {kind: choices.function(kind) for kind in ("boolean", "integer", "unsigned")}
 NAMES = {*_NAMED, choices.NAME}
 ALL = (*_NAMED.values(), *_OF_CHOICES.values())
@@ -28,5 +33,6 @@ def needed(words: Collection[str], kinds_of_choices: Iterable[str]) -> str:
     """`words`: all of the text; `kinds_of_choices`: types of their targets."""
     bases = {"unsigned" if kind.startswith("unsigned") else kind for kind in kinds_of_choices}
     used = {base if base in _OF_CHOICES else "integer" for base in bases}
-    named = "".join(text for name, text in _NAMED.items() if name in words)
+    names = {*words, *(comparisons.CALLED if comparisons.NAME in words else ())}
+    named = "".join(text for name, text in _NAMED.items() if name in names)
     return named + "".join(_OF_CHOICES[kind] for kind in sorted(used))

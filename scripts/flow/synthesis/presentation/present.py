@@ -6,9 +6,24 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
 
 from ...base.errors import FlowError
-from . import arrays, bits, choices, core, defaults, functions, loops, memories, records, slices, tree, widths
+from . import (
+    arrays,
+    bits,
+    choices,
+    comparisons,
+    core,
+    defaults,
+    functions,
+    loops,
+    memories,
+    records,
+    slices,
+    tree,
+    widths,
+)
 from .arrays import Array, Places
 from .core import Core, Names
 from .records import Record
@@ -68,11 +83,13 @@ def _folded(scalar: Core) -> Core:
     ports, cells = memories.read(scalar.concurrent, _kinds(scalar.declarations))
     own = {f"{cell.label}_{name}" for cell in cells for name in cell.types()}
     signals = {name: kind for name, kind in _kinds(scalar.declarations).items() if name not in own}
-    variables = _kinds(scalar.variables)
-    kinds = signals | variables
+    kinds = signals | _kinds(scalar.variables)
+    compared = _with_comparisons(scalar, kinds)
+    kinds = signals | _kinds(compared.variables)
     of_memories = set(_READ_DATA.findall("\n".join(scalar.concurrent)))
     taken = set(_NAME.findall("\n".join(scalar.head + ports))) | kinds.keys() | memories.LOCAL | functions.NAMES
-    made = _arrays(scalar, signals, variables, of_memories, taken)
+    made = [*_of_signals(scalar, signals, of_memories, taken)]
+    made += _of_variables(compared, taken | {array.name for array in made})
     places = {
         name: (array, indices)
         for array in made
@@ -85,12 +102,12 @@ def _folded(scalar: Core) -> Core:
     fields = records.members(tags)
 
     def shown(words: Words) -> Words:
-        return _renamed(_with_arrays(_with_bits(words, kinds), places), fields)
+        return _renamed(_with_arrays(words, places), fields)
 
-    body = records.made(slices.made(choices.made(_mapped(scalar.body, shown)), known), tags)
+    body = records.made(slices.made(_mapped(compared.body, shown), known), tags)
     filled = Counter(array.name for array, _ in places.values())
     sparse = [array for array in made if array.is_variable and 0 < filled[array.name] < array.size]
-    shown_cells = [memories.in_words(cell, shown) for cell in cells]
+    shown_cells = [memories.in_words(cell, lambda words: shown(_with_bits(words, kinds))) for cell in cells]
     types = kinds | {field: kinds[name] for name, field in fields.items()}
     chosen = {known[words[0]].kind[0] if words[0] in known else types[words[0]] for words in _choices(body)}
     used = {word for words in [*_all_words(body), *(cell.words for cell in shown_cells)] for word in words}
@@ -99,13 +116,24 @@ def _folded(scalar: Core) -> Core:
         _grouped(_in_records(_without(scalar.declarations, own), tags, fields), places),
         [_NAME.sub(lambda match: _reference(match[0], places, fields), _qualified(line)) for line in ports]
         + memories.presented(shown_cells, loops.variables(reserved)[0], known, reserved | tags.keys()),
-        [one for one in _grouped(scalar.variables, places) if not isinstance(one, str)],
+        [one for one in _grouped(compared.variables, places) if not isinstance(one, str)],
         loops.fold(defaults.made(body, sparse), reserved),
         scalar.end,
         functions.needed(used, chosen),
         known,
         tags,
     )
+
+
+def _with_comparisons(scalar: Core, kinds: Mapping[str, str]) -> Core:
+    """With bits, choices and comparisons, and without the variables that these make needless."""
+    (clocked,) = choices.made(_mapped(scalar.body, lambda words: _with_bits(words, kinds)))
+    assert isinstance(clocked, tree.If)
+    then = comparisons.made(clocked.then, _kinds(scalar.variables))
+    body = (tree.If(clocked.test, then, clocked.otherwise),)
+    gone = _kinds(scalar.variables).keys() - {word for words in _all_words(body) for word in words}
+    variables = [one for one in _without(scalar.variables, gone) if not isinstance(one, str)]
+    return replace(scalar, variables=variables, body=body)
 
 
 def _renamed(words: Words, names: Mapping[str, str]) -> Words:
@@ -130,20 +158,21 @@ def _in_records(
                 yield Names(tags[tag].name, [tag])
 
 
-def _arrays(
-    scalar: Core, signals: Mapping[str, str], variables: Mapping[str, str], of_memories: set[str], taken: set[str]
-) -> list[Array]:
+def _of_signals(scalar: Core, signals: Mapping[str, str], of_memories: set[str], taken: set[str]) -> list[Array]:
     clocked = _assigned(scalar.body)
     in_arrays = {
         name: (kind, "memory" if name in of_memories else "process")
         for name, kind in signals.items()
         if name in of_memories or name in clocked
     }
-    of_signals = arrays.found_in(in_arrays, taken, widths.selections(scalar.body, {**signals, **variables}))
-    taken = taken | {array.name for array in of_signals}
-    early = defaults.read_first(scalar.body, variables)
-    in_arrays = {name: (kind, "variable") for name, kind in variables.items()}
-    return [*of_signals, *arrays.of_variables(in_arrays, taken, early)]
+    selections = widths.selections(scalar.body, {**signals, **_kinds(scalar.variables)})
+    return arrays.found_in(in_arrays, taken, selections)
+
+
+def _of_variables(compared: Core, taken: set[str]) -> list[Array]:
+    variables = _kinds(compared.variables)
+    early = defaults.read_first(compared.body, variables)
+    return arrays.of_variables({name: (kind, "variable") for name, kind in variables.items()}, taken, early)
 
 
 def _without(declarations: Iterable[str | Names | Array], names: set[str]) -> Iterable[str | Names | Array]:
@@ -273,6 +302,8 @@ def _expanded(presented: Core) -> Core:
     cells = [memories.in_words(cell, without_arrays) for cell in cells]
     declarations = _single(_by_fields(presented), there, sparse)
     variables = [one for one in _single(presented.variables, there, sparse) if not isinstance(one, str)]
+    with_steps, steps = _without_comparisons(with_elements, _kinds(variables))
+    variables += [Names(comparisons.KIND, steps)] if steps else []
     kinds = _kinds([*declarations, *variables])
     cells = [memories.in_words(cell, lambda words: bits.arithmetic(words, kinds)) for cell in cells]
     own = [Names(kind, [f"{cell.label}_{name}"]) for cell in cells for name, kind in cell.types().items()]
@@ -281,9 +312,20 @@ def _expanded(presented: Core) -> Core:
         [*declarations, *own],
         memories.written(lines, cells),
         variables,
-        _mapped(choices.unmade(with_elements), lambda words: _value(words, bits.arithmetic, kinds)),
+        _mapped(choices.unmade(with_steps), lambda words: _value(words, bits.arithmetic, kinds)),
         presented.end,
     )
+
+
+def _without_comparisons(
+    body: tuple[tree.Statement, ...], variables: Mapping[str, str]
+) -> tuple[tuple[tree.Statement, ...], list[str]]:
+    """(the statements, the variables of the steps)"""
+    (clocked,) = body
+    if not isinstance(clocked, tree.If):
+        raise ValueError("no clock")
+    then, steps = comparisons.unmade(clocked.then, variables)
+    return (tree.If(clocked.test, then, clocked.otherwise),), steps
 
 
 def _by_fields(presented: Core) -> Iterable[str | Names | Array]:
