@@ -118,7 +118,6 @@ def check(options: Namespace) -> None:
     inputs = [Path(path) for paths in options.pair for path in paths if path != "-"]
     for path in written:
         files.refuse_input(path, inputs)
-    places.results_folder(options.out, explore.RESULTS)
 
 
 def given_pairs(options: Namespace) -> list[explore.Pair]:
@@ -152,6 +151,7 @@ def main() -> int:
     choices, refused = explore.choices(sweep, family, known)
     if not choices:
         raise FlowError("no choice is left: census takes no x-Sobel, and the texture check needs it")
+    places.results_folder(options.out, explore.RESULTS)
     named, without_truth = explore.named_choices(list(dict.fromkeys(options.config)), sweep.ranges, known)
     choices += named
     pairs += explore.generated_scenes(number, max(sweep.ranges), options.out)

@@ -74,6 +74,11 @@ def test_explore_does_not_replace_an_image(tmp_path, name):
     assert left.read_text() == "the user's own"
 
 
+def test_a_refused_exploration_leaves_no_folder(tmp_path):
+    refused(call("explore.py", "--scenes", 0, "--out", tmp_path / "new"), 2, "no pair")
+    assert not (tmp_path / "new").exists()
+
+
 def test_results_of_an_earlier_run_are_replaced(tmp_path):
     folder = places.results_folder(tmp_path / "new", ["report.json"])
     (folder / "report.json").write_text("of the first run")
