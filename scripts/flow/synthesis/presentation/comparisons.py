@@ -9,11 +9,14 @@ from collections import Counter
 from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import chain
-from typing import NamedTuple, TypeGuard
+from typing import TYPE_CHECKING, NamedTuple
 
 from . import bits, carries, choices
 from .tree import Assign, If, Statement
 from .words import Words, arguments
+
+if TYPE_CHECKING:
+    from typing import TypeGuard  # of Python 3.10
 
 NAME = "is_larger"
 CALLED = (bits.NAME, carries.NAME)
