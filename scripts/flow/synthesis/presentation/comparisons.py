@@ -9,14 +9,11 @@ from collections import Counter
 from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import chain
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from . import bits, carries, choices
 from .tree import Assign, If, Statement
 from .words import Words, arguments
-
-if TYPE_CHECKING:
-    from typing import TypeGuard  # of Python 3.10
 
 NAME = "is_larger"
 CALLED = (bits.NAME, carries.NAME)
@@ -109,9 +106,9 @@ class _Known:
         return more
 
     def add(self, one: Statement) -> None:
-        if _is_of_variable(one):
-            self.of_value.setdefault(one.words[2:], one.words[0])
-            self.values[one.words[0]] = one.words[2:]
+        if words := _of_variable(one):
+            self.of_value.setdefault(words[2:], words[0])
+            self.values[words[0]] = words[2:]
 
     def said(self, value: Words) -> Words:
         """A name, where there is a variable of this value."""
@@ -174,12 +171,11 @@ def _linked(statements: Sequence[Statement], at: int, uses: Mapping[str, int]) -
     variables."""
     steps = [at]
     for place in range(at + 1, len(statements)):
-        one, before = statements[place], statements[steps[-1]]
-        if not _is_of_variable(one):
+        words, (before, *_) = _of_variable(statements[place]), _of_variable(statements[steps[-1]])
+        if not words:
             break
-        if _TARGET.fullmatch(one.words[0]):
-            assert isinstance(before, Assign)
-            if before.words[0] not in one.words or uses[before.words[0]] != 2:  # there and where it is assigned
+        if _TARGET.fullmatch(words[0]):
+            if before not in words or uses[before] != 2:  # there and where it is assigned
                 break
             steps.append(place)
     return steps
@@ -207,9 +203,10 @@ def _written(
 
 def _guesses(one: Statement, known: _Known) -> list[_Comparison]:
     """What this may be the first step of."""
-    if not _is_of_variable(one) or one.words[3:4] != ("(",) or not _TARGET.fullmatch(one.words[0]):
+    words = _of_variable(one)
+    if words[3:4] != ("(",) or not _TARGET.fullmatch(words[0]):
         return []
-    kind, terms = one.words[2], arguments(one.words[4:-1])
+    kind, terms = words[2], arguments(words[4:-1])
     if kind == choices.NAME and (a := known.bit(terms[0])):
         yes, no = (known.bit(_complement(terms[at])) for at in (1, 2))
         return [
@@ -272,13 +269,14 @@ def unmade(statements: Sequence[Statement], variables: Container[str]) -> tuple[
 def _run(found: Sequence[Statement], start: int) -> list[Statement]:
     """The assignments of variables at the end."""
     at = len(found)
-    while at > start and _is_of_variable(found[at - 1]):
+    while at > start and _of_variable(found[at - 1]):
         at -= 1
     return list(found[at:])
 
 
-def _is_of_variable(one: Statement) -> TypeGuard[Assign]:
-    return isinstance(one, Assign) and one.words[1:2] == (":=",)
+def _of_variable(one: Statement) -> Words:
+    """The words of an assignment to a variable, none of other statements."""
+    return one.words if isinstance(one, Assign) and one.words[1:2] == (":=",) else ()
 
 
 def _names(target: str, count: int) -> list[str]:
