@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from flow.base.tools import ROOT
 from flow.mutation import arguments, mutants, run
 from flow.mutation.equivalence import NotSynthesizedError
 from flow_commands import call, refused
@@ -212,3 +213,21 @@ def test_bad_options(options):
 def test_the_table_of_kept_results_is_up_to_date():
     process = call("mutate.py", "--check")
     assert process.returncode == 0, process.stderr
+
+
+def argued(core, statement, change):
+    key = f"stereo_core_{core}.vhd | {statement} | {change}"
+    return arguments.of(mutants.Mutant(Path("core.vhd"), 1, statement, "constant", key))
+
+
+def test_every_argument_has_its_test():
+    tests = (ROOT / "scripts" / "tests" / "test_mutation_arguments.py").read_text()
+    assert all(f"def {one.test}(" in tests for one in arguments.ARGUMENTS)
+
+
+def test_an_argument_from_the_sizes_of_a_core_holds_of_no_other():
+    fault = "forward_occluding_5 <= 128;", "assignment dropped"
+    assert argued("tiny_trellis", *fault) and not argued("tiny_trellis_w1", *fault)
+    everywhere = "raster_place_column <= 0;", "column 31: 0 -> 1"
+    assert argued("tiny_trellis", *everywhere) and argued("tiny_trellis_w1", *everywhere)
+    assert not argued("tiny_trellis", everywhere[0], "column 31: 0 -> 2")

@@ -14,7 +14,7 @@ from flow.base.tools import find_ghdl
 from flow.synthesis.presentation import bits, carries, comparisons, tree
 from flow.synthesis.presentation.words import joined, split
 
-VARIABLES = {"v", *(f"r_choice_{number}" for number in range(1, 40)), "r_choice", "known", "all_set", "none", "other"}
+VARIABLES = {"v", "r_choice", *(f"r_choice_{number}" for number in range(2, 40))}
 CALLS = {  # what is called: {value of a, b, before: the answer}
     "from bit 0": ("is_larger(a, b, 0, 3, false)", lambda a, b, v: a > b),
     "equal ones count": ("is_larger(a, b, 0, 3, true)", lambda a, b, v: a >= b),

@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 from typing import NamedTuple
 
+from ..base import rtl
 from .mutants import Mutant
 
 
@@ -16,6 +17,7 @@ class Argument(NamedTuple):
     change: str  # pattern of what changed
     reason: str
     test: str  # of what it rests on, in scripts/tests/test_mutation_arguments.py
+    core: str = ""  # the one of which it holds, where its sizes count
 
 
 ARGUMENTS = (
@@ -54,6 +56,7 @@ ARGUMENTS = (
         r"and -> or",
         "a window of three rows whose middle row is outside the image belongs to no row of the map",
         "test_rows_beside_the_map_may_have_any_cost",
+        "tiny_sgm",
     ),
     Argument(
         r"\w*order_falls <= false;",
@@ -72,12 +75,14 @@ ARGUMENTS = (
         r"256 -> 512$",
         "the last state falls from itself, which costs as much as to stay and the drop besides",
         "test_the_last_state_never_falls",
+        "tiny_trellis",
     ),
     Argument(
         r"forward_occluding_\d+ <= 128;",
         r"assignment dropped",
         "29 columns cost less than half the range of the numbers: what a row leaves loses against the next one",
         "test_what_a_row_leaves_loses_against_the_next_one",
+        "tiny_trellis",
     ),
     Argument(
         r"forward_far_\d+_any := \(not entry_tag_valid\) or \(not forward_next_first\);",
@@ -89,8 +94,9 @@ ARGUMENTS = (
 
 
 def of(mutant: Mutant) -> Argument | None:
-    _, statement, change = mutant.key.split(" | ")[:3]
+    file, statement, change = mutant.key.split(" | ")[:3]
     for argument in ARGUMENTS:
-        if re.fullmatch(argument.statement, statement) and re.search(argument.change, change):
+        is_of_core = not argument.core or file == f"{rtl.core_entity(argument.core)}.vhd"
+        if is_of_core and re.fullmatch(argument.statement, statement) and re.search(argument.change, change):
             return argument
     return None

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from .words import Words, arguments
+from .words import Words, arguments, bare, in_parentheses
 
 NAME = "carry"
 INVERTED = "inverted_carry"
@@ -37,7 +37,7 @@ def made(test: Words, yes: Words, no: Words) -> Words:
     for name, (first, second) in ((NAME, _OPERATORS), (INVERTED, _OPERATORS[::-1])):
         of_yes, of_no = _operands(yes, first), _operands(no, second)
         if of_yes and of_yes == of_no:
-            a, b = map(_bare, of_yes)
+            a, b = map(bare, of_yes)
             found = (name, "(", *test, ",", *a, ",", *b, ")")
             if unmade(found) == (test, yes, no):
                 return found
@@ -50,7 +50,7 @@ def unmade(value: Words) -> tuple[Words, Words, Words] | None:
         return None
     test, a, b = arguments(value[2:-1])
     first, second = _OPERATORS if value[0] == NAME else _OPERATORS[::-1]
-    a, b = _operand(a), _operand(b)
+    a, b = in_parentheses(a), in_parentheses(b)
     return test, (*a, first, *b), (*a, second, *b)
 
 
@@ -65,25 +65,3 @@ def _operands(words: Words, operator: str) -> tuple[Words, Words] | None:
     if len(places) != 1 or words[places[0]] != operator:
         return None
     return words[: places[0]], words[places[0] + 1 :]
-
-
-def _bare(operand: Words) -> Words:
-    """Without the parentheses around all of it."""
-    if operand[0] != "(":
-        return operand
-    depth = 0
-    for at, word in enumerate(operand):
-        depth += {"(": 1, ")": -1}.get(word, 0)
-        if depth == 0:
-            return operand[1:-1] if at == len(operand) - 1 else operand
-    return operand
-
-
-def _operand(argument: Words) -> Words:
-    """With parentheses again where it is no name or call."""
-    is_simple = len(argument) == 1 or (argument[1] == "(" and argument[0] != "not" and _is_call(argument))
-    return argument if is_simple else ("(", *argument, ")")
-
-
-def _is_call(words: Words) -> bool:
-    return _bare(words[1:]) != words[1:]

@@ -12,8 +12,8 @@ from itertools import chain
 from typing import NamedTuple
 
 from . import bits, carries, choices
-from .tree import Assign, If, Statement
-from .words import Words, arguments
+from .tree import Assign, Statement, all_words
+from .words import Words, arguments, bare, in_parentheses
 
 NAME = "is_larger"
 CALLED = (bits.NAME, carries.NAME)
@@ -121,7 +121,7 @@ class _Known:
             words = self.values.get(words[0], words)
         if words[:1] == ("not",):
             return None
-        words = _bare(words)
+        words = bare(words)
         if len(words) != 6:
             return None
         if words[0] == bits.NAME:
@@ -134,7 +134,7 @@ class _Known:
 
 def made(statements: Sequence[Statement], variables: Container[str]) -> tuple[Statement, ...]:
     """Of the statements of a clock."""
-    uses = Counter(chain.from_iterable(_all_words(statements)))
+    uses = Counter(chain.from_iterable(all_words(statements)))
     known = _Known(variables)
     found: list[Statement] = []
     start = at = 0  # in `found`, of the run of assignments behind the last comparison; in `statements`
@@ -235,15 +235,6 @@ def _comparison(a: _Bit, b: _Bit, low: int, before: Words) -> _Comparison:
     return _Comparison(first, second, low, low, before, True)
 
 
-def _all_words(statements: Iterable[Statement]) -> Iterable[Words]:
-    for one in statements:
-        if isinstance(one, Assign):
-            yield one.words
-        elif isinstance(one, If):
-            yield one.test
-            yield from _all_words([*one.then, *(one.otherwise or ())])
-
-
 # --- and back ---------------------------------------------------------------------------------------------------------
 
 
@@ -332,31 +323,22 @@ def _of_pair(one: _Comparison, number: int, before: Words, known: _Known) -> Wor
     """The steps of the lowest two bits, `a > b` or `a >= b`."""
     (a, below), (b, above) = ([known.said(term.bit(place)) for place in (0, 1)] for term in (one.a, one.b))
     none = known.said((*one.b.part(1), "=", "0"))
-    not_all = (*_in_parentheses(_not(above)), "or", *_in_parentheses(_not(b)))
+    not_all = (*in_parentheses(_not(above)), "or", *in_parentheses(_not(b)))
     if one.before == _FLAGS[0]:
         if number == 0:
             return _call(choices.NAME, a, known.said(not_all), _not(above))
-        return _call(choices.NAME, below, before, (*_in_parentheses(a), "and", *_in_parentheses(none)))
+        return _call(choices.NAME, below, before, (*in_parentheses(a), "and", *in_parentheses(none)))
     if number == 0:
         return _call(choices.NAME, a, _not(above), none)
-    return _call(choices.NAME, below, (*_in_parentheses(a), "or", *not_all), before)
+    return _call(choices.NAME, below, (*in_parentheses(a), "or", *not_all), before)
 
 
 def _not(value: Words) -> Words:
-    return ("not", *_in_parentheses(value))
+    return ("not", *in_parentheses(value))
 
 
 def _complement(value: Words) -> Words:
-    return _bare(value[1:]) if value[:1] == ("not",) else ("not", *value)
-
-
-def _in_parentheses(value: Words) -> Words:
-    is_simple = len(value) == 1 or (value[0] == bits.NAME and len(value) == 6)
-    return value if is_simple else ("(", *value, ")")
-
-
-def _bare(value: Words) -> Words:
-    return value[1:-1] if value[:1] == ("(",) and value[-1:] == (")",) else value
+    return bare(value[1:]) if value[:1] == ("not",) else ("not", *value)
 
 
 def _call(name: str, *terms: Words) -> Words:

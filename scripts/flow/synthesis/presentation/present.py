@@ -88,7 +88,7 @@ def _folded(scalar: Core) -> Core:
     kinds = signals | _kinds(compared.variables)
     of_memories = set(_READ_DATA.findall("\n".join(scalar.concurrent)))
     taken = set(_NAME.findall("\n".join(scalar.head + ports))) | kinds.keys() | memories.LOCAL | functions.NAMES
-    made = [*_of_signals(scalar, signals, of_memories, taken)]
+    made = _of_signals(scalar, signals, of_memories, taken)
     made += _of_variables(compared, taken | {array.name for array in made})
     places = {
         name: (array, indices)
@@ -110,7 +110,7 @@ def _folded(scalar: Core) -> Core:
     shown_cells = [memories.in_words(cell, lambda words: shown(_with_bits(words, kinds))) for cell in cells]
     types = kinds | {field: kinds[name] for name, field in fields.items()}
     chosen = {known[words[0]].kind[0] if words[0] in known else types[words[0]] for words in _choices(body)}
-    used = {word for words in [*_all_words(body), *(cell.words for cell in shown_cells)] for word in words}
+    used = {word for words in [*tree.all_words(body), *(cell.words for cell in shown_cells)] for word in words}
     return Core(
         scalar.head,
         _grouped(_in_records(_without(scalar.declarations, own), tags, fields), places),
@@ -131,7 +131,7 @@ def _with_comparisons(scalar: Core, kinds: Mapping[str, str]) -> Core:
     assert isinstance(clocked, tree.If)
     then = comparisons.made(clocked.then, _kinds(scalar.variables))
     body = (tree.If(clocked.test, then, clocked.otherwise),)
-    gone = _kinds(scalar.variables).keys() - {word for words in _all_words(body) for word in words}
+    gone = _kinds(scalar.variables).keys() - {word for words in tree.all_words(body) for word in words}
     variables = [one for one in _without(scalar.variables, gone) if not isinstance(one, str)]
     return replace(scalar, variables=variables, body=body)
 
@@ -184,24 +184,13 @@ def _without(declarations: Iterable[str | Names | Array], names: set[str]) -> It
 
 
 def _choices(statements: Iterable[tree.Statement]) -> Iterable[Words]:
-    for words in _all_words(statements):
+    for words in tree.all_words(statements):
         if any(sign in words and words[words.index(sign) + 1] == choices.NAME for sign in ("<=", ":=")):
             yield words
 
 
 def _assigned(statements: Iterable[tree.Statement]) -> set[str]:
-    return {words[0] for words in _all_words(statements) if words[1:2] in (("<=",), (":=",))}
-
-
-def _all_words(statements: Iterable[tree.Statement]) -> Iterable[Words]:
-    for one in statements:
-        if isinstance(one, tree.Assign):
-            yield one.words
-        elif isinstance(one, tree.If):
-            yield one.test
-            yield from _all_words([*one.then, *(one.otherwise or ())])
-        elif isinstance(one, tree.For):
-            yield from _all_words(one.body)
+    return {words[0] for words in tree.all_words(statements) if words[1:2] in (("<=",), (":=",))}
 
 
 def _mapped(statements: Iterable[tree.Statement], change: Callable[[Words], Words]) -> tuple[tree.Statement, ...]:

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Union
 
@@ -42,6 +42,18 @@ Statement = Union[Comment, Assign, If, For]
 def inside(one: If, change: Callable[[tuple[Statement, ...]], tuple[Statement, ...]]) -> If:
     """The same with its branches changed."""
     return If(one.test, change(one.then), None if one.otherwise is None else change(one.otherwise))
+
+
+def all_words(statements: Iterable[Statement]) -> Iterator[Words]:
+    """Of each assignment and test."""
+    for one in statements:
+        if isinstance(one, Assign):
+            yield one.words
+        elif isinstance(one, If):
+            yield one.test
+            yield from all_words([*one.then, *(one.otherwise or ())])
+        elif isinstance(one, For):
+            yield from all_words(one.body)
 
 
 def read(words: Sequence[str]) -> tuple[Statement, ...]:

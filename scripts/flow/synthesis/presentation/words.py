@@ -86,3 +86,21 @@ def arguments(words: Words) -> list[Words]:
             found.append(words[start:at])
             start = at + 1
     return [*found, words[start:]]
+
+
+def bare(value: Words) -> Words:
+    """Without the parentheses around all of it."""
+    if value[0] != "(":
+        return value
+    depth = 0
+    for at, word in enumerate(value):
+        depth += {"(": 1, ")": -1}.get(word, 0)
+        if depth == 0:
+            return value[1:-1] if at == len(value) - 1 else value
+    return value
+
+
+def in_parentheses(value: Words) -> Words:
+    """Where it is no name or call."""
+    is_call = len(value) > 1 and value[0] != "not" and value[1] == "(" and bare(value[1:]) != value[1:]
+    return value if len(value) == 1 or is_call else ("(", *value, ")")
