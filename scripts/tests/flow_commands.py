@@ -14,6 +14,7 @@ from pathlib import Path
 from flow.base import committed, files
 from flow.base.configurations import configuration, designs
 from flow.base.errors import FlowError
+from flow.base.locks import NOTICE
 from flow.base.tools import ROOT, find_stereo_hls
 from flow.synthesis import manifest
 from flow.synthesis.presentation.present import expand
@@ -29,10 +30,15 @@ def call(command, *arguments, environment=None):
     )
 
 
+def complaints(process):
+    """What a command said on stderr, but for notices of waits: a test beside this one may hold what it waits for."""
+    return [line for line in process.stderr.splitlines() if not line.startswith(NOTICE)]
+
+
 def refused(process, exit_code, *words):
     """Asserts that a command ended with this code and one sentence on stderr that has all the words."""
     assert process.returncode == exit_code, process.stdout + process.stderr
-    lines = process.stderr.splitlines()
+    lines = complaints(process)
     assert len(lines) == 1, process.stderr
     for word in words:
         assert word in lines[0], lines[0]

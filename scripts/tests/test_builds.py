@@ -112,7 +112,7 @@ def test_a_wait_that_lasts_says_for_whom(tmp_path, monkeypatch, capfd, kind, nam
         pass
     holder.join()
     said = capfd.readouterr().err.splitlines()
-    assert len(said) == 1 and said[0].startswith(f"waiting for {path}, which process {holder.pid} (")
+    assert len(said) == 1 and said[0].startswith(f"{locks.NOTICE}{path}, which process {holder.pid} (")
     with locks.exclusive(path):
         pass
     assert capfd.readouterr().err == "", "a short wait is not told"

@@ -90,6 +90,14 @@ def test_every_page_is_there(built):
     assert "stereo_hls 1.2.3" in front
 
 
+def test_a_folder_of_the_user_is_refused_before_anything_is_installed(tmp_path, monkeypatch):
+    monkeypatch.setattr(site.venv, "ensure", lambda *words: pytest.fail("installed first"))
+    (tmp_path / "html").mkdir()
+    (tmp_path / "html" / "mine").touch()
+    with pytest.raises(FlowError, match="name another folder"):
+        site.build(tmp_path, "1.2.3")
+
+
 def test_a_warning_is_an_error(build, tmp_path):
     good = small_project(tmp_path / "good", "# A page\n\n[a header](../README.md)\n")
     assert build(tmp_path / "out", "1", good).is_file()

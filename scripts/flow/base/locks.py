@@ -12,6 +12,7 @@ from pathlib import Path
 from types import TracebackType
 
 PATIENCE_SECONDS = 5.0  # before a wait is told
+NOTICE = "waiting for "  # a line on stderr that begins so tells of a wait, not of a fault
 SHARED, EXCLUSIVE = fcntl.LOCK_SH, fcntl.LOCK_EX
 
 
@@ -61,7 +62,7 @@ class Lock:
 
     def _tell(self) -> None:
         held_by = ", ".join(_holders(self._open())) or "another process"
-        print(f"waiting for {self.path}, which {held_by} holds", file=sys.stderr, flush=True)
+        print(f"{NOTICE}{self.path}, which {held_by} holds", file=sys.stderr, flush=True)
 
     def __enter__(self) -> Lock:
         return self

@@ -87,10 +87,10 @@ def _copy_folder(folder: Path, to: Path) -> None:
 
 def build(out: Path, version: str, root: Path = ROOT, say: Say = print) -> Path:
     """Makes the site below `out`; any warning is an error. Returns its first page."""
-    programs = venv.ensure("venv-site", REQUIREMENTS, "the site generator (Sphinx)", say)
     source, html = out / "source", out / "html"
     stage(source, root, version)
     places.emptied_folder(html)
+    programs = venv.ensure("venv-site", REQUIREMENTS, "the site generator (Sphinx)", say)
     run(
         [programs / "sphinx-build", "-q", "-W", "--keep-going", "-b", "html", "-d", out / "doctrees", source, html],
         log=out / "site.log",
