@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from itertools import groupby, product
 from math import gcd, prod
 
+from ...base.errors import FlowError
 from . import widths
 from .widths import Kind
 from .words import Words
@@ -16,6 +17,8 @@ from .words import Words
 FEWEST = 2  # elements of an array
 _NUMBER = re.compile(r"(?<=_)(0|[1-9]\d*)(?=_|$)")
 _INDEX = re.compile(r"(\d*)#")
+_BEFORE_INDEX = re.compile(r"_\d*#")
+_PLURAL = r"(?:s(?:_from_\d+|_\d+)?)?"  # what the name of an array may end in besides
 _RANGE = re.compile(r"(natural|integer) range (-?)(\d+) to (\d+)")
 _UNSIGNED = re.compile(r"unsigned\((\d+) downto 0\)")
 # Of VHDL-93 and VHDL-2008: no name of an array.
@@ -78,12 +81,10 @@ class Array:
 
     @property
     def remark(self) -> str:
-        return self.pattern + (f" up to {widths.said(self.tops)}" if self.tops else "")
-
-    @property
-    def is_plain(self) -> bool:
-        """Whether its indices are behind its name, and its elements of its type."""
-        return not self.tops and self.pattern == self.name + "_#" * len(self.ranges)
+        """What its name and its type do not say; empty where its indices are behind its name."""
+        is_plain = self.pattern == self.name + "_#" * len(self.ranges)
+        said = "" if is_plain and not self.tops else shortened(self.name, self.pattern)
+        return said + (f" up to {widths.said(self.tops)}" if self.tops else "")
 
     def own_kinds(self) -> Iterable[tuple[str, str]]:
         """(element, its type)"""
@@ -99,6 +100,27 @@ class Array:
     def elements(self) -> Iterable[tuple[str, Places]]:
         for indices in product(*(range(first, last + 1) for first, last in self.ranges)):
             yield self.element(indices), indices
+
+
+def shortened(name: str, pattern: str) -> str:
+    """From the word before the first index on that the name has as well: `_#_choice` of `a_#_choice`."""
+    start = pattern.index("#")
+    start = pattern.rindex("_", 0, start)
+    for at in (start, pattern.rfind("_", 0, start)):
+        if at > 0 and lengthened(name, pattern[at:]) == pattern:
+            return pattern[at:]
+    return pattern
+
+
+def lengthened(name: str, remark: str) -> str:
+    """The inverse of `shortened`."""
+    end = _BEFORE_INDEX.sub("", remark)
+    if not remark.startswith("_"):
+        return remark
+    match = re.fullmatch(rf"(.+){end}{_PLURAL if end else ''}", name)
+    if match is None:
+        raise FlowError(f"unknown form of VHDL: {name} does not end as its elements do")
+    return match[1] + remark
 
 
 def _type_name(kind: str) -> str:
@@ -278,7 +300,7 @@ def _named(key: str, kind: Kind, ranges: tuple[tuple[int, int], ...], steps: Pla
     for part, (low, high), step in zip(rest, ranges, steps):
         pattern += (str(low * step) if low == high else "#" if step == 1 else f"{step}#") + part
     varying = tuple(bound for bound in ranges if bound[0] != bound[1])
-    base = re.sub(r"_\d*#", "", pattern)
+    base = _BEFORE_INDEX.sub("", pattern)
     # `choice` beside `choice_2` ..., and indices in two parts, as something between them is missing.
     names = [base, f"{base}s", f"{base}s_from_{varying[0][0]}", *(f"{base}s_{number}" for number in range(2, 1000))]
     name = next(one for one in names if one not in used)

@@ -9,12 +9,14 @@ from dataclasses import dataclass, field
 
 from ...base.errors import FlowError
 from . import functions, records, tree, widths
-from .arrays import Array, types_of
+from .arrays import Array, lengthened, types_of
 from .records import Record
-from .words import split, wrapped
+from .words import folded, split, wrapped
 
 MARK = "-- Where a comment behind a declaration has #, the C++ has the indices.\n"
-_DECLARATION = re.compile(r"(signal|variable) ([\w, ]+) : ([^;]+);(?:  -- ([\w#]+)(?: up to (.+))?)?")
+_DECLARATION = re.compile(r"(signal|variable) ([\w, ]+) : ([^;]+);(?:  -- ([\w#]+)?(?: ?up to (.+))?)?")
+_OPEN = re.compile(r" *(signal|variable) [^;]*$")
+_REMARK = "  -- "
 _ARRAY = re.compile(r"(\w+_\dd)\((.*)\)")
 _TYPE = re.compile(r"  type (\w+) is array \([^)]*\) of (.*);")
 
@@ -52,12 +54,12 @@ def read(text: str) -> Core:
     except (StopIteration, ValueError):
         raise FlowError("unknown form of VHDL: no core of this project") from None
     kinds = {match[1]: match[2] for line in lines[start:begin] if (match := _TYPE.fullmatch(line))}
-    declared = [line for line in lines[start:begin] if not _TYPE.fullmatch(line)]
+    declared = _unfolded(line for line in lines[start:begin] if not _TYPE.fullmatch(line))
     core = Core(
         lines[:start],
         _declarations(declared, kinds),
         lines[begin + 1 : process],
-        [one for one in _declarations(lines[process + 1 : body], kinds, True) if not isinstance(one, str)],
+        [one for one in _declarations(_unfolded(lines[process + 1 : body]), kinds, True) if not isinstance(one, str)],
         tree.read(split("\n".join(lines[body + 1 : end]))),
         lines[end:],
     )
@@ -66,6 +68,17 @@ def read(text: str) -> Core:
     kept = [one for one in core.declarations if isinstance(one, Names) and one.kind in types]
     core.records = {name: types[one.kind] for one in kept for name in one.names}
     return core
+
+
+def _unfolded(lines: Iterable[str]) -> list[str]:
+    """Each declaration on one line."""
+    found: list[str] = []
+    for line in lines:
+        if found and _OPEN.match(found[-1]):
+            found[-1] += f" {line.strip()}"
+        else:
+            found.append(line)
+    return found
 
 
 def _declarations(lines: list[str], kinds: dict[str, str], is_variable: bool = False) -> list[str | Names | Array]:
@@ -88,7 +101,7 @@ def _declarations(lines: list[str], kinds: dict[str, str], is_variable: bool = F
             raise FlowError(f"unknown form of VHDL: no type {array[1]}")
         ranges = tuple((int(low), int(high)) for low, high in re.findall(r"(\d+) to (\d+)", array[2]))
         for name in names.split(", "):
-            places = pattern or name + "_#" * len(ranges)
+            places = lengthened(name, pattern) if pattern else name + "_#" * len(ranges)
             own = widths.read(tops) if tops else ()
             found.append(Array(name, places, (kinds[array[1]], ""), ranges, is_variable, own))
     return found
@@ -100,42 +113,60 @@ def text(core: Core, is_presented: bool = False) -> str:
         lines.insert(lines.index("library ieee;"), MARK.rstrip())
     lines += core.functions.splitlines()
     lines += [*(f"  {one}" for one in types_of(core.arrays.values())), *records.types_of(core.records)]
-    lines += _declared("  signal ", core.declarations)
+    declared = grouped if is_presented else joined
+    lines += _declared("  signal ", declared(core.declarations), is_presented)
     lines += ["", "begin", *core.concurrent, "  process (clock)"]
-    lines += [*_declared("    variable ", core.variables), "  begin"]
+    lines += [*_declared("    variable ", declared(core.variables), is_presented), "  begin"]
     lines += [*tree.lines(core.body, "    "), *core.end]
     return "\n".join(lines) + "\n"
 
 
-def _declared(start: str, declarations: Iterable[str | Names | Array]) -> list[str]:
+def _declared(start: str, declarations: Iterable[str | Names], is_folded: bool) -> list[str]:
     lines: list[str] = []
-    for one in joined(declarations):
+    for one in declarations:
         if isinstance(one, str):
             lines.append(f"  -- {one}")
-        elif isinstance(one, Names):
-            lines += wrapped(start, one.names, f" : {one.kind};")
-        else:
-            lines.append(f"{start}{one.name} : {one.type_name}({one.constraint});  -- {one.remark}")
+            continue
+        kind, _, remark = one.kind.partition(_REMARK)
+        end = f" : {kind};"
+        shown = folded(start + ", ".join(one.names) + end) if is_folded else wrapped(start, one.names, end)
+        lines += [*shown[:-1], shown[-1] + (f"  -- {remark}" if remark else "")]
     return lines
 
 
-def joined(declarations: Iterable[str | Names | Array]) -> Iterator[str | Names | Array]:
+def joined(declarations: Iterable[str | Names | Array]) -> Iterator[str | Names]:
     """Neighbours of one type together."""
     open_names: Names | None = None
-    for one in declarations:
-        kind, names = "", []
-        if isinstance(one, Names):
-            kind, names = one.kind, one.names
-        elif isinstance(one, Array) and one.is_plain:
-            kind, names = f"{one.type_name}({one.constraint})", [one.name]
-        if open_names and open_names.kind != kind:
+    for one in map(_said, declarations):
+        if open_names and isinstance(one, Names) and one.kind == open_names.kind:
+            open_names.names += one.names
+            continue
+        if open_names:
             yield open_names
-            open_names = None
-        if not kind:
+        open_names = one if isinstance(one, Names) else None
+        if isinstance(one, str):
             yield one
-        elif open_names:
-            open_names.names += names
-        else:
-            open_names = Names(kind, list(names))
     if open_names:
         yield open_names
+
+
+def grouped(declarations: Iterable[str | Names | Array]) -> Iterator[str | Names]:
+    """All of one type together, between two comments."""
+    groups: dict[str, Names] = {}
+    for one in map(_said, declarations):
+        if isinstance(one, str):
+            yield from groups.values()
+            yield one
+            groups = {}
+        elif one.kind in groups:
+            groups[one.kind].names += one.names
+        else:
+            groups[one.kind] = one
+    yield from groups.values()
+
+
+def _said(one: str | Names | Array) -> str | Names:
+    """With what stands behind the names as its type."""
+    if isinstance(one, Array):
+        return Names(f"{one.type_name}({one.constraint})" + (_REMARK + one.remark if one.remark else ""), [one.name])
+    return Names(one.kind, list(one.names)) if isinstance(one, Names) else one

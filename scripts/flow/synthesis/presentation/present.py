@@ -107,6 +107,7 @@ def _folded(scalar: Core) -> Core:
     body = records.made(slices.made(_mapped(compared.body, shown), known), tags)
     filled = Counter(array.name for array, _ in places.values())
     sparse = [array for array in made if array.is_variable and 0 < filled[array.name] < array.size]
+    sparse.sort(key=lambda array: array.name)
     shown_cells = [memories.in_words(cell, lambda words: shown(_with_bits(words, kinds))) for cell in cells]
     types = kinds | {field: kinds[name] for name, field in fields.items()}
     chosen = {known[words[0]].kind[0] if words[0] in known else types[words[0]] for words in _choices(body)}
