@@ -31,12 +31,16 @@ _GENERICS = ("depth", "width", "address_bits")
 _FIELDS = (*_INPUTS, *_GENERICS, "unit", "read_data")
 LOCAL = {*_INPUTS, "cell"}  # names inside of the blocks
 _SUFFIX = "_memory"
+_CLOCK = "clock"
+# In the order of the entity.
+_PORTS = ("read_enable", "read_address", "read_data", "write_address", "write_data")
+_ORDER = f"  -- Memories take ({', '.join(_GENERICS)}) and ({', '.join((_CLOCK, *_PORTS))})."
 _TEXT = re.compile(
     r"  (\w+) : (?:block|for (\w+) in (\d+) (to|downto) (\d+) generate)\n(.*?)  end (?:block|generate);\n", re.DOTALL
 )
 _ASSIGNED = re.compile(r"^    (\w+) <= (.*?);$", re.MULTILINE | re.DOTALL)
 _UNIT = re.compile(r"entity work\.(\w+)")
-_MAPPED = re.compile(r"(\w+) => ((?:[^,()]|\([^()]*\))+)")
+_ACTUAL = re.compile(r"(?:[^,()\s]|\([^()]*\))+")
 
 
 @dataclass(frozen=True)
@@ -107,7 +111,7 @@ def written(ports: list[str], memories: Iterable[Memory]) -> list[str]:
 
 def presented(memories: Sequence[Memory], variable: str, known: Container[str], taken: Iterable[str]) -> list[str]:
     """With references to `known` arrays in their fields. `taken`: names that are no label."""
-    lines: list[str] = []
+    lines = [_ORDER, ""] if memories else []
     used = set(taken)
     at = 0
     while at < len(memories):
@@ -175,11 +179,10 @@ def _framed(start: str, end: str, memory: Memory, known: Container[str]) -> list
     for name in own:
         lines += folded(f"    {name} <= {said[name]};")
     sources = {name: name if name in own else said[name] for name in (*_INPUTS, "read_data")}
-    order = ("read_enable", "read_address", "read_data", "write_address", "write_data")
-    ports = ", ".join(f"{name} => {sources[name]}" for name in order)
-    generics = ", ".join(f"{name} => {said[name]}" for name in _GENERICS)
-    lines += [f"    cell : entity work.{said['unit']}", f"      generic map ({generics})"]
-    return [*lines, *folded(f"      port map (clock => clock, {ports});"), f"  end {end};", ""]
+    ports = ", ".join(sources[name] for name in _PORTS)
+    generics = ", ".join(said[name] for name in _GENERICS)
+    lines += [f"    cell : entity work.{said['unit']} generic map ({generics})"]
+    return [*lines, *folded(f"      port map ({_CLOCK}, {ports});"), f"  end {end};", ""]
 
 
 # --- and back ---------------------------------------------------------------------------------------------------------
@@ -201,7 +204,7 @@ def back(concurrent: Sequence[str]) -> tuple[list[str], list[Memory]]:
         step = 1 if int(first) <= int(last) else -1
         for number in range(int(first), int(last) + step, step):
             memories.append(_of_words(loops.evaluated(memory.words, {variable: number})))
-    return text[: found[0].start()].splitlines(), memories
+    return text[: found[0].start()].replace(f"{_ORDER}\n\n", "").splitlines(), memories
 
 
 def _read(body: str) -> Memory:
@@ -209,18 +212,17 @@ def _read(body: str) -> Memory:
     assigned = [(name, " ".join(value.split())) for name, value in _ASSIGNED.findall(assignments)]
     values = dict(assigned)
     _, generics, ports = re.split(r"generic map|port map", " ".join(assignments.split()))
-    generic_map, port_map = (_MAPPED.findall(text) for text in (generics.strip()[1:-1], ports.strip()[1:-2]))
-    said = dict(generic_map) | dict(port_map)
+    sizes, actuals = (_ACTUAL.findall(text) for text in (generics.strip()[1:-1], ports.strip()[1:-2]))
     # `Memory.text` writes the connections that every memory has: they must be these.
     if (
         len(values) != len(assigned)
-        or any(said.get(name) != name for name in values)
-        or said.get("clock") != "clock"
-        or [name for name, _ in generic_map] != list(_GENERICS)
-        or {name for name, _ in port_map} != {"clock", *_INPUTS, "read_data"}
-        or len(port_map) != len(_INPUTS) + 2
+        or len(sizes) != len(_GENERICS)
+        or len(actuals) != len(_PORTS) + 1
+        or actuals[0] != _CLOCK
+        or any(name in values and actual != name for name, actual in zip(_PORTS, actuals[1:]))
     ):
         raise ValueError("a memory is connected in another way")
+    said = dict(zip(_GENERICS, sizes)) | dict(zip(_PORTS, actuals[1:]))
     said |= values
     [said["unit"]] = _UNIT.findall(body)
     return Memory({name: tuple(split(said[name])) for name in _FIELDS})
