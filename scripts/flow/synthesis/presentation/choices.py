@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from . import carries
+from . import carries, extremes
 from .tree import Assign, For, If, Statement, inside
 from .words import arguments, sign_of
 
@@ -56,7 +56,8 @@ def _chosen(one: If) -> list[Assign] | None:
         values = yes.words[sign + 1 :], no.words[sign + 1 :]
         if any(word in _STRICT for value in values for word in value):
             return None
-        said = carries.made(one.test, *values) or (NAME, "(", *one.test, ",", *values[0], ",", *values[1], ")")
+        said = carries.made(one.test, *values) or extremes.made(one.test, *values)
+        said = said or (NAME, "(", *one.test, ",", *values[0], ",", *values[1], ")")
         found.append(Assign(yes.words[: sign + 1] + said))
     return found
 
@@ -80,7 +81,7 @@ def _single(statements: Iterable[Statement]) -> Iterator[Statement]:
 def _if(one: Assign) -> Statement:
     start = sign_of(one.words) + 1
     head, value = one.words[:start], one.words[start:]
-    parts = carries.unmade(value)
+    parts = carries.unmade(value) or extremes.unmade(value)
     if parts is None and value[:2] == (NAME, "("):
         test, yes, no = arguments(value[2:-1])
         parts = test, yes, no

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
 from ...base.errors import FlowError
-from . import functions, records, tree, widths
+from . import functions, layout, records, tree, widths
 from .arrays import Array, lengthened, types_of
 from .records import Record
 from .words import folded, split, wrapped
@@ -17,6 +17,7 @@ MARK = "-- Where a comment behind a declaration has #, the C++ has the indices.\
 _DECLARATION = re.compile(r"(signal|variable) ([\w, ]+) : ([^;]+);(?:  -- ([\w#]+)?(?: ?up to (.+))?)?")
 _OPEN = re.compile(r" *(signal|variable) [^;]*$")
 _REMARK = "  -- "
+_NO_BREAK = "\0"
 _ARRAY = re.compile(r"(\w+_\dd)\((.*)\)")
 _TYPE = re.compile(r"  type (\w+) is array \([^)]*\) of (.*);")
 
@@ -117,7 +118,8 @@ def text(core: Core, is_presented: bool = False) -> str:
     lines += _declared("  signal ", declared(core.declarations), is_presented)
     lines += ["", "begin", *core.concurrent, "  process (clock)"]
     lines += [*_declared("    variable ", declared(core.variables), is_presented), "  begin"]
-    lines += [*tree.lines(core.body, "    "), *core.end]
+    shown = layout.lines if is_presented else tree.lines
+    lines += [*shown(core.body, "    "), *core.end]
     return "\n".join(lines) + "\n"
 
 
@@ -129,9 +131,14 @@ def _declared(start: str, declarations: Iterable[str | Names], is_folded: bool) 
             continue
         kind, _, remark = one.kind.partition(_REMARK)
         end = f" : {kind};"
-        shown = folded(start + ", ".join(one.names) + end) if is_folded else wrapped(start, one.names, end)
+        shown = _folded(start + ", ".join(one.names), end) if is_folded else wrapped(start, one.names, end)
         lines += [*shown[:-1], shown[-1] + (f"  -- {remark}" if remark else "")]
     return lines
+
+
+def _folded(names: str, end: str) -> list[str]:
+    """Broken between names."""
+    return [line.replace(_NO_BREAK, " ") for line in folded(names + end.replace(" ", _NO_BREAK))]
 
 
 def joined(declarations: Iterable[str | Names | Array]) -> Iterator[str | Names]:

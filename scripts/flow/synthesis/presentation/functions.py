@@ -7,13 +7,14 @@ import re
 from collections.abc import Collection, Iterable
 
 from ...base.errors import FlowError
-from . import bits, carries, choices, comparisons
+from . import bits, carries, choices, comparisons, extremes
 
 _NAMED = {
     bits.NAME: bits.FUNCTION,
     carries.NAME: carries.FUNCTION,
     carries.INVERTED: carries.INVERTED_FUNCTION,
     comparisons.NAME: comparisons.FUNCTION,
+    extremes.NAME: extremes.FUNCTION,
 }
 _OF_CHOICES = {kind: choices.function(kind) for kind in ("boolean", "integer", "unsigned")}
 NAMES = {*_NAMED, choices.NAME}
