@@ -19,11 +19,14 @@ FUNCTION = """\
 """
 NAME = "is_set"
 _MOD = (")", "mod", "2", ")", "=", "1")
+_WORD = re.compile(r"unsigned\((\d+) downto 0\)")
 _NUMBER = re.compile(r"(?:natural|integer) range (-?\d+) to (\d+)")
 
 
-def _top(kind: str) -> int:
-    """The highest bit of a natural type, -1 of others."""
+def top(kind: str) -> int:
+    """The highest bit of a natural type or of a word, -1 of others."""
+    if match := _WORD.fullmatch(kind):
+        return int(match[1])
     match = _NUMBER.fullmatch(kind)
     return int(match[2]).bit_length() - 1 if match and int(match[1]) >= 0 else -1
 
@@ -57,7 +60,7 @@ def _test(words: Words, at: int, kinds: Mapping[str, str]) -> tuple[int, list[st
             return _set(7, words[at + 1], "1")
         if words[at + 2 : at + 3] == ("/",) and words[at + 4 : at + 7] == (")", "=", "1"):
             size, test = _set(7, words[at + 1], words[at + 3])
-            return (size, test) if size and int(test[4]) == _top(kinds.get(words[at + 1], "")) else (0, [])
+            return (size, test) if size and int(test[4]) == top(kinds.get(words[at + 1], "")) else (0, [])
     if words[at] == "to_integer" and words[at + 1 : at + 2] == ("(",) and words[at + 3 : at + 4] == ("(",):
         place = words[at + 4]
         if words[at + 5 : at + 11] == ("downto", place, ")", ")", "=", "1"):
@@ -91,7 +94,7 @@ def arithmetic(words: Words, kinds: Mapping[str, str]) -> Words:
 
 
 def _arithmetic(name: str, place: int, kinds: Mapping[str, str]) -> Sequence[str]:
-    if place == _top(kinds.get(name, "")):
+    if place == top(kinds.get(name, "")):
         return "(", name, "/", str(1 << place), ")", "=", "1"
     inner = (name,) if place == 0 else ("(", name, "/", str(1 << place), ")")
     return "(", *inner, "mod", "2", ")", "=", "1"

@@ -7,7 +7,7 @@ import re
 from collections.abc import Collection, Iterable
 
 from ...base.errors import FlowError
-from . import bits, carries, choices, comparisons, extremes
+from . import bits, carries, choices, comparisons, differences, extremes
 
 _NAMED = {
     bits.NAME: bits.FUNCTION,
@@ -15,6 +15,7 @@ _NAMED = {
     carries.INVERTED: carries.INVERTED_FUNCTION,
     comparisons.NAME: comparisons.FUNCTION,
     extremes.NAME: extremes.FUNCTION,
+    **differences.FUNCTIONS,
 }
 _OF_CHOICES = {kind: choices.function(kind) for kind in ("boolean", "integer", "unsigned")}
 NAMES = {*_NAMED, choices.NAME}
@@ -35,5 +36,6 @@ def needed(words: Collection[str], kinds_of_choices: Iterable[str]) -> str:
     bases = {"unsigned" if kind.startswith("unsigned") else kind for kind in kinds_of_choices}
     used = {base if base in _OF_CHOICES else "integer" for base in bases}
     names = {*words, *(comparisons.CALLED if comparisons.NAME in words else ())}
+    names |= {bits.NAME} if differences.OF_NUMBERS in words else set()
     named = "".join(text for name, text in _NAMED.items() if name in names)
     return named + "".join(_OF_CHOICES[kind] for kind in sorted(used))

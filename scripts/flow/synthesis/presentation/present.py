@@ -16,6 +16,7 @@ from . import (
     comparisons,
     core,
     defaults,
+    differences,
     functions,
     loops,
     memories,
@@ -130,7 +131,7 @@ def _with_comparisons(scalar: Core, kinds: Mapping[str, str]) -> Core:
     """With bits, choices and comparisons, and without the variables that these make needless."""
     (clocked,) = choices.made(_mapped(scalar.body, lambda words: _with_bits(words, kinds)))
     assert isinstance(clocked, tree.If)
-    then = comparisons.made(clocked.then, _kinds(scalar.variables))
+    then = differences.made(comparisons.made(clocked.then, _kinds(scalar.variables)), kinds)
     body = (tree.If(clocked.test, then, clocked.otherwise),)
     gone = _kinds(scalar.variables).keys() - {word for words in tree.all_words(body) for word in words}
     variables = [one for one in _without(scalar.variables, gone) if not isinstance(one, str)]
@@ -292,7 +293,7 @@ def _expanded(presented: Core) -> Core:
     cells = [memories.in_words(cell, without_arrays) for cell in cells]
     declarations = _single(_by_fields(presented), there, sparse)
     variables = [one for one in _single(presented.variables, there, sparse) if not isinstance(one, str)]
-    with_steps, steps = _without_comparisons(with_elements, _kinds(variables))
+    with_steps, steps = _with_own_variables(with_elements, _kinds(variables), _kinds(declarations))
     variables += [Names(comparisons.KIND, steps)] if steps else []
     kinds = _kinds([*declarations, *variables])
     cells = [memories.in_words(cell, lambda words: bits.arithmetic(words, kinds)) for cell in cells]
@@ -307,15 +308,16 @@ def _expanded(presented: Core) -> Core:
     )
 
 
-def _without_comparisons(
-    body: tuple[tree.Statement, ...], variables: Mapping[str, str]
+def _with_own_variables(
+    body: tuple[tree.Statement, ...], variables: Mapping[str, str], signals: Mapping[str, str]
 ) -> tuple[tuple[tree.Statement, ...], list[str]]:
-    """(the statements, the variables of the steps)"""
+    """(the statements without comparisons and counts of bits, the variables of these)"""
     (clocked,) = body
     if not isinstance(clocked, tree.If):
         raise ValueError("no clock")
-    then, steps = comparisons.unmade(clocked.then, variables)
-    return (tree.If(clocked.test, then, clocked.otherwise),), steps
+    counted, values = differences.unmade(clocked.then, {**signals, **variables})
+    then, steps = comparisons.unmade(counted, {**variables, **dict.fromkeys(values, differences.KIND)})
+    return (tree.If(clocked.test, then, clocked.otherwise),), [*values, *steps]
 
 
 def _by_fields(presented: Core) -> Iterable[str | Names | Array]:
