@@ -11,12 +11,14 @@ from ...base.errors import FlowError
 from . import functions, layout, records, tree, widths
 from .arrays import Array, lengthened, types_of
 from .records import Record
-from .words import folded, split, wrapped
+from .words import folded, joined as words_joined, split, wrapped
 
 MARK = "-- Where a comment behind a declaration has #, the C++ has the indices.\n"
 _DECLARATION = re.compile(r"(signal|variable) ([\w, ]+) : ([^;]+);(?:  -- ([\w#]+)?(?: ?up to (.+))?)?")
 _OPEN = re.compile(r" *(signal|variable) [^;]*$")
 _REMARK = "  -- "
+_PROCESS, _OF_CLOCK = "  process", "  process (clock)"
+_WAIT = ("wait", "until")
 _NO_BREAK = "\0"
 _ARRAY = re.compile(r"(\w+_\dd)\((.*)\)")
 _TYPE = re.compile(r"  type (\w+) is array \([^)]*\) of (.*);")
@@ -49,7 +51,7 @@ def read(text: str) -> Core:
     try:
         start = next(at for at, line in enumerate(lines) if line.startswith(("  signal ", "  type ")))
         begin = lines.index("begin", start)
-        process = lines.index("  process (clock)", begin)
+        process = next(at for at, line in enumerate(lines) if at > begin and line in (_PROCESS, _OF_CLOCK))
         body = lines.index("  begin", process)
         end = lines.index("  end process;", body)
     except (StopIteration, ValueError):
@@ -61,7 +63,7 @@ def read(text: str) -> Core:
         _declarations(declared, kinds),
         lines[begin + 1 : process],
         [one for one in _declarations(_unfolded(lines[process + 1 : body]), kinds, True) if not isinstance(one, str)],
-        tree.read(split("\n".join(lines[body + 1 : end]))),
+        _of_clock(tree.read(split("\n".join(lines[body + 1 : end])))),
         lines[end:],
     )
     both = [*core.declarations, *core.variables]
@@ -116,11 +118,26 @@ def text(core: Core, is_presented: bool = False) -> str:
     lines += [*(f"  {one}" for one in types_of(core.arrays.values())), *records.types_of(core.records)]
     declared = grouped if is_presented else joined
     lines += _declared("  signal ", declared(core.declarations), is_presented)
-    lines += ["", "begin", *core.concurrent, "  process (clock)"]
+    lines += ["", "begin", *core.concurrent, _PROCESS if is_presented else _OF_CLOCK]
     lines += [*_declared("    variable ", declared(core.variables), is_presented), "  begin"]
-    shown = layout.lines if is_presented else tree.lines
-    lines += [*shown(core.body, "    "), *core.end]
+    lines += [*(_with_wait(core.body) if is_presented else tree.lines(core.body, "    ")), *core.end]
     return "\n".join(lines) + "\n"
+
+
+def _with_wait(body: tuple[tree.Statement, ...]) -> Iterator[str]:
+    """The clocked statements behind a wait for the clock."""
+    (clocked,) = body
+    assert isinstance(clocked, tree.If)
+    yield f"    wait until {words_joined(clocked.test)};"
+    yield from layout.lines(clocked.then, "    ")
+
+
+def _of_clock(body: tuple[tree.Statement, ...]) -> tuple[tree.Statement, ...]:
+    """The inverse of `_with_wait`."""
+    first = body[0] if body else None
+    if not isinstance(first, tree.Assign) or first.words[:2] != _WAIT:
+        return body
+    return (tree.If(first.words[2:], body[1:], None),)
 
 
 def _declared(start: str, declarations: Iterable[str | Names], is_folded: bool) -> list[str]:
