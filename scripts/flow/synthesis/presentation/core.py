@@ -14,6 +14,7 @@ from .records import Record
 from .words import folded, joined as words_joined, split, wrapped
 
 MARK = "-- Where a comment behind a declaration has #, the C++ has the indices.\n"
+_ENDS = "-- One that begins with _ says the ends of the names: `a_valid` with `_#_valid` is a_INDEX_valid there.\n"
 _DECLARATION = re.compile(r"(signal|variable) ([\w, ]+) : ([^;]+);(?:  -- ([\w#]+)?(?: ?up to (.+))?)?")
 _OPEN = re.compile(r" *(signal|variable) [^;]*$")
 _REMARK = "  -- "
@@ -46,7 +47,7 @@ class Core:
 
 
 def read(text: str) -> Core:
-    text, types = records.read(functions.without(text).replace(MARK, "", 1))
+    text, types = records.read(functions.without(text).replace(MARK, "", 1).replace(_ENDS, "", 1))
     lines = text.splitlines()
     try:
         start = next(at for at, line in enumerate(lines) if line.startswith(("  signal ", "  type ")))
@@ -113,7 +114,8 @@ def _declarations(lines: list[str], kinds: dict[str, str], is_variable: bool = F
 def text(core: Core, is_presented: bool = False) -> str:
     lines = list(core.head)
     if is_presented:
-        lines.insert(lines.index("library ieee;"), MARK.rstrip())
+        at = lines.index("library ieee;")
+        lines[at:at] = (MARK + _ENDS).splitlines()
     lines += core.functions.splitlines()
     lines += [*(f"  {one}" for one in types_of(core.arrays.values())), *records.types_of(core.records)]
     declared = grouped if is_presented else joined

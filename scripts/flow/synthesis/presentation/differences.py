@@ -5,7 +5,7 @@ back. Variables for bits that several of them take are gone in between."""
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from typing import NamedTuple, Union
 
 from . import bits

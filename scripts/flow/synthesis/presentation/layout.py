@@ -26,7 +26,9 @@ def lines(statements: Sequence[Statement], indent: str) -> Iterator[str]:
 
 def _of_constant(one: Statement) -> str:
     """Of an assignment of a constant."""
-    return f"{joined(one.words)};" if isinstance(one, Assign) and _is_constant(one.words[sign_of(one.words) + 1 :]) else ""
+    return (
+        f"{joined(one.words)};" if isinstance(one, Assign) and _is_constant(one.words[sign_of(one.words) + 1 :]) else ""
+    )
 
 
 def _is_constant(value: Words) -> bool:

@@ -34,12 +34,13 @@ _SUFFIX = "_memory"
 _CLOCK = "clock"
 # In the order of the entity.
 _PORTS = ("read_enable", "read_address", "read_data", "write_address", "write_data")
-_ORDER = f"  -- Memories take ({', '.join(_GENERICS)}) and ({', '.join((_CLOCK, *_PORTS))})."
+_ORDER = f"  -- Memories: ({', '.join(_GENERICS)}) and ({', '.join((_CLOCK, *_PORTS))})."
 _TEXT = re.compile(
     r"  (\w+) : (?:block|for (\w+) in (\d+) (to|downto) (\d+) generate)\n(.*?)  end (?:block|generate);\n", re.DOTALL
 )
 _ASSIGNED = re.compile(r"^    (\w+) <= (.*?);$", re.MULTILINE | re.DOTALL)
 _UNIT = re.compile(r"entity work\.(\w+)")
+_NAMED = re.compile(r"(\w+) => ((?:[^,()]|\([^()]*\))+)")
 _ACTUAL = re.compile(r"(?:[^,()\s]|\([^()]*\))+")
 
 
@@ -212,7 +213,8 @@ def _read(body: str) -> Memory:
     assigned = [(name, " ".join(value.split())) for name, value in _ASSIGNED.findall(assignments)]
     values = dict(assigned)
     _, generics, ports = re.split(r"generic map|port map", " ".join(assignments.split()))
-    sizes, actuals = (_ACTUAL.findall(text) for text in (generics.strip()[1:-1], ports.strip()[1:-2]))
+    sizes = _actuals(generics.strip()[1:-1], _GENERICS)
+    actuals = _actuals(ports.strip()[1:-2], (_CLOCK, *_PORTS))
     # `Memory.text` writes the connections that every memory has: they must be these.
     if (
         len(values) != len(assigned)
@@ -226,6 +228,14 @@ def _read(body: str) -> Memory:
     said |= values
     [said["unit"]] = _UNIT.findall(body)
     return Memory({name: tuple(split(said[name])) for name in _FIELDS})
+
+
+def _actuals(text: str, names: Sequence[str]) -> list[str]:
+    """Of a list in the order of these names, or with them, as cores had it before."""
+    if "=>" not in text:
+        return _ACTUAL.findall(text)
+    said = dict(_NAMED.findall(text))
+    return [said[name] for name in names] if said.keys() == set(names) else []
 
 
 def in_words(memory: Memory, change: Callable[[Words], Words]) -> Memory:
