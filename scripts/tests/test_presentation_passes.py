@@ -11,6 +11,7 @@ from flow.synthesis.presentation import (
     carries,
     choices,
     defaults,
+    extremes,
     loops,
     memories,
     records,
@@ -50,6 +51,15 @@ CHOICES = {
     "inside of another": (
         "if c then if d then x <= a; else x <= b; end if; end if;",
         ["if c then", "x <= choice(d, a, b);", "end if;"],
+    ),
+    "the smaller number": ("if (a(1) - b) < 0 then x <= a(1); else x <= b; end if;", ["x <= smaller(a(1), b);"]),
+    "the larger number": (
+        "if (b - a) < 0 then x <= a; else x <= b; end if;",
+        ["x <= choice((b - a) < 0, a, b);"],
+    ),
+    "another number than the smaller": (
+        "if (a - b) < 0 then x <= a mod 8; else x <= b; end if;",
+        ["x <= choice((a - b) < 0, a mod 8, b);"],
     ),
     "a carry": ("if c then x := a or y(3); else x := a and y(3); end if;", ["x := carry(c, a, y(3));"]),
     "a carry of a negation": (
@@ -220,7 +230,7 @@ def test_elements_of_one_width_share_a_type():
     assert set(widths.common(members(4, 5, 7), ()).values()) == {(widths.kind_of(7), "process")}
     found = arrays.found_in(members(4, 5, 7), set())
     assert [(one.name, one.kind[0], one.tops) for one in found] == [("x", widths.kind_of(7), (4, 5, 7))]
-    assert found[0].remark == "x_# up to 4, 5, 7"
+    assert found[0].remark == "_# up to 4, 5, 7"
 
 
 def test_a_wider_type_costs_nothing_or_is_not_taken():
@@ -340,6 +350,12 @@ def with_fault(fault):
         "carries": of(
             carries, "made", lambda right, *given: tuple(carries.INVERTED if w == "carry" else w for w in right(*given))
         ),
+        "extremes": of(
+            extremes,
+            "made",
+            lambda right, test, yes, no: right(test, yes, no) and ("smaller", "(", *no, ",", *yes, ")"),
+        ),
+        "remarks": of(arrays, "shortened", lambda right, name, pattern: right(name, pattern).replace("_#", "_2#", 1)),
         "slices": of(slices, "_reference", lambda right, one, first, size: right(one, first + 1, size)),
         "records": of(records, "_whole", lambda right, *given: itself(*right(*given))),
         "ranges": of(widths, "said", lambda right, tops: right([top + 1 for top in tops])),
@@ -356,7 +372,10 @@ def shorter(generated):
     return generated and (generated[0].replace(" downto 0", " downto 1"), generated[1])
 
 
-@pytest.mark.parametrize("fault", ["choices", "carries", "slices", "records", "ranges", "memories", "loops"])
+@pytest.mark.parametrize(
+    "fault",
+    ["choices", "carries", "extremes", "slices", "records", "remarks", "ranges", "memories", "loops"],
+)
 def test_a_fault_in_a_step_is_refused(fault, monkeypatch):
     name = "tiny_sgm"
     scalar = expand((committed.folder(name) / f"{committed.entity(name)}.vhd").read_text())
