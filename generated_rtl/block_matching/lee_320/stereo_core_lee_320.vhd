@@ -5,6 +5,7 @@
 --   scripts/synthesize.py --config lee_320
 -- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
 -- Where a comment behind a declaration has #, the C++ has the indices.
+-- One that begins with _ says the ends of the names: `a_valid` with `_#_valid` is a_INDEX_valid there.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -149,17 +150,15 @@ architecture rtl of stereo_core_lee_320 is
   signal delay_row_inside : boolean_1d(0 to 1);
   signal delay_tag : tag_9;
   -- rows
-  signal rows_search_rows_read_words, rows_search_rows_ready_words : unsigned_32_1d(0 to 3);
-  signal rows_search_rows_write_words, rows_reference_rows_read_words : unsigned_32_1d(0 to 3);
-  signal rows_reference_rows_ready_words, rows_reference_rows_write_words : unsigned_32_1d(0 to 3);
-  signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 255;
-  signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0 : natural range 0 to 255;
+  signal rows_search_rows_read_words, rows_search_rows_ready_words, rows_search_rows_write_words,
+    rows_reference_rows_read_words, rows_reference_rows_ready_words,
+    rows_reference_rows_write_words : unsigned_32_1d(0 to 3);
+  signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0, rows_reference_rows_read_newest_0,
+    rows_reference_rows_ready_newest_0 : natural range 0 to 255;
   signal rows_search, rows_reference : natural_255_1d(0 to 1);
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
-  signal rows_read_inside : boolean_1d(0 to 1);
-  signal rows_read_tag : tag_9;
-  signal rows_ready_inside : boolean_1d(0 to 1);
-  signal rows_ready_tag, rows_tag : tag_9;
+  signal rows_read_inside, rows_ready_inside : boolean_1d(0 to 1);
+  signal rows_read_tag, rows_ready_tag, rows_tag : tag_9;
   -- slice0shift
   signal slice0shift_search : natural_255_2d(0 to 1, 0 to 15);
   signal slice0shift_reference, slice0shift_search_out : natural_255_1d(0 to 1);
@@ -170,8 +169,8 @@ architecture rtl of stereo_core_lee_320 is
   signal slice0cost_pixels_first_tag, slice0cost_pixels_tag, slice0cost_ready_tag : tag_9;
   signal slice0cost_tag : tag_8;
   signal slice0cost_pixels_cost : natural_255_2d(0 to 1, 0 to 15);
-  signal slice0cost_read_column, slice0cost_change_column, slice0cost_ready_column : natural range 0 to 511;
-  signal slice0cost_write_column : natural range 0 to 511;
+  signal slice0cost_read_column, slice0cost_change_column, slice0cost_ready_column,
+    slice0cost_write_column : natural range 0 to 511;
   signal slice0cost_read_words : unsigned_24_1d(0 to 7);
   signal slice0cost_ready_words, slice0cost_write_words : natural_16777215_1d(0 to 7);
   signal slice0cost_column_0 : natural_4095_1d(0 to 15);
@@ -180,23 +179,23 @@ architecture rtl of stereo_core_lee_320 is
   signal slice0window_leaving : unsigned_24_1d(0 to 7);
   signal slice0window_entering_0 : natural_4095_1d(0 to 15);
   signal slice0window_entering_tag, slice0window_change_tag : tag_8;
-  signal slice0window_centre_output_column_0, slice0window_centre_first_column_0 : boolean;
-  signal slice0window_centre_start_of_frame_0, slice0window_centre_start_of_frame_2 : boolean;
-  signal slice0window_centre_start_of_frame_5, slice0window_centre_end_of_line_0, slice0window_tag_valid : boolean;
+  signal slice0window_centre_output_column_0, slice0window_centre_first_column_0, slice0window_centre_start_of_frame_0,
+    slice0window_centre_start_of_frame_2, slice0window_centre_start_of_frame_5, slice0window_centre_end_of_line_0,
+    slice0window_tag_valid : boolean;
   signal slice0window_change_0 : integer_minus_4095_to_4095_1d(0 to 15);
   signal slice0window_sum_0 : natural_65535_1d(0 to 15);
   -- slice0winner1
   signal slice0winner1_best_cost_0 : natural_65535_1d(0 to 7);
   signal slice0winner1_best_index_0_0 : boolean;
   signal slice0winner1_tag : tag_2;
-  signal slice0winner1_best_index_0 : natural_15_1d(1 to 7);  -- slice0winner1_best_index_0_# up to 3, 5 .. 15
+  signal slice0winner1_best_index_0 : natural_15_1d(1 to 7);  -- _# up to 3, 5 .. 15
   -- slice0winner2
   signal slice0winner2_best_cost_0 : natural_65535_1d(0 to 3);
-  signal slice0winner2_best_index_0 : natural_15_1d(0 to 3);  -- slice0winner2_best_index_0_# up to 3, 7 .. 15
+  signal slice0winner2_best_index_0 : natural_15_1d(0 to 3);  -- _# up to 3, 7 .. 15
   signal slice0winner2_tag : tag_4;
   -- slice0winner3
   signal slice0winner3_best_cost_0 : natural_65535_1d(0 to 1);
-  signal slice0winner3_best_index_0 : natural_15_1d(0 to 1);  -- slice0winner3_best_index_0_# up to 7, 15
+  signal slice0winner3_best_index_0 : natural_15_1d(0 to 1);  -- _# up to 7, 15
   signal slice0winner3_tag : tag_4;
   -- slice0winner4
   signal slice0winner4_best_cost_0_0 : natural range 0 to 65535;
@@ -213,8 +212,8 @@ architecture rtl of stereo_core_lee_320 is
   signal slice1cost_pixels_first : integer_minus_255_to_255_2d(0 to 1, 0 to 15);
   signal slice1cost_change_0 : integer_minus_255_to_255_1d(0 to 15);
   signal slice1cost_pixels_cost : natural_255_2d(0 to 1, 0 to 15);
-  signal slice1cost_read_column, slice1cost_change_column, slice1cost_ready_column : natural range 0 to 511;
-  signal slice1cost_write_column : natural range 0 to 511;
+  signal slice1cost_read_column, slice1cost_change_column, slice1cost_ready_column,
+    slice1cost_write_column : natural range 0 to 511;
   signal slice1cost_read_words : unsigned_24_1d(0 to 7);
   signal slice1cost_ready_words, slice1cost_write_words : natural_16777215_1d(0 to 7);
   signal slice1cost_column_0 : natural_4095_1d(0 to 15);
@@ -223,20 +222,20 @@ architecture rtl of stereo_core_lee_320 is
   signal slice1window_leaving : unsigned_24_1d(0 to 7);
   signal slice1window_entering_0 : natural_4095_1d(0 to 15);
   signal slice1window_change_0 : integer_minus_4095_to_4095_1d(0 to 15);
-  signal slice1window_change_tag_leaves_window, slice1window_centre_output_column_0 : boolean;
-  signal slice1window_centre_first_column_0, slice1window_centre_start_of_frame_0 : boolean;
-  signal slice1window_centre_end_of_line_0 : boolean;
+  signal slice1window_change_tag_leaves_window, slice1window_centre_output_column_0,
+    slice1window_centre_first_column_0, slice1window_centre_start_of_frame_0,
+    slice1window_centre_end_of_line_0 : boolean;
   signal slice1window_sum_0 : natural_65535_1d(0 to 15);
   -- slice1winner1
   signal slice1winner1_best_cost_0 : natural_65535_1d(0 to 7);
   signal slice1winner1_best_index_0_0 : boolean;
-  signal slice1winner1_best_index_0 : natural_15_1d(1 to 7);  -- slice1winner1_best_index_0_# up to 3, 5 .. 15
+  signal slice1winner1_best_index_0 : natural_15_1d(1 to 7);  -- _# up to 3, 5 .. 15
   -- slice1winner2
   signal slice1winner2_best_cost_0 : natural_65535_1d(0 to 3);
-  signal slice1winner2_best_index_0 : natural_15_1d(0 to 3);  -- slice1winner2_best_index_0_# up to 3, 7 .. 15
+  signal slice1winner2_best_index_0 : natural_15_1d(0 to 3);  -- _# up to 3, 7 .. 15
   -- slice1winner3
   signal slice1winner3_best_cost_0 : natural_65535_1d(0 to 1);
-  signal slice1winner3_best_index_0 : natural_15_1d(0 to 1);  -- slice1winner3_best_index_0_# up to 7, 15
+  signal slice1winner3_best_index_0 : natural_15_1d(0 to 1);  -- _# up to 7, 15
   -- slice1winner4
   signal slice1winner4_best_cost_0_0 : natural range 0 to 65535;
   signal slice1winner4_best_index_0_0 : natural range 0 to 15;
@@ -251,8 +250,8 @@ architecture rtl of stereo_core_lee_320 is
   signal slice2cost_pixels_first : integer_minus_255_to_255_2d(0 to 1, 0 to 15);
   signal slice2cost_change_0 : integer_minus_255_to_255_1d(0 to 15);
   signal slice2cost_pixels_cost : natural_255_2d(0 to 1, 0 to 15);
-  signal slice2cost_read_column, slice2cost_change_column, slice2cost_ready_column : natural range 0 to 511;
-  signal slice2cost_write_column : natural range 0 to 511;
+  signal slice2cost_read_column, slice2cost_change_column, slice2cost_ready_column,
+    slice2cost_write_column : natural range 0 to 511;
   signal slice2cost_read_words : unsigned_24_1d(0 to 7);
   signal slice2cost_ready_words, slice2cost_write_words : natural_16777215_1d(0 to 7);
   signal slice2cost_column_0 : natural_4095_1d(0 to 15);
@@ -261,20 +260,20 @@ architecture rtl of stereo_core_lee_320 is
   signal slice2window_leaving : unsigned_24_1d(0 to 7);
   signal slice2window_entering_0 : natural_4095_1d(0 to 15);
   signal slice2window_change_0 : integer_minus_4095_to_4095_1d(0 to 15);
-  signal slice2window_change_tag_leaves_window, slice2window_centre_output_column_0 : boolean;
-  signal slice2window_centre_first_column_0, slice2window_centre_start_of_frame_0 : boolean;
-  signal slice2window_centre_start_of_frame_3, slice2window_centre_end_of_line_0 : boolean;
+  signal slice2window_change_tag_leaves_window, slice2window_centre_output_column_0,
+    slice2window_centre_first_column_0, slice2window_centre_start_of_frame_0, slice2window_centre_start_of_frame_3,
+    slice2window_centre_end_of_line_0 : boolean;
   signal slice2window_sum_0 : natural_65535_1d(0 to 15);
   -- slice2winner1
   signal slice2winner1_best_cost_0 : natural_65535_1d(0 to 7);
   signal slice2winner1_best_index_0_0 : boolean;
-  signal slice2winner1_best_index_0 : natural_15_1d(1 to 7);  -- slice2winner1_best_index_0_# up to 3, 5 .. 15
+  signal slice2winner1_best_index_0 : natural_15_1d(1 to 7);  -- _# up to 3, 5 .. 15
   -- slice2winner2
   signal slice2winner2_best_cost_0 : natural_65535_1d(0 to 3);
-  signal slice2winner2_best_index_0 : natural_15_1d(0 to 3);  -- slice2winner2_best_index_0_# up to 3, 7 .. 15
+  signal slice2winner2_best_index_0 : natural_15_1d(0 to 3);  -- _# up to 3, 7 .. 15
   -- slice2winner3
   signal slice2winner3_best_cost_0 : natural_65535_1d(0 to 1);
-  signal slice2winner3_best_index_0 : natural_15_1d(0 to 1);  -- slice2winner3_best_index_0_# up to 7, 15
+  signal slice2winner3_best_index_0 : natural_15_1d(0 to 1);  -- _# up to 7, 15
   -- slice2winner4
   signal slice2winner4_best_cost_0_0 : natural range 0 to 65535;
   signal slice2winner4_best_index_0_0 : natural range 0 to 15;
@@ -289,8 +288,8 @@ architecture rtl of stereo_core_lee_320 is
   signal slice3cost_pixels_first : integer_minus_255_to_255_2d(0 to 1, 0 to 15);
   signal slice3cost_change_0 : integer_minus_255_to_255_1d(0 to 15);
   signal slice3cost_pixels_cost : natural_255_2d(0 to 1, 0 to 15);
-  signal slice3cost_read_column, slice3cost_change_column, slice3cost_ready_column : natural range 0 to 511;
-  signal slice3cost_write_column : natural range 0 to 511;
+  signal slice3cost_read_column, slice3cost_change_column, slice3cost_ready_column,
+    slice3cost_write_column : natural range 0 to 511;
   signal slice3cost_read_words : unsigned_24_1d(0 to 7);
   signal slice3cost_ready_words, slice3cost_write_words : natural_16777215_1d(0 to 7);
   signal slice3cost_column_0 : natural_4095_1d(0 to 15);
@@ -300,19 +299,18 @@ architecture rtl of stereo_core_lee_320 is
   signal slice3window_entering_0 : natural_4095_1d(0 to 15);
   signal slice3window_change_0 : integer_minus_4095_to_4095_1d(0 to 15);
   signal slice3window_sum_0 : natural_65535_1d(0 to 15);
-  signal slice3window_centre_output_column : boolean_1d(0 to 5);
+  signal slice3window_centre_output_column, slice3window_centre_end_of_line : boolean_1d(0 to 5);
   signal slice3window_centre_start_of_frame_1, slice3window_centre_start_of_frame_4 : boolean;
-  signal slice3window_centre_end_of_line : boolean_1d(0 to 5);
   -- slice3winner1
   signal slice3winner1_best_cost_0 : natural_65535_1d(0 to 7);
   signal slice3winner1_best_index_0_0 : boolean;
-  signal slice3winner1_best_index_0 : natural_15_1d(1 to 7);  -- slice3winner1_best_index_0_# up to 3, 5 .. 15
+  signal slice3winner1_best_index_0 : natural_15_1d(1 to 7);  -- _# up to 3, 5 .. 15
   -- slice3winner2
   signal slice3winner2_best_cost_0 : natural_65535_1d(0 to 3);
-  signal slice3winner2_best_index_0 : natural_15_1d(0 to 3);  -- slice3winner2_best_index_0_# up to 3, 7 .. 15
+  signal slice3winner2_best_index_0 : natural_15_1d(0 to 3);  -- _# up to 3, 7 .. 15
   -- slice3winner3
   signal slice3winner3_best_cost_0 : natural_65535_1d(0 to 1);
-  signal slice3winner3_best_index_0 : natural_15_1d(0 to 1);  -- slice3winner3_best_index_0_# up to 7, 15
+  signal slice3winner3_best_index_0 : natural_15_1d(0 to 1);  -- _# up to 7, 15
   -- slice3winner4
   signal slice3winner4_best_cost_0_0 : natural range 0 to 65535;
   signal slice3winner4_best_index_0_0 : natural range 0 to 15;
@@ -331,6 +329,8 @@ begin
   disparity_start_of_frame <= as_bit(slice3_best_tag.start_of_frame and slice3_best_tag.valid and slice3_best_tag.output_column);
   disparity_end_of_line <= as_bit(slice3_best_tag.end_of_line and slice3_best_tag.valid and slice3_best_tag.output_column);
 
+  -- Memories: (depth, width, address_bits) and (clock, read_enable, read_address, read_data, write_address, write_data).
+
   slice3window_leaving_memory : for i in 7 downto 0 generate
     signal read_address, write_address : unsigned(4 downto 0);
     signal write_data : unsigned(23 downto 0);
@@ -338,10 +338,8 @@ begin
     read_address <= to_unsigned(slice3window_ring_read_address, 5);
     write_address <= to_unsigned(slice3window_ring_write_address, 5);
     write_data <= to_unsigned(slice3cost_column_0(2 * i + 1), 12) & to_unsigned(slice3cost_column_0(2 * i), 12);
-    cell : entity work.line_memory
-      generic map (depth => 17, width => 24, address_bits => 5)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        slice3window_leaving(i), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (17, 24, 5)
+      port map (clock, true, read_address, slice3window_leaving(i), write_address, write_data);
   end generate;
 
   slice3cost_read_words_memory : for i in 7 downto 0 generate
@@ -351,10 +349,8 @@ begin
     read_address <= to_unsigned(slice1cost_ready_column, 9);
     write_address <= to_unsigned(slice3cost_write_column, 9);
     write_data <= to_unsigned(slice3cost_write_words(i), 24);
-    cell : entity work.line_memory
-      generic map (depth => 320, width => 24, address_bits => 9)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        slice3cost_read_words(i), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (320, 24, 9)
+      port map (clock, true, read_address, slice3cost_read_words(i), write_address, write_data);
   end generate;
 
   slice2window_leaving_memory : for i in 7 downto 0 generate
@@ -364,10 +360,8 @@ begin
     read_address <= to_unsigned(slice2window_ring_read_address, 5);
     write_address <= to_unsigned(slice2window_ring_write_address, 5);
     write_data <= to_unsigned(slice2cost_column_0(2 * i + 1), 12) & to_unsigned(slice2cost_column_0(2 * i), 12);
-    cell : entity work.line_memory
-      generic map (depth => 17, width => 24, address_bits => 5)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        slice2window_leaving(i), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (17, 24, 5)
+      port map (clock, true, read_address, slice2window_leaving(i), write_address, write_data);
   end generate;
 
   slice2cost_read_words_memory : for i in 7 downto 0 generate
@@ -377,10 +371,8 @@ begin
     read_address <= to_unsigned(slice1cost_change_column, 9);
     write_address <= to_unsigned(slice3cost_ready_column, 9);
     write_data <= to_unsigned(slice2cost_write_words(i), 24);
-    cell : entity work.line_memory
-      generic map (depth => 320, width => 24, address_bits => 9)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        slice2cost_read_words(i), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (320, 24, 9)
+      port map (clock, true, read_address, slice2cost_read_words(i), write_address, write_data);
   end generate;
 
   slice1window_leaving_memory : for i in 7 downto 0 generate
@@ -390,10 +382,8 @@ begin
     read_address <= to_unsigned(slice1window_ring_read_address, 5);
     write_address <= to_unsigned(slice1window_ring_write_address, 5);
     write_data <= to_unsigned(slice1cost_column_0(2 * i + 1), 12) & to_unsigned(slice1cost_column_0(2 * i), 12);
-    cell : entity work.line_memory
-      generic map (depth => 17, width => 24, address_bits => 5)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        slice1window_leaving(i), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (17, 24, 5)
+      port map (clock, true, read_address, slice1window_leaving(i), write_address, write_data);
   end generate;
 
   slice1cost_read_words_memory : for i in 7 downto 0 generate
@@ -403,10 +393,8 @@ begin
     read_address <= to_unsigned(slice1cost_read_column, 9);
     write_address <= to_unsigned(slice3cost_change_column, 9);
     write_data <= to_unsigned(slice1cost_write_words(i), 24);
-    cell : entity work.line_memory
-      generic map (depth => 320, width => 24, address_bits => 9)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        slice1cost_read_words(i), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (320, 24, 9)
+      port map (clock, true, read_address, slice1cost_read_words(i), write_address, write_data);
   end generate;
 
   slice0window_leaving_memory : for i in 7 downto 0 generate
@@ -416,10 +404,8 @@ begin
     read_address <= to_unsigned(slice0window_ring_read_address, 5);
     write_address <= to_unsigned(slice0window_ring_write_address, 5);
     write_data <= to_unsigned(slice0cost_column_0(2 * i + 1), 12) & to_unsigned(slice0cost_column_0(2 * i), 12);
-    cell : entity work.line_memory
-      generic map (depth => 17, width => 24, address_bits => 5)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        slice0window_leaving(i), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (17, 24, 5)
+      port map (clock, true, read_address, slice0window_leaving(i), write_address, write_data);
   end generate;
 
   slice0cost_read_words_memory : for i in 7 downto 0 generate
@@ -429,10 +415,8 @@ begin
     read_address <= to_unsigned(slice0cost_read_column, 9);
     write_address <= to_unsigned(slice0cost_write_column, 9);
     write_data <= to_unsigned(slice0cost_write_words(i), 24);
-    cell : entity work.line_memory
-      generic map (depth => 320, width => 24, address_bits => 9)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        slice0cost_read_words(i), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (320, 24, 9)
+      port map (clock, true, read_address, slice0cost_read_words(i), write_address, write_data);
   end generate;
 
   rows_search_rows_read_words_memory : for i in 3 downto 0 generate
@@ -440,10 +424,9 @@ begin
   begin
     read_address <= to_unsigned(delay_column, 9);
     write_address <= to_unsigned(rows_write_column, 9);
-    cell : entity work.line_memory
-      generic map (depth => 320, width => 32, address_bits => 9)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        rows_search_rows_read_words(i), write_address => write_address, write_data => rows_search_rows_write_words(i));
+    cell : entity work.line_memory generic map (320, 32, 9)
+      port map (clock, true, read_address, rows_search_rows_read_words(i), write_address,
+        rows_search_rows_write_words(i));
   end generate;
 
   rows_reference_rows_read_words_memory : for i in 3 downto 0 generate
@@ -451,10 +434,8 @@ begin
   begin
     read_address <= to_unsigned(delay_column, 9);
     write_address <= to_unsigned(rows_write_column, 9);
-    cell : entity work.line_memory
-      generic map (depth => 320, width => 32, address_bits => 9)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        rows_reference_rows_read_words(i), write_address => write_address, write_data =>
+    cell : entity work.line_memory generic map (320, 32, 9)
+      port map (clock, true, read_address, rows_reference_rows_read_words(i), write_address,
         rows_reference_rows_write_words(i));
   end generate;
 
@@ -465,789 +446,675 @@ begin
     read_address <= to_unsigned(delay_ring_read_address, 6);
     write_address <= to_unsigned(delay_ring_write_address, 6);
     write_data <= to_unsigned(raster_features_reference_0, 8);
-    cell : entity work.line_memory
-      generic map (depth => 64, width => 8, address_bits => 6)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data => delay_delayed_0,
-        write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (64, 8, 6)
+      port map (clock, true, read_address, delay_delayed_0, write_address, write_data);
   end block;
 
-  process (clock)
-    variable raster_place_group_is_equal, raster_place_group_choice, delay_tag_first_cost_is_equal : boolean;
-    variable slice0winner1_best_cost_0_is_less : boolean_1d(0 to 7);  -- slice0winner1_best_cost_0_#_is_less
-    variable slice0winner2_best_cost_0_is_less : boolean_1d(0 to 3);  -- slice0winner2_best_cost_0_#_is_less
-    variable slice0winner3_best_cost_0_is_less : boolean_1d(0 to 1);  -- slice0winner3_best_cost_0_#_is_less
-    variable slice0winner4_best_cost_0_0_is_less : boolean;
-    variable slice1winner1_best_cost_0_is_less : boolean_1d(0 to 7);  -- slice1winner1_best_cost_0_#_is_less
-    variable slice1winner2_best_cost_0_is_less : boolean_1d(0 to 3);  -- slice1winner2_best_cost_0_#_is_less
-    variable slice1winner3_best_cost_0_is_less : boolean_1d(0 to 1);  -- slice1winner3_best_cost_0_#_is_less
-    variable slice1winner4_best_cost_0_0_is_less, slice1_best_cost_0_0_is_less : boolean;
-    variable slice2winner1_best_cost_0_is_less : boolean_1d(0 to 7);  -- slice2winner1_best_cost_0_#_is_less
-    variable slice2winner2_best_cost_0_is_less : boolean_1d(0 to 3);  -- slice2winner2_best_cost_0_#_is_less
-    variable slice2winner3_best_cost_0_is_less : boolean_1d(0 to 1);  -- slice2winner3_best_cost_0_#_is_less
-    variable slice2winner4_best_cost_0_0_is_less, slice2_best_cost_0_0_is_less : boolean;
-    variable slice3winner1_best_cost_0_is_less : boolean_1d(0 to 7);  -- slice3winner1_best_cost_0_#_is_less
-    variable slice3winner2_best_cost_0_is_less : boolean_1d(0 to 3);  -- slice3winner2_best_cost_0_#_is_less
-    variable slice3winner3_best_cost_0_is_less : boolean_1d(0 to 1);  -- slice3winner3_best_cost_0_#_is_less
-    variable slice3winner4_best_cost_0_0_is_less : boolean;
-    variable slice0cost_column_0_choice : natural_4095_2d(0 to 15, 1 to 2);  -- slice0cost_column_0_#_choice_#
-    variable slice0window_change_0_choice : natural_4095_1d(0 to 15);  -- slice0window_change_0_#_choice
-    variable slice1cost_column_0_choice : natural_4095_2d(0 to 15, 1 to 2);  -- slice1cost_column_0_#_choice_#
-    variable slice1window_change_0_choice : natural_4095_1d(0 to 15);  -- slice1window_change_0_#_choice
-    variable slice2cost_column_0_choice : natural_4095_2d(0 to 15, 1 to 2);  -- slice2cost_column_0_#_choice_#
-    variable slice2window_change_0_choice : natural_4095_1d(0 to 15);  -- slice2window_change_0_#_choice
-    variable slice3cost_column_0_choice : natural_4095_2d(0 to 15, 1 to 2);  -- slice3cost_column_0_#_choice_#
-    variable slice3window_change_0_choice : natural_4095_1d(0 to 15);  -- slice3window_change_0_#_choice
-    variable slice0window_sum_0_choice : natural_65535_1d(0 to 15);  -- slice0window_sum_0_#_choice
-    variable slice1window_sum_0_choice : natural_65535_1d(0 to 15);  -- slice1window_sum_0_#_choice
-    variable slice2window_sum_0_choice : natural_65535_1d(0 to 15);  -- slice2window_sum_0_#_choice
-    variable slice3window_sum_0_choice : natural_65535_1d(0 to 15);  -- slice3window_sum_0_#_choice
+  process
+    variable raster_place_group_is_equal, raster_place_group_choice, delay_tag_first_cost_is_equal,
+      slice0winner4_best_cost_0_0_is_less, slice1winner4_best_cost_0_0_is_less, slice1_best_cost_0_0_is_less,
+      slice2winner4_best_cost_0_0_is_less, slice2_best_cost_0_0_is_less, slice3winner4_best_cost_0_0_is_less : boolean;
+    variable slice0winner1_best_cost_0_is_less, slice1winner1_best_cost_0_is_less, slice2winner1_best_cost_0_is_less,
+      slice3winner1_best_cost_0_is_less : boolean_1d(0 to 7);  -- _#_is_less
+    variable slice0winner2_best_cost_0_is_less, slice1winner2_best_cost_0_is_less, slice2winner2_best_cost_0_is_less,
+      slice3winner2_best_cost_0_is_less : boolean_1d(0 to 3);  -- _#_is_less
+    variable slice0winner3_best_cost_0_is_less, slice1winner3_best_cost_0_is_less, slice2winner3_best_cost_0_is_less,
+      slice3winner3_best_cost_0_is_less : boolean_1d(0 to 1);  -- _#_is_less
+    variable slice0cost_column_0_choice, slice1cost_column_0_choice, slice2cost_column_0_choice,
+      slice3cost_column_0_choice : natural_4095_2d(0 to 15, 1 to 2);  -- _#_choice_#
+    variable slice0window_change_0_choice, slice1window_change_0_choice, slice2window_change_0_choice,
+      slice3window_change_0_choice : natural_4095_1d(0 to 15);  -- _#_choice
+    variable slice0window_sum_0_choice, slice1window_sum_0_choice, slice2window_sum_0_choice,
+      slice3window_sum_0_choice : natural_65535_1d(0 to 15);  -- _#_choice
   begin
-    if rising_edge(clock) then
-      -- raster
-      raster_place_group_is_equal := raster_place_column = 319;
-      raster_place_group_choice := choice(((raster_place_group mod 16) = 7) and is_set(raster_place_group, 7) and
-        (((raster_place_group / 16) mod 4) = 3), raster_place_group_is_equal and in_valid and (not
-        is_set(raster_place_group, 6)), raster_place_group_is_equal and in_valid);
-      raster_features_search_0 <= in_left_pixel;
-      raster_features_reference_0 <= in_right_pixel;
-      raster_features_valid <= in_valid;
-      raster_place_group <= choice(in_start_of_frame and in_valid, 0, (raster_place_group +
-        as_number(raster_place_group_choice)) mod 256);
-      if in_valid then
-        raster_place_column <= choice(raster_place_group_is_equal or in_start_of_frame, 0, (raster_place_column + 1)
-          mod 512);
-      end if;
-      -- delay
-      if raster_features_valid then
-        delay_ring_write_address <= delay_ring_read_address;
-        delay_ring_read_address <= choice(delay_ring_read_address = 63, 0, (delay_ring_read_address + 1) mod 64);
-      end if;
-      delay_tag_first_cost_is_equal := raster_place_column = 63;
-      delay_ahead_0 <= raster_features_search_0;
-      delay_column <= raster_place_column;
-      delay_row_inside(0) <= (((((raster_place_group / 16) + 4095) mod 4096) * 16) + (raster_place_group mod 16)) < 240;
-      delay_row_inside(1) <= (not is_set(raster_place_group, 7)) or (not is_set(raster_place_group, 6)) or (not
-        is_set(raster_place_group, 5)) or (not is_set(raster_place_group, 4));
-      delay_tag.valid <= raster_features_valid;
-      delay_tag.row_start <= raster_place_column = 0;
-      delay_tag.first_group <= raster_place_group = 0;
-      delay_tag.border_column <= raster_place_column < 63;
-      delay_tag.first_cost <= delay_tag_first_cost_is_equal;
-      delay_tag.leaves_window <= ((raster_place_column + 65457) mod 65536) < 65464;
-      delay_tag.output_column <= (raster_place_group >= 7) and (raster_place_group < 247) and (raster_place_column >=
-        63) and (raster_place_column < 319);
-      delay_tag.start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 7);
-      delay_tag.end_of_line <= raster_place_column = 318;
-      -- rows
-      rows_search_rows_read_newest_0 <= delay_ahead_0;
-      rows_search_rows_ready_words <= rows_search_rows_read_words;
-      rows_search_rows_ready_newest_0 <= rows_search_rows_read_newest_0;
-      rows_reference_rows_read_newest_0 <= to_integer(delay_delayed_0);
-      rows_reference_rows_ready_words <= rows_reference_rows_read_words;
-      rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
-      rows_read_column <= delay_column;
-      rows_read_inside <= delay_row_inside;
-      rows_read_tag <= delay_tag;
-      rows_ready_column <= rows_read_column;
-      rows_ready_inside <= rows_read_inside;
-      rows_ready_tag <= rows_read_tag;
-      rows_tag <= rows_ready_tag;
-      rows_search(0) <= choice(rows_ready_inside(0), to_integer(rows_search_rows_ready_words(0)(7 downto 0)), 0);
-      rows_reference(0) <= choice(rows_ready_inside(0), to_integer(rows_reference_rows_ready_words(0)(7 downto 0)), 0);
-      rows_search(1) <= choice(rows_ready_inside(1), rows_search_rows_ready_newest_0, 0);
-      rows_reference(1) <= choice(rows_ready_inside(1), rows_reference_rows_ready_newest_0, 0);
-      if rows_ready_tag.valid then
-        for i in 0 to 2 loop
-          rows_search_rows_write_words(i) <= rows_search_rows_ready_words(i + 1)(7 downto 0) &
-            rows_search_rows_ready_words(i)(31 downto 8);
-        end loop;
-        rows_search_rows_write_words(3) <= to_unsigned(rows_search_rows_ready_newest_0, 8) &
-          rows_search_rows_ready_words(3)(31 downto 8);
-        for i in 0 to 2 loop
-          rows_reference_rows_write_words(i) <= rows_reference_rows_ready_words(i + 1)(7 downto 0) &
-            rows_reference_rows_ready_words(i)(31 downto 8);
-        end loop;
-        rows_reference_rows_write_words(3) <= to_unsigned(rows_reference_rows_ready_newest_0, 8) &
-          rows_reference_rows_ready_words(3)(31 downto 8);
-        rows_write_column <= rows_ready_column;
-      end if;
-      -- slice0shift
-      if rows_tag.valid then
-        for i in 0 to 1 loop
-          for j in 0 to 14 loop
-            slice0shift_search(i, j) <= slice0shift_search(i, j + 1);
-          end loop;
-          slice0shift_search(i, 15) <= rows_search(i);
-        end loop;
-      end if;
-      slice0shift_reference <= rows_reference;
-      slice0shift_search_out(0) <= slice0shift_search(0, 0);
-      slice0shift_search_out(1) <= slice0shift_search(1, 0);
-      slice0shift_tag <= rows_tag;
-      -- slice0cost
-      for i in 0 to 7 loop
-        slice0cost_column_0_choice(2 * i, 1) := choice(slice0cost_ready_tag.first_group, 0, slice0cost_ready_words(i)
-          mod 4096);
-        slice0cost_column_0_choice(2 * i, 2) := choice(slice0cost_ready_tag.border_column, 0, (slice0cost_change_0(2 *
-          i) + slice0cost_column_0_choice(2 * i, 1)) mod 4096);
-        slice0cost_column_0_choice(2 * i + 1, 1) := choice(slice0cost_ready_tag.first_group, 0,
-          slice0cost_ready_words(i) / 4096);
-        slice0cost_column_0_choice(2 * i + 1, 2) := choice(slice0cost_ready_tag.border_column, 0,
-          (slice0cost_change_0(2 * i + 1) + slice0cost_column_0_choice(2 * i + 1, 1)) mod 4096);
+    wait until rising_edge(clock);
+    -- raster
+    raster_place_group_is_equal := raster_place_column = 319;
+    raster_place_group_choice := choice(((raster_place_group mod 16) = 7) and is_set(raster_place_group, 7) and
+      (((raster_place_group / 16) mod 4) = 3), raster_place_group_is_equal and in_valid and (not
+      is_set(raster_place_group, 6)), raster_place_group_is_equal and in_valid);
+    raster_features_search_0 <= in_left_pixel;
+    raster_features_reference_0 <= in_right_pixel;
+    raster_features_valid <= in_valid;
+    raster_place_group <= choice(in_start_of_frame and in_valid, 0, (raster_place_group +
+      as_number(raster_place_group_choice)) mod 256);
+    if in_valid then
+      raster_place_column <= choice(raster_place_group_is_equal or in_start_of_frame, 0, (raster_place_column + 1) mod
+        512);
+    end if;
+    -- delay
+    if raster_features_valid then
+      delay_ring_write_address <= delay_ring_read_address;
+      delay_ring_read_address <= choice(delay_ring_read_address = 63, 0, (delay_ring_read_address + 1) mod 64);
+    end if;
+    delay_tag_first_cost_is_equal := raster_place_column = 63;
+    delay_ahead_0 <= raster_features_search_0;
+    delay_column <= raster_place_column;
+    delay_row_inside(0) <= (((((raster_place_group / 16) + 4095) mod 4096) * 16) + (raster_place_group mod 16)) < 240;
+    delay_row_inside(1) <= (not is_set(raster_place_group, 7)) or (not is_set(raster_place_group, 6)) or (not
+      is_set(raster_place_group, 5)) or (not is_set(raster_place_group, 4));
+    delay_tag.valid <= raster_features_valid;
+    delay_tag.row_start <= raster_place_column = 0;
+    delay_tag.first_group <= raster_place_group = 0;
+    delay_tag.border_column <= raster_place_column < 63;
+    delay_tag.first_cost <= delay_tag_first_cost_is_equal;
+    delay_tag.leaves_window <= ((raster_place_column + 65457) mod 65536) < 65464;
+    delay_tag.output_column <= (raster_place_group >= 7) and (raster_place_group < 247) and (raster_place_column >= 63)
+      and (raster_place_column < 319);
+    delay_tag.start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 7);
+    delay_tag.end_of_line <= raster_place_column = 318;
+    -- rows
+    rows_search_rows_read_newest_0 <= delay_ahead_0;
+    rows_search_rows_ready_words <= rows_search_rows_read_words;
+    rows_search_rows_ready_newest_0 <= rows_search_rows_read_newest_0;
+    rows_reference_rows_read_newest_0 <= to_integer(delay_delayed_0);
+    rows_reference_rows_ready_words <= rows_reference_rows_read_words;
+    rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
+    rows_read_column <= delay_column;
+    rows_read_inside <= delay_row_inside;
+    rows_read_tag <= delay_tag;
+    rows_ready_column <= rows_read_column;
+    rows_ready_inside <= rows_read_inside;
+    rows_ready_tag <= rows_read_tag;
+    rows_tag <= rows_ready_tag;
+    rows_search(0) <= choice(rows_ready_inside(0), to_integer(rows_search_rows_ready_words(0)(7 downto 0)), 0);
+    rows_reference(0) <= choice(rows_ready_inside(0), to_integer(rows_reference_rows_ready_words(0)(7 downto 0)), 0);
+    rows_search(1) <= choice(rows_ready_inside(1), rows_search_rows_ready_newest_0, 0);
+    rows_reference(1) <= choice(rows_ready_inside(1), rows_reference_rows_ready_newest_0, 0);
+    if rows_ready_tag.valid then
+      for i in 0 to 2 loop
+        rows_search_rows_write_words(i) <= rows_search_rows_ready_words(i + 1)(7 downto 0) &
+          rows_search_rows_ready_words(i)(31 downto 8);
       end loop;
-      for i in 0 to 15 loop
-        slice0cost_pixels_first(0, i) <= slice0shift_search(0, i) - slice0shift_reference(0);
+      rows_search_rows_write_words(3) <= to_unsigned(rows_search_rows_ready_newest_0, 8) &
+        rows_search_rows_ready_words(3)(31 downto 8);
+      for i in 0 to 2 loop
+        rows_reference_rows_write_words(i) <= rows_reference_rows_ready_words(i + 1)(7 downto 0) &
+          rows_reference_rows_ready_words(i)(31 downto 8);
       end loop;
-      for i in 0 to 15 loop
-        slice0cost_pixels_first(1, i) <= slice0shift_search(1, i) - slice0shift_reference(1);
-      end loop;
-      slice0cost_pixels_first_tag <= slice0shift_tag;
+      rows_reference_rows_write_words(3) <= to_unsigned(rows_reference_rows_ready_newest_0, 8) &
+        rows_reference_rows_ready_words(3)(31 downto 8);
+      rows_write_column <= rows_ready_column;
+    end if;
+    -- slice0shift
+    if rows_tag.valid then
       for i in 0 to 1 loop
-        for j in 0 to 15 loop
-          slice0cost_pixels_cost(i, j) <= (folded(slice0cost_pixels_first(i, j)) +
-            as_number((slice0cost_pixels_first(i, j) < 0))) mod 256;
-        end loop;
+        for j in 0 to 14 loop slice0shift_search(i, j) <= slice0shift_search(i, j + 1); end loop;
+        slice0shift_search(i, 15) <= rows_search(i);
       end loop;
-      slice0cost_pixels_tag <= slice0cost_pixels_first_tag;
-      slice0cost_change_column <= slice0cost_read_column;
-      for i in 0 to 15 loop
-        slice0cost_change_0(i) <= slice0cost_pixels_cost(1, i) - slice0cost_pixels_cost(0, i);
+    end if;
+    slice0shift_reference <= rows_reference;
+    slice0shift_search_out(0) <= slice0shift_search(0, 0);
+    slice0shift_search_out(1) <= slice0shift_search(1, 0);
+    slice0shift_tag <= rows_tag;
+    -- slice0cost
+    for i in 0 to 7 loop
+      slice0cost_column_0_choice(2 * i, 1) := choice(slice0cost_ready_tag.first_group, 0, slice0cost_ready_words(i) mod
+        4096);
+      slice0cost_column_0_choice(2 * i, 2) := choice(slice0cost_ready_tag.border_column, 0, (slice0cost_change_0(2 * i)
+        + slice0cost_column_0_choice(2 * i, 1)) mod 4096);
+      slice0cost_column_0_choice(2 * i + 1, 1) := choice(slice0cost_ready_tag.first_group, 0, slice0cost_ready_words(i)
+        / 4096);
+      slice0cost_column_0_choice(2 * i + 1, 2) := choice(slice0cost_ready_tag.border_column, 0, (slice0cost_change_0(2
+        * i + 1) + slice0cost_column_0_choice(2 * i + 1, 1)) mod 4096);
+    end loop;
+    for i in 0 to 15 loop
+      slice0cost_pixels_first(0, i) <= slice0shift_search(0, i) - slice0shift_reference(0);
+    end loop;
+    for i in 0 to 15 loop
+      slice0cost_pixels_first(1, i) <= slice0shift_search(1, i) - slice0shift_reference(1);
+    end loop;
+    slice0cost_pixels_first_tag <= slice0shift_tag;
+    for i in 0 to 1 loop
+      for j in 0 to 15 loop
+        slice0cost_pixels_cost(i, j) <= (folded(slice0cost_pixels_first(i, j)) + as_number((slice0cost_pixels_first(i,
+          j) < 0))) mod 256;
       end loop;
+    end loop;
+    slice0cost_pixels_tag <= slice0cost_pixels_first_tag;
+    slice0cost_change_column <= slice0cost_read_column;
+    for i in 0 to 15 loop
+      slice0cost_change_0(i) <= slice0cost_pixels_cost(1, i) - slice0cost_pixels_cost(0, i);
+    end loop;
+    for i in 0 to 7 loop slice0cost_ready_words(i) <= to_integer(slice0cost_read_words(i)); end loop;
+    slice0cost_ready_column <= slice0cost_change_column;
+    slice0cost_ready_tag <= slice0cost_pixels_tag;
+    for i in 0 to 15 loop slice0cost_column_0(i) <= slice0cost_column_0_choice(i, 2); end loop;
+    slice0cost_tag.valid <= slice0cost_ready_tag.valid;
+    slice0cost_tag.first_group <= slice0cost_ready_tag.first_group;
+    slice0cost_tag.border_column <= slice0cost_ready_tag.border_column;
+    slice0cost_tag.first_cost <= slice0cost_ready_tag.first_cost;
+    slice0cost_tag.leaves_window <= slice0cost_ready_tag.leaves_window;
+    slice0cost_tag.output_column <= slice0cost_ready_tag.output_column;
+    slice0cost_tag.start_of_frame <= slice0cost_ready_tag.start_of_frame;
+    slice0cost_tag.end_of_line <= slice0cost_ready_tag.end_of_line;
+    if slice0shift_tag.valid then
+      slice0cost_read_column <= choice(slice0shift_tag.row_start, 0, (slice0cost_read_column + 1) mod 512);
+    end if;
+    if slice0cost_ready_tag.valid then
+      slice0cost_write_column <= slice0cost_ready_column;
       for i in 0 to 7 loop
-        slice0cost_ready_words(i) <= to_integer(slice0cost_read_words(i));
+        slice0cost_write_words(i) <= (slice0cost_column_0_choice(2 * i + 1, 2) * 4096) + slice0cost_column_0_choice(2 *
+          i, 2);
       end loop;
-      slice0cost_ready_column <= slice0cost_change_column;
-      slice0cost_ready_tag <= slice0cost_pixels_tag;
+    end if;
+    -- slice0window
+    if slice0cost_tag.valid then
+      slice0window_ring_write_address <= slice0window_ring_read_address;
+      slice0window_ring_read_address <= choice(slice0window_ring_read_address = 16, 0, (slice0window_ring_read_address
+        + 1) mod 32);
+    end if;
+    for i in 0 to 7 loop
+      slice0window_change_0_choice(2 * i) := choice(slice0window_entering_tag.leaves_window,
+        to_integer(slice0window_leaving(i)(11 downto 0)), 0);
+      slice0window_change_0_choice(2 * i + 1) := choice(slice0window_entering_tag.leaves_window,
+        to_integer(slice0window_leaving(i)(23 downto 12)), 0);
+    end loop;
+    slice0window_entering_0 <= slice0cost_column_0;
+    slice0window_entering_tag <= slice0cost_tag;
+    for i in 0 to 15 loop
+      slice0window_change_0(i) <= slice0window_entering_0(i) - slice0window_change_0_choice(i);
+    end loop;
+    slice0window_change_tag <= slice0window_entering_tag;
+    slice0window_centre_output_column_0 <= slice0window_change_tag.output_column;
+    slice0window_centre_first_column_0 <= slice0window_change_tag.first_cost;
+    slice0window_centre_start_of_frame_0 <= slice0window_change_tag.start_of_frame;
+    slice0window_centre_end_of_line_0 <= slice0window_change_tag.end_of_line;
+    slice0window_tag_valid <= slice0window_change_tag.valid;
+    for i in 0 to 15 loop
+      slice0window_sum_0_choice(i) := choice(slice0window_change_tag.first_cost, 0, slice0window_sum_0(i));
+    end loop;
+    if slice0window_change_tag.valid then
       for i in 0 to 15 loop
-        slice0cost_column_0(i) <= slice0cost_column_0_choice(i, 2);
+        slice0window_sum_0(i) <= (slice0window_sum_0_choice(i) + slice0window_change_0(i)) mod 65536;
       end loop;
-      slice0cost_tag.valid <= slice0cost_ready_tag.valid;
-      slice0cost_tag.first_group <= slice0cost_ready_tag.first_group;
-      slice0cost_tag.border_column <= slice0cost_ready_tag.border_column;
-      slice0cost_tag.first_cost <= slice0cost_ready_tag.first_cost;
-      slice0cost_tag.leaves_window <= slice0cost_ready_tag.leaves_window;
-      slice0cost_tag.output_column <= slice0cost_ready_tag.output_column;
-      slice0cost_tag.start_of_frame <= slice0cost_ready_tag.start_of_frame;
-      slice0cost_tag.end_of_line <= slice0cost_ready_tag.end_of_line;
-      if slice0shift_tag.valid then
-        slice0cost_read_column <= choice(slice0shift_tag.row_start, 0, (slice0cost_read_column + 1) mod 512);
-      end if;
-      if slice0cost_ready_tag.valid then
-        slice0cost_write_column <= slice0cost_ready_column;
-        for i in 0 to 7 loop
-          slice0cost_write_words(i) <= (slice0cost_column_0_choice(2 * i + 1, 2) * 4096) + slice0cost_column_0_choice(2
-            * i, 2);
-        end loop;
-      end if;
-      -- slice0window
-      if slice0cost_tag.valid then
-        slice0window_ring_write_address <= slice0window_ring_read_address;
-        slice0window_ring_read_address <= choice(slice0window_ring_read_address = 16, 0,
-          (slice0window_ring_read_address + 1) mod 32);
-      end if;
-      for i in 0 to 7 loop
-        slice0window_change_0_choice(2 * i) := choice(slice0window_entering_tag.leaves_window,
-          to_integer(slice0window_leaving(i)(11 downto 0)), 0);
-        slice0window_change_0_choice(2 * i + 1) := choice(slice0window_entering_tag.leaves_window,
-          to_integer(slice0window_leaving(i)(23 downto 12)), 0);
-      end loop;
-      slice0window_entering_0 <= slice0cost_column_0;
-      slice0window_entering_tag <= slice0cost_tag;
-      for i in 0 to 15 loop
-        slice0window_change_0(i) <= slice0window_entering_0(i) - slice0window_change_0_choice(i);
-      end loop;
-      slice0window_change_tag <= slice0window_entering_tag;
-      slice0window_centre_output_column_0 <= slice0window_change_tag.output_column;
-      slice0window_centre_first_column_0 <= slice0window_change_tag.first_cost;
-      slice0window_centre_start_of_frame_0 <= slice0window_change_tag.start_of_frame;
-      slice0window_centre_end_of_line_0 <= slice0window_change_tag.end_of_line;
-      slice0window_tag_valid <= slice0window_change_tag.valid;
-      for i in 0 to 15 loop
-        slice0window_sum_0_choice(i) := choice(slice0window_change_tag.first_cost, 0, slice0window_sum_0(i));
-      end loop;
-      if slice0window_change_tag.valid then
-        for i in 0 to 15 loop
-          slice0window_sum_0(i) <= (slice0window_sum_0_choice(i) + slice0window_change_0(i)) mod 65536;
-        end loop;
-      end if;
-      if slice0winner2_tag.valid then
-        slice0window_centre_start_of_frame_2 <= slice2window_centre_start_of_frame_0;
-        slice0window_centre_start_of_frame_5 <= slice2window_centre_start_of_frame_3;
-      end if;
-      -- slice0winner1
-      for i in 0 to 7 loop
-        slice0winner1_best_cost_0_is_less(i) := (slice0window_sum_0(2 * i + 1) - slice0window_sum_0(2 * i)) < 0;
-      end loop;
-      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_is_less(0);
-      slice0winner1_tag.valid <= slice0window_tag_valid;
-      slice0winner1_best_cost_0(0) <= choice(slice0winner1_best_cost_0_is_less(0), slice0window_sum_0(1),
-        slice0window_sum_0(0));
-      for i in 1 to 7 loop
-        slice0winner1_best_cost_0(i) <= choice(slice0winner1_best_cost_0_is_less(i), slice0window_sum_0(2 * i + 1),
-          slice0window_sum_0(2 * i));
-        slice0winner1_best_index_0(i) <= choice(slice0winner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
-      end loop;
-      if slice0winner2_tag.valid then
-        slice0winner1_tag.start_of_frame <= slice3window_centre_start_of_frame_4;
-      end if;
-      -- slice0winner2
-      for i in 0 to 3 loop
-        slice0winner2_best_cost_0_is_less(i) := (slice0winner1_best_cost_0(2 * i + 1) - slice0winner1_best_cost_0(2 *
-          i)) < 0;
-      end loop;
-      slice0winner2_tag.valid <= slice0winner1_tag.valid;
-      slice0winner2_best_cost_0(0) <= choice(slice0winner2_best_cost_0_is_less(0), slice0winner1_best_cost_0(1),
-        slice0winner1_best_cost_0(0));
-      slice0winner2_best_index_0(0) <= choice(slice0winner2_best_cost_0_is_less(0), slice0winner1_best_index_0(1),
-        as_number(slice0winner1_best_index_0_0));
-      for i in 1 to 3 loop
-        slice0winner2_best_cost_0(i) <= choice(slice0winner2_best_cost_0_is_less(i), slice0winner1_best_cost_0(2 * i +
-          1), slice0winner1_best_cost_0(2 * i));
-        slice0winner2_best_index_0(i) <= choice(slice0winner2_best_cost_0_is_less(i), slice0winner1_best_index_0(2 * i
-          + 1), slice0winner1_best_index_0(2 * i));
-      end loop;
-      if slice0winner2_tag.valid then
-        slice0winner2_tag.output_column <= slice3window_centre_output_column(5);
-        slice0winner2_tag.start_of_frame <= slice0winner1_tag.start_of_frame;
-        slice0winner2_tag.end_of_line <= slice3window_centre_end_of_line(5);
-      end if;
-      -- slice0winner3
-      slice0winner3_best_cost_0_is_less(0) := (slice0winner2_best_cost_0(1) - slice0winner2_best_cost_0(0)) < 0;
-      slice0winner3_best_cost_0_is_less(1) := (slice0winner2_best_cost_0(3) - slice0winner2_best_cost_0(2)) < 0;
-      slice0winner3_tag <= slice0winner2_tag;
+    end if;
+    if slice0winner2_tag.valid then
+      slice0window_centre_start_of_frame_2 <= slice2window_centre_start_of_frame_0;
+      slice0window_centre_start_of_frame_5 <= slice2window_centre_start_of_frame_3;
+    end if;
+    -- slice0winner1
+    for i in 0 to 7 loop
+      slice0winner1_best_cost_0_is_less(i) := (slice0window_sum_0(2 * i + 1) - slice0window_sum_0(2 * i)) < 0;
+    end loop;
+    slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_is_less(0);
+    slice0winner1_tag.valid <= slice0window_tag_valid;
+    slice0winner1_best_cost_0(0) <= choice(slice0winner1_best_cost_0_is_less(0), slice0window_sum_0(1),
+      slice0window_sum_0(0));
+    for i in 1 to 7 loop
+      slice0winner1_best_cost_0(i) <= choice(slice0winner1_best_cost_0_is_less(i), slice0window_sum_0(2 * i + 1),
+        slice0window_sum_0(2 * i));
+      slice0winner1_best_index_0(i) <= choice(slice0winner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
+    end loop;
+    if slice0winner2_tag.valid then slice0winner1_tag.start_of_frame <= slice3window_centre_start_of_frame_4; end if;
+    -- slice0winner2
+    for i in 0 to 3 loop
+      slice0winner2_best_cost_0_is_less(i) := (slice0winner1_best_cost_0(2 * i + 1) - slice0winner1_best_cost_0(2 * i))
+        < 0;
+    end loop;
+    slice0winner2_tag.valid <= slice0winner1_tag.valid;
+    slice0winner2_best_cost_0(0) <= choice(slice0winner2_best_cost_0_is_less(0), slice0winner1_best_cost_0(1),
+      slice0winner1_best_cost_0(0));
+    slice0winner2_best_index_0(0) <= choice(slice0winner2_best_cost_0_is_less(0), slice0winner1_best_index_0(1),
+      as_number(slice0winner1_best_index_0_0));
+    for i in 1 to 3 loop
+      slice0winner2_best_cost_0(i) <= choice(slice0winner2_best_cost_0_is_less(i), slice0winner1_best_cost_0(2 * i +
+        1), slice0winner1_best_cost_0(2 * i));
+      slice0winner2_best_index_0(i) <= choice(slice0winner2_best_cost_0_is_less(i), slice0winner1_best_index_0(2 * i +
+        1), slice0winner1_best_index_0(2 * i));
+    end loop;
+    if slice0winner2_tag.valid then
+      slice0winner2_tag.output_column <= slice3window_centre_output_column(5);
+      slice0winner2_tag.start_of_frame <= slice0winner1_tag.start_of_frame;
+      slice0winner2_tag.end_of_line <= slice3window_centre_end_of_line(5);
+    end if;
+    -- slice0winner3
+    slice0winner3_best_cost_0_is_less(0) := (slice0winner2_best_cost_0(1) - slice0winner2_best_cost_0(0)) < 0;
+    slice0winner3_best_cost_0_is_less(1) := (slice0winner2_best_cost_0(3) - slice0winner2_best_cost_0(2)) < 0;
+    slice0winner3_tag <= slice0winner2_tag;
+    for i in 0 to 1 loop
+      slice0winner3_best_cost_0(i) <= choice(slice0winner3_best_cost_0_is_less(i), slice0winner2_best_cost_0(2 * i +
+        1), slice0winner2_best_cost_0(2 * i));
+      slice0winner3_best_index_0(i) <= choice(slice0winner3_best_cost_0_is_less(i), slice0winner2_best_index_0(2 * i +
+        1), slice0winner2_best_index_0(2 * i));
+    end loop;
+    -- slice0winner4
+    slice0winner4_best_cost_0_0_is_less := (slice0winner3_best_cost_0(1) - slice0winner3_best_cost_0(0)) < 0;
+    slice0winner4_tag <= slice0winner3_tag;
+    slice0winner4_best_cost_0_0 <= choice(slice0winner4_best_cost_0_0_is_less, slice0winner3_best_cost_0(1),
+      slice0winner3_best_cost_0(0));
+    slice0winner4_best_index_0_0 <= choice(slice0winner4_best_cost_0_0_is_less, slice0winner3_best_index_0(1),
+      slice0winner3_best_index_0(0));
+    -- slice0
+    slice0_best_cost_0_0 <= slice0winner4_best_cost_0_0;
+    slice0_best_index_0_0 <= slice0winner4_best_index_0_0 + 48;
+    slice0_best_tag <= slice0winner4_tag;
+    -- slice1shift
+    if slice0shift_tag.valid then
       for i in 0 to 1 loop
-        slice0winner3_best_cost_0(i) <= choice(slice0winner3_best_cost_0_is_less(i), slice0winner2_best_cost_0(2 * i +
-          1), slice0winner2_best_cost_0(2 * i));
-        slice0winner3_best_index_0(i) <= choice(slice0winner3_best_cost_0_is_less(i), slice0winner2_best_index_0(2 * i
-          + 1), slice0winner2_best_index_0(2 * i));
+        for j in 0 to 14 loop slice1shift_search(i, j) <= slice1shift_search(i, j + 1); end loop;
+        slice1shift_search(i, 15) <= slice0shift_search_out(i);
       end loop;
-      -- slice0winner4
-      slice0winner4_best_cost_0_0_is_less := (slice0winner3_best_cost_0(1) - slice0winner3_best_cost_0(0)) < 0;
-      slice0winner4_tag <= slice0winner3_tag;
-      slice0winner4_best_cost_0_0 <= choice(slice0winner4_best_cost_0_0_is_less, slice0winner3_best_cost_0(1),
-        slice0winner3_best_cost_0(0));
-      slice0winner4_best_index_0_0 <= choice(slice0winner4_best_cost_0_0_is_less, slice0winner3_best_index_0(1),
-        slice0winner3_best_index_0(0));
-      -- slice0
-      slice0_best_cost_0_0 <= slice0winner4_best_cost_0_0;
-      slice0_best_index_0_0 <= slice0winner4_best_index_0_0 + 48;
-      slice0_best_tag <= slice0winner4_tag;
-      -- slice1shift
-      if slice0shift_tag.valid then
-        for i in 0 to 1 loop
-          for j in 0 to 14 loop
-            slice1shift_search(i, j) <= slice1shift_search(i, j + 1);
-          end loop;
-          slice1shift_search(i, 15) <= slice0shift_search_out(i);
-        end loop;
-      end if;
-      slice1shift_reference <= slice0shift_reference;
-      slice1shift_search_out(0) <= slice1shift_search(0, 0);
-      slice1shift_search_out(1) <= slice1shift_search(1, 0);
-      -- slice1cost
+    end if;
+    slice1shift_reference <= slice0shift_reference;
+    slice1shift_search_out(0) <= slice1shift_search(0, 0);
+    slice1shift_search_out(1) <= slice1shift_search(1, 0);
+    -- slice1cost
+    for i in 0 to 7 loop
+      slice1cost_column_0_choice(2 * i, 1) := choice(slice0cost_tag.first_group, 0, slice1cost_ready_words(i) mod 4096);
+      slice1cost_column_0_choice(2 * i, 2) := choice(slice0cost_tag.border_column, 0, (slice1cost_change_0(2 * i) +
+        slice1cost_column_0_choice(2 * i, 1)) mod 4096);
+      slice1cost_column_0_choice(2 * i + 1, 1) := choice(slice0cost_tag.first_group, 0, slice1cost_ready_words(i) /
+        4096);
+      slice1cost_column_0_choice(2 * i + 1, 2) := choice(slice0cost_tag.border_column, 0, (slice1cost_change_0(2 * i +
+        1) + slice1cost_column_0_choice(2 * i + 1, 1)) mod 4096);
+    end loop;
+    for i in 0 to 15 loop
+      slice1cost_pixels_first(0, i) <= slice1shift_search(0, i) - slice1shift_reference(0);
+    end loop;
+    for i in 0 to 15 loop
+      slice1cost_pixels_first(1, i) <= slice1shift_search(1, i) - slice1shift_reference(1);
+    end loop;
+    for i in 0 to 1 loop
+      for j in 0 to 15 loop
+        slice1cost_pixels_cost(i, j) <= (folded(slice1cost_pixels_first(i, j)) + as_number((slice1cost_pixels_first(i,
+          j) < 0))) mod 256;
+      end loop;
+    end loop;
+    for i in 0 to 15 loop
+      slice1cost_change_0(i) <= slice1cost_pixels_cost(1, i) - slice1cost_pixels_cost(0, i);
+    end loop;
+    for i in 0 to 7 loop slice1cost_ready_words(i) <= to_integer(slice1cost_read_words(i)); end loop;
+    for i in 0 to 15 loop slice1cost_column_0(i) <= slice1cost_column_0_choice(i, 2); end loop;
+    slice1cost_write_column <= slice1cost_ready_column;
+    if slice0cost_pixels_first_tag.valid then
+      slice1cost_read_column <= choice(slice0cost_pixels_first_tag.row_start, 0, (slice1cost_read_column + 1) mod 512);
+    end if;
+    if slice0cost_pixels_tag.valid then
+      slice1cost_change_column <= choice(slice0cost_pixels_tag.row_start, 0, (slice1cost_change_column + 1) mod 512);
+    end if;
+    if slice0cost_ready_tag.valid then
+      slice1cost_ready_column <= choice(slice0cost_ready_tag.row_start, 0, (slice1cost_ready_column + 1) mod 512);
+    end if;
+    if slice0cost_tag.valid then
       for i in 0 to 7 loop
-        slice1cost_column_0_choice(2 * i, 1) := choice(slice0cost_tag.first_group, 0, slice1cost_ready_words(i) mod
-          4096);
-        slice1cost_column_0_choice(2 * i, 2) := choice(slice0cost_tag.border_column, 0, (slice1cost_change_0(2 * i) +
-          slice1cost_column_0_choice(2 * i, 1)) mod 4096);
-        slice1cost_column_0_choice(2 * i + 1, 1) := choice(slice0cost_tag.first_group, 0, slice1cost_ready_words(i) /
-          4096);
-        slice1cost_column_0_choice(2 * i + 1, 2) := choice(slice0cost_tag.border_column, 0, (slice1cost_change_0(2 * i
-          + 1) + slice1cost_column_0_choice(2 * i + 1, 1)) mod 4096);
+        slice1cost_write_words(i) <= (slice1cost_column_0_choice(2 * i + 1, 2) * 4096) + slice1cost_column_0_choice(2 *
+          i, 2);
       end loop;
+    end if;
+    -- slice1window
+    if slice0window_entering_tag.valid then
+      slice1window_ring_write_address <= slice1window_ring_read_address;
+      slice1window_ring_read_address <= choice(slice1window_ring_read_address = 16, 0, (slice1window_ring_read_address
+        + 1) mod 32);
+    end if;
+    for i in 0 to 7 loop
+      slice1window_change_0_choice(2 * i) := choice(slice0window_change_tag.leaves_window,
+        to_integer(slice1window_leaving(i)(11 downto 0)), 0);
+      slice1window_change_0_choice(2 * i + 1) := choice(slice0window_change_tag.leaves_window,
+        to_integer(slice1window_leaving(i)(23 downto 12)), 0);
+    end loop;
+    slice1window_entering_0 <= slice1cost_column_0;
+    for i in 0 to 15 loop
+      slice1window_change_0(i) <= slice1window_entering_0(i) - slice1window_change_0_choice(i);
+    end loop;
+    slice1window_change_tag_leaves_window <= slice0window_change_tag.leaves_window;
+    slice1window_centre_output_column_0 <= slice0window_centre_output_column_0;
+    slice1window_centre_first_column_0 <= slice0window_centre_first_column_0;
+    slice1window_centre_start_of_frame_0 <= slice0window_centre_start_of_frame_0;
+    slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
+    for i in 0 to 15 loop
+      slice1window_sum_0_choice(i) := choice(slice0window_centre_first_column_0, 0, slice1window_sum_0(i));
+    end loop;
+    if slice0window_tag_valid then
       for i in 0 to 15 loop
-        slice1cost_pixels_first(0, i) <= slice1shift_search(0, i) - slice1shift_reference(0);
+        slice1window_sum_0(i) <= (slice1window_sum_0_choice(i) + slice1window_change_0(i)) mod 65536;
       end loop;
-      for i in 0 to 15 loop
-        slice1cost_pixels_first(1, i) <= slice1shift_search(1, i) - slice1shift_reference(1);
-      end loop;
+    end if;
+    -- slice1winner1
+    for i in 0 to 7 loop
+      slice1winner1_best_cost_0_is_less(i) := (slice1window_sum_0(2 * i + 1) - slice1window_sum_0(2 * i)) < 0;
+    end loop;
+    slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_is_less(0);
+    slice1winner1_best_cost_0(0) <= choice(slice1winner1_best_cost_0_is_less(0), slice1window_sum_0(1),
+      slice1window_sum_0(0));
+    for i in 1 to 7 loop
+      slice1winner1_best_cost_0(i) <= choice(slice1winner1_best_cost_0_is_less(i), slice1window_sum_0(2 * i + 1),
+        slice1window_sum_0(2 * i));
+      slice1winner1_best_index_0(i) <= choice(slice1winner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
+    end loop;
+    -- slice1winner2
+    for i in 0 to 3 loop
+      slice1winner2_best_cost_0_is_less(i) := (slice1winner1_best_cost_0(2 * i + 1) - slice1winner1_best_cost_0(2 * i))
+        < 0;
+    end loop;
+    slice1winner2_best_cost_0(0) <= choice(slice1winner2_best_cost_0_is_less(0), slice1winner1_best_cost_0(1),
+      slice1winner1_best_cost_0(0));
+    slice1winner2_best_index_0(0) <= choice(slice1winner2_best_cost_0_is_less(0), slice1winner1_best_index_0(1),
+      as_number(slice1winner1_best_index_0_0));
+    for i in 1 to 3 loop
+      slice1winner2_best_cost_0(i) <= choice(slice1winner2_best_cost_0_is_less(i), slice1winner1_best_cost_0(2 * i +
+        1), slice1winner1_best_cost_0(2 * i));
+      slice1winner2_best_index_0(i) <= choice(slice1winner2_best_cost_0_is_less(i), slice1winner1_best_index_0(2 * i +
+        1), slice1winner1_best_index_0(2 * i));
+    end loop;
+    -- slice1winner3
+    slice1winner3_best_cost_0_is_less(0) := (slice1winner2_best_cost_0(1) - slice1winner2_best_cost_0(0)) < 0;
+    slice1winner3_best_cost_0_is_less(1) := (slice1winner2_best_cost_0(3) - slice1winner2_best_cost_0(2)) < 0;
+    for i in 0 to 1 loop
+      slice1winner3_best_cost_0(i) <= choice(slice1winner3_best_cost_0_is_less(i), slice1winner2_best_cost_0(2 * i +
+        1), slice1winner2_best_cost_0(2 * i));
+      slice1winner3_best_index_0(i) <= choice(slice1winner3_best_cost_0_is_less(i), slice1winner2_best_index_0(2 * i +
+        1), slice1winner2_best_index_0(2 * i));
+    end loop;
+    -- slice1winner4
+    slice1winner4_best_cost_0_0_is_less := (slice1winner3_best_cost_0(1) - slice1winner3_best_cost_0(0)) < 0;
+    slice1winner4_best_cost_0_0 <= choice(slice1winner4_best_cost_0_0_is_less, slice1winner3_best_cost_0(1),
+      slice1winner3_best_cost_0(0));
+    slice1winner4_best_index_0_0 <= choice(slice1winner4_best_cost_0_0_is_less, slice1winner3_best_index_0(1),
+      slice1winner3_best_index_0(0));
+    -- slice1
+    slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner4_best_cost_0_0) < 0;
+    slice1_best_tag <= slice0_best_tag;
+    slice1_best_cost_0_0 <= choice(slice1_best_cost_0_0_is_less, slice0_best_cost_0_0, slice1winner4_best_cost_0_0);
+    slice1_best_index_0_0 <= choice(slice1_best_cost_0_0_is_less, slice0_best_index_0_0, slice1winner4_best_index_0_0 +
+      32);
+    -- slice2shift
+    if slice0cost_pixels_first_tag.valid then
       for i in 0 to 1 loop
-        for j in 0 to 15 loop
-          slice1cost_pixels_cost(i, j) <= (folded(slice1cost_pixels_first(i, j)) +
-            as_number((slice1cost_pixels_first(i, j) < 0))) mod 256;
-        end loop;
+        for j in 0 to 14 loop slice2shift_search(i, j) <= slice2shift_search(i, j + 1); end loop;
+        slice2shift_search(i, 15) <= slice1shift_search_out(i);
       end loop;
-      for i in 0 to 15 loop
-        slice1cost_change_0(i) <= slice1cost_pixels_cost(1, i) - slice1cost_pixels_cost(0, i);
+    end if;
+    slice2shift_reference <= slice1shift_reference;
+    slice2shift_search_out(0) <= slice2shift_search(0, 0);
+    slice2shift_search_out(1) <= slice2shift_search(1, 0);
+    -- slice2cost
+    for i in 0 to 7 loop
+      slice2cost_column_0_choice(2 * i, 1) := choice(slice0window_entering_tag.first_group, 0,
+        slice2cost_ready_words(i) mod 4096);
+      slice2cost_column_0_choice(2 * i, 2) := choice(slice0window_entering_tag.border_column, 0, (slice2cost_change_0(2
+        * i) + slice2cost_column_0_choice(2 * i, 1)) mod 4096);
+      slice2cost_column_0_choice(2 * i + 1, 1) := choice(slice0window_entering_tag.first_group, 0,
+        slice2cost_ready_words(i) / 4096);
+      slice2cost_column_0_choice(2 * i + 1, 2) := choice(slice0window_entering_tag.border_column, 0,
+        (slice2cost_change_0(2 * i + 1) + slice2cost_column_0_choice(2 * i + 1, 1)) mod 4096);
+    end loop;
+    for i in 0 to 15 loop
+      slice2cost_pixels_first(0, i) <= slice2shift_search(0, i) - slice2shift_reference(0);
+    end loop;
+    for i in 0 to 15 loop
+      slice2cost_pixels_first(1, i) <= slice2shift_search(1, i) - slice2shift_reference(1);
+    end loop;
+    for i in 0 to 1 loop
+      for j in 0 to 15 loop
+        slice2cost_pixels_cost(i, j) <= (folded(slice2cost_pixels_first(i, j)) + as_number((slice2cost_pixels_first(i,
+          j) < 0))) mod 256;
       end loop;
+    end loop;
+    slice2cost_read_column <= slice1cost_read_column;
+    slice2cost_change_column <= slice1cost_change_column;
+    for i in 0 to 15 loop
+      slice2cost_change_0(i) <= slice2cost_pixels_cost(1, i) - slice2cost_pixels_cost(0, i);
+    end loop;
+    for i in 0 to 7 loop slice2cost_ready_words(i) <= to_integer(slice2cost_read_words(i)); end loop;
+    slice2cost_ready_column <= slice2cost_change_column;
+    for i in 0 to 15 loop slice2cost_column_0(i) <= slice2cost_column_0_choice(i, 2); end loop;
+    slice2cost_write_column <= slice1cost_write_column;
+    if slice0window_entering_tag.valid then
       for i in 0 to 7 loop
-        slice1cost_ready_words(i) <= to_integer(slice1cost_read_words(i));
+        slice2cost_write_words(i) <= (slice2cost_column_0_choice(2 * i + 1, 2) * 4096) + slice2cost_column_0_choice(2 *
+          i, 2);
       end loop;
+    end if;
+    -- slice2window
+    if slice0window_change_tag.valid then
+      slice2window_ring_write_address <= slice2window_ring_read_address;
+      slice2window_ring_read_address <= choice(slice2window_ring_read_address = 16, 0, (slice2window_ring_read_address
+        + 1) mod 32);
+    end if;
+    for i in 0 to 7 loop
+      slice2window_change_0_choice(2 * i) := choice(slice1window_change_tag_leaves_window,
+        to_integer(slice2window_leaving(i)(11 downto 0)), 0);
+      slice2window_change_0_choice(2 * i + 1) := choice(slice1window_change_tag_leaves_window,
+        to_integer(slice2window_leaving(i)(23 downto 12)), 0);
+    end loop;
+    slice2window_entering_0 <= slice2cost_column_0;
+    for i in 0 to 15 loop
+      slice2window_change_0(i) <= slice2window_entering_0(i) - slice2window_change_0_choice(i);
+    end loop;
+    slice2window_change_tag_leaves_window <= slice1window_change_tag_leaves_window;
+    slice2window_centre_output_column_0 <= slice1window_centre_output_column_0;
+    slice2window_centre_first_column_0 <= slice1window_centre_first_column_0;
+    slice2window_centre_start_of_frame_0 <= slice1window_centre_start_of_frame_0;
+    slice2window_centre_end_of_line_0 <= slice1window_centre_end_of_line_0;
+    for i in 0 to 15 loop
+      slice2window_sum_0_choice(i) := choice(slice1window_centre_first_column_0, 0, slice2window_sum_0(i));
+    end loop;
+    if slice0winner1_tag.valid then
       for i in 0 to 15 loop
-        slice1cost_column_0(i) <= slice1cost_column_0_choice(i, 2);
+        slice2window_sum_0(i) <= (slice2window_sum_0_choice(i) + slice2window_change_0(i)) mod 65536;
       end loop;
-      slice1cost_write_column <= slice1cost_ready_column;
-      if slice0cost_pixels_first_tag.valid then
-        slice1cost_read_column <= choice(slice0cost_pixels_first_tag.row_start, 0, (slice1cost_read_column + 1) mod
-          512);
-      end if;
-      if slice0cost_pixels_tag.valid then
-        slice1cost_change_column <= choice(slice0cost_pixels_tag.row_start, 0, (slice1cost_change_column + 1) mod 512);
-      end if;
-      if slice0cost_ready_tag.valid then
-        slice1cost_ready_column <= choice(slice0cost_ready_tag.row_start, 0, (slice1cost_ready_column + 1) mod 512);
-      end if;
-      if slice0cost_tag.valid then
-        for i in 0 to 7 loop
-          slice1cost_write_words(i) <= (slice1cost_column_0_choice(2 * i + 1, 2) * 4096) + slice1cost_column_0_choice(2
-            * i, 2);
-        end loop;
-      end if;
-      -- slice1window
-      if slice0window_entering_tag.valid then
-        slice1window_ring_write_address <= slice1window_ring_read_address;
-        slice1window_ring_read_address <= choice(slice1window_ring_read_address = 16, 0,
-          (slice1window_ring_read_address + 1) mod 32);
-      end if;
-      for i in 0 to 7 loop
-        slice1window_change_0_choice(2 * i) := choice(slice0window_change_tag.leaves_window,
-          to_integer(slice1window_leaving(i)(11 downto 0)), 0);
-        slice1window_change_0_choice(2 * i + 1) := choice(slice0window_change_tag.leaves_window,
-          to_integer(slice1window_leaving(i)(23 downto 12)), 0);
-      end loop;
-      slice1window_entering_0 <= slice1cost_column_0;
-      for i in 0 to 15 loop
-        slice1window_change_0(i) <= slice1window_entering_0(i) - slice1window_change_0_choice(i);
-      end loop;
-      slice1window_change_tag_leaves_window <= slice0window_change_tag.leaves_window;
-      slice1window_centre_output_column_0 <= slice0window_centre_output_column_0;
-      slice1window_centre_first_column_0 <= slice0window_centre_first_column_0;
-      slice1window_centre_start_of_frame_0 <= slice0window_centre_start_of_frame_0;
-      slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
-      for i in 0 to 15 loop
-        slice1window_sum_0_choice(i) := choice(slice0window_centre_first_column_0, 0, slice1window_sum_0(i));
-      end loop;
-      if slice0window_tag_valid then
-        for i in 0 to 15 loop
-          slice1window_sum_0(i) <= (slice1window_sum_0_choice(i) + slice1window_change_0(i)) mod 65536;
-        end loop;
-      end if;
-      -- slice1winner1
-      for i in 0 to 7 loop
-        slice1winner1_best_cost_0_is_less(i) := (slice1window_sum_0(2 * i + 1) - slice1window_sum_0(2 * i)) < 0;
-      end loop;
-      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_is_less(0);
-      slice1winner1_best_cost_0(0) <= choice(slice1winner1_best_cost_0_is_less(0), slice1window_sum_0(1),
-        slice1window_sum_0(0));
-      for i in 1 to 7 loop
-        slice1winner1_best_cost_0(i) <= choice(slice1winner1_best_cost_0_is_less(i), slice1window_sum_0(2 * i + 1),
-          slice1window_sum_0(2 * i));
-        slice1winner1_best_index_0(i) <= choice(slice1winner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
-      end loop;
-      -- slice1winner2
-      for i in 0 to 3 loop
-        slice1winner2_best_cost_0_is_less(i) := (slice1winner1_best_cost_0(2 * i + 1) - slice1winner1_best_cost_0(2 *
-          i)) < 0;
-      end loop;
-      slice1winner2_best_cost_0(0) <= choice(slice1winner2_best_cost_0_is_less(0), slice1winner1_best_cost_0(1),
-        slice1winner1_best_cost_0(0));
-      slice1winner2_best_index_0(0) <= choice(slice1winner2_best_cost_0_is_less(0), slice1winner1_best_index_0(1),
-        as_number(slice1winner1_best_index_0_0));
-      for i in 1 to 3 loop
-        slice1winner2_best_cost_0(i) <= choice(slice1winner2_best_cost_0_is_less(i), slice1winner1_best_cost_0(2 * i +
-          1), slice1winner1_best_cost_0(2 * i));
-        slice1winner2_best_index_0(i) <= choice(slice1winner2_best_cost_0_is_less(i), slice1winner1_best_index_0(2 * i
-          + 1), slice1winner1_best_index_0(2 * i));
-      end loop;
-      -- slice1winner3
-      slice1winner3_best_cost_0_is_less(0) := (slice1winner2_best_cost_0(1) - slice1winner2_best_cost_0(0)) < 0;
-      slice1winner3_best_cost_0_is_less(1) := (slice1winner2_best_cost_0(3) - slice1winner2_best_cost_0(2)) < 0;
+    end if;
+    if slice0winner2_tag.valid then
+      slice2window_centre_start_of_frame_3 <= slice3window_centre_start_of_frame_1;
+    end if;
+    -- slice2winner1
+    for i in 0 to 7 loop
+      slice2winner1_best_cost_0_is_less(i) := (slice2window_sum_0(2 * i + 1) - slice2window_sum_0(2 * i)) < 0;
+    end loop;
+    slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_is_less(0);
+    slice2winner1_best_cost_0(0) <= choice(slice2winner1_best_cost_0_is_less(0), slice2window_sum_0(1),
+      slice2window_sum_0(0));
+    for i in 1 to 7 loop
+      slice2winner1_best_cost_0(i) <= choice(slice2winner1_best_cost_0_is_less(i), slice2window_sum_0(2 * i + 1),
+        slice2window_sum_0(2 * i));
+      slice2winner1_best_index_0(i) <= choice(slice2winner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
+    end loop;
+    -- slice2winner2
+    for i in 0 to 3 loop
+      slice2winner2_best_cost_0_is_less(i) := (slice2winner1_best_cost_0(2 * i + 1) - slice2winner1_best_cost_0(2 * i))
+        < 0;
+    end loop;
+    slice2winner2_best_cost_0(0) <= choice(slice2winner2_best_cost_0_is_less(0), slice2winner1_best_cost_0(1),
+      slice2winner1_best_cost_0(0));
+    slice2winner2_best_index_0(0) <= choice(slice2winner2_best_cost_0_is_less(0), slice2winner1_best_index_0(1),
+      as_number(slice2winner1_best_index_0_0));
+    for i in 1 to 3 loop
+      slice2winner2_best_cost_0(i) <= choice(slice2winner2_best_cost_0_is_less(i), slice2winner1_best_cost_0(2 * i +
+        1), slice2winner1_best_cost_0(2 * i));
+      slice2winner2_best_index_0(i) <= choice(slice2winner2_best_cost_0_is_less(i), slice2winner1_best_index_0(2 * i +
+        1), slice2winner1_best_index_0(2 * i));
+    end loop;
+    -- slice2winner3
+    slice2winner3_best_cost_0_is_less(0) := (slice2winner2_best_cost_0(1) - slice2winner2_best_cost_0(0)) < 0;
+    slice2winner3_best_cost_0_is_less(1) := (slice2winner2_best_cost_0(3) - slice2winner2_best_cost_0(2)) < 0;
+    for i in 0 to 1 loop
+      slice2winner3_best_cost_0(i) <= choice(slice2winner3_best_cost_0_is_less(i), slice2winner2_best_cost_0(2 * i +
+        1), slice2winner2_best_cost_0(2 * i));
+      slice2winner3_best_index_0(i) <= choice(slice2winner3_best_cost_0_is_less(i), slice2winner2_best_index_0(2 * i +
+        1), slice2winner2_best_index_0(2 * i));
+    end loop;
+    -- slice2winner4
+    slice2winner4_best_cost_0_0_is_less := (slice2winner3_best_cost_0(1) - slice2winner3_best_cost_0(0)) < 0;
+    slice2winner4_best_cost_0_0 <= choice(slice2winner4_best_cost_0_0_is_less, slice2winner3_best_cost_0(1),
+      slice2winner3_best_cost_0(0));
+    slice2winner4_best_index_0_0 <= choice(slice2winner4_best_cost_0_0_is_less, slice2winner3_best_index_0(1),
+      slice2winner3_best_index_0(0));
+    -- slice2
+    slice2_best_cost_0_0_is_less := (slice1_best_cost_0_0 - slice2winner4_best_cost_0_0) < 0;
+    slice2_best_tag <= slice1_best_tag;
+    slice2_best_cost_0_0 <= choice(slice2_best_cost_0_0_is_less, slice1_best_cost_0_0, slice2winner4_best_cost_0_0);
+    slice2_best_index_0_0 <= choice(slice2_best_cost_0_0_is_less, slice1_best_index_0_0, slice2winner4_best_index_0_0 +
+      16);
+    -- slice3shift
+    if slice0cost_pixels_tag.valid then
       for i in 0 to 1 loop
-        slice1winner3_best_cost_0(i) <= choice(slice1winner3_best_cost_0_is_less(i), slice1winner2_best_cost_0(2 * i +
-          1), slice1winner2_best_cost_0(2 * i));
-        slice1winner3_best_index_0(i) <= choice(slice1winner3_best_cost_0_is_less(i), slice1winner2_best_index_0(2 * i
-          + 1), slice1winner2_best_index_0(2 * i));
+        for j in 0 to 14 loop slice3shift_search(i, j) <= slice3shift_search(i, j + 1); end loop;
+        slice3shift_search(i, 15) <= slice2shift_search_out(i);
       end loop;
-      -- slice1winner4
-      slice1winner4_best_cost_0_0_is_less := (slice1winner3_best_cost_0(1) - slice1winner3_best_cost_0(0)) < 0;
-      slice1winner4_best_cost_0_0 <= choice(slice1winner4_best_cost_0_0_is_less, slice1winner3_best_cost_0(1),
-        slice1winner3_best_cost_0(0));
-      slice1winner4_best_index_0_0 <= choice(slice1winner4_best_cost_0_0_is_less, slice1winner3_best_index_0(1),
-        slice1winner3_best_index_0(0));
-      -- slice1
-      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner4_best_cost_0_0) < 0;
-      slice1_best_tag <= slice0_best_tag;
-      slice1_best_cost_0_0 <= choice(slice1_best_cost_0_0_is_less, slice0_best_cost_0_0, slice1winner4_best_cost_0_0);
-      slice1_best_index_0_0 <= choice(slice1_best_cost_0_0_is_less, slice0_best_index_0_0, slice1winner4_best_index_0_0
-        + 32);
-      -- slice2shift
-      if slice0cost_pixels_first_tag.valid then
-        for i in 0 to 1 loop
-          for j in 0 to 14 loop
-            slice2shift_search(i, j) <= slice2shift_search(i, j + 1);
-          end loop;
-          slice2shift_search(i, 15) <= slice1shift_search_out(i);
-        end loop;
-      end if;
-      slice2shift_reference <= slice1shift_reference;
-      slice2shift_search_out(0) <= slice2shift_search(0, 0);
-      slice2shift_search_out(1) <= slice2shift_search(1, 0);
-      -- slice2cost
+    end if;
+    slice3shift_reference <= slice2shift_reference;
+    -- slice3cost
+    for i in 0 to 7 loop
+      slice3cost_column_0_choice(2 * i, 1) := choice(slice0window_change_tag.first_group, 0, slice3cost_ready_words(i)
+        mod 4096);
+      slice3cost_column_0_choice(2 * i, 2) := choice(slice0window_change_tag.border_column, 0, (slice3cost_change_0(2 *
+        i) + slice3cost_column_0_choice(2 * i, 1)) mod 4096);
+      slice3cost_column_0_choice(2 * i + 1, 1) := choice(slice0window_change_tag.first_group, 0,
+        slice3cost_ready_words(i) / 4096);
+      slice3cost_column_0_choice(2 * i + 1, 2) := choice(slice0window_change_tag.border_column, 0,
+        (slice3cost_change_0(2 * i + 1) + slice3cost_column_0_choice(2 * i + 1, 1)) mod 4096);
+    end loop;
+    for i in 0 to 15 loop
+      slice3cost_pixels_first(0, i) <= slice3shift_search(0, i) - slice3shift_reference(0);
+    end loop;
+    for i in 0 to 15 loop
+      slice3cost_pixels_first(1, i) <= slice3shift_search(1, i) - slice3shift_reference(1);
+    end loop;
+    for i in 0 to 1 loop
+      for j in 0 to 15 loop
+        slice3cost_pixels_cost(i, j) <= (folded(slice3cost_pixels_first(i, j)) + as_number((slice3cost_pixels_first(i,
+          j) < 0))) mod 256;
+      end loop;
+    end loop;
+    slice3cost_read_column <= slice2cost_read_column;
+    for i in 0 to 15 loop
+      slice3cost_change_0(i) <= slice3cost_pixels_cost(1, i) - slice3cost_pixels_cost(0, i);
+    end loop;
+    for i in 0 to 7 loop slice3cost_ready_words(i) <= to_integer(slice3cost_read_words(i)); end loop;
+    for i in 0 to 15 loop slice3cost_column_0(i) <= slice3cost_column_0_choice(i, 2); end loop;
+    if slice0cost_tag.valid then slice3cost_change_column <= slice3cost_read_column; end if;
+    if slice0window_entering_tag.valid then slice3cost_ready_column <= slice2cost_ready_column; end if;
+    if slice0window_change_tag.valid then
+      slice3cost_write_column <= slice2cost_write_column;
       for i in 0 to 7 loop
-        slice2cost_column_0_choice(2 * i, 1) := choice(slice0window_entering_tag.first_group, 0,
-          slice2cost_ready_words(i) mod 4096);
-        slice2cost_column_0_choice(2 * i, 2) := choice(slice0window_entering_tag.border_column, 0,
-          (slice2cost_change_0(2 * i) + slice2cost_column_0_choice(2 * i, 1)) mod 4096);
-        slice2cost_column_0_choice(2 * i + 1, 1) := choice(slice0window_entering_tag.first_group, 0,
-          slice2cost_ready_words(i) / 4096);
-        slice2cost_column_0_choice(2 * i + 1, 2) := choice(slice0window_entering_tag.border_column, 0,
-          (slice2cost_change_0(2 * i + 1) + slice2cost_column_0_choice(2 * i + 1, 1)) mod 4096);
+        slice3cost_write_words(i) <= (slice3cost_column_0_choice(2 * i + 1, 2) * 4096) + slice3cost_column_0_choice(2 *
+          i, 2);
       end loop;
+    end if;
+    -- slice3window
+    if slice0window_tag_valid then
+      slice3window_ring_write_address <= slice3window_ring_read_address;
+      slice3window_ring_read_address <= choice(slice3window_ring_read_address = 16, 0, (slice3window_ring_read_address
+        + 1) mod 32);
+    end if;
+    for i in 0 to 7 loop
+      slice3window_change_0_choice(2 * i) := choice(slice2window_change_tag_leaves_window,
+        to_integer(slice3window_leaving(i)(11 downto 0)), 0);
+      slice3window_change_0_choice(2 * i + 1) := choice(slice2window_change_tag_leaves_window,
+        to_integer(slice3window_leaving(i)(23 downto 12)), 0);
+    end loop;
+    slice3window_entering_0 <= slice3cost_column_0;
+    for i in 0 to 15 loop
+      slice3window_change_0(i) <= slice3window_entering_0(i) - slice3window_change_0_choice(i);
+    end loop;
+    for i in 0 to 15 loop
+      slice3window_sum_0_choice(i) := choice(slice2window_centre_first_column_0, 0, slice3window_sum_0(i));
+    end loop;
+    if slice0winner2_tag.valid then
       for i in 0 to 15 loop
-        slice2cost_pixels_first(0, i) <= slice2shift_search(0, i) - slice2shift_reference(0);
+        slice3window_sum_0(i) <= (slice3window_sum_0_choice(i) + slice3window_change_0(i)) mod 65536;
       end loop;
-      for i in 0 to 15 loop
-        slice2cost_pixels_first(1, i) <= slice2shift_search(1, i) - slice2shift_reference(1);
-      end loop;
-      for i in 0 to 1 loop
-        for j in 0 to 15 loop
-          slice2cost_pixels_cost(i, j) <= (folded(slice2cost_pixels_first(i, j)) +
-            as_number((slice2cost_pixels_first(i, j) < 0))) mod 256;
-        end loop;
-      end loop;
-      slice2cost_read_column <= slice1cost_read_column;
-      slice2cost_change_column <= slice1cost_change_column;
-      for i in 0 to 15 loop
-        slice2cost_change_0(i) <= slice2cost_pixels_cost(1, i) - slice2cost_pixels_cost(0, i);
-      end loop;
-      for i in 0 to 7 loop
-        slice2cost_ready_words(i) <= to_integer(slice2cost_read_words(i));
-      end loop;
-      slice2cost_ready_column <= slice2cost_change_column;
-      for i in 0 to 15 loop
-        slice2cost_column_0(i) <= slice2cost_column_0_choice(i, 2);
-      end loop;
-      slice2cost_write_column <= slice1cost_write_column;
-      if slice0window_entering_tag.valid then
-        for i in 0 to 7 loop
-          slice2cost_write_words(i) <= (slice2cost_column_0_choice(2 * i + 1, 2) * 4096) + slice2cost_column_0_choice(2
-            * i, 2);
-        end loop;
-      end if;
-      -- slice2window
-      if slice0window_change_tag.valid then
-        slice2window_ring_write_address <= slice2window_ring_read_address;
-        slice2window_ring_read_address <= choice(slice2window_ring_read_address = 16, 0,
-          (slice2window_ring_read_address + 1) mod 32);
-      end if;
-      for i in 0 to 7 loop
-        slice2window_change_0_choice(2 * i) := choice(slice1window_change_tag_leaves_window,
-          to_integer(slice2window_leaving(i)(11 downto 0)), 0);
-        slice2window_change_0_choice(2 * i + 1) := choice(slice1window_change_tag_leaves_window,
-          to_integer(slice2window_leaving(i)(23 downto 12)), 0);
-      end loop;
-      slice2window_entering_0 <= slice2cost_column_0;
-      for i in 0 to 15 loop
-        slice2window_change_0(i) <= slice2window_entering_0(i) - slice2window_change_0_choice(i);
-      end loop;
-      slice2window_change_tag_leaves_window <= slice1window_change_tag_leaves_window;
-      slice2window_centre_output_column_0 <= slice1window_centre_output_column_0;
-      slice2window_centre_first_column_0 <= slice1window_centre_first_column_0;
-      slice2window_centre_start_of_frame_0 <= slice1window_centre_start_of_frame_0;
-      slice2window_centre_end_of_line_0 <= slice1window_centre_end_of_line_0;
-      for i in 0 to 15 loop
-        slice2window_sum_0_choice(i) := choice(slice1window_centre_first_column_0, 0, slice2window_sum_0(i));
-      end loop;
-      if slice0winner1_tag.valid then
-        for i in 0 to 15 loop
-          slice2window_sum_0(i) <= (slice2window_sum_0_choice(i) + slice2window_change_0(i)) mod 65536;
-        end loop;
-      end if;
-      if slice0winner2_tag.valid then
-        slice2window_centre_start_of_frame_3 <= slice3window_centre_start_of_frame_1;
-      end if;
-      -- slice2winner1
-      for i in 0 to 7 loop
-        slice2winner1_best_cost_0_is_less(i) := (slice2window_sum_0(2 * i + 1) - slice2window_sum_0(2 * i)) < 0;
-      end loop;
-      slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_is_less(0);
-      slice2winner1_best_cost_0(0) <= choice(slice2winner1_best_cost_0_is_less(0), slice2window_sum_0(1),
-        slice2window_sum_0(0));
-      for i in 1 to 7 loop
-        slice2winner1_best_cost_0(i) <= choice(slice2winner1_best_cost_0_is_less(i), slice2window_sum_0(2 * i + 1),
-          slice2window_sum_0(2 * i));
-        slice2winner1_best_index_0(i) <= choice(slice2winner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
-      end loop;
-      -- slice2winner2
-      for i in 0 to 3 loop
-        slice2winner2_best_cost_0_is_less(i) := (slice2winner1_best_cost_0(2 * i + 1) - slice2winner1_best_cost_0(2 *
-          i)) < 0;
-      end loop;
-      slice2winner2_best_cost_0(0) <= choice(slice2winner2_best_cost_0_is_less(0), slice2winner1_best_cost_0(1),
-        slice2winner1_best_cost_0(0));
-      slice2winner2_best_index_0(0) <= choice(slice2winner2_best_cost_0_is_less(0), slice2winner1_best_index_0(1),
-        as_number(slice2winner1_best_index_0_0));
-      for i in 1 to 3 loop
-        slice2winner2_best_cost_0(i) <= choice(slice2winner2_best_cost_0_is_less(i), slice2winner1_best_cost_0(2 * i +
-          1), slice2winner1_best_cost_0(2 * i));
-        slice2winner2_best_index_0(i) <= choice(slice2winner2_best_cost_0_is_less(i), slice2winner1_best_index_0(2 * i
-          + 1), slice2winner1_best_index_0(2 * i));
-      end loop;
-      -- slice2winner3
-      slice2winner3_best_cost_0_is_less(0) := (slice2winner2_best_cost_0(1) - slice2winner2_best_cost_0(0)) < 0;
-      slice2winner3_best_cost_0_is_less(1) := (slice2winner2_best_cost_0(3) - slice2winner2_best_cost_0(2)) < 0;
-      for i in 0 to 1 loop
-        slice2winner3_best_cost_0(i) <= choice(slice2winner3_best_cost_0_is_less(i), slice2winner2_best_cost_0(2 * i +
-          1), slice2winner2_best_cost_0(2 * i));
-        slice2winner3_best_index_0(i) <= choice(slice2winner3_best_cost_0_is_less(i), slice2winner2_best_index_0(2 * i
-          + 1), slice2winner2_best_index_0(2 * i));
-      end loop;
-      -- slice2winner4
-      slice2winner4_best_cost_0_0_is_less := (slice2winner3_best_cost_0(1) - slice2winner3_best_cost_0(0)) < 0;
-      slice2winner4_best_cost_0_0 <= choice(slice2winner4_best_cost_0_0_is_less, slice2winner3_best_cost_0(1),
-        slice2winner3_best_cost_0(0));
-      slice2winner4_best_index_0_0 <= choice(slice2winner4_best_cost_0_0_is_less, slice2winner3_best_index_0(1),
-        slice2winner3_best_index_0(0));
-      -- slice2
-      slice2_best_cost_0_0_is_less := (slice1_best_cost_0_0 - slice2winner4_best_cost_0_0) < 0;
-      slice2_best_tag <= slice1_best_tag;
-      slice2_best_cost_0_0 <= choice(slice2_best_cost_0_0_is_less, slice1_best_cost_0_0, slice2winner4_best_cost_0_0);
-      slice2_best_index_0_0 <= choice(slice2_best_cost_0_0_is_less, slice1_best_index_0_0, slice2winner4_best_index_0_0
-        + 16);
-      -- slice3shift
-      if slice0cost_pixels_tag.valid then
-        for i in 0 to 1 loop
-          for j in 0 to 14 loop
-            slice3shift_search(i, j) <= slice3shift_search(i, j + 1);
-          end loop;
-          slice3shift_search(i, 15) <= slice2shift_search_out(i);
-        end loop;
-      end if;
-      slice3shift_reference <= slice2shift_reference;
-      -- slice3cost
-      for i in 0 to 7 loop
-        slice3cost_column_0_choice(2 * i, 1) := choice(slice0window_change_tag.first_group, 0,
-          slice3cost_ready_words(i) mod 4096);
-        slice3cost_column_0_choice(2 * i, 2) := choice(slice0window_change_tag.border_column, 0, (slice3cost_change_0(2
-          * i) + slice3cost_column_0_choice(2 * i, 1)) mod 4096);
-        slice3cost_column_0_choice(2 * i + 1, 1) := choice(slice0window_change_tag.first_group, 0,
-          slice3cost_ready_words(i) / 4096);
-        slice3cost_column_0_choice(2 * i + 1, 2) := choice(slice0window_change_tag.border_column, 0,
-          (slice3cost_change_0(2 * i + 1) + slice3cost_column_0_choice(2 * i + 1, 1)) mod 4096);
-      end loop;
-      for i in 0 to 15 loop
-        slice3cost_pixels_first(0, i) <= slice3shift_search(0, i) - slice3shift_reference(0);
-      end loop;
-      for i in 0 to 15 loop
-        slice3cost_pixels_first(1, i) <= slice3shift_search(1, i) - slice3shift_reference(1);
-      end loop;
-      for i in 0 to 1 loop
-        for j in 0 to 15 loop
-          slice3cost_pixels_cost(i, j) <= (folded(slice3cost_pixels_first(i, j)) +
-            as_number((slice3cost_pixels_first(i, j) < 0))) mod 256;
-        end loop;
-      end loop;
-      slice3cost_read_column <= slice2cost_read_column;
-      for i in 0 to 15 loop
-        slice3cost_change_0(i) <= slice3cost_pixels_cost(1, i) - slice3cost_pixels_cost(0, i);
-      end loop;
-      for i in 0 to 7 loop
-        slice3cost_ready_words(i) <= to_integer(slice3cost_read_words(i));
-      end loop;
-      for i in 0 to 15 loop
-        slice3cost_column_0(i) <= slice3cost_column_0_choice(i, 2);
-      end loop;
-      if slice0cost_tag.valid then
-        slice3cost_change_column <= slice3cost_read_column;
-      end if;
-      if slice0window_entering_tag.valid then
-        slice3cost_ready_column <= slice2cost_ready_column;
-      end if;
-      if slice0window_change_tag.valid then
-        slice3cost_write_column <= slice2cost_write_column;
-        for i in 0 to 7 loop
-          slice3cost_write_words(i) <= (slice3cost_column_0_choice(2 * i + 1, 2) * 4096) + slice3cost_column_0_choice(2
-            * i, 2);
-        end loop;
-      end if;
-      -- slice3window
-      if slice0window_tag_valid then
-        slice3window_ring_write_address <= slice3window_ring_read_address;
-        slice3window_ring_read_address <= choice(slice3window_ring_read_address = 16, 0,
-          (slice3window_ring_read_address + 1) mod 32);
-      end if;
-      for i in 0 to 7 loop
-        slice3window_change_0_choice(2 * i) := choice(slice2window_change_tag_leaves_window,
-          to_integer(slice3window_leaving(i)(11 downto 0)), 0);
-        slice3window_change_0_choice(2 * i + 1) := choice(slice2window_change_tag_leaves_window,
-          to_integer(slice3window_leaving(i)(23 downto 12)), 0);
-      end loop;
-      slice3window_entering_0 <= slice3cost_column_0;
-      for i in 0 to 15 loop
-        slice3window_change_0(i) <= slice3window_entering_0(i) - slice3window_change_0_choice(i);
-      end loop;
-      for i in 0 to 15 loop
-        slice3window_sum_0_choice(i) := choice(slice2window_centre_first_column_0, 0, slice3window_sum_0(i));
-      end loop;
-      if slice0winner2_tag.valid then
-        for i in 0 to 15 loop
-          slice3window_sum_0(i) <= (slice3window_sum_0_choice(i) + slice3window_change_0(i)) mod 65536;
-        end loop;
-        slice3window_centre_output_column(0) <= slice2window_centre_output_column_0;
-        slice3window_centre_output_column(1 to 5) <= slice3window_centre_output_column(0 to 4);
-        slice3window_centre_start_of_frame_1 <= slice0window_centre_start_of_frame_2;
-        slice3window_centre_start_of_frame_4 <= slice0window_centre_start_of_frame_5;
-        slice3window_centre_end_of_line(0) <= slice2window_centre_end_of_line_0;
-        slice3window_centre_end_of_line(1 to 5) <= slice3window_centre_end_of_line(0 to 4);
-      end if;
-      -- slice3winner1
-      for i in 0 to 7 loop
-        slice3winner1_best_cost_0_is_less(i) := (slice3window_sum_0(2 * i + 1) - slice3window_sum_0(2 * i)) < 0;
-      end loop;
-      slice3winner1_best_index_0_0 <= slice3winner1_best_cost_0_is_less(0);
-      slice3winner1_best_cost_0(0) <= choice(slice3winner1_best_cost_0_is_less(0), slice3window_sum_0(1),
-        slice3window_sum_0(0));
-      for i in 1 to 7 loop
-        slice3winner1_best_cost_0(i) <= choice(slice3winner1_best_cost_0_is_less(i), slice3window_sum_0(2 * i + 1),
-          slice3window_sum_0(2 * i));
-        slice3winner1_best_index_0(i) <= choice(slice3winner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
-      end loop;
-      -- slice3winner2
-      for i in 0 to 3 loop
-        slice3winner2_best_cost_0_is_less(i) := (slice3winner1_best_cost_0(2 * i + 1) - slice3winner1_best_cost_0(2 *
-          i)) < 0;
-      end loop;
-      slice3winner2_best_cost_0(0) <= choice(slice3winner2_best_cost_0_is_less(0), slice3winner1_best_cost_0(1),
-        slice3winner1_best_cost_0(0));
-      slice3winner2_best_index_0(0) <= choice(slice3winner2_best_cost_0_is_less(0), slice3winner1_best_index_0(1),
-        as_number(slice3winner1_best_index_0_0));
-      for i in 1 to 3 loop
-        slice3winner2_best_cost_0(i) <= choice(slice3winner2_best_cost_0_is_less(i), slice3winner1_best_cost_0(2 * i +
-          1), slice3winner1_best_cost_0(2 * i));
-        slice3winner2_best_index_0(i) <= choice(slice3winner2_best_cost_0_is_less(i), slice3winner1_best_index_0(2 * i
-          + 1), slice3winner1_best_index_0(2 * i));
-      end loop;
-      -- slice3winner3
-      slice3winner3_best_cost_0_is_less(0) := (slice3winner2_best_cost_0(1) - slice3winner2_best_cost_0(0)) < 0;
-      slice3winner3_best_cost_0_is_less(1) := (slice3winner2_best_cost_0(3) - slice3winner2_best_cost_0(2)) < 0;
-      for i in 0 to 1 loop
-        slice3winner3_best_cost_0(i) <= choice(slice3winner3_best_cost_0_is_less(i), slice3winner2_best_cost_0(2 * i +
-          1), slice3winner2_best_cost_0(2 * i));
-        slice3winner3_best_index_0(i) <= choice(slice3winner3_best_cost_0_is_less(i), slice3winner2_best_index_0(2 * i
-          + 1), slice3winner2_best_index_0(2 * i));
-      end loop;
-      -- slice3winner4
-      slice3winner4_best_cost_0_0_is_less := (slice3winner3_best_cost_0(1) - slice3winner3_best_cost_0(0)) < 0;
-      slice3winner4_best_cost_0_0 <= choice(slice3winner4_best_cost_0_0_is_less, slice3winner3_best_cost_0(1),
-        slice3winner3_best_cost_0(0));
-      slice3winner4_best_index_0_0 <= choice(slice3winner4_best_cost_0_0_is_less, slice3winner3_best_index_0(1),
-        slice3winner3_best_index_0(0));
-      -- slice3
-      slice3_best_tag <= slice2_best_tag;
-      slice3_best_index_0_0 <= choice((slice2_best_cost_0_0 - slice3winner4_best_cost_0_0) < 0, slice2_best_index_0_0,
-        slice3winner4_best_index_0_0);
-      if reset = '1' then
-        raster_features_valid <= false;
-        raster_place_column <= 0;
-        raster_place_group <= 247;
-        delay_ring_read_address <= 1;
-        delay_ring_write_address <= 0;
-        delay_column <= 0;
-        delay_tag.valid <= false;
-        delay_tag.row_start <= false;
-        delay_tag.output_column <= false;
-        delay_tag.start_of_frame <= false;
-        delay_tag.end_of_line <= false;
-        rows_read_column <= 0;
-        rows_read_tag.valid <= false;
-        rows_read_tag.row_start <= false;
-        rows_read_tag.output_column <= false;
-        rows_read_tag.start_of_frame <= false;
-        rows_read_tag.end_of_line <= false;
-        rows_ready_column <= 0;
-        rows_ready_tag.valid <= false;
-        rows_ready_tag.row_start <= false;
-        rows_ready_tag.output_column <= false;
-        rows_ready_tag.start_of_frame <= false;
-        rows_ready_tag.end_of_line <= false;
-        rows_write_column <= 0;
-        rows_tag.valid <= false;
-        rows_tag.row_start <= false;
-        rows_tag.output_column <= false;
-        rows_tag.start_of_frame <= false;
-        rows_tag.end_of_line <= false;
-        slice0shift_tag.valid <= false;
-        slice0shift_tag.row_start <= false;
-        slice0shift_tag.output_column <= false;
-        slice0shift_tag.start_of_frame <= false;
-        slice0shift_tag.end_of_line <= false;
-        slice0cost_pixels_first_tag.valid <= false;
-        slice0cost_pixels_first_tag.row_start <= false;
-        slice0cost_pixels_first_tag.output_column <= false;
-        slice0cost_pixels_first_tag.start_of_frame <= false;
-        slice0cost_pixels_first_tag.end_of_line <= false;
-        slice0cost_pixels_tag.valid <= false;
-        slice0cost_pixels_tag.row_start <= false;
-        slice0cost_pixels_tag.output_column <= false;
-        slice0cost_pixels_tag.start_of_frame <= false;
-        slice0cost_pixels_tag.end_of_line <= false;
-        slice0cost_read_column <= 0;
-        slice0cost_change_column <= 0;
-        slice0cost_ready_column <= 0;
-        slice0cost_ready_tag.valid <= false;
-        slice0cost_ready_tag.row_start <= false;
-        slice0cost_ready_tag.output_column <= false;
-        slice0cost_ready_tag.start_of_frame <= false;
-        slice0cost_ready_tag.end_of_line <= false;
-        slice0cost_write_column <= 0;
-        slice0cost_tag.valid <= false;
-        slice0cost_tag.output_column <= false;
-        slice0cost_tag.start_of_frame <= false;
-        slice0cost_tag.end_of_line <= false;
-        slice0window_ring_read_address <= 1;
-        slice0window_ring_write_address <= 0;
-        slice0window_entering_tag.valid <= false;
-        slice0window_entering_tag.output_column <= false;
-        slice0window_entering_tag.start_of_frame <= false;
-        slice0window_entering_tag.end_of_line <= false;
-        slice0window_change_tag.valid <= false;
-        slice0window_change_tag.output_column <= false;
-        slice0window_change_tag.start_of_frame <= false;
-        slice0window_change_tag.end_of_line <= false;
-        slice0window_centre_output_column_0 <= false;
-        slice0window_centre_start_of_frame_0 <= false;
-        slice0window_centre_start_of_frame_2 <= false;
-        slice0window_centre_start_of_frame_5 <= false;
-        slice0window_centre_end_of_line_0 <= false;
-        slice0window_tag_valid <= false;
-        slice0winner1_tag <= (others => false);
-        slice0winner2_tag <= (others => false);
-        slice0winner3_tag <= (others => false);
-        slice0winner4_tag <= (others => false);
-        slice0_best_tag <= (others => false);
-        slice1cost_read_column <= 0;
-        slice1cost_change_column <= 0;
-        slice1cost_ready_column <= 0;
-        slice1cost_write_column <= 0;
-        slice1window_ring_read_address <= 1;
-        slice1window_ring_write_address <= 0;
-        slice1window_centre_output_column_0 <= false;
-        slice1window_centre_start_of_frame_0 <= false;
-        slice1window_centre_end_of_line_0 <= false;
-        slice1_best_tag <= (others => false);
-        slice2cost_read_column <= 0;
-        slice2cost_change_column <= 0;
-        slice2cost_ready_column <= 0;
-        slice2cost_write_column <= 0;
-        slice2window_ring_read_address <= 1;
-        slice2window_ring_write_address <= 0;
-        slice2window_centre_output_column_0 <= false;
-        slice2window_centre_start_of_frame_0 <= false;
-        slice2window_centre_start_of_frame_3 <= false;
-        slice2window_centre_end_of_line_0 <= false;
-        slice2_best_tag <= (others => false);
-        slice3cost_read_column <= 0;
-        slice3cost_change_column <= 0;
-        slice3cost_ready_column <= 0;
-        slice3cost_write_column <= 0;
-        slice3window_ring_read_address <= 1;
-        slice3window_ring_write_address <= 0;
-        slice3window_centre_output_column <= (others => false);
-        slice3window_centre_start_of_frame_1 <= false;
-        slice3window_centre_start_of_frame_4 <= false;
-        slice3window_centre_end_of_line <= (others => false);
-        slice3_best_tag <= (others => false);
-      end if;
+      slice3window_centre_output_column(0) <= slice2window_centre_output_column_0;
+      slice3window_centre_output_column(1 to 5) <= slice3window_centre_output_column(0 to 4);
+      slice3window_centre_start_of_frame_1 <= slice0window_centre_start_of_frame_2;
+      slice3window_centre_start_of_frame_4 <= slice0window_centre_start_of_frame_5;
+      slice3window_centre_end_of_line(0) <= slice2window_centre_end_of_line_0;
+      slice3window_centre_end_of_line(1 to 5) <= slice3window_centre_end_of_line(0 to 4);
+    end if;
+    -- slice3winner1
+    for i in 0 to 7 loop
+      slice3winner1_best_cost_0_is_less(i) := (slice3window_sum_0(2 * i + 1) - slice3window_sum_0(2 * i)) < 0;
+    end loop;
+    slice3winner1_best_index_0_0 <= slice3winner1_best_cost_0_is_less(0);
+    slice3winner1_best_cost_0(0) <= choice(slice3winner1_best_cost_0_is_less(0), slice3window_sum_0(1),
+      slice3window_sum_0(0));
+    for i in 1 to 7 loop
+      slice3winner1_best_cost_0(i) <= choice(slice3winner1_best_cost_0_is_less(i), slice3window_sum_0(2 * i + 1),
+        slice3window_sum_0(2 * i));
+      slice3winner1_best_index_0(i) <= choice(slice3winner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
+    end loop;
+    -- slice3winner2
+    for i in 0 to 3 loop
+      slice3winner2_best_cost_0_is_less(i) := (slice3winner1_best_cost_0(2 * i + 1) - slice3winner1_best_cost_0(2 * i))
+        < 0;
+    end loop;
+    slice3winner2_best_cost_0(0) <= choice(slice3winner2_best_cost_0_is_less(0), slice3winner1_best_cost_0(1),
+      slice3winner1_best_cost_0(0));
+    slice3winner2_best_index_0(0) <= choice(slice3winner2_best_cost_0_is_less(0), slice3winner1_best_index_0(1),
+      as_number(slice3winner1_best_index_0_0));
+    for i in 1 to 3 loop
+      slice3winner2_best_cost_0(i) <= choice(slice3winner2_best_cost_0_is_less(i), slice3winner1_best_cost_0(2 * i +
+        1), slice3winner1_best_cost_0(2 * i));
+      slice3winner2_best_index_0(i) <= choice(slice3winner2_best_cost_0_is_less(i), slice3winner1_best_index_0(2 * i +
+        1), slice3winner1_best_index_0(2 * i));
+    end loop;
+    -- slice3winner3
+    slice3winner3_best_cost_0_is_less(0) := (slice3winner2_best_cost_0(1) - slice3winner2_best_cost_0(0)) < 0;
+    slice3winner3_best_cost_0_is_less(1) := (slice3winner2_best_cost_0(3) - slice3winner2_best_cost_0(2)) < 0;
+    for i in 0 to 1 loop
+      slice3winner3_best_cost_0(i) <= choice(slice3winner3_best_cost_0_is_less(i), slice3winner2_best_cost_0(2 * i +
+        1), slice3winner2_best_cost_0(2 * i));
+      slice3winner3_best_index_0(i) <= choice(slice3winner3_best_cost_0_is_less(i), slice3winner2_best_index_0(2 * i +
+        1), slice3winner2_best_index_0(2 * i));
+    end loop;
+    -- slice3winner4
+    slice3winner4_best_cost_0_0_is_less := (slice3winner3_best_cost_0(1) - slice3winner3_best_cost_0(0)) < 0;
+    slice3winner4_best_cost_0_0 <= choice(slice3winner4_best_cost_0_0_is_less, slice3winner3_best_cost_0(1),
+      slice3winner3_best_cost_0(0));
+    slice3winner4_best_index_0_0 <= choice(slice3winner4_best_cost_0_0_is_less, slice3winner3_best_index_0(1),
+      slice3winner3_best_index_0(0));
+    -- slice3
+    slice3_best_tag <= slice2_best_tag;
+    slice3_best_index_0_0 <= choice((slice2_best_cost_0_0 - slice3winner4_best_cost_0_0) < 0, slice2_best_index_0_0,
+      slice3winner4_best_index_0_0);
+    if reset = '1' then
+      raster_features_valid <= false; raster_place_column <= 0; raster_place_group <= 247; delay_ring_read_address <= 1;
+      delay_ring_write_address <= 0; delay_column <= 0; delay_tag.valid <= false; delay_tag.row_start <= false;
+      delay_tag.output_column <= false; delay_tag.start_of_frame <= false; delay_tag.end_of_line <= false;
+      rows_read_column <= 0; rows_read_tag.valid <= false; rows_read_tag.row_start <= false;
+      rows_read_tag.output_column <= false; rows_read_tag.start_of_frame <= false; rows_read_tag.end_of_line <= false;
+      rows_ready_column <= 0; rows_ready_tag.valid <= false; rows_ready_tag.row_start <= false;
+      rows_ready_tag.output_column <= false; rows_ready_tag.start_of_frame <= false;
+      rows_ready_tag.end_of_line <= false; rows_write_column <= 0; rows_tag.valid <= false; rows_tag.row_start <= false;
+      rows_tag.output_column <= false; rows_tag.start_of_frame <= false; rows_tag.end_of_line <= false;
+      slice0shift_tag.valid <= false; slice0shift_tag.row_start <= false; slice0shift_tag.output_column <= false;
+      slice0shift_tag.start_of_frame <= false; slice0shift_tag.end_of_line <= false;
+      slice0cost_pixels_first_tag.valid <= false; slice0cost_pixels_first_tag.row_start <= false;
+      slice0cost_pixels_first_tag.output_column <= false; slice0cost_pixels_first_tag.start_of_frame <= false;
+      slice0cost_pixels_first_tag.end_of_line <= false; slice0cost_pixels_tag.valid <= false;
+      slice0cost_pixels_tag.row_start <= false; slice0cost_pixels_tag.output_column <= false;
+      slice0cost_pixels_tag.start_of_frame <= false; slice0cost_pixels_tag.end_of_line <= false;
+      slice0cost_read_column <= 0; slice0cost_change_column <= 0; slice0cost_ready_column <= 0;
+      slice0cost_ready_tag.valid <= false; slice0cost_ready_tag.row_start <= false;
+      slice0cost_ready_tag.output_column <= false; slice0cost_ready_tag.start_of_frame <= false;
+      slice0cost_ready_tag.end_of_line <= false; slice0cost_write_column <= 0; slice0cost_tag.valid <= false;
+      slice0cost_tag.output_column <= false; slice0cost_tag.start_of_frame <= false;
+      slice0cost_tag.end_of_line <= false; slice0window_ring_read_address <= 1; slice0window_ring_write_address <= 0;
+      slice0window_entering_tag.valid <= false; slice0window_entering_tag.output_column <= false;
+      slice0window_entering_tag.start_of_frame <= false; slice0window_entering_tag.end_of_line <= false;
+      slice0window_change_tag.valid <= false; slice0window_change_tag.output_column <= false;
+      slice0window_change_tag.start_of_frame <= false; slice0window_change_tag.end_of_line <= false;
+      slice0window_centre_output_column_0 <= false; slice0window_centre_start_of_frame_0 <= false;
+      slice0window_centre_start_of_frame_2 <= false; slice0window_centre_start_of_frame_5 <= false;
+      slice0window_centre_end_of_line_0 <= false; slice0window_tag_valid <= false;
+      slice0winner1_tag <= (others => false); slice0winner2_tag <= (others => false);
+      slice0winner3_tag <= (others => false); slice0winner4_tag <= (others => false);
+      slice0_best_tag <= (others => false); slice1cost_read_column <= 0; slice1cost_change_column <= 0;
+      slice1cost_ready_column <= 0; slice1cost_write_column <= 0; slice1window_ring_read_address <= 1;
+      slice1window_ring_write_address <= 0; slice1window_centre_output_column_0 <= false;
+      slice1window_centre_start_of_frame_0 <= false; slice1window_centre_end_of_line_0 <= false;
+      slice1_best_tag <= (others => false); slice2cost_read_column <= 0; slice2cost_change_column <= 0;
+      slice2cost_ready_column <= 0; slice2cost_write_column <= 0; slice2window_ring_read_address <= 1;
+      slice2window_ring_write_address <= 0; slice2window_centre_output_column_0 <= false;
+      slice2window_centre_start_of_frame_0 <= false; slice2window_centre_start_of_frame_3 <= false;
+      slice2window_centre_end_of_line_0 <= false; slice2_best_tag <= (others => false); slice3cost_read_column <= 0;
+      slice3cost_change_column <= 0; slice3cost_ready_column <= 0; slice3cost_write_column <= 0;
+      slice3window_ring_read_address <= 1; slice3window_ring_write_address <= 0;
+      slice3window_centre_output_column <= (others => false); slice3window_centre_start_of_frame_1 <= false;
+      slice3window_centre_start_of_frame_4 <= false; slice3window_centre_end_of_line <= (others => false);
+      slice3_best_tag <= (others => false);
     end if;
   end process;
 end architecture;

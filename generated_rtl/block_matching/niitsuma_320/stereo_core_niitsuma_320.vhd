@@ -5,6 +5,7 @@
 --   scripts/synthesize.py --config niitsuma_320
 -- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
 -- Where a comment behind a declaration has #, the C++ has the indices.
+-- One that begins with _ says the ends of the names: `a_valid` with `_#_valid` is a_INDEX_valid there.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -153,20 +154,18 @@ architecture rtl of stereo_core_niitsuma_320 is
   signal delay_row_inside : boolean_1d(0 to 1);
   signal delay_tag : tag_9;
   -- rows
-  signal rows_search_rows_read_words_0, rows_search_rows_ready_words_0 : unsigned(31 downto 0);
-  signal rows_search_rows_write_words_0, rows_reference_rows_read_words_0 : unsigned(31 downto 0);
-  signal rows_reference_rows_ready_words_0, rows_reference_rows_write_words_0 : unsigned(31 downto 0);
+  signal rows_search_rows_read_words_0, rows_search_rows_ready_words_0, rows_search_rows_write_words_0,
+    rows_reference_rows_read_words_0, rows_reference_rows_ready_words_0,
+    rows_reference_rows_write_words_0 : unsigned(31 downto 0);
   signal rows_search_rows_read_words_1, rows_reference_rows_read_words_1 : unsigned(23 downto 0);
-  signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 255;
-  signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0 : natural range 0 to 255;
+  signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0, rows_reference_rows_read_newest_0,
+    rows_reference_rows_ready_newest_0 : natural range 0 to 255;
   signal rows_search, rows_reference : natural_255_1d(0 to 1);
-  signal rows_search_rows_ready_words_1, rows_search_rows_write_words_1 : natural range 0 to 16777215;
-  signal rows_reference_rows_ready_words_1, rows_reference_rows_write_words_1 : natural range 0 to 16777215;
+  signal rows_search_rows_ready_words_1, rows_search_rows_write_words_1, rows_reference_rows_ready_words_1,
+    rows_reference_rows_write_words_1 : natural range 0 to 16777215;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
-  signal rows_read_inside : boolean_1d(0 to 1);
-  signal rows_read_tag : tag_9;
-  signal rows_ready_inside : boolean_1d(0 to 1);
-  signal rows_ready_tag, rows_tag : tag_9;
+  signal rows_read_inside, rows_ready_inside : boolean_1d(0 to 1);
+  signal rows_read_tag, rows_ready_tag, rows_tag : tag_9;
   -- slice0shift
   signal slice0shift_search : natural_255_2d(0 to 1, 0 to 24);
   signal slice0shift_reference, slice0shift_search_out : natural_255_1d(0 to 1);
@@ -176,12 +175,12 @@ architecture rtl of stereo_core_niitsuma_320 is
   signal slice0cost_change_0 : integer_minus_255_to_255_1d(0 to 24);
   signal slice0cost_pixels_first_tag, slice0cost_pixels_tag, slice0cost_ready_tag, slice0cost_tag : tag_9;
   signal slice0cost_pixels_cost : natural_255_2d(0 to 1, 0 to 24);
-  signal slice0cost_read_column, slice0cost_change_column, slice0cost_ready_column : natural range 0 to 511;
-  signal slice0cost_write_column : natural range 0 to 511;
+  signal slice0cost_read_column, slice0cost_change_column, slice0cost_ready_column,
+    slice0cost_write_column : natural range 0 to 511;
   signal slice0cost_read_words : unsigned_22_1d(0 to 11);
   signal slice0cost_read_words_12 : unsigned(10 downto 0);
   signal slice0cost_ready_words : natural_4194303_1d(0 to 11);
-  signal slice0cost_write_words : natural_4194303_1d(0 to 12);  -- slice0cost_write_words_# up to 4194303 x 12, 2047
+  signal slice0cost_write_words : natural_4194303_1d(0 to 12);  -- _# up to 4194303 x 12, 2047
   signal slice0cost_ready_words_12 : natural range 0 to 2047;
   signal slice0cost_column_0 : natural_2047_1d(0 to 24);
   -- slice0window
@@ -190,9 +189,9 @@ architecture rtl of stereo_core_niitsuma_320 is
   signal slice0window_leaving_12 : unsigned(10 downto 0);
   signal slice0window_entering_0 : natural_2047_1d(0 to 24);
   signal slice0window_entering_tag, slice0window_change_tag : tag_8;
-  signal slice0window_centre_output_column_0, slice0window_centre_first_column_0 : boolean;
+  signal slice0window_centre_output_column_0, slice0window_centre_first_column_0,
+    slice0window_centre_end_of_line_0 : boolean;
   signal slice0window_centre_start_of_frame : boolean_1d(0 to 2);
-  signal slice0window_centre_end_of_line_0 : boolean;
   signal slice0window_tag : tag_2;
   signal slice0window_change_0 : integer_minus_2047_to_2047_1d(0 to 24);
   signal slice0window_sum_0 : natural_16383_1d(0 to 24);
@@ -200,18 +199,18 @@ architecture rtl of stereo_core_niitsuma_320 is
   signal slice0winner1_best_cost_0 : natural_16383_1d(0 to 12);
   signal slice0winner1_best_index_0_0 : boolean;
   signal slice0winner1_tag : tag_2;
-  signal slice0winner1_best_index_0 : natural_24_1d(1 to 12);  -- slice0winner1_best_index_0_# up to 3, 5 .. 23, 24
+  signal slice0winner1_best_index_0 : natural_24_1d(1 to 12);  -- _# up to 3, 5 .. 23, 24
   -- slice0winner2
   signal slice0winner2_best_cost_0 : natural_16383_1d(0 to 6);
-  signal slice0winner2_best_index_0 : natural_24_1d(0 to 6);  -- slice0winner2_best_index_0_# up to 3, 7 .. 23, 24
+  signal slice0winner2_best_index_0 : natural_24_1d(0 to 6);  -- _# up to 3, 7 .. 23, 24
   signal slice0winner2_tag : tag_2;
   -- slice0winner3
   signal slice0winner3_best_cost_0 : natural_16383_1d(0 to 3);
-  signal slice0winner3_best_index_0 : natural_24_1d(0 to 3);  -- slice0winner3_best_index_0_# up to 7, 15, 23, 24
+  signal slice0winner3_best_index_0 : natural_24_1d(0 to 3);  -- _# up to 7, 15, 23, 24
   signal slice0winner3_tag : tag_4;
   -- slice0winner4
   signal slice0winner4_best_cost_0 : natural_16383_1d(0 to 1);
-  signal slice0winner4_best_index_0 : natural_24_1d(0 to 1);  -- slice0winner4_best_index_0_# up to 15, 24
+  signal slice0winner4_best_index_0 : natural_24_1d(0 to 1);  -- _# up to 15, 24
   signal slice0winner4_tag : tag_4;
   -- slice0winner5
   signal slice0winner5_best_cost_0_0 : natural range 0 to 16383;
@@ -228,12 +227,12 @@ architecture rtl of stereo_core_niitsuma_320 is
   signal slice1cost_pixels_first : integer_minus_255_to_255_2d(0 to 1, 0 to 24);
   signal slice1cost_change_0 : integer_minus_255_to_255_1d(0 to 24);
   signal slice1cost_pixels_cost : natural_255_2d(0 to 1, 0 to 24);
-  signal slice1cost_read_column, slice1cost_change_column, slice1cost_ready_column : natural range 0 to 511;
-  signal slice1cost_write_column : natural range 0 to 511;
+  signal slice1cost_read_column, slice1cost_change_column, slice1cost_ready_column,
+    slice1cost_write_column : natural range 0 to 511;
   signal slice1cost_read_words : unsigned_22_1d(0 to 11);
   signal slice1cost_read_words_12 : unsigned(10 downto 0);
   signal slice1cost_ready_words : natural_4194303_1d(0 to 11);
-  signal slice1cost_write_words : natural_4194303_1d(0 to 12);  -- slice1cost_write_words_# up to 4194303 x 12, 2047
+  signal slice1cost_write_words : natural_4194303_1d(0 to 12);  -- _# up to 4194303 x 12, 2047
   signal slice1cost_ready_words_12 : natural range 0 to 2047;
   signal slice1cost_column_0 : natural_2047_1d(0 to 24);
   -- slice1window
@@ -243,22 +242,22 @@ architecture rtl of stereo_core_niitsuma_320 is
   signal slice1window_entering_0 : natural_2047_1d(0 to 24);
   signal slice1window_change_0 : integer_minus_2047_to_2047_1d(0 to 24);
   signal slice1window_change_tag : tag_3;
-  signal slice1window_centre_output_column_0, slice1window_centre_first_column_0 : boolean;
-  signal slice1window_centre_end_of_line_0 : boolean;
+  signal slice1window_centre_output_column_0, slice1window_centre_first_column_0,
+    slice1window_centre_end_of_line_0 : boolean;
   signal slice1window_sum_0 : natural_16383_1d(0 to 24);
   -- slice1winner1
   signal slice1winner1_best_cost_0 : natural_16383_1d(0 to 12);
   signal slice1winner1_best_index_0_0 : boolean;
-  signal slice1winner1_best_index_0 : natural_23_1d(1 to 11);  -- slice1winner1_best_index_0_# up to 3, 5 .. 23
+  signal slice1winner1_best_index_0 : natural_23_1d(1 to 11);  -- _# up to 3, 5 .. 23
   -- slice1winner2
   signal slice1winner2_best_cost_0 : natural_16383_1d(0 to 6);
-  signal slice1winner2_best_index_0 : natural_23_1d(0 to 5);  -- slice1winner2_best_index_0_# up to 3, 7 .. 23
+  signal slice1winner2_best_index_0 : natural_23_1d(0 to 5);  -- _# up to 3, 7 .. 23
   -- slice1winner3
   signal slice1winner3_best_cost_0 : natural_16383_1d(0 to 3);
-  signal slice1winner3_best_index_0 : natural_23_1d(0 to 2);  -- slice1winner3_best_index_0_# up to 7, 15, 23
+  signal slice1winner3_best_index_0 : natural_23_1d(0 to 2);  -- _# up to 7, 15, 23
   -- slice1winner4
   signal slice1winner4_best_cost_0 : natural_16383_1d(0 to 1);
-  signal slice1winner4_best_index_0 : natural_24_1d(0 to 1);  -- slice1winner4_best_index_0_# up to 15, 24
+  signal slice1winner4_best_index_0 : natural_24_1d(0 to 1);  -- _# up to 15, 24
   -- slice1winner5
   signal slice1winner5_best_cost_0_0 : natural range 0 to 16383;
   signal slice1winner5_best_index_0_0 : natural range 0 to 24;
@@ -273,12 +272,12 @@ architecture rtl of stereo_core_niitsuma_320 is
   signal slice2cost_pixels_first : integer_minus_255_to_255_2d(0 to 1, 0 to 24);
   signal slice2cost_change_0 : integer_minus_255_to_255_1d(0 to 24);
   signal slice2cost_pixels_cost : natural_255_2d(0 to 1, 0 to 24);
-  signal slice2cost_read_column, slice2cost_change_column, slice2cost_ready_column : natural range 0 to 511;
-  signal slice2cost_write_column : natural range 0 to 511;
+  signal slice2cost_read_column, slice2cost_change_column, slice2cost_ready_column,
+    slice2cost_write_column : natural range 0 to 511;
   signal slice2cost_read_words : unsigned_22_1d(0 to 11);
   signal slice2cost_read_words_12 : unsigned(10 downto 0);
   signal slice2cost_ready_words : natural_4194303_1d(0 to 11);
-  signal slice2cost_write_words : natural_4194303_1d(0 to 12);  -- slice2cost_write_words_# up to 4194303 x 12, 2047
+  signal slice2cost_write_words : natural_4194303_1d(0 to 12);  -- _# up to 4194303 x 12, 2047
   signal slice2cost_ready_words_12 : natural range 0 to 2047;
   signal slice2cost_column_0 : natural_2047_1d(0 to 24);
   -- slice2window
@@ -287,22 +286,22 @@ architecture rtl of stereo_core_niitsuma_320 is
   signal slice2window_leaving_12 : unsigned(10 downto 0);
   signal slice2window_entering_0 : natural_2047_1d(0 to 24);
   signal slice2window_change_0 : integer_minus_2047_to_2047_1d(0 to 24);
-  signal slice2window_change_tag_leaves_window, slice2window_centre_output_column_0 : boolean;
-  signal slice2window_centre_first_column_0, slice2window_centre_end_of_line_0 : boolean;
+  signal slice2window_change_tag_leaves_window, slice2window_centre_output_column_0,
+    slice2window_centre_first_column_0, slice2window_centre_end_of_line_0 : boolean;
   signal slice2window_sum_0 : natural_16383_1d(0 to 24);
   -- slice2winner1
   signal slice2winner1_best_cost_0 : natural_16383_1d(0 to 12);
   signal slice2winner1_best_index_0_0 : boolean;
-  signal slice2winner1_best_index_0 : natural_23_1d(1 to 11);  -- slice2winner1_best_index_0_# up to 3, 5 .. 23
+  signal slice2winner1_best_index_0 : natural_23_1d(1 to 11);  -- _# up to 3, 5 .. 23
   -- slice2winner2
   signal slice2winner2_best_cost_0 : natural_16383_1d(0 to 6);
-  signal slice2winner2_best_index_0 : natural_23_1d(0 to 5);  -- slice2winner2_best_index_0_# up to 3, 7 .. 23
+  signal slice2winner2_best_index_0 : natural_23_1d(0 to 5);  -- _# up to 3, 7 .. 23
   -- slice2winner3
   signal slice2winner3_best_cost_0 : natural_16383_1d(0 to 3);
-  signal slice2winner3_best_index_0 : natural_23_1d(0 to 2);  -- slice2winner3_best_index_0_# up to 7, 15, 23
+  signal slice2winner3_best_index_0 : natural_23_1d(0 to 2);  -- _# up to 7, 15, 23
   -- slice2winner4
   signal slice2winner4_best_cost_0 : natural_16383_1d(0 to 1);
-  signal slice2winner4_best_index_0 : natural_24_1d(0 to 1);  -- slice2winner4_best_index_0_# up to 15, 24
+  signal slice2winner4_best_index_0 : natural_24_1d(0 to 1);  -- _# up to 15, 24
   -- slice2winner5
   signal slice2winner5_best_cost_0_0 : natural range 0 to 16383;
   signal slice2winner5_best_index_0_0 : natural range 0 to 24;
@@ -317,12 +316,12 @@ architecture rtl of stereo_core_niitsuma_320 is
   signal slice3cost_pixels_first : integer_minus_255_to_255_2d(0 to 1, 0 to 24);
   signal slice3cost_change_0 : integer_minus_255_to_255_1d(0 to 24);
   signal slice3cost_pixels_cost : natural_255_2d(0 to 1, 0 to 24);
-  signal slice3cost_read_column, slice3cost_change_column, slice3cost_ready_column : natural range 0 to 511;
-  signal slice3cost_write_column : natural range 0 to 511;
+  signal slice3cost_read_column, slice3cost_change_column, slice3cost_ready_column,
+    slice3cost_write_column : natural range 0 to 511;
   signal slice3cost_read_words : unsigned_22_1d(0 to 11);
   signal slice3cost_read_words_12 : unsigned(10 downto 0);
   signal slice3cost_ready_words : natural_4194303_1d(0 to 11);
-  signal slice3cost_write_words : natural_4194303_1d(0 to 12);  -- slice3cost_write_words_# up to 4194303 x 12, 2047
+  signal slice3cost_write_words : natural_4194303_1d(0 to 12);  -- _# up to 4194303 x 12, 2047
   signal slice3cost_ready_words_12 : natural range 0 to 2047;
   signal slice3cost_column_0 : natural_2047_1d(0 to 24);
   -- slice3window
@@ -331,22 +330,22 @@ architecture rtl of stereo_core_niitsuma_320 is
   signal slice3window_leaving_12 : unsigned(10 downto 0);
   signal slice3window_entering_0 : natural_2047_1d(0 to 24);
   signal slice3window_change_0 : integer_minus_2047_to_2047_1d(0 to 24);
-  signal slice3window_change_tag_leaves_window, slice3window_centre_output_column_0 : boolean;
-  signal slice3window_centre_first_column_0, slice3window_centre_end_of_line_0 : boolean;
+  signal slice3window_change_tag_leaves_window, slice3window_centre_output_column_0,
+    slice3window_centre_first_column_0, slice3window_centre_end_of_line_0 : boolean;
   signal slice3window_sum_0 : natural_16383_1d(0 to 24);
   -- slice3winner1
   signal slice3winner1_best_cost_0 : natural_16383_1d(0 to 12);
   signal slice3winner1_best_index_0_0 : boolean;
-  signal slice3winner1_best_index_0 : natural_23_1d(1 to 11);  -- slice3winner1_best_index_0_# up to 3, 5 .. 23
+  signal slice3winner1_best_index_0 : natural_23_1d(1 to 11);  -- _# up to 3, 5 .. 23
   -- slice3winner2
   signal slice3winner2_best_cost_0 : natural_16383_1d(0 to 6);
-  signal slice3winner2_best_index_0 : natural_23_1d(0 to 5);  -- slice3winner2_best_index_0_# up to 3, 7 .. 23
+  signal slice3winner2_best_index_0 : natural_23_1d(0 to 5);  -- _# up to 3, 7 .. 23
   -- slice3winner3
   signal slice3winner3_best_cost_0 : natural_16383_1d(0 to 3);
-  signal slice3winner3_best_index_0 : natural_23_1d(0 to 2);  -- slice3winner3_best_index_0_# up to 7, 15, 23
+  signal slice3winner3_best_index_0 : natural_23_1d(0 to 2);  -- _# up to 7, 15, 23
   -- slice3winner4
   signal slice3winner4_best_cost_0 : natural_16383_1d(0 to 1);
-  signal slice3winner4_best_index_0 : natural_24_1d(0 to 1);  -- slice3winner4_best_index_0_# up to 15, 24
+  signal slice3winner4_best_index_0 : natural_24_1d(0 to 1);  -- _# up to 15, 24
   -- slice3winner5
   signal slice3winner5_best_cost_0_0 : natural range 0 to 16383;
   signal slice3winner5_best_index_0_0 : natural range 0 to 24;
@@ -361,12 +360,12 @@ architecture rtl of stereo_core_niitsuma_320 is
   signal slice4cost_pixels_first : integer_minus_255_to_255_2d(0 to 1, 0 to 20);
   signal slice4cost_change_0 : integer_minus_255_to_255_1d(0 to 20);
   signal slice4cost_pixels_cost : natural_255_2d(0 to 1, 0 to 20);
-  signal slice4cost_read_column, slice4cost_change_column, slice4cost_ready_column : natural range 0 to 511;
-  signal slice4cost_write_column : natural range 0 to 511;
+  signal slice4cost_read_column, slice4cost_change_column, slice4cost_ready_column,
+    slice4cost_write_column : natural range 0 to 511;
   signal slice4cost_read_words : unsigned_22_1d(0 to 9);
   signal slice4cost_read_words_10 : unsigned(10 downto 0);
   signal slice4cost_ready_words : natural_4194303_1d(0 to 9);
-  signal slice4cost_write_words : natural_4194303_1d(0 to 10);  -- slice4cost_write_words_# up to 4194303 x 10, 2047
+  signal slice4cost_write_words : natural_4194303_1d(0 to 10);  -- _# up to 4194303 x 10, 2047
   signal slice4cost_ready_words_10 : natural range 0 to 2047;
   signal slice4cost_column_0 : natural_2047_1d(0 to 20);
   -- slice4window
@@ -380,16 +379,16 @@ architecture rtl of stereo_core_niitsuma_320 is
   -- slice4winner1
   signal slice4winner1_best_cost_0 : natural_16383_1d(0 to 10);
   signal slice4winner1_best_index_0_0 : boolean;
-  signal slice4winner1_best_index_0 : natural_20_1d(1 to 10);  -- slice4winner1_best_index_0_# up to 3, 5 .. 19, 20
+  signal slice4winner1_best_index_0 : natural_20_1d(1 to 10);  -- _# up to 3, 5 .. 19, 20
   -- slice4winner2
   signal slice4winner2_best_cost_0 : natural_16383_1d(0 to 5);
-  signal slice4winner2_best_index_0 : natural_20_1d(0 to 5);  -- slice4winner2_best_index_0_# up to 3, 7 .. 19, 20
+  signal slice4winner2_best_index_0 : natural_20_1d(0 to 5);  -- _# up to 3, 7 .. 19, 20
   -- slice4winner3
   signal slice4winner3_best_cost_0 : natural_16383_1d(0 to 2);
-  signal slice4winner3_best_index_0 : natural_20_1d(0 to 2);  -- slice4winner3_best_index_0_# up to 7, 15, 20
+  signal slice4winner3_best_index_0 : natural_20_1d(0 to 2);  -- _# up to 7, 15, 20
   -- slice4winner4
   signal slice4winner4_best_cost_0 : natural_16383_1d(0 to 1);
-  signal slice4winner4_best_index_0 : natural_20_1d(0 to 1);  -- slice4winner4_best_index_0_# up to 15, 20
+  signal slice4winner4_best_index_0 : natural_20_1d(0 to 1);  -- _# up to 15, 20
   -- slice4winner5
   signal slice4winner5_best_cost_0_0 : natural range 0 to 16383;
   signal slice4winner5_best_index_0_0 : natural range 0 to 20;
@@ -408,6 +407,8 @@ begin
   disparity_start_of_frame <= as_bit(slice4_best_tag.start_of_frame and slice4_best_tag.valid and slice4_best_tag.output_column);
   disparity_end_of_line <= as_bit(slice4_best_tag.end_of_line and slice4_best_tag.valid and slice4_best_tag.output_column);
 
+  -- Memories: (depth, width, address_bits) and (clock, read_enable, read_address, read_data, write_address, write_data).
+
   slice4window_leaving_10_memory : block
     signal read_address, write_address : unsigned(2 downto 0);
     signal write_data : unsigned(10 downto 0);
@@ -415,10 +416,8 @@ begin
     read_address <= to_unsigned(slice4window_ring_read_address, 3);
     write_address <= to_unsigned(slice4window_ring_write_address, 3);
     write_data <= to_unsigned(slice4cost_column_0(20), 11);
-    cell : entity work.line_memory
-      generic map (depth => 8, width => 11, address_bits => 3)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        slice4window_leaving_10, write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (8, 11, 3)
+      port map (clock, true, read_address, slice4window_leaving_10, write_address, write_data);
   end block;
 
   slice4window_leaving_memory : for i in 9 downto 0 generate
@@ -428,10 +427,8 @@ begin
     read_address <= to_unsigned(slice4window_ring_read_address, 3);
     write_address <= to_unsigned(slice4window_ring_write_address, 3);
     write_data <= to_unsigned(slice4cost_column_0(2 * i + 1), 11) & to_unsigned(slice4cost_column_0(2 * i), 11);
-    cell : entity work.line_memory
-      generic map (depth => 8, width => 22, address_bits => 3)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        slice4window_leaving(i), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (8, 22, 3)
+      port map (clock, true, read_address, slice4window_leaving(i), write_address, write_data);
   end generate;
 
   slice4cost_read_words_10_memory : block
@@ -441,10 +438,8 @@ begin
     read_address <= to_unsigned(slice3cost_change_column, 9);
     write_address <= to_unsigned(slice4cost_write_column, 9);
     write_data <= to_unsigned(slice4cost_write_words(10), 11);
-    cell : entity work.line_memory
-      generic map (depth => 320, width => 11, address_bits => 9)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        slice4cost_read_words_10, write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (320, 11, 9)
+      port map (clock, true, read_address, slice4cost_read_words_10, write_address, write_data);
   end block;
 
   slice4cost_read_words_memory : for i in 9 downto 0 generate
@@ -454,10 +449,8 @@ begin
     read_address <= to_unsigned(slice3cost_change_column, 9);
     write_address <= to_unsigned(slice4cost_write_column, 9);
     write_data <= to_unsigned(slice4cost_write_words(i), 22);
-    cell : entity work.line_memory
-      generic map (depth => 320, width => 22, address_bits => 9)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        slice4cost_read_words(i), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (320, 22, 9)
+      port map (clock, true, read_address, slice4cost_read_words(i), write_address, write_data);
   end generate;
 
   slice3window_leaving_12_memory : block
@@ -467,10 +460,8 @@ begin
     read_address <= to_unsigned(slice3window_ring_read_address, 3);
     write_address <= to_unsigned(slice3window_ring_write_address, 3);
     write_data <= to_unsigned(slice3cost_column_0(24), 11);
-    cell : entity work.line_memory
-      generic map (depth => 8, width => 11, address_bits => 3)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        slice3window_leaving_12, write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (8, 11, 3)
+      port map (clock, true, read_address, slice3window_leaving_12, write_address, write_data);
   end block;
 
   slice3window_leaving_memory : for i in 11 downto 0 generate
@@ -480,10 +471,8 @@ begin
     read_address <= to_unsigned(slice3window_ring_read_address, 3);
     write_address <= to_unsigned(slice3window_ring_write_address, 3);
     write_data <= to_unsigned(slice3cost_column_0(2 * i + 1), 11) & to_unsigned(slice3cost_column_0(2 * i), 11);
-    cell : entity work.line_memory
-      generic map (depth => 8, width => 22, address_bits => 3)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        slice3window_leaving(i), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (8, 22, 3)
+      port map (clock, true, read_address, slice3window_leaving(i), write_address, write_data);
   end generate;
 
   slice3cost_read_words_12_memory : block
@@ -493,10 +482,8 @@ begin
     read_address <= to_unsigned(slice3cost_read_column, 9);
     write_address <= to_unsigned(slice4cost_ready_column, 9);
     write_data <= to_unsigned(slice3cost_write_words(12), 11);
-    cell : entity work.line_memory
-      generic map (depth => 320, width => 11, address_bits => 9)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        slice3cost_read_words_12, write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (320, 11, 9)
+      port map (clock, true, read_address, slice3cost_read_words_12, write_address, write_data);
   end block;
 
   slice3cost_read_words_memory : for i in 11 downto 0 generate
@@ -506,10 +493,8 @@ begin
     read_address <= to_unsigned(slice3cost_read_column, 9);
     write_address <= to_unsigned(slice4cost_ready_column, 9);
     write_data <= to_unsigned(slice3cost_write_words(i), 22);
-    cell : entity work.line_memory
-      generic map (depth => 320, width => 22, address_bits => 9)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        slice3cost_read_words(i), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (320, 22, 9)
+      port map (clock, true, read_address, slice3cost_read_words(i), write_address, write_data);
   end generate;
 
   slice2window_leaving_12_memory : block
@@ -519,10 +504,8 @@ begin
     read_address <= to_unsigned(slice2window_ring_read_address, 3);
     write_address <= to_unsigned(slice2window_ring_write_address, 3);
     write_data <= to_unsigned(slice2cost_column_0(24), 11);
-    cell : entity work.line_memory
-      generic map (depth => 8, width => 11, address_bits => 3)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        slice2window_leaving_12, write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (8, 11, 3)
+      port map (clock, true, read_address, slice2window_leaving_12, write_address, write_data);
   end block;
 
   slice2window_leaving_memory : for i in 11 downto 0 generate
@@ -532,10 +515,8 @@ begin
     read_address <= to_unsigned(slice2window_ring_read_address, 3);
     write_address <= to_unsigned(slice2window_ring_write_address, 3);
     write_data <= to_unsigned(slice2cost_column_0(2 * i + 1), 11) & to_unsigned(slice2cost_column_0(2 * i), 11);
-    cell : entity work.line_memory
-      generic map (depth => 8, width => 22, address_bits => 3)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        slice2window_leaving(i), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (8, 22, 3)
+      port map (clock, true, read_address, slice2window_leaving(i), write_address, write_data);
   end generate;
 
   slice2cost_read_words_12_memory : block
@@ -545,10 +526,8 @@ begin
     read_address <= to_unsigned(slice0cost_ready_column, 9);
     write_address <= to_unsigned(slice2cost_write_column, 9);
     write_data <= to_unsigned(slice2cost_write_words(12), 11);
-    cell : entity work.line_memory
-      generic map (depth => 320, width => 11, address_bits => 9)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        slice2cost_read_words_12, write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (320, 11, 9)
+      port map (clock, true, read_address, slice2cost_read_words_12, write_address, write_data);
   end block;
 
   slice2cost_read_words_memory : for i in 11 downto 0 generate
@@ -558,10 +537,8 @@ begin
     read_address <= to_unsigned(slice0cost_ready_column, 9);
     write_address <= to_unsigned(slice2cost_write_column, 9);
     write_data <= to_unsigned(slice2cost_write_words(i), 22);
-    cell : entity work.line_memory
-      generic map (depth => 320, width => 22, address_bits => 9)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        slice2cost_read_words(i), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (320, 22, 9)
+      port map (clock, true, read_address, slice2cost_read_words(i), write_address, write_data);
   end generate;
 
   slice1window_leaving_12_memory : block
@@ -571,10 +548,8 @@ begin
     read_address <= to_unsigned(slice1window_ring_read_address, 3);
     write_address <= to_unsigned(slice1window_ring_write_address, 3);
     write_data <= to_unsigned(slice1cost_column_0(24), 11);
-    cell : entity work.line_memory
-      generic map (depth => 8, width => 11, address_bits => 3)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        slice1window_leaving_12, write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (8, 11, 3)
+      port map (clock, true, read_address, slice1window_leaving_12, write_address, write_data);
   end block;
 
   slice1window_leaving_memory : for i in 11 downto 0 generate
@@ -584,10 +559,8 @@ begin
     read_address <= to_unsigned(slice1window_ring_read_address, 3);
     write_address <= to_unsigned(slice1window_ring_write_address, 3);
     write_data <= to_unsigned(slice1cost_column_0(2 * i + 1), 11) & to_unsigned(slice1cost_column_0(2 * i), 11);
-    cell : entity work.line_memory
-      generic map (depth => 8, width => 22, address_bits => 3)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        slice1window_leaving(i), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (8, 22, 3)
+      port map (clock, true, read_address, slice1window_leaving(i), write_address, write_data);
   end generate;
 
   slice1cost_read_words_12_memory : block
@@ -597,10 +570,8 @@ begin
     read_address <= to_unsigned(slice0cost_change_column, 9);
     write_address <= to_unsigned(slice2cost_ready_column, 9);
     write_data <= to_unsigned(slice1cost_write_words(12), 11);
-    cell : entity work.line_memory
-      generic map (depth => 320, width => 11, address_bits => 9)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        slice1cost_read_words_12, write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (320, 11, 9)
+      port map (clock, true, read_address, slice1cost_read_words_12, write_address, write_data);
   end block;
 
   slice1cost_read_words_memory : for i in 11 downto 0 generate
@@ -610,10 +581,8 @@ begin
     read_address <= to_unsigned(slice0cost_change_column, 9);
     write_address <= to_unsigned(slice2cost_ready_column, 9);
     write_data <= to_unsigned(slice1cost_write_words(i), 22);
-    cell : entity work.line_memory
-      generic map (depth => 320, width => 22, address_bits => 9)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        slice1cost_read_words(i), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (320, 22, 9)
+      port map (clock, true, read_address, slice1cost_read_words(i), write_address, write_data);
   end generate;
 
   slice0window_leaving_12_memory : block
@@ -623,10 +592,8 @@ begin
     read_address <= to_unsigned(slice0window_ring_read_address, 3);
     write_address <= to_unsigned(slice0window_ring_write_address, 3);
     write_data <= to_unsigned(slice0cost_column_0(24), 11);
-    cell : entity work.line_memory
-      generic map (depth => 8, width => 11, address_bits => 3)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        slice0window_leaving_12, write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (8, 11, 3)
+      port map (clock, true, read_address, slice0window_leaving_12, write_address, write_data);
   end block;
 
   slice0window_leaving_memory : for i in 11 downto 0 generate
@@ -636,10 +603,8 @@ begin
     read_address <= to_unsigned(slice0window_ring_read_address, 3);
     write_address <= to_unsigned(slice0window_ring_write_address, 3);
     write_data <= to_unsigned(slice0cost_column_0(2 * i + 1), 11) & to_unsigned(slice0cost_column_0(2 * i), 11);
-    cell : entity work.line_memory
-      generic map (depth => 8, width => 22, address_bits => 3)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        slice0window_leaving(i), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (8, 22, 3)
+      port map (clock, true, read_address, slice0window_leaving(i), write_address, write_data);
   end generate;
 
   slice0cost_read_words_12_memory : block
@@ -649,10 +614,8 @@ begin
     read_address <= to_unsigned(slice0cost_read_column, 9);
     write_address <= to_unsigned(slice2cost_change_column, 9);
     write_data <= to_unsigned(slice0cost_write_words(12), 11);
-    cell : entity work.line_memory
-      generic map (depth => 320, width => 11, address_bits => 9)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        slice0cost_read_words_12, write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (320, 11, 9)
+      port map (clock, true, read_address, slice0cost_read_words_12, write_address, write_data);
   end block;
 
   slice0cost_read_words_memory : for i in 11 downto 0 generate
@@ -662,10 +625,8 @@ begin
     read_address <= to_unsigned(slice0cost_read_column, 9);
     write_address <= to_unsigned(slice2cost_change_column, 9);
     write_data <= to_unsigned(slice0cost_write_words(i), 22);
-    cell : entity work.line_memory
-      generic map (depth => 320, width => 22, address_bits => 9)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        slice0cost_read_words(i), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (320, 22, 9)
+      port map (clock, true, read_address, slice0cost_read_words(i), write_address, write_data);
   end generate;
 
   rows_search_rows_read_words_1_memory : block
@@ -675,10 +636,8 @@ begin
     read_address <= to_unsigned(delay_column, 9);
     write_address <= to_unsigned(rows_write_column, 9);
     write_data <= to_unsigned(rows_search_rows_write_words_1, 24);
-    cell : entity work.line_memory
-      generic map (depth => 320, width => 24, address_bits => 9)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        rows_search_rows_read_words_1, write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (320, 24, 9)
+      port map (clock, true, read_address, rows_search_rows_read_words_1, write_address, write_data);
   end block;
 
   rows_search_rows_read_words_0_memory : block
@@ -686,10 +645,9 @@ begin
   begin
     read_address <= to_unsigned(delay_column, 9);
     write_address <= to_unsigned(rows_write_column, 9);
-    cell : entity work.line_memory
-      generic map (depth => 320, width => 32, address_bits => 9)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        rows_search_rows_read_words_0, write_address => write_address, write_data => rows_search_rows_write_words_0);
+    cell : entity work.line_memory generic map (320, 32, 9)
+      port map (clock, true, read_address, rows_search_rows_read_words_0, write_address,
+        rows_search_rows_write_words_0);
   end block;
 
   rows_reference_rows_read_words_1_memory : block
@@ -699,10 +657,8 @@ begin
     read_address <= to_unsigned(delay_column, 9);
     write_address <= to_unsigned(rows_write_column, 9);
     write_data <= to_unsigned(rows_reference_rows_write_words_1, 24);
-    cell : entity work.line_memory
-      generic map (depth => 320, width => 24, address_bits => 9)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        rows_reference_rows_read_words_1, write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (320, 24, 9)
+      port map (clock, true, read_address, rows_reference_rows_read_words_1, write_address, write_data);
   end block;
 
   rows_reference_rows_read_words_0_memory : block
@@ -710,10 +666,8 @@ begin
   begin
     read_address <= to_unsigned(delay_column, 9);
     write_address <= to_unsigned(rows_write_column, 9);
-    cell : entity work.line_memory
-      generic map (depth => 320, width => 32, address_bits => 9)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        rows_reference_rows_read_words_0, write_address => write_address, write_data =>
+    cell : entity work.line_memory generic map (320, 32, 9)
+      port map (clock, true, read_address, rows_reference_rows_read_words_0, write_address,
         rows_reference_rows_write_words_0);
   end block;
 
@@ -724,1047 +678,917 @@ begin
     read_address <= to_unsigned(delay_ring_read_address, 7);
     write_address <= to_unsigned(delay_ring_write_address, 7);
     write_data <= to_unsigned(raster_features_reference_0, 8);
-    cell : entity work.line_memory
-      generic map (depth => 121, width => 8, address_bits => 7)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data => delay_delayed_0,
-        write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (121, 8, 7)
+      port map (clock, true, read_address, delay_delayed_0, write_address, write_data);
   end block;
 
-  process (clock)
-    variable raster_place_group_is_equal, raster_place_group_choice, delay_tag_first_cost_is_equal : boolean;
-    variable slice0winner1_best_cost_0_is_less : boolean_1d(0 to 11);  -- slice0winner1_best_cost_0_#_is_less
-    variable slice0winner2_best_cost_0_is_less : boolean_1d(0 to 5);  -- slice0winner2_best_cost_0_#_is_less
-    variable slice0winner3_best_cost_0_is_less : boolean_1d(0 to 2);  -- slice0winner3_best_cost_0_#_is_less
-    variable slice0winner4_best_cost_0_is_less : boolean_1d(0 to 1);  -- slice0winner4_best_cost_0_#_is_less
-    variable slice0winner5_best_cost_0_0_is_less : boolean;
-    variable slice1winner1_best_cost_0_is_less : boolean_1d(0 to 11);  -- slice1winner1_best_cost_0_#_is_less
-    variable slice1winner2_best_cost_0_is_less : boolean_1d(0 to 5);  -- slice1winner2_best_cost_0_#_is_less
-    variable slice1winner3_best_cost_0_is_less : boolean_1d(0 to 2);  -- slice1winner3_best_cost_0_#_is_less
-    variable slice1winner4_best_cost_0_is_less : boolean_1d(0 to 1);  -- slice1winner4_best_cost_0_#_is_less
-    variable slice1winner5_best_cost_0_0_is_less, slice1_best_cost_0_0_is_less : boolean;
-    variable slice2winner1_best_cost_0_is_less : boolean_1d(0 to 11);  -- slice2winner1_best_cost_0_#_is_less
-    variable slice2winner2_best_cost_0_is_less : boolean_1d(0 to 5);  -- slice2winner2_best_cost_0_#_is_less
-    variable slice2winner3_best_cost_0_is_less : boolean_1d(0 to 2);  -- slice2winner3_best_cost_0_#_is_less
-    variable slice2winner4_best_cost_0_is_less : boolean_1d(0 to 1);  -- slice2winner4_best_cost_0_#_is_less
-    variable slice2winner5_best_cost_0_0_is_less, slice2_best_cost_0_0_is_less : boolean;
-    variable slice3winner1_best_cost_0_is_less : boolean_1d(0 to 11);  -- slice3winner1_best_cost_0_#_is_less
-    variable slice3winner2_best_cost_0_is_less : boolean_1d(0 to 5);  -- slice3winner2_best_cost_0_#_is_less
-    variable slice3winner3_best_cost_0_is_less : boolean_1d(0 to 2);  -- slice3winner3_best_cost_0_#_is_less
-    variable slice3winner4_best_cost_0_is_less : boolean_1d(0 to 1);  -- slice3winner4_best_cost_0_#_is_less
-    variable slice3winner5_best_cost_0_0_is_less, slice3_best_cost_0_0_is_less : boolean;
-    variable slice4winner1_best_cost_0_is_less : boolean_1d(0 to 9);  -- slice4winner1_best_cost_0_#_is_less
-    variable slice4winner2_best_cost_0_is_less : boolean_1d(0 to 4);  -- slice4winner2_best_cost_0_#_is_less
-    variable slice4winner3_best_cost_0_is_less : boolean_1d(0 to 2);  -- slice4winner3_best_cost_0_#_is_less
-    variable slice4winner4_best_cost_0_0_is_less, slice4winner5_best_cost_0_0_is_less : boolean;
-    variable slice0cost_column_0_choice : natural_2047_2d(0 to 24, 1 to 2);  -- slice0cost_column_0_#_choice_#
-    variable slice0window_change_0_choice : natural_2047_1d(0 to 24);  -- slice0window_change_0_#_choice
-    variable slice1cost_column_0_choice : natural_2047_2d(0 to 24, 1 to 2);  -- slice1cost_column_0_#_choice_#
-    variable slice1window_change_0_choice : natural_2047_1d(0 to 24);  -- slice1window_change_0_#_choice
-    variable slice2cost_column_0_choice : natural_2047_2d(0 to 24, 1 to 2);  -- slice2cost_column_0_#_choice_#
-    variable slice2window_change_0_choice : natural_2047_1d(0 to 24);  -- slice2window_change_0_#_choice
-    variable slice3cost_column_0_choice : natural_2047_2d(0 to 24, 1 to 2);  -- slice3cost_column_0_#_choice_#
-    variable slice3window_change_0_choice : natural_2047_1d(0 to 24);  -- slice3window_change_0_#_choice
-    variable slice4cost_column_0_choice : natural_2047_2d(0 to 20, 1 to 2);  -- slice4cost_column_0_#_choice_#
-    variable slice4window_change_0_choice : natural_2047_1d(0 to 20);  -- slice4window_change_0_#_choice
-    variable slice0window_sum_0_choice : natural_16383_1d(0 to 24);  -- slice0window_sum_0_#_choice
-    variable slice1window_sum_0_choice : natural_16383_1d(0 to 24);  -- slice1window_sum_0_#_choice
-    variable slice2window_sum_0_choice : natural_16383_1d(0 to 24);  -- slice2window_sum_0_#_choice
-    variable slice3window_sum_0_choice : natural_16383_1d(0 to 24);  -- slice3window_sum_0_#_choice
-    variable slice4window_sum_0_choice : natural_16383_1d(0 to 20);  -- slice4window_sum_0_#_choice
+  process
+    variable raster_place_group_is_equal, raster_place_group_choice, delay_tag_first_cost_is_equal,
+      slice0winner5_best_cost_0_0_is_less, slice1winner5_best_cost_0_0_is_less, slice1_best_cost_0_0_is_less,
+      slice2winner5_best_cost_0_0_is_less, slice2_best_cost_0_0_is_less, slice3winner5_best_cost_0_0_is_less,
+      slice3_best_cost_0_0_is_less, slice4winner4_best_cost_0_0_is_less, slice4winner5_best_cost_0_0_is_less : boolean;
+    variable slice0winner1_best_cost_0_is_less, slice1winner1_best_cost_0_is_less, slice2winner1_best_cost_0_is_less,
+      slice3winner1_best_cost_0_is_less : boolean_1d(0 to 11);  -- _#_is_less
+    variable slice0winner2_best_cost_0_is_less, slice1winner2_best_cost_0_is_less, slice2winner2_best_cost_0_is_less,
+      slice3winner2_best_cost_0_is_less : boolean_1d(0 to 5);  -- _#_is_less
+    variable slice0winner3_best_cost_0_is_less, slice1winner3_best_cost_0_is_less, slice2winner3_best_cost_0_is_less,
+      slice3winner3_best_cost_0_is_less, slice4winner3_best_cost_0_is_less : boolean_1d(0 to 2);  -- _#_is_less
+    variable slice0winner4_best_cost_0_is_less, slice1winner4_best_cost_0_is_less, slice2winner4_best_cost_0_is_less,
+      slice3winner4_best_cost_0_is_less : boolean_1d(0 to 1);  -- _#_is_less
+    variable slice4winner1_best_cost_0_is_less : boolean_1d(0 to 9);  -- _#_is_less
+    variable slice4winner2_best_cost_0_is_less : boolean_1d(0 to 4);  -- _#_is_less
+    variable slice0cost_column_0_choice, slice1cost_column_0_choice, slice2cost_column_0_choice,
+      slice3cost_column_0_choice : natural_2047_2d(0 to 24, 1 to 2);  -- _#_choice_#
+    variable slice0window_change_0_choice, slice1window_change_0_choice, slice2window_change_0_choice,
+      slice3window_change_0_choice : natural_2047_1d(0 to 24);  -- _#_choice
+    variable slice4cost_column_0_choice : natural_2047_2d(0 to 20, 1 to 2);  -- _#_choice_#
+    variable slice4window_change_0_choice : natural_2047_1d(0 to 20);  -- _#_choice
+    variable slice0window_sum_0_choice, slice1window_sum_0_choice, slice2window_sum_0_choice,
+      slice3window_sum_0_choice : natural_16383_1d(0 to 24);  -- _#_choice
+    variable slice4window_sum_0_choice : natural_16383_1d(0 to 20);  -- _#_choice
   begin
-    if rising_edge(clock) then
-      -- raster
-      raster_place_group_is_equal := raster_place_column = 319;
-      raster_place_group_choice := choice(((raster_place_group mod 16) = 3) and is_set(raster_place_group, 7) and
-        (((raster_place_group / 16) mod 4) = 3), raster_place_group_is_equal and in_valid and (not
-        is_set(raster_place_group, 6)), raster_place_group_is_equal and in_valid);
-      raster_features_search_0 <= in_left_pixel;
-      raster_features_reference_0 <= in_right_pixel;
-      raster_features_valid <= in_valid;
-      raster_place_group <= choice(in_start_of_frame and in_valid, 0, (raster_place_group +
-        as_number(raster_place_group_choice)) mod 256);
-      if in_valid then
-        raster_place_column <= choice(raster_place_group_is_equal or in_start_of_frame, 0, (raster_place_column + 1)
-          mod 512);
-      end if;
-      -- delay
-      if raster_features_valid then
-        delay_ring_write_address <= delay_ring_read_address;
-        delay_ring_read_address <= choice(delay_ring_read_address = 120, 0, (delay_ring_read_address + 1) mod 128);
-      end if;
-      delay_tag_first_cost_is_equal := raster_place_column = 120;
-      delay_ahead_0 <= raster_features_search_0;
-      delay_column <= raster_place_column;
-      delay_row_inside(0) <= (raster_place_group >= 7) and (raster_place_group < 247);
-      delay_row_inside(1) <= (not is_set(raster_place_group, 7)) or (not is_set(raster_place_group, 6)) or (not
-        is_set(raster_place_group, 5)) or (not is_set(raster_place_group, 4));
-      delay_tag.valid <= raster_features_valid;
-      delay_tag.row_start <= raster_place_column = 0;
-      delay_tag.first_group <= raster_place_group = 0;
-      delay_tag.border_column <= raster_place_column < 120;
-      delay_tag.first_cost <= delay_tag_first_cost_is_equal;
-      delay_tag.leaves_window <= ((raster_place_column + 65409) mod 65536) < 65412;
-      delay_tag.output_column <= (raster_place_group >= 3) and (raster_place_group < 243) and ((((((raster_place_column
-        / 8) + 8177) mod 8192) * 8) + (raster_place_column mod 8)) < 199);
-      delay_tag.start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 3);
-      delay_tag.end_of_line <= raster_place_column = 318;
-      -- rows
-      rows_search_rows_read_newest_0 <= delay_ahead_0;
-      rows_search_rows_ready_words_0 <= rows_search_rows_read_words_0;
-      rows_search_rows_ready_words_1 <= to_integer(rows_search_rows_read_words_1);
-      rows_search_rows_ready_newest_0 <= rows_search_rows_read_newest_0;
-      rows_reference_rows_read_newest_0 <= to_integer(delay_delayed_0);
-      rows_reference_rows_ready_words_0 <= rows_reference_rows_read_words_0;
-      rows_reference_rows_ready_words_1 <= to_integer(rows_reference_rows_read_words_1);
-      rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
-      rows_read_column <= delay_column;
-      rows_read_inside <= delay_row_inside;
-      rows_read_tag <= delay_tag;
-      rows_ready_column <= rows_read_column;
-      rows_ready_inside <= rows_read_inside;
-      rows_ready_tag <= rows_read_tag;
-      rows_tag <= rows_ready_tag;
-      rows_search(0) <= choice(rows_ready_inside(0), to_integer(rows_search_rows_ready_words_0(7 downto 0)), 0);
-      rows_reference(0) <= choice(rows_ready_inside(0), to_integer(rows_reference_rows_ready_words_0(7 downto 0)), 0);
-      rows_search(1) <= choice(rows_ready_inside(1), rows_search_rows_ready_newest_0, 0);
-      rows_reference(1) <= choice(rows_ready_inside(1), rows_reference_rows_ready_newest_0, 0);
-      if rows_ready_tag.valid then
-        rows_search_rows_write_words_0 <= to_unsigned((rows_search_rows_ready_words_1 mod 256), 8) &
-          rows_search_rows_ready_words_0(31 downto 8);
-        rows_search_rows_write_words_1 <= (rows_search_rows_ready_newest_0 * 65536) + ((rows_search_rows_ready_words_1
-          / 65536) * 256) + ((rows_search_rows_ready_words_1 mod 65536) / 256);
-        rows_reference_rows_write_words_0 <= to_unsigned((rows_reference_rows_ready_words_1 mod 256), 8) &
-          rows_reference_rows_ready_words_0(31 downto 8);
-        rows_reference_rows_write_words_1 <= (rows_reference_rows_ready_newest_0 * 65536) +
-          ((rows_reference_rows_ready_words_1 / 65536) * 256) + ((rows_reference_rows_ready_words_1 mod 65536) / 256);
-        rows_write_column <= rows_ready_column;
-      end if;
-      -- slice0shift
-      if rows_tag.valid then
-        for i in 0 to 1 loop
-          for j in 0 to 23 loop
-            slice0shift_search(i, j) <= slice0shift_search(i, j + 1);
-          end loop;
-          slice0shift_search(i, 24) <= rows_search(i);
-        end loop;
-      end if;
-      slice0shift_reference <= rows_reference;
-      slice0shift_search_out(0) <= slice0shift_search(0, 0);
-      slice0shift_search_out(1) <= slice0shift_search(1, 0);
-      slice0shift_tag <= rows_tag;
-      -- slice0cost
-      for i in 0 to 11 loop
-        slice0cost_column_0_choice(2 * i, 1) := choice(slice0cost_ready_tag.first_group, 0, slice0cost_ready_words(i)
-          mod 2048);
-        slice0cost_column_0_choice(2 * i, 2) := choice(slice0cost_ready_tag.border_column, 0, (slice0cost_change_0(2 *
-          i) + slice0cost_column_0_choice(2 * i, 1)) mod 2048);
-        slice0cost_column_0_choice(2 * i + 1, 1) := choice(slice0cost_ready_tag.first_group, 0,
-          slice0cost_ready_words(i) / 2048);
-        slice0cost_column_0_choice(2 * i + 1, 2) := choice(slice0cost_ready_tag.border_column, 0,
-          (slice0cost_change_0(2 * i + 1) + slice0cost_column_0_choice(2 * i + 1, 1)) mod 2048);
-      end loop;
-      slice0cost_column_0_choice(24, 1) := choice(slice0cost_ready_tag.first_group, 0, slice0cost_ready_words_12);
-      slice0cost_column_0_choice(24, 2) := choice(slice0cost_ready_tag.border_column, 0, (slice0cost_change_0(24) +
-        slice0cost_column_0_choice(24, 1)) mod 2048);
-      for i in 0 to 24 loop
-        slice0cost_pixels_first(0, i) <= slice0shift_search(0, i) - slice0shift_reference(0);
-      end loop;
-      for i in 0 to 24 loop
-        slice0cost_pixels_first(1, i) <= slice0shift_search(1, i) - slice0shift_reference(1);
-      end loop;
-      slice0cost_pixels_first_tag <= slice0shift_tag;
+    wait until rising_edge(clock);
+    -- raster
+    raster_place_group_is_equal := raster_place_column = 319;
+    raster_place_group_choice := choice(((raster_place_group mod 16) = 3) and is_set(raster_place_group, 7) and
+      (((raster_place_group / 16) mod 4) = 3), raster_place_group_is_equal and in_valid and (not
+      is_set(raster_place_group, 6)), raster_place_group_is_equal and in_valid);
+    raster_features_search_0 <= in_left_pixel;
+    raster_features_reference_0 <= in_right_pixel;
+    raster_features_valid <= in_valid;
+    raster_place_group <= choice(in_start_of_frame and in_valid, 0, (raster_place_group +
+      as_number(raster_place_group_choice)) mod 256);
+    if in_valid then
+      raster_place_column <= choice(raster_place_group_is_equal or in_start_of_frame, 0, (raster_place_column + 1) mod
+        512);
+    end if;
+    -- delay
+    if raster_features_valid then
+      delay_ring_write_address <= delay_ring_read_address;
+      delay_ring_read_address <= choice(delay_ring_read_address = 120, 0, (delay_ring_read_address + 1) mod 128);
+    end if;
+    delay_tag_first_cost_is_equal := raster_place_column = 120;
+    delay_ahead_0 <= raster_features_search_0;
+    delay_column <= raster_place_column;
+    delay_row_inside(0) <= (raster_place_group >= 7) and (raster_place_group < 247);
+    delay_row_inside(1) <= (not is_set(raster_place_group, 7)) or (not is_set(raster_place_group, 6)) or (not
+      is_set(raster_place_group, 5)) or (not is_set(raster_place_group, 4));
+    delay_tag.valid <= raster_features_valid;
+    delay_tag.row_start <= raster_place_column = 0;
+    delay_tag.first_group <= raster_place_group = 0;
+    delay_tag.border_column <= raster_place_column < 120;
+    delay_tag.first_cost <= delay_tag_first_cost_is_equal;
+    delay_tag.leaves_window <= ((raster_place_column + 65409) mod 65536) < 65412;
+    delay_tag.output_column <= (raster_place_group >= 3) and (raster_place_group < 243) and ((((((raster_place_column /
+      8) + 8177) mod 8192) * 8) + (raster_place_column mod 8)) < 199);
+    delay_tag.start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 3);
+    delay_tag.end_of_line <= raster_place_column = 318;
+    -- rows
+    rows_search_rows_read_newest_0 <= delay_ahead_0;
+    rows_search_rows_ready_words_0 <= rows_search_rows_read_words_0;
+    rows_search_rows_ready_words_1 <= to_integer(rows_search_rows_read_words_1);
+    rows_search_rows_ready_newest_0 <= rows_search_rows_read_newest_0;
+    rows_reference_rows_read_newest_0 <= to_integer(delay_delayed_0);
+    rows_reference_rows_ready_words_0 <= rows_reference_rows_read_words_0;
+    rows_reference_rows_ready_words_1 <= to_integer(rows_reference_rows_read_words_1);
+    rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
+    rows_read_column <= delay_column;
+    rows_read_inside <= delay_row_inside;
+    rows_read_tag <= delay_tag;
+    rows_ready_column <= rows_read_column;
+    rows_ready_inside <= rows_read_inside;
+    rows_ready_tag <= rows_read_tag;
+    rows_tag <= rows_ready_tag;
+    rows_search(0) <= choice(rows_ready_inside(0), to_integer(rows_search_rows_ready_words_0(7 downto 0)), 0);
+    rows_reference(0) <= choice(rows_ready_inside(0), to_integer(rows_reference_rows_ready_words_0(7 downto 0)), 0);
+    rows_search(1) <= choice(rows_ready_inside(1), rows_search_rows_ready_newest_0, 0);
+    rows_reference(1) <= choice(rows_ready_inside(1), rows_reference_rows_ready_newest_0, 0);
+    if rows_ready_tag.valid then
+      rows_search_rows_write_words_0 <= to_unsigned((rows_search_rows_ready_words_1 mod 256), 8) &
+        rows_search_rows_ready_words_0(31 downto 8);
+      rows_search_rows_write_words_1 <= (rows_search_rows_ready_newest_0 * 65536) + ((rows_search_rows_ready_words_1 /
+        65536) * 256) + ((rows_search_rows_ready_words_1 mod 65536) / 256);
+      rows_reference_rows_write_words_0 <= to_unsigned((rows_reference_rows_ready_words_1 mod 256), 8) &
+        rows_reference_rows_ready_words_0(31 downto 8);
+      rows_reference_rows_write_words_1 <= (rows_reference_rows_ready_newest_0 * 65536) +
+        ((rows_reference_rows_ready_words_1 / 65536) * 256) + ((rows_reference_rows_ready_words_1 mod 65536) / 256);
+      rows_write_column <= rows_ready_column;
+    end if;
+    -- slice0shift
+    if rows_tag.valid then
       for i in 0 to 1 loop
-        for j in 0 to 24 loop
-          slice0cost_pixels_cost(i, j) <= (folded(slice0cost_pixels_first(i, j)) +
-            as_number((slice0cost_pixels_first(i, j) < 0))) mod 256;
-        end loop;
+        for j in 0 to 23 loop slice0shift_search(i, j) <= slice0shift_search(i, j + 1); end loop;
+        slice0shift_search(i, 24) <= rows_search(i);
       end loop;
-      slice0cost_pixels_tag <= slice0cost_pixels_first_tag;
-      for i in 0 to 24 loop
-        slice0cost_change_0(i) <= slice0cost_pixels_cost(1, i) - slice0cost_pixels_cost(0, i);
+    end if;
+    slice0shift_reference <= rows_reference;
+    slice0shift_search_out(0) <= slice0shift_search(0, 0);
+    slice0shift_search_out(1) <= slice0shift_search(1, 0);
+    slice0shift_tag <= rows_tag;
+    -- slice0cost
+    for i in 0 to 11 loop
+      slice0cost_column_0_choice(2 * i, 1) := choice(slice0cost_ready_tag.first_group, 0, slice0cost_ready_words(i) mod
+        2048);
+      slice0cost_column_0_choice(2 * i, 2) := choice(slice0cost_ready_tag.border_column, 0, (slice0cost_change_0(2 * i)
+        + slice0cost_column_0_choice(2 * i, 1)) mod 2048);
+      slice0cost_column_0_choice(2 * i + 1, 1) := choice(slice0cost_ready_tag.first_group, 0, slice0cost_ready_words(i)
+        / 2048);
+      slice0cost_column_0_choice(2 * i + 1, 2) := choice(slice0cost_ready_tag.border_column, 0, (slice0cost_change_0(2
+        * i + 1) + slice0cost_column_0_choice(2 * i + 1, 1)) mod 2048);
+    end loop;
+    slice0cost_column_0_choice(24, 1) := choice(slice0cost_ready_tag.first_group, 0, slice0cost_ready_words_12);
+    slice0cost_column_0_choice(24, 2) := choice(slice0cost_ready_tag.border_column, 0, (slice0cost_change_0(24) +
+      slice0cost_column_0_choice(24, 1)) mod 2048);
+    for i in 0 to 24 loop
+      slice0cost_pixels_first(0, i) <= slice0shift_search(0, i) - slice0shift_reference(0);
+    end loop;
+    for i in 0 to 24 loop
+      slice0cost_pixels_first(1, i) <= slice0shift_search(1, i) - slice0shift_reference(1);
+    end loop;
+    slice0cost_pixels_first_tag <= slice0shift_tag;
+    for i in 0 to 1 loop
+      for j in 0 to 24 loop
+        slice0cost_pixels_cost(i, j) <= (folded(slice0cost_pixels_first(i, j)) + as_number((slice0cost_pixels_first(i,
+          j) < 0))) mod 256;
       end loop;
+    end loop;
+    slice0cost_pixels_tag <= slice0cost_pixels_first_tag;
+    for i in 0 to 24 loop
+      slice0cost_change_0(i) <= slice0cost_pixels_cost(1, i) - slice0cost_pixels_cost(0, i);
+    end loop;
+    for i in 0 to 11 loop slice0cost_ready_words(i) <= to_integer(slice0cost_read_words(i)); end loop;
+    slice0cost_ready_words_12 <= to_integer(slice0cost_read_words_12);
+    slice0cost_ready_tag <= slice0cost_pixels_tag;
+    for i in 0 to 24 loop slice0cost_column_0(i) <= slice0cost_column_0_choice(i, 2); end loop;
+    slice0cost_write_column <= slice0cost_ready_column;
+    slice0cost_tag <= slice0cost_ready_tag;
+    if slice0shift_tag.valid then
+      slice0cost_read_column <= choice(slice0shift_tag.row_start, 0, (slice0cost_read_column + 1) mod 512);
+    end if;
+    if slice0cost_pixels_first_tag.valid then
+      slice0cost_change_column <= choice(slice0cost_pixels_first_tag.row_start, 0, (slice0cost_change_column + 1) mod
+        512);
+    end if;
+    if slice0cost_pixels_tag.valid then
+      slice0cost_ready_column <= choice(slice0cost_pixels_tag.row_start, 0, (slice0cost_ready_column + 1) mod 512);
+    end if;
+    if slice0cost_ready_tag.valid then
       for i in 0 to 11 loop
-        slice0cost_ready_words(i) <= to_integer(slice0cost_read_words(i));
+        slice0cost_write_words(i) <= (slice0cost_column_0_choice(2 * i + 1, 2) * 2048) + slice0cost_column_0_choice(2 *
+          i, 2);
       end loop;
-      slice0cost_ready_words_12 <= to_integer(slice0cost_read_words_12);
-      slice0cost_ready_tag <= slice0cost_pixels_tag;
+      slice0cost_write_words(12) <= slice0cost_column_0_choice(24, 2);
+    end if;
+    -- slice0window
+    if slice0cost_tag.valid then
+      slice0window_ring_write_address <= slice0window_ring_read_address;
+      slice0window_ring_read_address <= choice(slice0window_ring_read_address = 7, 0, (slice0window_ring_read_address +
+        1) mod 8);
+    end if;
+    for i in 0 to 11 loop
+      slice0window_change_0_choice(2 * i) := choice(slice0window_entering_tag.leaves_window,
+        to_integer(slice0window_leaving(i)(10 downto 0)), 0);
+      slice0window_change_0_choice(2 * i + 1) := choice(slice0window_entering_tag.leaves_window,
+        to_integer(slice0window_leaving(i)(21 downto 11)), 0);
+    end loop;
+    slice0window_change_0_choice(24) := choice(slice0window_entering_tag.leaves_window,
+      to_integer(slice0window_leaving_12), 0);
+    slice0window_entering_0 <= slice0cost_column_0;
+    slice0window_entering_tag.valid <= slice0cost_tag.valid;
+    slice0window_entering_tag.first_group <= slice0cost_tag.first_group;
+    slice0window_entering_tag.border_column <= slice0cost_tag.border_column;
+    slice0window_entering_tag.first_cost <= slice0cost_tag.first_cost;
+    slice0window_entering_tag.leaves_window <= slice0cost_tag.leaves_window;
+    slice0window_entering_tag.output_column <= slice0cost_tag.output_column;
+    slice0window_entering_tag.start_of_frame <= slice0cost_tag.start_of_frame;
+    slice0window_entering_tag.end_of_line <= slice0cost_tag.end_of_line;
+    for i in 0 to 24 loop
+      slice0window_change_0(i) <= slice0window_entering_0(i) - slice0window_change_0_choice(i);
+    end loop;
+    slice0window_change_tag <= slice0window_entering_tag;
+    slice0window_centre_output_column_0 <= slice0window_change_tag.output_column;
+    slice0window_centre_first_column_0 <= slice0window_change_tag.first_cost;
+    slice0window_centre_start_of_frame(0) <= slice0window_change_tag.start_of_frame;
+    slice0window_centre_start_of_frame(1 to 2) <= slice0window_centre_start_of_frame(0 to 1);
+    slice0window_centre_end_of_line_0 <= slice0window_change_tag.end_of_line;
+    slice0window_tag.valid <= slice0window_change_tag.valid;
+    slice0window_tag.start_of_frame <= slice0window_centre_start_of_frame(2);
+    for i in 0 to 24 loop
+      slice0window_sum_0_choice(i) := choice(slice0window_change_tag.first_cost, 0, slice0window_sum_0(i));
+    end loop;
+    if slice0window_change_tag.valid then
       for i in 0 to 24 loop
-        slice0cost_column_0(i) <= slice0cost_column_0_choice(i, 2);
+        slice0window_sum_0(i) <= (slice0window_sum_0_choice(i) + slice0window_change_0(i)) mod 16384;
       end loop;
-      slice0cost_write_column <= slice0cost_ready_column;
-      slice0cost_tag <= slice0cost_ready_tag;
-      if slice0shift_tag.valid then
-        slice0cost_read_column <= choice(slice0shift_tag.row_start, 0, (slice0cost_read_column + 1) mod 512);
-      end if;
-      if slice0cost_pixels_first_tag.valid then
-        slice0cost_change_column <= choice(slice0cost_pixels_first_tag.row_start, 0, (slice0cost_change_column + 1) mod
-          512);
-      end if;
-      if slice0cost_pixels_tag.valid then
-        slice0cost_ready_column <= choice(slice0cost_pixels_tag.row_start, 0, (slice0cost_ready_column + 1) mod 512);
-      end if;
-      if slice0cost_ready_tag.valid then
-        for i in 0 to 11 loop
-          slice0cost_write_words(i) <= (slice0cost_column_0_choice(2 * i + 1, 2) * 2048) + slice0cost_column_0_choice(2
-            * i, 2);
-        end loop;
-        slice0cost_write_words(12) <= slice0cost_column_0_choice(24, 2);
-      end if;
-      -- slice0window
-      if slice0cost_tag.valid then
-        slice0window_ring_write_address <= slice0window_ring_read_address;
-        slice0window_ring_read_address <= choice(slice0window_ring_read_address = 7, 0, (slice0window_ring_read_address
-          + 1) mod 8);
-      end if;
-      for i in 0 to 11 loop
-        slice0window_change_0_choice(2 * i) := choice(slice0window_entering_tag.leaves_window,
-          to_integer(slice0window_leaving(i)(10 downto 0)), 0);
-        slice0window_change_0_choice(2 * i + 1) := choice(slice0window_entering_tag.leaves_window,
-          to_integer(slice0window_leaving(i)(21 downto 11)), 0);
-      end loop;
-      slice0window_change_0_choice(24) := choice(slice0window_entering_tag.leaves_window,
-        to_integer(slice0window_leaving_12), 0);
-      slice0window_entering_0 <= slice0cost_column_0;
-      slice0window_entering_tag.valid <= slice0cost_tag.valid;
-      slice0window_entering_tag.first_group <= slice0cost_tag.first_group;
-      slice0window_entering_tag.border_column <= slice0cost_tag.border_column;
-      slice0window_entering_tag.first_cost <= slice0cost_tag.first_cost;
-      slice0window_entering_tag.leaves_window <= slice0cost_tag.leaves_window;
-      slice0window_entering_tag.output_column <= slice0cost_tag.output_column;
-      slice0window_entering_tag.start_of_frame <= slice0cost_tag.start_of_frame;
-      slice0window_entering_tag.end_of_line <= slice0cost_tag.end_of_line;
-      for i in 0 to 24 loop
-        slice0window_change_0(i) <= slice0window_entering_0(i) - slice0window_change_0_choice(i);
-      end loop;
-      slice0window_change_tag <= slice0window_entering_tag;
-      slice0window_centre_output_column_0 <= slice0window_change_tag.output_column;
-      slice0window_centre_first_column_0 <= slice0window_change_tag.first_cost;
-      slice0window_centre_start_of_frame(0) <= slice0window_change_tag.start_of_frame;
-      slice0window_centre_start_of_frame(1 to 2) <= slice0window_centre_start_of_frame(0 to 1);
-      slice0window_centre_end_of_line_0 <= slice0window_change_tag.end_of_line;
-      slice0window_tag.valid <= slice0window_change_tag.valid;
-      slice0window_tag.start_of_frame <= slice0window_centre_start_of_frame(2);
-      for i in 0 to 24 loop
-        slice0window_sum_0_choice(i) := choice(slice0window_change_tag.first_cost, 0, slice0window_sum_0(i));
-      end loop;
-      if slice0window_change_tag.valid then
-        for i in 0 to 24 loop
-          slice0window_sum_0(i) <= (slice0window_sum_0_choice(i) + slice0window_change_0(i)) mod 16384;
-        end loop;
-      end if;
-      -- slice0winner1
-      for i in 0 to 11 loop
-        slice0winner1_best_cost_0_is_less(i) := (slice0window_sum_0(2 * i + 1) - slice0window_sum_0(2 * i)) < 0;
-      end loop;
-      slice0winner1_best_cost_0(12) <= slice0window_sum_0(24);
-      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_is_less(0);
-      slice0winner1_best_index_0(12) <= 24;
-      slice0winner1_tag.valid <= slice0window_tag.valid;
-      slice0winner1_best_cost_0(0) <= choice(slice0winner1_best_cost_0_is_less(0), slice0window_sum_0(1),
-        slice0window_sum_0(0));
-      for i in 1 to 11 loop
-        slice0winner1_best_cost_0(i) <= choice(slice0winner1_best_cost_0_is_less(i), slice0window_sum_0(2 * i + 1),
-          slice0window_sum_0(2 * i));
-        slice0winner1_best_index_0(i) <= choice(slice0winner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
-      end loop;
-      if slice0winner3_tag.valid then
-        slice0winner1_tag.start_of_frame <= slice0window_tag.start_of_frame;
-      end if;
-      -- slice0winner2
-      for i in 0 to 5 loop
-        slice0winner2_best_cost_0_is_less(i) := (slice0winner1_best_cost_0(2 * i + 1) - slice0winner1_best_cost_0(2 *
-          i)) < 0;
-      end loop;
-      slice0winner2_best_cost_0(6) <= slice0winner1_best_cost_0(12);
-      slice0winner2_best_index_0(6) <= slice0winner1_best_index_0(12);
-      slice0winner2_tag.valid <= slice0winner1_tag.valid;
-      slice0winner2_best_cost_0(0) <= choice(slice0winner2_best_cost_0_is_less(0), slice0winner1_best_cost_0(1),
-        slice0winner1_best_cost_0(0));
-      slice0winner2_best_index_0(0) <= choice(slice0winner2_best_cost_0_is_less(0), slice0winner1_best_index_0(1),
-        as_number(slice0winner1_best_index_0_0));
-      for i in 1 to 5 loop
-        slice0winner2_best_cost_0(i) <= choice(slice0winner2_best_cost_0_is_less(i), slice0winner1_best_cost_0(2 * i +
-          1), slice0winner1_best_cost_0(2 * i));
-        slice0winner2_best_index_0(i) <= choice(slice0winner2_best_cost_0_is_less(i), slice0winner1_best_index_0(2 * i
-          + 1), slice0winner1_best_index_0(2 * i));
-      end loop;
-      if slice0winner3_tag.valid then
-        slice0winner2_tag.start_of_frame <= slice0winner1_tag.start_of_frame;
-      end if;
-      -- slice0winner3
-      for i in 0 to 2 loop
-        slice0winner3_best_cost_0_is_less(i) := (slice0winner2_best_cost_0(2 * i + 1) - slice0winner2_best_cost_0(2 *
-          i)) < 0;
-      end loop;
-      slice0winner3_best_cost_0(3) <= slice0winner2_best_cost_0(6);
-      slice0winner3_best_index_0(3) <= slice0winner2_best_index_0(6);
-      slice0winner3_tag.valid <= slice0winner2_tag.valid;
-      for i in 0 to 2 loop
-        slice0winner3_best_cost_0(i) <= choice(slice0winner3_best_cost_0_is_less(i), slice0winner2_best_cost_0(2 * i +
-          1), slice0winner2_best_cost_0(2 * i));
-        slice0winner3_best_index_0(i) <= choice(slice0winner3_best_cost_0_is_less(i), slice0winner2_best_index_0(2 * i
-          + 1), slice0winner2_best_index_0(2 * i));
-      end loop;
-      if slice0winner3_tag.valid then
-        slice0winner3_tag.output_column <= slice4window_centre_output_column(1);
-        slice0winner3_tag.start_of_frame <= slice0winner2_tag.start_of_frame;
-        slice0winner3_tag.end_of_line <= slice4window_centre_end_of_line(1);
-      end if;
-      -- slice0winner4
-      slice0winner4_best_cost_0_is_less(0) := (slice0winner3_best_cost_0(1) - slice0winner3_best_cost_0(0)) < 0;
-      slice0winner4_best_cost_0_is_less(1) := (slice0winner3_best_cost_0(3) - slice0winner3_best_cost_0(2)) < 0;
-      slice0winner4_tag <= slice0winner3_tag;
+    end if;
+    -- slice0winner1
+    for i in 0 to 11 loop
+      slice0winner1_best_cost_0_is_less(i) := (slice0window_sum_0(2 * i + 1) - slice0window_sum_0(2 * i)) < 0;
+    end loop;
+    slice0winner1_best_cost_0(12) <= slice0window_sum_0(24);
+    slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_is_less(0);
+    slice0winner1_best_index_0(12) <= 24;
+    slice0winner1_tag.valid <= slice0window_tag.valid;
+    slice0winner1_best_cost_0(0) <= choice(slice0winner1_best_cost_0_is_less(0), slice0window_sum_0(1),
+      slice0window_sum_0(0));
+    for i in 1 to 11 loop
+      slice0winner1_best_cost_0(i) <= choice(slice0winner1_best_cost_0_is_less(i), slice0window_sum_0(2 * i + 1),
+        slice0window_sum_0(2 * i));
+      slice0winner1_best_index_0(i) <= choice(slice0winner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
+    end loop;
+    if slice0winner3_tag.valid then slice0winner1_tag.start_of_frame <= slice0window_tag.start_of_frame; end if;
+    -- slice0winner2
+    for i in 0 to 5 loop
+      slice0winner2_best_cost_0_is_less(i) := (slice0winner1_best_cost_0(2 * i + 1) - slice0winner1_best_cost_0(2 * i))
+        < 0;
+    end loop;
+    slice0winner2_best_cost_0(6) <= slice0winner1_best_cost_0(12);
+    slice0winner2_best_index_0(6) <= slice0winner1_best_index_0(12);
+    slice0winner2_tag.valid <= slice0winner1_tag.valid;
+    slice0winner2_best_cost_0(0) <= choice(slice0winner2_best_cost_0_is_less(0), slice0winner1_best_cost_0(1),
+      slice0winner1_best_cost_0(0));
+    slice0winner2_best_index_0(0) <= choice(slice0winner2_best_cost_0_is_less(0), slice0winner1_best_index_0(1),
+      as_number(slice0winner1_best_index_0_0));
+    for i in 1 to 5 loop
+      slice0winner2_best_cost_0(i) <= choice(slice0winner2_best_cost_0_is_less(i), slice0winner1_best_cost_0(2 * i +
+        1), slice0winner1_best_cost_0(2 * i));
+      slice0winner2_best_index_0(i) <= choice(slice0winner2_best_cost_0_is_less(i), slice0winner1_best_index_0(2 * i +
+        1), slice0winner1_best_index_0(2 * i));
+    end loop;
+    if slice0winner3_tag.valid then slice0winner2_tag.start_of_frame <= slice0winner1_tag.start_of_frame; end if;
+    -- slice0winner3
+    for i in 0 to 2 loop
+      slice0winner3_best_cost_0_is_less(i) := (slice0winner2_best_cost_0(2 * i + 1) - slice0winner2_best_cost_0(2 * i))
+        < 0;
+    end loop;
+    slice0winner3_best_cost_0(3) <= slice0winner2_best_cost_0(6);
+    slice0winner3_best_index_0(3) <= slice0winner2_best_index_0(6);
+    slice0winner3_tag.valid <= slice0winner2_tag.valid;
+    for i in 0 to 2 loop
+      slice0winner3_best_cost_0(i) <= choice(slice0winner3_best_cost_0_is_less(i), slice0winner2_best_cost_0(2 * i +
+        1), slice0winner2_best_cost_0(2 * i));
+      slice0winner3_best_index_0(i) <= choice(slice0winner3_best_cost_0_is_less(i), slice0winner2_best_index_0(2 * i +
+        1), slice0winner2_best_index_0(2 * i));
+    end loop;
+    if slice0winner3_tag.valid then
+      slice0winner3_tag.output_column <= slice4window_centre_output_column(1);
+      slice0winner3_tag.start_of_frame <= slice0winner2_tag.start_of_frame;
+      slice0winner3_tag.end_of_line <= slice4window_centre_end_of_line(1);
+    end if;
+    -- slice0winner4
+    slice0winner4_best_cost_0_is_less(0) := (slice0winner3_best_cost_0(1) - slice0winner3_best_cost_0(0)) < 0;
+    slice0winner4_best_cost_0_is_less(1) := (slice0winner3_best_cost_0(3) - slice0winner3_best_cost_0(2)) < 0;
+    slice0winner4_tag <= slice0winner3_tag;
+    for i in 0 to 1 loop
+      slice0winner4_best_cost_0(i) <= choice(slice0winner4_best_cost_0_is_less(i), slice0winner3_best_cost_0(2 * i +
+        1), slice0winner3_best_cost_0(2 * i));
+      slice0winner4_best_index_0(i) <= choice(slice0winner4_best_cost_0_is_less(i), slice0winner3_best_index_0(2 * i +
+        1), slice0winner3_best_index_0(2 * i));
+    end loop;
+    -- slice0winner5
+    slice0winner5_best_cost_0_0_is_less := (slice0winner4_best_cost_0(1) - slice0winner4_best_cost_0(0)) < 0;
+    slice0winner5_tag <= slice0winner4_tag;
+    slice0winner5_best_cost_0_0 <= choice(slice0winner5_best_cost_0_0_is_less, slice0winner4_best_cost_0(1),
+      slice0winner4_best_cost_0(0));
+    slice0winner5_best_index_0_0 <= choice(slice0winner5_best_cost_0_0_is_less, slice0winner4_best_index_0(1),
+      slice0winner4_best_index_0(0));
+    -- slice0
+    slice0_best_cost_0_0 <= slice0winner5_best_cost_0_0;
+    slice0_best_index_0_0 <= slice0winner5_best_index_0_0 + 96;
+    slice0_best_tag <= slice0winner5_tag;
+    -- slice1shift
+    if slice0shift_tag.valid then
       for i in 0 to 1 loop
-        slice0winner4_best_cost_0(i) <= choice(slice0winner4_best_cost_0_is_less(i), slice0winner3_best_cost_0(2 * i +
-          1), slice0winner3_best_cost_0(2 * i));
-        slice0winner4_best_index_0(i) <= choice(slice0winner4_best_cost_0_is_less(i), slice0winner3_best_index_0(2 * i
-          + 1), slice0winner3_best_index_0(2 * i));
+        for j in 0 to 23 loop slice1shift_search(i, j) <= slice1shift_search(i, j + 1); end loop;
+        slice1shift_search(i, 24) <= slice0shift_search_out(i);
       end loop;
-      -- slice0winner5
-      slice0winner5_best_cost_0_0_is_less := (slice0winner4_best_cost_0(1) - slice0winner4_best_cost_0(0)) < 0;
-      slice0winner5_tag <= slice0winner4_tag;
-      slice0winner5_best_cost_0_0 <= choice(slice0winner5_best_cost_0_0_is_less, slice0winner4_best_cost_0(1),
-        slice0winner4_best_cost_0(0));
-      slice0winner5_best_index_0_0 <= choice(slice0winner5_best_cost_0_0_is_less, slice0winner4_best_index_0(1),
-        slice0winner4_best_index_0(0));
-      -- slice0
-      slice0_best_cost_0_0 <= slice0winner5_best_cost_0_0;
-      slice0_best_index_0_0 <= slice0winner5_best_index_0_0 + 96;
-      slice0_best_tag <= slice0winner5_tag;
-      -- slice1shift
-      if slice0shift_tag.valid then
-        for i in 0 to 1 loop
-          for j in 0 to 23 loop
-            slice1shift_search(i, j) <= slice1shift_search(i, j + 1);
-          end loop;
-          slice1shift_search(i, 24) <= slice0shift_search_out(i);
-        end loop;
-      end if;
-      slice1shift_reference <= slice0shift_reference;
-      slice1shift_search_out(0) <= slice1shift_search(0, 0);
-      slice1shift_search_out(1) <= slice1shift_search(1, 0);
-      -- slice1cost
+    end if;
+    slice1shift_reference <= slice0shift_reference;
+    slice1shift_search_out(0) <= slice1shift_search(0, 0);
+    slice1shift_search_out(1) <= slice1shift_search(1, 0);
+    -- slice1cost
+    for i in 0 to 11 loop
+      slice1cost_column_0_choice(2 * i, 1) := choice(slice0cost_tag.first_group, 0, slice1cost_ready_words(i) mod 2048);
+      slice1cost_column_0_choice(2 * i, 2) := choice(slice0cost_tag.border_column, 0, (slice1cost_change_0(2 * i) +
+        slice1cost_column_0_choice(2 * i, 1)) mod 2048);
+      slice1cost_column_0_choice(2 * i + 1, 1) := choice(slice0cost_tag.first_group, 0, slice1cost_ready_words(i) /
+        2048);
+      slice1cost_column_0_choice(2 * i + 1, 2) := choice(slice0cost_tag.border_column, 0, (slice1cost_change_0(2 * i +
+        1) + slice1cost_column_0_choice(2 * i + 1, 1)) mod 2048);
+    end loop;
+    slice1cost_column_0_choice(24, 1) := choice(slice0cost_tag.first_group, 0, slice1cost_ready_words_12);
+    slice1cost_column_0_choice(24, 2) := choice(slice0cost_tag.border_column, 0, (slice1cost_change_0(24) +
+      slice1cost_column_0_choice(24, 1)) mod 2048);
+    for i in 0 to 24 loop
+      slice1cost_pixels_first(0, i) <= slice1shift_search(0, i) - slice1shift_reference(0);
+    end loop;
+    for i in 0 to 24 loop
+      slice1cost_pixels_first(1, i) <= slice1shift_search(1, i) - slice1shift_reference(1);
+    end loop;
+    for i in 0 to 1 loop
+      for j in 0 to 24 loop
+        slice1cost_pixels_cost(i, j) <= (folded(slice1cost_pixels_first(i, j)) + as_number((slice1cost_pixels_first(i,
+          j) < 0))) mod 256;
+      end loop;
+    end loop;
+    slice1cost_read_column <= slice0cost_read_column;
+    slice1cost_change_column <= slice0cost_change_column;
+    for i in 0 to 24 loop
+      slice1cost_change_0(i) <= slice1cost_pixels_cost(1, i) - slice1cost_pixels_cost(0, i);
+    end loop;
+    for i in 0 to 11 loop slice1cost_ready_words(i) <= to_integer(slice1cost_read_words(i)); end loop;
+    slice1cost_ready_words_12 <= to_integer(slice1cost_read_words_12);
+    slice1cost_ready_column <= slice1cost_change_column;
+    for i in 0 to 24 loop slice1cost_column_0(i) <= slice1cost_column_0_choice(i, 2); end loop;
+    slice1cost_write_column <= slice0cost_write_column;
+    if slice0cost_tag.valid then
       for i in 0 to 11 loop
-        slice1cost_column_0_choice(2 * i, 1) := choice(slice0cost_tag.first_group, 0, slice1cost_ready_words(i) mod
-          2048);
-        slice1cost_column_0_choice(2 * i, 2) := choice(slice0cost_tag.border_column, 0, (slice1cost_change_0(2 * i) +
-          slice1cost_column_0_choice(2 * i, 1)) mod 2048);
-        slice1cost_column_0_choice(2 * i + 1, 1) := choice(slice0cost_tag.first_group, 0, slice1cost_ready_words(i) /
-          2048);
-        slice1cost_column_0_choice(2 * i + 1, 2) := choice(slice0cost_tag.border_column, 0, (slice1cost_change_0(2 * i
-          + 1) + slice1cost_column_0_choice(2 * i + 1, 1)) mod 2048);
+        slice1cost_write_words(i) <= (slice1cost_column_0_choice(2 * i + 1, 2) * 2048) + slice1cost_column_0_choice(2 *
+          i, 2);
       end loop;
-      slice1cost_column_0_choice(24, 1) := choice(slice0cost_tag.first_group, 0, slice1cost_ready_words_12);
-      slice1cost_column_0_choice(24, 2) := choice(slice0cost_tag.border_column, 0, (slice1cost_change_0(24) +
-        slice1cost_column_0_choice(24, 1)) mod 2048);
+      slice1cost_write_words(12) <= slice1cost_column_0_choice(24, 2);
+    end if;
+    -- slice1window
+    if slice0window_entering_tag.valid then
+      slice1window_ring_write_address <= slice1window_ring_read_address;
+      slice1window_ring_read_address <= choice(slice1window_ring_read_address = 7, 0, (slice1window_ring_read_address +
+        1) mod 8);
+    end if;
+    for i in 0 to 11 loop
+      slice1window_change_0_choice(2 * i) := choice(slice0window_change_tag.leaves_window,
+        to_integer(slice1window_leaving(i)(10 downto 0)), 0);
+      slice1window_change_0_choice(2 * i + 1) := choice(slice0window_change_tag.leaves_window,
+        to_integer(slice1window_leaving(i)(21 downto 11)), 0);
+    end loop;
+    slice1window_change_0_choice(24) := choice(slice0window_change_tag.leaves_window,
+      to_integer(slice1window_leaving_12), 0);
+    slice1window_entering_0 <= slice1cost_column_0;
+    for i in 0 to 24 loop
+      slice1window_change_0(i) <= slice1window_entering_0(i) - slice1window_change_0_choice(i);
+    end loop;
+    slice1window_change_tag.first_group <= slice0window_change_tag.first_group;
+    slice1window_change_tag.border_column <= slice0window_change_tag.border_column;
+    slice1window_change_tag.leaves_window <= slice0window_change_tag.leaves_window;
+    slice1window_centre_output_column_0 <= slice0window_centre_output_column_0;
+    slice1window_centre_first_column_0 <= slice0window_centre_first_column_0;
+    slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
+    for i in 0 to 24 loop
+      slice1window_sum_0_choice(i) := choice(slice0window_centre_first_column_0, 0, slice1window_sum_0(i));
+    end loop;
+    if slice0window_tag.valid then
       for i in 0 to 24 loop
-        slice1cost_pixels_first(0, i) <= slice1shift_search(0, i) - slice1shift_reference(0);
+        slice1window_sum_0(i) <= (slice1window_sum_0_choice(i) + slice1window_change_0(i)) mod 16384;
       end loop;
-      for i in 0 to 24 loop
-        slice1cost_pixels_first(1, i) <= slice1shift_search(1, i) - slice1shift_reference(1);
-      end loop;
+    end if;
+    -- slice1winner1
+    for i in 0 to 11 loop
+      slice1winner1_best_cost_0_is_less(i) := (slice1window_sum_0(2 * i + 1) - slice1window_sum_0(2 * i)) < 0;
+    end loop;
+    slice1winner1_best_cost_0(12) <= slice1window_sum_0(24);
+    slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_is_less(0);
+    slice1winner1_best_cost_0(0) <= choice(slice1winner1_best_cost_0_is_less(0), slice1window_sum_0(1),
+      slice1window_sum_0(0));
+    for i in 1 to 11 loop
+      slice1winner1_best_cost_0(i) <= choice(slice1winner1_best_cost_0_is_less(i), slice1window_sum_0(2 * i + 1),
+        slice1window_sum_0(2 * i));
+      slice1winner1_best_index_0(i) <= choice(slice1winner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
+    end loop;
+    -- slice1winner2
+    for i in 0 to 5 loop
+      slice1winner2_best_cost_0_is_less(i) := (slice1winner1_best_cost_0(2 * i + 1) - slice1winner1_best_cost_0(2 * i))
+        < 0;
+    end loop;
+    slice1winner2_best_cost_0(6) <= slice1winner1_best_cost_0(12);
+    slice1winner2_best_cost_0(0) <= choice(slice1winner2_best_cost_0_is_less(0), slice1winner1_best_cost_0(1),
+      slice1winner1_best_cost_0(0));
+    slice1winner2_best_index_0(0) <= choice(slice1winner2_best_cost_0_is_less(0), slice1winner1_best_index_0(1),
+      as_number(slice1winner1_best_index_0_0));
+    for i in 1 to 5 loop
+      slice1winner2_best_cost_0(i) <= choice(slice1winner2_best_cost_0_is_less(i), slice1winner1_best_cost_0(2 * i +
+        1), slice1winner1_best_cost_0(2 * i));
+      slice1winner2_best_index_0(i) <= choice(slice1winner2_best_cost_0_is_less(i), slice1winner1_best_index_0(2 * i +
+        1), slice1winner1_best_index_0(2 * i));
+    end loop;
+    -- slice1winner3
+    for i in 0 to 2 loop
+      slice1winner3_best_cost_0_is_less(i) := (slice1winner2_best_cost_0(2 * i + 1) - slice1winner2_best_cost_0(2 * i))
+        < 0;
+    end loop;
+    slice1winner3_best_cost_0(3) <= slice1winner2_best_cost_0(6);
+    for i in 0 to 2 loop
+      slice1winner3_best_cost_0(i) <= choice(slice1winner3_best_cost_0_is_less(i), slice1winner2_best_cost_0(2 * i +
+        1), slice1winner2_best_cost_0(2 * i));
+      slice1winner3_best_index_0(i) <= choice(slice1winner3_best_cost_0_is_less(i), slice1winner2_best_index_0(2 * i +
+        1), slice1winner2_best_index_0(2 * i));
+    end loop;
+    -- slice1winner4
+    slice1winner4_best_cost_0_is_less(0) := (slice1winner3_best_cost_0(1) - slice1winner3_best_cost_0(0)) < 0;
+    slice1winner4_best_cost_0_is_less(1) := (slice1winner3_best_cost_0(3) - slice1winner3_best_cost_0(2)) < 0;
+    slice1winner4_best_cost_0(0) <= choice(slice1winner4_best_cost_0_is_less(0), slice1winner3_best_cost_0(1),
+      slice1winner3_best_cost_0(0));
+    slice1winner4_best_index_0(0) <= choice(slice1winner4_best_cost_0_is_less(0), slice1winner3_best_index_0(1),
+      slice1winner3_best_index_0(0));
+    slice1winner4_best_cost_0(1) <= choice(slice1winner4_best_cost_0_is_less(1), slice1winner3_best_cost_0(3),
+      slice1winner3_best_cost_0(2));
+    slice1winner4_best_index_0(1) <= choice(slice1winner4_best_cost_0_is_less(1), slice0winner3_best_index_0(3),
+      slice1winner3_best_index_0(2));
+    -- slice1winner5
+    slice1winner5_best_cost_0_0_is_less := (slice1winner4_best_cost_0(1) - slice1winner4_best_cost_0(0)) < 0;
+    slice1winner5_best_cost_0_0 <= choice(slice1winner5_best_cost_0_0_is_less, slice1winner4_best_cost_0(1),
+      slice1winner4_best_cost_0(0));
+    slice1winner5_best_index_0_0 <= choice(slice1winner5_best_cost_0_0_is_less, slice1winner4_best_index_0(1),
+      slice1winner4_best_index_0(0));
+    -- slice1
+    slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner5_best_cost_0_0) < 0;
+    slice1_best_tag <= slice0_best_tag;
+    slice1_best_cost_0_0 <= choice(slice1_best_cost_0_0_is_less, slice0_best_cost_0_0, slice1winner5_best_cost_0_0);
+    slice1_best_index_0_0 <= choice(slice1_best_cost_0_0_is_less, slice0_best_index_0_0, slice1winner5_best_index_0_0 +
+      71);
+    -- slice2shift
+    if slice0cost_pixels_first_tag.valid then
       for i in 0 to 1 loop
-        for j in 0 to 24 loop
-          slice1cost_pixels_cost(i, j) <= (folded(slice1cost_pixels_first(i, j)) +
-            as_number((slice1cost_pixels_first(i, j) < 0))) mod 256;
-        end loop;
+        for j in 0 to 23 loop slice2shift_search(i, j) <= slice2shift_search(i, j + 1); end loop;
+        slice2shift_search(i, 24) <= slice1shift_search_out(i);
       end loop;
-      slice1cost_read_column <= slice0cost_read_column;
-      slice1cost_change_column <= slice0cost_change_column;
-      for i in 0 to 24 loop
-        slice1cost_change_0(i) <= slice1cost_pixels_cost(1, i) - slice1cost_pixels_cost(0, i);
+    end if;
+    slice2shift_reference <= slice1shift_reference;
+    slice2shift_search_out(0) <= slice2shift_search(0, 0);
+    slice2shift_search_out(1) <= slice2shift_search(1, 0);
+    -- slice2cost
+    for i in 0 to 11 loop
+      slice2cost_column_0_choice(2 * i, 1) := choice(slice0window_entering_tag.first_group, 0,
+        slice2cost_ready_words(i) mod 2048);
+      slice2cost_column_0_choice(2 * i, 2) := choice(slice0window_entering_tag.border_column, 0, (slice2cost_change_0(2
+        * i) + slice2cost_column_0_choice(2 * i, 1)) mod 2048);
+      slice2cost_column_0_choice(2 * i + 1, 1) := choice(slice0window_entering_tag.first_group, 0,
+        slice2cost_ready_words(i) / 2048);
+      slice2cost_column_0_choice(2 * i + 1, 2) := choice(slice0window_entering_tag.border_column, 0,
+        (slice2cost_change_0(2 * i + 1) + slice2cost_column_0_choice(2 * i + 1, 1)) mod 2048);
+    end loop;
+    slice2cost_column_0_choice(24, 1) := choice(slice0window_entering_tag.first_group, 0, slice2cost_ready_words_12);
+    slice2cost_column_0_choice(24, 2) := choice(slice0window_entering_tag.border_column, 0, (slice2cost_change_0(24) +
+      slice2cost_column_0_choice(24, 1)) mod 2048);
+    for i in 0 to 24 loop
+      slice2cost_pixels_first(0, i) <= slice2shift_search(0, i) - slice2shift_reference(0);
+    end loop;
+    for i in 0 to 24 loop
+      slice2cost_pixels_first(1, i) <= slice2shift_search(1, i) - slice2shift_reference(1);
+    end loop;
+    for i in 0 to 1 loop
+      for j in 0 to 24 loop
+        slice2cost_pixels_cost(i, j) <= (folded(slice2cost_pixels_first(i, j)) + as_number((slice2cost_pixels_first(i,
+          j) < 0))) mod 256;
       end loop;
+    end loop;
+    slice2cost_read_column <= slice1cost_read_column;
+    for i in 0 to 24 loop
+      slice2cost_change_0(i) <= slice2cost_pixels_cost(1, i) - slice2cost_pixels_cost(0, i);
+    end loop;
+    for i in 0 to 11 loop slice2cost_ready_words(i) <= to_integer(slice2cost_read_words(i)); end loop;
+    slice2cost_ready_words_12 <= to_integer(slice2cost_read_words_12);
+    for i in 0 to 24 loop slice2cost_column_0(i) <= slice2cost_column_0_choice(i, 2); end loop;
+    if slice0cost_ready_tag.valid then slice2cost_change_column <= slice2cost_read_column; end if;
+    if slice0cost_tag.valid then slice2cost_ready_column <= slice1cost_ready_column; end if;
+    if slice0window_entering_tag.valid then
+      slice2cost_write_column <= slice1cost_write_column;
       for i in 0 to 11 loop
-        slice1cost_ready_words(i) <= to_integer(slice1cost_read_words(i));
+        slice2cost_write_words(i) <= (slice2cost_column_0_choice(2 * i + 1, 2) * 2048) + slice2cost_column_0_choice(2 *
+          i, 2);
       end loop;
-      slice1cost_ready_words_12 <= to_integer(slice1cost_read_words_12);
-      slice1cost_ready_column <= slice1cost_change_column;
+      slice2cost_write_words(12) <= slice2cost_column_0_choice(24, 2);
+    end if;
+    -- slice2window
+    if slice0window_change_tag.valid then
+      slice2window_ring_write_address <= slice2window_ring_read_address;
+      slice2window_ring_read_address <= choice(slice2window_ring_read_address = 7, 0, (slice2window_ring_read_address +
+        1) mod 8);
+    end if;
+    for i in 0 to 11 loop
+      slice2window_change_0_choice(2 * i) := choice(slice1window_change_tag.leaves_window,
+        to_integer(slice2window_leaving(i)(10 downto 0)), 0);
+      slice2window_change_0_choice(2 * i + 1) := choice(slice1window_change_tag.leaves_window,
+        to_integer(slice2window_leaving(i)(21 downto 11)), 0);
+    end loop;
+    slice2window_change_0_choice(24) := choice(slice1window_change_tag.leaves_window,
+      to_integer(slice2window_leaving_12), 0);
+    slice2window_entering_0 <= slice2cost_column_0;
+    for i in 0 to 24 loop
+      slice2window_change_0(i) <= slice2window_entering_0(i) - slice2window_change_0_choice(i);
+    end loop;
+    slice2window_change_tag_leaves_window <= slice1window_change_tag.leaves_window;
+    slice2window_centre_output_column_0 <= slice1window_centre_output_column_0;
+    slice2window_centre_first_column_0 <= slice1window_centre_first_column_0;
+    slice2window_centre_end_of_line_0 <= slice1window_centre_end_of_line_0;
+    for i in 0 to 24 loop
+      slice2window_sum_0_choice(i) := choice(slice1window_centre_first_column_0, 0, slice2window_sum_0(i));
+    end loop;
+    if slice0winner1_tag.valid then
       for i in 0 to 24 loop
-        slice1cost_column_0(i) <= slice1cost_column_0_choice(i, 2);
+        slice2window_sum_0(i) <= (slice2window_sum_0_choice(i) + slice2window_change_0(i)) mod 16384;
       end loop;
-      slice1cost_write_column <= slice0cost_write_column;
-      if slice0cost_tag.valid then
-        for i in 0 to 11 loop
-          slice1cost_write_words(i) <= (slice1cost_column_0_choice(2 * i + 1, 2) * 2048) + slice1cost_column_0_choice(2
-            * i, 2);
-        end loop;
-        slice1cost_write_words(12) <= slice1cost_column_0_choice(24, 2);
-      end if;
-      -- slice1window
-      if slice0window_entering_tag.valid then
-        slice1window_ring_write_address <= slice1window_ring_read_address;
-        slice1window_ring_read_address <= choice(slice1window_ring_read_address = 7, 0, (slice1window_ring_read_address
-          + 1) mod 8);
-      end if;
-      for i in 0 to 11 loop
-        slice1window_change_0_choice(2 * i) := choice(slice0window_change_tag.leaves_window,
-          to_integer(slice1window_leaving(i)(10 downto 0)), 0);
-        slice1window_change_0_choice(2 * i + 1) := choice(slice0window_change_tag.leaves_window,
-          to_integer(slice1window_leaving(i)(21 downto 11)), 0);
-      end loop;
-      slice1window_change_0_choice(24) := choice(slice0window_change_tag.leaves_window,
-        to_integer(slice1window_leaving_12), 0);
-      slice1window_entering_0 <= slice1cost_column_0;
-      for i in 0 to 24 loop
-        slice1window_change_0(i) <= slice1window_entering_0(i) - slice1window_change_0_choice(i);
-      end loop;
-      slice1window_change_tag.first_group <= slice0window_change_tag.first_group;
-      slice1window_change_tag.border_column <= slice0window_change_tag.border_column;
-      slice1window_change_tag.leaves_window <= slice0window_change_tag.leaves_window;
-      slice1window_centre_output_column_0 <= slice0window_centre_output_column_0;
-      slice1window_centre_first_column_0 <= slice0window_centre_first_column_0;
-      slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
-      for i in 0 to 24 loop
-        slice1window_sum_0_choice(i) := choice(slice0window_centre_first_column_0, 0, slice1window_sum_0(i));
-      end loop;
-      if slice0window_tag.valid then
-        for i in 0 to 24 loop
-          slice1window_sum_0(i) <= (slice1window_sum_0_choice(i) + slice1window_change_0(i)) mod 16384;
-        end loop;
-      end if;
-      -- slice1winner1
-      for i in 0 to 11 loop
-        slice1winner1_best_cost_0_is_less(i) := (slice1window_sum_0(2 * i + 1) - slice1window_sum_0(2 * i)) < 0;
-      end loop;
-      slice1winner1_best_cost_0(12) <= slice1window_sum_0(24);
-      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_is_less(0);
-      slice1winner1_best_cost_0(0) <= choice(slice1winner1_best_cost_0_is_less(0), slice1window_sum_0(1),
-        slice1window_sum_0(0));
-      for i in 1 to 11 loop
-        slice1winner1_best_cost_0(i) <= choice(slice1winner1_best_cost_0_is_less(i), slice1window_sum_0(2 * i + 1),
-          slice1window_sum_0(2 * i));
-        slice1winner1_best_index_0(i) <= choice(slice1winner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
-      end loop;
-      -- slice1winner2
-      for i in 0 to 5 loop
-        slice1winner2_best_cost_0_is_less(i) := (slice1winner1_best_cost_0(2 * i + 1) - slice1winner1_best_cost_0(2 *
-          i)) < 0;
-      end loop;
-      slice1winner2_best_cost_0(6) <= slice1winner1_best_cost_0(12);
-      slice1winner2_best_cost_0(0) <= choice(slice1winner2_best_cost_0_is_less(0), slice1winner1_best_cost_0(1),
-        slice1winner1_best_cost_0(0));
-      slice1winner2_best_index_0(0) <= choice(slice1winner2_best_cost_0_is_less(0), slice1winner1_best_index_0(1),
-        as_number(slice1winner1_best_index_0_0));
-      for i in 1 to 5 loop
-        slice1winner2_best_cost_0(i) <= choice(slice1winner2_best_cost_0_is_less(i), slice1winner1_best_cost_0(2 * i +
-          1), slice1winner1_best_cost_0(2 * i));
-        slice1winner2_best_index_0(i) <= choice(slice1winner2_best_cost_0_is_less(i), slice1winner1_best_index_0(2 * i
-          + 1), slice1winner1_best_index_0(2 * i));
-      end loop;
-      -- slice1winner3
-      for i in 0 to 2 loop
-        slice1winner3_best_cost_0_is_less(i) := (slice1winner2_best_cost_0(2 * i + 1) - slice1winner2_best_cost_0(2 *
-          i)) < 0;
-      end loop;
-      slice1winner3_best_cost_0(3) <= slice1winner2_best_cost_0(6);
-      for i in 0 to 2 loop
-        slice1winner3_best_cost_0(i) <= choice(slice1winner3_best_cost_0_is_less(i), slice1winner2_best_cost_0(2 * i +
-          1), slice1winner2_best_cost_0(2 * i));
-        slice1winner3_best_index_0(i) <= choice(slice1winner3_best_cost_0_is_less(i), slice1winner2_best_index_0(2 * i
-          + 1), slice1winner2_best_index_0(2 * i));
-      end loop;
-      -- slice1winner4
-      slice1winner4_best_cost_0_is_less(0) := (slice1winner3_best_cost_0(1) - slice1winner3_best_cost_0(0)) < 0;
-      slice1winner4_best_cost_0_is_less(1) := (slice1winner3_best_cost_0(3) - slice1winner3_best_cost_0(2)) < 0;
-      slice1winner4_best_cost_0(0) <= choice(slice1winner4_best_cost_0_is_less(0), slice1winner3_best_cost_0(1),
-        slice1winner3_best_cost_0(0));
-      slice1winner4_best_index_0(0) <= choice(slice1winner4_best_cost_0_is_less(0), slice1winner3_best_index_0(1),
-        slice1winner3_best_index_0(0));
-      slice1winner4_best_cost_0(1) <= choice(slice1winner4_best_cost_0_is_less(1), slice1winner3_best_cost_0(3),
-        slice1winner3_best_cost_0(2));
-      slice1winner4_best_index_0(1) <= choice(slice1winner4_best_cost_0_is_less(1), slice0winner3_best_index_0(3),
-        slice1winner3_best_index_0(2));
-      -- slice1winner5
-      slice1winner5_best_cost_0_0_is_less := (slice1winner4_best_cost_0(1) - slice1winner4_best_cost_0(0)) < 0;
-      slice1winner5_best_cost_0_0 <= choice(slice1winner5_best_cost_0_0_is_less, slice1winner4_best_cost_0(1),
-        slice1winner4_best_cost_0(0));
-      slice1winner5_best_index_0_0 <= choice(slice1winner5_best_cost_0_0_is_less, slice1winner4_best_index_0(1),
-        slice1winner4_best_index_0(0));
-      -- slice1
-      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner5_best_cost_0_0) < 0;
-      slice1_best_tag <= slice0_best_tag;
-      slice1_best_cost_0_0 <= choice(slice1_best_cost_0_0_is_less, slice0_best_cost_0_0, slice1winner5_best_cost_0_0);
-      slice1_best_index_0_0 <= choice(slice1_best_cost_0_0_is_less, slice0_best_index_0_0, slice1winner5_best_index_0_0
-        + 71);
-      -- slice2shift
-      if slice0cost_pixels_first_tag.valid then
-        for i in 0 to 1 loop
-          for j in 0 to 23 loop
-            slice2shift_search(i, j) <= slice2shift_search(i, j + 1);
-          end loop;
-          slice2shift_search(i, 24) <= slice1shift_search_out(i);
-        end loop;
-      end if;
-      slice2shift_reference <= slice1shift_reference;
-      slice2shift_search_out(0) <= slice2shift_search(0, 0);
-      slice2shift_search_out(1) <= slice2shift_search(1, 0);
-      -- slice2cost
-      for i in 0 to 11 loop
-        slice2cost_column_0_choice(2 * i, 1) := choice(slice0window_entering_tag.first_group, 0,
-          slice2cost_ready_words(i) mod 2048);
-        slice2cost_column_0_choice(2 * i, 2) := choice(slice0window_entering_tag.border_column, 0,
-          (slice2cost_change_0(2 * i) + slice2cost_column_0_choice(2 * i, 1)) mod 2048);
-        slice2cost_column_0_choice(2 * i + 1, 1) := choice(slice0window_entering_tag.first_group, 0,
-          slice2cost_ready_words(i) / 2048);
-        slice2cost_column_0_choice(2 * i + 1, 2) := choice(slice0window_entering_tag.border_column, 0,
-          (slice2cost_change_0(2 * i + 1) + slice2cost_column_0_choice(2 * i + 1, 1)) mod 2048);
-      end loop;
-      slice2cost_column_0_choice(24, 1) := choice(slice0window_entering_tag.first_group, 0, slice2cost_ready_words_12);
-      slice2cost_column_0_choice(24, 2) := choice(slice0window_entering_tag.border_column, 0, (slice2cost_change_0(24)
-        + slice2cost_column_0_choice(24, 1)) mod 2048);
-      for i in 0 to 24 loop
-        slice2cost_pixels_first(0, i) <= slice2shift_search(0, i) - slice2shift_reference(0);
-      end loop;
-      for i in 0 to 24 loop
-        slice2cost_pixels_first(1, i) <= slice2shift_search(1, i) - slice2shift_reference(1);
-      end loop;
+    end if;
+    -- slice2winner1
+    for i in 0 to 11 loop
+      slice2winner1_best_cost_0_is_less(i) := (slice2window_sum_0(2 * i + 1) - slice2window_sum_0(2 * i)) < 0;
+    end loop;
+    slice2winner1_best_cost_0(12) <= slice2window_sum_0(24);
+    slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_is_less(0);
+    slice2winner1_best_cost_0(0) <= choice(slice2winner1_best_cost_0_is_less(0), slice2window_sum_0(1),
+      slice2window_sum_0(0));
+    for i in 1 to 11 loop
+      slice2winner1_best_cost_0(i) <= choice(slice2winner1_best_cost_0_is_less(i), slice2window_sum_0(2 * i + 1),
+        slice2window_sum_0(2 * i));
+      slice2winner1_best_index_0(i) <= choice(slice2winner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
+    end loop;
+    -- slice2winner2
+    for i in 0 to 5 loop
+      slice2winner2_best_cost_0_is_less(i) := (slice2winner1_best_cost_0(2 * i + 1) - slice2winner1_best_cost_0(2 * i))
+        < 0;
+    end loop;
+    slice2winner2_best_cost_0(6) <= slice2winner1_best_cost_0(12);
+    slice2winner2_best_cost_0(0) <= choice(slice2winner2_best_cost_0_is_less(0), slice2winner1_best_cost_0(1),
+      slice2winner1_best_cost_0(0));
+    slice2winner2_best_index_0(0) <= choice(slice2winner2_best_cost_0_is_less(0), slice2winner1_best_index_0(1),
+      as_number(slice2winner1_best_index_0_0));
+    for i in 1 to 5 loop
+      slice2winner2_best_cost_0(i) <= choice(slice2winner2_best_cost_0_is_less(i), slice2winner1_best_cost_0(2 * i +
+        1), slice2winner1_best_cost_0(2 * i));
+      slice2winner2_best_index_0(i) <= choice(slice2winner2_best_cost_0_is_less(i), slice2winner1_best_index_0(2 * i +
+        1), slice2winner1_best_index_0(2 * i));
+    end loop;
+    -- slice2winner3
+    for i in 0 to 2 loop
+      slice2winner3_best_cost_0_is_less(i) := (slice2winner2_best_cost_0(2 * i + 1) - slice2winner2_best_cost_0(2 * i))
+        < 0;
+    end loop;
+    slice2winner3_best_cost_0(3) <= slice2winner2_best_cost_0(6);
+    for i in 0 to 2 loop
+      slice2winner3_best_cost_0(i) <= choice(slice2winner3_best_cost_0_is_less(i), slice2winner2_best_cost_0(2 * i +
+        1), slice2winner2_best_cost_0(2 * i));
+      slice2winner3_best_index_0(i) <= choice(slice2winner3_best_cost_0_is_less(i), slice2winner2_best_index_0(2 * i +
+        1), slice2winner2_best_index_0(2 * i));
+    end loop;
+    -- slice2winner4
+    slice2winner4_best_cost_0_is_less(0) := (slice2winner3_best_cost_0(1) - slice2winner3_best_cost_0(0)) < 0;
+    slice2winner4_best_cost_0_is_less(1) := (slice2winner3_best_cost_0(3) - slice2winner3_best_cost_0(2)) < 0;
+    slice2winner4_best_cost_0(0) <= choice(slice2winner4_best_cost_0_is_less(0), slice2winner3_best_cost_0(1),
+      slice2winner3_best_cost_0(0));
+    slice2winner4_best_index_0(0) <= choice(slice2winner4_best_cost_0_is_less(0), slice2winner3_best_index_0(1),
+      slice2winner3_best_index_0(0));
+    slice2winner4_best_cost_0(1) <= choice(slice2winner4_best_cost_0_is_less(1), slice2winner3_best_cost_0(3),
+      slice2winner3_best_cost_0(2));
+    slice2winner4_best_index_0(1) <= choice(slice2winner4_best_cost_0_is_less(1), slice0winner3_best_index_0(3),
+      slice2winner3_best_index_0(2));
+    -- slice2winner5
+    slice2winner5_best_cost_0_0_is_less := (slice2winner4_best_cost_0(1) - slice2winner4_best_cost_0(0)) < 0;
+    slice2winner5_best_cost_0_0 <= choice(slice2winner5_best_cost_0_0_is_less, slice2winner4_best_cost_0(1),
+      slice2winner4_best_cost_0(0));
+    slice2winner5_best_index_0_0 <= choice(slice2winner5_best_cost_0_0_is_less, slice2winner4_best_index_0(1),
+      slice2winner4_best_index_0(0));
+    -- slice2
+    slice2_best_cost_0_0_is_less := (slice1_best_cost_0_0 - slice2winner5_best_cost_0_0) < 0;
+    slice2_best_tag <= slice1_best_tag;
+    slice2_best_cost_0_0 <= choice(slice2_best_cost_0_0_is_less, slice1_best_cost_0_0, slice2winner5_best_cost_0_0);
+    slice2_best_index_0_0 <= choice(slice2_best_cost_0_0_is_less, slice1_best_index_0_0,
+      (((slice2winner5_best_index_0_0 / 2) + 23) * 2) + (slice2winner5_best_index_0_0 mod 2));
+    -- slice3shift
+    if slice0cost_pixels_tag.valid then
       for i in 0 to 1 loop
-        for j in 0 to 24 loop
-          slice2cost_pixels_cost(i, j) <= (folded(slice2cost_pixels_first(i, j)) +
-            as_number((slice2cost_pixels_first(i, j) < 0))) mod 256;
-        end loop;
+        for j in 0 to 23 loop slice3shift_search(i, j) <= slice3shift_search(i, j + 1); end loop;
+        slice3shift_search(i, 24) <= slice2shift_search_out(i);
       end loop;
-      slice2cost_read_column <= slice1cost_read_column;
-      for i in 0 to 24 loop
-        slice2cost_change_0(i) <= slice2cost_pixels_cost(1, i) - slice2cost_pixels_cost(0, i);
+    end if;
+    slice3shift_reference <= slice2shift_reference;
+    slice3shift_search_out(0) <= slice3shift_search(0, 0);
+    slice3shift_search_out(1) <= slice3shift_search(1, 0);
+    -- slice3cost
+    for i in 0 to 11 loop
+      slice3cost_column_0_choice(2 * i, 1) := choice(slice0window_change_tag.first_group, 0, slice3cost_ready_words(i)
+        mod 2048);
+      slice3cost_column_0_choice(2 * i, 2) := choice(slice0window_change_tag.border_column, 0, (slice3cost_change_0(2 *
+        i) + slice3cost_column_0_choice(2 * i, 1)) mod 2048);
+      slice3cost_column_0_choice(2 * i + 1, 1) := choice(slice0window_change_tag.first_group, 0,
+        slice3cost_ready_words(i) / 2048);
+      slice3cost_column_0_choice(2 * i + 1, 2) := choice(slice0window_change_tag.border_column, 0,
+        (slice3cost_change_0(2 * i + 1) + slice3cost_column_0_choice(2 * i + 1, 1)) mod 2048);
+    end loop;
+    slice3cost_column_0_choice(24, 1) := choice(slice0window_change_tag.first_group, 0, slice3cost_ready_words_12);
+    slice3cost_column_0_choice(24, 2) := choice(slice0window_change_tag.border_column, 0, (slice3cost_change_0(24) +
+      slice3cost_column_0_choice(24, 1)) mod 2048);
+    for i in 0 to 24 loop
+      slice3cost_pixels_first(0, i) <= slice3shift_search(0, i) - slice3shift_reference(0);
+    end loop;
+    for i in 0 to 24 loop
+      slice3cost_pixels_first(1, i) <= slice3shift_search(1, i) - slice3shift_reference(1);
+    end loop;
+    for i in 0 to 1 loop
+      for j in 0 to 24 loop
+        slice3cost_pixels_cost(i, j) <= (folded(slice3cost_pixels_first(i, j)) + as_number((slice3cost_pixels_first(i,
+          j) < 0))) mod 256;
       end loop;
+    end loop;
+    for i in 0 to 24 loop
+      slice3cost_change_0(i) <= slice3cost_pixels_cost(1, i) - slice3cost_pixels_cost(0, i);
+    end loop;
+    for i in 0 to 11 loop slice3cost_ready_words(i) <= to_integer(slice3cost_read_words(i)); end loop;
+    slice3cost_ready_words_12 <= to_integer(slice3cost_read_words_12);
+    slice3cost_ready_column <= slice3cost_change_column;
+    for i in 0 to 24 loop slice3cost_column_0(i) <= slice3cost_column_0_choice(i, 2); end loop;
+    slice3cost_write_column <= slice3cost_ready_column;
+    if slice0cost_ready_tag.valid then
+      slice3cost_read_column <= choice(slice0cost_ready_tag.row_start, 0, (slice3cost_read_column + 1) mod 512);
+    end if;
+    if slice0cost_tag.valid then
+      slice3cost_change_column <= choice(slice0cost_tag.row_start, 0, (slice3cost_change_column + 1) mod 512);
+    end if;
+    if slice0window_change_tag.valid then
       for i in 0 to 11 loop
-        slice2cost_ready_words(i) <= to_integer(slice2cost_read_words(i));
+        slice3cost_write_words(i) <= (slice3cost_column_0_choice(2 * i + 1, 2) * 2048) + slice3cost_column_0_choice(2 *
+          i, 2);
       end loop;
-      slice2cost_ready_words_12 <= to_integer(slice2cost_read_words_12);
+      slice3cost_write_words(12) <= slice3cost_column_0_choice(24, 2);
+    end if;
+    -- slice3window
+    if slice0window_tag.valid then
+      slice3window_ring_write_address <= slice3window_ring_read_address;
+      slice3window_ring_read_address <= choice(slice3window_ring_read_address = 7, 0, (slice3window_ring_read_address +
+        1) mod 8);
+    end if;
+    for i in 0 to 11 loop
+      slice3window_change_0_choice(2 * i) := choice(slice2window_change_tag_leaves_window,
+        to_integer(slice3window_leaving(i)(10 downto 0)), 0);
+      slice3window_change_0_choice(2 * i + 1) := choice(slice2window_change_tag_leaves_window,
+        to_integer(slice3window_leaving(i)(21 downto 11)), 0);
+    end loop;
+    slice3window_change_0_choice(24) := choice(slice2window_change_tag_leaves_window,
+      to_integer(slice3window_leaving_12), 0);
+    slice3window_entering_0 <= slice3cost_column_0;
+    for i in 0 to 24 loop
+      slice3window_change_0(i) <= slice3window_entering_0(i) - slice3window_change_0_choice(i);
+    end loop;
+    slice3window_change_tag_leaves_window <= slice2window_change_tag_leaves_window;
+    slice3window_centre_output_column_0 <= slice2window_centre_output_column_0;
+    slice3window_centre_first_column_0 <= slice2window_centre_first_column_0;
+    slice3window_centre_end_of_line_0 <= slice2window_centre_end_of_line_0;
+    for i in 0 to 24 loop
+      slice3window_sum_0_choice(i) := choice(slice2window_centre_first_column_0, 0, slice3window_sum_0(i));
+    end loop;
+    if slice0winner2_tag.valid then
       for i in 0 to 24 loop
-        slice2cost_column_0(i) <= slice2cost_column_0_choice(i, 2);
+        slice3window_sum_0(i) <= (slice3window_sum_0_choice(i) + slice3window_change_0(i)) mod 16384;
       end loop;
-      if slice0cost_ready_tag.valid then
-        slice2cost_change_column <= slice2cost_read_column;
-      end if;
-      if slice0cost_tag.valid then
-        slice2cost_ready_column <= slice1cost_ready_column;
-      end if;
-      if slice0window_entering_tag.valid then
-        slice2cost_write_column <= slice1cost_write_column;
-        for i in 0 to 11 loop
-          slice2cost_write_words(i) <= (slice2cost_column_0_choice(2 * i + 1, 2) * 2048) + slice2cost_column_0_choice(2
-            * i, 2);
-        end loop;
-        slice2cost_write_words(12) <= slice2cost_column_0_choice(24, 2);
-      end if;
-      -- slice2window
-      if slice0window_change_tag.valid then
-        slice2window_ring_write_address <= slice2window_ring_read_address;
-        slice2window_ring_read_address <= choice(slice2window_ring_read_address = 7, 0, (slice2window_ring_read_address
-          + 1) mod 8);
-      end if;
-      for i in 0 to 11 loop
-        slice2window_change_0_choice(2 * i) := choice(slice1window_change_tag.leaves_window,
-          to_integer(slice2window_leaving(i)(10 downto 0)), 0);
-        slice2window_change_0_choice(2 * i + 1) := choice(slice1window_change_tag.leaves_window,
-          to_integer(slice2window_leaving(i)(21 downto 11)), 0);
-      end loop;
-      slice2window_change_0_choice(24) := choice(slice1window_change_tag.leaves_window,
-        to_integer(slice2window_leaving_12), 0);
-      slice2window_entering_0 <= slice2cost_column_0;
-      for i in 0 to 24 loop
-        slice2window_change_0(i) <= slice2window_entering_0(i) - slice2window_change_0_choice(i);
-      end loop;
-      slice2window_change_tag_leaves_window <= slice1window_change_tag.leaves_window;
-      slice2window_centre_output_column_0 <= slice1window_centre_output_column_0;
-      slice2window_centre_first_column_0 <= slice1window_centre_first_column_0;
-      slice2window_centre_end_of_line_0 <= slice1window_centre_end_of_line_0;
-      for i in 0 to 24 loop
-        slice2window_sum_0_choice(i) := choice(slice1window_centre_first_column_0, 0, slice2window_sum_0(i));
-      end loop;
-      if slice0winner1_tag.valid then
-        for i in 0 to 24 loop
-          slice2window_sum_0(i) <= (slice2window_sum_0_choice(i) + slice2window_change_0(i)) mod 16384;
-        end loop;
-      end if;
-      -- slice2winner1
-      for i in 0 to 11 loop
-        slice2winner1_best_cost_0_is_less(i) := (slice2window_sum_0(2 * i + 1) - slice2window_sum_0(2 * i)) < 0;
-      end loop;
-      slice2winner1_best_cost_0(12) <= slice2window_sum_0(24);
-      slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_is_less(0);
-      slice2winner1_best_cost_0(0) <= choice(slice2winner1_best_cost_0_is_less(0), slice2window_sum_0(1),
-        slice2window_sum_0(0));
-      for i in 1 to 11 loop
-        slice2winner1_best_cost_0(i) <= choice(slice2winner1_best_cost_0_is_less(i), slice2window_sum_0(2 * i + 1),
-          slice2window_sum_0(2 * i));
-        slice2winner1_best_index_0(i) <= choice(slice2winner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
-      end loop;
-      -- slice2winner2
-      for i in 0 to 5 loop
-        slice2winner2_best_cost_0_is_less(i) := (slice2winner1_best_cost_0(2 * i + 1) - slice2winner1_best_cost_0(2 *
-          i)) < 0;
-      end loop;
-      slice2winner2_best_cost_0(6) <= slice2winner1_best_cost_0(12);
-      slice2winner2_best_cost_0(0) <= choice(slice2winner2_best_cost_0_is_less(0), slice2winner1_best_cost_0(1),
-        slice2winner1_best_cost_0(0));
-      slice2winner2_best_index_0(0) <= choice(slice2winner2_best_cost_0_is_less(0), slice2winner1_best_index_0(1),
-        as_number(slice2winner1_best_index_0_0));
-      for i in 1 to 5 loop
-        slice2winner2_best_cost_0(i) <= choice(slice2winner2_best_cost_0_is_less(i), slice2winner1_best_cost_0(2 * i +
-          1), slice2winner1_best_cost_0(2 * i));
-        slice2winner2_best_index_0(i) <= choice(slice2winner2_best_cost_0_is_less(i), slice2winner1_best_index_0(2 * i
-          + 1), slice2winner1_best_index_0(2 * i));
-      end loop;
-      -- slice2winner3
-      for i in 0 to 2 loop
-        slice2winner3_best_cost_0_is_less(i) := (slice2winner2_best_cost_0(2 * i + 1) - slice2winner2_best_cost_0(2 *
-          i)) < 0;
-      end loop;
-      slice2winner3_best_cost_0(3) <= slice2winner2_best_cost_0(6);
-      for i in 0 to 2 loop
-        slice2winner3_best_cost_0(i) <= choice(slice2winner3_best_cost_0_is_less(i), slice2winner2_best_cost_0(2 * i +
-          1), slice2winner2_best_cost_0(2 * i));
-        slice2winner3_best_index_0(i) <= choice(slice2winner3_best_cost_0_is_less(i), slice2winner2_best_index_0(2 * i
-          + 1), slice2winner2_best_index_0(2 * i));
-      end loop;
-      -- slice2winner4
-      slice2winner4_best_cost_0_is_less(0) := (slice2winner3_best_cost_0(1) - slice2winner3_best_cost_0(0)) < 0;
-      slice2winner4_best_cost_0_is_less(1) := (slice2winner3_best_cost_0(3) - slice2winner3_best_cost_0(2)) < 0;
-      slice2winner4_best_cost_0(0) <= choice(slice2winner4_best_cost_0_is_less(0), slice2winner3_best_cost_0(1),
-        slice2winner3_best_cost_0(0));
-      slice2winner4_best_index_0(0) <= choice(slice2winner4_best_cost_0_is_less(0), slice2winner3_best_index_0(1),
-        slice2winner3_best_index_0(0));
-      slice2winner4_best_cost_0(1) <= choice(slice2winner4_best_cost_0_is_less(1), slice2winner3_best_cost_0(3),
-        slice2winner3_best_cost_0(2));
-      slice2winner4_best_index_0(1) <= choice(slice2winner4_best_cost_0_is_less(1), slice0winner3_best_index_0(3),
-        slice2winner3_best_index_0(2));
-      -- slice2winner5
-      slice2winner5_best_cost_0_0_is_less := (slice2winner4_best_cost_0(1) - slice2winner4_best_cost_0(0)) < 0;
-      slice2winner5_best_cost_0_0 <= choice(slice2winner5_best_cost_0_0_is_less, slice2winner4_best_cost_0(1),
-        slice2winner4_best_cost_0(0));
-      slice2winner5_best_index_0_0 <= choice(slice2winner5_best_cost_0_0_is_less, slice2winner4_best_index_0(1),
-        slice2winner4_best_index_0(0));
-      -- slice2
-      slice2_best_cost_0_0_is_less := (slice1_best_cost_0_0 - slice2winner5_best_cost_0_0) < 0;
-      slice2_best_tag <= slice1_best_tag;
-      slice2_best_cost_0_0 <= choice(slice2_best_cost_0_0_is_less, slice1_best_cost_0_0, slice2winner5_best_cost_0_0);
-      slice2_best_index_0_0 <= choice(slice2_best_cost_0_0_is_less, slice1_best_index_0_0,
-        (((slice2winner5_best_index_0_0 / 2) + 23) * 2) + (slice2winner5_best_index_0_0 mod 2));
-      -- slice3shift
-      if slice0cost_pixels_tag.valid then
-        for i in 0 to 1 loop
-          for j in 0 to 23 loop
-            slice3shift_search(i, j) <= slice3shift_search(i, j + 1);
-          end loop;
-          slice3shift_search(i, 24) <= slice2shift_search_out(i);
-        end loop;
-      end if;
-      slice3shift_reference <= slice2shift_reference;
-      slice3shift_search_out(0) <= slice3shift_search(0, 0);
-      slice3shift_search_out(1) <= slice3shift_search(1, 0);
-      -- slice3cost
-      for i in 0 to 11 loop
-        slice3cost_column_0_choice(2 * i, 1) := choice(slice0window_change_tag.first_group, 0,
-          slice3cost_ready_words(i) mod 2048);
-        slice3cost_column_0_choice(2 * i, 2) := choice(slice0window_change_tag.border_column, 0, (slice3cost_change_0(2
-          * i) + slice3cost_column_0_choice(2 * i, 1)) mod 2048);
-        slice3cost_column_0_choice(2 * i + 1, 1) := choice(slice0window_change_tag.first_group, 0,
-          slice3cost_ready_words(i) / 2048);
-        slice3cost_column_0_choice(2 * i + 1, 2) := choice(slice0window_change_tag.border_column, 0,
-          (slice3cost_change_0(2 * i + 1) + slice3cost_column_0_choice(2 * i + 1, 1)) mod 2048);
-      end loop;
-      slice3cost_column_0_choice(24, 1) := choice(slice0window_change_tag.first_group, 0, slice3cost_ready_words_12);
-      slice3cost_column_0_choice(24, 2) := choice(slice0window_change_tag.border_column, 0, (slice3cost_change_0(24) +
-        slice3cost_column_0_choice(24, 1)) mod 2048);
-      for i in 0 to 24 loop
-        slice3cost_pixels_first(0, i) <= slice3shift_search(0, i) - slice3shift_reference(0);
-      end loop;
-      for i in 0 to 24 loop
-        slice3cost_pixels_first(1, i) <= slice3shift_search(1, i) - slice3shift_reference(1);
-      end loop;
+    end if;
+    -- slice3winner1
+    for i in 0 to 11 loop
+      slice3winner1_best_cost_0_is_less(i) := (slice3window_sum_0(2 * i + 1) - slice3window_sum_0(2 * i)) < 0;
+    end loop;
+    slice3winner1_best_cost_0(12) <= slice3window_sum_0(24);
+    slice3winner1_best_index_0_0 <= slice3winner1_best_cost_0_is_less(0);
+    slice3winner1_best_cost_0(0) <= choice(slice3winner1_best_cost_0_is_less(0), slice3window_sum_0(1),
+      slice3window_sum_0(0));
+    for i in 1 to 11 loop
+      slice3winner1_best_cost_0(i) <= choice(slice3winner1_best_cost_0_is_less(i), slice3window_sum_0(2 * i + 1),
+        slice3window_sum_0(2 * i));
+      slice3winner1_best_index_0(i) <= choice(slice3winner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
+    end loop;
+    -- slice3winner2
+    for i in 0 to 5 loop
+      slice3winner2_best_cost_0_is_less(i) := (slice3winner1_best_cost_0(2 * i + 1) - slice3winner1_best_cost_0(2 * i))
+        < 0;
+    end loop;
+    slice3winner2_best_cost_0(6) <= slice3winner1_best_cost_0(12);
+    slice3winner2_best_cost_0(0) <= choice(slice3winner2_best_cost_0_is_less(0), slice3winner1_best_cost_0(1),
+      slice3winner1_best_cost_0(0));
+    slice3winner2_best_index_0(0) <= choice(slice3winner2_best_cost_0_is_less(0), slice3winner1_best_index_0(1),
+      as_number(slice3winner1_best_index_0_0));
+    for i in 1 to 5 loop
+      slice3winner2_best_cost_0(i) <= choice(slice3winner2_best_cost_0_is_less(i), slice3winner1_best_cost_0(2 * i +
+        1), slice3winner1_best_cost_0(2 * i));
+      slice3winner2_best_index_0(i) <= choice(slice3winner2_best_cost_0_is_less(i), slice3winner1_best_index_0(2 * i +
+        1), slice3winner1_best_index_0(2 * i));
+    end loop;
+    -- slice3winner3
+    for i in 0 to 2 loop
+      slice3winner3_best_cost_0_is_less(i) := (slice3winner2_best_cost_0(2 * i + 1) - slice3winner2_best_cost_0(2 * i))
+        < 0;
+    end loop;
+    slice3winner3_best_cost_0(3) <= slice3winner2_best_cost_0(6);
+    for i in 0 to 2 loop
+      slice3winner3_best_cost_0(i) <= choice(slice3winner3_best_cost_0_is_less(i), slice3winner2_best_cost_0(2 * i +
+        1), slice3winner2_best_cost_0(2 * i));
+      slice3winner3_best_index_0(i) <= choice(slice3winner3_best_cost_0_is_less(i), slice3winner2_best_index_0(2 * i +
+        1), slice3winner2_best_index_0(2 * i));
+    end loop;
+    -- slice3winner4
+    slice3winner4_best_cost_0_is_less(0) := (slice3winner3_best_cost_0(1) - slice3winner3_best_cost_0(0)) < 0;
+    slice3winner4_best_cost_0_is_less(1) := (slice3winner3_best_cost_0(3) - slice3winner3_best_cost_0(2)) < 0;
+    slice3winner4_best_cost_0(0) <= choice(slice3winner4_best_cost_0_is_less(0), slice3winner3_best_cost_0(1),
+      slice3winner3_best_cost_0(0));
+    slice3winner4_best_index_0(0) <= choice(slice3winner4_best_cost_0_is_less(0), slice3winner3_best_index_0(1),
+      slice3winner3_best_index_0(0));
+    slice3winner4_best_cost_0(1) <= choice(slice3winner4_best_cost_0_is_less(1), slice3winner3_best_cost_0(3),
+      slice3winner3_best_cost_0(2));
+    slice3winner4_best_index_0(1) <= choice(slice3winner4_best_cost_0_is_less(1), slice0winner3_best_index_0(3),
+      slice3winner3_best_index_0(2));
+    -- slice3winner5
+    slice3winner5_best_cost_0_0_is_less := (slice3winner4_best_cost_0(1) - slice3winner4_best_cost_0(0)) < 0;
+    slice3winner5_best_cost_0_0 <= choice(slice3winner5_best_cost_0_0_is_less, slice3winner4_best_cost_0(1),
+      slice3winner4_best_cost_0(0));
+    slice3winner5_best_index_0_0 <= choice(slice3winner5_best_cost_0_0_is_less, slice3winner4_best_index_0(1),
+      slice3winner4_best_index_0(0));
+    -- slice3
+    slice3_best_cost_0_0_is_less := (slice2_best_cost_0_0 - slice3winner5_best_cost_0_0) < 0;
+    slice3_best_tag <= slice2_best_tag;
+    slice3_best_cost_0_0 <= choice(slice3_best_cost_0_0_is_less, slice2_best_cost_0_0, slice3winner5_best_cost_0_0);
+    slice3_best_index_0_0 <= choice(slice3_best_cost_0_0_is_less, slice2_best_index_0_0, slice3winner5_best_index_0_0 +
+      21);
+    -- slice4shift
+    if slice0cost_ready_tag.valid then
       for i in 0 to 1 loop
-        for j in 0 to 24 loop
-          slice3cost_pixels_cost(i, j) <= (folded(slice3cost_pixels_first(i, j)) +
-            as_number((slice3cost_pixels_first(i, j) < 0))) mod 256;
-        end loop;
+        for j in 0 to 19 loop slice4shift_search(i, j) <= slice4shift_search(i, j + 1); end loop;
+        slice4shift_search(i, 20) <= slice3shift_search_out(i);
       end loop;
-      for i in 0 to 24 loop
-        slice3cost_change_0(i) <= slice3cost_pixels_cost(1, i) - slice3cost_pixels_cost(0, i);
+    end if;
+    slice4shift_reference <= slice3shift_reference;
+    -- slice4cost
+    for i in 0 to 9 loop
+      slice4cost_column_0_choice(2 * i, 1) := choice(slice1window_change_tag.first_group, 0, slice4cost_ready_words(i)
+        mod 2048);
+      slice4cost_column_0_choice(2 * i, 2) := choice(slice1window_change_tag.border_column, 0, (slice4cost_change_0(2 *
+        i) + slice4cost_column_0_choice(2 * i, 1)) mod 2048);
+      slice4cost_column_0_choice(2 * i + 1, 1) := choice(slice1window_change_tag.first_group, 0,
+        slice4cost_ready_words(i) / 2048);
+      slice4cost_column_0_choice(2 * i + 1, 2) := choice(slice1window_change_tag.border_column, 0,
+        (slice4cost_change_0(2 * i + 1) + slice4cost_column_0_choice(2 * i + 1, 1)) mod 2048);
+    end loop;
+    slice4cost_column_0_choice(20, 1) := choice(slice1window_change_tag.first_group, 0, slice4cost_ready_words_10);
+    slice4cost_column_0_choice(20, 2) := choice(slice1window_change_tag.border_column, 0, (slice4cost_change_0(20) +
+      slice4cost_column_0_choice(20, 1)) mod 2048);
+    for i in 0 to 20 loop
+      slice4cost_pixels_first(0, i) <= slice4shift_search(0, i) - slice4shift_reference(0);
+    end loop;
+    for i in 0 to 20 loop
+      slice4cost_pixels_first(1, i) <= slice4shift_search(1, i) - slice4shift_reference(1);
+    end loop;
+    for i in 0 to 1 loop
+      for j in 0 to 20 loop
+        slice4cost_pixels_cost(i, j) <= (folded(slice4cost_pixels_first(i, j)) + as_number((slice4cost_pixels_first(i,
+          j) < 0))) mod 256;
       end loop;
-      for i in 0 to 11 loop
-        slice3cost_ready_words(i) <= to_integer(slice3cost_read_words(i));
-      end loop;
-      slice3cost_ready_words_12 <= to_integer(slice3cost_read_words_12);
-      slice3cost_ready_column <= slice3cost_change_column;
-      for i in 0 to 24 loop
-        slice3cost_column_0(i) <= slice3cost_column_0_choice(i, 2);
-      end loop;
-      slice3cost_write_column <= slice3cost_ready_column;
-      if slice0cost_ready_tag.valid then
-        slice3cost_read_column <= choice(slice0cost_ready_tag.row_start, 0, (slice3cost_read_column + 1) mod 512);
-      end if;
-      if slice0cost_tag.valid then
-        slice3cost_change_column <= choice(slice0cost_tag.row_start, 0, (slice3cost_change_column + 1) mod 512);
-      end if;
-      if slice0window_change_tag.valid then
-        for i in 0 to 11 loop
-          slice3cost_write_words(i) <= (slice3cost_column_0_choice(2 * i + 1, 2) * 2048) + slice3cost_column_0_choice(2
-            * i, 2);
-        end loop;
-        slice3cost_write_words(12) <= slice3cost_column_0_choice(24, 2);
-      end if;
-      -- slice3window
-      if slice0window_tag.valid then
-        slice3window_ring_write_address <= slice3window_ring_read_address;
-        slice3window_ring_read_address <= choice(slice3window_ring_read_address = 7, 0, (slice3window_ring_read_address
-          + 1) mod 8);
-      end if;
-      for i in 0 to 11 loop
-        slice3window_change_0_choice(2 * i) := choice(slice2window_change_tag_leaves_window,
-          to_integer(slice3window_leaving(i)(10 downto 0)), 0);
-        slice3window_change_0_choice(2 * i + 1) := choice(slice2window_change_tag_leaves_window,
-          to_integer(slice3window_leaving(i)(21 downto 11)), 0);
-      end loop;
-      slice3window_change_0_choice(24) := choice(slice2window_change_tag_leaves_window,
-        to_integer(slice3window_leaving_12), 0);
-      slice3window_entering_0 <= slice3cost_column_0;
-      for i in 0 to 24 loop
-        slice3window_change_0(i) <= slice3window_entering_0(i) - slice3window_change_0_choice(i);
-      end loop;
-      slice3window_change_tag_leaves_window <= slice2window_change_tag_leaves_window;
-      slice3window_centre_output_column_0 <= slice2window_centre_output_column_0;
-      slice3window_centre_first_column_0 <= slice2window_centre_first_column_0;
-      slice3window_centre_end_of_line_0 <= slice2window_centre_end_of_line_0;
-      for i in 0 to 24 loop
-        slice3window_sum_0_choice(i) := choice(slice2window_centre_first_column_0, 0, slice3window_sum_0(i));
-      end loop;
-      if slice0winner2_tag.valid then
-        for i in 0 to 24 loop
-          slice3window_sum_0(i) <= (slice3window_sum_0_choice(i) + slice3window_change_0(i)) mod 16384;
-        end loop;
-      end if;
-      -- slice3winner1
-      for i in 0 to 11 loop
-        slice3winner1_best_cost_0_is_less(i) := (slice3window_sum_0(2 * i + 1) - slice3window_sum_0(2 * i)) < 0;
-      end loop;
-      slice3winner1_best_cost_0(12) <= slice3window_sum_0(24);
-      slice3winner1_best_index_0_0 <= slice3winner1_best_cost_0_is_less(0);
-      slice3winner1_best_cost_0(0) <= choice(slice3winner1_best_cost_0_is_less(0), slice3window_sum_0(1),
-        slice3window_sum_0(0));
-      for i in 1 to 11 loop
-        slice3winner1_best_cost_0(i) <= choice(slice3winner1_best_cost_0_is_less(i), slice3window_sum_0(2 * i + 1),
-          slice3window_sum_0(2 * i));
-        slice3winner1_best_index_0(i) <= choice(slice3winner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
-      end loop;
-      -- slice3winner2
-      for i in 0 to 5 loop
-        slice3winner2_best_cost_0_is_less(i) := (slice3winner1_best_cost_0(2 * i + 1) - slice3winner1_best_cost_0(2 *
-          i)) < 0;
-      end loop;
-      slice3winner2_best_cost_0(6) <= slice3winner1_best_cost_0(12);
-      slice3winner2_best_cost_0(0) <= choice(slice3winner2_best_cost_0_is_less(0), slice3winner1_best_cost_0(1),
-        slice3winner1_best_cost_0(0));
-      slice3winner2_best_index_0(0) <= choice(slice3winner2_best_cost_0_is_less(0), slice3winner1_best_index_0(1),
-        as_number(slice3winner1_best_index_0_0));
-      for i in 1 to 5 loop
-        slice3winner2_best_cost_0(i) <= choice(slice3winner2_best_cost_0_is_less(i), slice3winner1_best_cost_0(2 * i +
-          1), slice3winner1_best_cost_0(2 * i));
-        slice3winner2_best_index_0(i) <= choice(slice3winner2_best_cost_0_is_less(i), slice3winner1_best_index_0(2 * i
-          + 1), slice3winner1_best_index_0(2 * i));
-      end loop;
-      -- slice3winner3
-      for i in 0 to 2 loop
-        slice3winner3_best_cost_0_is_less(i) := (slice3winner2_best_cost_0(2 * i + 1) - slice3winner2_best_cost_0(2 *
-          i)) < 0;
-      end loop;
-      slice3winner3_best_cost_0(3) <= slice3winner2_best_cost_0(6);
-      for i in 0 to 2 loop
-        slice3winner3_best_cost_0(i) <= choice(slice3winner3_best_cost_0_is_less(i), slice3winner2_best_cost_0(2 * i +
-          1), slice3winner2_best_cost_0(2 * i));
-        slice3winner3_best_index_0(i) <= choice(slice3winner3_best_cost_0_is_less(i), slice3winner2_best_index_0(2 * i
-          + 1), slice3winner2_best_index_0(2 * i));
-      end loop;
-      -- slice3winner4
-      slice3winner4_best_cost_0_is_less(0) := (slice3winner3_best_cost_0(1) - slice3winner3_best_cost_0(0)) < 0;
-      slice3winner4_best_cost_0_is_less(1) := (slice3winner3_best_cost_0(3) - slice3winner3_best_cost_0(2)) < 0;
-      slice3winner4_best_cost_0(0) <= choice(slice3winner4_best_cost_0_is_less(0), slice3winner3_best_cost_0(1),
-        slice3winner3_best_cost_0(0));
-      slice3winner4_best_index_0(0) <= choice(slice3winner4_best_cost_0_is_less(0), slice3winner3_best_index_0(1),
-        slice3winner3_best_index_0(0));
-      slice3winner4_best_cost_0(1) <= choice(slice3winner4_best_cost_0_is_less(1), slice3winner3_best_cost_0(3),
-        slice3winner3_best_cost_0(2));
-      slice3winner4_best_index_0(1) <= choice(slice3winner4_best_cost_0_is_less(1), slice0winner3_best_index_0(3),
-        slice3winner3_best_index_0(2));
-      -- slice3winner5
-      slice3winner5_best_cost_0_0_is_less := (slice3winner4_best_cost_0(1) - slice3winner4_best_cost_0(0)) < 0;
-      slice3winner5_best_cost_0_0 <= choice(slice3winner5_best_cost_0_0_is_less, slice3winner4_best_cost_0(1),
-        slice3winner4_best_cost_0(0));
-      slice3winner5_best_index_0_0 <= choice(slice3winner5_best_cost_0_0_is_less, slice3winner4_best_index_0(1),
-        slice3winner4_best_index_0(0));
-      -- slice3
-      slice3_best_cost_0_0_is_less := (slice2_best_cost_0_0 - slice3winner5_best_cost_0_0) < 0;
-      slice3_best_tag <= slice2_best_tag;
-      slice3_best_cost_0_0 <= choice(slice3_best_cost_0_0_is_less, slice2_best_cost_0_0, slice3winner5_best_cost_0_0);
-      slice3_best_index_0_0 <= choice(slice3_best_cost_0_0_is_less, slice2_best_index_0_0, slice3winner5_best_index_0_0
-        + 21);
-      -- slice4shift
-      if slice0cost_ready_tag.valid then
-        for i in 0 to 1 loop
-          for j in 0 to 19 loop
-            slice4shift_search(i, j) <= slice4shift_search(i, j + 1);
-          end loop;
-          slice4shift_search(i, 20) <= slice3shift_search_out(i);
-        end loop;
-      end if;
-      slice4shift_reference <= slice3shift_reference;
-      -- slice4cost
+    end loop;
+    slice4cost_read_column <= slice3cost_read_column;
+    slice4cost_change_column <= slice4cost_read_column;
+    for i in 0 to 20 loop
+      slice4cost_change_0(i) <= slice4cost_pixels_cost(1, i) - slice4cost_pixels_cost(0, i);
+    end loop;
+    for i in 0 to 9 loop slice4cost_ready_words(i) <= to_integer(slice4cost_read_words(i)); end loop;
+    slice4cost_ready_words_10 <= to_integer(slice4cost_read_words_10);
+    for i in 0 to 20 loop slice4cost_column_0(i) <= slice4cost_column_0_choice(i, 2); end loop;
+    if slice0window_change_tag.valid then slice4cost_ready_column <= slice4cost_change_column; end if;
+    if slice0window_tag.valid then
+      slice4cost_write_column <= slice3cost_write_column;
       for i in 0 to 9 loop
-        slice4cost_column_0_choice(2 * i, 1) := choice(slice1window_change_tag.first_group, 0,
-          slice4cost_ready_words(i) mod 2048);
-        slice4cost_column_0_choice(2 * i, 2) := choice(slice1window_change_tag.border_column, 0, (slice4cost_change_0(2
-          * i) + slice4cost_column_0_choice(2 * i, 1)) mod 2048);
-        slice4cost_column_0_choice(2 * i + 1, 1) := choice(slice1window_change_tag.first_group, 0,
-          slice4cost_ready_words(i) / 2048);
-        slice4cost_column_0_choice(2 * i + 1, 2) := choice(slice1window_change_tag.border_column, 0,
-          (slice4cost_change_0(2 * i + 1) + slice4cost_column_0_choice(2 * i + 1, 1)) mod 2048);
+        slice4cost_write_words(i) <= (slice4cost_column_0_choice(2 * i + 1, 2) * 2048) + slice4cost_column_0_choice(2 *
+          i, 2);
       end loop;
-      slice4cost_column_0_choice(20, 1) := choice(slice1window_change_tag.first_group, 0, slice4cost_ready_words_10);
-      slice4cost_column_0_choice(20, 2) := choice(slice1window_change_tag.border_column, 0, (slice4cost_change_0(20) +
-        slice4cost_column_0_choice(20, 1)) mod 2048);
+      slice4cost_write_words(10) <= slice4cost_column_0_choice(20, 2);
+    end if;
+    -- slice4window
+    if slice0winner1_tag.valid then
+      slice4window_ring_write_address <= slice4window_ring_read_address;
+      slice4window_ring_read_address <= choice(slice4window_ring_read_address = 7, 0, (slice4window_ring_read_address +
+        1) mod 8);
+    end if;
+    for i in 0 to 9 loop
+      slice4window_change_0_choice(2 * i) := choice(slice3window_change_tag_leaves_window,
+        to_integer(slice4window_leaving(i)(10 downto 0)), 0);
+      slice4window_change_0_choice(2 * i + 1) := choice(slice3window_change_tag_leaves_window,
+        to_integer(slice4window_leaving(i)(21 downto 11)), 0);
+    end loop;
+    slice4window_change_0_choice(20) := choice(slice3window_change_tag_leaves_window,
+      to_integer(slice4window_leaving_10), 0);
+    slice4window_entering_0 <= slice4cost_column_0;
+    for i in 0 to 20 loop
+      slice4window_change_0(i) <= slice4window_entering_0(i) - slice4window_change_0_choice(i);
+    end loop;
+    for i in 0 to 20 loop
+      slice4window_sum_0_choice(i) := choice(slice3window_centre_first_column_0, 0, slice4window_sum_0(i));
+    end loop;
+    if slice0winner3_tag.valid then
       for i in 0 to 20 loop
-        slice4cost_pixels_first(0, i) <= slice4shift_search(0, i) - slice4shift_reference(0);
+        slice4window_sum_0(i) <= (slice4window_sum_0_choice(i) + slice4window_change_0(i)) mod 16384;
       end loop;
-      for i in 0 to 20 loop
-        slice4cost_pixels_first(1, i) <= slice4shift_search(1, i) - slice4shift_reference(1);
-      end loop;
-      for i in 0 to 1 loop
-        for j in 0 to 20 loop
-          slice4cost_pixels_cost(i, j) <= (folded(slice4cost_pixels_first(i, j)) +
-            as_number((slice4cost_pixels_first(i, j) < 0))) mod 256;
-        end loop;
-      end loop;
-      slice4cost_read_column <= slice3cost_read_column;
-      slice4cost_change_column <= slice4cost_read_column;
-      for i in 0 to 20 loop
-        slice4cost_change_0(i) <= slice4cost_pixels_cost(1, i) - slice4cost_pixels_cost(0, i);
-      end loop;
-      for i in 0 to 9 loop
-        slice4cost_ready_words(i) <= to_integer(slice4cost_read_words(i));
-      end loop;
-      slice4cost_ready_words_10 <= to_integer(slice4cost_read_words_10);
-      for i in 0 to 20 loop
-        slice4cost_column_0(i) <= slice4cost_column_0_choice(i, 2);
-      end loop;
-      if slice0window_change_tag.valid then
-        slice4cost_ready_column <= slice4cost_change_column;
-      end if;
-      if slice0window_tag.valid then
-        slice4cost_write_column <= slice3cost_write_column;
-        for i in 0 to 9 loop
-          slice4cost_write_words(i) <= (slice4cost_column_0_choice(2 * i + 1, 2) * 2048) + slice4cost_column_0_choice(2
-            * i, 2);
-        end loop;
-        slice4cost_write_words(10) <= slice4cost_column_0_choice(20, 2);
-      end if;
-      -- slice4window
-      if slice0winner1_tag.valid then
-        slice4window_ring_write_address <= slice4window_ring_read_address;
-        slice4window_ring_read_address <= choice(slice4window_ring_read_address = 7, 0, (slice4window_ring_read_address
-          + 1) mod 8);
-      end if;
-      for i in 0 to 9 loop
-        slice4window_change_0_choice(2 * i) := choice(slice3window_change_tag_leaves_window,
-          to_integer(slice4window_leaving(i)(10 downto 0)), 0);
-        slice4window_change_0_choice(2 * i + 1) := choice(slice3window_change_tag_leaves_window,
-          to_integer(slice4window_leaving(i)(21 downto 11)), 0);
-      end loop;
-      slice4window_change_0_choice(20) := choice(slice3window_change_tag_leaves_window,
-        to_integer(slice4window_leaving_10), 0);
-      slice4window_entering_0 <= slice4cost_column_0;
-      for i in 0 to 20 loop
-        slice4window_change_0(i) <= slice4window_entering_0(i) - slice4window_change_0_choice(i);
-      end loop;
-      for i in 0 to 20 loop
-        slice4window_sum_0_choice(i) := choice(slice3window_centre_first_column_0, 0, slice4window_sum_0(i));
-      end loop;
-      if slice0winner3_tag.valid then
-        for i in 0 to 20 loop
-          slice4window_sum_0(i) <= (slice4window_sum_0_choice(i) + slice4window_change_0(i)) mod 16384;
-        end loop;
-        slice4window_centre_output_column(0) <= slice3window_centre_output_column_0;
-        slice4window_centre_output_column(1) <= slice4window_centre_output_column(0);
-        slice4window_centre_end_of_line(0) <= slice3window_centre_end_of_line_0;
-        slice4window_centre_end_of_line(1) <= slice4window_centre_end_of_line(0);
-      end if;
-      -- slice4winner1
-      for i in 0 to 9 loop
-        slice4winner1_best_cost_0_is_less(i) := (slice4window_sum_0(2 * i + 1) - slice4window_sum_0(2 * i)) < 0;
-      end loop;
-      slice4winner1_best_cost_0(10) <= slice4window_sum_0(20);
-      slice4winner1_best_index_0_0 <= slice4winner1_best_cost_0_is_less(0);
-      slice4winner1_best_index_0(10) <= 20;
-      slice4winner1_best_cost_0(0) <= choice(slice4winner1_best_cost_0_is_less(0), slice4window_sum_0(1),
-        slice4window_sum_0(0));
-      for i in 1 to 9 loop
-        slice4winner1_best_cost_0(i) <= choice(slice4winner1_best_cost_0_is_less(i), slice4window_sum_0(2 * i + 1),
-          slice4window_sum_0(2 * i));
-        slice4winner1_best_index_0(i) <= choice(slice4winner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
-      end loop;
-      -- slice4winner2
-      for i in 0 to 4 loop
-        slice4winner2_best_cost_0_is_less(i) := (slice4winner1_best_cost_0(2 * i + 1) - slice4winner1_best_cost_0(2 *
-          i)) < 0;
-      end loop;
-      slice4winner2_best_cost_0(5) <= slice4winner1_best_cost_0(10);
-      slice4winner2_best_index_0(5) <= slice4winner1_best_index_0(10);
-      slice4winner2_best_cost_0(0) <= choice(slice4winner2_best_cost_0_is_less(0), slice4winner1_best_cost_0(1),
-        slice4winner1_best_cost_0(0));
-      slice4winner2_best_index_0(0) <= choice(slice4winner2_best_cost_0_is_less(0), slice4winner1_best_index_0(1),
-        as_number(slice4winner1_best_index_0_0));
-      for i in 1 to 4 loop
-        slice4winner2_best_cost_0(i) <= choice(slice4winner2_best_cost_0_is_less(i), slice4winner1_best_cost_0(2 * i +
-          1), slice4winner1_best_cost_0(2 * i));
-        slice4winner2_best_index_0(i) <= choice(slice4winner2_best_cost_0_is_less(i), slice4winner1_best_index_0(2 * i
-          + 1), slice4winner1_best_index_0(2 * i));
-      end loop;
-      -- slice4winner3
-      for i in 0 to 2 loop
-        slice4winner3_best_cost_0_is_less(i) := (slice4winner2_best_cost_0(2 * i + 1) - slice4winner2_best_cost_0(2 *
-          i)) < 0;
-      end loop;
-      for i in 0 to 2 loop
-        slice4winner3_best_cost_0(i) <= choice(slice4winner3_best_cost_0_is_less(i), slice4winner2_best_cost_0(2 * i +
-          1), slice4winner2_best_cost_0(2 * i));
-        slice4winner3_best_index_0(i) <= choice(slice4winner3_best_cost_0_is_less(i), slice4winner2_best_index_0(2 * i
-          + 1), slice4winner2_best_index_0(2 * i));
-      end loop;
-      -- slice4winner4
-      slice4winner4_best_cost_0_0_is_less := (slice4winner3_best_cost_0(1) - slice4winner3_best_cost_0(0)) < 0;
-      slice4winner4_best_cost_0(1) <= slice4winner3_best_cost_0(2);
-      slice4winner4_best_index_0(1) <= slice4winner3_best_index_0(2);
-      slice4winner4_best_cost_0(0) <= choice(slice4winner4_best_cost_0_0_is_less, slice4winner3_best_cost_0(1),
-        slice4winner3_best_cost_0(0));
-      slice4winner4_best_index_0(0) <= choice(slice4winner4_best_cost_0_0_is_less, slice4winner3_best_index_0(1),
-        slice4winner3_best_index_0(0));
-      -- slice4winner5
-      slice4winner5_best_cost_0_0_is_less := (slice4winner4_best_cost_0(1) - slice4winner4_best_cost_0(0)) < 0;
-      slice4winner5_best_cost_0_0 <= choice(slice4winner5_best_cost_0_0_is_less, slice4winner4_best_cost_0(1),
-        slice4winner4_best_cost_0(0));
-      slice4winner5_best_index_0_0 <= choice(slice4winner5_best_cost_0_0_is_less, slice4winner4_best_index_0(1),
-        slice4winner4_best_index_0(0));
-      -- slice4
-      slice4_best_tag <= slice3_best_tag;
-      slice4_best_index_0_0 <= choice((slice3_best_cost_0_0 - slice4winner5_best_cost_0_0) < 0, slice3_best_index_0_0,
-        slice4winner5_best_index_0_0);
-      if reset = '1' then
-        raster_features_valid <= false;
-        raster_place_column <= 0;
-        raster_place_group <= 243;
-        delay_ring_read_address <= 1;
-        delay_ring_write_address <= 0;
-        delay_column <= 0;
-        delay_tag.valid <= false;
-        delay_tag.row_start <= false;
-        delay_tag.output_column <= false;
-        delay_tag.start_of_frame <= false;
-        delay_tag.end_of_line <= false;
-        rows_read_column <= 0;
-        rows_read_tag.valid <= false;
-        rows_read_tag.row_start <= false;
-        rows_read_tag.output_column <= false;
-        rows_read_tag.start_of_frame <= false;
-        rows_read_tag.end_of_line <= false;
-        rows_ready_column <= 0;
-        rows_ready_tag.valid <= false;
-        rows_ready_tag.row_start <= false;
-        rows_ready_tag.output_column <= false;
-        rows_ready_tag.start_of_frame <= false;
-        rows_ready_tag.end_of_line <= false;
-        rows_write_column <= 0;
-        rows_tag.valid <= false;
-        rows_tag.row_start <= false;
-        rows_tag.output_column <= false;
-        rows_tag.start_of_frame <= false;
-        rows_tag.end_of_line <= false;
-        slice0shift_tag.valid <= false;
-        slice0shift_tag.row_start <= false;
-        slice0shift_tag.output_column <= false;
-        slice0shift_tag.start_of_frame <= false;
-        slice0shift_tag.end_of_line <= false;
-        slice0cost_pixels_first_tag.valid <= false;
-        slice0cost_pixels_first_tag.row_start <= false;
-        slice0cost_pixels_first_tag.output_column <= false;
-        slice0cost_pixels_first_tag.start_of_frame <= false;
-        slice0cost_pixels_first_tag.end_of_line <= false;
-        slice0cost_pixels_tag.valid <= false;
-        slice0cost_pixels_tag.row_start <= false;
-        slice0cost_pixels_tag.output_column <= false;
-        slice0cost_pixels_tag.start_of_frame <= false;
-        slice0cost_pixels_tag.end_of_line <= false;
-        slice0cost_read_column <= 0;
-        slice0cost_change_column <= 0;
-        slice0cost_ready_column <= 0;
-        slice0cost_ready_tag.valid <= false;
-        slice0cost_ready_tag.row_start <= false;
-        slice0cost_ready_tag.output_column <= false;
-        slice0cost_ready_tag.start_of_frame <= false;
-        slice0cost_ready_tag.end_of_line <= false;
-        slice0cost_write_column <= 0;
-        slice0cost_tag.valid <= false;
-        slice0cost_tag.row_start <= false;
-        slice0cost_tag.output_column <= false;
-        slice0cost_tag.start_of_frame <= false;
-        slice0cost_tag.end_of_line <= false;
-        slice0window_ring_read_address <= 1;
-        slice0window_ring_write_address <= 0;
-        slice0window_entering_tag.valid <= false;
-        slice0window_entering_tag.output_column <= false;
-        slice0window_entering_tag.start_of_frame <= false;
-        slice0window_entering_tag.end_of_line <= false;
-        slice0window_change_tag.valid <= false;
-        slice0window_change_tag.output_column <= false;
-        slice0window_change_tag.start_of_frame <= false;
-        slice0window_change_tag.end_of_line <= false;
-        slice0window_centre_output_column_0 <= false;
-        slice0window_centre_start_of_frame <= (others => false);
-        slice0window_centre_end_of_line_0 <= false;
-        slice0window_tag <= (others => false);
-        slice0winner1_tag <= (others => false);
-        slice0winner2_tag <= (others => false);
-        slice0winner3_tag <= (others => false);
-        slice0winner4_tag <= (others => false);
-        slice0winner5_tag <= (others => false);
-        slice0_best_tag <= (others => false);
-        slice1cost_read_column <= 0;
-        slice1cost_change_column <= 0;
-        slice1cost_ready_column <= 0;
-        slice1cost_write_column <= 0;
-        slice1window_ring_read_address <= 1;
-        slice1window_ring_write_address <= 0;
-        slice1window_centre_output_column_0 <= false;
-        slice1window_centre_end_of_line_0 <= false;
-        slice1_best_tag <= (others => false);
-        slice2cost_read_column <= 0;
-        slice2cost_change_column <= 0;
-        slice2cost_ready_column <= 0;
-        slice2cost_write_column <= 0;
-        slice2window_ring_read_address <= 1;
-        slice2window_ring_write_address <= 0;
-        slice2window_centre_output_column_0 <= false;
-        slice2window_centre_end_of_line_0 <= false;
-        slice2_best_tag <= (others => false);
-        slice3cost_read_column <= 0;
-        slice3cost_change_column <= 0;
-        slice3cost_ready_column <= 0;
-        slice3cost_write_column <= 0;
-        slice3window_ring_read_address <= 1;
-        slice3window_ring_write_address <= 0;
-        slice3window_centre_output_column_0 <= false;
-        slice3window_centre_end_of_line_0 <= false;
-        slice3_best_tag <= (others => false);
-        slice4cost_read_column <= 0;
-        slice4cost_change_column <= 0;
-        slice4cost_ready_column <= 0;
-        slice4cost_write_column <= 0;
-        slice4window_ring_read_address <= 1;
-        slice4window_ring_write_address <= 0;
-        slice4window_centre_output_column <= (others => false);
-        slice4window_centre_end_of_line <= (others => false);
-        slice4_best_tag <= (others => false);
-      end if;
+      slice4window_centre_output_column(0) <= slice3window_centre_output_column_0;
+      slice4window_centre_output_column(1) <= slice4window_centre_output_column(0);
+      slice4window_centre_end_of_line(0) <= slice3window_centre_end_of_line_0;
+      slice4window_centre_end_of_line(1) <= slice4window_centre_end_of_line(0);
+    end if;
+    -- slice4winner1
+    for i in 0 to 9 loop
+      slice4winner1_best_cost_0_is_less(i) := (slice4window_sum_0(2 * i + 1) - slice4window_sum_0(2 * i)) < 0;
+    end loop;
+    slice4winner1_best_cost_0(10) <= slice4window_sum_0(20);
+    slice4winner1_best_index_0_0 <= slice4winner1_best_cost_0_is_less(0);
+    slice4winner1_best_index_0(10) <= 20;
+    slice4winner1_best_cost_0(0) <= choice(slice4winner1_best_cost_0_is_less(0), slice4window_sum_0(1),
+      slice4window_sum_0(0));
+    for i in 1 to 9 loop
+      slice4winner1_best_cost_0(i) <= choice(slice4winner1_best_cost_0_is_less(i), slice4window_sum_0(2 * i + 1),
+        slice4window_sum_0(2 * i));
+      slice4winner1_best_index_0(i) <= choice(slice4winner1_best_cost_0_is_less(i), 2 * i + 1, 2 * i);
+    end loop;
+    -- slice4winner2
+    for i in 0 to 4 loop
+      slice4winner2_best_cost_0_is_less(i) := (slice4winner1_best_cost_0(2 * i + 1) - slice4winner1_best_cost_0(2 * i))
+        < 0;
+    end loop;
+    slice4winner2_best_cost_0(5) <= slice4winner1_best_cost_0(10);
+    slice4winner2_best_index_0(5) <= slice4winner1_best_index_0(10);
+    slice4winner2_best_cost_0(0) <= choice(slice4winner2_best_cost_0_is_less(0), slice4winner1_best_cost_0(1),
+      slice4winner1_best_cost_0(0));
+    slice4winner2_best_index_0(0) <= choice(slice4winner2_best_cost_0_is_less(0), slice4winner1_best_index_0(1),
+      as_number(slice4winner1_best_index_0_0));
+    for i in 1 to 4 loop
+      slice4winner2_best_cost_0(i) <= choice(slice4winner2_best_cost_0_is_less(i), slice4winner1_best_cost_0(2 * i +
+        1), slice4winner1_best_cost_0(2 * i));
+      slice4winner2_best_index_0(i) <= choice(slice4winner2_best_cost_0_is_less(i), slice4winner1_best_index_0(2 * i +
+        1), slice4winner1_best_index_0(2 * i));
+    end loop;
+    -- slice4winner3
+    for i in 0 to 2 loop
+      slice4winner3_best_cost_0_is_less(i) := (slice4winner2_best_cost_0(2 * i + 1) - slice4winner2_best_cost_0(2 * i))
+        < 0;
+    end loop;
+    for i in 0 to 2 loop
+      slice4winner3_best_cost_0(i) <= choice(slice4winner3_best_cost_0_is_less(i), slice4winner2_best_cost_0(2 * i +
+        1), slice4winner2_best_cost_0(2 * i));
+      slice4winner3_best_index_0(i) <= choice(slice4winner3_best_cost_0_is_less(i), slice4winner2_best_index_0(2 * i +
+        1), slice4winner2_best_index_0(2 * i));
+    end loop;
+    -- slice4winner4
+    slice4winner4_best_cost_0_0_is_less := (slice4winner3_best_cost_0(1) - slice4winner3_best_cost_0(0)) < 0;
+    slice4winner4_best_cost_0(1) <= slice4winner3_best_cost_0(2);
+    slice4winner4_best_index_0(1) <= slice4winner3_best_index_0(2);
+    slice4winner4_best_cost_0(0) <= choice(slice4winner4_best_cost_0_0_is_less, slice4winner3_best_cost_0(1),
+      slice4winner3_best_cost_0(0));
+    slice4winner4_best_index_0(0) <= choice(slice4winner4_best_cost_0_0_is_less, slice4winner3_best_index_0(1),
+      slice4winner3_best_index_0(0));
+    -- slice4winner5
+    slice4winner5_best_cost_0_0_is_less := (slice4winner4_best_cost_0(1) - slice4winner4_best_cost_0(0)) < 0;
+    slice4winner5_best_cost_0_0 <= choice(slice4winner5_best_cost_0_0_is_less, slice4winner4_best_cost_0(1),
+      slice4winner4_best_cost_0(0));
+    slice4winner5_best_index_0_0 <= choice(slice4winner5_best_cost_0_0_is_less, slice4winner4_best_index_0(1),
+      slice4winner4_best_index_0(0));
+    -- slice4
+    slice4_best_tag <= slice3_best_tag;
+    slice4_best_index_0_0 <= choice((slice3_best_cost_0_0 - slice4winner5_best_cost_0_0) < 0, slice3_best_index_0_0,
+      slice4winner5_best_index_0_0);
+    if reset = '1' then
+      raster_features_valid <= false; raster_place_column <= 0; raster_place_group <= 243; delay_ring_read_address <= 1;
+      delay_ring_write_address <= 0; delay_column <= 0; delay_tag.valid <= false; delay_tag.row_start <= false;
+      delay_tag.output_column <= false; delay_tag.start_of_frame <= false; delay_tag.end_of_line <= false;
+      rows_read_column <= 0; rows_read_tag.valid <= false; rows_read_tag.row_start <= false;
+      rows_read_tag.output_column <= false; rows_read_tag.start_of_frame <= false; rows_read_tag.end_of_line <= false;
+      rows_ready_column <= 0; rows_ready_tag.valid <= false; rows_ready_tag.row_start <= false;
+      rows_ready_tag.output_column <= false; rows_ready_tag.start_of_frame <= false;
+      rows_ready_tag.end_of_line <= false; rows_write_column <= 0; rows_tag.valid <= false; rows_tag.row_start <= false;
+      rows_tag.output_column <= false; rows_tag.start_of_frame <= false; rows_tag.end_of_line <= false;
+      slice0shift_tag.valid <= false; slice0shift_tag.row_start <= false; slice0shift_tag.output_column <= false;
+      slice0shift_tag.start_of_frame <= false; slice0shift_tag.end_of_line <= false;
+      slice0cost_pixels_first_tag.valid <= false; slice0cost_pixels_first_tag.row_start <= false;
+      slice0cost_pixels_first_tag.output_column <= false; slice0cost_pixels_first_tag.start_of_frame <= false;
+      slice0cost_pixels_first_tag.end_of_line <= false; slice0cost_pixels_tag.valid <= false;
+      slice0cost_pixels_tag.row_start <= false; slice0cost_pixels_tag.output_column <= false;
+      slice0cost_pixels_tag.start_of_frame <= false; slice0cost_pixels_tag.end_of_line <= false;
+      slice0cost_read_column <= 0; slice0cost_change_column <= 0; slice0cost_ready_column <= 0;
+      slice0cost_ready_tag.valid <= false; slice0cost_ready_tag.row_start <= false;
+      slice0cost_ready_tag.output_column <= false; slice0cost_ready_tag.start_of_frame <= false;
+      slice0cost_ready_tag.end_of_line <= false; slice0cost_write_column <= 0; slice0cost_tag.valid <= false;
+      slice0cost_tag.row_start <= false; slice0cost_tag.output_column <= false; slice0cost_tag.start_of_frame <= false;
+      slice0cost_tag.end_of_line <= false; slice0window_ring_read_address <= 1; slice0window_ring_write_address <= 0;
+      slice0window_entering_tag.valid <= false; slice0window_entering_tag.output_column <= false;
+      slice0window_entering_tag.start_of_frame <= false; slice0window_entering_tag.end_of_line <= false;
+      slice0window_change_tag.valid <= false; slice0window_change_tag.output_column <= false;
+      slice0window_change_tag.start_of_frame <= false; slice0window_change_tag.end_of_line <= false;
+      slice0window_centre_output_column_0 <= false; slice0window_centre_start_of_frame <= (others => false);
+      slice0window_centre_end_of_line_0 <= false; slice0window_tag <= (others => false);
+      slice0winner1_tag <= (others => false); slice0winner2_tag <= (others => false);
+      slice0winner3_tag <= (others => false); slice0winner4_tag <= (others => false);
+      slice0winner5_tag <= (others => false); slice0_best_tag <= (others => false); slice1cost_read_column <= 0;
+      slice1cost_change_column <= 0; slice1cost_ready_column <= 0; slice1cost_write_column <= 0;
+      slice1window_ring_read_address <= 1; slice1window_ring_write_address <= 0;
+      slice1window_centre_output_column_0 <= false; slice1window_centre_end_of_line_0 <= false;
+      slice1_best_tag <= (others => false); slice2cost_read_column <= 0; slice2cost_change_column <= 0;
+      slice2cost_ready_column <= 0; slice2cost_write_column <= 0; slice2window_ring_read_address <= 1;
+      slice2window_ring_write_address <= 0; slice2window_centre_output_column_0 <= false;
+      slice2window_centre_end_of_line_0 <= false; slice2_best_tag <= (others => false); slice3cost_read_column <= 0;
+      slice3cost_change_column <= 0; slice3cost_ready_column <= 0; slice3cost_write_column <= 0;
+      slice3window_ring_read_address <= 1; slice3window_ring_write_address <= 0;
+      slice3window_centre_output_column_0 <= false; slice3window_centre_end_of_line_0 <= false;
+      slice3_best_tag <= (others => false); slice4cost_read_column <= 0; slice4cost_change_column <= 0;
+      slice4cost_ready_column <= 0; slice4cost_write_column <= 0; slice4window_ring_read_address <= 1;
+      slice4window_ring_write_address <= 0; slice4window_centre_output_column <= (others => false);
+      slice4window_centre_end_of_line <= (others => false); slice4_best_tag <= (others => false);
     end if;
   end process;
 end architecture;

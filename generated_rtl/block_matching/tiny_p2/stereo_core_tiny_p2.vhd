@@ -5,6 +5,7 @@
 --   scripts/synthesize.py --config tiny_p2
 -- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
 -- Where a comment behind a declaration has #, the C++ has the indices.
+-- One that begins with _ says the ends of the names: `a_valid` with `_#_valid` is a_INDEX_valid there.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -145,48 +146,43 @@ architecture rtl of stereo_core_tiny_p2 is
   signal delay_tag : tag_5;
   -- rows
   signal rows_search_rows_read_words_0, rows_reference_rows_read_words_0 : unsigned(23 downto 0);
-  signal rows_search_rows_read_newest, rows_search_rows_ready_newest : natural_255_1d(0 to 1);
-  signal rows_reference_rows_read_newest, rows_reference_rows_ready_newest : natural_255_1d(0 to 1);
+  signal rows_search_rows_read_newest, rows_search_rows_ready_newest, rows_reference_rows_read_newest,
+    rows_reference_rows_ready_newest : natural_255_1d(0 to 1);
   signal rows_search, rows_reference : natural_255_1d(0 to 3);
-  signal rows_search_rows_ready_words_0, rows_search_rows_write_words_0 : natural range 0 to 16777215;
-  signal rows_reference_rows_ready_words_0, rows_reference_rows_write_words_0 : natural range 0 to 16777215;
+  signal rows_search_rows_ready_words_0, rows_search_rows_write_words_0, rows_reference_rows_ready_words_0,
+    rows_reference_rows_write_words_0 : natural range 0 to 16777215;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 31;
-  signal rows_read_inside : boolean_1d(0 to 1);
-  signal rows_read_inside_3 : boolean;
-  signal rows_read_tag : tag_5;
-  signal rows_ready_inside : boolean_1d(0 to 1);
-  signal rows_ready_inside_3 : boolean;
-  signal rows_ready_tag, rows_tag : tag_5;
+  signal rows_read_inside, rows_ready_inside : boolean_1d(0 to 1);
+  signal rows_read_inside_3, rows_ready_inside_3 : boolean;
+  signal rows_read_tag, rows_ready_tag, rows_tag : tag_5;
   -- slice0shift
   signal slice0shift_search : natural_255_2d(0 to 3, 0 to 2);
   signal slice0shift_reference, slice0shift_search_out : natural_255_1d(0 to 3);
   signal slice0shift_tag : tag_5;
   -- slice0cost
   signal slice0cost_difference : integer_minus_255_to_255_2d(0 to 3, 0 to 2);
-  signal slice0cost_difference_tag : tag_5;
+  signal slice0cost_difference_tag, slice0cost_pair_tag, slice0cost_tag : tag_5;
   signal slice0cost_negative_0 : boolean_1d(0 to 2);
-  signal slice0cost_pair_tag, slice0cost_tag : tag_5;
   signal slice0cost_pair_0 : natural_511_1d(0 to 2);
   signal slice0cost_single_0, slice0cost_single_3 : natural_255_1d(0 to 2);
   signal slice0cost_column : natural_767_2d(0 to 1, 0 to 2);
   -- slice0window
-  signal slice0window_partial_0 : natural_767_2d(0 to 1, 0 to 2);  -- slice0window_partial_#_0_#
-  signal slice0window_partial_1 : natural_1534_2d(0 to 1, 0 to 2);  -- slice0window_partial_#_1_#
-  signal slice0window_centre_output_column_0, slice0window_centre_start_of_frame_0 : boolean;
-  signal slice0window_centre_end_of_line_0 : boolean;
+  signal slice0window_partial_0 : natural_767_2d(0 to 1, 0 to 2);  -- _#_0_#
+  signal slice0window_partial_1 : natural_1534_2d(0 to 1, 0 to 2);  -- _#_1_#
+  signal slice0window_centre_output_column_0, slice0window_centre_start_of_frame_0,
+    slice0window_centre_end_of_line_0 : boolean;
   signal slice0window_tag : tag_4;
   signal slice0window_sum : natural_2301_2d(0 to 1, 0 to 2);
   -- slice0winner1
   signal slice0winner1_of_pair, slice0winner1_of_four : natural_2301_2d(0 to 1, 0 to 2);
-  signal slice0winner1_pair_index_0 : boolean_1d(0 to 1);  -- slice0winner1_pair_index_#_0
+  signal slice0winner1_pair_index_0 : boolean_1d(0 to 1);  -- _#_0
   signal slice0winner1_pair_tag, slice0winner1_four_tag, slice0winner1_tag : tag_4;
   signal slice0winner1_pair_index_0_1 : natural range 0 to 2;
-  signal slice0winner1_four_index_0 : natural_2_1d(0 to 1);  -- slice0winner1_four_index_#_0
-  signal slice0winner1_best_index_0 : natural_2_1d(0 to 1);  -- slice0winner1_best_index_#_0
-  signal slice0winner1_best_cost_0 : natural_4095_1d(0 to 1);  -- slice0winner1_best_cost_#_0
+  signal slice0winner1_four_index_0, slice0winner1_best_index_0 : natural_2_1d(0 to 1);  -- _#_0
+  signal slice0winner1_best_cost_0 : natural_4095_1d(0 to 1);  -- _#_0
   -- slice0
-  signal slice0_best_cost_0 : natural_4095_1d(0 to 1);  -- slice0_best_cost_#_0
-  signal slice0_best_index_0 : natural_7_1d(0 to 1);  -- slice0_best_index_#_0
+  signal slice0_best_cost_0 : natural_4095_1d(0 to 1);  -- _#_0
+  signal slice0_best_index_0 : natural_7_1d(0 to 1);  -- _#_0
   signal slice0_best_tag : tag_4;
   -- slice1shift
   signal slice1shift_search : natural_255_2d(0 to 3, 0 to 2);
@@ -199,18 +195,17 @@ architecture rtl of stereo_core_tiny_p2 is
   signal slice1cost_single_0, slice1cost_single_3 : natural_255_1d(0 to 2);
   signal slice1cost_column : natural_767_2d(0 to 1, 0 to 2);
   -- slice1window
-  signal slice1window_partial_0 : natural_767_2d(0 to 1, 0 to 2);  -- slice1window_partial_#_0_#
-  signal slice1window_partial_1 : natural_1534_2d(0 to 1, 0 to 2);  -- slice1window_partial_#_1_#
+  signal slice1window_partial_0 : natural_767_2d(0 to 1, 0 to 2);  -- _#_0_#
+  signal slice1window_partial_1 : natural_1534_2d(0 to 1, 0 to 2);  -- _#_1_#
   signal slice1window_sum : natural_2301_2d(0 to 1, 0 to 2);
   -- slice1winner1
   signal slice1winner1_of_pair, slice1winner1_of_four : natural_2301_2d(0 to 1, 0 to 2);
-  signal slice1winner1_pair_index_0 : boolean_1d(0 to 1);  -- slice1winner1_pair_index_#_0
-  signal slice1winner1_four_index_0 : natural_2_1d(0 to 1);  -- slice1winner1_four_index_#_0
-  signal slice1winner1_best_index_0 : natural_2_1d(0 to 1);  -- slice1winner1_best_index_#_0
-  signal slice1winner1_best_cost_0 : natural_4095_1d(0 to 1);  -- slice1winner1_best_cost_#_0
+  signal slice1winner1_pair_index_0 : boolean_1d(0 to 1);  -- _#_0
+  signal slice1winner1_four_index_0, slice1winner1_best_index_0 : natural_2_1d(0 to 1);  -- _#_0
+  signal slice1winner1_best_cost_0 : natural_4095_1d(0 to 1);  -- _#_0
   -- slice1
-  signal slice1_best_cost_0 : natural_4095_1d(0 to 1);  -- slice1_best_cost_#_0
-  signal slice1_best_index_0 : natural_7_1d(0 to 1);  -- slice1_best_index_#_0
+  signal slice1_best_cost_0 : natural_4095_1d(0 to 1);  -- _#_0
+  signal slice1_best_index_0 : natural_7_1d(0 to 1);  -- _#_0
   signal slice1_best_tag : tag_4;
   -- slice2shift
   signal slice2shift_search : natural_255_2d(0 to 3, 0 to 1);
@@ -222,20 +217,20 @@ architecture rtl of stereo_core_tiny_p2 is
   signal slice2cost_single_0, slice2cost_single_3 : natural_255_1d(0 to 1);
   signal slice2cost_column : natural_767_2d(0 to 1, 0 to 1);
   -- slice2window
-  signal slice2window_partial_0 : natural_767_2d(0 to 1, 0 to 1);  -- slice2window_partial_#_0_#
-  signal slice2window_partial_1 : natural_1534_2d(0 to 1, 0 to 1);  -- slice2window_partial_#_1_#
+  signal slice2window_partial_0 : natural_767_2d(0 to 1, 0 to 1);  -- _#_0_#
+  signal slice2window_partial_1 : natural_1534_2d(0 to 1, 0 to 1);  -- _#_1_#
   signal slice2window_sum : natural_2301_2d(0 to 1, 0 to 1);
   -- slice2winner1
-  signal slice2winner1_best_cost_0 : natural_2301_1d(0 to 1);  -- slice2winner1_best_cost_#_0
-  signal slice2winner1_best_index_0 : boolean_1d(0 to 1);  -- slice2winner1_best_index_#_0
+  signal slice2winner1_best_cost_0 : natural_2301_1d(0 to 1);  -- _#_0
+  signal slice2winner1_best_index_0 : boolean_1d(0 to 1);  -- _#_0
   -- slice2winner2
-  signal slice2winner2_best_cost_0 : natural_2301_1d(0 to 1);  -- slice2winner2_best_cost_#_0
-  signal slice2winner2_best_index_0 : boolean_1d(0 to 1);  -- slice2winner2_best_index_#_0
+  signal slice2winner2_best_cost_0 : natural_2301_1d(0 to 1);  -- _#_0
+  signal slice2winner2_best_index_0 : boolean_1d(0 to 1);  -- _#_0
   -- slice2winner3
-  signal slice2winner3_best_cost_0 : natural_2301_1d(0 to 1);  -- slice2winner3_best_cost_#_0
-  signal slice2winner3_best_index_0 : boolean_1d(0 to 1);  -- slice2winner3_best_index_#_0
+  signal slice2winner3_best_cost_0 : natural_2301_1d(0 to 1);  -- _#_0
+  signal slice2winner3_best_index_0 : boolean_1d(0 to 1);  -- _#_0
   -- slice2
-  signal slice2_best_index_0 : natural_7_1d(0 to 1);  -- slice2_best_index_#_0
+  signal slice2_best_index_0 : natural_7_1d(0 to 1);  -- _#_0
   signal slice2_best_tag : tag_4;
 
 begin
@@ -249,6 +244,8 @@ begin
   disparity_start_of_frame <= as_bit(slice2_best_tag.start_of_frame and slice2_best_tag.valid and slice2_best_tag.output_column);
   disparity_end_of_line <= as_bit(slice2_best_tag.end_of_line and slice2_best_tag.valid and slice2_best_tag.output_column);
 
+  -- Memories: (depth, width, address_bits) and (clock, read_enable, read_address, read_data, write_address, write_data).
+
   rows_search_rows_read_words_0_memory : block
     signal read_address, write_address : unsigned(4 downto 0);
     signal write_data : unsigned(23 downto 0);
@@ -256,10 +253,8 @@ begin
     read_address <= to_unsigned(delay_column, 5);
     write_address <= to_unsigned(rows_write_column, 5);
     write_data <= to_unsigned(rows_search_rows_write_words_0, 24);
-    cell : entity work.line_memory
-      generic map (depth => 32, width => 24, address_bits => 5)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        rows_search_rows_read_words_0, write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (32, 24, 5)
+      port map (clock, true, read_address, rows_search_rows_read_words_0, write_address, write_data);
   end block;
 
   rows_reference_rows_read_words_0_memory : block
@@ -269,10 +264,8 @@ begin
     read_address <= to_unsigned(delay_column, 5);
     write_address <= to_unsigned(rows_write_column, 5);
     write_data <= to_unsigned(rows_reference_rows_write_words_0, 24);
-    cell : entity work.line_memory
-      generic map (depth => 32, width => 24, address_bits => 5)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        rows_reference_rows_read_words_0, write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (32, 24, 5)
+      port map (clock, true, read_address, rows_reference_rows_read_words_0, write_address, write_data);
   end block;
 
   delay_delayed_0_memory : block
@@ -282,439 +275,399 @@ begin
     read_address <= to_unsigned(delay_ring_read_address, 3);
     write_address <= to_unsigned(delay_ring_write_address, 3);
     write_data <= to_unsigned(raster_features_reference, 16);
-    cell : entity work.line_memory
-      generic map (depth => 8, width => 16, address_bits => 3)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data => delay_delayed_0,
-        write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (8, 16, 3)
+      port map (clock, true, read_address, delay_delayed_0, write_address, write_data);
   end block;
 
-  process (clock)
-    variable raster_place_group_is_equals : boolean_1d(1 to 2);  -- raster_place_group_is_equal_#
-    variable raster_place_group_all : boolean;
-    variable raster_place_next_frame_choices : boolean_1d(1 to 2);  -- raster_place_next_frame_choice_#
-    variable delay_row_inside_0_value : boolean;
-    variable delay_row_inside_any : boolean_1d(0 to 1);  -- delay_row_inside_#_any
-    variable slice0winner1_of_pair_0_is_less : boolean_1d(0 to 1);  -- slice0winner1_of_pair_#_0_is_less
-    variable slice0winner1_of_four_0_is_less : boolean_1d(0 to 1);  -- slice0winner1_of_four_#_0_is_less
-    variable slice1winner1_of_pair_0_is_less : boolean_1d(0 to 1);  -- slice1winner1_of_pair_#_0_is_less
-    variable slice1winner1_of_four_0_is_less : boolean_1d(0 to 1);  -- slice1winner1_of_four_#_0_is_less
-    variable slice1_best_cost_0_is_less : boolean_1d(0 to 1);  -- slice1_best_cost_#_0_is_less
-    variable slice2winner1_best_cost_0_is_less : boolean_1d(0 to 1);  -- slice2winner1_best_cost_#_0_is_less
+  process
+    variable raster_place_group_is_equals : boolean_1d(1 to 2);  -- _equal_#
+    variable raster_place_group_all, delay_row_inside_0_value : boolean;
+    variable raster_place_next_frame_choices : boolean_1d(1 to 2);  -- _choice_#
+    variable delay_row_inside_any : boolean_1d(0 to 1);  -- _#_any
+    variable slice0winner1_of_pair_0_is_less, slice0winner1_of_four_0_is_less, slice1winner1_of_pair_0_is_less,
+      slice1winner1_of_four_0_is_less, slice1_best_cost_0_is_less,
+      slice2winner1_best_cost_0_is_less : boolean_1d(0 to 1);  -- _#_0_is_less
     variable raster_place_group_choice : natural range 0 to 3;
-    variable raster_place_group_choices : natural_7_1d(2 to 3);  -- raster_place_group_choice_#
+    variable raster_place_group_choices : natural_7_1d(2 to 3);  -- _choice_#
   begin
-    if rising_edge(clock) then
-      -- raster
-      raster_place_group_is_equals(1) := raster_place_column = 31;
-      raster_place_group_is_equals(2) := raster_place_group = 5;
-      raster_place_group_all := raster_place_group_is_equals(1) and raster_place_group_is_equals(2);
-      raster_place_group_choice := choice(raster_place_group_all, 3, 0);
-      raster_place_group_choices(2) := choice(raster_place_next_frame and (raster_place_group = 6), 1,
-        (raster_place_group + 1) mod 8);
-      raster_place_group_choices(3) := choice((raster_place_group /= 7) and raster_place_group_is_equals(1) and
-        in_valid, raster_place_group_choices(2), raster_place_group);
-      raster_features_search(0) <= in_left_pixel mod 256;
-      raster_features_search(1) <= in_left_pixel / 256;
-      raster_features_reference <= in_right_pixel;
-      raster_features_valid <= in_valid;
-      raster_place_group <= choice(in_valid and in_start_of_frame, raster_place_group_choice * 2,
-        raster_place_group_choices(3));
-      raster_place_next_frame_choices(1) := choice((raster_place_group / 2) = 3, raster_place_next_frame and
-        is_set(raster_place_group, 0), raster_place_next_frame);
-      raster_place_next_frame_choices(2) := choice(raster_place_group_is_equals(1), raster_place_next_frame_choices(1),
-        raster_place_next_frame);
-      if in_valid then
-        raster_place_column <= choice(raster_place_group_is_equals(1) or in_start_of_frame, 0, (raster_place_column +
-          1) mod 32);
-        raster_place_next_frame <= choice(raster_place_next_frame_choices(2), raster_place_group_all or (not
-          in_start_of_frame), raster_place_group_is_equals(1) and raster_place_group_is_equals(2) and
-          in_start_of_frame);
-      end if;
-      -- delay
-      if raster_features_valid then
-        delay_ring_write_address <= delay_ring_read_address;
-        delay_ring_read_address <= choice(delay_ring_read_address = 7, 0, (delay_ring_read_address + 1) mod 8);
-      end if;
-      delay_row_inside_0_value := is_set(raster_place_group, 1);
-      delay_row_inside_any(0) := is_set(raster_place_group, 2) or delay_row_inside_0_value;
-      delay_row_inside_any(1) := (not is_set(raster_place_group, 2)) or (not delay_row_inside_0_value);
-      delay_ahead <= raster_features_search;
-      delay_column <= raster_place_column;
-      delay_row_inside(0) <= delay_row_inside_any(0);
-      delay_row_inside_3 <= delay_row_inside_any(1);
-      delay_tag.valid <= raster_features_valid;
-      delay_tag.output_column <= (raster_place_group >= 1) and (raster_place_group < 7) and (raster_place_column >= 7)
-        and (raster_place_column < 31);
-      delay_tag.start_of_frame <= (raster_place_column = 7) and (raster_place_group = 1);
-      delay_tag.end_of_line <= raster_place_column = 30;
-      delay_row_inside(1) <= choice(is_set(raster_place_group, 0), delay_row_inside_any(1), delay_row_inside_any(0));
-      delay_tag.border_column <= choice((raster_place_column mod 4) = 3, (raster_place_column / 4) = 0,
-        (raster_place_column / 8) = 0);
-      -- rows
-      rows_search_rows_read_newest <= delay_ahead;
-      rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
-      rows_search_rows_ready_newest <= rows_search_rows_read_newest;
-      rows_reference_rows_read_newest(0) <= to_integer(delay_delayed_0(7 downto 0));
-      rows_reference_rows_read_newest(1) <= to_integer(delay_delayed_0(15 downto 8));
-      rows_reference_rows_ready_words_0 <= to_integer(rows_reference_rows_read_words_0);
-      rows_reference_rows_ready_newest <= rows_reference_rows_read_newest;
-      rows_read_column <= delay_column;
-      rows_read_inside <= delay_row_inside;
-      rows_read_inside_3 <= delay_row_inside_3;
-      rows_read_tag <= delay_tag;
-      rows_ready_column <= rows_read_column;
-      rows_ready_inside <= rows_read_inside;
-      rows_ready_inside_3 <= rows_read_inside_3;
-      rows_ready_tag <= rows_read_tag;
-      rows_tag <= rows_ready_tag;
-      rows_search(0) <= choice(rows_ready_inside(0), rows_search_rows_ready_words_0 mod 256, 0);
-      rows_reference(0) <= choice(rows_ready_inside(0), rows_reference_rows_ready_words_0 mod 256, 0);
-      rows_search(1) <= choice(rows_ready_inside(1), (rows_search_rows_ready_words_0 / 256) mod 256, 0);
-      rows_search(2) <= choice(rows_ready_inside(1), rows_search_rows_ready_words_0 / 65536, 0);
-      rows_reference(1) <= choice(rows_ready_inside(1), (rows_reference_rows_ready_words_0 / 256) mod 256, 0);
-      rows_reference(2) <= choice(rows_ready_inside(1), rows_reference_rows_ready_words_0 / 65536, 0);
-      rows_search(3) <= choice(rows_ready_inside_3, rows_search_rows_ready_newest(0), 0);
-      rows_reference(3) <= choice(rows_ready_inside_3, rows_reference_rows_ready_newest(0), 0);
-      if rows_ready_tag.valid then
-        rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 65536) + (rows_search_rows_ready_newest(0)
-          * 256) + (rows_search_rows_ready_newest(1) * 65536);
-        rows_reference_rows_write_words_0 <= (rows_reference_rows_ready_words_0 / 65536) +
-          (rows_reference_rows_ready_newest(0) * 256) + (rows_reference_rows_ready_newest(1) * 65536);
-        rows_write_column <= rows_ready_column;
-      end if;
-      -- slice0shift
-      if rows_tag.valid then
-        for i in 0 to 3 loop
-          slice0shift_search(i, 0) <= slice0shift_search(i, 1);
-          slice0shift_search(i, 1) <= slice0shift_search(i, 2);
-          slice0shift_search(i, 2) <= rows_search(i);
-        end loop;
-      end if;
-      slice0shift_reference <= rows_reference;
-      slice0shift_search_out(0) <= slice0shift_search(0, 0);
-      slice0shift_search_out(1) <= slice0shift_search(1, 0);
-      slice0shift_search_out(2) <= slice0shift_search(2, 0);
-      slice0shift_search_out(3) <= slice0shift_search(3, 0);
-      slice0shift_tag <= rows_tag;
-      -- slice0cost
+    wait until rising_edge(clock);
+    -- raster
+    raster_place_group_is_equals(1) := raster_place_column = 31;
+    raster_place_group_is_equals(2) := raster_place_group = 5;
+    raster_place_group_all := raster_place_group_is_equals(1) and raster_place_group_is_equals(2);
+    raster_place_group_choice := choice(raster_place_group_all, 3, 0);
+    raster_place_group_choices(2) := choice(raster_place_next_frame and (raster_place_group = 6), 1,
+      (raster_place_group + 1) mod 8);
+    raster_place_group_choices(3) := choice((raster_place_group /= 7) and raster_place_group_is_equals(1) and in_valid,
+      raster_place_group_choices(2), raster_place_group);
+    raster_features_search(0) <= in_left_pixel mod 256;
+    raster_features_search(1) <= in_left_pixel / 256;
+    raster_features_reference <= in_right_pixel;
+    raster_features_valid <= in_valid;
+    raster_place_group <= choice(in_valid and in_start_of_frame, raster_place_group_choice * 2,
+      raster_place_group_choices(3));
+    raster_place_next_frame_choices(1) := choice((raster_place_group / 2) = 3, raster_place_next_frame and
+      is_set(raster_place_group, 0), raster_place_next_frame);
+    raster_place_next_frame_choices(2) := choice(raster_place_group_is_equals(1), raster_place_next_frame_choices(1),
+      raster_place_next_frame);
+    if in_valid then
+      raster_place_column <= choice(raster_place_group_is_equals(1) or in_start_of_frame, 0, (raster_place_column + 1)
+        mod 32);
+      raster_place_next_frame <= choice(raster_place_next_frame_choices(2), raster_place_group_all or (not
+        in_start_of_frame), raster_place_group_is_equals(1) and raster_place_group_is_equals(2) and in_start_of_frame);
+    end if;
+    -- delay
+    if raster_features_valid then
+      delay_ring_write_address <= delay_ring_read_address;
+      delay_ring_read_address <= choice(delay_ring_read_address = 7, 0, (delay_ring_read_address + 1) mod 8);
+    end if;
+    delay_row_inside_0_value := is_set(raster_place_group, 1);
+    delay_row_inside_any(0) := is_set(raster_place_group, 2) or delay_row_inside_0_value;
+    delay_row_inside_any(1) := (not is_set(raster_place_group, 2)) or (not delay_row_inside_0_value);
+    delay_ahead <= raster_features_search;
+    delay_column <= raster_place_column;
+    delay_row_inside(0) <= delay_row_inside_any(0);
+    delay_row_inside_3 <= delay_row_inside_any(1);
+    delay_tag.valid <= raster_features_valid;
+    delay_tag.output_column <= (raster_place_group >= 1) and (raster_place_group < 7) and (raster_place_column >= 7)
+      and (raster_place_column < 31);
+    delay_tag.start_of_frame <= (raster_place_column = 7) and (raster_place_group = 1);
+    delay_tag.end_of_line <= raster_place_column = 30;
+    delay_row_inside(1) <= choice(is_set(raster_place_group, 0), delay_row_inside_any(1), delay_row_inside_any(0));
+    delay_tag.border_column <= choice((raster_place_column mod 4) = 3, (raster_place_column / 4) = 0,
+      (raster_place_column / 8) = 0);
+    -- rows
+    rows_search_rows_read_newest <= delay_ahead;
+    rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
+    rows_search_rows_ready_newest <= rows_search_rows_read_newest;
+    rows_reference_rows_read_newest(0) <= to_integer(delay_delayed_0(7 downto 0));
+    rows_reference_rows_read_newest(1) <= to_integer(delay_delayed_0(15 downto 8));
+    rows_reference_rows_ready_words_0 <= to_integer(rows_reference_rows_read_words_0);
+    rows_reference_rows_ready_newest <= rows_reference_rows_read_newest;
+    rows_read_column <= delay_column;
+    rows_read_inside <= delay_row_inside;
+    rows_read_inside_3 <= delay_row_inside_3;
+    rows_read_tag <= delay_tag;
+    rows_ready_column <= rows_read_column;
+    rows_ready_inside <= rows_read_inside;
+    rows_ready_inside_3 <= rows_read_inside_3;
+    rows_ready_tag <= rows_read_tag;
+    rows_tag <= rows_ready_tag;
+    rows_search(0) <= choice(rows_ready_inside(0), rows_search_rows_ready_words_0 mod 256, 0);
+    rows_reference(0) <= choice(rows_ready_inside(0), rows_reference_rows_ready_words_0 mod 256, 0);
+    rows_search(1) <= choice(rows_ready_inside(1), (rows_search_rows_ready_words_0 / 256) mod 256, 0);
+    rows_search(2) <= choice(rows_ready_inside(1), rows_search_rows_ready_words_0 / 65536, 0);
+    rows_reference(1) <= choice(rows_ready_inside(1), (rows_reference_rows_ready_words_0 / 256) mod 256, 0);
+    rows_reference(2) <= choice(rows_ready_inside(1), rows_reference_rows_ready_words_0 / 65536, 0);
+    rows_search(3) <= choice(rows_ready_inside_3, rows_search_rows_ready_newest(0), 0);
+    rows_reference(3) <= choice(rows_ready_inside_3, rows_reference_rows_ready_newest(0), 0);
+    if rows_ready_tag.valid then
+      rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 65536) + (rows_search_rows_ready_newest(0) *
+        256) + (rows_search_rows_ready_newest(1) * 65536);
+      rows_reference_rows_write_words_0 <= (rows_reference_rows_ready_words_0 / 65536) +
+        (rows_reference_rows_ready_newest(0) * 256) + (rows_reference_rows_ready_newest(1) * 65536);
+      rows_write_column <= rows_ready_column;
+    end if;
+    -- slice0shift
+    if rows_tag.valid then
       for i in 0 to 3 loop
-        slice0cost_difference(i, 0) <= slice0shift_search(i, 0) - slice0shift_reference(i);
-        slice0cost_difference(i, 1) <= slice0shift_search(i, 1) - slice0shift_reference(i);
-        slice0cost_difference(i, 2) <= slice0shift_search(i, 2) - slice0shift_reference(i);
+        slice0shift_search(i, 0) <= slice0shift_search(i, 1);
+        slice0shift_search(i, 1) <= slice0shift_search(i, 2);
+        slice0shift_search(i, 2) <= rows_search(i);
       end loop;
-      slice0cost_difference_tag <= slice0shift_tag;
-      for i in 0 to 2 loop
-        slice0cost_pair_0(i) <= folded(slice0cost_difference(2, i)) + folded(slice0cost_difference(1, i)) +
-          as_number((slice0cost_difference(1, i) < 0));
-      end loop;
-      slice0cost_negative_0(0) <= slice0cost_difference(2, 0) < 0;
-      slice0cost_negative_0(1) <= slice0cost_difference(2, 1) < 0;
-      slice0cost_negative_0(2) <= slice0cost_difference(2, 2) < 0;
-      for i in 0 to 2 loop
-        slice0cost_single_0(i) <= (folded(slice0cost_difference(0, i)) + as_number((slice0cost_difference(0, i) < 0)))
-          mod 256;
-      end loop;
-      for i in 0 to 2 loop
-        slice0cost_single_3(i) <= (folded(slice0cost_difference(3, i)) + as_number((slice0cost_difference(3, i) < 0)))
-          mod 256;
-      end loop;
-      slice0cost_pair_tag <= slice0cost_difference_tag;
-      slice0cost_tag <= slice0cost_pair_tag;
-      for i in 0 to 2 loop
-        slice0cost_column(0, i) <= choice(slice0cost_pair_tag.border_column, 0, slice0cost_pair_0(i) +
-          as_number(slice0cost_negative_0(i)) + slice0cost_single_0(i));
-      end loop;
-      for i in 0 to 2 loop
-        slice0cost_column(1, i) <= choice(slice0cost_pair_tag.border_column, 0, slice0cost_pair_0(i) +
-          as_number(slice0cost_negative_0(i)) + slice0cost_single_3(i));
-      end loop;
-      -- slice0window
-      if slice0cost_tag.valid then
-        for i in 0 to 1 loop
-          slice0window_partial_0(i, 0) <= slice0cost_column(i, 0);
-          slice0window_partial_0(i, 1) <= slice0cost_column(i, 1);
-          slice0window_partial_0(i, 2) <= slice0cost_column(i, 2);
-          slice0window_partial_1(i, 0) <= slice0cost_column(i, 0) + slice0window_partial_0(i, 0);
-          slice0window_partial_1(i, 1) <= slice0cost_column(i, 1) + slice0window_partial_0(i, 1);
-          slice0window_partial_1(i, 2) <= slice0cost_column(i, 2) + slice0window_partial_0(i, 2);
-        end loop;
-      end if;
-      slice0window_centre_output_column_0 <= slice0cost_tag.output_column;
-      slice0window_centre_start_of_frame_0 <= slice0cost_tag.start_of_frame;
-      slice0window_centre_end_of_line_0 <= slice0cost_tag.end_of_line;
-      slice0window_sum(0, 0) <= slice0cost_column(0, 0) + slice0window_partial_1(0, 0);
-      slice0window_sum(0, 1) <= slice0cost_column(0, 1) + slice0window_partial_1(0, 1);
-      slice0window_sum(0, 2) <= slice0cost_column(0, 2) + slice0window_partial_1(0, 2);
-      slice0window_sum(1, 0) <= slice0cost_column(1, 0) + slice0window_partial_1(1, 0);
-      slice0window_sum(1, 1) <= slice0cost_column(1, 1) + slice0window_partial_1(1, 1);
-      slice0window_sum(1, 2) <= slice0cost_column(1, 2) + slice0window_partial_1(1, 2);
-      slice0window_tag.valid <= slice0cost_tag.valid;
-      slice0window_tag.output_column <= slice0window_centre_output_column_0;
-      slice0window_tag.start_of_frame <= slice0window_centre_start_of_frame_0;
-      slice0window_tag.end_of_line <= slice0window_centre_end_of_line_0;
-      -- slice0winner1
-      slice0winner1_of_pair_0_is_less(0) := (slice0window_sum(0, 1) - slice0window_sum(0, 0)) < 0;
-      slice0winner1_of_pair_0_is_less(1) := (slice0window_sum(1, 1) - slice0window_sum(1, 0)) < 0;
-      slice0winner1_of_four_0_is_less(0) := (slice0winner1_of_pair(0, 2) -
-        to_integer(((to_unsigned(slice0winner1_of_pair(0, 0), 12)) or (to_unsigned(slice0winner1_of_pair(0, 1), 12)))))
-        < 0;
-      slice0winner1_of_four_0_is_less(1) := (slice0winner1_of_pair(1, 2) -
-        to_integer(((to_unsigned(slice0winner1_of_pair(1, 0), 12)) or (to_unsigned(slice0winner1_of_pair(1, 1), 12)))))
-        < 0;
-      slice0winner1_of_pair(0, 2) <= slice0window_sum(0, 2);
-      slice0winner1_of_pair(1, 2) <= slice0window_sum(1, 2);
-      slice0winner1_pair_index_0(0) <= slice0winner1_of_pair_0_is_less(0);
-      slice0winner1_pair_index_0_1 <= 2;
-      slice0winner1_pair_index_0(1) <= slice0winner1_of_pair_0_is_less(1);
-      slice0winner1_pair_tag.valid <= slice0window_tag.valid;
-      slice0winner1_four_tag <= slice0winner1_pair_tag;
-      slice0winner1_best_cost_0(0) <= to_integer(((((to_unsigned(slice0winner1_of_four(0, 1), 12)) or
-        (to_unsigned(slice0winner1_of_four(0, 2), 12)))) or (to_unsigned(slice0winner1_of_four(0, 0), 12))));
-      slice0winner1_best_cost_0(1) <= to_integer(((((to_unsigned(slice0winner1_of_four(1, 1), 12)) or
-        (to_unsigned(slice0winner1_of_four(1, 2), 12)))) or (to_unsigned(slice0winner1_of_four(1, 0), 12))));
-      slice0winner1_best_index_0 <= slice0winner1_four_index_0;
-      slice0winner1_tag <= slice0winner1_four_tag;
+    end if;
+    slice0shift_reference <= rows_reference;
+    slice0shift_search_out(0) <= slice0shift_search(0, 0);
+    slice0shift_search_out(1) <= slice0shift_search(1, 0);
+    slice0shift_search_out(2) <= slice0shift_search(2, 0);
+    slice0shift_search_out(3) <= slice0shift_search(3, 0);
+    slice0shift_tag <= rows_tag;
+    -- slice0cost
+    for i in 0 to 3 loop
+      slice0cost_difference(i, 0) <= slice0shift_search(i, 0) - slice0shift_reference(i);
+      slice0cost_difference(i, 1) <= slice0shift_search(i, 1) - slice0shift_reference(i);
+      slice0cost_difference(i, 2) <= slice0shift_search(i, 2) - slice0shift_reference(i);
+    end loop;
+    slice0cost_difference_tag <= slice0shift_tag;
+    for i in 0 to 2 loop
+      slice0cost_pair_0(i) <= folded(slice0cost_difference(2, i)) + folded(slice0cost_difference(1, i)) +
+        as_number((slice0cost_difference(1, i) < 0));
+    end loop;
+    slice0cost_negative_0(0) <= slice0cost_difference(2, 0) < 0;
+    slice0cost_negative_0(1) <= slice0cost_difference(2, 1) < 0;
+    slice0cost_negative_0(2) <= slice0cost_difference(2, 2) < 0;
+    for i in 0 to 2 loop
+      slice0cost_single_0(i) <= (folded(slice0cost_difference(0, i)) + as_number((slice0cost_difference(0, i) < 0)))
+        mod 256;
+    end loop;
+    for i in 0 to 2 loop
+      slice0cost_single_3(i) <= (folded(slice0cost_difference(3, i)) + as_number((slice0cost_difference(3, i) < 0)))
+        mod 256;
+    end loop;
+    slice0cost_pair_tag <= slice0cost_difference_tag;
+    slice0cost_tag <= slice0cost_pair_tag;
+    for i in 0 to 2 loop
+      slice0cost_column(0, i) <= choice(slice0cost_pair_tag.border_column, 0, slice0cost_pair_0(i) +
+        as_number(slice0cost_negative_0(i)) + slice0cost_single_0(i));
+    end loop;
+    for i in 0 to 2 loop
+      slice0cost_column(1, i) <= choice(slice0cost_pair_tag.border_column, 0, slice0cost_pair_0(i) +
+        as_number(slice0cost_negative_0(i)) + slice0cost_single_3(i));
+    end loop;
+    -- slice0window
+    if slice0cost_tag.valid then
       for i in 0 to 1 loop
-        slice0winner1_of_pair(i, 0) <= choice(slice0winner1_of_pair_0_is_less(i), 0, slice0window_sum(i, 0));
-        slice0winner1_of_pair(i, 1) <= choice(slice0winner1_of_pair_0_is_less(i), slice0window_sum(i, 1), 0);
+        slice0window_partial_0(i, 0) <= slice0cost_column(i, 0);
+        slice0window_partial_0(i, 1) <= slice0cost_column(i, 1);
+        slice0window_partial_0(i, 2) <= slice0cost_column(i, 2);
+        slice0window_partial_1(i, 0) <= slice0cost_column(i, 0) + slice0window_partial_0(i, 0);
+        slice0window_partial_1(i, 1) <= slice0cost_column(i, 1) + slice0window_partial_0(i, 1);
+        slice0window_partial_1(i, 2) <= slice0cost_column(i, 2) + slice0window_partial_0(i, 2);
       end loop;
-      for i in 0 to 1 loop
-        slice0winner1_of_four(i, 0) <= choice(slice0winner1_of_four_0_is_less(i), 0, slice0winner1_of_pair(i, 0));
-        slice0winner1_of_four(i, 1) <= choice(slice0winner1_of_four_0_is_less(i), 0, slice0winner1_of_pair(i, 1));
-        slice0winner1_of_four(i, 2) <= choice(slice0winner1_of_four_0_is_less(i), slice0winner1_of_pair(i, 2), 0);
-        slice0winner1_four_index_0(i) <= choice(slice0winner1_of_four_0_is_less(i), slice0winner1_pair_index_0_1,
-          as_number(slice0winner1_pair_index_0(i)));
-      end loop;
-      if slice0winner1_pair_tag.valid then
-        slice0winner1_pair_tag.output_column <= slice0window_tag.output_column;
-        slice0winner1_pair_tag.start_of_frame <= slice0window_tag.start_of_frame;
-        slice0winner1_pair_tag.end_of_line <= slice0window_tag.end_of_line;
-      end if;
-      -- slice0
-      slice0_best_cost_0 <= slice0winner1_best_cost_0;
-      slice0_best_index_0(0) <= slice0winner1_best_index_0(0) + 5;
-      slice0_best_index_0(1) <= slice0winner1_best_index_0(1) + 5;
-      slice0_best_tag <= slice0winner1_tag;
-      -- slice1shift
-      if slice0shift_tag.valid then
-        for i in 0 to 3 loop
-          slice1shift_search(i, 0) <= slice1shift_search(i, 1);
-          slice1shift_search(i, 1) <= slice1shift_search(i, 2);
-          slice1shift_search(i, 2) <= slice0shift_search_out(i);
-        end loop;
-      end if;
-      slice1shift_reference <= slice0shift_reference;
-      slice1shift_search_out(0) <= slice1shift_search(0, 0);
-      slice1shift_search_out(1) <= slice1shift_search(1, 0);
-      slice1shift_search_out(2) <= slice1shift_search(2, 0);
-      slice1shift_search_out(3) <= slice1shift_search(3, 0);
-      -- slice1cost
+    end if;
+    slice0window_centre_output_column_0 <= slice0cost_tag.output_column;
+    slice0window_centre_start_of_frame_0 <= slice0cost_tag.start_of_frame;
+    slice0window_centre_end_of_line_0 <= slice0cost_tag.end_of_line;
+    slice0window_sum(0, 0) <= slice0cost_column(0, 0) + slice0window_partial_1(0, 0);
+    slice0window_sum(0, 1) <= slice0cost_column(0, 1) + slice0window_partial_1(0, 1);
+    slice0window_sum(0, 2) <= slice0cost_column(0, 2) + slice0window_partial_1(0, 2);
+    slice0window_sum(1, 0) <= slice0cost_column(1, 0) + slice0window_partial_1(1, 0);
+    slice0window_sum(1, 1) <= slice0cost_column(1, 1) + slice0window_partial_1(1, 1);
+    slice0window_sum(1, 2) <= slice0cost_column(1, 2) + slice0window_partial_1(1, 2);
+    slice0window_tag.valid <= slice0cost_tag.valid;
+    slice0window_tag.output_column <= slice0window_centre_output_column_0;
+    slice0window_tag.start_of_frame <= slice0window_centre_start_of_frame_0;
+    slice0window_tag.end_of_line <= slice0window_centre_end_of_line_0;
+    -- slice0winner1
+    slice0winner1_of_pair_0_is_less(0) := (slice0window_sum(0, 1) - slice0window_sum(0, 0)) < 0;
+    slice0winner1_of_pair_0_is_less(1) := (slice0window_sum(1, 1) - slice0window_sum(1, 0)) < 0;
+    slice0winner1_of_four_0_is_less(0) := (slice0winner1_of_pair(0, 2) -
+      to_integer(((to_unsigned(slice0winner1_of_pair(0, 0), 12)) or (to_unsigned(slice0winner1_of_pair(0, 1), 12))))) <
+      0;
+    slice0winner1_of_four_0_is_less(1) := (slice0winner1_of_pair(1, 2) -
+      to_integer(((to_unsigned(slice0winner1_of_pair(1, 0), 12)) or (to_unsigned(slice0winner1_of_pair(1, 1), 12))))) <
+      0;
+    slice0winner1_of_pair(0, 2) <= slice0window_sum(0, 2);
+    slice0winner1_of_pair(1, 2) <= slice0window_sum(1, 2);
+    slice0winner1_pair_index_0(0) <= slice0winner1_of_pair_0_is_less(0);
+    slice0winner1_pair_index_0_1 <= 2;
+    slice0winner1_pair_index_0(1) <= slice0winner1_of_pair_0_is_less(1);
+    slice0winner1_pair_tag.valid <= slice0window_tag.valid;
+    slice0winner1_four_tag <= slice0winner1_pair_tag;
+    slice0winner1_best_cost_0(0) <= to_integer(((((to_unsigned(slice0winner1_of_four(0, 1), 12)) or
+      (to_unsigned(slice0winner1_of_four(0, 2), 12)))) or (to_unsigned(slice0winner1_of_four(0, 0), 12))));
+    slice0winner1_best_cost_0(1) <= to_integer(((((to_unsigned(slice0winner1_of_four(1, 1), 12)) or
+      (to_unsigned(slice0winner1_of_four(1, 2), 12)))) or (to_unsigned(slice0winner1_of_four(1, 0), 12))));
+    slice0winner1_best_index_0 <= slice0winner1_four_index_0;
+    slice0winner1_tag <= slice0winner1_four_tag;
+    for i in 0 to 1 loop
+      slice0winner1_of_pair(i, 0) <= choice(slice0winner1_of_pair_0_is_less(i), 0, slice0window_sum(i, 0));
+      slice0winner1_of_pair(i, 1) <= choice(slice0winner1_of_pair_0_is_less(i), slice0window_sum(i, 1), 0);
+    end loop;
+    for i in 0 to 1 loop
+      slice0winner1_of_four(i, 0) <= choice(slice0winner1_of_four_0_is_less(i), 0, slice0winner1_of_pair(i, 0));
+      slice0winner1_of_four(i, 1) <= choice(slice0winner1_of_four_0_is_less(i), 0, slice0winner1_of_pair(i, 1));
+      slice0winner1_of_four(i, 2) <= choice(slice0winner1_of_four_0_is_less(i), slice0winner1_of_pair(i, 2), 0);
+      slice0winner1_four_index_0(i) <= choice(slice0winner1_of_four_0_is_less(i), slice0winner1_pair_index_0_1,
+        as_number(slice0winner1_pair_index_0(i)));
+    end loop;
+    if slice0winner1_pair_tag.valid then
+      slice0winner1_pair_tag.output_column <= slice0window_tag.output_column;
+      slice0winner1_pair_tag.start_of_frame <= slice0window_tag.start_of_frame;
+      slice0winner1_pair_tag.end_of_line <= slice0window_tag.end_of_line;
+    end if;
+    -- slice0
+    slice0_best_cost_0 <= slice0winner1_best_cost_0;
+    slice0_best_index_0(0) <= slice0winner1_best_index_0(0) + 5;
+    slice0_best_index_0(1) <= slice0winner1_best_index_0(1) + 5;
+    slice0_best_tag <= slice0winner1_tag;
+    -- slice1shift
+    if slice0shift_tag.valid then
       for i in 0 to 3 loop
-        slice1cost_difference(i, 0) <= slice1shift_search(i, 0) - slice1shift_reference(i);
-        slice1cost_difference(i, 1) <= slice1shift_search(i, 1) - slice1shift_reference(i);
-        slice1cost_difference(i, 2) <= slice1shift_search(i, 2) - slice1shift_reference(i);
+        slice1shift_search(i, 0) <= slice1shift_search(i, 1);
+        slice1shift_search(i, 1) <= slice1shift_search(i, 2);
+        slice1shift_search(i, 2) <= slice0shift_search_out(i);
       end loop;
-      for i in 0 to 2 loop
-        slice1cost_pair_0(i) <= folded(slice1cost_difference(2, i)) + folded(slice1cost_difference(1, i)) +
-          as_number((slice1cost_difference(1, i) < 0));
-      end loop;
-      slice1cost_negative_0(0) <= slice1cost_difference(2, 0) < 0;
-      slice1cost_negative_0(1) <= slice1cost_difference(2, 1) < 0;
-      slice1cost_negative_0(2) <= slice1cost_difference(2, 2) < 0;
-      for i in 0 to 2 loop
-        slice1cost_single_0(i) <= (folded(slice1cost_difference(0, i)) + as_number((slice1cost_difference(0, i) < 0)))
-          mod 256;
-      end loop;
-      for i in 0 to 2 loop
-        slice1cost_single_3(i) <= (folded(slice1cost_difference(3, i)) + as_number((slice1cost_difference(3, i) < 0)))
-          mod 256;
-      end loop;
-      slice1cost_tag_border_column <= slice0cost_tag.border_column;
-      for i in 0 to 2 loop
-        slice1cost_column(0, i) <= choice(slice0cost_tag.border_column, 0, slice1cost_pair_0(i) +
-          as_number(slice1cost_negative_0(i)) + slice1cost_single_0(i));
-      end loop;
-      for i in 0 to 2 loop
-        slice1cost_column(1, i) <= choice(slice0cost_tag.border_column, 0, slice1cost_pair_0(i) +
-          as_number(slice1cost_negative_0(i)) + slice1cost_single_3(i));
-      end loop;
-      -- slice1window
-      if slice0window_tag.valid then
-        for i in 0 to 1 loop
-          slice1window_partial_0(i, 0) <= slice1cost_column(i, 0);
-          slice1window_partial_0(i, 1) <= slice1cost_column(i, 1);
-          slice1window_partial_0(i, 2) <= slice1cost_column(i, 2);
-          slice1window_partial_1(i, 0) <= slice1cost_column(i, 0) + slice1window_partial_0(i, 0);
-          slice1window_partial_1(i, 1) <= slice1cost_column(i, 1) + slice1window_partial_0(i, 1);
-          slice1window_partial_1(i, 2) <= slice1cost_column(i, 2) + slice1window_partial_0(i, 2);
-        end loop;
-      end if;
-      slice1window_sum(0, 0) <= slice1cost_column(0, 0) + slice1window_partial_1(0, 0);
-      slice1window_sum(0, 1) <= slice1cost_column(0, 1) + slice1window_partial_1(0, 1);
-      slice1window_sum(0, 2) <= slice1cost_column(0, 2) + slice1window_partial_1(0, 2);
-      slice1window_sum(1, 0) <= slice1cost_column(1, 0) + slice1window_partial_1(1, 0);
-      slice1window_sum(1, 1) <= slice1cost_column(1, 1) + slice1window_partial_1(1, 1);
-      slice1window_sum(1, 2) <= slice1cost_column(1, 2) + slice1window_partial_1(1, 2);
-      -- slice1winner1
-      slice1winner1_of_pair_0_is_less(0) := (slice1window_sum(0, 1) - slice1window_sum(0, 0)) < 0;
-      slice1winner1_of_pair_0_is_less(1) := (slice1window_sum(1, 1) - slice1window_sum(1, 0)) < 0;
-      slice1winner1_of_four_0_is_less(0) := (slice1winner1_of_pair(0, 2) -
-        to_integer(((to_unsigned(slice1winner1_of_pair(0, 0), 12)) or (to_unsigned(slice1winner1_of_pair(0, 1), 12)))))
-        < 0;
-      slice1winner1_of_four_0_is_less(1) := (slice1winner1_of_pair(1, 2) -
-        to_integer(((to_unsigned(slice1winner1_of_pair(1, 0), 12)) or (to_unsigned(slice1winner1_of_pair(1, 1), 12)))))
-        < 0;
-      slice1winner1_of_pair(0, 2) <= slice1window_sum(0, 2);
-      slice1winner1_of_pair(1, 2) <= slice1window_sum(1, 2);
-      slice1winner1_pair_index_0 <= slice1winner1_of_pair_0_is_less;
-      slice1winner1_best_cost_0(0) <= to_integer(((((to_unsigned(slice1winner1_of_four(0, 1), 12)) or
-        (to_unsigned(slice1winner1_of_four(0, 2), 12)))) or (to_unsigned(slice1winner1_of_four(0, 0), 12))));
-      slice1winner1_best_cost_0(1) <= to_integer(((((to_unsigned(slice1winner1_of_four(1, 1), 12)) or
-        (to_unsigned(slice1winner1_of_four(1, 2), 12)))) or (to_unsigned(slice1winner1_of_four(1, 0), 12))));
-      slice1winner1_best_index_0 <= slice1winner1_four_index_0;
+    end if;
+    slice1shift_reference <= slice0shift_reference;
+    slice1shift_search_out(0) <= slice1shift_search(0, 0);
+    slice1shift_search_out(1) <= slice1shift_search(1, 0);
+    slice1shift_search_out(2) <= slice1shift_search(2, 0);
+    slice1shift_search_out(3) <= slice1shift_search(3, 0);
+    -- slice1cost
+    for i in 0 to 3 loop
+      slice1cost_difference(i, 0) <= slice1shift_search(i, 0) - slice1shift_reference(i);
+      slice1cost_difference(i, 1) <= slice1shift_search(i, 1) - slice1shift_reference(i);
+      slice1cost_difference(i, 2) <= slice1shift_search(i, 2) - slice1shift_reference(i);
+    end loop;
+    for i in 0 to 2 loop
+      slice1cost_pair_0(i) <= folded(slice1cost_difference(2, i)) + folded(slice1cost_difference(1, i)) +
+        as_number((slice1cost_difference(1, i) < 0));
+    end loop;
+    slice1cost_negative_0(0) <= slice1cost_difference(2, 0) < 0;
+    slice1cost_negative_0(1) <= slice1cost_difference(2, 1) < 0;
+    slice1cost_negative_0(2) <= slice1cost_difference(2, 2) < 0;
+    for i in 0 to 2 loop
+      slice1cost_single_0(i) <= (folded(slice1cost_difference(0, i)) + as_number((slice1cost_difference(0, i) < 0)))
+        mod 256;
+    end loop;
+    for i in 0 to 2 loop
+      slice1cost_single_3(i) <= (folded(slice1cost_difference(3, i)) + as_number((slice1cost_difference(3, i) < 0)))
+        mod 256;
+    end loop;
+    slice1cost_tag_border_column <= slice0cost_tag.border_column;
+    for i in 0 to 2 loop
+      slice1cost_column(0, i) <= choice(slice0cost_tag.border_column, 0, slice1cost_pair_0(i) +
+        as_number(slice1cost_negative_0(i)) + slice1cost_single_0(i));
+    end loop;
+    for i in 0 to 2 loop
+      slice1cost_column(1, i) <= choice(slice0cost_tag.border_column, 0, slice1cost_pair_0(i) +
+        as_number(slice1cost_negative_0(i)) + slice1cost_single_3(i));
+    end loop;
+    -- slice1window
+    if slice0window_tag.valid then
       for i in 0 to 1 loop
-        slice1winner1_of_pair(i, 0) <= choice(slice1winner1_of_pair_0_is_less(i), 0, slice1window_sum(i, 0));
-        slice1winner1_of_pair(i, 1) <= choice(slice1winner1_of_pair_0_is_less(i), slice1window_sum(i, 1), 0);
+        slice1window_partial_0(i, 0) <= slice1cost_column(i, 0);
+        slice1window_partial_0(i, 1) <= slice1cost_column(i, 1);
+        slice1window_partial_0(i, 2) <= slice1cost_column(i, 2);
+        slice1window_partial_1(i, 0) <= slice1cost_column(i, 0) + slice1window_partial_0(i, 0);
+        slice1window_partial_1(i, 1) <= slice1cost_column(i, 1) + slice1window_partial_0(i, 1);
+        slice1window_partial_1(i, 2) <= slice1cost_column(i, 2) + slice1window_partial_0(i, 2);
       end loop;
-      for i in 0 to 1 loop
-        slice1winner1_of_four(i, 0) <= choice(slice1winner1_of_four_0_is_less(i), 0, slice1winner1_of_pair(i, 0));
-        slice1winner1_of_four(i, 1) <= choice(slice1winner1_of_four_0_is_less(i), 0, slice1winner1_of_pair(i, 1));
-        slice1winner1_of_four(i, 2) <= choice(slice1winner1_of_four_0_is_less(i), slice1winner1_of_pair(i, 2), 0);
-        slice1winner1_four_index_0(i) <= choice(slice1winner1_of_four_0_is_less(i), slice0winner1_pair_index_0_1,
-          as_number(slice1winner1_pair_index_0(i)));
-      end loop;
-      -- slice1
-      slice1_best_cost_0_is_less(0) := (slice0_best_cost_0(0) - slice1winner1_best_cost_0(0)) < 0;
-      slice1_best_cost_0_is_less(1) := (slice0_best_cost_0(1) - slice1winner1_best_cost_0(1)) < 0;
-      slice1_best_tag <= slice0_best_tag;
-      for i in 0 to 1 loop
-        slice1_best_cost_0(i) <= choice(slice1_best_cost_0_is_less(i), slice0_best_cost_0(i),
-          slice1winner1_best_cost_0(i));
-        slice1_best_index_0(i) <= choice(slice1_best_cost_0_is_less(i), slice0_best_index_0(i),
-          (((slice1winner1_best_index_0(i) / 2) + 1) * 2) + (slice1winner1_best_index_0(i) mod 2));
-      end loop;
-      -- slice2shift
-      if slice0cost_difference_tag.valid then
-        for i in 0 to 3 loop
-          slice2shift_search(i, 0) <= slice2shift_search(i, 1);
-          slice2shift_search(i, 1) <= slice1shift_search_out(i);
-        end loop;
-      end if;
-      slice2shift_reference <= slice1shift_reference;
-      -- slice2cost
+    end if;
+    slice1window_sum(0, 0) <= slice1cost_column(0, 0) + slice1window_partial_1(0, 0);
+    slice1window_sum(0, 1) <= slice1cost_column(0, 1) + slice1window_partial_1(0, 1);
+    slice1window_sum(0, 2) <= slice1cost_column(0, 2) + slice1window_partial_1(0, 2);
+    slice1window_sum(1, 0) <= slice1cost_column(1, 0) + slice1window_partial_1(1, 0);
+    slice1window_sum(1, 1) <= slice1cost_column(1, 1) + slice1window_partial_1(1, 1);
+    slice1window_sum(1, 2) <= slice1cost_column(1, 2) + slice1window_partial_1(1, 2);
+    -- slice1winner1
+    slice1winner1_of_pair_0_is_less(0) := (slice1window_sum(0, 1) - slice1window_sum(0, 0)) < 0;
+    slice1winner1_of_pair_0_is_less(1) := (slice1window_sum(1, 1) - slice1window_sum(1, 0)) < 0;
+    slice1winner1_of_four_0_is_less(0) := (slice1winner1_of_pair(0, 2) -
+      to_integer(((to_unsigned(slice1winner1_of_pair(0, 0), 12)) or (to_unsigned(slice1winner1_of_pair(0, 1), 12))))) <
+      0;
+    slice1winner1_of_four_0_is_less(1) := (slice1winner1_of_pair(1, 2) -
+      to_integer(((to_unsigned(slice1winner1_of_pair(1, 0), 12)) or (to_unsigned(slice1winner1_of_pair(1, 1), 12))))) <
+      0;
+    slice1winner1_of_pair(0, 2) <= slice1window_sum(0, 2);
+    slice1winner1_of_pair(1, 2) <= slice1window_sum(1, 2);
+    slice1winner1_pair_index_0 <= slice1winner1_of_pair_0_is_less;
+    slice1winner1_best_cost_0(0) <= to_integer(((((to_unsigned(slice1winner1_of_four(0, 1), 12)) or
+      (to_unsigned(slice1winner1_of_four(0, 2), 12)))) or (to_unsigned(slice1winner1_of_four(0, 0), 12))));
+    slice1winner1_best_cost_0(1) <= to_integer(((((to_unsigned(slice1winner1_of_four(1, 1), 12)) or
+      (to_unsigned(slice1winner1_of_four(1, 2), 12)))) or (to_unsigned(slice1winner1_of_four(1, 0), 12))));
+    slice1winner1_best_index_0 <= slice1winner1_four_index_0;
+    for i in 0 to 1 loop
+      slice1winner1_of_pair(i, 0) <= choice(slice1winner1_of_pair_0_is_less(i), 0, slice1window_sum(i, 0));
+      slice1winner1_of_pair(i, 1) <= choice(slice1winner1_of_pair_0_is_less(i), slice1window_sum(i, 1), 0);
+    end loop;
+    for i in 0 to 1 loop
+      slice1winner1_of_four(i, 0) <= choice(slice1winner1_of_four_0_is_less(i), 0, slice1winner1_of_pair(i, 0));
+      slice1winner1_of_four(i, 1) <= choice(slice1winner1_of_four_0_is_less(i), 0, slice1winner1_of_pair(i, 1));
+      slice1winner1_of_four(i, 2) <= choice(slice1winner1_of_four_0_is_less(i), slice1winner1_of_pair(i, 2), 0);
+      slice1winner1_four_index_0(i) <= choice(slice1winner1_of_four_0_is_less(i), slice0winner1_pair_index_0_1,
+        as_number(slice1winner1_pair_index_0(i)));
+    end loop;
+    -- slice1
+    slice1_best_cost_0_is_less(0) := (slice0_best_cost_0(0) - slice1winner1_best_cost_0(0)) < 0;
+    slice1_best_cost_0_is_less(1) := (slice0_best_cost_0(1) - slice1winner1_best_cost_0(1)) < 0;
+    slice1_best_tag <= slice0_best_tag;
+    for i in 0 to 1 loop
+      slice1_best_cost_0(i) <= choice(slice1_best_cost_0_is_less(i), slice0_best_cost_0(i),
+        slice1winner1_best_cost_0(i));
+      slice1_best_index_0(i) <= choice(slice1_best_cost_0_is_less(i), slice0_best_index_0(i),
+        (((slice1winner1_best_index_0(i) / 2) + 1) * 2) + (slice1winner1_best_index_0(i) mod 2));
+    end loop;
+    -- slice2shift
+    if slice0cost_difference_tag.valid then
       for i in 0 to 3 loop
-        slice2cost_difference(i, 0) <= slice2shift_search(i, 0) - slice2shift_reference(i);
-        slice2cost_difference(i, 1) <= slice2shift_search(i, 1) - slice2shift_reference(i);
+        slice2shift_search(i, 0) <= slice2shift_search(i, 1);
+        slice2shift_search(i, 1) <= slice1shift_search_out(i);
       end loop;
-      slice2cost_pair_0(0) <= as_number((slice2cost_difference(1, 0) < 0)) + folded(slice2cost_difference(1, 0)) +
-        folded(slice2cost_difference(2, 0));
-      slice2cost_pair_0(1) <= as_number((slice2cost_difference(1, 1) < 0)) + folded(slice2cost_difference(1, 1)) +
-        folded(slice2cost_difference(2, 1));
-      slice2cost_negative_0(0) <= slice2cost_difference(2, 0) < 0;
-      slice2cost_negative_0(1) <= slice2cost_difference(2, 1) < 0;
-      slice2cost_single_0(0) <= (folded(slice2cost_difference(0, 0)) + as_number((slice2cost_difference(0, 0) < 0)))
-        mod 256;
-      slice2cost_single_0(1) <= (folded(slice2cost_difference(0, 1)) + as_number((slice2cost_difference(0, 1) < 0)))
-        mod 256;
-      slice2cost_single_3(0) <= (folded(slice2cost_difference(3, 0)) + as_number((slice2cost_difference(3, 0) < 0)))
-        mod 256;
-      slice2cost_single_3(1) <= (folded(slice2cost_difference(3, 1)) + as_number((slice2cost_difference(3, 1) < 0)))
-        mod 256;
-      slice2cost_column(0, 0) <= choice(slice1cost_tag_border_column, 0, slice2cost_pair_0(0) +
-        as_number(slice2cost_negative_0(0)) + slice2cost_single_0(0));
-      slice2cost_column(0, 1) <= choice(slice1cost_tag_border_column, 0, slice2cost_pair_0(1) +
-        as_number(slice2cost_negative_0(1)) + slice2cost_single_0(1));
-      slice2cost_column(1, 0) <= choice(slice1cost_tag_border_column, 0, slice2cost_pair_0(0) +
-        as_number(slice2cost_negative_0(0)) + slice2cost_single_3(0));
-      slice2cost_column(1, 1) <= choice(slice1cost_tag_border_column, 0, slice2cost_pair_0(1) +
-        as_number(slice2cost_negative_0(1)) + slice2cost_single_3(1));
-      -- slice2window
-      if slice0winner1_pair_tag.valid then
-        for i in 0 to 1 loop
-          slice2window_partial_0(i, 0) <= slice2cost_column(i, 0);
-          slice2window_partial_0(i, 1) <= slice2cost_column(i, 1);
-          slice2window_partial_1(i, 0) <= slice2cost_column(i, 0) + slice2window_partial_0(i, 0);
-          slice2window_partial_1(i, 1) <= slice2cost_column(i, 1) + slice2window_partial_0(i, 1);
-        end loop;
-      end if;
-      slice2window_sum(0, 0) <= slice2cost_column(0, 0) + slice2window_partial_1(0, 0);
-      slice2window_sum(0, 1) <= slice2cost_column(0, 1) + slice2window_partial_1(0, 1);
-      slice2window_sum(1, 0) <= slice2cost_column(1, 0) + slice2window_partial_1(1, 0);
-      slice2window_sum(1, 1) <= slice2cost_column(1, 1) + slice2window_partial_1(1, 1);
-      -- slice2winner1
-      slice2winner1_best_cost_0_is_less(0) := (slice2window_sum(0, 1) - slice2window_sum(0, 0)) < 0;
-      slice2winner1_best_cost_0_is_less(1) := (slice2window_sum(1, 1) - slice2window_sum(1, 0)) < 0;
-      slice2winner1_best_index_0 <= slice2winner1_best_cost_0_is_less;
-      slice2winner1_best_cost_0(0) <= choice(slice2winner1_best_cost_0_is_less(0), slice2window_sum(0, 1),
-        slice2window_sum(0, 0));
-      slice2winner1_best_cost_0(1) <= choice(slice2winner1_best_cost_0_is_less(1), slice2window_sum(1, 1),
-        slice2window_sum(1, 0));
-      -- slice2winner2
-      slice2winner2_best_cost_0 <= slice2winner1_best_cost_0;
-      slice2winner2_best_index_0 <= slice2winner1_best_index_0;
-      -- slice2winner3
-      slice2winner3_best_cost_0 <= slice2winner2_best_cost_0;
-      slice2winner3_best_index_0 <= slice2winner2_best_index_0;
-      -- slice2
-      slice2_best_tag <= slice1_best_tag;
-      slice2_best_index_0(0) <= choice((slice1_best_cost_0(0) - slice2winner3_best_cost_0(0)) < 0,
-        slice1_best_index_0(0), as_number(slice2winner3_best_index_0(0)));
-      slice2_best_index_0(1) <= choice((slice1_best_cost_0(1) - slice2winner3_best_cost_0(1)) < 0,
-        slice1_best_index_0(1), as_number(slice2winner3_best_index_0(1)));
-      if reset = '1' then
-        raster_features_valid <= false;
-        raster_place_column <= 0;
-        raster_place_group <= 7;
-        raster_place_next_frame <= false;
-        delay_ring_read_address <= 1;
-        delay_ring_write_address <= 0;
-        delay_column <= 0;
-        delay_tag.valid <= false;
-        delay_tag.output_column <= false;
-        delay_tag.start_of_frame <= false;
-        delay_tag.end_of_line <= false;
-        rows_read_column <= 0;
-        rows_read_tag.valid <= false;
-        rows_read_tag.output_column <= false;
-        rows_read_tag.start_of_frame <= false;
-        rows_read_tag.end_of_line <= false;
-        rows_ready_column <= 0;
-        rows_ready_tag.valid <= false;
-        rows_ready_tag.output_column <= false;
-        rows_ready_tag.start_of_frame <= false;
-        rows_ready_tag.end_of_line <= false;
-        rows_write_column <= 0;
-        rows_tag.valid <= false;
-        rows_tag.output_column <= false;
-        rows_tag.start_of_frame <= false;
-        rows_tag.end_of_line <= false;
-        slice0shift_tag.valid <= false;
-        slice0shift_tag.output_column <= false;
-        slice0shift_tag.start_of_frame <= false;
-        slice0shift_tag.end_of_line <= false;
-        slice0cost_difference_tag.valid <= false;
-        slice0cost_difference_tag.output_column <= false;
-        slice0cost_difference_tag.start_of_frame <= false;
-        slice0cost_difference_tag.end_of_line <= false;
-        slice0cost_pair_tag.valid <= false;
-        slice0cost_pair_tag.output_column <= false;
-        slice0cost_pair_tag.start_of_frame <= false;
-        slice0cost_pair_tag.end_of_line <= false;
-        slice0cost_tag.valid <= false;
-        slice0cost_tag.output_column <= false;
-        slice0cost_tag.start_of_frame <= false;
-        slice0cost_tag.end_of_line <= false;
-        slice0window_centre_output_column_0 <= false;
-        slice0window_centre_start_of_frame_0 <= false;
-        slice0window_centre_end_of_line_0 <= false;
-        slice0window_tag <= (others => false);
-        slice0winner1_pair_tag <= (others => false);
-        slice0winner1_four_tag <= (others => false);
-        slice0winner1_tag <= (others => false);
-        slice0_best_tag <= (others => false);
-        slice1_best_tag <= (others => false);
-        slice2_best_tag <= (others => false);
-      end if;
+    end if;
+    slice2shift_reference <= slice1shift_reference;
+    -- slice2cost
+    for i in 0 to 3 loop
+      slice2cost_difference(i, 0) <= slice2shift_search(i, 0) - slice2shift_reference(i);
+      slice2cost_difference(i, 1) <= slice2shift_search(i, 1) - slice2shift_reference(i);
+    end loop;
+    slice2cost_pair_0(0) <= as_number((slice2cost_difference(1, 0) < 0)) + folded(slice2cost_difference(1, 0)) +
+      folded(slice2cost_difference(2, 0));
+    slice2cost_pair_0(1) <= as_number((slice2cost_difference(1, 1) < 0)) + folded(slice2cost_difference(1, 1)) +
+      folded(slice2cost_difference(2, 1));
+    slice2cost_negative_0(0) <= slice2cost_difference(2, 0) < 0;
+    slice2cost_negative_0(1) <= slice2cost_difference(2, 1) < 0;
+    slice2cost_single_0(0) <= (folded(slice2cost_difference(0, 0)) + as_number((slice2cost_difference(0, 0) < 0))) mod
+      256;
+    slice2cost_single_0(1) <= (folded(slice2cost_difference(0, 1)) + as_number((slice2cost_difference(0, 1) < 0))) mod
+      256;
+    slice2cost_single_3(0) <= (folded(slice2cost_difference(3, 0)) + as_number((slice2cost_difference(3, 0) < 0))) mod
+      256;
+    slice2cost_single_3(1) <= (folded(slice2cost_difference(3, 1)) + as_number((slice2cost_difference(3, 1) < 0))) mod
+      256;
+    slice2cost_column(0, 0) <= choice(slice1cost_tag_border_column, 0, slice2cost_pair_0(0) +
+      as_number(slice2cost_negative_0(0)) + slice2cost_single_0(0));
+    slice2cost_column(0, 1) <= choice(slice1cost_tag_border_column, 0, slice2cost_pair_0(1) +
+      as_number(slice2cost_negative_0(1)) + slice2cost_single_0(1));
+    slice2cost_column(1, 0) <= choice(slice1cost_tag_border_column, 0, slice2cost_pair_0(0) +
+      as_number(slice2cost_negative_0(0)) + slice2cost_single_3(0));
+    slice2cost_column(1, 1) <= choice(slice1cost_tag_border_column, 0, slice2cost_pair_0(1) +
+      as_number(slice2cost_negative_0(1)) + slice2cost_single_3(1));
+    -- slice2window
+    if slice0winner1_pair_tag.valid then
+      for i in 0 to 1 loop
+        slice2window_partial_0(i, 0) <= slice2cost_column(i, 0);
+        slice2window_partial_0(i, 1) <= slice2cost_column(i, 1);
+        slice2window_partial_1(i, 0) <= slice2cost_column(i, 0) + slice2window_partial_0(i, 0);
+        slice2window_partial_1(i, 1) <= slice2cost_column(i, 1) + slice2window_partial_0(i, 1);
+      end loop;
+    end if;
+    slice2window_sum(0, 0) <= slice2cost_column(0, 0) + slice2window_partial_1(0, 0);
+    slice2window_sum(0, 1) <= slice2cost_column(0, 1) + slice2window_partial_1(0, 1);
+    slice2window_sum(1, 0) <= slice2cost_column(1, 0) + slice2window_partial_1(1, 0);
+    slice2window_sum(1, 1) <= slice2cost_column(1, 1) + slice2window_partial_1(1, 1);
+    -- slice2winner1
+    slice2winner1_best_cost_0_is_less(0) := (slice2window_sum(0, 1) - slice2window_sum(0, 0)) < 0;
+    slice2winner1_best_cost_0_is_less(1) := (slice2window_sum(1, 1) - slice2window_sum(1, 0)) < 0;
+    slice2winner1_best_index_0 <= slice2winner1_best_cost_0_is_less;
+    slice2winner1_best_cost_0(0) <= choice(slice2winner1_best_cost_0_is_less(0), slice2window_sum(0, 1),
+      slice2window_sum(0, 0));
+    slice2winner1_best_cost_0(1) <= choice(slice2winner1_best_cost_0_is_less(1), slice2window_sum(1, 1),
+      slice2window_sum(1, 0));
+    -- slice2winner2
+    slice2winner2_best_cost_0 <= slice2winner1_best_cost_0;
+    slice2winner2_best_index_0 <= slice2winner1_best_index_0;
+    -- slice2winner3
+    slice2winner3_best_cost_0 <= slice2winner2_best_cost_0;
+    slice2winner3_best_index_0 <= slice2winner2_best_index_0;
+    -- slice2
+    slice2_best_tag <= slice1_best_tag;
+    slice2_best_index_0(0) <= choice((slice1_best_cost_0(0) - slice2winner3_best_cost_0(0)) < 0,
+      slice1_best_index_0(0), as_number(slice2winner3_best_index_0(0)));
+    slice2_best_index_0(1) <= choice((slice1_best_cost_0(1) - slice2winner3_best_cost_0(1)) < 0,
+      slice1_best_index_0(1), as_number(slice2winner3_best_index_0(1)));
+    if reset = '1' then
+      raster_features_valid <= false; raster_place_column <= 0; raster_place_group <= 7;
+      raster_place_next_frame <= false; delay_ring_read_address <= 1; delay_ring_write_address <= 0; delay_column <= 0;
+      delay_tag.valid <= false; delay_tag.output_column <= false; delay_tag.start_of_frame <= false;
+      delay_tag.end_of_line <= false; rows_read_column <= 0; rows_read_tag.valid <= false;
+      rows_read_tag.output_column <= false; rows_read_tag.start_of_frame <= false; rows_read_tag.end_of_line <= false;
+      rows_ready_column <= 0; rows_ready_tag.valid <= false; rows_ready_tag.output_column <= false;
+      rows_ready_tag.start_of_frame <= false; rows_ready_tag.end_of_line <= false; rows_write_column <= 0;
+      rows_tag.valid <= false; rows_tag.output_column <= false; rows_tag.start_of_frame <= false;
+      rows_tag.end_of_line <= false; slice0shift_tag.valid <= false; slice0shift_tag.output_column <= false;
+      slice0shift_tag.start_of_frame <= false; slice0shift_tag.end_of_line <= false;
+      slice0cost_difference_tag.valid <= false; slice0cost_difference_tag.output_column <= false;
+      slice0cost_difference_tag.start_of_frame <= false; slice0cost_difference_tag.end_of_line <= false;
+      slice0cost_pair_tag.valid <= false; slice0cost_pair_tag.output_column <= false;
+      slice0cost_pair_tag.start_of_frame <= false; slice0cost_pair_tag.end_of_line <= false;
+      slice0cost_tag.valid <= false; slice0cost_tag.output_column <= false; slice0cost_tag.start_of_frame <= false;
+      slice0cost_tag.end_of_line <= false; slice0window_centre_output_column_0 <= false;
+      slice0window_centre_start_of_frame_0 <= false; slice0window_centre_end_of_line_0 <= false;
+      slice0window_tag <= (others => false); slice0winner1_pair_tag <= (others => false);
+      slice0winner1_four_tag <= (others => false); slice0winner1_tag <= (others => false);
+      slice0_best_tag <= (others => false); slice1_best_tag <= (others => false); slice2_best_tag <= (others => false);
     end if;
   end process;
 end architecture;

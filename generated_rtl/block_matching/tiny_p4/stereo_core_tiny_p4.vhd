@@ -5,6 +5,7 @@
 --   scripts/synthesize.py --config tiny_p4
 -- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
 -- Where a comment behind a declaration has #, the C++ has the indices.
+-- One that begins with _ says the ends of the names: `a_valid` with `_#_valid` is a_INDEX_valid there.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -144,59 +145,50 @@ architecture rtl of stereo_core_tiny_p4 is
   signal delay_row_inside_5 : boolean;
   signal delay_tag : tag_5;
   -- rows
-  signal rows_search_rows_read_words_0, rows_search_rows_ready_words_0 : unsigned(31 downto 0);
-  signal rows_search_rows_write_words_0, rows_reference_rows_read_words_0 : unsigned(31 downto 0);
-  signal rows_reference_rows_ready_words_0, rows_reference_rows_write_words_0 : unsigned(31 downto 0);
+  signal rows_search_rows_read_words_0, rows_search_rows_ready_words_0, rows_search_rows_write_words_0,
+    rows_reference_rows_read_words_0, rows_reference_rows_ready_words_0,
+    rows_reference_rows_write_words_0 : unsigned(31 downto 0);
   signal rows_search_rows_read_words_1, rows_reference_rows_read_words_1 : unsigned(7 downto 0);
-  signal rows_search_rows_read_newest : natural_255_1d(0 to 3);
-  signal rows_search_rows_ready_words_1 : natural range 0 to 255;
-  signal rows_search_rows_ready_newest : natural_255_1d(0 to 3);
-  signal rows_search_rows_write_words_1 : natural range 0 to 255;
-  signal rows_reference_rows_read_newest : natural_255_1d(0 to 3);
-  signal rows_reference_rows_ready_words_1 : natural range 0 to 255;
-  signal rows_reference_rows_ready_newest : natural_255_1d(0 to 3);
-  signal rows_reference_rows_write_words_1 : natural range 0 to 255;
+  signal rows_search_rows_read_newest, rows_search_rows_ready_newest, rows_reference_rows_read_newest,
+    rows_reference_rows_ready_newest : natural_255_1d(0 to 3);
+  signal rows_search_rows_ready_words_1, rows_search_rows_write_words_1, rows_reference_rows_ready_words_1,
+    rows_reference_rows_write_words_1 : natural range 0 to 255;
   signal rows_search, rows_reference : natural_255_1d(0 to 5);
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 31;
-  signal rows_read_inside : boolean_1d(0 to 1);
-  signal rows_read_inside_5 : boolean;
-  signal rows_read_tag : tag_5;
-  signal rows_ready_inside : boolean_1d(0 to 1);
-  signal rows_ready_inside_5 : boolean;
-  signal rows_ready_tag, rows_tag : tag_5;
+  signal rows_read_inside, rows_ready_inside : boolean_1d(0 to 1);
+  signal rows_read_inside_5, rows_ready_inside_5 : boolean;
+  signal rows_read_tag, rows_ready_tag, rows_tag : tag_5;
   -- slice0shift
   signal slice0shift_search : natural_255_2d(0 to 5, 0 to 2);
   signal slice0shift_reference, slice0shift_search_out : natural_255_1d(0 to 5);
   signal slice0shift_tag : tag_5;
   -- slice0cost
   signal slice0cost_difference : integer_minus_255_to_255_2d(0 to 5, 0 to 2);
-  signal slice0cost_difference_tag : tag_5;
+  signal slice0cost_difference_tag, slice0cost_pair_tag, slice0cost_tag : tag_5;
   signal slice0cost_negative : boolean_2d(0 to 1, 0 to 2);
-  signal slice0cost_pair_tag, slice0cost_tag : tag_5;
   signal slice0cost_pair : natural_511_2d(0 to 1, 0 to 2);
-  signal slice0cost_single_0 : natural_255_1d(0 to 2);
+  signal slice0cost_single_0, slice0cost_single_5 : natural_255_1d(0 to 2);
   signal slice0cost_single : natural_255_2d(2 to 3, 0 to 2);
-  signal slice0cost_single_5 : natural_255_1d(0 to 2);
   signal slice0cost_column : natural_767_2d(0 to 3, 0 to 2);
   -- slice0window
-  signal slice0window_partial_0 : natural_767_2d(0 to 3, 0 to 2);  -- slice0window_partial_#_0_#
-  signal slice0window_partial_1 : natural_1534_2d(0 to 3, 0 to 2);  -- slice0window_partial_#_1_#
-  signal slice0window_centre_output_column_0, slice0window_centre_start_of_frame_0 : boolean;
-  signal slice0window_centre_end_of_line_0 : boolean;
+  signal slice0window_partial_0 : natural_767_2d(0 to 3, 0 to 2);  -- _#_0_#
+  signal slice0window_partial_1 : natural_1534_2d(0 to 3, 0 to 2);  -- _#_1_#
+  signal slice0window_centre_output_column_0, slice0window_centre_start_of_frame_0,
+    slice0window_centre_end_of_line_0 : boolean;
   signal slice0window_tag : tag_4;
   signal slice0window_sum : natural_2301_2d(0 to 3, 0 to 2);
   -- slice0winner1
   signal slice0winner1_best_cost : natural_2301_2d(0 to 3, 0 to 1);
-  signal slice0winner1_best_index_0 : boolean_1d(0 to 3);  -- slice0winner1_best_index_#_0
+  signal slice0winner1_best_index_0 : boolean_1d(0 to 3);  -- _#_0
   signal slice0winner1_tag : tag_4;
   signal slice0winner1_best_index_0_1 : natural range 0 to 2;
   -- slice0winner2
-  signal slice0winner2_best_cost_0 : natural_2301_1d(0 to 3);  -- slice0winner2_best_cost_#_0
-  signal slice0winner2_best_index_0 : natural_2_1d(0 to 3);  -- slice0winner2_best_index_#_0
+  signal slice0winner2_best_cost_0 : natural_2301_1d(0 to 3);  -- _#_0
+  signal slice0winner2_best_index_0 : natural_2_1d(0 to 3);  -- _#_0
   signal slice0winner2_tag : tag_4;
   -- slice0
-  signal slice0_best_cost_0 : natural_2301_1d(0 to 3);  -- slice0_best_cost_#_0
-  signal slice0_best_index_0 : natural_7_1d(0 to 3);  -- slice0_best_index_#_0
+  signal slice0_best_cost_0 : natural_2301_1d(0 to 3);  -- _#_0
+  signal slice0_best_index_0 : natural_7_1d(0 to 3);  -- _#_0
   signal slice0_best_tag : tag_4;
   -- slice1shift
   signal slice1shift_search : natural_255_2d(0 to 5, 0 to 2);
@@ -206,23 +198,22 @@ architecture rtl of stereo_core_tiny_p4 is
   signal slice1cost_pair : natural_511_2d(0 to 1, 0 to 2);
   signal slice1cost_negative : boolean_2d(0 to 1, 0 to 2);
   signal slice1cost_tag_border_column : boolean;
-  signal slice1cost_single_0 : natural_255_1d(0 to 2);
+  signal slice1cost_single_0, slice1cost_single_5 : natural_255_1d(0 to 2);
   signal slice1cost_single : natural_255_2d(2 to 3, 0 to 2);
-  signal slice1cost_single_5 : natural_255_1d(0 to 2);
   signal slice1cost_column : natural_767_2d(0 to 3, 0 to 2);
   -- slice1window
-  signal slice1window_partial_0 : natural_767_2d(0 to 3, 0 to 2);  -- slice1window_partial_#_0_#
-  signal slice1window_partial_1 : natural_1534_2d(0 to 3, 0 to 2);  -- slice1window_partial_#_1_#
+  signal slice1window_partial_0 : natural_767_2d(0 to 3, 0 to 2);  -- _#_0_#
+  signal slice1window_partial_1 : natural_1534_2d(0 to 3, 0 to 2);  -- _#_1_#
   signal slice1window_sum : natural_2301_2d(0 to 3, 0 to 2);
   -- slice1winner1
   signal slice1winner1_best_cost : natural_2301_2d(0 to 3, 0 to 1);
-  signal slice1winner1_best_index_0 : boolean_1d(0 to 3);  -- slice1winner1_best_index_#_0
+  signal slice1winner1_best_index_0 : boolean_1d(0 to 3);  -- _#_0
   -- slice1winner2
-  signal slice1winner2_best_cost_0 : natural_2301_1d(0 to 3);  -- slice1winner2_best_cost_#_0
-  signal slice1winner2_best_index_0 : natural_2_1d(0 to 3);  -- slice1winner2_best_index_#_0
+  signal slice1winner2_best_cost_0 : natural_2301_1d(0 to 3);  -- _#_0
+  signal slice1winner2_best_index_0 : natural_2_1d(0 to 3);  -- _#_0
   -- slice1
-  signal slice1_best_cost_0 : natural_2301_1d(0 to 3);  -- slice1_best_cost_#_0
-  signal slice1_best_index_0 : natural_7_1d(0 to 3);  -- slice1_best_index_#_0
+  signal slice1_best_cost_0 : natural_2301_1d(0 to 3);  -- _#_0
+  signal slice1_best_index_0 : natural_7_1d(0 to 3);  -- _#_0
   signal slice1_best_tag : tag_4;
   -- slice2shift
   signal slice2shift_search : natural_255_2d(0 to 5, 0 to 1);
@@ -231,22 +222,21 @@ architecture rtl of stereo_core_tiny_p4 is
   signal slice2cost_difference : integer_minus_255_to_255_2d(0 to 5, 0 to 1);
   signal slice2cost_pair : natural_511_2d(0 to 1, 0 to 1);
   signal slice2cost_negative : boolean_2d(0 to 1, 0 to 1);
-  signal slice2cost_single_0 : natural_255_1d(0 to 1);
+  signal slice2cost_single_0, slice2cost_single_5 : natural_255_1d(0 to 1);
   signal slice2cost_single : natural_255_2d(2 to 3, 0 to 1);
-  signal slice2cost_single_5 : natural_255_1d(0 to 1);
   signal slice2cost_column : natural_767_2d(0 to 3, 0 to 1);
   -- slice2window
-  signal slice2window_partial_0 : natural_767_2d(0 to 3, 0 to 1);  -- slice2window_partial_#_0_#
-  signal slice2window_partial_1 : natural_1534_2d(0 to 3, 0 to 1);  -- slice2window_partial_#_1_#
+  signal slice2window_partial_0 : natural_767_2d(0 to 3, 0 to 1);  -- _#_0_#
+  signal slice2window_partial_1 : natural_1534_2d(0 to 3, 0 to 1);  -- _#_1_#
   signal slice2window_sum : natural_2301_2d(0 to 3, 0 to 1);
   -- slice2winner1
-  signal slice2winner1_best_cost_0 : natural_2301_1d(0 to 3);  -- slice2winner1_best_cost_#_0
-  signal slice2winner1_best_index_0 : boolean_1d(0 to 3);  -- slice2winner1_best_index_#_0
+  signal slice2winner1_best_cost_0 : natural_2301_1d(0 to 3);  -- _#_0
+  signal slice2winner1_best_index_0 : boolean_1d(0 to 3);  -- _#_0
   -- slice2winner2
-  signal slice2winner2_best_cost_0 : natural_2301_1d(0 to 3);  -- slice2winner2_best_cost_#_0
-  signal slice2winner2_best_index_0 : boolean_1d(0 to 3);  -- slice2winner2_best_index_#_0
+  signal slice2winner2_best_cost_0 : natural_2301_1d(0 to 3);  -- _#_0
+  signal slice2winner2_best_index_0 : boolean_1d(0 to 3);  -- _#_0
   -- slice2
-  signal slice2_best_index_0 : natural_7_1d(0 to 3);  -- slice2_best_index_#_0
+  signal slice2_best_index_0 : natural_7_1d(0 to 3);  -- _#_0
   signal slice2_best_tag : tag_4;
 
 begin
@@ -260,6 +250,8 @@ begin
   disparity_start_of_frame <= as_bit(slice2_best_tag.start_of_frame and slice2_best_tag.valid and slice2_best_tag.output_column);
   disparity_end_of_line <= as_bit(slice2_best_tag.end_of_line and slice2_best_tag.valid and slice2_best_tag.output_column);
 
+  -- Memories: (depth, width, address_bits) and (clock, read_enable, read_address, read_data, write_address, write_data).
+
   rows_search_rows_read_words_1_memory : block
     signal read_address, write_address : unsigned(4 downto 0);
     signal write_data : unsigned(7 downto 0);
@@ -267,10 +259,8 @@ begin
     read_address <= to_unsigned(delay_column, 5);
     write_address <= to_unsigned(rows_write_column, 5);
     write_data <= to_unsigned(rows_search_rows_write_words_1, 8);
-    cell : entity work.line_memory
-      generic map (depth => 32, width => 8, address_bits => 5)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        rows_search_rows_read_words_1, write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (32, 8, 5)
+      port map (clock, true, read_address, rows_search_rows_read_words_1, write_address, write_data);
   end block;
 
   rows_search_rows_read_words_0_memory : block
@@ -278,10 +268,9 @@ begin
   begin
     read_address <= to_unsigned(delay_column, 5);
     write_address <= to_unsigned(rows_write_column, 5);
-    cell : entity work.line_memory
-      generic map (depth => 32, width => 32, address_bits => 5)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        rows_search_rows_read_words_0, write_address => write_address, write_data => rows_search_rows_write_words_0);
+    cell : entity work.line_memory generic map (32, 32, 5)
+      port map (clock, true, read_address, rows_search_rows_read_words_0, write_address,
+        rows_search_rows_write_words_0);
   end block;
 
   rows_reference_rows_read_words_1_memory : block
@@ -291,10 +280,8 @@ begin
     read_address <= to_unsigned(delay_column, 5);
     write_address <= to_unsigned(rows_write_column, 5);
     write_data <= to_unsigned(rows_reference_rows_write_words_1, 8);
-    cell : entity work.line_memory
-      generic map (depth => 32, width => 8, address_bits => 5)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        rows_reference_rows_read_words_1, write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (32, 8, 5)
+      port map (clock, true, read_address, rows_reference_rows_read_words_1, write_address, write_data);
   end block;
 
   rows_reference_rows_read_words_0_memory : block
@@ -302,10 +289,8 @@ begin
   begin
     read_address <= to_unsigned(delay_column, 5);
     write_address <= to_unsigned(rows_write_column, 5);
-    cell : entity work.line_memory
-      generic map (depth => 32, width => 32, address_bits => 5)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        rows_reference_rows_read_words_0, write_address => write_address, write_data =>
+    cell : entity work.line_memory generic map (32, 32, 5)
+      port map (clock, true, read_address, rows_reference_rows_read_words_0, write_address,
         rows_reference_rows_write_words_0);
   end block;
 
@@ -314,539 +299,491 @@ begin
   begin
     read_address <= to_unsigned(delay_ring_read_address, 3);
     write_address <= to_unsigned(delay_ring_write_address, 3);
-    cell : entity work.line_memory
-      generic map (depth => 8, width => 32, address_bits => 3)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data => delay_delayed_0,
-        write_address => write_address, write_data => raster_features_reference);
+    cell : entity work.line_memory generic map (8, 32, 3)
+      port map (clock, true, read_address, delay_delayed_0, write_address, raster_features_reference);
   end block;
 
-  process (clock)
-    variable raster_place_group_is_equals : boolean_1d(1 to 2);  -- raster_place_group_is_equal_#
-    variable raster_place_group_all, raster_place_next_frame_all, raster_place_next_frame_choice : boolean;
-    variable delay_row_inside_0_is_equal, delay_row_inside_1_choice : boolean;
-    variable slice0cost_pair_1_is_less : boolean_1d(0 to 2);  -- slice0cost_pair_1_#_is_less
-    variable slice0cost_negative_0_is_less : boolean_1d(0 to 2);  -- slice0cost_negative_0_#_is_less
-    variable slice0winner1_best_cost_0_is_less : boolean_1d(0 to 3);  -- slice0winner1_best_cost_#_0_is_less
-    variable slice0winner2_best_cost_0_is_less : boolean_1d(0 to 3);  -- slice0winner2_best_cost_#_0_is_less
-    variable slice1cost_pair_1_is_less : boolean_1d(0 to 2);  -- slice1cost_pair_1_#_is_less
-    variable slice1cost_negative_0_is_less : boolean_1d(0 to 2);  -- slice1cost_negative_0_#_is_less
-    variable slice1winner1_best_cost_0_is_less : boolean_1d(0 to 3);  -- slice1winner1_best_cost_#_0_is_less
-    variable slice1winner2_best_cost_0_is_less : boolean_1d(0 to 3);  -- slice1winner2_best_cost_#_0_is_less
-    variable slice1_best_cost_0_is_less : boolean_1d(0 to 3);  -- slice1_best_cost_#_0_is_less
-    variable slice2cost_pair_1_is_less : boolean_1d(0 to 1);  -- slice2cost_pair_1_#_is_less
-    variable slice2cost_negative_0_is_less : boolean_1d(0 to 1);  -- slice2cost_negative_0_#_is_less
-    variable slice2winner1_best_cost_0_is_less : boolean_1d(0 to 3);  -- slice2winner1_best_cost_#_0_is_less
+  process
+    variable raster_place_group_is_equals : boolean_1d(1 to 2);  -- _equal_#
+    variable raster_place_group_all, raster_place_next_frame_all, raster_place_next_frame_choice,
+      delay_row_inside_0_is_equal, delay_row_inside_1_choice : boolean;
+    variable slice0cost_pair_1_is_less, slice0cost_negative_0_is_less, slice1cost_pair_1_is_less,
+      slice1cost_negative_0_is_less : boolean_1d(0 to 2);  -- _#_is_less
+    variable slice0winner1_best_cost_0_is_less, slice0winner2_best_cost_0_is_less, slice1winner1_best_cost_0_is_less,
+      slice1winner2_best_cost_0_is_less, slice1_best_cost_0_is_less,
+      slice2winner1_best_cost_0_is_less : boolean_1d(0 to 3);  -- _#_0_is_less
+    variable slice2cost_pair_1_is_less, slice2cost_negative_0_is_less : boolean_1d(0 to 1);  -- _#_is_less
     variable raster_place_group_choice : natural range 0 to 3;
-    variable raster_place_group_choices : natural_7_1d(2 to 3);  -- raster_place_group_choice_#
-    variable slice0cost_pair_folded_value : natural_255_2d(0 to 1, 0 to 2);  -- slice0cost_pair_#_#_folded_value
-    variable slice1cost_pair_folded_value : natural_255_2d(0 to 1, 0 to 2);  -- slice1cost_pair_#_#_folded_value
-    variable slice2cost_pair_folded_value : natural_255_2d(0 to 1, 0 to 1);  -- slice2cost_pair_#_#_folded_value
+    variable raster_place_group_choices : natural_7_1d(2 to 3);  -- _choice_#
+    variable slice0cost_pair_folded_value, slice1cost_pair_folded_value : natural_255_2d(0 to 1, 0 to 2);  -- _#_#_folded_value
+    variable slice2cost_pair_folded_value : natural_255_2d(0 to 1, 0 to 1);  -- _#_#_folded_value
   begin
-    if rising_edge(clock) then
-      -- raster
-      raster_place_group_is_equals(1) := raster_place_column = 31;
-      raster_place_group_all := raster_place_group_is_equals(1) and (raster_place_group = 2);
-      raster_place_group_choice := choice(raster_place_group_all, 3, 0);
-      raster_place_group_is_equals(2) := raster_place_group = 3;
-      raster_place_group_choices(2) := choice(raster_place_next_frame and raster_place_group_is_equals(2), 1,
-        (raster_place_group + 1) mod 8);
-      raster_place_group_choices(3) := choice((raster_place_group /= 4) and raster_place_group_is_equals(1) and
-        in_valid, raster_place_group_choices(2), raster_place_group);
-      raster_features_search(0) <= to_integer(in_left_pixel(7 downto 0));
-      raster_features_search(1) <= to_integer(in_left_pixel(15 downto 8));
-      raster_features_search(2) <= to_integer(in_left_pixel(23 downto 16));
-      raster_features_search(3) <= to_integer(in_left_pixel(31 downto 24));
-      raster_features_reference <= in_right_pixel;
-      raster_features_valid <= in_valid;
-      raster_place_group <= choice(in_start_of_frame and in_valid, raster_place_group_choice,
-        raster_place_group_choices(3));
-      raster_place_next_frame_all := raster_place_group_is_equals(1) and raster_place_group_is_equals(2);
-      raster_place_next_frame_choice := choice(raster_place_next_frame_all, in_start_of_frame, raster_place_next_frame
-        or in_start_of_frame);
-      if in_valid then
-        raster_place_column <= choice(raster_place_group_is_equals(1) or in_start_of_frame, 0, (raster_place_column +
-          1) mod 32);
-        raster_place_next_frame <= choice(raster_place_group_all, raster_place_next_frame_choice, (not
-          raster_place_next_frame_all) and raster_place_next_frame and (not in_start_of_frame));
-      end if;
-      -- delay
-      if raster_features_valid then
-        delay_ring_write_address <= delay_ring_read_address;
-        delay_ring_read_address <= choice(delay_ring_read_address = 7, 0, (delay_ring_read_address + 1) mod 8);
-      end if;
-      delay_row_inside_0_is_equal := (raster_place_group / 2) = 1;
-      delay_row_inside_1_choice := choice(is_set(raster_place_group, 0), not is_set(raster_place_group, 2),
-        delay_row_inside_0_is_equal);
-      delay_ahead <= raster_features_search;
-      delay_column <= raster_place_column;
-      delay_row_inside(1) <= delay_row_inside_1_choice;
-      delay_tag.valid <= raster_features_valid;
-      delay_tag.output_column <= (raster_place_column >= 7) and (raster_place_column < 31) and
-        delay_row_inside_1_choice;
-      delay_tag.start_of_frame <= (raster_place_column = 7) and (raster_place_group = 1);
-      delay_tag.end_of_line <= raster_place_column = 30;
-      delay_row_inside(0) <= choice(is_set(raster_place_group, 0), delay_row_inside_0_is_equal,
-        is_set(raster_place_group, 2) /= is_set(raster_place_group, 1));
-      delay_row_inside_5 <= choice(is_set(raster_place_group, 0), (raster_place_group / 2) = 0, not
-        is_set(raster_place_group, 2));
-      delay_tag.border_column <= choice((raster_place_column mod 4) = 3, (raster_place_column / 4) = 0,
-        (raster_place_column / 8) = 0);
-      -- rows
-      rows_search_rows_read_newest <= delay_ahead;
-      rows_search_rows_ready_words_0 <= rows_search_rows_read_words_0;
-      rows_search_rows_ready_words_1 <= to_integer(rows_search_rows_read_words_1);
-      rows_search_rows_ready_newest <= rows_search_rows_read_newest;
-      rows_reference_rows_read_newest(0) <= to_integer(delay_delayed_0(7 downto 0));
-      rows_reference_rows_read_newest(1) <= to_integer(delay_delayed_0(15 downto 8));
-      rows_reference_rows_read_newest(2) <= to_integer(delay_delayed_0(23 downto 16));
-      rows_reference_rows_read_newest(3) <= to_integer(delay_delayed_0(31 downto 24));
-      rows_reference_rows_ready_words_0 <= rows_reference_rows_read_words_0;
-      rows_reference_rows_ready_words_1 <= to_integer(rows_reference_rows_read_words_1);
-      rows_reference_rows_ready_newest <= rows_reference_rows_read_newest;
-      rows_read_column <= delay_column;
-      rows_read_inside <= delay_row_inside;
-      rows_read_inside_5 <= delay_row_inside_5;
-      rows_read_tag <= delay_tag;
-      rows_ready_column <= rows_read_column;
-      rows_ready_inside <= rows_read_inside;
-      rows_ready_inside_5 <= rows_read_inside_5;
-      rows_ready_tag <= rows_read_tag;
-      rows_tag <= rows_ready_tag;
-      rows_search(0) <= choice(rows_ready_inside(0), to_integer(rows_search_rows_ready_words_0(7 downto 0)), 0);
-      rows_reference(0) <= choice(rows_ready_inside(0), to_integer(rows_reference_rows_ready_words_0(7 downto 0)), 0);
-      for i in 1 to 3 loop
-        rows_search(i) <= choice(rows_ready_inside(1), to_integer(rows_search_rows_ready_words_0(8 * i + 7 downto 8 *
-          i)), 0);
-      end loop;
-      rows_search(4) <= choice(rows_ready_inside(1), rows_search_rows_ready_words_1, 0);
-      for i in 1 to 3 loop
-        rows_reference(i) <= choice(rows_ready_inside(1), to_integer(rows_reference_rows_ready_words_0(8 * i + 7 downto
-          8 * i)), 0);
-      end loop;
-      rows_reference(4) <= choice(rows_ready_inside(1), rows_reference_rows_ready_words_1, 0);
-      rows_search(5) <= choice(rows_ready_inside_5, rows_search_rows_ready_newest(0), 0);
-      rows_reference(5) <= choice(rows_ready_inside_5, rows_reference_rows_ready_newest(0), 0);
-      if rows_ready_tag.valid then
-        rows_search_rows_write_words_0 <= to_unsigned(rows_search_rows_ready_newest(2), 8) &
-          to_unsigned(rows_search_rows_ready_newest(1), 8) & to_unsigned(rows_search_rows_ready_newest(0), 8) &
-          to_unsigned(rows_search_rows_ready_words_1, 8);
-        rows_search_rows_write_words_1 <= rows_search_rows_ready_newest(3);
-        rows_reference_rows_write_words_0 <= to_unsigned(rows_reference_rows_ready_newest(2), 8) &
-          to_unsigned(rows_reference_rows_ready_newest(1), 8) & to_unsigned(rows_reference_rows_ready_newest(0), 8) &
-          to_unsigned(rows_reference_rows_ready_words_1, 8);
-        rows_reference_rows_write_words_1 <= rows_reference_rows_ready_newest(3);
-        rows_write_column <= rows_ready_column;
-      end if;
-      -- slice0shift
-      if rows_tag.valid then
-        for i in 0 to 5 loop
-          slice0shift_search(i, 0) <= slice0shift_search(i, 1);
-          slice0shift_search(i, 1) <= slice0shift_search(i, 2);
-          slice0shift_search(i, 2) <= rows_search(i);
-        end loop;
-      end if;
-      slice0shift_reference <= rows_reference;
+    wait until rising_edge(clock);
+    -- raster
+    raster_place_group_is_equals(1) := raster_place_column = 31;
+    raster_place_group_all := raster_place_group_is_equals(1) and (raster_place_group = 2);
+    raster_place_group_choice := choice(raster_place_group_all, 3, 0);
+    raster_place_group_is_equals(2) := raster_place_group = 3;
+    raster_place_group_choices(2) := choice(raster_place_next_frame and raster_place_group_is_equals(2), 1,
+      (raster_place_group + 1) mod 8);
+    raster_place_group_choices(3) := choice((raster_place_group /= 4) and raster_place_group_is_equals(1) and in_valid,
+      raster_place_group_choices(2), raster_place_group);
+    raster_features_search(0) <= to_integer(in_left_pixel(7 downto 0));
+    raster_features_search(1) <= to_integer(in_left_pixel(15 downto 8));
+    raster_features_search(2) <= to_integer(in_left_pixel(23 downto 16));
+    raster_features_search(3) <= to_integer(in_left_pixel(31 downto 24));
+    raster_features_reference <= in_right_pixel;
+    raster_features_valid <= in_valid;
+    raster_place_group <= choice(in_start_of_frame and in_valid, raster_place_group_choice,
+      raster_place_group_choices(3));
+    raster_place_next_frame_all := raster_place_group_is_equals(1) and raster_place_group_is_equals(2);
+    raster_place_next_frame_choice := choice(raster_place_next_frame_all, in_start_of_frame, raster_place_next_frame or
+      in_start_of_frame);
+    if in_valid then
+      raster_place_column <= choice(raster_place_group_is_equals(1) or in_start_of_frame, 0, (raster_place_column + 1)
+        mod 32);
+      raster_place_next_frame <= choice(raster_place_group_all, raster_place_next_frame_choice, (not
+        raster_place_next_frame_all) and raster_place_next_frame and (not in_start_of_frame));
+    end if;
+    -- delay
+    if raster_features_valid then
+      delay_ring_write_address <= delay_ring_read_address;
+      delay_ring_read_address <= choice(delay_ring_read_address = 7, 0, (delay_ring_read_address + 1) mod 8);
+    end if;
+    delay_row_inside_0_is_equal := (raster_place_group / 2) = 1;
+    delay_row_inside_1_choice := choice(is_set(raster_place_group, 0), not is_set(raster_place_group, 2),
+      delay_row_inside_0_is_equal);
+    delay_ahead <= raster_features_search;
+    delay_column <= raster_place_column;
+    delay_row_inside(1) <= delay_row_inside_1_choice;
+    delay_tag.valid <= raster_features_valid;
+    delay_tag.output_column <= (raster_place_column >= 7) and (raster_place_column < 31) and delay_row_inside_1_choice;
+    delay_tag.start_of_frame <= (raster_place_column = 7) and (raster_place_group = 1);
+    delay_tag.end_of_line <= raster_place_column = 30;
+    delay_row_inside(0) <= choice(is_set(raster_place_group, 0), delay_row_inside_0_is_equal,
+      is_set(raster_place_group, 2) /= is_set(raster_place_group, 1));
+    delay_row_inside_5 <= choice(is_set(raster_place_group, 0), (raster_place_group / 2) = 0, not
+      is_set(raster_place_group, 2));
+    delay_tag.border_column <= choice((raster_place_column mod 4) = 3, (raster_place_column / 4) = 0,
+      (raster_place_column / 8) = 0);
+    -- rows
+    rows_search_rows_read_newest <= delay_ahead;
+    rows_search_rows_ready_words_0 <= rows_search_rows_read_words_0;
+    rows_search_rows_ready_words_1 <= to_integer(rows_search_rows_read_words_1);
+    rows_search_rows_ready_newest <= rows_search_rows_read_newest;
+    rows_reference_rows_read_newest(0) <= to_integer(delay_delayed_0(7 downto 0));
+    rows_reference_rows_read_newest(1) <= to_integer(delay_delayed_0(15 downto 8));
+    rows_reference_rows_read_newest(2) <= to_integer(delay_delayed_0(23 downto 16));
+    rows_reference_rows_read_newest(3) <= to_integer(delay_delayed_0(31 downto 24));
+    rows_reference_rows_ready_words_0 <= rows_reference_rows_read_words_0;
+    rows_reference_rows_ready_words_1 <= to_integer(rows_reference_rows_read_words_1);
+    rows_reference_rows_ready_newest <= rows_reference_rows_read_newest;
+    rows_read_column <= delay_column;
+    rows_read_inside <= delay_row_inside;
+    rows_read_inside_5 <= delay_row_inside_5;
+    rows_read_tag <= delay_tag;
+    rows_ready_column <= rows_read_column;
+    rows_ready_inside <= rows_read_inside;
+    rows_ready_inside_5 <= rows_read_inside_5;
+    rows_ready_tag <= rows_read_tag;
+    rows_tag <= rows_ready_tag;
+    rows_search(0) <= choice(rows_ready_inside(0), to_integer(rows_search_rows_ready_words_0(7 downto 0)), 0);
+    rows_reference(0) <= choice(rows_ready_inside(0), to_integer(rows_reference_rows_ready_words_0(7 downto 0)), 0);
+    for i in 1 to 3 loop
+      rows_search(i) <= choice(rows_ready_inside(1), to_integer(rows_search_rows_ready_words_0(8 * i + 7 downto 8 *
+        i)), 0);
+    end loop;
+    rows_search(4) <= choice(rows_ready_inside(1), rows_search_rows_ready_words_1, 0);
+    for i in 1 to 3 loop
+      rows_reference(i) <= choice(rows_ready_inside(1), to_integer(rows_reference_rows_ready_words_0(8 * i + 7 downto 8
+        * i)), 0);
+    end loop;
+    rows_reference(4) <= choice(rows_ready_inside(1), rows_reference_rows_ready_words_1, 0);
+    rows_search(5) <= choice(rows_ready_inside_5, rows_search_rows_ready_newest(0), 0);
+    rows_reference(5) <= choice(rows_ready_inside_5, rows_reference_rows_ready_newest(0), 0);
+    if rows_ready_tag.valid then
+      rows_search_rows_write_words_0 <= to_unsigned(rows_search_rows_ready_newest(2), 8) &
+        to_unsigned(rows_search_rows_ready_newest(1), 8) & to_unsigned(rows_search_rows_ready_newest(0), 8) &
+        to_unsigned(rows_search_rows_ready_words_1, 8);
+      rows_search_rows_write_words_1 <= rows_search_rows_ready_newest(3);
+      rows_reference_rows_write_words_0 <= to_unsigned(rows_reference_rows_ready_newest(2), 8) &
+        to_unsigned(rows_reference_rows_ready_newest(1), 8) & to_unsigned(rows_reference_rows_ready_newest(0), 8) &
+        to_unsigned(rows_reference_rows_ready_words_1, 8);
+      rows_reference_rows_write_words_1 <= rows_reference_rows_ready_newest(3);
+      rows_write_column <= rows_ready_column;
+    end if;
+    -- slice0shift
+    if rows_tag.valid then
       for i in 0 to 5 loop
-        slice0shift_search_out(i) <= slice0shift_search(i, 0);
+        slice0shift_search(i, 0) <= slice0shift_search(i, 1);
+        slice0shift_search(i, 1) <= slice0shift_search(i, 2);
+        slice0shift_search(i, 2) <= rows_search(i);
       end loop;
-      slice0shift_tag <= rows_tag;
-      -- slice0cost
-      slice0cost_pair_folded_value(0, 0) := folded(slice0cost_difference(2, 0));
-      slice0cost_pair_folded_value(0, 1) := folded(slice0cost_difference(2, 1));
-      slice0cost_pair_folded_value(0, 2) := folded(slice0cost_difference(2, 2));
-      for i in 0 to 2 loop
-        slice0cost_pair_folded_value(1, i) := folded(slice0cost_difference(3, i));
-        slice0cost_pair_1_is_less(i) := slice0cost_difference(3, i) < 0;
-      end loop;
-      slice0cost_negative_0_is_less(0) := slice0cost_difference(2, 0) < 0;
-      slice0cost_negative_0_is_less(1) := slice0cost_difference(2, 1) < 0;
-      slice0cost_negative_0_is_less(2) := slice0cost_difference(2, 2) < 0;
-      for i in 0 to 5 loop
-        slice0cost_difference(i, 0) <= slice0shift_search(i, 0) - slice0shift_reference(i);
-        slice0cost_difference(i, 1) <= slice0shift_search(i, 1) - slice0shift_reference(i);
-        slice0cost_difference(i, 2) <= slice0shift_search(i, 2) - slice0shift_reference(i);
-      end loop;
-      slice0cost_difference_tag <= slice0shift_tag;
-      for i in 0 to 2 loop
-        slice0cost_pair(0, i) <= slice0cost_pair_folded_value(0, i) + folded(slice0cost_difference(1, i)) +
-          as_number((slice0cost_difference(1, i) < 0));
-      end loop;
-      for i in 0 to 2 loop
-        slice0cost_pair(1, i) <= folded(slice0cost_difference(4, i)) + slice0cost_pair_folded_value(1, i) +
-          as_number(slice0cost_pair_1_is_less(i));
-      end loop;
-      slice0cost_negative(0, 0) <= slice0cost_negative_0_is_less(0);
-      slice0cost_negative(0, 1) <= slice0cost_negative_0_is_less(1);
-      slice0cost_negative(0, 2) <= slice0cost_negative_0_is_less(2);
-      slice0cost_negative(1, 0) <= slice0cost_difference(4, 0) < 0;
-      slice0cost_negative(1, 1) <= slice0cost_difference(4, 1) < 0;
-      slice0cost_negative(1, 2) <= slice0cost_difference(4, 2) < 0;
-      for i in 0 to 2 loop
-        slice0cost_single_0(i) <= (folded(slice0cost_difference(0, i)) + as_number((slice0cost_difference(0, i) < 0)))
-          mod 256;
-      end loop;
-      for i in 0 to 2 loop
-        slice0cost_single(2, i) <= (slice0cost_pair_folded_value(0, i) + as_number(slice0cost_negative_0_is_less(i)))
-          mod 256;
-      end loop;
-      for i in 0 to 2 loop
-        slice0cost_single(3, i) <= (slice0cost_pair_folded_value(1, i) + as_number(slice0cost_pair_1_is_less(i))) mod
-          256;
-      end loop;
-      for i in 0 to 2 loop
-        slice0cost_single_5(i) <= (folded(slice0cost_difference(5, i)) + as_number((slice0cost_difference(5, i) < 0)))
-          mod 256;
-      end loop;
-      slice0cost_pair_tag <= slice0cost_difference_tag;
-      slice0cost_tag <= slice0cost_pair_tag;
-      for i in 0 to 2 loop
-        slice0cost_column(0, i) <= choice(slice0cost_pair_tag.border_column, 0, slice0cost_pair(0, i) +
-          as_number(slice0cost_negative(0, i)) + slice0cost_single_0(i));
-      end loop;
-      for i in 1 to 2 loop
-        for j in 0 to 2 loop
-          slice0cost_column(i, j) <= choice(slice0cost_pair_tag.border_column, 0, slice0cost_pair(i - 1, j) +
-            as_number(slice0cost_negative(i - 1, j)) + slice0cost_single(4 - i, j));
-        end loop;
-      end loop;
-      for i in 0 to 2 loop
-        slice0cost_column(3, i) <= choice(slice0cost_pair_tag.border_column, 0, slice0cost_pair(1, i) +
-          as_number(slice0cost_negative(1, i)) + slice0cost_single_5(i));
-      end loop;
-      -- slice0window
-      if slice0cost_tag.valid then
-        for i in 0 to 3 loop
-          slice0window_partial_0(i, 0) <= slice0cost_column(i, 0);
-          slice0window_partial_0(i, 1) <= slice0cost_column(i, 1);
-          slice0window_partial_0(i, 2) <= slice0cost_column(i, 2);
-          slice0window_partial_1(i, 0) <= slice0cost_column(i, 0) + slice0window_partial_0(i, 0);
-          slice0window_partial_1(i, 1) <= slice0cost_column(i, 1) + slice0window_partial_0(i, 1);
-          slice0window_partial_1(i, 2) <= slice0cost_column(i, 2) + slice0window_partial_0(i, 2);
-        end loop;
-      end if;
-      slice0window_centre_output_column_0 <= slice0cost_tag.output_column;
-      slice0window_centre_start_of_frame_0 <= slice0cost_tag.start_of_frame;
-      slice0window_centre_end_of_line_0 <= slice0cost_tag.end_of_line;
-      for i in 0 to 3 loop
-        slice0window_sum(i, 0) <= slice0cost_column(i, 0) + slice0window_partial_1(i, 0);
-        slice0window_sum(i, 1) <= slice0cost_column(i, 1) + slice0window_partial_1(i, 1);
-        slice0window_sum(i, 2) <= slice0cost_column(i, 2) + slice0window_partial_1(i, 2);
-      end loop;
-      slice0window_tag.valid <= slice0cost_tag.valid;
-      slice0window_tag.output_column <= slice0window_centre_output_column_0;
-      slice0window_tag.start_of_frame <= slice0window_centre_start_of_frame_0;
-      slice0window_tag.end_of_line <= slice0window_centre_end_of_line_0;
-      -- slice0winner1
-      slice0winner1_best_cost_0_is_less(0) := (slice0window_sum(0, 1) - slice0window_sum(0, 0)) < 0;
-      slice0winner1_best_cost_0_is_less(1) := (slice0window_sum(1, 1) - slice0window_sum(1, 0)) < 0;
-      slice0winner1_best_cost_0_is_less(2) := (slice0window_sum(2, 1) - slice0window_sum(2, 0)) < 0;
-      slice0winner1_best_cost_0_is_less(3) := (slice0window_sum(3, 1) - slice0window_sum(3, 0)) < 0;
-      slice0winner1_best_cost(0, 1) <= slice0window_sum(0, 2);
-      slice0winner1_best_cost(1, 1) <= slice0window_sum(1, 2);
-      slice0winner1_best_cost(2, 1) <= slice0window_sum(2, 2);
-      slice0winner1_best_cost(3, 1) <= slice0window_sum(3, 2);
-      slice0winner1_best_index_0(0) <= slice0winner1_best_cost_0_is_less(0);
-      slice0winner1_best_index_0_1 <= 2;
-      slice0winner1_best_index_0(1 to 3) <= slice0winner1_best_cost_0_is_less(1 to 3);
-      slice0winner1_tag.valid <= slice0window_tag.valid;
-      for i in 0 to 3 loop
-        slice0winner1_best_cost(i, 0) <= choice(slice0winner1_best_cost_0_is_less(i), slice0window_sum(i, 1),
-          slice0window_sum(i, 0));
-      end loop;
-      if slice0winner1_tag.valid then
-        slice0winner1_tag.output_column <= slice0window_tag.output_column;
-        slice0winner1_tag.start_of_frame <= slice0window_tag.start_of_frame;
-        slice0winner1_tag.end_of_line <= slice0window_tag.end_of_line;
-      end if;
-      -- slice0winner2
-      for i in 0 to 3 loop
-        slice0winner2_best_cost_0_is_less(i) := (slice0winner1_best_cost(i, 1) - slice0winner1_best_cost(i, 0)) < 0;
-      end loop;
-      slice0winner2_tag <= slice0winner1_tag;
-      for i in 0 to 3 loop
-        slice0winner2_best_cost_0(i) <= choice(slice0winner2_best_cost_0_is_less(i), slice0winner1_best_cost(i, 1),
-          slice0winner1_best_cost(i, 0));
-        slice0winner2_best_index_0(i) <= choice(slice0winner2_best_cost_0_is_less(i), slice0winner1_best_index_0_1,
-          as_number(slice0winner1_best_index_0(i)));
-      end loop;
-      -- slice0
-      slice0_best_cost_0 <= slice0winner2_best_cost_0;
-      slice0_best_index_0(0) <= slice0winner2_best_index_0(0) + 5;
-      slice0_best_index_0(1) <= slice0winner2_best_index_0(1) + 5;
-      slice0_best_index_0(2) <= slice0winner2_best_index_0(2) + 5;
-      slice0_best_index_0(3) <= slice0winner2_best_index_0(3) + 5;
-      slice0_best_tag <= slice0winner2_tag;
-      -- slice1shift
-      if slice0shift_tag.valid then
-        for i in 0 to 5 loop
-          slice1shift_search(i, 0) <= slice1shift_search(i, 1);
-          slice1shift_search(i, 1) <= slice1shift_search(i, 2);
-          slice1shift_search(i, 2) <= slice0shift_search_out(i);
-        end loop;
-      end if;
-      slice1shift_reference <= slice0shift_reference;
-      for i in 0 to 5 loop
-        slice1shift_search_out(i) <= slice1shift_search(i, 0);
-      end loop;
-      -- slice1cost
-      slice1cost_pair_folded_value(0, 0) := folded(slice1cost_difference(2, 0));
-      slice1cost_pair_folded_value(0, 1) := folded(slice1cost_difference(2, 1));
-      slice1cost_pair_folded_value(0, 2) := folded(slice1cost_difference(2, 2));
-      for i in 0 to 2 loop
-        slice1cost_pair_folded_value(1, i) := folded(slice1cost_difference(3, i));
-        slice1cost_pair_1_is_less(i) := slice1cost_difference(3, i) < 0;
-      end loop;
-      slice1cost_negative_0_is_less(0) := slice1cost_difference(2, 0) < 0;
-      slice1cost_negative_0_is_less(1) := slice1cost_difference(2, 1) < 0;
-      slice1cost_negative_0_is_less(2) := slice1cost_difference(2, 2) < 0;
-      for i in 0 to 5 loop
-        slice1cost_difference(i, 0) <= slice1shift_search(i, 0) - slice1shift_reference(i);
-        slice1cost_difference(i, 1) <= slice1shift_search(i, 1) - slice1shift_reference(i);
-        slice1cost_difference(i, 2) <= slice1shift_search(i, 2) - slice1shift_reference(i);
-      end loop;
-      for i in 0 to 2 loop
-        slice1cost_pair(0, i) <= slice1cost_pair_folded_value(0, i) + folded(slice1cost_difference(1, i)) +
-          as_number((slice1cost_difference(1, i) < 0));
-      end loop;
-      for i in 0 to 2 loop
-        slice1cost_pair(1, i) <= folded(slice1cost_difference(4, i)) + slice1cost_pair_folded_value(1, i) +
-          as_number(slice1cost_pair_1_is_less(i));
-      end loop;
-      slice1cost_negative(0, 0) <= slice1cost_negative_0_is_less(0);
-      slice1cost_negative(0, 1) <= slice1cost_negative_0_is_less(1);
-      slice1cost_negative(0, 2) <= slice1cost_negative_0_is_less(2);
-      slice1cost_negative(1, 0) <= slice1cost_difference(4, 0) < 0;
-      slice1cost_negative(1, 1) <= slice1cost_difference(4, 1) < 0;
-      slice1cost_negative(1, 2) <= slice1cost_difference(4, 2) < 0;
-      for i in 0 to 2 loop
-        slice1cost_single_0(i) <= (folded(slice1cost_difference(0, i)) + as_number((slice1cost_difference(0, i) < 0)))
-          mod 256;
-      end loop;
-      for i in 0 to 2 loop
-        slice1cost_single(2, i) <= (slice1cost_pair_folded_value(0, i) + as_number(slice1cost_negative_0_is_less(i)))
-          mod 256;
-      end loop;
-      for i in 0 to 2 loop
-        slice1cost_single(3, i) <= (slice1cost_pair_folded_value(1, i) + as_number(slice1cost_pair_1_is_less(i))) mod
-          256;
-      end loop;
-      for i in 0 to 2 loop
-        slice1cost_single_5(i) <= (folded(slice1cost_difference(5, i)) + as_number((slice1cost_difference(5, i) < 0)))
-          mod 256;
-      end loop;
-      slice1cost_tag_border_column <= slice0cost_tag.border_column;
-      for i in 0 to 2 loop
-        slice1cost_column(0, i) <= choice(slice0cost_tag.border_column, 0, slice1cost_pair(0, i) +
-          as_number(slice1cost_negative(0, i)) + slice1cost_single_0(i));
-      end loop;
-      for i in 1 to 2 loop
-        for j in 0 to 2 loop
-          slice1cost_column(i, j) <= choice(slice0cost_tag.border_column, 0, slice1cost_pair(i - 1, j) +
-            as_number(slice1cost_negative(i - 1, j)) + slice1cost_single(4 - i, j));
-        end loop;
-      end loop;
-      for i in 0 to 2 loop
-        slice1cost_column(3, i) <= choice(slice0cost_tag.border_column, 0, slice1cost_pair(1, i) +
-          as_number(slice1cost_negative(1, i)) + slice1cost_single_5(i));
-      end loop;
-      -- slice1window
-      if slice0window_tag.valid then
-        for i in 0 to 3 loop
-          slice1window_partial_0(i, 0) <= slice1cost_column(i, 0);
-          slice1window_partial_0(i, 1) <= slice1cost_column(i, 1);
-          slice1window_partial_0(i, 2) <= slice1cost_column(i, 2);
-          slice1window_partial_1(i, 0) <= slice1cost_column(i, 0) + slice1window_partial_0(i, 0);
-          slice1window_partial_1(i, 1) <= slice1cost_column(i, 1) + slice1window_partial_0(i, 1);
-          slice1window_partial_1(i, 2) <= slice1cost_column(i, 2) + slice1window_partial_0(i, 2);
-        end loop;
-      end if;
-      for i in 0 to 3 loop
-        slice1window_sum(i, 0) <= slice1cost_column(i, 0) + slice1window_partial_1(i, 0);
-        slice1window_sum(i, 1) <= slice1cost_column(i, 1) + slice1window_partial_1(i, 1);
-        slice1window_sum(i, 2) <= slice1cost_column(i, 2) + slice1window_partial_1(i, 2);
-      end loop;
-      -- slice1winner1
-      slice1winner1_best_cost_0_is_less(0) := (slice1window_sum(0, 1) - slice1window_sum(0, 0)) < 0;
-      slice1winner1_best_cost_0_is_less(1) := (slice1window_sum(1, 1) - slice1window_sum(1, 0)) < 0;
-      slice1winner1_best_cost_0_is_less(2) := (slice1window_sum(2, 1) - slice1window_sum(2, 0)) < 0;
-      slice1winner1_best_cost_0_is_less(3) := (slice1window_sum(3, 1) - slice1window_sum(3, 0)) < 0;
-      slice1winner1_best_cost(0, 1) <= slice1window_sum(0, 2);
-      slice1winner1_best_cost(1, 1) <= slice1window_sum(1, 2);
-      slice1winner1_best_cost(2, 1) <= slice1window_sum(2, 2);
-      slice1winner1_best_cost(3, 1) <= slice1window_sum(3, 2);
-      slice1winner1_best_index_0 <= slice1winner1_best_cost_0_is_less;
-      for i in 0 to 3 loop
-        slice1winner1_best_cost(i, 0) <= choice(slice1winner1_best_cost_0_is_less(i), slice1window_sum(i, 1),
-          slice1window_sum(i, 0));
-      end loop;
-      -- slice1winner2
-      for i in 0 to 3 loop
-        slice1winner2_best_cost_0_is_less(i) := (slice1winner1_best_cost(i, 1) - slice1winner1_best_cost(i, 0)) < 0;
-      end loop;
-      for i in 0 to 3 loop
-        slice1winner2_best_cost_0(i) <= choice(slice1winner2_best_cost_0_is_less(i), slice1winner1_best_cost(i, 1),
-          slice1winner1_best_cost(i, 0));
-        slice1winner2_best_index_0(i) <= choice(slice1winner2_best_cost_0_is_less(i), slice0winner1_best_index_0_1,
-          as_number(slice1winner1_best_index_0(i)));
-      end loop;
-      -- slice1
-      slice1_best_cost_0_is_less(0) := (slice0_best_cost_0(0) - slice1winner2_best_cost_0(0)) < 0;
-      slice1_best_cost_0_is_less(1) := (slice0_best_cost_0(1) - slice1winner2_best_cost_0(1)) < 0;
-      slice1_best_cost_0_is_less(2) := (slice0_best_cost_0(2) - slice1winner2_best_cost_0(2)) < 0;
-      slice1_best_cost_0_is_less(3) := (slice0_best_cost_0(3) - slice1winner2_best_cost_0(3)) < 0;
-      slice1_best_tag <= slice0_best_tag;
-      for i in 0 to 3 loop
-        slice1_best_cost_0(i) <= choice(slice1_best_cost_0_is_less(i), slice0_best_cost_0(i),
-          slice1winner2_best_cost_0(i));
-        slice1_best_index_0(i) <= choice(slice1_best_cost_0_is_less(i), slice0_best_index_0(i),
-          (((slice1winner2_best_index_0(i) / 2) + 1) * 2) + (slice1winner2_best_index_0(i) mod 2));
-      end loop;
-      -- slice2shift
-      if slice0cost_difference_tag.valid then
-        for i in 0 to 5 loop
-          slice2shift_search(i, 0) <= slice2shift_search(i, 1);
-          slice2shift_search(i, 1) <= slice1shift_search_out(i);
-        end loop;
-      end if;
-      slice2shift_reference <= slice1shift_reference;
-      -- slice2cost
-      slice2cost_pair_folded_value(0, 0) := folded(slice2cost_difference(2, 0));
-      slice2cost_pair_folded_value(0, 1) := folded(slice2cost_difference(2, 1));
-      slice2cost_pair_1_is_less(0) := slice2cost_difference(3, 0) < 0;
-      slice2cost_pair_folded_value(1, 0) := folded(slice2cost_difference(3, 0));
-      slice2cost_pair_1_is_less(1) := slice2cost_difference(3, 1) < 0;
-      slice2cost_pair_folded_value(1, 1) := folded(slice2cost_difference(3, 1));
-      slice2cost_negative_0_is_less(0) := slice2cost_difference(2, 0) < 0;
-      slice2cost_negative_0_is_less(1) := slice2cost_difference(2, 1) < 0;
-      for i in 0 to 5 loop
-        slice2cost_difference(i, 0) <= slice2shift_search(i, 0) - slice2shift_reference(i);
-        slice2cost_difference(i, 1) <= slice2shift_search(i, 1) - slice2shift_reference(i);
-      end loop;
-      slice2cost_pair(0, 0) <= as_number((slice2cost_difference(1, 0) < 0)) + folded(slice2cost_difference(1, 0)) +
-        slice2cost_pair_folded_value(0, 0);
-      slice2cost_pair(0, 1) <= as_number((slice2cost_difference(1, 1) < 0)) + folded(slice2cost_difference(1, 1)) +
-        slice2cost_pair_folded_value(0, 1);
-      slice2cost_pair(1, 0) <= as_number(slice2cost_pair_1_is_less(0)) + slice2cost_pair_folded_value(1, 0) +
-        folded(slice2cost_difference(4, 0));
-      slice2cost_pair(1, 1) <= as_number(slice2cost_pair_1_is_less(1)) + slice2cost_pair_folded_value(1, 1) +
-        folded(slice2cost_difference(4, 1));
-      slice2cost_negative(0, 0) <= slice2cost_negative_0_is_less(0);
-      slice2cost_negative(0, 1) <= slice2cost_negative_0_is_less(1);
-      slice2cost_negative(1, 0) <= slice2cost_difference(4, 0) < 0;
-      slice2cost_negative(1, 1) <= slice2cost_difference(4, 1) < 0;
-      slice2cost_single_0(0) <= (folded(slice2cost_difference(0, 0)) + as_number((slice2cost_difference(0, 0) < 0)))
+    end if;
+    slice0shift_reference <= rows_reference;
+    for i in 0 to 5 loop slice0shift_search_out(i) <= slice0shift_search(i, 0); end loop;
+    slice0shift_tag <= rows_tag;
+    -- slice0cost
+    slice0cost_pair_folded_value(0, 0) := folded(slice0cost_difference(2, 0));
+    slice0cost_pair_folded_value(0, 1) := folded(slice0cost_difference(2, 1));
+    slice0cost_pair_folded_value(0, 2) := folded(slice0cost_difference(2, 2));
+    for i in 0 to 2 loop
+      slice0cost_pair_folded_value(1, i) := folded(slice0cost_difference(3, i));
+      slice0cost_pair_1_is_less(i) := slice0cost_difference(3, i) < 0;
+    end loop;
+    slice0cost_negative_0_is_less(0) := slice0cost_difference(2, 0) < 0;
+    slice0cost_negative_0_is_less(1) := slice0cost_difference(2, 1) < 0;
+    slice0cost_negative_0_is_less(2) := slice0cost_difference(2, 2) < 0;
+    for i in 0 to 5 loop
+      slice0cost_difference(i, 0) <= slice0shift_search(i, 0) - slice0shift_reference(i);
+      slice0cost_difference(i, 1) <= slice0shift_search(i, 1) - slice0shift_reference(i);
+      slice0cost_difference(i, 2) <= slice0shift_search(i, 2) - slice0shift_reference(i);
+    end loop;
+    slice0cost_difference_tag <= slice0shift_tag;
+    for i in 0 to 2 loop
+      slice0cost_pair(0, i) <= slice0cost_pair_folded_value(0, i) + folded(slice0cost_difference(1, i)) +
+        as_number((slice0cost_difference(1, i) < 0));
+    end loop;
+    for i in 0 to 2 loop
+      slice0cost_pair(1, i) <= folded(slice0cost_difference(4, i)) + slice0cost_pair_folded_value(1, i) +
+        as_number(slice0cost_pair_1_is_less(i));
+    end loop;
+    slice0cost_negative(0, 0) <= slice0cost_negative_0_is_less(0);
+    slice0cost_negative(0, 1) <= slice0cost_negative_0_is_less(1);
+    slice0cost_negative(0, 2) <= slice0cost_negative_0_is_less(2);
+    slice0cost_negative(1, 0) <= slice0cost_difference(4, 0) < 0;
+    slice0cost_negative(1, 1) <= slice0cost_difference(4, 1) < 0;
+    slice0cost_negative(1, 2) <= slice0cost_difference(4, 2) < 0;
+    for i in 0 to 2 loop
+      slice0cost_single_0(i) <= (folded(slice0cost_difference(0, i)) + as_number((slice0cost_difference(0, i) < 0)))
         mod 256;
-      slice2cost_single_0(1) <= (folded(slice2cost_difference(0, 1)) + as_number((slice2cost_difference(0, 1) < 0)))
-        mod 256;
-      slice2cost_single(2, 0) <= (slice2cost_pair_folded_value(0, 0) + as_number(slice2cost_negative_0_is_less(0))) mod
+    end loop;
+    for i in 0 to 2 loop
+      slice0cost_single(2, i) <= (slice0cost_pair_folded_value(0, i) + as_number(slice0cost_negative_0_is_less(i))) mod
         256;
-      slice2cost_single(2, 1) <= (slice2cost_pair_folded_value(0, 1) + as_number(slice2cost_negative_0_is_less(1))) mod
+    end loop;
+    for i in 0 to 2 loop
+      slice0cost_single(3, i) <= (slice0cost_pair_folded_value(1, i) + as_number(slice0cost_pair_1_is_less(i))) mod 256;
+    end loop;
+    for i in 0 to 2 loop
+      slice0cost_single_5(i) <= (folded(slice0cost_difference(5, i)) + as_number((slice0cost_difference(5, i) < 0)))
+        mod 256;
+    end loop;
+    slice0cost_pair_tag <= slice0cost_difference_tag;
+    slice0cost_tag <= slice0cost_pair_tag;
+    for i in 0 to 2 loop
+      slice0cost_column(0, i) <= choice(slice0cost_pair_tag.border_column, 0, slice0cost_pair(0, i) +
+        as_number(slice0cost_negative(0, i)) + slice0cost_single_0(i));
+    end loop;
+    for i in 1 to 2 loop
+      for j in 0 to 2 loop
+        slice0cost_column(i, j) <= choice(slice0cost_pair_tag.border_column, 0, slice0cost_pair(i - 1, j) +
+          as_number(slice0cost_negative(i - 1, j)) + slice0cost_single(4 - i, j));
+      end loop;
+    end loop;
+    for i in 0 to 2 loop
+      slice0cost_column(3, i) <= choice(slice0cost_pair_tag.border_column, 0, slice0cost_pair(1, i) +
+        as_number(slice0cost_negative(1, i)) + slice0cost_single_5(i));
+    end loop;
+    -- slice0window
+    if slice0cost_tag.valid then
+      for i in 0 to 3 loop
+        slice0window_partial_0(i, 0) <= slice0cost_column(i, 0);
+        slice0window_partial_0(i, 1) <= slice0cost_column(i, 1);
+        slice0window_partial_0(i, 2) <= slice0cost_column(i, 2);
+        slice0window_partial_1(i, 0) <= slice0cost_column(i, 0) + slice0window_partial_0(i, 0);
+        slice0window_partial_1(i, 1) <= slice0cost_column(i, 1) + slice0window_partial_0(i, 1);
+        slice0window_partial_1(i, 2) <= slice0cost_column(i, 2) + slice0window_partial_0(i, 2);
+      end loop;
+    end if;
+    slice0window_centre_output_column_0 <= slice0cost_tag.output_column;
+    slice0window_centre_start_of_frame_0 <= slice0cost_tag.start_of_frame;
+    slice0window_centre_end_of_line_0 <= slice0cost_tag.end_of_line;
+    for i in 0 to 3 loop
+      slice0window_sum(i, 0) <= slice0cost_column(i, 0) + slice0window_partial_1(i, 0);
+      slice0window_sum(i, 1) <= slice0cost_column(i, 1) + slice0window_partial_1(i, 1);
+      slice0window_sum(i, 2) <= slice0cost_column(i, 2) + slice0window_partial_1(i, 2);
+    end loop;
+    slice0window_tag.valid <= slice0cost_tag.valid;
+    slice0window_tag.output_column <= slice0window_centre_output_column_0;
+    slice0window_tag.start_of_frame <= slice0window_centre_start_of_frame_0;
+    slice0window_tag.end_of_line <= slice0window_centre_end_of_line_0;
+    -- slice0winner1
+    slice0winner1_best_cost_0_is_less(0) := (slice0window_sum(0, 1) - slice0window_sum(0, 0)) < 0;
+    slice0winner1_best_cost_0_is_less(1) := (slice0window_sum(1, 1) - slice0window_sum(1, 0)) < 0;
+    slice0winner1_best_cost_0_is_less(2) := (slice0window_sum(2, 1) - slice0window_sum(2, 0)) < 0;
+    slice0winner1_best_cost_0_is_less(3) := (slice0window_sum(3, 1) - slice0window_sum(3, 0)) < 0;
+    slice0winner1_best_cost(0, 1) <= slice0window_sum(0, 2);
+    slice0winner1_best_cost(1, 1) <= slice0window_sum(1, 2);
+    slice0winner1_best_cost(2, 1) <= slice0window_sum(2, 2);
+    slice0winner1_best_cost(3, 1) <= slice0window_sum(3, 2);
+    slice0winner1_best_index_0(0) <= slice0winner1_best_cost_0_is_less(0);
+    slice0winner1_best_index_0_1 <= 2;
+    slice0winner1_best_index_0(1 to 3) <= slice0winner1_best_cost_0_is_less(1 to 3);
+    slice0winner1_tag.valid <= slice0window_tag.valid;
+    for i in 0 to 3 loop
+      slice0winner1_best_cost(i, 0) <= choice(slice0winner1_best_cost_0_is_less(i), slice0window_sum(i, 1),
+        slice0window_sum(i, 0));
+    end loop;
+    if slice0winner1_tag.valid then
+      slice0winner1_tag.output_column <= slice0window_tag.output_column;
+      slice0winner1_tag.start_of_frame <= slice0window_tag.start_of_frame;
+      slice0winner1_tag.end_of_line <= slice0window_tag.end_of_line;
+    end if;
+    -- slice0winner2
+    for i in 0 to 3 loop
+      slice0winner2_best_cost_0_is_less(i) := (slice0winner1_best_cost(i, 1) - slice0winner1_best_cost(i, 0)) < 0;
+    end loop;
+    slice0winner2_tag <= slice0winner1_tag;
+    for i in 0 to 3 loop
+      slice0winner2_best_cost_0(i) <= choice(slice0winner2_best_cost_0_is_less(i), slice0winner1_best_cost(i, 1),
+        slice0winner1_best_cost(i, 0));
+      slice0winner2_best_index_0(i) <= choice(slice0winner2_best_cost_0_is_less(i), slice0winner1_best_index_0_1,
+        as_number(slice0winner1_best_index_0(i)));
+    end loop;
+    -- slice0
+    slice0_best_cost_0 <= slice0winner2_best_cost_0;
+    slice0_best_index_0(0) <= slice0winner2_best_index_0(0) + 5;
+    slice0_best_index_0(1) <= slice0winner2_best_index_0(1) + 5;
+    slice0_best_index_0(2) <= slice0winner2_best_index_0(2) + 5;
+    slice0_best_index_0(3) <= slice0winner2_best_index_0(3) + 5;
+    slice0_best_tag <= slice0winner2_tag;
+    -- slice1shift
+    if slice0shift_tag.valid then
+      for i in 0 to 5 loop
+        slice1shift_search(i, 0) <= slice1shift_search(i, 1);
+        slice1shift_search(i, 1) <= slice1shift_search(i, 2);
+        slice1shift_search(i, 2) <= slice0shift_search_out(i);
+      end loop;
+    end if;
+    slice1shift_reference <= slice0shift_reference;
+    for i in 0 to 5 loop slice1shift_search_out(i) <= slice1shift_search(i, 0); end loop;
+    -- slice1cost
+    slice1cost_pair_folded_value(0, 0) := folded(slice1cost_difference(2, 0));
+    slice1cost_pair_folded_value(0, 1) := folded(slice1cost_difference(2, 1));
+    slice1cost_pair_folded_value(0, 2) := folded(slice1cost_difference(2, 2));
+    for i in 0 to 2 loop
+      slice1cost_pair_folded_value(1, i) := folded(slice1cost_difference(3, i));
+      slice1cost_pair_1_is_less(i) := slice1cost_difference(3, i) < 0;
+    end loop;
+    slice1cost_negative_0_is_less(0) := slice1cost_difference(2, 0) < 0;
+    slice1cost_negative_0_is_less(1) := slice1cost_difference(2, 1) < 0;
+    slice1cost_negative_0_is_less(2) := slice1cost_difference(2, 2) < 0;
+    for i in 0 to 5 loop
+      slice1cost_difference(i, 0) <= slice1shift_search(i, 0) - slice1shift_reference(i);
+      slice1cost_difference(i, 1) <= slice1shift_search(i, 1) - slice1shift_reference(i);
+      slice1cost_difference(i, 2) <= slice1shift_search(i, 2) - slice1shift_reference(i);
+    end loop;
+    for i in 0 to 2 loop
+      slice1cost_pair(0, i) <= slice1cost_pair_folded_value(0, i) + folded(slice1cost_difference(1, i)) +
+        as_number((slice1cost_difference(1, i) < 0));
+    end loop;
+    for i in 0 to 2 loop
+      slice1cost_pair(1, i) <= folded(slice1cost_difference(4, i)) + slice1cost_pair_folded_value(1, i) +
+        as_number(slice1cost_pair_1_is_less(i));
+    end loop;
+    slice1cost_negative(0, 0) <= slice1cost_negative_0_is_less(0);
+    slice1cost_negative(0, 1) <= slice1cost_negative_0_is_less(1);
+    slice1cost_negative(0, 2) <= slice1cost_negative_0_is_less(2);
+    slice1cost_negative(1, 0) <= slice1cost_difference(4, 0) < 0;
+    slice1cost_negative(1, 1) <= slice1cost_difference(4, 1) < 0;
+    slice1cost_negative(1, 2) <= slice1cost_difference(4, 2) < 0;
+    for i in 0 to 2 loop
+      slice1cost_single_0(i) <= (folded(slice1cost_difference(0, i)) + as_number((slice1cost_difference(0, i) < 0)))
+        mod 256;
+    end loop;
+    for i in 0 to 2 loop
+      slice1cost_single(2, i) <= (slice1cost_pair_folded_value(0, i) + as_number(slice1cost_negative_0_is_less(i))) mod
         256;
-      slice2cost_single(3, 0) <= (slice2cost_pair_folded_value(1, 0) + as_number(slice2cost_pair_1_is_less(0))) mod 256;
-      slice2cost_single(3, 1) <= (slice2cost_pair_folded_value(1, 1) + as_number(slice2cost_pair_1_is_less(1))) mod 256;
-      slice2cost_single_5(0) <= (folded(slice2cost_difference(5, 0)) + as_number((slice2cost_difference(5, 0) < 0)))
+    end loop;
+    for i in 0 to 2 loop
+      slice1cost_single(3, i) <= (slice1cost_pair_folded_value(1, i) + as_number(slice1cost_pair_1_is_less(i))) mod 256;
+    end loop;
+    for i in 0 to 2 loop
+      slice1cost_single_5(i) <= (folded(slice1cost_difference(5, i)) + as_number((slice1cost_difference(5, i) < 0)))
         mod 256;
-      slice2cost_single_5(1) <= (folded(slice2cost_difference(5, 1)) + as_number((slice2cost_difference(5, 1) < 0)))
-        mod 256;
-      slice2cost_column(0, 0) <= choice(slice1cost_tag_border_column, 0, slice2cost_pair(0, 0) +
-        as_number(slice2cost_negative(0, 0)) + slice2cost_single_0(0));
-      slice2cost_column(0, 1) <= choice(slice1cost_tag_border_column, 0, slice2cost_pair(0, 1) +
-        as_number(slice2cost_negative(0, 1)) + slice2cost_single_0(1));
-      for i in 1 to 2 loop
-        slice2cost_column(i, 0) <= choice(slice1cost_tag_border_column, 0, slice2cost_pair(i - 1, 0) +
-          as_number(slice2cost_negative(i - 1, 0)) + slice2cost_single(4 - i, 0));
-        slice2cost_column(i, 1) <= choice(slice1cost_tag_border_column, 0, slice2cost_pair(i - 1, 1) +
-          as_number(slice2cost_negative(i - 1, 1)) + slice2cost_single(4 - i, 1));
+    end loop;
+    slice1cost_tag_border_column <= slice0cost_tag.border_column;
+    for i in 0 to 2 loop
+      slice1cost_column(0, i) <= choice(slice0cost_tag.border_column, 0, slice1cost_pair(0, i) +
+        as_number(slice1cost_negative(0, i)) + slice1cost_single_0(i));
+    end loop;
+    for i in 1 to 2 loop
+      for j in 0 to 2 loop
+        slice1cost_column(i, j) <= choice(slice0cost_tag.border_column, 0, slice1cost_pair(i - 1, j) +
+          as_number(slice1cost_negative(i - 1, j)) + slice1cost_single(4 - i, j));
       end loop;
-      slice2cost_column(3, 0) <= choice(slice1cost_tag_border_column, 0, slice2cost_pair(1, 0) +
-        as_number(slice2cost_negative(1, 0)) + slice2cost_single_5(0));
-      slice2cost_column(3, 1) <= choice(slice1cost_tag_border_column, 0, slice2cost_pair(1, 1) +
-        as_number(slice2cost_negative(1, 1)) + slice2cost_single_5(1));
-      -- slice2window
-      if slice0winner1_tag.valid then
-        for i in 0 to 3 loop
-          slice2window_partial_0(i, 0) <= slice2cost_column(i, 0);
-          slice2window_partial_0(i, 1) <= slice2cost_column(i, 1);
-          slice2window_partial_1(i, 0) <= slice2cost_column(i, 0) + slice2window_partial_0(i, 0);
-          slice2window_partial_1(i, 1) <= slice2cost_column(i, 1) + slice2window_partial_0(i, 1);
-        end loop;
-      end if;
+    end loop;
+    for i in 0 to 2 loop
+      slice1cost_column(3, i) <= choice(slice0cost_tag.border_column, 0, slice1cost_pair(1, i) +
+        as_number(slice1cost_negative(1, i)) + slice1cost_single_5(i));
+    end loop;
+    -- slice1window
+    if slice0window_tag.valid then
       for i in 0 to 3 loop
-        slice2window_sum(i, 0) <= slice2cost_column(i, 0) + slice2window_partial_1(i, 0);
-        slice2window_sum(i, 1) <= slice2cost_column(i, 1) + slice2window_partial_1(i, 1);
+        slice1window_partial_0(i, 0) <= slice1cost_column(i, 0);
+        slice1window_partial_0(i, 1) <= slice1cost_column(i, 1);
+        slice1window_partial_0(i, 2) <= slice1cost_column(i, 2);
+        slice1window_partial_1(i, 0) <= slice1cost_column(i, 0) + slice1window_partial_0(i, 0);
+        slice1window_partial_1(i, 1) <= slice1cost_column(i, 1) + slice1window_partial_0(i, 1);
+        slice1window_partial_1(i, 2) <= slice1cost_column(i, 2) + slice1window_partial_0(i, 2);
       end loop;
-      -- slice2winner1
-      slice2winner1_best_cost_0_is_less(0) := (slice2window_sum(0, 1) - slice2window_sum(0, 0)) < 0;
-      slice2winner1_best_cost_0_is_less(1) := (slice2window_sum(1, 1) - slice2window_sum(1, 0)) < 0;
-      slice2winner1_best_cost_0_is_less(2) := (slice2window_sum(2, 1) - slice2window_sum(2, 0)) < 0;
-      slice2winner1_best_cost_0_is_less(3) := (slice2window_sum(3, 1) - slice2window_sum(3, 0)) < 0;
-      slice2winner1_best_index_0 <= slice2winner1_best_cost_0_is_less;
+    end if;
+    for i in 0 to 3 loop
+      slice1window_sum(i, 0) <= slice1cost_column(i, 0) + slice1window_partial_1(i, 0);
+      slice1window_sum(i, 1) <= slice1cost_column(i, 1) + slice1window_partial_1(i, 1);
+      slice1window_sum(i, 2) <= slice1cost_column(i, 2) + slice1window_partial_1(i, 2);
+    end loop;
+    -- slice1winner1
+    slice1winner1_best_cost_0_is_less(0) := (slice1window_sum(0, 1) - slice1window_sum(0, 0)) < 0;
+    slice1winner1_best_cost_0_is_less(1) := (slice1window_sum(1, 1) - slice1window_sum(1, 0)) < 0;
+    slice1winner1_best_cost_0_is_less(2) := (slice1window_sum(2, 1) - slice1window_sum(2, 0)) < 0;
+    slice1winner1_best_cost_0_is_less(3) := (slice1window_sum(3, 1) - slice1window_sum(3, 0)) < 0;
+    slice1winner1_best_cost(0, 1) <= slice1window_sum(0, 2);
+    slice1winner1_best_cost(1, 1) <= slice1window_sum(1, 2);
+    slice1winner1_best_cost(2, 1) <= slice1window_sum(2, 2);
+    slice1winner1_best_cost(3, 1) <= slice1window_sum(3, 2);
+    slice1winner1_best_index_0 <= slice1winner1_best_cost_0_is_less;
+    for i in 0 to 3 loop
+      slice1winner1_best_cost(i, 0) <= choice(slice1winner1_best_cost_0_is_less(i), slice1window_sum(i, 1),
+        slice1window_sum(i, 0));
+    end loop;
+    -- slice1winner2
+    for i in 0 to 3 loop
+      slice1winner2_best_cost_0_is_less(i) := (slice1winner1_best_cost(i, 1) - slice1winner1_best_cost(i, 0)) < 0;
+    end loop;
+    for i in 0 to 3 loop
+      slice1winner2_best_cost_0(i) <= choice(slice1winner2_best_cost_0_is_less(i), slice1winner1_best_cost(i, 1),
+        slice1winner1_best_cost(i, 0));
+      slice1winner2_best_index_0(i) <= choice(slice1winner2_best_cost_0_is_less(i), slice0winner1_best_index_0_1,
+        as_number(slice1winner1_best_index_0(i)));
+    end loop;
+    -- slice1
+    slice1_best_cost_0_is_less(0) := (slice0_best_cost_0(0) - slice1winner2_best_cost_0(0)) < 0;
+    slice1_best_cost_0_is_less(1) := (slice0_best_cost_0(1) - slice1winner2_best_cost_0(1)) < 0;
+    slice1_best_cost_0_is_less(2) := (slice0_best_cost_0(2) - slice1winner2_best_cost_0(2)) < 0;
+    slice1_best_cost_0_is_less(3) := (slice0_best_cost_0(3) - slice1winner2_best_cost_0(3)) < 0;
+    slice1_best_tag <= slice0_best_tag;
+    for i in 0 to 3 loop
+      slice1_best_cost_0(i) <= choice(slice1_best_cost_0_is_less(i), slice0_best_cost_0(i),
+        slice1winner2_best_cost_0(i));
+      slice1_best_index_0(i) <= choice(slice1_best_cost_0_is_less(i), slice0_best_index_0(i),
+        (((slice1winner2_best_index_0(i) / 2) + 1) * 2) + (slice1winner2_best_index_0(i) mod 2));
+    end loop;
+    -- slice2shift
+    if slice0cost_difference_tag.valid then
+      for i in 0 to 5 loop
+        slice2shift_search(i, 0) <= slice2shift_search(i, 1);
+        slice2shift_search(i, 1) <= slice1shift_search_out(i);
+      end loop;
+    end if;
+    slice2shift_reference <= slice1shift_reference;
+    -- slice2cost
+    slice2cost_pair_folded_value(0, 0) := folded(slice2cost_difference(2, 0));
+    slice2cost_pair_folded_value(0, 1) := folded(slice2cost_difference(2, 1));
+    slice2cost_pair_1_is_less(0) := slice2cost_difference(3, 0) < 0;
+    slice2cost_pair_folded_value(1, 0) := folded(slice2cost_difference(3, 0));
+    slice2cost_pair_1_is_less(1) := slice2cost_difference(3, 1) < 0;
+    slice2cost_pair_folded_value(1, 1) := folded(slice2cost_difference(3, 1));
+    slice2cost_negative_0_is_less(0) := slice2cost_difference(2, 0) < 0;
+    slice2cost_negative_0_is_less(1) := slice2cost_difference(2, 1) < 0;
+    for i in 0 to 5 loop
+      slice2cost_difference(i, 0) <= slice2shift_search(i, 0) - slice2shift_reference(i);
+      slice2cost_difference(i, 1) <= slice2shift_search(i, 1) - slice2shift_reference(i);
+    end loop;
+    slice2cost_pair(0, 0) <= as_number((slice2cost_difference(1, 0) < 0)) + folded(slice2cost_difference(1, 0)) +
+      slice2cost_pair_folded_value(0, 0);
+    slice2cost_pair(0, 1) <= as_number((slice2cost_difference(1, 1) < 0)) + folded(slice2cost_difference(1, 1)) +
+      slice2cost_pair_folded_value(0, 1);
+    slice2cost_pair(1, 0) <= as_number(slice2cost_pair_1_is_less(0)) + slice2cost_pair_folded_value(1, 0) +
+      folded(slice2cost_difference(4, 0));
+    slice2cost_pair(1, 1) <= as_number(slice2cost_pair_1_is_less(1)) + slice2cost_pair_folded_value(1, 1) +
+      folded(slice2cost_difference(4, 1));
+    slice2cost_negative(0, 0) <= slice2cost_negative_0_is_less(0);
+    slice2cost_negative(0, 1) <= slice2cost_negative_0_is_less(1);
+    slice2cost_negative(1, 0) <= slice2cost_difference(4, 0) < 0;
+    slice2cost_negative(1, 1) <= slice2cost_difference(4, 1) < 0;
+    slice2cost_single_0(0) <= (folded(slice2cost_difference(0, 0)) + as_number((slice2cost_difference(0, 0) < 0))) mod
+      256;
+    slice2cost_single_0(1) <= (folded(slice2cost_difference(0, 1)) + as_number((slice2cost_difference(0, 1) < 0))) mod
+      256;
+    slice2cost_single(2, 0) <= (slice2cost_pair_folded_value(0, 0) + as_number(slice2cost_negative_0_is_less(0))) mod
+      256;
+    slice2cost_single(2, 1) <= (slice2cost_pair_folded_value(0, 1) + as_number(slice2cost_negative_0_is_less(1))) mod
+      256;
+    slice2cost_single(3, 0) <= (slice2cost_pair_folded_value(1, 0) + as_number(slice2cost_pair_1_is_less(0))) mod 256;
+    slice2cost_single(3, 1) <= (slice2cost_pair_folded_value(1, 1) + as_number(slice2cost_pair_1_is_less(1))) mod 256;
+    slice2cost_single_5(0) <= (folded(slice2cost_difference(5, 0)) + as_number((slice2cost_difference(5, 0) < 0))) mod
+      256;
+    slice2cost_single_5(1) <= (folded(slice2cost_difference(5, 1)) + as_number((slice2cost_difference(5, 1) < 0))) mod
+      256;
+    slice2cost_column(0, 0) <= choice(slice1cost_tag_border_column, 0, slice2cost_pair(0, 0) +
+      as_number(slice2cost_negative(0, 0)) + slice2cost_single_0(0));
+    slice2cost_column(0, 1) <= choice(slice1cost_tag_border_column, 0, slice2cost_pair(0, 1) +
+      as_number(slice2cost_negative(0, 1)) + slice2cost_single_0(1));
+    for i in 1 to 2 loop
+      slice2cost_column(i, 0) <= choice(slice1cost_tag_border_column, 0, slice2cost_pair(i - 1, 0) +
+        as_number(slice2cost_negative(i - 1, 0)) + slice2cost_single(4 - i, 0));
+      slice2cost_column(i, 1) <= choice(slice1cost_tag_border_column, 0, slice2cost_pair(i - 1, 1) +
+        as_number(slice2cost_negative(i - 1, 1)) + slice2cost_single(4 - i, 1));
+    end loop;
+    slice2cost_column(3, 0) <= choice(slice1cost_tag_border_column, 0, slice2cost_pair(1, 0) +
+      as_number(slice2cost_negative(1, 0)) + slice2cost_single_5(0));
+    slice2cost_column(3, 1) <= choice(slice1cost_tag_border_column, 0, slice2cost_pair(1, 1) +
+      as_number(slice2cost_negative(1, 1)) + slice2cost_single_5(1));
+    -- slice2window
+    if slice0winner1_tag.valid then
       for i in 0 to 3 loop
-        slice2winner1_best_cost_0(i) <= choice(slice2winner1_best_cost_0_is_less(i), slice2window_sum(i, 1),
-          slice2window_sum(i, 0));
+        slice2window_partial_0(i, 0) <= slice2cost_column(i, 0);
+        slice2window_partial_0(i, 1) <= slice2cost_column(i, 1);
+        slice2window_partial_1(i, 0) <= slice2cost_column(i, 0) + slice2window_partial_0(i, 0);
+        slice2window_partial_1(i, 1) <= slice2cost_column(i, 1) + slice2window_partial_0(i, 1);
       end loop;
-      -- slice2winner2
-      slice2winner2_best_cost_0 <= slice2winner1_best_cost_0;
-      slice2winner2_best_index_0 <= slice2winner1_best_index_0;
-      -- slice2
-      slice2_best_tag <= slice1_best_tag;
-      for i in 0 to 3 loop
-        slice2_best_index_0(i) <= choice((slice1_best_cost_0(i) - slice2winner2_best_cost_0(i)) < 0,
-          slice1_best_index_0(i), as_number(slice2winner2_best_index_0(i)));
-      end loop;
-      if reset = '1' then
-        raster_features_valid <= false;
-        raster_place_column <= 0;
-        raster_place_group <= 4;
-        raster_place_next_frame <= false;
-        delay_ring_read_address <= 1;
-        delay_ring_write_address <= 0;
-        delay_column <= 0;
-        delay_tag.valid <= false;
-        delay_tag.output_column <= false;
-        delay_tag.start_of_frame <= false;
-        delay_tag.end_of_line <= false;
-        rows_read_column <= 0;
-        rows_read_tag.valid <= false;
-        rows_read_tag.output_column <= false;
-        rows_read_tag.start_of_frame <= false;
-        rows_read_tag.end_of_line <= false;
-        rows_ready_column <= 0;
-        rows_ready_tag.valid <= false;
-        rows_ready_tag.output_column <= false;
-        rows_ready_tag.start_of_frame <= false;
-        rows_ready_tag.end_of_line <= false;
-        rows_write_column <= 0;
-        rows_tag.valid <= false;
-        rows_tag.output_column <= false;
-        rows_tag.start_of_frame <= false;
-        rows_tag.end_of_line <= false;
-        slice0shift_tag.valid <= false;
-        slice0shift_tag.output_column <= false;
-        slice0shift_tag.start_of_frame <= false;
-        slice0shift_tag.end_of_line <= false;
-        slice0cost_difference_tag.valid <= false;
-        slice0cost_difference_tag.output_column <= false;
-        slice0cost_difference_tag.start_of_frame <= false;
-        slice0cost_difference_tag.end_of_line <= false;
-        slice0cost_pair_tag.valid <= false;
-        slice0cost_pair_tag.output_column <= false;
-        slice0cost_pair_tag.start_of_frame <= false;
-        slice0cost_pair_tag.end_of_line <= false;
-        slice0cost_tag.valid <= false;
-        slice0cost_tag.output_column <= false;
-        slice0cost_tag.start_of_frame <= false;
-        slice0cost_tag.end_of_line <= false;
-        slice0window_centre_output_column_0 <= false;
-        slice0window_centre_start_of_frame_0 <= false;
-        slice0window_centre_end_of_line_0 <= false;
-        slice0window_tag <= (others => false);
-        slice0winner1_tag <= (others => false);
-        slice0winner2_tag <= (others => false);
-        slice0_best_tag <= (others => false);
-        slice1_best_tag <= (others => false);
-        slice2_best_tag <= (others => false);
-      end if;
+    end if;
+    for i in 0 to 3 loop
+      slice2window_sum(i, 0) <= slice2cost_column(i, 0) + slice2window_partial_1(i, 0);
+      slice2window_sum(i, 1) <= slice2cost_column(i, 1) + slice2window_partial_1(i, 1);
+    end loop;
+    -- slice2winner1
+    slice2winner1_best_cost_0_is_less(0) := (slice2window_sum(0, 1) - slice2window_sum(0, 0)) < 0;
+    slice2winner1_best_cost_0_is_less(1) := (slice2window_sum(1, 1) - slice2window_sum(1, 0)) < 0;
+    slice2winner1_best_cost_0_is_less(2) := (slice2window_sum(2, 1) - slice2window_sum(2, 0)) < 0;
+    slice2winner1_best_cost_0_is_less(3) := (slice2window_sum(3, 1) - slice2window_sum(3, 0)) < 0;
+    slice2winner1_best_index_0 <= slice2winner1_best_cost_0_is_less;
+    for i in 0 to 3 loop
+      slice2winner1_best_cost_0(i) <= choice(slice2winner1_best_cost_0_is_less(i), slice2window_sum(i, 1),
+        slice2window_sum(i, 0));
+    end loop;
+    -- slice2winner2
+    slice2winner2_best_cost_0 <= slice2winner1_best_cost_0;
+    slice2winner2_best_index_0 <= slice2winner1_best_index_0;
+    -- slice2
+    slice2_best_tag <= slice1_best_tag;
+    for i in 0 to 3 loop
+      slice2_best_index_0(i) <= choice((slice1_best_cost_0(i) - slice2winner2_best_cost_0(i)) < 0,
+        slice1_best_index_0(i), as_number(slice2winner2_best_index_0(i)));
+    end loop;
+    if reset = '1' then
+      raster_features_valid <= false; raster_place_column <= 0; raster_place_group <= 4;
+      raster_place_next_frame <= false; delay_ring_read_address <= 1; delay_ring_write_address <= 0; delay_column <= 0;
+      delay_tag.valid <= false; delay_tag.output_column <= false; delay_tag.start_of_frame <= false;
+      delay_tag.end_of_line <= false; rows_read_column <= 0; rows_read_tag.valid <= false;
+      rows_read_tag.output_column <= false; rows_read_tag.start_of_frame <= false; rows_read_tag.end_of_line <= false;
+      rows_ready_column <= 0; rows_ready_tag.valid <= false; rows_ready_tag.output_column <= false;
+      rows_ready_tag.start_of_frame <= false; rows_ready_tag.end_of_line <= false; rows_write_column <= 0;
+      rows_tag.valid <= false; rows_tag.output_column <= false; rows_tag.start_of_frame <= false;
+      rows_tag.end_of_line <= false; slice0shift_tag.valid <= false; slice0shift_tag.output_column <= false;
+      slice0shift_tag.start_of_frame <= false; slice0shift_tag.end_of_line <= false;
+      slice0cost_difference_tag.valid <= false; slice0cost_difference_tag.output_column <= false;
+      slice0cost_difference_tag.start_of_frame <= false; slice0cost_difference_tag.end_of_line <= false;
+      slice0cost_pair_tag.valid <= false; slice0cost_pair_tag.output_column <= false;
+      slice0cost_pair_tag.start_of_frame <= false; slice0cost_pair_tag.end_of_line <= false;
+      slice0cost_tag.valid <= false; slice0cost_tag.output_column <= false; slice0cost_tag.start_of_frame <= false;
+      slice0cost_tag.end_of_line <= false; slice0window_centre_output_column_0 <= false;
+      slice0window_centre_start_of_frame_0 <= false; slice0window_centre_end_of_line_0 <= false;
+      slice0window_tag <= (others => false); slice0winner1_tag <= (others => false);
+      slice0winner2_tag <= (others => false); slice0_best_tag <= (others => false);
+      slice1_best_tag <= (others => false); slice2_best_tag <= (others => false);
     end if;
   end process;
 end architecture;

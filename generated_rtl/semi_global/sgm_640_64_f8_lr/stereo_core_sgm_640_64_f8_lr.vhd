@@ -7,6 +7,7 @@
 --   scripts/synthesize.py --config sgm_640_64_f8_lr
 -- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
 -- Where a comment behind a declaration has #, the C++ has the indices.
+-- One that begins with _ says the ends of the names: `a_valid` with `_#_valid` is a_INDEX_valid there.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -122,6 +123,25 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
     return not is_not;
   end function;
 
+  function smaller(a : integer; b : integer) return integer is
+  begin
+    if (a - b) < 0 then
+      return a;
+    end if;
+    return b;
+  end function;
+
+  -- 1 where this bit differs
+  function differing(a : natural; b : natural; place : natural) return natural is
+  begin
+    return as_number(is_set(a, place) /= is_set(b, place));
+  end function;
+
+  function differing(a : natural; b : natural; p : natural; q : natural; r : natural) return natural is
+  begin
+    return differing(a, b, p) + differing(a, b, q) + differing(a, b, r);
+  end function;
+
   function choice(test : boolean; yes : boolean; no : boolean) return boolean is
   begin
     if test then
@@ -193,48 +213,37 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   signal in_start_of_frame, in_valid : boolean;
   signal in_right_pixel, in_left_pixel : natural range 0 to 255;
   -- transform
-  signal transform_left_0, transform_right_0, transform_left_rows_read_newest_0 : natural range 0 to 255;
-  signal transform_left_rows_ready_newest_0, transform_right_rows_read_newest_0 : natural range 0 to 255;
-  signal transform_right_rows_ready_newest_0 : natural range 0 to 255;
-  signal transform_left_column : natural_255_1d(0 to 2);  -- transform_left_column_2#
-  signal transform_right_column : natural_255_1d(0 to 2);  -- transform_right_column_2#
-  signal transform_left_filter_column : natural_255_2d(0 to 8, 0 to 2);  -- transform_left_filter_column_#_2#
-  signal transform_right_filter_column : natural_255_2d(0 to 8, 0 to 2);  -- transform_right_filter_column_#_2#
-  signal transform_valid, transform_counter_next_frame, transform_counter_last_column : boolean;
-  signal transform_counter_counts, transform_counter_frame_joins, transform_counter_back_to_back : boolean;
-  signal transform_counter_next_frame_after, transform_read_row_inside_0 : boolean;
-  signal transform_read_column_inside : boolean_1d(0 to 4);  -- transform_read_column_inside_2#
-  signal transform_read_start_of_frame, transform_read_valid : boolean;
-  signal transform_ready_row_inside : boolean_1d(0 to 2);  -- transform_ready_row_inside_2#
-  signal transform_ready_column_inside : boolean_1d(0 to 4);  -- transform_ready_column_inside_2#
-  signal transform_ready_start_of_frame, transform_ready_valid : boolean;
-  signal transform_reached_first : boolean_1d(0 to 2);  -- transform_reached_first_2#
+  signal transform_left_0, transform_right_0, transform_left_rows_read_newest_0, transform_left_rows_ready_newest_0,
+    transform_right_rows_read_newest_0, transform_right_rows_ready_newest_0 : natural range 0 to 255;
+  signal transform_left_column, transform_right_column : natural_255_1d(0 to 2);  -- _2#
+  signal transform_left_filter_column, transform_right_filter_column : natural_255_2d(0 to 8, 0 to 2);  -- _#_2#
+  signal transform_valid, transform_counter_next_frame, transform_counter_last_column, transform_counter_counts,
+    transform_counter_frame_joins, transform_counter_back_to_back, transform_counter_next_frame_after,
+    transform_read_row_inside_0, transform_read_start_of_frame, transform_read_valid, transform_ready_start_of_frame,
+    transform_ready_valid, transform_columns_start_of_frame, transform_columns_valid,
+    transform_left_filter_low_is_larger_0_4_0, transform_left_filter_low_is_larger_0_4_4,
+    transform_right_filter_low_is_larger_0_4_0, transform_right_filter_low_is_larger_0_4_4 : boolean;
+  signal transform_read_column_inside, transform_ready_column_inside, transform_columns_column_inside,
+    transform_filtering_0_column_inside : boolean_1d(0 to 4);  -- _2#
+  signal transform_ready_row_inside, transform_reached_first, transform_columns_row_inside : boolean_1d(0 to 2);  -- _2#
   signal transform_reached_beyond_last : boolean_1d(2 to 3);
-  signal transform_columns_row_inside : boolean_1d(0 to 2);  -- transform_columns_row_inside_2#
-  signal transform_columns_column_inside : boolean_1d(0 to 4);  -- transform_columns_column_inside_2#
-  signal transform_columns_start_of_frame, transform_columns_valid : boolean;
-  signal transform_left_filter_low_is_larger_0 : boolean_2d(0 to 1, 0 to 2);  -- transform_left_filter_low_is_larger_0_2#_2#
-  signal transform_left_filter_low_is_larger_0_4_0, transform_left_filter_low_is_larger_0_4_4 : boolean;
-  signal transform_left_filter_low_is_larger_0s : boolean_2d(3 to 4, 0 to 2);  -- transform_left_filter_low_is_larger_0_2#_2#
-  signal transform_right_filter_low_is_larger_0 : boolean_2d(0 to 1, 0 to 2);  -- transform_right_filter_low_is_larger_0_2#_2#
-  signal transform_right_filter_low_is_larger_0_4_0, transform_right_filter_low_is_larger_0_4_4 : boolean;
-  signal transform_right_filter_low_is_larger_0s : boolean_2d(3 to 4, 0 to 2);  -- transform_right_filter_low_is_larger_0_2#_2#
-  signal transform_filtering_row_inside_4 : boolean_1d(0 to 2);  -- transform_filtering_#_row_inside_4
-  signal transform_filtering_0_column_inside : boolean_1d(0 to 4);  -- transform_filtering_0_column_inside_2#
-  signal transform_filtering_column_inside_4 : boolean_1d(1 to 2);  -- transform_filtering_#_column_inside_4
-  signal transform_filtering_start_of_frame : boolean_1d(0 to 2);  -- transform_filtering_#_start_of_frame
-  signal transform_filtering_valid : boolean_1d(0 to 2);  -- transform_filtering_#_valid
-  signal transform_counter_column, transform_counter_column_after, transform_read_column : natural range 0 to 1023;
-  signal transform_ready_column, transform_write_column : natural range 0 to 1023;
+  signal transform_left_filter_low_is_larger_0, transform_right_filter_low_is_larger_0 : boolean_2d(0 to 1, 0 to 2);  -- _2#_2#
+  signal transform_left_filter_low_is_larger_0s, transform_right_filter_low_is_larger_0s : boolean_2d(3 to 4, 0 to 2);  -- _0_2#_2#
+  signal transform_filtering_row_inside_4 : boolean_1d(0 to 2);  -- _#_row_inside_4
+  signal transform_filtering_column_inside_4 : boolean_1d(1 to 2);  -- _#_column_inside_4
+  signal transform_filtering_start_of_frame : boolean_1d(0 to 2);  -- _#_start_of_frame
+  signal transform_filtering_valid : boolean_1d(0 to 2);  -- _#_valid
+  signal transform_counter_column, transform_counter_column_after, transform_read_column, transform_ready_column,
+    transform_write_column : natural range 0 to 1023;
   signal transform_counter_group, transform_counter_group_after : natural range 0 to 511;
-  signal transform_left_rows_read_words_0, transform_left_rows_ready_words_0 : unsigned(31 downto 0);
-  signal transform_left_rows_write_words_0, transform_right_rows_read_words_0 : unsigned(31 downto 0);
-  signal transform_right_rows_ready_words_0, transform_right_rows_write_words_0 : unsigned(31 downto 0);
+  signal transform_left_rows_read_words_0, transform_left_rows_ready_words_0, transform_left_rows_write_words_0,
+    transform_right_rows_read_words_0, transform_right_rows_ready_words_0,
+    transform_right_rows_write_words_0 : unsigned(31 downto 0);
   signal transform_left_filter_feature_0, transform_right_filter_feature_0 : natural range 0 to 16383;
   -- raster
   signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 16383;
-  signal raster_features_valid, raster_place_next_frame, raster_place_last_column, raster_place_counts : boolean;
-  signal raster_place_frame_joins, raster_place_back_to_back : boolean;
+  signal raster_features_valid, raster_place_next_frame, raster_place_last_column, raster_place_counts,
+    raster_place_frame_joins, raster_place_back_to_back : boolean;
   signal raster_place_column, raster_place_column_after : natural range 0 to 1023;
   signal raster_place_group, raster_place_group_after : natural range 0 to 511;
   -- delay
@@ -244,44 +253,39 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   signal delay_tag : tag_6;
   -- rows
   signal rows_search_rows_read_words_0, rows_reference_rows_read_words_0 : unsigned(27 downto 0);
-  signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 16383;
-  signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0 : natural range 0 to 16383;
+  signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0, rows_reference_rows_read_newest_0,
+    rows_reference_rows_ready_newest_0 : natural range 0 to 16383;
   signal rows_search, rows_reference : natural_16383_1d(0 to 2);
-  signal rows_search_rows_ready_words_0, rows_search_rows_write_words_0 : natural range 0 to 268435455;
-  signal rows_reference_rows_ready_words_0, rows_reference_rows_write_words_0 : natural range 0 to 268435455;
+  signal rows_search_rows_ready_words_0, rows_search_rows_write_words_0, rows_reference_rows_ready_words_0,
+    rows_reference_rows_write_words_0 : natural range 0 to 268435455;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 1023;
-  signal rows_read_inside : boolean_1d(0 to 2);
-  signal rows_read_tag : tag_6;
-  signal rows_ready_inside : boolean_1d(0 to 2);
-  signal rows_ready_tag, rows_tag : tag_6;
+  signal rows_read_inside, rows_ready_inside : boolean_1d(0 to 2);
+  signal rows_read_tag, rows_ready_tag, rows_tag : tag_6;
   -- line
-  signal line_centre_map_column_0, line_centre_output_column_0, line_centre_first_column_0 : boolean;
-  signal line_centre_start_of_frame_0, line_centre_end_of_line_0, line_order_falls, line_order_inside : boolean;
-  signal line_order_complete, line_order_output, line_order_first, line_order_held_output : boolean;
-  signal line_order_turned_valid, line_order_turned_map_column, line_order_turned_output_column : boolean;
-  signal line_order_turned_first_column, line_order_turned_start_of_frame, line_order_turned_end_of_line : boolean;
-  signal line_newest_first_column, line_newest_top : boolean;
+  signal line_centre_map_column_0, line_centre_output_column_0, line_centre_first_column_0,
+    line_centre_start_of_frame_0, line_centre_end_of_line_0, line_order_falls, line_order_inside, line_order_complete,
+    line_order_output, line_order_first, line_order_held_output, line_order_turned_valid, line_order_turned_map_column,
+    line_order_turned_output_column, line_order_turned_first_column, line_order_turned_start_of_frame,
+    line_order_turned_end_of_line, line_newest_first_column, line_newest_top, line_places_0_top : boolean;
   signal line_comes, line_starts_phases : boolean_1d(1 to 33);
-  signal line_places_map_column : boolean_1d(0 to 4);  -- line_places_#_map_column
-  signal line_places_first_column : boolean_1d(0 to 2);  -- line_places_#_first_column
-  signal line_places_0_top : boolean;
-  signal line_places_shown_output_column : boolean_1d(0 to 4);  -- line_places_#_shown_output_column
-  signal line_places_shown_first_column : boolean_1d(0 to 2);  -- line_places_#_shown_first_column
-  signal line_places_shown_start_of_frame : boolean_1d(0 to 4);  -- line_places_#_shown_start_of_frame
-  signal line_places_shown_end_of_line : boolean_1d(0 to 4);  -- line_places_#_shown_end_of_line
+  signal line_places_map_column : boolean_1d(0 to 4);  -- _#_map_column
+  signal line_places_first_column : boolean_1d(0 to 2);  -- _#_first_column
+  signal line_places_shown_output_column : boolean_1d(0 to 4);  -- _#_shown_output_column
+  signal line_places_shown_first_column : boolean_1d(0 to 2);  -- _#_shown_first_column
+  signal line_places_shown_start_of_frame : boolean_1d(0 to 4);  -- _#_shown_start_of_frame
+  signal line_places_shown_end_of_line : boolean_1d(0 to 4);  -- _#_shown_end_of_line
   signal line_order_address : natural range 0 to 1023;
-  signal line_places_address : natural_1023_1d(0 to 2);  -- line_places_#_address
+  signal line_places_address : natural_1023_1d(0 to 2);  -- _#_address
   -- costsshift
-  signal costsshift_newest, costsshift_new_reference, costsshift_handed_on : natural_16383_1d(0 to 2);
-  signal costsshift_read_reference : natural_16383_1d(0 to 2);
+  signal costsshift_newest, costsshift_new_reference, costsshift_handed_on, costsshift_read_reference,
+    costsshift_reference : natural_16383_1d(0 to 2);
   signal costsshift_search : natural_16383_2d(0 to 2, 0 to 7);
-  signal costsshift_reference : natural_16383_1d(0 to 2);
   signal costsshift_new_tag_valid, costsshift_read_tag_valid : boolean;
   signal costsshift_count_phase, costsshift_read_count_phase, costsshift_write_phase : natural range 0 to 7;
   signal costsshift_read_words : unsigned_28_1d(0 to 11);
   -- costscolumn
-  signal costscolumn_pixels_first_count : natural_3_3d(0 to 2, 0 to 7, 0 to 3);  -- costscolumn_pixels_first_#_#_count_#
-  signal costscolumn_pixels_first_count_4 : natural_2_2d(0 to 2, 0 to 7);  -- costscolumn_pixels_first_#_#_count_4
+  signal costscolumn_pixels_first_count : natural_3_3d(0 to 2, 0 to 7, 0 to 3);  -- _#_#_count_#
+  signal costscolumn_pixels_first_count_4 : natural_2_2d(0 to 2, 0 to 7);  -- _#_#_count_4
   signal costscolumn_pixels_cost : natural_14_2d(0 to 2, 0 to 7);
   signal costscolumn_single_0 : natural_14_1d(0 to 7);
   signal costscolumn_pair_0 : natural_28_1d(0 to 7);
@@ -289,9 +293,9 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   -- costswindow
   signal costswindow_read_count_phase, costswindow_write_count_phase : natural range 0 to 7;
   signal costswindow_read_words : unsigned_27_1d(0 to 1);
-  signal costswindow_read_wordss : unsigned_28_1d(2 to 3);  -- costswindow_read_words_#
+  signal costswindow_read_wordss : unsigned_28_1d(2 to 3);  -- _words_#
   signal costswindow_partial : natural_42_1d(0 to 7);
-  signal costswindow_partials : natural_105_1d(8 to 15);  -- costswindow_partial_#
+  signal costswindow_partials : natural_105_1d(8 to 15);  -- _partial_#
   signal costswindow_sum_0 : natural_169_1d(0 to 7);
   -- costsmask
   signal costsmask_column : natural range 0 to 1023;
@@ -310,89 +314,81 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   signal pathsleft_low_address, pathsleft_low_write_address : natural range 0 to 15;
   signal pathsleft_lowest_0, pathsleft_read_neighbour_0 : unsigned(6 downto 0);
   signal pathsleft_lost, pathsleft_short_of, pathsleft_first, pathsleft_is_first, pathsleft_is_last : boolean;
-  signal pathsleft_missing, pathsleft_below, pathsleft_q, pathsleft_room_left, pathsleft_q_now : natural range 0 to 63;
-  signal pathsleft_room : natural range 0 to 63;
+  signal pathsleft_missing, pathsleft_below, pathsleft_q, pathsleft_room_left, pathsleft_q_now,
+    pathsleft_room : natural range 0 to 63;
   signal pathsleft_start_cost : natural_63_1d(1 to 8);
-  signal pathsleft_q_less, pathsleft_g_less, pathsleft_lower_neighbour : natural range 0 to 127;
-  signal pathsleft_stay, pathsleft_step, pathsleft_stay_change, pathsleft_step_change : natural_127_1d(0 to 7);
-  signal pathsleft_cost, pathsleft_arrived : natural_127_1d(0 to 7);
+  signal pathsleft_q_less, pathsleft_g_less, pathsleft_lower_neighbour, pathsleft_tree_next_next_smallest_0,
+    pathsleft_low_0 : natural range 0 to 127;
+  signal pathsleft_stay, pathsleft_step, pathsleft_stay_change, pathsleft_step_change, pathsleft_cost,
+    pathsleft_arrived : natural_127_1d(0 to 7);
   signal pathsleft_tree_smallest : natural_127_1d(0 to 3);
   signal pathsleft_tree_next_smallest : natural_127_1d(0 to 1);
-  signal pathsleft_tree_next_next_smallest_0, pathsleft_low_0 : natural range 0 to 127;
   signal pathsleft_g : natural range 0 to 84;
   signal pathsleft_read_count_phase, pathsleft_ahead_count_phase, pathsleft_write_count_phase : natural range 0 to 7;
   signal pathsleft_read_words : unsigned_28_1d(0 to 3);
   -- pathsabove
   signal pathsabove_memory_read_address_0, pathsabove_memory_write_address_0 : natural range 0 to 4095;
   signal pathsabove_memory_read_address_1, pathsabove_memory_write_address_1 : natural range 0 to 1023;
-  signal pathsabove_memory_bank, pathsabove_memory_read_bank, pathsabove_memory_held_bank : boolean;
-  signal pathsabove_ready_top, pathsabove_write_address_is_here : boolean;
+  signal pathsabove_memory_bank, pathsabove_memory_read_bank, pathsabove_memory_held_bank, pathsabove_ready_top,
+    pathsabove_write_address_is_here : boolean;
   signal pathsabove_memory_read_words : unsigned_16_2d(0 to 1, 0 to 1);
-  signal pathsabove_memory_read_words_2 : unsigned_8_1d(0 to 1);  -- pathsabove_memory_read_words_#_2
-  signal pathsabove_memory_held_words : natural_65535_2d(0 to 1, 0 to 1);
-  signal pathsabove_memory_ready_words : natural_65535_1d(0 to 2);  -- pathsabove_memory_ready_words_# up to 65535, 65535, 255
-  signal pathsabove_memory_write_words : natural_65535_2d(0 to 1, 0 to 1);
-  signal pathsabove_memory_held_words_2 : natural_255_1d(0 to 1);  -- pathsabove_memory_held_words_#_2
-  signal pathsabove_memory_write_words_2 : natural_255_1d(0 to 1);  -- pathsabove_memory_write_words_#_2
+  signal pathsabove_memory_read_words_2 : unsigned_8_1d(0 to 1);  -- _#_2
+  signal pathsabove_memory_held_words, pathsabove_memory_write_words : natural_65535_2d(0 to 1, 0 to 1);
+  signal pathsabove_memory_ready_words : natural_65535_1d(0 to 2);  -- _# up to 65535, 65535, 255
+  signal pathsabove_memory_held_words_2, pathsabove_memory_write_words_2 : natural_255_1d(0 to 1);  -- _#_2
   signal pathsabove_read_address_address, pathsabove_write_address_address : natural range 0 to 8191;
-  signal pathsabove_read_address_count_phase, pathsabove_count_phase : natural range 0 to 7;
-  signal pathsabove_write_address_count_phase : natural range 0 to 7;
+  signal pathsabove_read_address_count_phase, pathsabove_count_phase,
+    pathsabove_write_address_count_phase : natural range 0 to 7;
   signal pathsabove_total : natural_52_1d(0 to 7);
   signal pathsabove_tree_smallest : natural_52_1d(0 to 3);
   signal pathsabove_tree_next_smallest : natural_52_1d(0 to 1);
   signal pathsabove_tree_next_next_smallest_0 : natural range 0 to 52;
   signal pathsabove_delay_held_0 : unsigned(29 downto 0);
   signal pathsabove_delay_held_1 : unsigned(17 downto 0);
-  signal pathsabove_smallest_total, pathsabove_smallest : natural range 0 to 63;
-  signal pathsabove_cost, pathsabove_held : natural_63_1d(0 to 7);
-  signal pathsabove_lower_neighbour : natural range 0 to 63;
-  signal pathsabove_beside : natural_63_1d(0 to 7);
+  signal pathsabove_smallest_total, pathsabove_smallest, pathsabove_lower_neighbour : natural range 0 to 63;
+  signal pathsabove_cost, pathsabove_held, pathsabove_beside : natural_63_1d(0 to 7);
   signal pathsabove_own : natural_63_1d(0 to 6);
   signal pathsabove_step : natural_68_1d(0 to 7);
   signal pathsabove_stay : natural_31_1d(0 to 7);
   -- pathsturn
-  signal pathsturn_sum_memory_read_address_0, pathsturn_sum_memory_write_address_0 : natural range 0 to 4095;
-  signal pathsturn_cost_memory_read_address_0, pathsturn_cost_memory_write_address_0 : natural range 0 to 4095;
-  signal pathsturn_sum_memory_read_address_1, pathsturn_sum_memory_write_address_1 : natural range 0 to 1023;
-  signal pathsturn_cost_memory_read_address_1, pathsturn_cost_memory_write_address_1 : natural range 0 to 1023;
-  signal pathsturn_smallest_address, pathsturn_write_smallest_address : natural range 0 to 1023;
-  signal pathsturn_sum_memory_bank, pathsturn_sum_memory_read_bank, pathsturn_sum_memory_held_bank : boolean;
-  signal pathsturn_cost_memory_bank, pathsturn_cost_memory_read_bank, pathsturn_cost_memory_held_bank : boolean;
-  signal pathsturn_write_address_is_here : boolean;
+  signal pathsturn_sum_memory_read_address_0, pathsturn_sum_memory_write_address_0,
+    pathsturn_cost_memory_read_address_0, pathsturn_cost_memory_write_address_0 : natural range 0 to 4095;
+  signal pathsturn_sum_memory_read_address_1, pathsturn_sum_memory_write_address_1,
+    pathsturn_cost_memory_read_address_1, pathsturn_cost_memory_write_address_1, pathsturn_smallest_address,
+    pathsturn_write_smallest_address : natural range 0 to 1023;
+  signal pathsturn_sum_memory_bank, pathsturn_sum_memory_read_bank, pathsturn_sum_memory_held_bank,
+    pathsturn_cost_memory_bank, pathsturn_cost_memory_read_bank, pathsturn_cost_memory_held_bank,
+    pathsturn_write_address_is_here : boolean;
   signal pathsturn_writes_sums : boolean_1d(0 to 1);
   signal pathsturn_sum_memory_read_words : unsigned_16_2d(0 to 1, 0 to 2);
-  signal pathsturn_cost_memory_read_words_0 : unsigned_16_1d(0 to 1);  -- pathsturn_cost_memory_read_words_#_0
-  signal pathsturn_sum_memory_read_words_3 : unsigned_8_1d(0 to 1);  -- pathsturn_sum_memory_read_words_#_3
-  signal pathsturn_cost_memory_read_words_1 : unsigned_8_1d(0 to 1);  -- pathsturn_cost_memory_read_words_#_1
-  signal pathsturn_sum_memory_held_words : natural_65535_2d(0 to 1, 0 to 2);
-  signal pathsturn_sum_memory_ready_words : natural_65535_1d(0 to 3);  -- pathsturn_sum_memory_ready_words_# up to 65535, 65535, 65535, 255
-  signal pathsturn_sum_memory_write_words : natural_65535_2d(0 to 1, 0 to 2);
-  signal pathsturn_cost_memory_held_words_0 : natural_65535_1d(0 to 1);  -- pathsturn_cost_memory_held_words_#_0
-  signal pathsturn_cost_memory_ready_words : natural_65535_1d(0 to 1);  -- pathsturn_cost_memory_ready_words_# up to 65535, 255
-  signal pathsturn_cost_memory_write_words_0 : natural_65535_1d(0 to 1);  -- pathsturn_cost_memory_write_words_#_0
-  signal pathsturn_sum_memory_held_words_3 : natural_255_1d(0 to 1);  -- pathsturn_sum_memory_held_words_#_3
-  signal pathsturn_sum_memory_write_words_3 : natural_255_1d(0 to 1);  -- pathsturn_sum_memory_write_words_#_3
-  signal pathsturn_cost_memory_held_words_1 : natural_255_1d(0 to 1);  -- pathsturn_cost_memory_held_words_#_1
-  signal pathsturn_cost_memory_write_words_1 : natural_255_1d(0 to 1);  -- pathsturn_cost_memory_write_words_#_1
+  signal pathsturn_cost_memory_read_words_0 : unsigned_16_1d(0 to 1);  -- _#_0
+  signal pathsturn_sum_memory_read_words_3 : unsigned_8_1d(0 to 1);  -- _#_3
+  signal pathsturn_cost_memory_read_words_1 : unsigned_8_1d(0 to 1);  -- _#_1
+  signal pathsturn_sum_memory_held_words, pathsturn_sum_memory_write_words : natural_65535_2d(0 to 1, 0 to 2);
+  signal pathsturn_sum_memory_ready_words : natural_65535_1d(0 to 3);  -- _# up to 65535, 65535, 65535, 255
+  signal pathsturn_cost_memory_held_words_0, pathsturn_cost_memory_write_words_0 : natural_65535_1d(0 to 1);  -- _#_0
+  signal pathsturn_cost_memory_ready_words : natural_65535_1d(0 to 1);  -- _# up to 65535, 255
+  signal pathsturn_sum_memory_held_words_3, pathsturn_sum_memory_write_words_3 : natural_255_1d(0 to 1);  -- _#_3
+  signal pathsturn_cost_memory_held_words_1, pathsturn_cost_memory_write_words_1 : natural_255_1d(0 to 1);  -- _#_1
   signal pathsturn_read_smallest_0 : unsigned(4 downto 0);
   signal pathsturn_ready_smallest_0 : natural range 0 to 31;
-  signal pathsturn_read_address_address, pathsturn_sum_read_address : natural range 0 to 8191;
-  signal pathsturn_write_address_address : natural range 0 to 8191;
+  signal pathsturn_read_address_address, pathsturn_sum_read_address,
+    pathsturn_write_address_address : natural range 0 to 8191;
   signal pathsturn_sum_write_address : natural_8191_1d(0 to 1);
   signal pathsturn_read_address_count_phase, pathsturn_write_address_count_phase : natural range 0 to 7;
   signal pathsturn_write_smallest_0 : natural range 0 to 21;
   -- pathsright
   signal pathsright_lowest_0, pathsright_read_neighbour_0 : unsigned(6 downto 0);
   signal pathsright_lost, pathsright_short_of : boolean;
-  signal pathsright_missing, pathsright_below, pathsright_q, pathsright_room_left : natural range 0 to 63;
-  signal pathsright_q_now, pathsright_room : natural range 0 to 63;
+  signal pathsright_missing, pathsright_below, pathsright_q, pathsright_room_left, pathsright_q_now,
+    pathsright_room : natural range 0 to 63;
   signal pathsright_start_cost : natural_63_1d(1 to 8);
-  signal pathsright_q_less, pathsright_g_less, pathsright_lower_neighbour : natural range 0 to 127;
-  signal pathsright_stay, pathsright_step, pathsright_stay_change, pathsright_step_change : natural_127_1d(0 to 7);
-  signal pathsright_cost, pathsright_arrived : natural_127_1d(0 to 7);
+  signal pathsright_q_less, pathsright_g_less, pathsright_lower_neighbour, pathsright_tree_next_next_smallest_0,
+    pathsright_low_0 : natural range 0 to 127;
+  signal pathsright_stay, pathsright_step, pathsright_stay_change, pathsright_step_change, pathsright_cost,
+    pathsright_arrived : natural_127_1d(0 to 7);
   signal pathsright_tree_smallest : natural_127_1d(0 to 3);
   signal pathsright_tree_next_smallest : natural_127_1d(0 to 1);
-  signal pathsright_tree_next_next_smallest_0, pathsright_low_0 : natural range 0 to 127;
   signal pathsright_g : natural range 0 to 94;
   signal pathsright_read_words : unsigned_28_1d(0 to 3);
   -- winnersmask
@@ -400,22 +396,21 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   signal winnersmask_partner : natural range 0 to 4095;
   signal winnersmask_inside : boolean_1d(0 to 7);
   -- winnerswinner1
-  signal winnerswinner1_best_cost_0, winnerswinner1_best_below_0, winnerswinner1_best_above_0 : natural_255_1d(0 to 3);
-  signal winnerswinner1_best_first_0, winnerswinner1_best_last_0 : natural_255_1d(0 to 3);
+  signal winnerswinner1_best_cost_0, winnerswinner1_best_below_0, winnerswinner1_best_above_0,
+    winnerswinner1_best_first_0, winnerswinner1_best_last_0 : natural_255_1d(0 to 3);
   signal winnerswinner1_best_index_0_0, winnerswinner1_best_place_0 : boolean;
-  signal winnerswinner1_best_index_0 : natural_7_1d(1 to 3);  -- winnerswinner1_best_index_0_# up to 3, 5, 7
+  signal winnerswinner1_best_index_0 : natural_7_1d(1 to 3);  -- _# up to 3, 5, 7
   -- winnerswinner2
-  signal winnerswinner2_best_cost_0, winnerswinner2_best_below_0, winnerswinner2_best_above_0 : natural_255_1d(0 to 1);
-  signal winnerswinner2_best_first_0, winnerswinner2_best_last_0 : natural_255_1d(0 to 1);
-  signal winnerswinner2_best_index_0 : natural_7_1d(0 to 1);  -- winnerswinner2_best_index_0_# up to 3, 7
+  signal winnerswinner2_best_cost_0, winnerswinner2_best_below_0, winnerswinner2_best_above_0,
+    winnerswinner2_best_first_0, winnerswinner2_best_last_0 : natural_255_1d(0 to 1);
+  signal winnerswinner2_best_index_0 : natural_7_1d(0 to 1);  -- _# up to 3, 7
   -- winnerswinner3
-  signal winnerswinner3_best_cost_0_0, winnerswinner3_best_below_0_0 : natural range 0 to 255;
-  signal winnerswinner3_best_above_0_0, winnerswinner3_best_first_0_0 : natural range 0 to 255;
-  signal winnerswinner3_best_last_0_0 : natural range 0 to 255;
+  signal winnerswinner3_best_cost_0_0, winnerswinner3_best_below_0_0, winnerswinner3_best_above_0_0,
+    winnerswinner3_best_first_0_0, winnerswinner3_best_last_0_0 : natural range 0 to 255;
   signal winnerswinner3_best_index_0_0 : natural range 0 to 7;
   -- winners
-  signal winners_best_cost_0_0, winners_best_index_0_0, winners_best_below_0_0 : natural range 0 to 255;
-  signal winners_best_above_0_0, winners_best_last_0_0 : natural range 0 to 255;
+  signal winners_best_cost_0_0, winners_best_index_0_0, winners_best_below_0_0, winners_best_above_0_0,
+    winners_best_last_0_0 : natural range 0 to 255;
   signal winners_best_tag : tag_5;
   -- other
   signal other_read_count_phase, other_count_phase, other_write_count_phase : natural range 0 to 7;
@@ -436,78 +431,67 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   signal other_12 : natural range 0 to 192;
   signal other_13 : natural range 0 to 128;
   -- refinement
-  signal refinement_disparity_0 : natural_255_1d(0 to 11);  -- refinement_disparity_#_0
-  signal refinement_cost_0, refinement_below_0, refinement_above_0, refinement_u_0 : natural range 0 to 255;
-  signal refinement_v_0 : natural range 0 to 255;
-  signal refinement_remainder_0 : natural_255_1d(0 to 7);  -- refinement_remainder_#_0
-  signal refinement_divisor_0 : natural_255_1d(0 to 7);  -- refinement_divisor_#_0
-  signal refinement_quotient_8_0 : natural range 0 to 255;
-  signal refinement_passed_0 : boolean_1d(1 to 3);  -- refinement_passed_#_0
-  signal refinement_passed_0s : boolean_1d(6 to 8);  -- refinement_passed_#_0
-  signal refinement_tag_valid : boolean_1d(0 to 11);  -- refinement_tag_#_valid
-  signal refinement_tag_map_column : boolean_1d(0 to 11);  -- refinement_tag_#_map_column
-  signal refinement_tag_output_column : boolean_1d(0 to 11);  -- refinement_tag_#_output_column
-  signal refinement_tag_start_of_frame : boolean_1d(0 to 11);  -- refinement_tag_#_start_of_frame
-  signal refinement_tag_end_of_line : boolean_1d(0 to 11);  -- refinement_tag_#_end_of_line
-  signal refinement_negative_0 : boolean_1d(0 to 8);  -- refinement_negative_#_0
+  signal refinement_disparity_0 : natural_255_1d(0 to 11);  -- _#_0
+  signal refinement_cost_0, refinement_below_0, refinement_above_0, refinement_u_0, refinement_v_0,
+    refinement_quotient_8_0 : natural range 0 to 255;
+  signal refinement_remainder_0, refinement_divisor_0 : natural_255_1d(0 to 7);  -- _#_0
+  signal refinement_passed_0 : boolean_1d(1 to 3);  -- _#_0
+  signal refinement_passed_0s : boolean_1d(6 to 8);  -- _#_0
+  signal refinement_tag_valid : boolean_1d(0 to 11);  -- _#_valid
+  signal refinement_tag_map_column : boolean_1d(0 to 11);  -- _#_map_column
+  signal refinement_tag_output_column : boolean_1d(0 to 11);  -- _#_output_column
+  signal refinement_tag_start_of_frame : boolean_1d(0 to 11);  -- _#_start_of_frame
+  signal refinement_tag_end_of_line : boolean_1d(0 to 11);  -- _#_end_of_line
+  signal refinement_negative_0 : boolean_1d(0 to 8);  -- _#_0
   signal refinement_difference_0 : integer range -255 to 255;
   -- leftright
-  signal leftright_other_0 : natural_255_1d(0 to 14);  -- leftright_other_#_0
-  signal leftright_asking_disparity_0, leftright_answered_disparity_0 : natural range 0 to 255;
-  signal leftright_checked_disparity_0 : natural range 0 to 255;
+  signal leftright_other_0 : natural_255_1d(0 to 14);  -- _#_0
+  signal leftright_asking_disparity_0, leftright_answered_disparity_0,
+    leftright_checked_disparity_0 : natural range 0 to 255;
   signal leftright_ring_read_address, leftright_ring_write_address : natural range 0 to 63;
-  signal leftright_holds_winners, leftright_held_valid, leftright_asking_passed_0 : boolean;
-  signal leftright_asking_tag : tag_5;
-  signal leftright_answered_passed_0 : boolean;
-  signal leftright_answered_tag : tag_5;
-  signal leftright_checked_passed_0 : boolean;
-  signal leftright_checked_tag : tag_5;
+  signal leftright_holds_winners, leftright_held_valid, leftright_asking_passed_0, leftright_answered_passed_0,
+    leftright_checked_passed_0 : boolean;
+  signal leftright_asking_tag, leftright_answered_tag, leftright_checked_tag : tag_5;
   signal leftright_position, leftright_held_position, leftright_address_0 : natural range 0 to 127;
   signal leftright_held_0 : unsigned(17 downto 0);
-  signal leftright_asking_fraction_0, leftright_answered_fraction_0 : natural range 0 to 31;
-  signal leftright_checked_fraction_0 : natural range 0 to 31;
+  signal leftright_asking_fraction_0, leftright_answered_fraction_0,
+    leftright_checked_fraction_0 : natural range 0 to 31;
   signal leftright_found_0 : unsigned(7 downto 0);
   -- turn
   signal turn_order_address, turn_write_place : natural range 0 to 1023;
-  signal turn_order_falls, turn_order_inside, turn_order_complete, turn_order_output, turn_order_first : boolean;
-  signal turn_order_turned_valid, turn_order_turned_map_column, turn_order_turned_start_of_frame : boolean;
-  signal turn_order_turned_end_of_line, turn_comes : boolean;
+  signal turn_order_falls, turn_order_inside, turn_order_complete, turn_order_output, turn_order_first,
+    turn_order_turned_valid, turn_order_turned_map_column, turn_order_turned_start_of_frame,
+    turn_order_turned_end_of_line, turn_comes : boolean;
   signal turn_read_tag : tag_4;
   signal turn_ready_tag : tag_5_b;
   signal turn_newest, turn_write_words_0, turn_ready : natural range 0 to 16383;
   signal turn_read_words_0 : unsigned(13 downto 0);
   -- map
-  signal map_counter_column, map_write_column, map_at_column, map_comparing_column : natural range 0 to 1023;
-  signal map_sorted_column : natural range 0 to 1023;
+  signal map_counter_column, map_write_column, map_at_column, map_comparing_column,
+    map_sorted_column : natural range 0 to 1023;
   signal map_counter_group : natural range 0 to 511;
-  signal map_counter_next_frame, map_arrives, map_behind, map_line_ended, map_at_arrives, map_at_behind : boolean;
-  signal map_at_top, map_at_output, map_of_column_0_b_below_a, map_of_column_0_c_below_a : boolean;
-  signal map_of_column_0_c_below_b : boolean;
-  signal map_column_passed_0 : boolean_1d(0 to 1);  -- map_column_passed_#_0
-  signal map_comparing_arrives, map_comparing_behind, map_comparing_top, map_comparing_output : boolean;
-  signal map_sorted_arrives, map_sorted_behind, map_sorted_top, map_sorted_output : boolean;
-  signal map_passed_0 : boolean_1d(0 to 1);  -- map_passed_#_0
-  signal map_window_complete, map_window_first, map_window_last, map_of_low_0_b_below_a : boolean;
-  signal map_of_low_0_c_below_a, map_of_low_0_c_below_b, map_of_middle_0_b_below_a, map_of_middle_0_c_below_a : boolean;
-  signal map_of_middle_0_c_below_b, map_of_high_0_b_below_a, map_of_high_0_c_below_a, map_of_high_0_c_below_b : boolean;
-  signal map_of_all_0_b_below_a, map_of_all_0_c_below_a, map_of_all_0_c_below_b : boolean;
-  signal map_waiting_complete : boolean_1d(0 to 2);  -- map_waiting_#_complete
-  signal map_waiting_first : boolean_1d(0 to 2);  -- map_waiting_#_first
-  signal map_waiting_last : boolean_1d(0 to 2);  -- map_waiting_#_last
-  signal map_waiting_passed_0 : boolean_1d(0 to 2);  -- map_waiting_passed_#_0
-  signal map_out_passed_0, map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
+  signal map_counter_next_frame, map_arrives, map_behind, map_line_ended, map_at_arrives, map_at_behind, map_at_top,
+    map_at_output, map_of_column_0_b_below_a, map_of_column_0_c_below_a, map_of_column_0_c_below_b,
+    map_comparing_arrives, map_comparing_behind, map_comparing_top, map_comparing_output, map_sorted_arrives,
+    map_sorted_behind, map_sorted_top, map_sorted_output, map_window_complete, map_window_first, map_window_last,
+    map_of_low_0_b_below_a, map_of_low_0_c_below_a, map_of_low_0_c_below_b, map_of_middle_0_b_below_a,
+    map_of_middle_0_c_below_a, map_of_middle_0_c_below_b, map_of_high_0_b_below_a, map_of_high_0_c_below_a,
+    map_of_high_0_c_below_b, map_of_all_0_b_below_a, map_of_all_0_c_below_a, map_of_all_0_c_below_b, map_out_passed_0,
+    map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
+  signal map_column_passed_0, map_passed_0 : boolean_1d(0 to 1);  -- _#_0
+  signal map_waiting_complete : boolean_1d(0 to 2);  -- _#_complete
+  signal map_waiting_first : boolean_1d(0 to 2);  -- _#_first
+  signal map_waiting_last : boolean_1d(0 to 2);  -- _#_last
+  signal map_waiting_passed_0 : boolean_1d(0 to 2);  -- _#_0
   signal map_newest_0, map_rows_read_newest_0, map_rows_ready_newest_0, map_column_2 : natural range 0 to 65535;
   signal map_rows_write_words_0 : natural range 0 to 536870911;
   signal map_column_1 : natural range 0 to 8191;
   signal map_of_column_0_a, map_of_column_0_b : natural range 0 to 4095;
-  signal map_of_column_0_c, map_sorted_low_0, map_sorted_middle_0, map_sorted_high_0 : natural range 0 to 32767;
-  signal map_low_0 : natural_32767_1d(0 to 2);  -- map_low_#_0
-  signal map_middle_0 : natural_32767_1d(0 to 2);  -- map_middle_#_0
-  signal map_high_0 : natural_32767_1d(0 to 2);  -- map_high_#_0
-  signal map_of_low_0_a, map_of_low_0_b, map_of_low_0_c, map_of_middle_0_a : natural range 0 to 32767;
-  signal map_of_middle_0_b, map_of_middle_0_c, map_of_high_0_a, map_of_high_0_b : natural range 0 to 32767;
-  signal map_of_high_0_c, map_largest_low_0, map_median_middle_0, map_smallest_high_0 : natural range 0 to 32767;
-  signal map_of_all_0_a, map_of_all_0_b, map_of_all_0_c, map_out_disparity_0 : natural range 0 to 32767;
+  signal map_of_column_0_c, map_sorted_low_0, map_sorted_middle_0, map_sorted_high_0, map_of_low_0_a, map_of_low_0_b,
+    map_of_low_0_c, map_of_middle_0_a, map_of_middle_0_b, map_of_middle_0_c, map_of_high_0_a, map_of_high_0_b,
+    map_of_high_0_c, map_largest_low_0, map_median_middle_0, map_smallest_high_0, map_of_all_0_a, map_of_all_0_b,
+    map_of_all_0_c, map_out_disparity_0 : natural range 0 to 32767;
+  signal map_low_0, map_middle_0, map_high_0 : natural_32767_1d(0 to 2);  -- _#_0
 
 begin
   in_start_of_frame <= start_of_frame = '1';
@@ -520,15 +504,15 @@ begin
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
 
+  -- Memories: (depth, width, address_bits) and (clock, read_enable, read_address, read_data, write_address, write_data).
+
   transform_left_rows_read_words_0_memory : block
     signal read_address, write_address : unsigned(9 downto 0);
   begin
     read_address <= to_unsigned(transform_counter_column, 10);
     write_address <= to_unsigned(transform_write_column, 10);
-    cell : entity work.line_memory
-      generic map (depth => 640, width => 32, address_bits => 10)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        transform_left_rows_read_words_0, write_address => write_address, write_data =>
+    cell : entity work.line_memory generic map (640, 32, 10)
+      port map (clock, true, read_address, transform_left_rows_read_words_0, write_address,
         transform_left_rows_write_words_0);
   end block;
 
@@ -537,10 +521,8 @@ begin
   begin
     read_address <= to_unsigned(transform_counter_column, 10);
     write_address <= to_unsigned(transform_write_column, 10);
-    cell : entity work.line_memory
-      generic map (depth => 640, width => 32, address_bits => 10)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        transform_right_rows_read_words_0, write_address => write_address, write_data =>
+    cell : entity work.line_memory generic map (640, 32, 10)
+      port map (clock, true, read_address, transform_right_rows_read_words_0, write_address,
         transform_right_rows_write_words_0);
   end block;
 
@@ -551,10 +533,8 @@ begin
     read_address <= to_unsigned(map_counter_column, 10);
     write_address <= to_unsigned(map_at_column, 10);
     write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
-    cell : entity work.line_memory
-      generic map (depth => 638, width => 26, address_bits => 10)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data => other_5, write_address
-        => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (638, 26, 10)
+      port map (clock, true, read_address, other_5, write_address, write_data);
   end block;
 
   turn_read_words_0_memory : block
@@ -564,10 +544,8 @@ begin
     read_address <= to_unsigned(turn_order_address, 10);
     write_address <= to_unsigned(turn_write_place, 10);
     write_data <= to_unsigned(turn_write_words_0, 14);
-    cell : entity work.line_memory
-      generic map (depth => 639, width => 14, address_bits => 10)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data => turn_read_words_0,
-        write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (639, 14, 10)
+      port map (clock, true, read_address, turn_read_words_0, write_address, write_data);
   end block;
 
   leftright_found_0_memory : block
@@ -577,10 +555,8 @@ begin
     read_address <= to_unsigned(leftright_address_0, 7);
     write_address <= to_unsigned(leftright_position, 7);
     write_data <= to_unsigned(leftright_other_0(14), 8);
-    cell : entity work.line_memory
-      generic map (depth => 128, width => 8, address_bits => 7)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data => leftright_found_0,
-        write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (128, 8, 7)
+      port map (clock, true, read_address, leftright_found_0, write_address, write_data);
   end block;
 
   leftright_held_0_memory : block
@@ -594,10 +570,8 @@ begin
       to_unsigned(as_number(refinement_tag_start_of_frame(11)), 1) &
       to_unsigned(as_number(refinement_tag_output_column(11)), 1) &
       to_unsigned(as_number(refinement_tag_map_column(11)), 1);
-    cell : entity work.line_memory
-      generic map (depth => 64, width => 18, address_bits => 6)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data => leftright_held_0,
-        write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (64, 18, 6)
+      port map (clock, true, read_address, leftright_held_0, write_address, write_data);
   end block;
 
   other_next_words_memory : for i in 3 downto 0 generate
@@ -605,10 +579,8 @@ begin
   begin
     read_address <= to_unsigned(other_read_count_phase, 3);
     write_address <= to_unsigned(other_write_count_phase, 3);
-    cell : entity work.line_memory
-      generic map (depth => 8, width => 32, address_bits => 3)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data => other_next_words(i),
-        write_address => write_address, write_data => other(17 - i));
+    cell : entity work.line_memory generic map (8, 32, 3)
+      port map (clock, true, read_address, other_next_words(i), write_address, other(17 - i));
   end generate;
 
   pathsright_read_words_memory : for i in 3 downto 2 generate
@@ -619,10 +591,8 @@ begin
     write_address <= to_unsigned(pathsleft_write_count_phase, 3);
     write_data <= to_unsigned(pathsright_arrived(4 * i - 5), 7) & to_unsigned(pathsright_arrived(4 * i - 6), 7) &
       to_unsigned(pathsright_arrived(4 * i - 7), 7) & to_unsigned(pathsright_arrived(4 * i - 8), 7);
-    cell : entity work.line_memory
-      generic map (depth => 8, width => 28, address_bits => 3)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        pathsright_read_words(i), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (8, 28, 3)
+      port map (clock, true, read_address, pathsright_read_words(i), write_address, write_data);
   end generate;
 
   pathsright_read_words_1_memory : for i in 1 downto 0 generate
@@ -633,10 +603,8 @@ begin
     write_address <= to_unsigned(pathsleft_write_count_phase, 3);
     write_data <= to_unsigned(pathsright_cost(4 * i + 3), 7) & to_unsigned(pathsright_cost(4 * i + 2), 7) &
       to_unsigned(pathsright_cost(4 * i + 1), 7) & to_unsigned(pathsright_cost(4 * i), 7);
-    cell : entity work.line_memory
-      generic map (depth => 8, width => 28, address_bits => 3)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        pathsright_read_words(i), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (8, 28, 3)
+      port map (clock, true, read_address, pathsright_read_words(i), write_address, write_data);
   end generate;
 
   pathsright_read_neighbour_0_memory : block
@@ -646,10 +614,8 @@ begin
     read_address <= to_unsigned(pathsleft_ahead_count_phase, 3);
     write_address <= to_unsigned(pathsleft_write_count_phase, 3);
     write_data <= to_unsigned(pathsright_cost(0), 7);
-    cell : entity work.line_memory
-      generic map (depth => 8, width => 7, address_bits => 3)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        pathsright_read_neighbour_0, write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (8, 7, 3)
+      port map (clock, true, read_address, pathsright_read_neighbour_0, write_address, write_data);
   end block;
 
   pathsright_lowest_0_memory : block
@@ -659,10 +625,8 @@ begin
     read_address <= to_unsigned(pathsleft_low_address, 4);
     write_address <= to_unsigned(pathsleft_low_write_address, 4);
     write_data <= to_unsigned(pathsright_low_0, 7);
-    cell : entity work.line_memory
-      generic map (depth => 16, width => 7, address_bits => 4)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data => pathsright_lowest_0,
-        write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (16, 7, 4)
+      port map (clock, true, read_address, pathsright_lowest_0, write_address, write_data);
   end block;
 
   pathsturn_read_smallest_0_memory : block
@@ -672,10 +636,8 @@ begin
     read_address <= to_unsigned(pathsturn_smallest_address, 10);
     write_address <= to_unsigned(pathsturn_write_smallest_address, 10);
     write_data <= to_unsigned(pathsturn_write_smallest_0, 5);
-    cell : entity work.line_memory
-      generic map (depth => 639, width => 5, address_bits => 10)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        pathsturn_read_smallest_0, write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (639, 5, 10)
+      port map (clock, true, read_address, pathsturn_read_smallest_0, write_address, write_data);
   end block;
 
   pathsturn_sum_memory_read_words_3_0_memory : block
@@ -685,10 +647,8 @@ begin
     read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
     write_address <= to_unsigned(pathsturn_sum_memory_write_address_0, 12);
     write_data <= to_unsigned(pathsturn_sum_memory_write_words_3(0), 8);
-    cell : entity work.line_memory
-      generic map (depth => 4096, width => 8, address_bits => 12)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        pathsturn_sum_memory_read_words_3(0), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (4096, 8, 12)
+      port map (clock, true, read_address, pathsturn_sum_memory_read_words_3(0), write_address, write_data);
   end block;
 
   pathsturn_sum_memory_read_words_memory : for i in 2 downto 0 generate
@@ -698,10 +658,8 @@ begin
     read_address <= to_unsigned(pathsturn_sum_memory_read_address_0, 12);
     write_address <= to_unsigned(pathsturn_sum_memory_write_address_0, 12);
     write_data <= to_unsigned(pathsturn_sum_memory_write_words(0, i), 16);
-    cell : entity work.line_memory
-      generic map (depth => 4096, width => 16, address_bits => 12)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        pathsturn_sum_memory_read_words(0, i), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (4096, 16, 12)
+      port map (clock, true, read_address, pathsturn_sum_memory_read_words(0, i), write_address, write_data);
   end generate;
 
   pathsturn_sum_memory_read_words_3_1_memory : block
@@ -711,10 +669,8 @@ begin
     read_address <= to_unsigned(pathsturn_sum_memory_read_address_1, 10);
     write_address <= to_unsigned(pathsturn_sum_memory_write_address_1, 10);
     write_data <= to_unsigned(pathsturn_sum_memory_write_words_3(1), 8);
-    cell : entity work.line_memory
-      generic map (depth => 1024, width => 8, address_bits => 10)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        pathsturn_sum_memory_read_words_3(1), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (1024, 8, 10)
+      port map (clock, true, read_address, pathsturn_sum_memory_read_words_3(1), write_address, write_data);
   end block;
 
   pathsturn_sum_memory_read_words_1_2_memory : for i in 2 downto 0 generate
@@ -724,10 +680,8 @@ begin
     read_address <= to_unsigned(pathsturn_sum_memory_read_address_1, 10);
     write_address <= to_unsigned(pathsturn_sum_memory_write_address_1, 10);
     write_data <= to_unsigned(pathsturn_sum_memory_write_words(1, i), 16);
-    cell : entity work.line_memory
-      generic map (depth => 1024, width => 16, address_bits => 10)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        pathsturn_sum_memory_read_words(1, i), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (1024, 16, 10)
+      port map (clock, true, read_address, pathsturn_sum_memory_read_words(1, i), write_address, write_data);
   end generate;
 
   pathsturn_cost_memory_read_words_1_0_memory : block
@@ -737,10 +691,8 @@ begin
     read_address <= to_unsigned(pathsturn_cost_memory_read_address_0, 12);
     write_address <= to_unsigned(pathsturn_cost_memory_write_address_0, 12);
     write_data <= to_unsigned(pathsturn_cost_memory_write_words_1(0), 8);
-    cell : entity work.line_memory
-      generic map (depth => 4096, width => 8, address_bits => 12)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        pathsturn_cost_memory_read_words_1(0), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (4096, 8, 12)
+      port map (clock, true, read_address, pathsturn_cost_memory_read_words_1(0), write_address, write_data);
   end block;
 
   pathsturn_cost_memory_read_words_0_0_memory : block
@@ -750,10 +702,8 @@ begin
     read_address <= to_unsigned(pathsturn_cost_memory_read_address_0, 12);
     write_address <= to_unsigned(pathsturn_cost_memory_write_address_0, 12);
     write_data <= to_unsigned(pathsturn_cost_memory_write_words_0(0), 16);
-    cell : entity work.line_memory
-      generic map (depth => 4096, width => 16, address_bits => 12)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        pathsturn_cost_memory_read_words_0(0), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (4096, 16, 12)
+      port map (clock, true, read_address, pathsturn_cost_memory_read_words_0(0), write_address, write_data);
   end block;
 
   pathsturn_cost_memory_read_words_1_1_memory : block
@@ -763,10 +713,8 @@ begin
     read_address <= to_unsigned(pathsturn_cost_memory_read_address_1, 10);
     write_address <= to_unsigned(pathsturn_cost_memory_write_address_1, 10);
     write_data <= to_unsigned(pathsturn_cost_memory_write_words_1(1), 8);
-    cell : entity work.line_memory
-      generic map (depth => 1024, width => 8, address_bits => 10)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        pathsturn_cost_memory_read_words_1(1), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (1024, 8, 10)
+      port map (clock, true, read_address, pathsturn_cost_memory_read_words_1(1), write_address, write_data);
   end block;
 
   pathsturn_cost_memory_read_words_0_1_memory : block
@@ -776,10 +724,8 @@ begin
     read_address <= to_unsigned(pathsturn_cost_memory_read_address_1, 10);
     write_address <= to_unsigned(pathsturn_cost_memory_write_address_1, 10);
     write_data <= to_unsigned(pathsturn_cost_memory_write_words_0(1), 16);
-    cell : entity work.line_memory
-      generic map (depth => 1024, width => 16, address_bits => 10)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        pathsturn_cost_memory_read_words_0(1), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (1024, 16, 10)
+      port map (clock, true, read_address, pathsturn_cost_memory_read_words_0(1), write_address, write_data);
   end block;
 
   pathsabove_delay_held_1_memory : block
@@ -790,10 +736,8 @@ begin
     write_address <= to_unsigned(paths_cost_delay_ring_write_address, 4);
     write_data <= to_unsigned(pathsabove_total(7), 6) & to_unsigned(pathsabove_total(6), 6) &
       to_unsigned(pathsabove_total(5), 6);
-    cell : entity work.line_memory
-      generic map (depth => 12, width => 18, address_bits => 4)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        pathsabove_delay_held_1, write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (12, 18, 4)
+      port map (clock, true, read_address, pathsabove_delay_held_1, write_address, write_data);
   end block;
 
   pathsabove_delay_held_0_memory : block
@@ -804,10 +748,8 @@ begin
     write_address <= to_unsigned(paths_cost_delay_ring_write_address, 4);
     write_data <= to_unsigned(pathsabove_total(4), 6) & to_unsigned(pathsabove_total(3), 6) &
       to_unsigned(pathsabove_total(2), 6) & to_unsigned(pathsabove_total(1), 6) & to_unsigned(pathsabove_total(0), 6);
-    cell : entity work.line_memory
-      generic map (depth => 12, width => 30, address_bits => 4)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        pathsabove_delay_held_0, write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (12, 30, 4)
+      port map (clock, true, read_address, pathsabove_delay_held_0, write_address, write_data);
   end block;
 
   pathsabove_memory_read_words_2_0_memory : block
@@ -817,10 +759,8 @@ begin
     read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
     write_address <= to_unsigned(pathsabove_memory_write_address_0, 12);
     write_data <= to_unsigned(pathsabove_memory_write_words_2(0), 8);
-    cell : entity work.line_memory
-      generic map (depth => 4096, width => 8, address_bits => 12)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        pathsabove_memory_read_words_2(0), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (4096, 8, 12)
+      port map (clock, true, read_address, pathsabove_memory_read_words_2(0), write_address, write_data);
   end block;
 
   pathsabove_memory_read_words_memory : for i in 1 downto 0 generate
@@ -830,10 +770,8 @@ begin
     read_address <= to_unsigned(pathsabove_memory_read_address_0, 12);
     write_address <= to_unsigned(pathsabove_memory_write_address_0, 12);
     write_data <= to_unsigned(pathsabove_memory_write_words(0, i), 16);
-    cell : entity work.line_memory
-      generic map (depth => 4096, width => 16, address_bits => 12)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        pathsabove_memory_read_words(0, i), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (4096, 16, 12)
+      port map (clock, true, read_address, pathsabove_memory_read_words(0, i), write_address, write_data);
   end generate;
 
   pathsabove_memory_read_words_2_1_memory : block
@@ -843,10 +781,8 @@ begin
     read_address <= to_unsigned(pathsabove_memory_read_address_1, 10);
     write_address <= to_unsigned(pathsabove_memory_write_address_1, 10);
     write_data <= to_unsigned(pathsabove_memory_write_words_2(1), 8);
-    cell : entity work.line_memory
-      generic map (depth => 1024, width => 8, address_bits => 10)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        pathsabove_memory_read_words_2(1), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (1024, 8, 10)
+      port map (clock, true, read_address, pathsabove_memory_read_words_2(1), write_address, write_data);
   end block;
 
   pathsabove_memory_read_words_1_1_memory : for i in 1 downto 0 generate
@@ -856,10 +792,8 @@ begin
     read_address <= to_unsigned(pathsabove_memory_read_address_1, 10);
     write_address <= to_unsigned(pathsabove_memory_write_address_1, 10);
     write_data <= to_unsigned(pathsabove_memory_write_words(1, i), 16);
-    cell : entity work.line_memory
-      generic map (depth => 1024, width => 16, address_bits => 10)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        pathsabove_memory_read_words(1, i), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (1024, 16, 10)
+      port map (clock, true, read_address, pathsabove_memory_read_words(1, i), write_address, write_data);
   end generate;
 
   pathsleft_read_words_memory : for i in 3 downto 2 generate
@@ -870,10 +804,8 @@ begin
     write_address <= to_unsigned(pathsleft_write_count_phase, 3);
     write_data <= to_unsigned(pathsleft_arrived(4 * i - 5), 7) & to_unsigned(pathsleft_arrived(4 * i - 6), 7) &
       to_unsigned(pathsleft_arrived(4 * i - 7), 7) & to_unsigned(pathsleft_arrived(4 * i - 8), 7);
-    cell : entity work.line_memory
-      generic map (depth => 8, width => 28, address_bits => 3)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        pathsleft_read_words(i), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (8, 28, 3)
+      port map (clock, true, read_address, pathsleft_read_words(i), write_address, write_data);
   end generate;
 
   pathsleft_read_words_1_memory : for i in 1 downto 0 generate
@@ -884,10 +816,8 @@ begin
     write_address <= to_unsigned(pathsleft_write_count_phase, 3);
     write_data <= to_unsigned(pathsleft_cost(4 * i + 3), 7) & to_unsigned(pathsleft_cost(4 * i + 2), 7) &
       to_unsigned(pathsleft_cost(4 * i + 1), 7) & to_unsigned(pathsleft_cost(4 * i), 7);
-    cell : entity work.line_memory
-      generic map (depth => 8, width => 28, address_bits => 3)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        pathsleft_read_words(i), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (8, 28, 3)
+      port map (clock, true, read_address, pathsleft_read_words(i), write_address, write_data);
   end generate;
 
   pathsleft_read_neighbour_0_memory : block
@@ -897,10 +827,8 @@ begin
     read_address <= to_unsigned(pathsleft_ahead_count_phase, 3);
     write_address <= to_unsigned(pathsleft_write_count_phase, 3);
     write_data <= to_unsigned(pathsleft_cost(0), 7);
-    cell : entity work.line_memory
-      generic map (depth => 8, width => 7, address_bits => 3)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        pathsleft_read_neighbour_0, write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (8, 7, 3)
+      port map (clock, true, read_address, pathsleft_read_neighbour_0, write_address, write_data);
   end block;
 
   pathsleft_lowest_0_memory : block
@@ -910,10 +838,8 @@ begin
     read_address <= to_unsigned(pathsleft_low_address, 4);
     write_address <= to_unsigned(pathsleft_low_write_address, 4);
     write_data <= to_unsigned(pathsleft_low_0, 7);
-    cell : entity work.line_memory
-      generic map (depth => 16, width => 7, address_bits => 4)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data => pathsleft_lowest_0,
-        write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (16, 7, 4)
+      port map (clock, true, read_address, pathsleft_lowest_0, write_address, write_data);
   end block;
 
   paths_cost_delay_held_0_memory : block
@@ -927,10 +853,8 @@ begin
       (to_unsigned(costs_cost(4), 12) & to_unsigned(0, 12)))) or (to_unsigned(costs_cost(3), 15) & to_unsigned(0, 9))))
       or (to_unsigned(costs_cost(2), 18) & to_unsigned(0, 6)))) or (to_unsigned(costs_cost(0), 24)))) or
       (to_unsigned(costs_cost(1), 21) & to_unsigned(0, 3)));
-    cell : entity work.line_memory
-      generic map (depth => 12, width => 24, address_bits => 4)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        paths_cost_delay_held_0, write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (12, 24, 4)
+      port map (clock, true, read_address, paths_cost_delay_held_0, write_address, write_data);
   end block;
 
   costswindow_read_wordss_memory : for i in 3 downto 2 generate
@@ -941,10 +865,8 @@ begin
     write_address <= to_unsigned(costswindow_write_count_phase, 3);
     write_data <= to_unsigned(costswindow_partials(4 * i + 3), 7) & to_unsigned(costswindow_partials(4 * i + 2), 7) &
       to_unsigned(costswindow_partials(4 * i + 1), 7) & to_unsigned(costswindow_partials(4 * i), 7);
-    cell : entity work.line_memory
-      generic map (depth => 8, width => 28, address_bits => 3)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        costswindow_read_wordss(i), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (8, 28, 3)
+      port map (clock, true, read_address, costswindow_read_wordss(i), write_address, write_data);
   end generate;
 
   costswindow_read_words_memory : for i in 1 downto 0 generate
@@ -955,10 +877,8 @@ begin
     write_address <= to_unsigned(costswindow_write_count_phase, 3);
     write_data <= to_unsigned(costswindow_partial(4 * i + 3), 6) & to_unsigned(costswindow_partial(4 * i + 2), 7) &
       to_unsigned(costswindow_partial(4 * i + 1), 7) & to_unsigned(costswindow_partial(4 * i), 7);
-    cell : entity work.line_memory
-      generic map (depth => 8, width => 27, address_bits => 3)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        costswindow_read_words(i), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (8, 27, 3)
+      port map (clock, true, read_address, costswindow_read_words(i), write_address, write_data);
   end generate;
 
   costsshift_read_words_memory : for i in 11 downto 8 generate
@@ -968,10 +888,8 @@ begin
     read_address <= to_unsigned(costsshift_count_phase, 3);
     write_address <= to_unsigned(costsshift_write_phase, 3);
     write_data <= to_unsigned(costsshift_search(2, 2 * i - 15), 14) & to_unsigned(costsshift_search(2, 2 * i - 16), 14);
-    cell : entity work.line_memory
-      generic map (depth => 8, width => 28, address_bits => 3)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        costsshift_read_words(i), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (8, 28, 3)
+      port map (clock, true, read_address, costsshift_read_words(i), write_address, write_data);
   end generate;
 
   costsshift_read_words_7_memory : for i in 7 downto 4 generate
@@ -981,10 +899,8 @@ begin
     read_address <= to_unsigned(costsshift_count_phase, 3);
     write_address <= to_unsigned(costsshift_write_phase, 3);
     write_data <= to_unsigned(costsshift_search(1, 2 * i - 7), 14) & to_unsigned(costsshift_search(1, 2 * i - 8), 14);
-    cell : entity work.line_memory
-      generic map (depth => 8, width => 28, address_bits => 3)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        costsshift_read_words(i), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (8, 28, 3)
+      port map (clock, true, read_address, costsshift_read_words(i), write_address, write_data);
   end generate;
 
   costsshift_read_words_3_memory : for i in 3 downto 0 generate
@@ -994,10 +910,8 @@ begin
     read_address <= to_unsigned(costsshift_count_phase, 3);
     write_address <= to_unsigned(costsshift_write_phase, 3);
     write_data <= to_unsigned(costsshift_search(0, 2 * i + 1), 14) & to_unsigned(costsshift_search(0, 2 * i), 14);
-    cell : entity work.line_memory
-      generic map (depth => 8, width => 28, address_bits => 3)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        costsshift_read_words(i), write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (8, 28, 3)
+      port map (clock, true, read_address, costsshift_read_words(i), write_address, write_data);
   end generate;
 
   rows_search_rows_read_words_0_memory : block
@@ -1007,10 +921,8 @@ begin
     read_address <= to_unsigned(delay_column, 10);
     write_address <= to_unsigned(rows_write_column, 10);
     write_data <= to_unsigned(rows_search_rows_write_words_0, 28);
-    cell : entity work.line_memory
-      generic map (depth => 640, width => 28, address_bits => 10)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        rows_search_rows_read_words_0, write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (640, 28, 10)
+      port map (clock, true, read_address, rows_search_rows_read_words_0, write_address, write_data);
   end block;
 
   rows_reference_rows_read_words_0_memory : block
@@ -1020,2201 +932,1915 @@ begin
     read_address <= to_unsigned(delay_column, 10);
     write_address <= to_unsigned(rows_write_column, 10);
     write_data <= to_unsigned(rows_reference_rows_write_words_0, 28);
-    cell : entity work.line_memory
-      generic map (depth => 640, width => 28, address_bits => 10)
-      port map (clock => clock, read_enable => true, read_address => read_address, read_data =>
-        rows_reference_rows_read_words_0, write_address => write_address, write_data => write_data);
+    cell : entity work.line_memory generic map (640, 28, 10)
+      port map (clock, true, read_address, rows_reference_rows_read_words_0, write_address, write_data);
   end block;
 
-  process (clock)
-    variable transform_counter_next_frame_is_equal, transform_counter_frame_joins_choice : boolean;
-    variable transform_read_column_inside_0_is_less : boolean;
-    variable transform_left_filter_low_is_larger_0_value : boolean_3d(0 to 4, 0 to 2, 1 to 4);  -- transform_left_filter_low_is_larger_0_2#_2#_value_#
-    variable transform_left_filter_low_is_larger_0_choice_3 : boolean_2d(0 to 4, 0 to 2);  -- transform_left_filter_low_is_larger_0_2#_2#_choice_3
-    variable transform_left_filter_low_is_larger_0_0_2_any : boolean;
-    variable transform_left_filter_low_is_larger_0_0_2_is_equal : boolean;
-    variable transform_left_filter_feature_0_values : boolean_1d(1 to 3);  -- transform_left_filter_feature_0_value_#
+  process
+    variable transform_counter_next_frame_is_equal, transform_counter_frame_joins_choice,
+      transform_read_column_inside_0_is_less, transform_left_filter_low_is_larger_0_0_2_any,
+      transform_left_filter_low_is_larger_0_0_2_is_equal, transform_right_filter_low_is_larger_0_0_2_any,
+      transform_right_filter_low_is_larger_0_0_2_is_equal, raster_place_next_frame_is_equal,
+      raster_place_back_to_back_choice, delay_row_inside_1_is_not_less, delay_row_inside_1_is_less,
+      delay_tag_map_column_is_not_less, delay_tag_map_column_is_less, delay_tag_first_column_is_equal,
+      line_order_address_any, line_order_falls_all, line_order_turned_output_column_choice,
+      costsshift_search_0_0_is_equal, costswindow_partial_0_any, pathsleft_read_count_phase_is_equal,
+      pathsleft_cost_0_any, pathsabove_count_phase_is_equal, pathsabove_memory_write_words_0_0_choice_4,
+      winnerswinner3_best_index_0_0_choice_8, winners_best_index_0_0_is_less, winners_best_above_0_0_is_equal,
+      other_3_is_equal, other_14_any, other_14_differs, refinement_below_0_all, refinement_above_0_choice,
+      refinement_divisor_0_0_is_less, leftright_holds_winners_choice, turn_order_falls_all, turn_order_complete_all,
+      turn_ready_tag_row_start_differs, map_line_ended_choice, map_at_arrives_value, map_window_complete_is_equal,
+      map_window_complete_choice : boolean;
+    variable transform_left_filter_low_is_larger_0_value,
+      transform_right_filter_low_is_larger_0_value : boolean_3d(0 to 4, 0 to 2, 1 to 4);  -- _2#_2#_value_#
+    variable transform_left_filter_low_is_larger_0_choice_3,
+      transform_right_filter_low_is_larger_0_choice_3 : boolean_2d(0 to 4, 0 to 2);  -- _2#_2#_choice_3
+    variable transform_left_filter_feature_0_values, transform_right_filter_feature_0_values : boolean_1d(1 to 3);  -- _value_#
     variable transform_left_filter_feature_0_choice : boolean_1d(3 to 65);
-    variable transform_left_filter_feature_0_alls : boolean_1d(1 to 4);  -- transform_left_filter_feature_0_all_#
-    variable transform_right_filter_low_is_larger_0_value : boolean_3d(0 to 4, 0 to 2, 1 to 4);  -- transform_right_filter_low_is_larger_0_2#_2#_value_#
-    variable transform_right_filter_low_is_larger_0_choice_3 : boolean_2d(0 to 4, 0 to 2);  -- transform_right_filter_low_is_larger_0_2#_2#_choice_3
-    variable transform_right_filter_low_is_larger_0_0_2_any : boolean;
-    variable transform_right_filter_low_is_larger_0_0_2_is_equal : boolean;
-    variable transform_right_filter_feature_0_values : boolean_1d(1 to 3);  -- transform_right_filter_feature_0_value_#
+    variable transform_left_filter_feature_0_alls : boolean_1d(1 to 4);  -- _all_#
     variable transform_right_filter_feature_0_choice : boolean_1d(3 to 70);
-    variable transform_right_filter_feature_0_alls : boolean_1d(1 to 5);  -- transform_right_filter_feature_0_all_#
-    variable raster_place_next_frame_is_equal, raster_place_back_to_back_choice : boolean;
-    variable delay_row_inside_1_is_not_less, delay_row_inside_1_is_less, delay_tag_map_column_is_not_less : boolean;
-    variable delay_tag_map_column_is_less, delay_tag_first_column_is_equal, line_order_address_any : boolean;
-    variable line_order_falls_all, line_order_turned_output_column_choice, costsshift_search_0_0_is_equal : boolean;
-    variable costscolumn_pixels_first_0_count_value : boolean_3d(0 to 2, 0 to 4, 1 to 3);  -- costscolumn_pixels_first_#_0_count_#_value_#
-    variable costswindow_partial_0_any, pathsleft_read_count_phase_is_equal, pathsleft_cost_0_any : boolean;
-    variable pathsabove_ready_top_choices : boolean_1d(1 to 2);  -- pathsabove_ready_top_choice_#
-    variable pathsabove_count_phase_is_equal : boolean;
-    variable pathsabove_memory_write_words_0_is_less : boolean_1d(0 to 1);  -- pathsabove_memory_write_words_0_#_is_less
-    variable pathsabove_memory_write_words_0_0_choice_4 : boolean;
-    variable pathsabove_memory_write_words_0_all : boolean_1d(0 to 1);  -- pathsabove_memory_write_words_#_0_all
-    variable pathsturn_sum_memory_write_words_0_all : boolean_1d(0 to 1);  -- pathsturn_sum_memory_write_words_#_0_all
-    variable pathsturn_cost_memory_write_words_0_all : boolean_1d(0 to 1);  -- pathsturn_cost_memory_write_words_#_0_all
-    variable winnerswinner1_best_index_0_value : boolean_2d(0 to 3, 1 to 13);  -- winnerswinner1_best_index_0_#_value_#
-    variable winnerswinner1_best_index_0_choice : boolean_2d(0 to 3, 1 to 8);  -- winnerswinner1_best_index_0_#_choice_#
-    variable winnerswinner2_best_index_0_choice_8 : boolean_1d(0 to 1);  -- winnerswinner2_best_index_0_#_choice_8
-    variable winnerswinner2_best_index_0_value : boolean_2d(0 to 1, 1 to 5);  -- winnerswinner2_best_index_0_#_value_#
-    variable winnerswinner3_best_index_0_0_choice_8 : boolean;
-    variable winnerswinner3_best_index_0_0_values : boolean_1d(1 to 5);  -- winnerswinner3_best_index_0_0_value_#
-    variable winners_best_index_0_0_is_less, winners_best_above_0_0_is_equal, other_3_is_equal, other_14_any : boolean;
-    variable other_choice : boolean_2d(14 to 15, 7 to 42);  -- other_#_choice_#
-    variable other_value : boolean_2d(14 to 15, 1 to 21);  -- other_#_value_#
-    variable other_all : boolean_2d(14 to 15, 1 to 4);  -- other_#_all_#
-    variable other_14_differs : boolean;
-    variable refinement_below_0_differss : boolean_1d(1 to 2);  -- refinement_below_0_differs_#
-    variable refinement_below_0_all, refinement_above_0_choice, refinement_divisor_0_0_is_less : boolean;
-    variable leftright_holds_winners_choice : boolean;
-    variable turn_order_address_anys : boolean_1d(1 to 2);  -- turn_order_address_any_#
-    variable turn_order_falls_all, turn_order_complete_all, turn_ready_tag_row_start_differs : boolean;
-    variable turn_ready_tag_row_start_is_equals : boolean_1d(1 to 2);  -- turn_ready_tag_row_start_is_equal_#
-    variable turn_ready_tag_row_start_choices : boolean_1d(1 to 3);  -- turn_ready_tag_row_start_choice_#
-    variable turn_ready_tag_row_start_alls : boolean_1d(1 to 2);  -- turn_ready_tag_row_start_all_#
-    variable map_line_ended_choice, map_at_arrives_value, map_window_complete_is_equal : boolean;
-    variable map_window_complete_choice : boolean;
-    variable map_low_0_all : boolean_1d(0 to 1);  -- map_low_#_0_all
-    variable transform_counter_group_after_choice, raster_place_group_after_choice : natural range 0 to 511;
-    variable winners_best_cost_0_0_choice : natural range 0 to 511;
-    variable map_counter_group_choices : natural_511_1d(2 to 3);  -- map_counter_group_choice_#
-    variable transform_counter_group_choice, raster_place_group_choice : natural range 0 to 15;
-    variable map_counter_group_choice : natural range 0 to 15;
+    variable transform_right_filter_feature_0_alls : boolean_1d(1 to 5);  -- _all_#
+    variable pathsabove_ready_top_choices : boolean_1d(1 to 2);  -- _choice_#
+    variable pathsabove_memory_write_words_0_is_less : boolean_1d(0 to 1);  -- _#_is_less
+    variable pathsabove_memory_write_words_0_all, pathsturn_sum_memory_write_words_0_all,
+      pathsturn_cost_memory_write_words_0_all, map_low_0_all : boolean_1d(0 to 1);  -- _#_0_all
+    variable winnerswinner1_best_index_0_value : boolean_2d(0 to 3, 1 to 13);  -- _#_value_#
+    variable winnerswinner1_best_index_0_choice : boolean_2d(0 to 3, 1 to 8);  -- _#_choice_#
+    variable winnerswinner2_best_index_0_choice_8 : boolean_1d(0 to 1);  -- _#_choice_8
+    variable winnerswinner2_best_index_0_value : boolean_2d(0 to 1, 1 to 5);  -- _#_value_#
+    variable winnerswinner3_best_index_0_0_values : boolean_1d(1 to 5);  -- _value_#
+    variable other_choice : boolean_2d(14 to 15, 7 to 42);  -- _#_choice_#
+    variable other_value : boolean_2d(14 to 15, 1 to 21);  -- _#_value_#
+    variable other_all : boolean_2d(14 to 15, 1 to 4);  -- _#_all_#
+    variable refinement_below_0_differss : boolean_1d(1 to 2);  -- _differs_#
+    variable turn_order_address_anys : boolean_1d(1 to 2);  -- _any_#
+    variable turn_ready_tag_row_start_is_equals : boolean_1d(1 to 2);  -- _equal_#
+    variable turn_ready_tag_row_start_choices : boolean_1d(1 to 3);  -- _choice_#
+    variable turn_ready_tag_row_start_alls : boolean_1d(1 to 2);  -- _all_#
+    variable transform_counter_group_after_choice, raster_place_group_after_choice,
+      winners_best_cost_0_0_choice : natural range 0 to 511;
+    variable map_counter_group_choices : natural_511_1d(2 to 3);  -- _choice_#
+    variable transform_counter_group_choice, raster_place_group_choice,
+      map_counter_group_choice : natural range 0 to 15;
     variable line_order_address_choice, turn_order_address_choice : natural range 1 to 1023;
     variable line_order_address_choice_2, turn_order_address_choice_2 : natural range 0 to 637;
-    variable costsshift_count_phase_choice, costswindow_read_count_phase_choice : natural range 0 to 7;
-    variable costswindow_write_count_phase_choice, pathsleft_read_count_phase_choice : natural range 0 to 7;
-    variable pathsleft_ahead_count_phase_choice : natural range 0 to 7;
-    variable pathsleft_stay_change_value : natural_7_1d(1 to 6);  -- pathsleft_stay_change_#_value
-    variable pathsleft_write_count_phase_choice, pathsabove_read_address_count_phase_choice : natural range 0 to 7;
-    variable pathsabove_count_phase_choice, pathsabove_write_address_count_phase_choice : natural range 0 to 7;
-    variable pathsturn_read_address_count_phase_choice : natural range 0 to 7;
-    variable pathsturn_write_address_count_phase_choice : natural range 0 to 7;
-    variable pathsright_stay_change_value : natural_7_1d(1 to 6);  -- pathsright_stay_change_#_value
-    variable pathsright_stay_change_5_sum, other_read_count_phase_choice : natural range 0 to 7;
-    variable other_count_phase_choice, other_write_count_phase_choice, other_6_choice_2 : natural range 0 to 7;
+    variable costsshift_count_phase_choice, costswindow_read_count_phase_choice, costswindow_write_count_phase_choice,
+      pathsleft_read_count_phase_choice, pathsleft_ahead_count_phase_choice, pathsleft_write_count_phase_choice,
+      pathsabove_read_address_count_phase_choice, pathsabove_count_phase_choice,
+      pathsabove_write_address_count_phase_choice, pathsturn_read_address_count_phase_choice,
+      pathsturn_write_address_count_phase_choice, pathsright_stay_change_5_sum, other_read_count_phase_choice,
+      other_count_phase_choice, other_write_count_phase_choice, other_6_choice_2 : natural range 0 to 7;
+    variable pathsleft_stay_change_value, pathsright_stay_change_value : natural_7_1d(1 to 6);  -- _#_value
     variable costsmask_column_sum, winnersmask_column_sum : natural range 1 to 1024;
-    variable costsmask_column_choice, pathsabove_memory_read_address_1_choice : natural range 0 to 1023;
-    variable winnersmask_column_choice : natural range 0 to 1023;
+    variable costsmask_column_choice, pathsabove_memory_read_address_1_choice,
+      winnersmask_column_choice : natural range 0 to 1023;
     variable costsmask_partner_choice, winnersmask_partner_choice : natural range 0 to 1024;
     variable paths_smallest_cost_choice : natural range 0 to 21;
-    variable pathsleft_stay_choice : natural_127_1d(0 to 7);  -- pathsleft_stay_#_choice
-    variable pathsleft_stay_value : natural_127_2d(1 to 6, 1 to 2);  -- pathsleft_stay_#_value_#
-    variable pathsleft_step_choice : natural_127_2d(0 to 7, 1 to 2);  -- pathsleft_step_#_choice_#
-    variable pathsleft_low_0_choice : natural range 0 to 127;
-    variable pathsright_stay_choice : natural_127_1d(0 to 7);  -- pathsright_stay_#_choice
-    variable pathsright_stay_value : natural_127_2d(1 to 6, 1 to 2);  -- pathsright_stay_#_value_#
-    variable pathsright_step_choice : natural_127_2d(0 to 7, 1 to 2);  -- pathsright_step_#_choice_#
-    variable pathsright_low_0_choice : natural range 0 to 127;
-    variable pathsleft_q_choices : natural_63_1d(1 to 2);  -- pathsleft_q_choice_#
-    variable pathsleft_room_left_choice, pathsabove_smallest_total_choice : natural range 0 to 63;
-    variable pathsabove_beside_choice : natural_63_1d(0 to 7);  -- pathsabove_beside_#_choice
-    variable pathsright_q_choices : natural_63_1d(1 to 2);  -- pathsright_q_choice_#
-    variable pathsright_room_left_choice : natural range 0 to 63;
+    variable pathsleft_stay_choice, pathsright_stay_choice : natural_127_1d(0 to 7);  -- _#_choice
+    variable pathsleft_stay_value, pathsright_stay_value : natural_127_2d(1 to 6, 1 to 2);  -- _#_value_#
+    variable pathsleft_step_choice, pathsright_step_choice : natural_127_2d(0 to 7, 1 to 2);  -- _#_choice_#
+    variable pathsleft_low_0_choice, pathsright_low_0_choice : natural range 0 to 127;
+    variable pathsleft_q_choices, pathsright_q_choices : natural_63_1d(1 to 2);  -- _choice_#
+    variable pathsleft_room_left_choice, pathsabove_smallest_total_choice,
+      pathsright_room_left_choice : natural range 0 to 63;
+    variable pathsabove_beside_choice : natural_63_1d(0 to 7);  -- _#_choice
     variable pathsabove_memory_read_address_0_sum : natural range 1 to 8192;
     variable pathsabove_memory_read_address_0_choice, map_of_column_0_a_choice : natural range 0 to 4095;
     variable pathsabove_memory_read_address_0_sum_2, pathsturn_cost_memory_read_address_0_sum : natural range 0 to 8192;
-    variable pathsabove_memory_bank_choices : natural_8191_1d(1 to 2);  -- pathsabove_memory_bank_choice_#
+    variable pathsabove_memory_bank_choices : natural_8191_1d(1 to 2);  -- _choice_#
     variable pathsabove_write_address_address_choice, pathsturn_cost_memory_bank_choice : natural range 0 to 8191;
-    variable pathsabove_total_choice : natural_31_1d(0 to 7);  -- pathsabove_total_#_choice
-    variable pathsabove_memory_write_words_0_choice : natural_31_2d(0 to 2, 1 to 3);  -- pathsabove_memory_write_words_0_#_choice_#
+    variable pathsabove_total_choice : natural_31_1d(0 to 7);  -- _#_choice
+    variable pathsabove_memory_write_words_0_choice : natural_31_2d(0 to 2, 1 to 3);  -- _#_choice_#
     variable other_base_choice : natural range 0 to 31;
-    variable pathsabove_memory_write_words_0_sum : natural_65535_1d(0 to 1);  -- pathsabove_memory_write_words_0_#_sum
-    variable pathsturn_sum_memory_write_words_0_sum_2 : natural_65535_1d(0 to 2);  -- pathsturn_sum_memory_write_words_0_#_sum_2
+    variable pathsabove_memory_write_words_0_sum : natural_65535_1d(0 to 1);  -- _#_sum
+    variable pathsturn_sum_memory_write_words_0_sum_2 : natural_65535_1d(0 to 2);  -- _#_sum_2
     variable pathsturn_cost_memory_write_words_0_0_sum : natural range 0 to 65535;
     variable pathsabove_memory_write_words_0_1_choice_4 : natural range 0 to 3;
-    variable pathsabove_memory_write_words_0_2_sum, pathsturn_sum_memory_write_words_0_3_sum : natural range 0 to 255;
-    variable pathsturn_cost_memory_write_words_0_1_sum : natural range 0 to 255;
-    variable winnerswinner1_best_cost_0_any : natural_255_2d(0 to 3, 1 to 2);  -- winnerswinner1_best_cost_0_#_any_#
-    variable winnerswinner2_best_below_0_choice : natural_255_1d(0 to 1);  -- winnerswinner2_best_below_0_#_choice
-    variable winnerswinner2_best_above_0_choice : natural_255_1d(0 to 1);  -- winnerswinner2_best_above_0_#_choice
-    variable winnerswinner3_best_below_0_0_choice, winnerswinner3_best_above_0_0_choice : natural range 0 to 255;
-    variable winners_best_cost_0_0_choice_2 : natural range 0 to 255;
-    variable winners_best_below_0_0_choices : natural_255_1d(1 to 2);  -- winners_best_below_0_0_choice_#
-    variable winners_best_above_0_0_choices : natural_255_1d(1 to 2);  -- winners_best_above_0_0_choice_#
-    variable other_choices : natural_255_1d(6 to 17);  -- other_#_choice
-    variable other_choices_from_14 : natural_255_2d(14 to 17, 2 to 44);  -- other_#_choice_#
-    variable refinement_divisor_0_0_choice : natural range 0 to 255;
-    variable pathsturn_sum_memory_write_words_0_sum : natural_190_1d(0 to 2);  -- pathsturn_sum_memory_write_words_0_#_sum
-    variable winnerswinner1_best_cost_0_sum : natural_255_to_256_2d(0 to 3, 1 to 2);  -- winnerswinner1_best_cost_0_#_sum_#
+    variable pathsabove_memory_write_words_0_2_sum, pathsturn_sum_memory_write_words_0_3_sum,
+      pathsturn_cost_memory_write_words_0_1_sum, winnerswinner3_best_below_0_0_choice,
+      winnerswinner3_best_above_0_0_choice, winners_best_cost_0_0_choice_2,
+      refinement_divisor_0_0_choice : natural range 0 to 255;
+    variable winnerswinner1_best_cost_0_any : natural_255_2d(0 to 3, 1 to 2);  -- _#_any_#
+    variable winnerswinner2_best_below_0_choice, winnerswinner2_best_above_0_choice : natural_255_1d(0 to 1);  -- _#_choice
+    variable winners_best_below_0_0_choices, winners_best_above_0_0_choices : natural_255_1d(1 to 2);  -- _choice_#
+    variable other_choices : natural_255_1d(6 to 17);  -- _#_choice
+    variable other_choices_from_14 : natural_255_2d(14 to 17, 2 to 44);  -- _#_choice_#
+    variable pathsturn_sum_memory_write_words_0_sum : natural_190_1d(0 to 2);  -- _#_sum
+    variable winnerswinner1_best_cost_0_sum : natural_255_to_256_2d(0 to 3, 1 to 2);  -- _#_sum_#
     variable other_6_difference : integer range -15 to 0;
     variable other_6_value : natural range 0 to 16;
-    variable other_difference : natural_257_to_1022_1d(7 to 12);  -- other_#_difference
+    variable other_difference : natural_257_to_1022_1d(7 to 12);  -- _#_difference
     variable other_13_difference : natural range 257 to 767;
     variable other_14_value_6 : natural range 0 to 248;
     variable leftright_checked_passed_0_difference : integer range -254 to 256;
-    variable map_of_column_0_c_choice : natural range 0 to 32767;
-    variable map_sorted_low_0_choices : natural_32767_1d(1 to 2);  -- map_sorted_low_0_choice_#
-    variable map_sorted_middle_0_choices : natural_32767_1d(1 to 2);  -- map_sorted_middle_0_choice_#
-    variable map_sorted_high_0_choices : natural_32767_1d(1 to 2);  -- map_sorted_high_0_choice_#
-    variable map_largest_low_0_choices : natural_32767_1d(1 to 2);  -- map_largest_low_0_choice_#
-    variable map_median_middle_0_choices : natural_32767_1d(1 to 4);  -- map_median_middle_0_choice_#
-    variable map_smallest_high_0_choices : natural_32767_1d(1 to 2);  -- map_smallest_high_0_choice_#
-    variable map_out_disparity_0_choices : natural_32767_1d(1 to 4);  -- map_out_disparity_0_choice_#
-    variable map_low_0_0_choice, map_middle_0_0_choice, map_high_0_0_choice : natural range 0 to 32767;
+    variable map_of_column_0_c_choice, map_low_0_0_choice, map_middle_0_0_choice,
+      map_high_0_0_choice : natural range 0 to 32767;
+    variable map_sorted_low_0_choices, map_sorted_middle_0_choices, map_sorted_high_0_choices,
+      map_largest_low_0_choices, map_smallest_high_0_choices : natural_32767_1d(1 to 2);  -- _choice_#
+    variable map_median_middle_0_choices, map_out_disparity_0_choices : natural_32767_1d(1 to 4);  -- _choice_#
   begin
-    if rising_edge(clock) then
-      -- no bit without a value, where an array has places for more
-      transform_left_filter_low_is_larger_0_value := (others => (others => (others => false)));
-      transform_left_filter_low_is_larger_0_choice_3 := (others => (others => false));
-      transform_left_filter_feature_0_choice := (others => false);
-      transform_right_filter_low_is_larger_0_value := (others => (others => (others => false)));
-      transform_right_filter_low_is_larger_0_choice_3 := (others => (others => false));
-      transform_right_filter_feature_0_choice := (others => false);
-      costscolumn_pixels_first_0_count_value := (others => (others => (others => false)));
-      other_choice := (others => (others => false));
-      other_value := (others => (others => false));
-      other_all := (others => (others => false));
-      pathsright_stay_change_value := (others => 0);
-      pathsleft_stay_value := (others => (others => 0));
-      pathsleft_step_choice := (others => (others => 0));
-      pathsright_stay_value := (others => (others => 0));
-      pathsright_step_choice := (others => (others => 0));
-      pathsabove_beside_choice := (others => 0);
-      pathsabove_memory_write_words_0_choice := (others => (others => 0));
-      other_choices := (others => 0);
-      other_choices_from_14 := (others => (others => 0));
-      -- transform
-      transform_counter_next_frame_is_equal := transform_counter_column = 639;
-      transform_counter_frame_joins_choice := choice(transform_counter_last_column, (not
-        transform_counter_back_to_back) and winnerswinner1_best_place_0, winnerswinner1_best_place_0);
-      transform_counter_group_after_choice := choice(transform_counter_back_to_back, 2, (transform_counter_group + 1)
-        mod 512);
-      transform_read_column_inside_0_is_less := 3 < transform_counter_column;
-      transform_left_filter_low_is_larger_0_value(0, 0, 1) := is_set(transform_left_filter_column(4, 1), 1);
-      transform_left_filter_low_is_larger_0_value(0, 0, 2) := is_set(transform_left_filter_column(4, 1), 2);
-      transform_left_filter_low_is_larger_0_value(0, 0, 3) := is_set(transform_left_filter_column(0, 0), 2);
-      transform_left_filter_low_is_larger_0_choice_3(0, 0) := not is_larger(transform_left_filter_column(4, 1),
-        transform_left_filter_column(0, 0), 0, 2, true);
-      transform_left_filter_low_is_larger_0_value(0, 0, 4) := is_set(transform_left_filter_column(0, 0), 3);
-      transform_left_filter_low_is_larger_0_0_2_any := (not transform_left_filter_low_is_larger_0_value(0, 0, 1)) or
-        (not is_set(transform_left_filter_column(4, 1), 0));
-      transform_left_filter_low_is_larger_0_0_2_is_equal := (transform_left_filter_column(4, 1) mod 4) = 0;
-      for i in 0 to 1 loop
-        transform_left_filter_low_is_larger_0_choice_3(2 * i, 1 - i) := not is_larger(transform_left_filter_column(4 *
-          i, 1 - i), transform_left_filter_column(4, 1), 0, 2, false);
-        transform_left_filter_low_is_larger_0_value(2 * i, 1 - i, 1) := is_set(transform_left_filter_column(4 * i, 1 -
-          i), 3);
-        transform_left_filter_low_is_larger_0_choice_3(2 * i, 2) := not is_larger(transform_left_filter_column(4 * i,
-          2), transform_left_filter_column(4, 1), 0, 2, false);
-        transform_left_filter_low_is_larger_0_value(2 * i, 2, 1) := is_set(transform_left_filter_column(4 * i, 2), 3);
-        for j in 0 to 2 loop
-          transform_left_filter_low_is_larger_0_choice_3(2 * i + 1, j) := not is_larger(transform_left_filter_column(4
-            * i + 2, j), transform_left_filter_column(4, 1), 0, 2, false);
-          transform_left_filter_low_is_larger_0_value(2 * i + 1, j, 1) := is_set(transform_left_filter_column(4 * i +
-            2, j), 3);
-        end loop;
+    wait until rising_edge(clock);
+    -- no bit without a value, where an array has places for more
+    other_all := (others => (others => false)); other_choice := (others => (others => false));
+    other_choices := (others => 0); other_choices_from_14 := (others => (others => 0));
+    other_value := (others => (others => false)); pathsabove_beside_choice := (others => 0);
+    pathsabove_memory_write_words_0_choice := (others => (others => 0));
+    pathsleft_stay_value := (others => (others => 0)); pathsleft_step_choice := (others => (others => 0));
+    pathsright_stay_change_value := (others => 0); pathsright_stay_value := (others => (others => 0));
+    pathsright_step_choice := (others => (others => 0)); transform_left_filter_feature_0_choice := (others => false);
+    transform_left_filter_low_is_larger_0_choice_3 := (others => (others => false));
+    transform_left_filter_low_is_larger_0_value := (others => (others => (others => false)));
+    transform_right_filter_feature_0_choice := (others => false);
+    transform_right_filter_low_is_larger_0_choice_3 := (others => (others => false));
+    transform_right_filter_low_is_larger_0_value := (others => (others => (others => false)));
+    -- transform
+    transform_counter_next_frame_is_equal := transform_counter_column = 639;
+    transform_counter_frame_joins_choice := choice(transform_counter_last_column, (not transform_counter_back_to_back)
+      and winnerswinner1_best_place_0, winnerswinner1_best_place_0);
+    transform_counter_group_after_choice := choice(transform_counter_back_to_back, 2, (transform_counter_group + 1) mod
+      512);
+    transform_read_column_inside_0_is_less := 3 < transform_counter_column;
+    transform_left_filter_low_is_larger_0_value(0, 0, 1) := is_set(transform_left_filter_column(4, 1), 1);
+    transform_left_filter_low_is_larger_0_value(0, 0, 2) := is_set(transform_left_filter_column(4, 1), 2);
+    transform_left_filter_low_is_larger_0_value(0, 0, 3) := is_set(transform_left_filter_column(0, 0), 2);
+    transform_left_filter_low_is_larger_0_choice_3(0, 0) := not is_larger(transform_left_filter_column(4, 1),
+      transform_left_filter_column(0, 0), 0, 2, true);
+    transform_left_filter_low_is_larger_0_value(0, 0, 4) := is_set(transform_left_filter_column(0, 0), 3);
+    transform_left_filter_low_is_larger_0_0_2_any := (not transform_left_filter_low_is_larger_0_value(0, 0, 1)) or (not
+      is_set(transform_left_filter_column(4, 1), 0));
+    transform_left_filter_low_is_larger_0_0_2_is_equal := (transform_left_filter_column(4, 1) mod 4) = 0;
+    for i in 0 to 1 loop
+      transform_left_filter_low_is_larger_0_choice_3(2 * i, 1 - i) := not is_larger(transform_left_filter_column(4 * i,
+        1 - i), transform_left_filter_column(4, 1), 0, 2, false);
+      transform_left_filter_low_is_larger_0_value(2 * i, 1 - i, 1) := is_set(transform_left_filter_column(4 * i, 1 -
+        i), 3);
+      transform_left_filter_low_is_larger_0_choice_3(2 * i, 2) := not is_larger(transform_left_filter_column(4 * i, 2),
+        transform_left_filter_column(4, 1), 0, 2, false);
+      transform_left_filter_low_is_larger_0_value(2 * i, 2, 1) := is_set(transform_left_filter_column(4 * i, 2), 3);
+      for j in 0 to 2 loop
+        transform_left_filter_low_is_larger_0_choice_3(2 * i + 1, j) := not is_larger(transform_left_filter_column(4 *
+          i + 2, j), transform_left_filter_column(4, 1), 0, 2, false);
+        transform_left_filter_low_is_larger_0_value(2 * i + 1, j, 1) := is_set(transform_left_filter_column(4 * i + 2,
+          j), 3);
+      end loop;
+    end loop;
+    for i in 0 to 2 loop
+      transform_left_filter_low_is_larger_0_choice_3(4, i) := not is_larger(transform_left_filter_column(8, i),
+        transform_left_filter_column(4, 1), 0, 2, false);
+      transform_left_filter_low_is_larger_0_value(4, i, 1) := is_set(transform_left_filter_column(8, i), 3);
+    end loop;
+    transform_left_filter_feature_0_values(1) := is_set(transform_left_filter_column(4, 1), 4);
+    transform_left_filter_feature_0_values(2) := is_set(transform_left_filter_column(4, 1), 5);
+    transform_left_filter_feature_0_values(3) := is_set(transform_left_filter_column(4, 1), 6);
+    for i in 0 to 1 loop
+      transform_left_filter_feature_0_choice(14 * i + 3) := not is_larger(transform_left_filter_column(2 * i, i),
+        transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0(i, i));
+      transform_left_filter_feature_0_alls(i + 1) := transform_filtering_0_column_inside(i) and (not
+        is_set(transform_left_filter_column(4, 1), 7));
+      transform_left_filter_feature_0_choice(14 * i + 4) := choice(is_set(transform_left_filter_column(2 * i, i), 7),
+        transform_filtering_0_column_inside(i), transform_left_filter_feature_0_alls(i + 1));
+      transform_left_filter_feature_0_choice(14 * i + 5) := choice(transform_left_filter_feature_0_choice(14 * i + 3),
+        is_set(transform_left_filter_column(2 * i, i), 7) and transform_filtering_0_column_inside(i) and (not
+        is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(14 * i + 4));
+      transform_left_filter_feature_0_choice(14 * i + 8) := not is_larger(transform_left_filter_column(2 * i, 1 - i),
+        transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0(i, 1 - i));
+      transform_left_filter_feature_0_choice(14 * i + 9) := choice(is_set(transform_left_filter_column(2 * i, 1 - i),
+        7), transform_filtering_0_column_inside(i), transform_left_filter_feature_0_alls(i + 1));
+      transform_left_filter_feature_0_choice(14 * i + 10) := choice(transform_left_filter_feature_0_choice(14 * i + 8),
+        is_set(transform_left_filter_column(2 * i, 1 - i), 7) and transform_filtering_0_column_inside(i) and (not
+        is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(14 * i + 9));
+      transform_left_filter_feature_0_choice(14 * i + 13) := not is_larger(transform_left_filter_column(2 * i, 2),
+        transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0(i, 2));
+      transform_left_filter_feature_0_choice(14 * i + 14) := choice(transform_left_filter_feature_0_choice(14 * i +
+        13), transform_filtering_0_column_inside(i) and is_set(transform_left_filter_column(2 * i, 2), 7) and (not
+        is_set(transform_left_filter_column(4, 1), 7)), transform_filtering_0_column_inside(i) and
+        (is_set(transform_left_filter_column(2 * i, 2), 7) or (not is_set(transform_left_filter_column(4, 1), 7))));
+    end loop;
+    transform_left_filter_feature_0_choice(31) := not is_larger(transform_left_filter_column(4, 0),
+      transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0_4_0);
+    transform_left_filter_feature_0_choice(32) := choice(is_set(transform_left_filter_column(4, 0), 7),
+      transform_filtering_0_column_inside(2), transform_filtering_0_column_inside(2) and (not
+      is_set(transform_left_filter_column(4, 1), 7)));
+    transform_left_filter_feature_0_choice(33) := choice(transform_left_filter_feature_0_choice(31),
+      is_set(transform_left_filter_column(4, 0), 7) and transform_filtering_0_column_inside(2) and (not
+      is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(32));
+    transform_left_filter_feature_0_choice(36) := not is_larger(transform_left_filter_column(4, 2),
+      transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0_4_4);
+    for i in 2 to 3 loop
+      transform_left_filter_feature_0_choice(14 * i + 9) := choice(transform_left_filter_feature_0_choice(14 * i + 8),
+        transform_filtering_0_column_inside(i) and is_set(transform_left_filter_column(2 * i, 2), 7) and (not
+        is_set(transform_left_filter_column(4, 1), 7)), transform_filtering_0_column_inside(i) and
+        (is_set(transform_left_filter_column(2 * i, 2), 7) or (not is_set(transform_left_filter_column(4, 1), 7))));
+      transform_left_filter_feature_0_choice(14 * i + 12) := not is_larger(transform_left_filter_column(2 * i + 2, 1),
+        transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0s(i + 1, 1));
+      transform_left_filter_feature_0_alls(i + 1) := transform_filtering_0_column_inside(i + 1) and (not
+        is_set(transform_left_filter_column(4, 1), 7));
+      transform_left_filter_feature_0_choice(14 * i + 13) := choice(is_set(transform_left_filter_column(2 * i + 2, 1),
+        7), transform_filtering_0_column_inside(i + 1), transform_left_filter_feature_0_alls(i + 1));
+      transform_left_filter_feature_0_choice(14 * i + 14) := choice(transform_left_filter_feature_0_choice(14 * i +
+        12), is_set(transform_left_filter_column(2 * i + 2, 1), 7) and transform_filtering_0_column_inside(i + 1) and
+        (not is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(14 * i + 13));
+      transform_left_filter_feature_0_choice(14 * i + 17) := not is_larger(transform_left_filter_column(2 * i + 2, 0),
+        transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0s(i + 1, 0));
+      transform_left_filter_feature_0_choice(14 * i + 18) := choice(is_set(transform_left_filter_column(2 * i + 2, 0),
+        7), transform_filtering_0_column_inside(i + 1), transform_left_filter_feature_0_alls(i + 1));
+      transform_left_filter_feature_0_choice(14 * i + 19) := choice(transform_left_filter_feature_0_choice(14 * i +
+        17), is_set(transform_left_filter_column(2 * i + 2, 0), 7) and transform_filtering_0_column_inside(i + 1) and
+        (not is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(14 * i + 18));
+      transform_left_filter_feature_0_choice(14 * i + 22) := not is_larger(transform_left_filter_column(2 * i + 2, 2),
+        transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0s(i + 1, 2));
+    end loop;
+    transform_left_filter_feature_0_choice(65) := choice(transform_left_filter_feature_0_choice(64),
+      transform_filtering_0_column_inside(4) and is_set(transform_left_filter_column(8, 2), 7) and (not
+      is_set(transform_left_filter_column(4, 1), 7)), transform_filtering_0_column_inside(4) and
+      (is_set(transform_left_filter_column(8, 2), 7) or (not is_set(transform_left_filter_column(4, 1), 7))));
+    transform_right_filter_low_is_larger_0_value(0, 0, 1) := is_set(transform_right_filter_column(4, 1), 1);
+    transform_right_filter_low_is_larger_0_value(0, 0, 2) := is_set(transform_right_filter_column(4, 1), 2);
+    transform_right_filter_low_is_larger_0_value(0, 0, 3) := is_set(transform_right_filter_column(0, 0), 2);
+    transform_right_filter_low_is_larger_0_choice_3(0, 0) := not is_larger(transform_right_filter_column(4, 1),
+      transform_right_filter_column(0, 0), 0, 2, true);
+    transform_right_filter_low_is_larger_0_value(0, 0, 4) := is_set(transform_right_filter_column(0, 0), 3);
+    transform_right_filter_low_is_larger_0_0_2_any := (not transform_right_filter_low_is_larger_0_value(0, 0, 1)) or
+      (not is_set(transform_right_filter_column(4, 1), 0));
+    transform_right_filter_low_is_larger_0_0_2_is_equal := (transform_right_filter_column(4, 1) mod 4) = 0;
+    for i in 0 to 1 loop
+      transform_right_filter_low_is_larger_0_choice_3(2 * i, 1 - i) := not is_larger(transform_right_filter_column(4 *
+        i, 1 - i), transform_right_filter_column(4, 1), 0, 2, false);
+      transform_right_filter_low_is_larger_0_value(2 * i, 1 - i, 1) := is_set(transform_right_filter_column(4 * i, 1 -
+        i), 3);
+      transform_right_filter_low_is_larger_0_choice_3(2 * i, 2) := not is_larger(transform_right_filter_column(4 * i,
+        2), transform_right_filter_column(4, 1), 0, 2, false);
+      transform_right_filter_low_is_larger_0_value(2 * i, 2, 1) := is_set(transform_right_filter_column(4 * i, 2), 3);
+      for j in 0 to 2 loop
+        transform_right_filter_low_is_larger_0_choice_3(2 * i + 1, j) := not is_larger(transform_right_filter_column(4
+          * i + 2, j), transform_right_filter_column(4, 1), 0, 2, false);
+        transform_right_filter_low_is_larger_0_value(2 * i + 1, j, 1) := is_set(transform_right_filter_column(4 * i +
+          2, j), 3);
+      end loop;
+    end loop;
+    for i in 0 to 2 loop
+      transform_right_filter_low_is_larger_0_choice_3(4, i) := not is_larger(transform_right_filter_column(8, i),
+        transform_right_filter_column(4, 1), 0, 2, false);
+      transform_right_filter_low_is_larger_0_value(4, i, 1) := is_set(transform_right_filter_column(8, i), 3);
+    end loop;
+    transform_right_filter_feature_0_values(1) := is_set(transform_right_filter_column(4, 1), 4);
+    transform_right_filter_feature_0_values(2) := is_set(transform_right_filter_column(4, 1), 5);
+    transform_right_filter_feature_0_values(3) := is_set(transform_right_filter_column(4, 1), 6);
+    for i in 0 to 1 loop
+      transform_right_filter_feature_0_choice(15 * i + 3) := not is_larger(transform_right_filter_column(2 * i, i),
+        transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0(i, i));
+      transform_right_filter_feature_0_alls(i + 1) := (not is_set(transform_right_filter_column(4, 1), 7)) and
+        transform_filtering_0_column_inside(i);
+      transform_right_filter_feature_0_choice(15 * i + 4) := choice(is_set(transform_right_filter_column(2 * i, i), 7),
+        transform_filtering_0_column_inside(i), transform_right_filter_feature_0_alls(i + 1));
+      transform_right_filter_feature_0_choice(15 * i + 5) := choice(transform_right_filter_feature_0_choice(15 * i +
+        3), is_set(transform_right_filter_column(2 * i, i), 7) and (not is_set(transform_right_filter_column(4, 1), 7))
+        and transform_filtering_0_column_inside(i), transform_right_filter_feature_0_choice(15 * i + 4));
+      transform_right_filter_feature_0_choice(15 * i + 8) := not is_larger(transform_right_filter_column(2 * i, 1 - i),
+        transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0(i, 1 - i));
+      transform_right_filter_feature_0_choice(15 * i + 9) := choice(is_set(transform_right_filter_column(2 * i, 1 - i),
+        7), transform_filtering_0_column_inside(i), transform_right_filter_feature_0_alls(i + 1));
+      transform_right_filter_feature_0_choice(15 * i + 10) := choice(transform_right_filter_feature_0_choice(15 * i +
+        8), is_set(transform_right_filter_column(2 * i, 1 - i), 7) and (not is_set(transform_right_filter_column(4, 1),
+        7)) and transform_filtering_0_column_inside(i), transform_right_filter_feature_0_choice(15 * i + 9));
+      transform_right_filter_feature_0_choice(15 * i + 13) := not is_larger(transform_right_filter_column(2 * i, 2),
+        transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0(i, 2));
+      transform_right_filter_feature_0_choice(15 * i + 14) := choice(is_set(transform_right_filter_column(2 * i, 2),
+        7), transform_filtering_0_column_inside(i), transform_right_filter_feature_0_alls(i + 1));
+      transform_right_filter_feature_0_choice(15 * i + 15) := choice(transform_right_filter_feature_0_choice(15 * i +
+        13), is_set(transform_right_filter_column(2 * i, 2), 7) and (not is_set(transform_right_filter_column(4, 1),
+        7)) and transform_filtering_0_column_inside(i), transform_right_filter_feature_0_choice(15 * i + 14));
+    end loop;
+    transform_right_filter_feature_0_choice(33) := not is_larger(transform_right_filter_column(4, 0),
+      transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0_4_0);
+    transform_right_filter_feature_0_alls(3) := (not is_set(transform_right_filter_column(4, 1), 7)) and
+      transform_filtering_0_column_inside(2);
+    transform_right_filter_feature_0_choice(34) := choice(is_set(transform_right_filter_column(4, 0), 7),
+      transform_filtering_0_column_inside(2), transform_right_filter_feature_0_alls(3));
+    transform_right_filter_feature_0_choice(35) := choice(transform_right_filter_feature_0_choice(33),
+      is_set(transform_right_filter_column(4, 0), 7) and (not is_set(transform_right_filter_column(4, 1), 7)) and
+      transform_filtering_0_column_inside(2), transform_right_filter_feature_0_choice(34));
+    transform_right_filter_feature_0_choice(38) := not is_larger(transform_right_filter_column(4, 2),
+      transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0_4_4);
+    for i in 2 to 3 loop
+      transform_right_filter_feature_0_choice(15 * i + 9) := choice(is_set(transform_right_filter_column(2 * i, 2), 7),
+        transform_filtering_0_column_inside(i), transform_right_filter_feature_0_alls(i + 1));
+      transform_right_filter_feature_0_choice(15 * i + 10) := choice(transform_right_filter_feature_0_choice(15 * i +
+        8), is_set(transform_right_filter_column(2 * i, 2), 7) and (not is_set(transform_right_filter_column(4, 1), 7))
+        and transform_filtering_0_column_inside(i), transform_right_filter_feature_0_choice(15 * i + 9));
+      transform_right_filter_feature_0_choice(15 * i + 13) := not is_larger(transform_right_filter_column(2 * i + 2,
+        1), transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0s(i + 1, 1));
+      transform_right_filter_feature_0_alls(i + 2) := (not is_set(transform_right_filter_column(4, 1), 7)) and
+        transform_filtering_0_column_inside(i + 1);
+      transform_right_filter_feature_0_choice(15 * i + 14) := choice(is_set(transform_right_filter_column(2 * i + 2,
+        1), 7), transform_filtering_0_column_inside(i + 1), transform_right_filter_feature_0_alls(i + 2));
+      transform_right_filter_feature_0_choice(15 * i + 15) := choice(transform_right_filter_feature_0_choice(15 * i +
+        13), is_set(transform_right_filter_column(2 * i + 2, 1), 7) and (not is_set(transform_right_filter_column(4,
+        1), 7)) and transform_filtering_0_column_inside(i + 1), transform_right_filter_feature_0_choice(15 * i + 14));
+      transform_right_filter_feature_0_choice(15 * i + 18) := not is_larger(transform_right_filter_column(2 * i + 2,
+        0), transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0s(i + 1, 0));
+      transform_right_filter_feature_0_choice(15 * i + 19) := choice(is_set(transform_right_filter_column(2 * i + 2,
+        0), 7), transform_filtering_0_column_inside(i + 1), transform_right_filter_feature_0_alls(i + 2));
+      transform_right_filter_feature_0_choice(15 * i + 20) := choice(transform_right_filter_feature_0_choice(15 * i +
+        18), is_set(transform_right_filter_column(2 * i + 2, 0), 7) and (not is_set(transform_right_filter_column(4,
+        1), 7)) and transform_filtering_0_column_inside(i + 1), transform_right_filter_feature_0_choice(15 * i + 19));
+      transform_right_filter_feature_0_choice(15 * i + 23) := not is_larger(transform_right_filter_column(2 * i + 2,
+        2), transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0s(i + 1, 2));
+    end loop;
+    transform_right_filter_feature_0_choice(69) := choice(is_set(transform_right_filter_column(8, 2), 7),
+      transform_filtering_0_column_inside(4), transform_right_filter_feature_0_alls(5));
+    transform_right_filter_feature_0_choice(70) := choice(transform_right_filter_feature_0_choice(68),
+      is_set(transform_right_filter_column(8, 2), 7) and (not is_set(transform_right_filter_column(4, 1), 7)) and
+      transform_filtering_0_column_inside(4), transform_right_filter_feature_0_choice(69));
+    transform_left_0 <= in_left_pixel;
+    transform_right_0 <= in_right_pixel;
+    transform_valid <= in_valid;
+    transform_counter_next_frame <= transform_counter_next_frame_is_equal and (transform_counter_group = 479);
+    transform_counter_last_column <= transform_counter_next_frame_is_equal;
+    transform_counter_counts <= transform_counter_group /= 482;
+    transform_counter_back_to_back <= (transform_counter_group = 481) and winnerswinner1_best_place_0;
+    transform_counter_next_frame_after <= 483 < transform_counter_group;
+    transform_left_rows_read_newest_0 <= transform_left_0;
+    transform_left_rows_ready_words_0 <= transform_left_rows_read_words_0;
+    transform_left_rows_ready_newest_0 <= transform_left_rows_read_newest_0;
+    transform_right_rows_read_newest_0 <= transform_right_0;
+    transform_right_rows_ready_words_0 <= transform_right_rows_read_words_0;
+    transform_right_rows_ready_newest_0 <= transform_right_rows_read_newest_0;
+    transform_read_column <= transform_counter_column;
+    transform_read_column_inside(0) <= transform_read_column_inside_0_is_less;
+    for i in 1 to 4 loop
+      transform_read_column_inside(i) <= (transform_counter_column < (2 * i)) /= transform_read_column_inside_0_is_less;
+    end loop;
+    transform_read_start_of_frame <= (transform_counter_group = 2) and (transform_counter_column = 4);
+    transform_read_valid <= transform_valid;
+    transform_ready_column <= transform_read_column;
+    transform_ready_row_inside(0) <= transform_reached_first(0) and (not transform_counter_next_frame_after);
+    transform_ready_row_inside(1) <= transform_reached_first(1) and (not transform_reached_beyond_last(3));
+    transform_ready_row_inside(2) <= transform_reached_first(2) and (not transform_reached_beyond_last(2));
+    transform_ready_column_inside <= transform_read_column_inside;
+    transform_ready_start_of_frame <= transform_read_start_of_frame;
+    transform_ready_valid <= transform_read_valid;
+    transform_reached_first(0) <= 3 < transform_counter_group;
+    transform_reached_first(1) <= 1 < transform_counter_group;
+    transform_reached_first(2) <= true;
+    transform_reached_beyond_last(2) <= 479 < transform_counter_group;
+    transform_reached_beyond_last(3) <= 481 < transform_counter_group;
+    transform_left_column(0) <= to_integer(transform_left_rows_ready_words_0(7 downto 0));
+    transform_left_column(1) <= to_integer(transform_left_rows_ready_words_0(23 downto 16));
+    transform_left_column(2) <= transform_left_rows_ready_newest_0;
+    transform_right_column(0) <= to_integer(transform_right_rows_ready_words_0(7 downto 0));
+    transform_right_column(1) <= to_integer(transform_right_rows_ready_words_0(23 downto 16));
+    transform_right_column(2) <= transform_right_rows_ready_newest_0;
+    transform_columns_row_inside <= transform_ready_row_inside;
+    transform_columns_column_inside <= transform_ready_column_inside;
+    transform_columns_start_of_frame <= transform_ready_start_of_frame;
+    transform_columns_valid <= transform_ready_valid;
+    transform_left_filter_feature_0 <= as_number(transform_left_filter_feature_0_choice(5)) +
+      (as_number(transform_left_filter_feature_0_choice(10)) * 2) +
+      (as_number(transform_left_filter_feature_0_choice(14)) * 4) +
+      (as_number(transform_left_filter_feature_0_choice(19)) * 16) +
+      (as_number(transform_left_filter_feature_0_choice(24)) * 8) +
+      (as_number(transform_left_filter_feature_0_choice(28)) * 32) +
+      (as_number(transform_left_filter_feature_0_choice(33)) * 64) +
+      (as_number(transform_left_filter_feature_0_choice(37)) * 128) +
+      (as_number(transform_left_filter_feature_0_choice(42)) * 512) +
+      (as_number(transform_left_filter_feature_0_choice(47)) * 256) +
+      (as_number(transform_left_filter_feature_0_choice(51)) * 1024) +
+      (as_number(transform_left_filter_feature_0_choice(56)) * 4096) +
+      (as_number(transform_left_filter_feature_0_choice(61)) * 2048) +
+      (as_number(transform_left_filter_feature_0_choice(65)) * 8192);
+    transform_right_filter_feature_0 <= as_number(transform_right_filter_feature_0_choice(5)) +
+      (as_number(transform_right_filter_feature_0_choice(10)) * 2) +
+      (as_number(transform_right_filter_feature_0_choice(15)) * 4) +
+      (as_number(transform_right_filter_feature_0_choice(20)) * 16) +
+      (as_number(transform_right_filter_feature_0_choice(25)) * 8) +
+      (as_number(transform_right_filter_feature_0_choice(30)) * 32) +
+      (as_number(transform_right_filter_feature_0_choice(35)) * 64) +
+      (as_number(transform_right_filter_feature_0_choice(40)) * 128) +
+      (as_number(transform_right_filter_feature_0_choice(45)) * 512) +
+      (as_number(transform_right_filter_feature_0_choice(50)) * 256) +
+      (as_number(transform_right_filter_feature_0_choice(55)) * 1024) +
+      (as_number(transform_right_filter_feature_0_choice(60)) * 4096) +
+      (as_number(transform_right_filter_feature_0_choice(65)) * 2048) +
+      (as_number(transform_right_filter_feature_0_choice(70)) * 8192);
+    transform_filtering_row_inside_4(0) <= refinement_passed_0s(8);
+    transform_filtering_0_column_inside <= transform_columns_column_inside;
+    transform_filtering_start_of_frame(0) <= transform_columns_start_of_frame;
+    transform_filtering_valid(0) <= transform_columns_valid;
+    transform_filtering_row_inside_4(1) <= transform_filtering_row_inside_4(0);
+    transform_filtering_column_inside_4(1) <= refinement_passed_0(3);
+    transform_filtering_start_of_frame(1) <= transform_filtering_start_of_frame(0);
+    transform_filtering_valid(1) <= transform_filtering_valid(0);
+    transform_filtering_row_inside_4(2) <= transform_filtering_row_inside_4(1);
+    transform_filtering_column_inside_4(2) <= transform_filtering_column_inside_4(1);
+    transform_filtering_start_of_frame(2) <= transform_filtering_start_of_frame(1);
+    transform_filtering_valid(2) <= transform_filtering_valid(1);
+    transform_counter_frame_joins <= choice(transform_counter_counts, transform_counter_frame_joins_choice,
+      winnerswinner1_best_place_0);
+    transform_counter_column_after <= choice(transform_counter_last_column, 0, (transform_counter_column + 1) mod 1024);
+    transform_counter_group_after <= choice((not transform_counter_counts) or (not transform_counter_last_column),
+      transform_counter_group, transform_counter_group_after_choice);
+    transform_left_filter_low_is_larger_0(0, 0) <= carry(transform_left_filter_low_is_larger_0_choice_3(0, 0), not
+      is_set(transform_left_filter_column(4, 1), 3), transform_left_filter_low_is_larger_0_value(0, 0, 4));
+    transform_left_filter_low_is_larger_0(0, 1) <= inverted_carry(transform_left_filter_low_is_larger_0_choice_3(0, 1),
+      transform_left_filter_low_is_larger_0_value(0, 1, 1), not is_set(transform_left_filter_column(4, 1), 3));
+    transform_left_filter_low_is_larger_0(0, 2) <= inverted_carry(transform_left_filter_low_is_larger_0_choice_3(0, 2),
+      transform_left_filter_low_is_larger_0_value(0, 2, 1), not is_set(transform_left_filter_column(4, 1), 3));
+    for i in 0 to 2 loop
+      transform_left_filter_low_is_larger_0(1, i) <= inverted_carry(transform_left_filter_low_is_larger_0_choice_3(1,
+        i), transform_left_filter_low_is_larger_0_value(1, i, 1), not is_set(transform_left_filter_column(4, 1), 3));
+    end loop;
+    transform_left_filter_low_is_larger_0_4_0 <= inverted_carry(transform_left_filter_low_is_larger_0_choice_3(2, 0),
+      transform_left_filter_low_is_larger_0_value(2, 0, 1), not is_set(transform_left_filter_column(4, 1), 3));
+    transform_left_filter_low_is_larger_0_4_4 <= inverted_carry(transform_left_filter_low_is_larger_0_choice_3(2, 2),
+      transform_left_filter_low_is_larger_0_value(2, 2, 1), not is_set(transform_left_filter_column(4, 1), 3));
+    for i in 3 to 4 loop
+      for j in 0 to 2 loop
+        transform_left_filter_low_is_larger_0s(i, j) <=
+          inverted_carry(transform_left_filter_low_is_larger_0_choice_3(i, j),
+          transform_left_filter_low_is_larger_0_value(i, j, 1), not is_set(transform_left_filter_column(4, 1), 3));
+      end loop;
+    end loop;
+    transform_right_filter_low_is_larger_0(0, 0) <= carry(transform_right_filter_low_is_larger_0_choice_3(0, 0), not
+      is_set(transform_right_filter_column(4, 1), 3), transform_right_filter_low_is_larger_0_value(0, 0, 4));
+    transform_right_filter_low_is_larger_0(0, 1) <= inverted_carry(transform_right_filter_low_is_larger_0_choice_3(0,
+      1), transform_right_filter_low_is_larger_0_value(0, 1, 1), not is_set(transform_right_filter_column(4, 1), 3));
+    transform_right_filter_low_is_larger_0(0, 2) <= inverted_carry(transform_right_filter_low_is_larger_0_choice_3(0,
+      2), transform_right_filter_low_is_larger_0_value(0, 2, 1), not is_set(transform_right_filter_column(4, 1), 3));
+    for i in 0 to 2 loop
+      transform_right_filter_low_is_larger_0(1, i) <= inverted_carry(transform_right_filter_low_is_larger_0_choice_3(1,
+        i), transform_right_filter_low_is_larger_0_value(1, i, 1), not is_set(transform_right_filter_column(4, 1), 3));
+    end loop;
+    transform_right_filter_low_is_larger_0_4_0 <= inverted_carry(transform_right_filter_low_is_larger_0_choice_3(2, 0),
+      transform_right_filter_low_is_larger_0_value(2, 0, 1), not is_set(transform_right_filter_column(4, 1), 3));
+    transform_right_filter_low_is_larger_0_4_4 <= inverted_carry(transform_right_filter_low_is_larger_0_choice_3(2, 2),
+      transform_right_filter_low_is_larger_0_value(2, 2, 1), not is_set(transform_right_filter_column(4, 1), 3));
+    for i in 3 to 4 loop
+      for j in 0 to 2 loop
+        transform_right_filter_low_is_larger_0s(i, j) <=
+          inverted_carry(transform_right_filter_low_is_larger_0_choice_3(i, j),
+          transform_right_filter_low_is_larger_0_value(i, j, 1), not is_set(transform_right_filter_column(4, 1), 3));
+      end loop;
+    end loop;
+    transform_counter_group_choice := choice(transform_counter_next_frame, 15, 0);
+    if in_valid then
+      transform_counter_column <= choice(in_start_of_frame, 0, transform_counter_column_after);
+      transform_counter_group <= choice(in_start_of_frame, transform_counter_group_choice * 32,
+        transform_counter_group_after);
+    end if;
+    if transform_ready_valid then
+      transform_left_rows_write_words_0 <= to_unsigned(transform_left_rows_ready_newest_0, 8) &
+        transform_left_rows_ready_words_0(31 downto 8);
+      transform_right_rows_write_words_0 <= to_unsigned(transform_right_rows_ready_newest_0, 8) &
+        transform_right_rows_ready_words_0(31 downto 8);
+      transform_write_column <= transform_ready_column;
+    end if;
+    if transform_filtering_valid(2) then
+      transform_read_row_inside_0 <= choice(transform_filtering_start_of_frame(2), raster_place_next_frame,
+        raster_place_back_to_back);
+    end if;
+    if transform_columns_valid then
+      for i in 1 to 8 loop
+        transform_left_filter_column(i, 0) <= transform_left_filter_column(i - 1, 0);
+        transform_left_filter_column(i, 1) <= transform_left_filter_column(i - 1, 1);
+        transform_left_filter_column(i, 2) <= transform_left_filter_column(i - 1, 2);
+      end loop;
+      for i in 1 to 8 loop
+        transform_right_filter_column(i, 0) <= transform_right_filter_column(i - 1, 0);
+        transform_right_filter_column(i, 1) <= transform_right_filter_column(i - 1, 1);
+        transform_right_filter_column(i, 2) <= transform_right_filter_column(i - 1, 2);
       end loop;
       for i in 0 to 2 loop
-        transform_left_filter_low_is_larger_0_choice_3(4, i) := not is_larger(transform_left_filter_column(8, i),
-          transform_left_filter_column(4, 1), 0, 2, false);
-        transform_left_filter_low_is_larger_0_value(4, i, 1) := is_set(transform_left_filter_column(8, i), 3);
+        transform_left_filter_column(0, i) <= choice(transform_columns_row_inside(i), transform_left_column(i), 0);
+        transform_right_filter_column(0, i) <= choice(transform_columns_row_inside(i), transform_right_column(i), 0);
       end loop;
-      transform_left_filter_feature_0_values(1) := is_set(transform_left_filter_column(4, 1), 4);
-      transform_left_filter_feature_0_values(2) := is_set(transform_left_filter_column(4, 1), 5);
-      transform_left_filter_feature_0_values(3) := is_set(transform_left_filter_column(4, 1), 6);
-      for i in 0 to 1 loop
-        transform_left_filter_feature_0_choice(14 * i + 3) := not is_larger(transform_left_filter_column(2 * i, i),
-          transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0(i, i));
-        transform_left_filter_feature_0_alls(i + 1) := transform_filtering_0_column_inside(i) and (not
-          is_set(transform_left_filter_column(4, 1), 7));
-        transform_left_filter_feature_0_choice(14 * i + 4) := choice(is_set(transform_left_filter_column(2 * i, i), 7),
-          transform_filtering_0_column_inside(i), transform_left_filter_feature_0_alls(i + 1));
-        transform_left_filter_feature_0_choice(14 * i + 5) := choice(transform_left_filter_feature_0_choice(14 * i +
-          3), is_set(transform_left_filter_column(2 * i, i), 7) and transform_filtering_0_column_inside(i) and (not
-          is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(14 * i + 4));
-        transform_left_filter_feature_0_choice(14 * i + 8) := not is_larger(transform_left_filter_column(2 * i, 1 - i),
-          transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0(i, 1 - i));
-        transform_left_filter_feature_0_choice(14 * i + 9) := choice(is_set(transform_left_filter_column(2 * i, 1 - i),
-          7), transform_filtering_0_column_inside(i), transform_left_filter_feature_0_alls(i + 1));
-        transform_left_filter_feature_0_choice(14 * i + 10) := choice(transform_left_filter_feature_0_choice(14 * i +
-          8), is_set(transform_left_filter_column(2 * i, 1 - i), 7) and transform_filtering_0_column_inside(i) and (not
-          is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(14 * i + 9));
-        transform_left_filter_feature_0_choice(14 * i + 13) := not is_larger(transform_left_filter_column(2 * i, 2),
-          transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0(i, 2));
-        transform_left_filter_feature_0_choice(14 * i + 14) := choice(transform_left_filter_feature_0_choice(14 * i +
-          13), transform_filtering_0_column_inside(i) and is_set(transform_left_filter_column(2 * i, 2), 7) and (not
-          is_set(transform_left_filter_column(4, 1), 7)), transform_filtering_0_column_inside(i) and
-          (is_set(transform_left_filter_column(2 * i, 2), 7) or (not is_set(transform_left_filter_column(4, 1), 7))));
-      end loop;
-      transform_left_filter_feature_0_choice(31) := not is_larger(transform_left_filter_column(4, 0),
-        transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0_4_0);
-      transform_left_filter_feature_0_choice(32) := choice(is_set(transform_left_filter_column(4, 0), 7),
-        transform_filtering_0_column_inside(2), transform_filtering_0_column_inside(2) and (not
-        is_set(transform_left_filter_column(4, 1), 7)));
-      transform_left_filter_feature_0_choice(33) := choice(transform_left_filter_feature_0_choice(31),
-        is_set(transform_left_filter_column(4, 0), 7) and transform_filtering_0_column_inside(2) and (not
-        is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(32));
-      transform_left_filter_feature_0_choice(36) := not is_larger(transform_left_filter_column(4, 2),
-        transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0_4_4);
-      for i in 2 to 3 loop
-        transform_left_filter_feature_0_choice(14 * i + 9) := choice(transform_left_filter_feature_0_choice(14 * i +
-          8), transform_filtering_0_column_inside(i) and is_set(transform_left_filter_column(2 * i, 2), 7) and (not
-          is_set(transform_left_filter_column(4, 1), 7)), transform_filtering_0_column_inside(i) and
-          (is_set(transform_left_filter_column(2 * i, 2), 7) or (not is_set(transform_left_filter_column(4, 1), 7))));
-        transform_left_filter_feature_0_choice(14 * i + 12) := not is_larger(transform_left_filter_column(2 * i + 2,
-          1), transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0s(i + 1, 1));
-        transform_left_filter_feature_0_alls(i + 1) := transform_filtering_0_column_inside(i + 1) and (not
-          is_set(transform_left_filter_column(4, 1), 7));
-        transform_left_filter_feature_0_choice(14 * i + 13) := choice(is_set(transform_left_filter_column(2 * i + 2,
-          1), 7), transform_filtering_0_column_inside(i + 1), transform_left_filter_feature_0_alls(i + 1));
-        transform_left_filter_feature_0_choice(14 * i + 14) := choice(transform_left_filter_feature_0_choice(14 * i +
-          12), is_set(transform_left_filter_column(2 * i + 2, 1), 7) and transform_filtering_0_column_inside(i + 1) and
-          (not is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(14 * i + 13));
-        transform_left_filter_feature_0_choice(14 * i + 17) := not is_larger(transform_left_filter_column(2 * i + 2,
-          0), transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0s(i + 1, 0));
-        transform_left_filter_feature_0_choice(14 * i + 18) := choice(is_set(transform_left_filter_column(2 * i + 2,
-          0), 7), transform_filtering_0_column_inside(i + 1), transform_left_filter_feature_0_alls(i + 1));
-        transform_left_filter_feature_0_choice(14 * i + 19) := choice(transform_left_filter_feature_0_choice(14 * i +
-          17), is_set(transform_left_filter_column(2 * i + 2, 0), 7) and transform_filtering_0_column_inside(i + 1) and
-          (not is_set(transform_left_filter_column(4, 1), 7)), transform_left_filter_feature_0_choice(14 * i + 18));
-        transform_left_filter_feature_0_choice(14 * i + 22) := not is_larger(transform_left_filter_column(2 * i + 2,
-          2), transform_left_filter_column(4, 1), 4, 6, transform_left_filter_low_is_larger_0s(i + 1, 2));
-      end loop;
-      transform_left_filter_feature_0_choice(65) := choice(transform_left_filter_feature_0_choice(64),
-        transform_filtering_0_column_inside(4) and is_set(transform_left_filter_column(8, 2), 7) and (not
-        is_set(transform_left_filter_column(4, 1), 7)), transform_filtering_0_column_inside(4) and
-        (is_set(transform_left_filter_column(8, 2), 7) or (not is_set(transform_left_filter_column(4, 1), 7))));
-      transform_right_filter_low_is_larger_0_value(0, 0, 1) := is_set(transform_right_filter_column(4, 1), 1);
-      transform_right_filter_low_is_larger_0_value(0, 0, 2) := is_set(transform_right_filter_column(4, 1), 2);
-      transform_right_filter_low_is_larger_0_value(0, 0, 3) := is_set(transform_right_filter_column(0, 0), 2);
-      transform_right_filter_low_is_larger_0_choice_3(0, 0) := not is_larger(transform_right_filter_column(4, 1),
-        transform_right_filter_column(0, 0), 0, 2, true);
-      transform_right_filter_low_is_larger_0_value(0, 0, 4) := is_set(transform_right_filter_column(0, 0), 3);
-      transform_right_filter_low_is_larger_0_0_2_any := (not transform_right_filter_low_is_larger_0_value(0, 0, 1)) or
-        (not is_set(transform_right_filter_column(4, 1), 0));
-      transform_right_filter_low_is_larger_0_0_2_is_equal := (transform_right_filter_column(4, 1) mod 4) = 0;
-      for i in 0 to 1 loop
-        transform_right_filter_low_is_larger_0_choice_3(2 * i, 1 - i) := not is_larger(transform_right_filter_column(4
-          * i, 1 - i), transform_right_filter_column(4, 1), 0, 2, false);
-        transform_right_filter_low_is_larger_0_value(2 * i, 1 - i, 1) := is_set(transform_right_filter_column(4 * i, 1
-          - i), 3);
-        transform_right_filter_low_is_larger_0_choice_3(2 * i, 2) := not is_larger(transform_right_filter_column(4 * i,
-          2), transform_right_filter_column(4, 1), 0, 2, false);
-        transform_right_filter_low_is_larger_0_value(2 * i, 2, 1) := is_set(transform_right_filter_column(4 * i, 2), 3);
-        for j in 0 to 2 loop
-          transform_right_filter_low_is_larger_0_choice_3(2 * i + 1, j) := not
-            is_larger(transform_right_filter_column(4 * i + 2, j), transform_right_filter_column(4, 1), 0, 2, false);
-          transform_right_filter_low_is_larger_0_value(2 * i + 1, j, 1) := is_set(transform_right_filter_column(4 * i +
-            2, j), 3);
-        end loop;
-      end loop;
-      for i in 0 to 2 loop
-        transform_right_filter_low_is_larger_0_choice_3(4, i) := not is_larger(transform_right_filter_column(8, i),
-          transform_right_filter_column(4, 1), 0, 2, false);
-        transform_right_filter_low_is_larger_0_value(4, i, 1) := is_set(transform_right_filter_column(8, i), 3);
-      end loop;
-      transform_right_filter_feature_0_values(1) := is_set(transform_right_filter_column(4, 1), 4);
-      transform_right_filter_feature_0_values(2) := is_set(transform_right_filter_column(4, 1), 5);
-      transform_right_filter_feature_0_values(3) := is_set(transform_right_filter_column(4, 1), 6);
-      for i in 0 to 1 loop
-        transform_right_filter_feature_0_choice(15 * i + 3) := not is_larger(transform_right_filter_column(2 * i, i),
-          transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0(i, i));
-        transform_right_filter_feature_0_alls(i + 1) := (not is_set(transform_right_filter_column(4, 1), 7)) and
-          transform_filtering_0_column_inside(i);
-        transform_right_filter_feature_0_choice(15 * i + 4) := choice(is_set(transform_right_filter_column(2 * i, i),
-          7), transform_filtering_0_column_inside(i), transform_right_filter_feature_0_alls(i + 1));
-        transform_right_filter_feature_0_choice(15 * i + 5) := choice(transform_right_filter_feature_0_choice(15 * i +
-          3), is_set(transform_right_filter_column(2 * i, i), 7) and (not is_set(transform_right_filter_column(4, 1),
-          7)) and transform_filtering_0_column_inside(i), transform_right_filter_feature_0_choice(15 * i + 4));
-        transform_right_filter_feature_0_choice(15 * i + 8) := not is_larger(transform_right_filter_column(2 * i, 1 -
-          i), transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0(i, 1 - i));
-        transform_right_filter_feature_0_choice(15 * i + 9) := choice(is_set(transform_right_filter_column(2 * i, 1 -
-          i), 7), transform_filtering_0_column_inside(i), transform_right_filter_feature_0_alls(i + 1));
-        transform_right_filter_feature_0_choice(15 * i + 10) := choice(transform_right_filter_feature_0_choice(15 * i +
-          8), is_set(transform_right_filter_column(2 * i, 1 - i), 7) and (not is_set(transform_right_filter_column(4,
-          1), 7)) and transform_filtering_0_column_inside(i), transform_right_filter_feature_0_choice(15 * i + 9));
-        transform_right_filter_feature_0_choice(15 * i + 13) := not is_larger(transform_right_filter_column(2 * i, 2),
-          transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0(i, 2));
-        transform_right_filter_feature_0_choice(15 * i + 14) := choice(is_set(transform_right_filter_column(2 * i, 2),
-          7), transform_filtering_0_column_inside(i), transform_right_filter_feature_0_alls(i + 1));
-        transform_right_filter_feature_0_choice(15 * i + 15) := choice(transform_right_filter_feature_0_choice(15 * i +
-          13), is_set(transform_right_filter_column(2 * i, 2), 7) and (not is_set(transform_right_filter_column(4, 1),
-          7)) and transform_filtering_0_column_inside(i), transform_right_filter_feature_0_choice(15 * i + 14));
-      end loop;
-      transform_right_filter_feature_0_choice(33) := not is_larger(transform_right_filter_column(4, 0),
-        transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0_4_0);
-      transform_right_filter_feature_0_alls(3) := (not is_set(transform_right_filter_column(4, 1), 7)) and
-        transform_filtering_0_column_inside(2);
-      transform_right_filter_feature_0_choice(34) := choice(is_set(transform_right_filter_column(4, 0), 7),
-        transform_filtering_0_column_inside(2), transform_right_filter_feature_0_alls(3));
-      transform_right_filter_feature_0_choice(35) := choice(transform_right_filter_feature_0_choice(33),
-        is_set(transform_right_filter_column(4, 0), 7) and (not is_set(transform_right_filter_column(4, 1), 7)) and
-        transform_filtering_0_column_inside(2), transform_right_filter_feature_0_choice(34));
-      transform_right_filter_feature_0_choice(38) := not is_larger(transform_right_filter_column(4, 2),
-        transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0_4_4);
-      for i in 2 to 3 loop
-        transform_right_filter_feature_0_choice(15 * i + 9) := choice(is_set(transform_right_filter_column(2 * i, 2),
-          7), transform_filtering_0_column_inside(i), transform_right_filter_feature_0_alls(i + 1));
-        transform_right_filter_feature_0_choice(15 * i + 10) := choice(transform_right_filter_feature_0_choice(15 * i +
-          8), is_set(transform_right_filter_column(2 * i, 2), 7) and (not is_set(transform_right_filter_column(4, 1),
-          7)) and transform_filtering_0_column_inside(i), transform_right_filter_feature_0_choice(15 * i + 9));
-        transform_right_filter_feature_0_choice(15 * i + 13) := not is_larger(transform_right_filter_column(2 * i + 2,
-          1), transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0s(i + 1, 1));
-        transform_right_filter_feature_0_alls(i + 2) := (not is_set(transform_right_filter_column(4, 1), 7)) and
-          transform_filtering_0_column_inside(i + 1);
-        transform_right_filter_feature_0_choice(15 * i + 14) := choice(is_set(transform_right_filter_column(2 * i + 2,
-          1), 7), transform_filtering_0_column_inside(i + 1), transform_right_filter_feature_0_alls(i + 2));
-        transform_right_filter_feature_0_choice(15 * i + 15) := choice(transform_right_filter_feature_0_choice(15 * i +
-          13), is_set(transform_right_filter_column(2 * i + 2, 1), 7) and (not is_set(transform_right_filter_column(4,
-          1), 7)) and transform_filtering_0_column_inside(i + 1), transform_right_filter_feature_0_choice(15 * i + 14));
-        transform_right_filter_feature_0_choice(15 * i + 18) := not is_larger(transform_right_filter_column(2 * i + 2,
-          0), transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0s(i + 1, 0));
-        transform_right_filter_feature_0_choice(15 * i + 19) := choice(is_set(transform_right_filter_column(2 * i + 2,
-          0), 7), transform_filtering_0_column_inside(i + 1), transform_right_filter_feature_0_alls(i + 2));
-        transform_right_filter_feature_0_choice(15 * i + 20) := choice(transform_right_filter_feature_0_choice(15 * i +
-          18), is_set(transform_right_filter_column(2 * i + 2, 0), 7) and (not is_set(transform_right_filter_column(4,
-          1), 7)) and transform_filtering_0_column_inside(i + 1), transform_right_filter_feature_0_choice(15 * i + 19));
-        transform_right_filter_feature_0_choice(15 * i + 23) := not is_larger(transform_right_filter_column(2 * i + 2,
-          2), transform_right_filter_column(4, 1), 4, 6, transform_right_filter_low_is_larger_0s(i + 1, 2));
-      end loop;
-      transform_right_filter_feature_0_choice(69) := choice(is_set(transform_right_filter_column(8, 2), 7),
-        transform_filtering_0_column_inside(4), transform_right_filter_feature_0_alls(5));
-      transform_right_filter_feature_0_choice(70) := choice(transform_right_filter_feature_0_choice(68),
-        is_set(transform_right_filter_column(8, 2), 7) and (not is_set(transform_right_filter_column(4, 1), 7)) and
-        transform_filtering_0_column_inside(4), transform_right_filter_feature_0_choice(69));
-      transform_left_0 <= in_left_pixel;
-      transform_right_0 <= in_right_pixel;
-      transform_valid <= in_valid;
-      transform_counter_next_frame <= transform_counter_next_frame_is_equal and (transform_counter_group = 479);
-      transform_counter_last_column <= transform_counter_next_frame_is_equal;
-      transform_counter_counts <= transform_counter_group /= 482;
-      transform_counter_back_to_back <= (transform_counter_group = 481) and winnerswinner1_best_place_0;
-      transform_counter_next_frame_after <= 483 < transform_counter_group;
-      transform_left_rows_read_newest_0 <= transform_left_0;
-      transform_left_rows_ready_words_0 <= transform_left_rows_read_words_0;
-      transform_left_rows_ready_newest_0 <= transform_left_rows_read_newest_0;
-      transform_right_rows_read_newest_0 <= transform_right_0;
-      transform_right_rows_ready_words_0 <= transform_right_rows_read_words_0;
-      transform_right_rows_ready_newest_0 <= transform_right_rows_read_newest_0;
-      transform_read_column <= transform_counter_column;
-      transform_read_column_inside(0) <= transform_read_column_inside_0_is_less;
-      for i in 1 to 4 loop
-        transform_read_column_inside(i) <= (transform_counter_column < (2 * i)) /=
-          transform_read_column_inside_0_is_less;
-      end loop;
-      transform_read_start_of_frame <= (transform_counter_group = 2) and (transform_counter_column = 4);
-      transform_read_valid <= transform_valid;
-      transform_ready_column <= transform_read_column;
-      transform_ready_row_inside(0) <= transform_reached_first(0) and (not transform_counter_next_frame_after);
-      transform_ready_row_inside(1) <= transform_reached_first(1) and (not transform_reached_beyond_last(3));
-      transform_ready_row_inside(2) <= transform_reached_first(2) and (not transform_reached_beyond_last(2));
-      transform_ready_column_inside <= transform_read_column_inside;
-      transform_ready_start_of_frame <= transform_read_start_of_frame;
-      transform_ready_valid <= transform_read_valid;
-      transform_reached_first(0) <= 3 < transform_counter_group;
-      transform_reached_first(1) <= 1 < transform_counter_group;
-      transform_reached_first(2) <= true;
-      transform_reached_beyond_last(2) <= 479 < transform_counter_group;
-      transform_reached_beyond_last(3) <= 481 < transform_counter_group;
-      transform_left_column(0) <= to_integer(transform_left_rows_ready_words_0(7 downto 0));
-      transform_left_column(1) <= to_integer(transform_left_rows_ready_words_0(23 downto 16));
-      transform_left_column(2) <= transform_left_rows_ready_newest_0;
-      transform_right_column(0) <= to_integer(transform_right_rows_ready_words_0(7 downto 0));
-      transform_right_column(1) <= to_integer(transform_right_rows_ready_words_0(23 downto 16));
-      transform_right_column(2) <= transform_right_rows_ready_newest_0;
-      transform_columns_row_inside <= transform_ready_row_inside;
-      transform_columns_column_inside <= transform_ready_column_inside;
-      transform_columns_start_of_frame <= transform_ready_start_of_frame;
-      transform_columns_valid <= transform_ready_valid;
-      transform_left_filter_feature_0 <= as_number(transform_left_filter_feature_0_choice(5)) +
-        (as_number(transform_left_filter_feature_0_choice(10)) * 2) +
-        (as_number(transform_left_filter_feature_0_choice(14)) * 4) +
-        (as_number(transform_left_filter_feature_0_choice(19)) * 16) +
-        (as_number(transform_left_filter_feature_0_choice(24)) * 8) +
-        (as_number(transform_left_filter_feature_0_choice(28)) * 32) +
-        (as_number(transform_left_filter_feature_0_choice(33)) * 64) +
-        (as_number(transform_left_filter_feature_0_choice(37)) * 128) +
-        (as_number(transform_left_filter_feature_0_choice(42)) * 512) +
-        (as_number(transform_left_filter_feature_0_choice(47)) * 256) +
-        (as_number(transform_left_filter_feature_0_choice(51)) * 1024) +
-        (as_number(transform_left_filter_feature_0_choice(56)) * 4096) +
-        (as_number(transform_left_filter_feature_0_choice(61)) * 2048) +
-        (as_number(transform_left_filter_feature_0_choice(65)) * 8192);
-      transform_right_filter_feature_0 <= as_number(transform_right_filter_feature_0_choice(5)) +
-        (as_number(transform_right_filter_feature_0_choice(10)) * 2) +
-        (as_number(transform_right_filter_feature_0_choice(15)) * 4) +
-        (as_number(transform_right_filter_feature_0_choice(20)) * 16) +
-        (as_number(transform_right_filter_feature_0_choice(25)) * 8) +
-        (as_number(transform_right_filter_feature_0_choice(30)) * 32) +
-        (as_number(transform_right_filter_feature_0_choice(35)) * 64) +
-        (as_number(transform_right_filter_feature_0_choice(40)) * 128) +
-        (as_number(transform_right_filter_feature_0_choice(45)) * 512) +
-        (as_number(transform_right_filter_feature_0_choice(50)) * 256) +
-        (as_number(transform_right_filter_feature_0_choice(55)) * 1024) +
-        (as_number(transform_right_filter_feature_0_choice(60)) * 4096) +
-        (as_number(transform_right_filter_feature_0_choice(65)) * 2048) +
-        (as_number(transform_right_filter_feature_0_choice(70)) * 8192);
-      transform_filtering_row_inside_4(0) <= refinement_passed_0s(8);
-      transform_filtering_0_column_inside <= transform_columns_column_inside;
-      transform_filtering_start_of_frame(0) <= transform_columns_start_of_frame;
-      transform_filtering_valid(0) <= transform_columns_valid;
-      transform_filtering_row_inside_4(1) <= transform_filtering_row_inside_4(0);
-      transform_filtering_column_inside_4(1) <= refinement_passed_0(3);
-      transform_filtering_start_of_frame(1) <= transform_filtering_start_of_frame(0);
-      transform_filtering_valid(1) <= transform_filtering_valid(0);
-      transform_filtering_row_inside_4(2) <= transform_filtering_row_inside_4(1);
-      transform_filtering_column_inside_4(2) <= transform_filtering_column_inside_4(1);
-      transform_filtering_start_of_frame(2) <= transform_filtering_start_of_frame(1);
-      transform_filtering_valid(2) <= transform_filtering_valid(1);
-      transform_counter_frame_joins <= choice(transform_counter_counts, transform_counter_frame_joins_choice,
-        winnerswinner1_best_place_0);
-      transform_counter_column_after <= choice(transform_counter_last_column, 0, (transform_counter_column + 1) mod
-        1024);
-      transform_counter_group_after <= choice((not transform_counter_counts) or (not transform_counter_last_column),
-        transform_counter_group, transform_counter_group_after_choice);
-      transform_left_filter_low_is_larger_0(0, 0) <= carry(transform_left_filter_low_is_larger_0_choice_3(0, 0), not
-        is_set(transform_left_filter_column(4, 1), 3), transform_left_filter_low_is_larger_0_value(0, 0, 4));
-      transform_left_filter_low_is_larger_0(0, 1) <= inverted_carry(transform_left_filter_low_is_larger_0_choice_3(0,
-        1), transform_left_filter_low_is_larger_0_value(0, 1, 1), not is_set(transform_left_filter_column(4, 1), 3));
-      transform_left_filter_low_is_larger_0(0, 2) <= inverted_carry(transform_left_filter_low_is_larger_0_choice_3(0,
-        2), transform_left_filter_low_is_larger_0_value(0, 2, 1), not is_set(transform_left_filter_column(4, 1), 3));
-      for i in 0 to 2 loop
-        transform_left_filter_low_is_larger_0(1, i) <= inverted_carry(transform_left_filter_low_is_larger_0_choice_3(1,
-          i), transform_left_filter_low_is_larger_0_value(1, i, 1), not is_set(transform_left_filter_column(4, 1), 3));
-      end loop;
-      transform_left_filter_low_is_larger_0_4_0 <= inverted_carry(transform_left_filter_low_is_larger_0_choice_3(2, 0),
-        transform_left_filter_low_is_larger_0_value(2, 0, 1), not is_set(transform_left_filter_column(4, 1), 3));
-      transform_left_filter_low_is_larger_0_4_4 <= inverted_carry(transform_left_filter_low_is_larger_0_choice_3(2, 2),
-        transform_left_filter_low_is_larger_0_value(2, 2, 1), not is_set(transform_left_filter_column(4, 1), 3));
-      for i in 3 to 4 loop
-        for j in 0 to 2 loop
-          transform_left_filter_low_is_larger_0s(i, j) <=
-            inverted_carry(transform_left_filter_low_is_larger_0_choice_3(i, j),
-            transform_left_filter_low_is_larger_0_value(i, j, 1), not is_set(transform_left_filter_column(4, 1), 3));
-        end loop;
-      end loop;
-      transform_right_filter_low_is_larger_0(0, 0) <= carry(transform_right_filter_low_is_larger_0_choice_3(0, 0), not
-        is_set(transform_right_filter_column(4, 1), 3), transform_right_filter_low_is_larger_0_value(0, 0, 4));
-      transform_right_filter_low_is_larger_0(0, 1) <= inverted_carry(transform_right_filter_low_is_larger_0_choice_3(0,
-        1), transform_right_filter_low_is_larger_0_value(0, 1, 1), not is_set(transform_right_filter_column(4, 1), 3));
-      transform_right_filter_low_is_larger_0(0, 2) <= inverted_carry(transform_right_filter_low_is_larger_0_choice_3(0,
-        2), transform_right_filter_low_is_larger_0_value(0, 2, 1), not is_set(transform_right_filter_column(4, 1), 3));
-      for i in 0 to 2 loop
-        transform_right_filter_low_is_larger_0(1, i) <=
-          inverted_carry(transform_right_filter_low_is_larger_0_choice_3(1, i),
-          transform_right_filter_low_is_larger_0_value(1, i, 1), not is_set(transform_right_filter_column(4, 1), 3));
-      end loop;
-      transform_right_filter_low_is_larger_0_4_0 <= inverted_carry(transform_right_filter_low_is_larger_0_choice_3(2,
-        0), transform_right_filter_low_is_larger_0_value(2, 0, 1), not is_set(transform_right_filter_column(4, 1), 3));
-      transform_right_filter_low_is_larger_0_4_4 <= inverted_carry(transform_right_filter_low_is_larger_0_choice_3(2,
-        2), transform_right_filter_low_is_larger_0_value(2, 2, 1), not is_set(transform_right_filter_column(4, 1), 3));
-      for i in 3 to 4 loop
-        for j in 0 to 2 loop
-          transform_right_filter_low_is_larger_0s(i, j) <=
-            inverted_carry(transform_right_filter_low_is_larger_0_choice_3(i, j),
-            transform_right_filter_low_is_larger_0_value(i, j, 1), not is_set(transform_right_filter_column(4, 1), 3));
-        end loop;
-      end loop;
-      transform_counter_group_choice := choice(transform_counter_next_frame, 15, 0);
-      if in_valid then
-        transform_counter_column <= choice(in_start_of_frame, 0, transform_counter_column_after);
-        transform_counter_group <= choice(in_start_of_frame, transform_counter_group_choice * 32,
-          transform_counter_group_after);
-      end if;
-      if transform_ready_valid then
-        transform_left_rows_write_words_0 <= to_unsigned(transform_left_rows_ready_newest_0, 8) &
-          transform_left_rows_ready_words_0(31 downto 8);
-        transform_right_rows_write_words_0 <= to_unsigned(transform_right_rows_ready_newest_0, 8) &
-          transform_right_rows_ready_words_0(31 downto 8);
-        transform_write_column <= transform_ready_column;
-      end if;
-      if transform_filtering_valid(2) then
-        transform_read_row_inside_0 <= choice(transform_filtering_start_of_frame(2), raster_place_next_frame,
-          raster_place_back_to_back);
-      end if;
-      if transform_columns_valid then
-        for i in 1 to 8 loop
-          transform_left_filter_column(i, 0) <= transform_left_filter_column(i - 1, 0);
-          transform_left_filter_column(i, 1) <= transform_left_filter_column(i - 1, 1);
-          transform_left_filter_column(i, 2) <= transform_left_filter_column(i - 1, 2);
-        end loop;
-        for i in 1 to 8 loop
-          transform_right_filter_column(i, 0) <= transform_right_filter_column(i - 1, 0);
-          transform_right_filter_column(i, 1) <= transform_right_filter_column(i - 1, 1);
-          transform_right_filter_column(i, 2) <= transform_right_filter_column(i - 1, 2);
-        end loop;
-        for i in 0 to 2 loop
-          transform_left_filter_column(0, i) <= choice(transform_columns_row_inside(i), transform_left_column(i), 0);
-          transform_right_filter_column(0, i) <= choice(transform_columns_row_inside(i), transform_right_column(i), 0);
-        end loop;
-      end if;
-      -- raster
-      raster_place_next_frame_is_equal := raster_place_column = 639;
-      raster_place_back_to_back_choice := choice(raster_place_last_column, (not raster_place_frame_joins) and
-        transform_read_row_inside_0, transform_read_row_inside_0);
-      raster_place_group_after_choice := choice(raster_place_frame_joins, 1, (raster_place_group + 1) mod 512);
-      raster_features_search_0 <= transform_right_filter_feature_0;
-      raster_features_reference_0 <= transform_left_filter_feature_0;
-      raster_features_valid <= transform_filtering_valid(2);
-      raster_place_next_frame <= raster_place_next_frame_is_equal and (raster_place_group = 479);
-      raster_place_last_column <= raster_place_next_frame_is_equal;
-      raster_place_counts <= raster_place_group < 480;
-      raster_place_frame_joins <= (raster_place_group = 480) and transform_read_row_inside_0;
-      raster_place_back_to_back <= choice(delay_row_inside(2), raster_place_back_to_back_choice,
-        transform_read_row_inside_0);
-      raster_place_column_after <= choice(raster_place_last_column, 0, (raster_place_column + 1) mod 1024);
-      raster_place_group_after <= choice((not delay_row_inside(2)) or (not raster_place_last_column),
-        raster_place_group, raster_place_group_after_choice);
-      raster_place_group_choice := choice(raster_place_next_frame, 15, 0);
-      if transform_filtering_valid(2) then
-        raster_place_column <= choice(transform_filtering_start_of_frame(2), 0, raster_place_column_after);
-        raster_place_group <= choice(transform_filtering_start_of_frame(2), raster_place_group_choice * 32,
-          raster_place_group_after);
-      end if;
-      -- delay
-      delay_row_inside_1_is_not_less := raster_place_group >= 1;
-      delay_row_inside_1_is_less := raster_place_group < 481;
-      delay_tag_map_column_is_not_less := raster_place_column >= 1;
-      delay_tag_map_column_is_less := raster_place_column < 639;
-      delay_tag_first_column_is_equal := raster_place_column = 1;
-      delay_ahead_0 <= raster_features_reference_0;
-      delay_delayed_0 <= raster_features_search_0;
-      delay_column <= raster_place_column;
-      delay_row_inside(0) <= (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2)) < 480;
-      delay_row_inside(1) <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
-      delay_row_inside(2) <= raster_place_group /= 481;
-      delay_tag.valid <= raster_features_valid;
-      delay_tag.map_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
-      delay_tag.output_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less and
-        delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
-      delay_tag.first_column <= delay_tag_first_column_is_equal;
-      delay_tag.start_of_frame <= delay_tag_first_column_is_equal and (raster_place_group = 1);
-      delay_tag.end_of_line <= raster_place_column = 638;
-      -- rows
-      rows_search_rows_read_newest_0 <= delay_delayed_0;
-      rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
-      rows_search_rows_ready_newest_0 <= rows_search_rows_read_newest_0;
-      rows_reference_rows_read_newest_0 <= delay_ahead_0;
-      rows_reference_rows_ready_words_0 <= to_integer(rows_reference_rows_read_words_0);
-      rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
-      rows_read_column <= delay_column;
-      rows_read_inside(0 to 1) <= delay_row_inside(0 to 1);
-      rows_read_inside(2) <= raster_place_counts;
-      rows_read_tag <= delay_tag;
-      rows_ready_column <= rows_read_column;
-      rows_ready_inside <= rows_read_inside;
-      rows_ready_tag <= rows_read_tag;
-      rows_tag <= rows_ready_tag;
-      rows_search(0) <= choice(rows_ready_inside(0), rows_search_rows_ready_words_0 mod 16384, 0);
-      rows_reference(0) <= choice(rows_ready_inside(0), rows_reference_rows_ready_words_0 mod 16384, 0);
-      rows_search(1) <= choice(rows_ready_inside(1), rows_search_rows_ready_words_0 / 16384, 0);
-      rows_reference(1) <= choice(rows_ready_inside(1), rows_reference_rows_ready_words_0 / 16384, 0);
-      rows_search(2) <= choice(rows_ready_inside(2), rows_search_rows_ready_newest_0, 0);
-      rows_reference(2) <= choice(rows_ready_inside(2), rows_reference_rows_ready_newest_0, 0);
-      if rows_ready_tag.valid then
-        rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 16384) + (rows_search_rows_ready_newest_0 *
-          16384);
-        rows_reference_rows_write_words_0 <= (rows_reference_rows_ready_words_0 / 16384) +
-          (rows_reference_rows_ready_newest_0 * 16384);
-        rows_write_column <= rows_ready_column;
-      end if;
-      -- line
-      if rows_tag.valid then
-        line_centre_map_column_0 <= rows_tag.map_column;
-        line_centre_output_column_0 <= rows_tag.output_column;
-        line_centre_first_column_0 <= rows_tag.first_column;
-        line_centre_start_of_frame_0 <= rows_tag.start_of_frame;
-        line_centre_end_of_line_0 <= rows_tag.end_of_line;
-        line_order_inside <= line_centre_map_column_0;
-        line_newest_first_column <= line_centre_first_column_0;
-        line_newest_top <= line_centre_start_of_frame_0;
-      end if;
-      line_order_address_any := (not line_centre_map_column_0) or line_order_inside or (not rows_tag.valid);
-      line_order_address_choice := choice(line_order_falls, 1023, 1);
-      line_order_address_choice_2 := choice(line_order_falls, 0, 637);
-      if not ((not line_centre_map_column_0) or (not rows_tag.valid)) then
-        line_order_address <= choice(line_order_address_any, (line_order_address_choice + line_order_address) mod 1024,
-          line_order_address_choice_2);
-      end if;
-      line_order_falls_all := line_centre_map_column_0 and (not line_order_inside) and rows_tag.valid;
-      line_order_turned_output_column_choice := choice(line_order_falls_all, line_order_output and line_order_complete,
-        line_order_held_output);
-      line_order_turned_valid <= rows_tag.valid;
-      line_order_turned_map_column <= line_centre_map_column_0;
-      line_order_turned_output_column <= line_order_turned_output_column_choice and line_centre_map_column_0;
-      line_order_turned_first_column <= line_order_falls_all;
-      line_order_turned_start_of_frame <= line_centre_map_column_0 and (not line_order_inside) and rows_tag.valid and
-        line_order_first and line_order_output and line_order_complete;
-      line_order_turned_end_of_line <= line_centre_end_of_line_0;
-      line_comes(1) <= line_order_turned_valid;
-      line_comes(2 to 33) <= line_comes(1 to 32);
-      line_starts_phases(1) <= line_order_inside and line_order_turned_valid;
-      line_starts_phases(2 to 33) <= line_starts_phases(1 to 32);
-      line_order_falls <= choice(line_order_falls, line_order_address_any, line_order_falls_all);
-      line_order_complete <= choice(line_order_complete, line_centre_end_of_line_0 or (not line_centre_map_column_0) or
-        (not rows_tag.valid), line_centre_end_of_line_0 and line_centre_map_column_0 and rows_tag.valid);
-      if line_order_falls_all then
-        line_order_output <= line_centre_output_column_0;
-        line_order_first <= line_centre_start_of_frame_0;
-        line_order_held_output <= line_order_output and line_order_complete;
-      end if;
-      if line_order_turned_valid then
-        line_places_map_column(0) <= line_order_turned_map_column;
-        line_places_first_column(0) <= line_order_turned_first_column;
-        line_places_0_top <= line_newest_top;
-        line_places_address(0) <= line_order_address;
-        line_places_shown_output_column(0) <= line_order_turned_output_column;
-        line_places_shown_first_column(0) <= line_newest_first_column;
-        line_places_shown_start_of_frame(0) <= line_order_turned_start_of_frame;
-        line_places_shown_end_of_line(0) <= line_order_turned_end_of_line;
-      end if;
-      for i in 1 to 2 loop
-        if line_comes(8 * i) then
-          line_places_map_column(i) <= line_places_map_column(i - 1);
-          line_places_first_column(i) <= line_places_first_column(i - 1);
-          line_places_address(i) <= line_places_address(i - 1);
-          line_places_shown_output_column(i) <= line_places_shown_output_column(i - 1);
-          line_places_shown_first_column(i) <= line_places_shown_first_column(i - 1);
-          line_places_shown_start_of_frame(i) <= line_places_shown_start_of_frame(i - 1);
-          line_places_shown_end_of_line(i) <= line_places_shown_end_of_line(i - 1);
-        end if;
-      end loop;
-      for i in 3 to 4 loop
-        if line_comes(8 * i) then
-          line_places_map_column(i) <= line_places_map_column(i - 1);
-          line_places_shown_output_column(i) <= line_places_shown_output_column(i - 1);
-          line_places_shown_start_of_frame(i) <= line_places_shown_start_of_frame(i - 1);
-          line_places_shown_end_of_line(i) <= line_places_shown_end_of_line(i - 1);
-        end if;
-      end loop;
-      -- costsshift
-      if rows_tag.valid then
-        costsshift_newest <= rows_search;
-        costsshift_new_reference <= rows_reference;
-      end if;
-      costsshift_count_phase_choice := choice(costsshift_count_phase = 7, 7, (costsshift_count_phase + 1) mod 8);
-      costsshift_new_tag_valid <= rows_tag.valid or (not is_set(costsshift_count_phase, 2)) or (not
-        is_set(costsshift_count_phase, 1)) or (not is_set(costsshift_count_phase, 0));
-      costsshift_handed_on(0) <= to_integer(costsshift_read_words(3)(27 downto 14));
-      costsshift_handed_on(1) <= to_integer(costsshift_read_words(7)(27 downto 14));
-      costsshift_handed_on(2) <= to_integer(costsshift_read_words(11)(27 downto 14));
-      costsshift_read_reference <= costsshift_new_reference;
-      costsshift_read_tag_valid <= costsshift_new_tag_valid;
-      costsshift_read_count_phase <= costsshift_count_phase;
-      costsshift_reference <= costsshift_read_reference;
-      costsshift_write_phase <= costsshift_read_count_phase;
-      costsshift_count_phase <= choice(rows_tag.valid, 0, costsshift_count_phase_choice);
-      costsshift_search_0_0_is_equal := costsshift_read_count_phase = 0;
-      if costsshift_read_tag_valid then
-        for i in 0 to 2 loop
-          for j in 0 to 2 loop
-            costsshift_search(i, 2 * j + 1) <= to_integer(costsshift_read_words(4 * i + j)(13 downto 0));
-            costsshift_search(i, 2 * j + 2) <= to_integer(costsshift_read_words(4 * i + j)(27 downto 14));
-          end loop;
-          costsshift_search(i, 7) <= to_integer(costsshift_read_words(4 * i + 3)(13 downto 0));
-        end loop;
-        for i in 0 to 2 loop
-          costsshift_search(i, 0) <= choice(costsshift_search_0_0_is_equal, costsshift_newest(i),
-            costsshift_handed_on(i));
-        end loop;
-      end if;
-      -- costscolumn
-      for i in 0 to 2 loop
-        costscolumn_pixels_first_0_count_value(i, 0, 1) := is_set(costsshift_reference(i), 2);
-        costscolumn_pixels_first_0_count_value(i, 0, 2) := is_set(costsshift_reference(i), 1);
-        costscolumn_pixels_first_0_count_value(i, 1, 1) := is_set(costsshift_reference(i), 3);
-        costscolumn_pixels_first_0_count_value(i, 1, 2) := is_set(costsshift_reference(i), 5);
-        costscolumn_pixels_first_0_count_value(i, 1, 3) := is_set(costsshift_reference(i), 4);
-        costscolumn_pixels_first_0_count_value(i, 2, 1) := is_set(costsshift_reference(i), 8);
-        costscolumn_pixels_first_0_count_value(i, 2, 2) := is_set(costsshift_reference(i), 6);
-        costscolumn_pixels_first_0_count_value(i, 3, 1) := is_set(costsshift_reference(i), 9);
-        costscolumn_pixels_first_0_count_value(i, 3, 2) := is_set(costsshift_reference(i), 11);
-        costscolumn_pixels_first_0_count_value(i, 3, 3) := is_set(costsshift_reference(i), 10);
-        costscolumn_pixels_first_0_count_value(i, 4, 1) := is_set(costsshift_reference(i), 12);
-      end loop;
-      for i in 0 to 2 loop
-        costscolumn_pixels_first_count(i, 0, 0) <= as_number((is_set(costsshift_search(i, 0), 0) /=
-          is_set(costsshift_reference(i), 0))) + as_number((costscolumn_pixels_first_0_count_value(i, 0, 1) /=
-          is_set(costsshift_search(i, 0), 2))) + as_number((costscolumn_pixels_first_0_count_value(i, 0, 2) /=
-          is_set(costsshift_search(i, 0), 1)));
-        costscolumn_pixels_first_count(i, 0, 1) <= as_number((costscolumn_pixels_first_0_count_value(i, 1, 1) /=
-          is_set(costsshift_search(i, 0), 3))) + as_number((costscolumn_pixels_first_0_count_value(i, 1, 2) /=
-          is_set(costsshift_search(i, 0), 5))) + as_number((costscolumn_pixels_first_0_count_value(i, 1, 3) /=
-          is_set(costsshift_search(i, 0), 4)));
-        costscolumn_pixels_first_count(i, 0, 2) <= (to_integer(((to_unsigned((costsshift_search(i, 0) mod 256), 8)) xor
-          (to_unsigned((costsshift_reference(i) mod 256), 8)))) / 128) +
-          as_number((costscolumn_pixels_first_0_count_value(i, 2, 1) /= is_set(costsshift_search(i, 0), 8))) +
-          as_number((costscolumn_pixels_first_0_count_value(i, 2, 2) /= is_set(costsshift_search(i, 0), 6)));
-        costscolumn_pixels_first_count(i, 0, 3) <= as_number((costscolumn_pixels_first_0_count_value(i, 3, 1) /=
-          is_set(costsshift_search(i, 0), 9))) + as_number((costscolumn_pixels_first_0_count_value(i, 3, 2) /=
-          is_set(costsshift_search(i, 0), 11))) + as_number((costscolumn_pixels_first_0_count_value(i, 3, 3) /=
-          is_set(costsshift_search(i, 0), 10)));
-        costscolumn_pixels_first_count_4(i, 0) <= as_number((is_set(costsshift_reference(i), 13) /=
-          is_set(costsshift_search(i, 0), 13))) + as_number((costscolumn_pixels_first_0_count_value(i, 4, 1) /=
-          is_set(costsshift_search(i, 0), 12)));
-        for j in 1 to 7 loop
-          costscolumn_pixels_first_count(i, j, 0) <= as_number((is_set(costsshift_search(i, j), 0) /=
-            is_set(costsshift_reference(i), 0))) + as_number((is_set(costsshift_search(i, j), 2) /=
-            costscolumn_pixels_first_0_count_value(i, 0, 1))) + as_number((is_set(costsshift_search(i, j), 1) /=
-            costscolumn_pixels_first_0_count_value(i, 0, 2)));
-          costscolumn_pixels_first_count(i, j, 1) <= as_number((is_set(costsshift_search(i, j), 3) /=
-            costscolumn_pixels_first_0_count_value(i, 1, 1))) + as_number((is_set(costsshift_search(i, j), 5) /=
-            costscolumn_pixels_first_0_count_value(i, 1, 2))) + as_number((is_set(costsshift_search(i, j), 4) /=
-            costscolumn_pixels_first_0_count_value(i, 1, 3)));
-          costscolumn_pixels_first_count(i, j, 2) <= (to_integer(((to_unsigned((costsshift_search(i, j) mod 256), 8))
-            xor (to_unsigned((costsshift_reference(i) mod 256), 8)))) / 128) + as_number((is_set(costsshift_search(i,
-            j), 8) /= costscolumn_pixels_first_0_count_value(i, 2, 1))) + as_number((is_set(costsshift_search(i, j), 6)
-            /= costscolumn_pixels_first_0_count_value(i, 2, 2)));
-          costscolumn_pixels_first_count(i, j, 3) <= as_number((is_set(costsshift_search(i, j), 9) /=
-            costscolumn_pixels_first_0_count_value(i, 3, 1))) + as_number((is_set(costsshift_search(i, j), 11) /=
-            costscolumn_pixels_first_0_count_value(i, 3, 2))) + as_number((is_set(costsshift_search(i, j), 10) /=
-            costscolumn_pixels_first_0_count_value(i, 3, 3)));
-          costscolumn_pixels_first_count_4(i, j) <= as_number((is_set(costsshift_search(i, j), 13) /=
-            is_set(costsshift_reference(i), 13))) + as_number((is_set(costsshift_search(i, j), 12) /=
-            costscolumn_pixels_first_0_count_value(i, 4, 1)));
-        end loop;
-      end loop;
-      for i in 0 to 2 loop
-        for j in 0 to 7 loop
-          costscolumn_pixels_cost(i, j) <= costscolumn_pixels_first_count(i, j, 3) + costscolumn_pixels_first_count(i,
-            j, 0) + costscolumn_pixels_first_count(i, j, 1) + costscolumn_pixels_first_count_4(i, j) +
-            costscolumn_pixels_first_count(i, j, 2);
-        end loop;
-      end loop;
-      for i in 0 to 7 loop
-        costscolumn_pair_0(i) <= costscolumn_pixels_cost(1, i) + costscolumn_pixels_cost(2, i);
-      end loop;
-      for i in 0 to 7 loop
-        costscolumn_single_0(i) <= costscolumn_pixels_cost(0, i);
-      end loop;
-      for i in 0 to 7 loop
-        costscolumn_column_0(i) <= costscolumn_pair_0(i) + costscolumn_single_0(i);
-      end loop;
-      -- costswindow
-      costswindow_read_count_phase_choice := choice(costswindow_read_count_phase = 7, 7, (costswindow_read_count_phase
-        + 1) mod 8);
-      costswindow_write_count_phase_choice := choice(costswindow_write_count_phase = 7, 7,
-        (costswindow_write_count_phase + 1) mod 8);
-      for i in 2 to 3 loop
-        for j in 0 to 3 loop
-          costswindow_sum_0(4 * i + j - 8) <= costscolumn_column_0(4 * i + j - 8) +
-            to_integer(costswindow_read_wordss(i)(7 * j + 6 downto 7 * j));
-        end loop;
-      end loop;
-      costswindow_read_count_phase <= choice(line_comes(4), 0, costswindow_read_count_phase_choice);
-      costswindow_write_count_phase <= choice(line_comes(6), 0, costswindow_write_count_phase_choice);
-      costswindow_partial_0_any := (not is_set(costswindow_write_count_phase, 2)) or (not
-        is_set(costswindow_write_count_phase, 1)) or (not is_set(costswindow_write_count_phase, 0)) or line_comes(6);
-      if costswindow_partial_0_any then
-        costswindow_partial <= costscolumn_column_0;
-        for i in 0 to 1 loop
-          for j in 8 to 11 loop
-            costswindow_partials(4 * i + j) <= costscolumn_column_0(4 * i + j - 8) +
-              to_integer(costswindow_read_words(i)(7 * j - 51 downto 7 * j - 56));
-          end loop;
-        end loop;
-      end if;
-      -- costsmask
-      costsmask_column_sum := costsmask_column + 1;
-      costsmask_column_choice := choice(line_places_shown_first_column(0), 0, costsmask_column_sum mod 1024);
-      if line_comes(5) then
-        costsmask_column <= costsmask_column_choice;
-      end if;
-      costsmask_partner_choice := choice(line_places_shown_first_column(0), 0, costsmask_column_sum);
-      costsmask_inside(0) <= (((((costsmask_partner / 1024) + 63) mod 64) * 1024) + (costsmask_partner mod 1024)) < 638;
-      costsmask_inside(1) <= (costsmask_partner >= 1025) and (costsmask_partner < 1663);
-      costsmask_inside(2) <= (((((costsmask_partner / 2) + 32255) mod 32768) * 2) + (costsmask_partner mod 2)) < 638;
-      costsmask_inside(3) <= (costsmask_partner >= 1027) and (costsmask_partner < 1665);
-      costsmask_inside(4) <= (((((costsmask_partner / 4) + 16127) mod 16384) * 4) + (costsmask_partner mod 4)) < 638;
-      costsmask_inside(5) <= (costsmask_partner >= 1029) and (costsmask_partner < 1667);
-      costsmask_inside(6) <= (((((costsmask_partner / 2) + 32253) mod 32768) * 2) + (costsmask_partner mod 2)) < 638;
-      costsmask_inside(7) <= (costsmask_partner >= 1031) and (costsmask_partner < 1669);
-      costsmask_partner <= choice(line_comes(5), (((costsmask_partner_choice / 1024) + 1) * 1024) +
-        costsmask_column_choice, ((((costsmask_partner / 8) + 511) mod 512) * 8) + (costsmask_partner mod 8));
-      -- costs
-      for i in 0 to 7 loop
-        costs_cost(i) <= choice((not (((not is_set(costswindow_sum_0(i), 5)) or (not is_set(costswindow_sum_0(i), 4)))
-          and ((costswindow_sum_0(i) / 64) = 0))) or (not costsmask_inside(i)), 5, costswindow_sum_0(i) / 8);
-      end loop;
-      -- paths
-      paths_smallest_cost_choice := choice(line_comes(11), 7, paths_smallest_cost);
-      paths_cost_delay_ring_write_address <= paths_cost_delay_ring_read_address;
-      paths_sum(0) <= (pathsturn_sum_memory_ready_words(0) mod 128) + pathsright_cost(0);
-      paths_sum(1) <= ((pathsturn_sum_memory_ready_words(0) / 128) mod 128) + pathsright_cost(1);
-      paths_sum(2) <= ((pathsturn_sum_memory_ready_words(1) mod 32) * 4) + (pathsturn_sum_memory_ready_words(0) /
-        16384) + pathsright_cost(2);
-      paths_sum(3) <= ((pathsturn_sum_memory_ready_words(1) / 32) mod 128) + pathsright_cost(3);
-      paths_sum(4) <= ((pathsturn_sum_memory_ready_words(2) mod 8) * 16) + (pathsturn_sum_memory_ready_words(1) / 4096)
-        + pathsright_cost(4);
-      paths_sum(5) <= ((pathsturn_sum_memory_ready_words(2) / 8) mod 128) + pathsright_cost(5);
-      paths_sum(6) <= ((pathsturn_sum_memory_ready_words(3) mod 2) * 64) + (pathsturn_sum_memory_ready_words(2) / 1024)
-        + pathsright_cost(6);
-      paths_sum(7) <= (pathsturn_sum_memory_ready_words(3) / 2) + pathsright_cost(7);
-      for i in 0 to 3 loop
-        paths_tree_smallest(i) <= choice((costs_cost(2 * i + 1) - costs_cost(2 * i)) < 0, costs_cost(2 * i + 1),
-          costs_cost(2 * i));
-      end loop;
-      paths_tree_next_smallest(0) <= choice((paths_tree_smallest(1) - paths_tree_smallest(0)) < 0,
-        paths_tree_smallest(1), paths_tree_smallest(0));
-      paths_tree_next_smallest(1) <= choice((paths_tree_smallest(3) - paths_tree_smallest(2)) < 0,
-        paths_tree_smallest(3), paths_tree_smallest(2));
-      paths_tree_next_next_smallest_0 <= choice((paths_tree_next_smallest(1) - paths_tree_next_smallest(0)) < 0,
-        paths_tree_next_smallest(1), paths_tree_next_smallest(0));
-      paths_smallest_cost <= choice((paths_tree_next_next_smallest_0 - paths_smallest_cost_choice) < 0,
-        paths_tree_next_next_smallest_0, paths_smallest_cost_choice);
-      paths_cost_delay_ring_read_address <= choice(paths_cost_delay_ring_read_address = 11, 0,
-        (paths_cost_delay_ring_read_address + 1) mod 16);
-      -- pathsleft
-      if line_starts_phases(14) then
-        pathsleft_low_address <= (pathsleft_low_address + 1) mod 16;
-      end if;
-      pathsleft_read_count_phase_is_equal := pathsleft_read_count_phase = 7;
-      pathsleft_read_count_phase_choice := choice(pathsleft_read_count_phase_is_equal, 7, (pathsleft_read_count_phase +
-        1) mod 8);
-      pathsleft_ahead_count_phase_choice := choice(pathsleft_ahead_count_phase = 7, 7, (pathsleft_ahead_count_phase +
-        1) mod 8);
-      for i in 2 to 3 loop
-        pathsleft_stay_choice(4 * i - 8) := choice((to_integer(pathsleft_read_words(i)(6 downto 0)) -
-          to_integer(pathsleft_read_words(i - 2)(6 downto 0))) < 0, to_integer(pathsleft_read_words(i)(6 downto 0)),
-          to_integer(pathsleft_read_words(i - 2)(6 downto 0)));
-        pathsleft_stay_value(4 * i - 7, 1) := to_integer(pathsleft_read_words(i)(13 downto 7));
-        pathsleft_stay_value(4 * i - 7, 2) := to_integer(pathsleft_read_words(i - 2)(13 downto 7));
-        pathsleft_stay_choice(4 * i - 7) := choice((pathsleft_stay_value(4 * i - 7, 1) - pathsleft_stay_value(4 * i -
-          7, 2)) < 0, pathsleft_stay_value(4 * i - 7, 1), pathsleft_stay_value(4 * i - 7, 2));
-        pathsleft_stay_value(4 * i - 6, 1) := to_integer(pathsleft_read_words(i)(20 downto 14));
-        pathsleft_stay_value(4 * i - 6, 2) := to_integer(pathsleft_read_words(i - 2)(20 downto 14));
-        pathsleft_stay_choice(4 * i - 6) := choice((pathsleft_stay_value(4 * i - 6, 1) - pathsleft_stay_value(4 * i -
-          6, 2)) < 0, pathsleft_stay_value(4 * i - 6, 1), pathsleft_stay_value(4 * i - 6, 2));
-        pathsleft_stay_choice(4 * i - 5) := choice((to_integer(pathsleft_read_words(i)(27 downto 21)) -
-          to_integer(pathsleft_read_words(i - 2)(27 downto 21))) < 0, to_integer(pathsleft_read_words(i)(27 downto
-          21)), to_integer(pathsleft_read_words(i - 2)(27 downto 21)));
-      end loop;
-      pathsleft_step_choice(0, 1) := choice(pathsleft_is_first, pathsleft_stay_value(1, 2), pathsleft_lower_neighbour);
-      pathsleft_step_choice(0, 2) := choice((pathsleft_stay_value(1, 2) - pathsleft_step_choice(0, 1)) < 0,
-        pathsleft_stay_value(1, 2), pathsleft_step_choice(0, 1));
-      pathsleft_step_choice(1, 1) := choice((pathsleft_stay_value(2, 2) - to_integer(pathsleft_read_words(0)(6 downto
-        0))) < 0, pathsleft_stay_value(2, 2), to_integer(pathsleft_read_words(0)(6 downto 0)));
-      pathsleft_step_choice(2, 1) := choice((to_integer(pathsleft_read_words(0)(27 downto 21)) -
-        pathsleft_stay_value(1, 2)) < 0, to_integer(pathsleft_read_words(0)(27 downto 21)), pathsleft_stay_value(1, 2));
-      pathsleft_step_choice(3, 1) := choice((to_integer(pathsleft_read_words(1)(6 downto 0)) - pathsleft_stay_value(2,
-        2)) < 0, to_integer(pathsleft_read_words(1)(6 downto 0)), pathsleft_stay_value(2, 2));
-      pathsleft_step_choice(4, 1) := choice((pathsleft_stay_value(5, 2) - to_integer(pathsleft_read_words(0)(27 downto
-        21))) < 0, pathsleft_stay_value(5, 2), to_integer(pathsleft_read_words(0)(27 downto 21)));
-      pathsleft_step_choice(5, 1) := choice((pathsleft_stay_value(6, 2) - to_integer(pathsleft_read_words(1)(6 downto
-        0))) < 0, pathsleft_stay_value(6, 2), to_integer(pathsleft_read_words(1)(6 downto 0)));
-      pathsleft_step_choice(6, 1) := choice((to_integer(pathsleft_read_words(1)(27 downto 21)) -
-        pathsleft_stay_value(5, 2)) < 0, to_integer(pathsleft_read_words(1)(27 downto 21)), pathsleft_stay_value(5, 2));
-      pathsleft_step_choice(7, 1) := choice(pathsleft_is_last, pathsleft_stay_value(6, 2),
-        to_integer(pathsleft_read_neighbour_0));
-      pathsleft_step_choice(7, 2) := choice((pathsleft_step_choice(7, 1) - pathsleft_stay_value(6, 2)) < 0,
-        pathsleft_step_choice(7, 1), pathsleft_stay_value(6, 2));
-      pathsleft_stay_change_value(1) := to_integer(paths_cost_delay_held_0(5 downto 0)) / 8;
-      for i in 2 to 6 loop
-        pathsleft_stay_change_value(i) := to_integer(paths_cost_delay_held_0(3 * i + 2 downto 3 * i));
-      end loop;
-      pathsleft_write_count_phase_choice := choice(pathsleft_write_count_phase = 7, 7, (pathsleft_write_count_phase +
-        1) mod 8);
-      pathsleft_low_0_choice := choice(line_comes(25), 127, pathsleft_low_0);
-      pathsleft_lost <= pathsleft_lowest_0(6) = '1';
-      pathsleft_short_of <= ((to_integer(pathsright_lowest_0(5 downto 0)) + pathsright_room) / 64) = 1;
-      pathsleft_missing <= (to_integer(pathsleft_lowest_0) + pathsleft_room) mod 64;
-      pathsleft_below <= (0 - to_integer(pathsleft_lowest_0)) mod 64;
-      pathsleft_is_first <= pathsleft_read_count_phase = 0;
-      pathsleft_is_last <= pathsleft_read_count_phase_is_equal;
-      pathsleft_lower_neighbour <= to_integer(pathsleft_read_words(1)(27 downto 21));
-      pathsleft_stay_change(0) <= (to_integer(paths_cost_delay_held_0(2 downto 0)) - pathsleft_g) mod 128;
-      for i in 1 to 6 loop
-        pathsleft_stay_change(i) <= (pathsleft_stay_change_value(i) - pathsleft_g) mod 128;
-      end loop;
-      pathsleft_stay_change(7) <= (to_integer(paths_cost_delay_held_0(23 downto 21)) - pathsleft_g) mod 128;
-      pathsleft_step_change(0) <= (to_integer(paths_cost_delay_held_0(2 downto 0)) - pathsleft_g_less) mod 128;
-      for i in 1 to 6 loop
-        pathsleft_step_change(i) <= (pathsleft_stay_change_value(i) - pathsleft_g_less) mod 128;
-      end loop;
-      pathsleft_step_change(7) <= (to_integer(paths_cost_delay_held_0(23 downto 21)) - pathsleft_g_less) mod 128;
-      pathsleft_read_count_phase <= choice(line_starts_phases(18), 0, pathsleft_read_count_phase_choice);
-      pathsleft_ahead_count_phase <= choice(line_starts_phases(17), 0, pathsleft_ahead_count_phase_choice);
-      for i in 0 to 7 loop
-        pathsleft_stay(i) <= choice((not is_set(pathsleft_stay_choice(i), 6)) and (not pathsleft_first),
-          pathsleft_stay_choice(i), 64);
-      end loop;
-      pathsleft_step(0) <= choice(pathsleft_first, 64, pathsleft_step_choice(0, 2));
-      for i in 1 to 6 loop
-        pathsleft_step(i) <= choice(pathsleft_first, 64, pathsleft_step_choice(i, 1));
-      end loop;
-      pathsleft_step(7) <= choice(pathsleft_first, 64, pathsleft_step_choice(7, 2));
-      pathsleft_write_count_phase <= choice(line_starts_phases(21), 0, pathsleft_write_count_phase_choice);
-      for i in 0 to 3 loop
-        pathsleft_tree_smallest(i) <= choice((pathsleft_cost(2 * i + 1) - pathsleft_cost(2 * i)) < 0, pathsleft_cost(2
-          * i + 1), pathsleft_cost(2 * i));
-      end loop;
-      pathsleft_tree_next_smallest(0) <= choice((pathsleft_tree_smallest(1) - pathsleft_tree_smallest(0)) < 0,
-        pathsleft_tree_smallest(1), pathsleft_tree_smallest(0));
-      pathsleft_tree_next_smallest(1) <= choice((pathsleft_tree_smallest(3) - pathsleft_tree_smallest(2)) < 0,
-        pathsleft_tree_smallest(3), pathsleft_tree_smallest(2));
-      pathsleft_tree_next_next_smallest_0 <= choice((pathsleft_tree_next_smallest(1) - pathsleft_tree_next_smallest(0))
-        < 0, pathsleft_tree_next_smallest(1), pathsleft_tree_next_smallest(0));
-      pathsleft_low_0 <= choice((pathsleft_tree_next_next_smallest_0 - pathsleft_low_0_choice) < 0,
-        pathsleft_tree_next_next_smallest_0, pathsleft_low_0_choice);
-      pathsleft_q_choices(1) := choice(pathsright_short_of, pathsleft_missing, 0);
-      pathsleft_q_choices(2) := choice(pathsleft_lost, pathsleft_room, pathsleft_q_choices(1));
-      pathsleft_room_left_choice := choice(pathsright_short_of, pathsleft_below, pathsleft_room);
-      if line_starts_phases(17) then
-        pathsleft_q <= choice(line_places_shown_first_column(2), 60, pathsleft_q_choices(2));
-        pathsleft_room_left <= choice(pathsleft_lost, 0, pathsleft_room_left_choice);
-      end if;
-      if line_starts_phases(18) then
-        pathsleft_q_now <= pathsleft_q;
-        pathsleft_q_less <= (pathsleft_q + 121) mod 128;
-        pathsleft_room <= choice(line_places_shown_first_column(2), 0, (pathsleft_room_left + pathsleft_start_cost(8))
-          mod 64);
-        pathsleft_start_cost(1) <= choice(line_places_shown_first_column(2), 0, pathsleft_q_now);
-        for i in 2 to 8 loop
-          pathsleft_start_cost(i) <= choice(line_places_shown_first_column(2), 0, pathsleft_start_cost(i - 1));
-        end loop;
-      end if;
-      if line_starts_phases(19) then
-        pathsleft_first <= line_places_shown_first_column(2);
-        pathsleft_g <= paths_smallest_cost + pathsleft_q_now;
-        pathsleft_g_less <= (paths_smallest_cost + pathsleft_q_less) mod 128;
-      end if;
-      pathsleft_cost_0_any := (not is_set(pathsleft_write_count_phase, 2)) or (not is_set(pathsleft_write_count_phase,
-        1)) or (not is_set(pathsleft_write_count_phase, 0)) or line_starts_phases(21);
-      if pathsleft_cost_0_any then
-        for i in 0 to 7 loop
-          pathsleft_cost(i) <= (pathsleft_stay(i) + pathsleft_stay_change(i)) mod 128;
-        end loop;
-        for i in 0 to 7 loop
-          pathsleft_arrived(i) <= (pathsleft_step(i) + pathsleft_step_change(i)) mod 128;
-        end loop;
-      end if;
-      if line_starts_phases(33) then
-        pathsleft_low_write_address <= (pathsleft_low_write_address + 1) mod 16;
-      end if;
-      -- pathsabove
-      pathsabove_memory_read_address_0_sum := pathsabove_read_address_address + 1;
-      pathsabove_memory_read_address_0_choice := choice(line_places_shown_first_column(0), 0,
-        pathsabove_memory_read_address_0_sum mod 4096);
-      pathsabove_memory_read_address_0_sum_2 := pathsabove_read_address_address + as_number(((not
-        is_set(pathsabove_read_address_count_phase, 2)) or (not is_set(pathsabove_read_address_count_phase, 1)) or (not
-        is_set(pathsabove_read_address_count_phase, 0))));
-      pathsabove_memory_read_address_1_choice := choice(line_places_shown_first_column(0), 0,
-        pathsabove_memory_read_address_0_sum mod 1024);
-      pathsabove_memory_bank_choices(1) := choice(line_places_shown_first_column(0), 0,
-        pathsabove_memory_read_address_0_sum mod 8192);
-      pathsabove_memory_bank_choices(2) := choice(line_starts_phases(4), pathsabove_memory_bank_choices(1),
-        pathsabove_memory_read_address_0_sum_2 mod 8192);
-      pathsabove_read_address_count_phase_choice := choice(pathsabove_read_address_count_phase = 7, 7,
-        (pathsabove_read_address_count_phase + 1) mod 8);
-      pathsabove_ready_top_choices(1) := choice(line_starts_phases(7), line_places_shown_first_column(0) or
-        pathsabove_ready_top, pathsabove_ready_top);
-      pathsabove_ready_top_choices(2) := choice(line_starts_phases(7), (not line_places_shown_first_column(0)) and
-        pathsabove_ready_top, pathsabove_ready_top);
-      pathsabove_total_choice(0) := choice(pathsabove_ready_top, 31, pathsabove_memory_ready_words(0) mod 32);
-      pathsabove_total_choice(1) := choice(pathsabove_ready_top, 31, (pathsabove_memory_ready_words(0) / 32) mod 32);
-      pathsabove_total_choice(2) := choice(pathsabove_ready_top, 31, (pathsabove_memory_ready_words(0) / 1024) mod 32);
-      pathsabove_total_choice(3) := choice(pathsabove_ready_top, 31, ((pathsabove_memory_ready_words(1) mod 16) * 2) +
-        (pathsabove_memory_ready_words(0) / 32768));
-      pathsabove_total_choice(4) := choice(pathsabove_ready_top, 31, (pathsabove_memory_ready_words(1) / 16) mod 32);
-      pathsabove_total_choice(5) := choice(pathsabove_ready_top, 31, (pathsabove_memory_ready_words(1) / 512) mod 32);
-      pathsabove_total_choice(6) := choice(pathsabove_ready_top, 31, ((pathsabove_memory_ready_words(2) mod 8) * 4) +
-        (pathsabove_memory_ready_words(1) / 16384));
-      pathsabove_total_choice(7) := choice(pathsabove_ready_top, 31, pathsabove_memory_ready_words(2) / 8);
-      pathsabove_smallest_total_choice := choice(line_comes(12), 63, pathsabove_smallest_total);
-      pathsabove_count_phase_is_equal := pathsabove_count_phase = 7;
-      pathsabove_count_phase_choice := choice(pathsabove_count_phase_is_equal, 7, (pathsabove_count_phase + 1) mod 8);
-      pathsabove_beside_choice(0) := choice(pathsabove_count_phase = 0, pathsabove_held(1), pathsabove_lower_neighbour);
-      pathsabove_beside_choice(7) := choice(pathsabove_count_phase_is_equal, pathsabove_held(6), pathsabove_cost(0));
-      pathsabove_write_address_address_choice := choice(line_places_shown_first_column(2), 0,
-        (pathsabove_write_address_address + 1) mod 8192);
-      pathsabove_write_address_count_phase_choice := choice(pathsabove_write_address_count_phase = 7, 7,
-        (pathsabove_write_address_count_phase + 1) mod 8);
-      pathsabove_memory_bank <= is_set(pathsabove_memory_bank_choices(2), 12);
-      pathsabove_memory_read_bank <= pathsabove_memory_bank;
-      pathsabove_memory_held_words(0, 0) <= to_integer(pathsabove_memory_read_words(0, 0));
-      pathsabove_memory_held_words(0, 1) <= to_integer(pathsabove_memory_read_words(0, 1));
-      pathsabove_memory_held_words_2(0) <= to_integer(pathsabove_memory_read_words_2(0));
-      pathsabove_memory_held_words(1, 0) <= to_integer(pathsabove_memory_read_words(1, 0));
-      pathsabove_memory_held_words(1, 1) <= to_integer(pathsabove_memory_read_words(1, 1));
-      pathsabove_memory_held_words_2(1) <= to_integer(pathsabove_memory_read_words_2(1));
-      pathsabove_memory_held_bank <= pathsabove_memory_read_bank;
-      pathsabove_read_address_address <= pathsabove_memory_bank_choices(2);
-      for i in 0 to 7 loop
-        pathsabove_total(i) <= costs_cost(i) + pathsabove_total_choice(i);
-      end loop;
-      pathsabove_cost(0) <= (to_integer(pathsabove_delay_held_0) - pathsabove_smallest) mod 64;
-      pathsabove_cost(1) <= (to_integer(pathsabove_delay_held_0(29 downto 6)) - pathsabove_smallest) mod 64;
-      pathsabove_cost(2) <= (to_integer(pathsabove_delay_held_0(29 downto 12)) - pathsabove_smallest) mod 64;
-      pathsabove_cost(3) <= (to_integer(pathsabove_delay_held_0(29 downto 18)) - pathsabove_smallest) mod 64;
-      pathsabove_cost(4) <= (to_integer(pathsabove_delay_held_0(29 downto 24)) - pathsabove_smallest) mod 64;
-      pathsabove_cost(5) <= (to_integer(pathsabove_delay_held_1) - pathsabove_smallest) mod 64;
-      pathsabove_cost(6) <= (to_integer(pathsabove_delay_held_1(17 downto 6)) - pathsabove_smallest) mod 64;
-      pathsabove_cost(7) <= (to_integer(pathsabove_delay_held_1(17 downto 12)) - pathsabove_smallest) mod 64;
-      pathsabove_held <= pathsabove_cost;
-      pathsabove_lower_neighbour <= pathsabove_held(7);
-      pathsabove_own <= pathsabove_held(0 to 6);
-      for i in 0 to 7 loop
-        pathsabove_step(i) <= pathsabove_beside(i) + 5;
-      end loop;
-      pathsabove_write_address_is_here <= line_starts_phases(24) or (not is_set(pathsabove_write_address_count_phase,
-        2)) or (not is_set(pathsabove_write_address_count_phase, 1)) or (not
-        is_set(pathsabove_write_address_count_phase, 0));
-      pathsabove_memory_read_address_0 <= choice(line_starts_phases(4), pathsabove_memory_read_address_0_choice,
-        pathsabove_memory_read_address_0_sum_2 mod 4096);
-      pathsabove_memory_read_address_1 <= choice(line_starts_phases(4), pathsabove_memory_read_address_1_choice,
-        pathsabove_memory_read_address_0_sum_2 mod 1024);
-      pathsabove_read_address_count_phase <= choice(line_starts_phases(4), 0,
-        pathsabove_read_address_count_phase_choice);
-      pathsabove_memory_ready_words(0) <= choice(pathsabove_memory_held_bank, pathsabove_memory_held_words(1, 0),
-        pathsabove_memory_held_words(0, 0));
-      pathsabove_memory_ready_words(1) <= choice(pathsabove_memory_held_bank, pathsabove_memory_held_words(1, 1),
-        pathsabove_memory_held_words(0, 1));
-      pathsabove_memory_ready_words(2) <= choice(pathsabove_memory_held_bank, pathsabove_memory_held_words_2(1),
-        pathsabove_memory_held_words_2(0));
-      pathsabove_ready_top <= choice(line_places_0_top, pathsabove_ready_top_choices(1),
-        pathsabove_ready_top_choices(2));
-      for i in 0 to 3 loop
-        pathsabove_tree_smallest(i) <= choice((pathsabove_total(2 * i + 1) - pathsabove_total(2 * i)) < 0,
-          pathsabove_total(2 * i + 1), pathsabove_total(2 * i));
-      end loop;
-      pathsabove_tree_next_smallest(0) <= choice((pathsabove_tree_smallest(1) - pathsabove_tree_smallest(0)) < 0,
-        pathsabove_tree_smallest(1), pathsabove_tree_smallest(0));
-      pathsabove_tree_next_smallest(1) <= choice((pathsabove_tree_smallest(3) - pathsabove_tree_smallest(2)) < 0,
-        pathsabove_tree_smallest(3), pathsabove_tree_smallest(2));
-      pathsabove_tree_next_next_smallest_0 <= choice((pathsabove_tree_next_smallest(1) -
-        pathsabove_tree_next_smallest(0)) < 0, pathsabove_tree_next_smallest(1), pathsabove_tree_next_smallest(0));
-      pathsabove_smallest_total <= choice((pathsabove_tree_next_next_smallest_0 - pathsabove_smallest_total_choice) <
-        0, pathsabove_tree_next_next_smallest_0, pathsabove_smallest_total_choice);
-      pathsabove_count_phase <= choice(line_starts_phases(22), 0, pathsabove_count_phase_choice);
-      pathsabove_beside(0) <= choice((pathsabove_held(1) - pathsabove_beside_choice(0)) < 0, pathsabove_held(1),
-        pathsabove_beside_choice(0));
-      for i in 1 to 6 loop
-        pathsabove_beside(i) <= choice((pathsabove_held(i + 1) - pathsabove_held(i - 1)) < 0, pathsabove_held(i + 1),
-          pathsabove_held(i - 1));
-      end loop;
-      pathsabove_beside(7) <= choice((pathsabove_beside_choice(7) - pathsabove_held(6)) < 0,
-        pathsabove_beside_choice(7), pathsabove_held(6));
-      for i in 0 to 6 loop
-        pathsabove_stay(i) <= choice(pathsabove_own(i) < 31, pathsabove_own(i) mod 32, 31);
-      end loop;
-      pathsabove_stay(7) <= choice(pathsabove_lower_neighbour < 31, pathsabove_lower_neighbour mod 32, 31);
-      pathsabove_write_address_address <= choice(line_starts_phases(24), pathsabove_write_address_address_choice,
-        (pathsabove_write_address_address + as_number(((not is_set(pathsabove_write_address_count_phase, 2)) or (not
-        is_set(pathsabove_write_address_count_phase, 1)) or (not is_set(pathsabove_write_address_count_phase, 0)))))
-        mod 8192);
-      pathsabove_write_address_count_phase <= choice(line_starts_phases(24), 0,
-        pathsabove_write_address_count_phase_choice);
-      pathsabove_memory_write_words_0_choice(0, 1) := choice((pathsabove_step(1) - pathsabove_stay(1)) < 0,
-        pathsabove_step(1) mod 32, pathsabove_stay(1));
-      pathsabove_memory_write_words_0_choice(0, 2) := choice((pathsabove_step(0) - pathsabove_stay(0)) < 0,
-        pathsabove_step(0) mod 32, pathsabove_stay(0));
-      pathsabove_memory_write_words_0_choice(0, 3) := choice((pathsabove_step(2) - pathsabove_stay(2)) < 0,
-        pathsabove_step(2) mod 32, pathsabove_stay(2));
-      pathsabove_memory_write_words_0_is_less(0) := (pathsabove_step(3) - pathsabove_stay(3)) < 0;
-      pathsabove_memory_write_words_0_0_choice_4 := choice(pathsabove_memory_write_words_0_is_less(0),
-        is_set(pathsabove_step(3), 0), is_set(pathsabove_stay(3), 0));
-      pathsabove_memory_write_words_0_sum(0) := (pathsabove_memory_write_words_0_choice(0, 1) * 32) +
-        pathsabove_memory_write_words_0_choice(0, 2) + (pathsabove_memory_write_words_0_choice(0, 3) * 1024) +
-        (as_number(pathsabove_memory_write_words_0_0_choice_4) * 32768);
-      pathsabove_memory_write_words_0_choice(1, 1) := choice((pathsabove_step(4) - pathsabove_stay(4)) < 0,
-        pathsabove_step(4) mod 32, pathsabove_stay(4));
-      pathsabove_memory_write_words_0_choice(1, 2) := choice(pathsabove_memory_write_words_0_is_less(0),
-        pathsabove_step(3) mod 32, pathsabove_stay(3));
-      pathsabove_memory_write_words_0_choice(1, 3) := choice((pathsabove_step(5) - pathsabove_stay(5)) < 0,
-        pathsabove_step(5) mod 32, pathsabove_stay(5));
-      pathsabove_memory_write_words_0_is_less(1) := (pathsabove_step(6) - pathsabove_stay(6)) < 0;
-      pathsabove_memory_write_words_0_1_choice_4 := choice(pathsabove_memory_write_words_0_is_less(1),
-        pathsabove_step(6) mod 4, pathsabove_stay(6) mod 4);
-      pathsabove_memory_write_words_0_sum(1) := (pathsabove_memory_write_words_0_choice(1, 1) * 16) +
-        (pathsabove_memory_write_words_0_choice(1, 2) / 2) + (pathsabove_memory_write_words_0_choice(1, 3) * 512) +
-        (pathsabove_memory_write_words_0_1_choice_4 * 16384);
-      pathsabove_memory_write_words_0_choice(2, 1) := choice(pathsabove_memory_write_words_0_is_less(1),
-        pathsabove_step(6) mod 32, pathsabove_stay(6));
-      pathsabove_memory_write_words_0_choice(2, 2) := choice((pathsabove_step(7) - pathsabove_stay(7)) < 0,
-        pathsabove_step(7) mod 32, pathsabove_stay(7));
-      pathsabove_memory_write_words_0_2_sum := (pathsabove_memory_write_words_0_choice(2, 1) / 4) +
-        (pathsabove_memory_write_words_0_choice(2, 2) * 8);
-      pathsabove_memory_write_words_0_all(0) := pathsabove_write_address_is_here and (pathsabove_write_address_address
-        < 4096);
-      if pathsabove_memory_write_words_0_all(0) then
-        pathsabove_memory_write_words(0, 0) <= pathsabove_memory_write_words_0_sum(0);
-        pathsabove_memory_write_words(0, 1) <= pathsabove_memory_write_words_0_sum(1);
-        pathsabove_memory_write_words_2(0) <= pathsabove_memory_write_words_0_2_sum;
-        pathsabove_memory_write_address_0 <= pathsabove_write_address_address mod 4096;
-      end if;
-      pathsabove_memory_write_words_0_all(1) := (4095 < pathsabove_write_address_address) and
-        pathsabove_write_address_is_here;
-      if pathsabove_memory_write_words_0_all(1) then
-        pathsabove_memory_write_words(1, 0) <= pathsabove_memory_write_words_0_sum(0);
-        pathsabove_memory_write_words(1, 1) <= pathsabove_memory_write_words_0_sum(1);
-        pathsabove_memory_write_words_2(1) <= pathsabove_memory_write_words_0_2_sum;
-        pathsabove_memory_write_address_1 <= pathsabove_write_address_address mod 1024;
-      end if;
-      if line_comes(20) then
-        pathsabove_smallest <= pathsabove_smallest_total;
-      end if;
-      -- pathsturn
-      pathsturn_cost_memory_read_address_0_sum := pathsturn_read_address_address + as_number(((not
-        is_set(pathsturn_read_address_count_phase, 2)) or (not is_set(pathsturn_read_address_count_phase, 1)) or (not
-        is_set(pathsturn_read_address_count_phase, 0))));
-      pathsturn_cost_memory_bank_choice := choice(line_starts_phases(16), line_places_address(1) * 8,
-        pathsturn_cost_memory_read_address_0_sum mod 8192);
-      pathsturn_read_address_count_phase_choice := choice(pathsturn_read_address_count_phase = 7, 7,
-        (pathsturn_read_address_count_phase + 1) mod 8);
-      pathsturn_write_address_count_phase_choice := choice(pathsturn_write_address_count_phase = 7, 7,
-        (pathsturn_write_address_count_phase + 1) mod 8);
-      pathsturn_sum_memory_read_address_0 <= pathsturn_sum_read_address mod 4096;
-      pathsturn_sum_memory_read_address_1 <= pathsturn_sum_read_address mod 1024;
-      pathsturn_sum_memory_bank <= pathsturn_cost_memory_read_bank;
-      pathsturn_sum_memory_read_bank <= pathsturn_cost_memory_held_bank;
-      for i in 0 to 1 loop
-        pathsturn_sum_memory_held_words(i, 0) <= to_integer(pathsturn_sum_memory_read_words(i, 0));
-        pathsturn_sum_memory_held_words(i, 1) <= to_integer(pathsturn_sum_memory_read_words(i, 1));
-        pathsturn_sum_memory_held_words(i, 2) <= to_integer(pathsturn_sum_memory_read_words(i, 2));
-        pathsturn_sum_memory_held_words_3(i) <= to_integer(pathsturn_sum_memory_read_words_3(i));
-      end loop;
-      pathsturn_sum_memory_held_bank <= pathsturn_sum_memory_read_bank;
-      pathsturn_cost_memory_bank <= is_set(pathsturn_cost_memory_bank_choice, 12);
-      pathsturn_cost_memory_read_bank <= pathsturn_cost_memory_bank;
-      pathsturn_cost_memory_held_words_0(0) <= to_integer(pathsturn_cost_memory_read_words_0(0));
-      pathsturn_cost_memory_held_words_1(0) <= to_integer(pathsturn_cost_memory_read_words_1(0));
-      pathsturn_cost_memory_held_words_0(1) <= to_integer(pathsturn_cost_memory_read_words_0(1));
-      pathsturn_cost_memory_held_words_1(1) <= to_integer(pathsturn_cost_memory_read_words_1(1));
-      pathsturn_cost_memory_held_bank <= is_set(pathsturn_sum_read_address, 12);
-      pathsturn_ready_smallest_0 <= to_integer(pathsturn_read_smallest_0);
-      pathsturn_read_address_address <= pathsturn_cost_memory_bank_choice;
-      pathsturn_sum_read_address <= pathsturn_read_address_address;
-      pathsturn_write_smallest_0 <= paths_smallest_cost;
-      pathsturn_write_address_is_here <= line_starts_phases(19) or (not is_set(pathsturn_write_address_count_phase, 2))
-        or (not is_set(pathsturn_write_address_count_phase, 1)) or (not is_set(pathsturn_write_address_count_phase, 0));
-      pathsturn_sum_write_address(0) <= pathsturn_write_address_address;
-      pathsturn_sum_write_address(1) <= pathsturn_sum_write_address(0);
-      pathsturn_writes_sums(0) <= pathsturn_write_address_is_here;
-      pathsturn_writes_sums(1) <= pathsturn_writes_sums(0);
-      for i in 0 to 2 loop
-        pathsturn_sum_memory_ready_words(i) <= choice(pathsturn_sum_memory_held_bank,
-          pathsturn_sum_memory_held_words(1, i), pathsturn_sum_memory_held_words(0, i));
-      end loop;
-      pathsturn_sum_memory_ready_words(3) <= choice(pathsturn_sum_memory_held_bank,
-        pathsturn_sum_memory_held_words_3(1), pathsturn_sum_memory_held_words_3(0));
-      pathsturn_cost_memory_read_address_0 <= choice(line_starts_phases(16), (line_places_address(1) mod 512) * 8,
-        pathsturn_cost_memory_read_address_0_sum mod 4096);
-      pathsturn_cost_memory_read_address_1 <= choice(line_starts_phases(16), (line_places_address(1) mod 128) * 8,
-        pathsturn_cost_memory_read_address_0_sum mod 1024);
-      pathsturn_read_address_count_phase <= choice(line_starts_phases(16), 0,
-        pathsturn_read_address_count_phase_choice);
-      pathsturn_cost_memory_ready_words(0) <= choice(pathsturn_sum_memory_bank, pathsturn_cost_memory_held_words_0(1),
-        pathsturn_cost_memory_held_words_0(0));
-      pathsturn_cost_memory_ready_words(1) <= choice(pathsturn_sum_memory_bank, pathsturn_cost_memory_held_words_1(1),
-        pathsturn_cost_memory_held_words_1(0));
-      pathsturn_write_smallest_address <= choice(line_starts_phases(19), line_places_address(2), 638);
-      pathsturn_write_address_address <= choice(line_starts_phases(19), line_places_address(2) * 8,
-        (pathsturn_write_address_address + as_number(((not is_set(pathsturn_write_address_count_phase, 2)) or (not
-        is_set(pathsturn_write_address_count_phase, 1)) or (not is_set(pathsturn_write_address_count_phase, 0))))) mod
-        8192);
-      pathsturn_write_address_count_phase <= choice(line_starts_phases(19), 0,
-        pathsturn_write_address_count_phase_choice);
-      pathsturn_sum_memory_write_words_0_sum(0) := pathsleft_cost(2) + pathsabove_cost(2);
-      pathsturn_sum_memory_write_words_0_sum_2(0) := (((pathsleft_cost(1) + pathsabove_cost(1)) mod 128) * 128) +
-        ((pathsleft_cost(0) + pathsabove_cost(0)) mod 128) + ((pathsturn_sum_memory_write_words_0_sum(0) mod 4) *
+    end if;
+    -- raster
+    raster_place_next_frame_is_equal := raster_place_column = 639;
+    raster_place_back_to_back_choice := choice(raster_place_last_column, (not raster_place_frame_joins) and
+      transform_read_row_inside_0, transform_read_row_inside_0);
+    raster_place_group_after_choice := choice(raster_place_frame_joins, 1, (raster_place_group + 1) mod 512);
+    raster_features_search_0 <= transform_right_filter_feature_0;
+    raster_features_reference_0 <= transform_left_filter_feature_0;
+    raster_features_valid <= transform_filtering_valid(2);
+    raster_place_next_frame <= raster_place_next_frame_is_equal and (raster_place_group = 479);
+    raster_place_last_column <= raster_place_next_frame_is_equal;
+    raster_place_counts <= raster_place_group < 480;
+    raster_place_frame_joins <= (raster_place_group = 480) and transform_read_row_inside_0;
+    raster_place_back_to_back <= choice(delay_row_inside(2), raster_place_back_to_back_choice,
+      transform_read_row_inside_0);
+    raster_place_column_after <= choice(raster_place_last_column, 0, (raster_place_column + 1) mod 1024);
+    raster_place_group_after <= choice((not delay_row_inside(2)) or (not raster_place_last_column), raster_place_group,
+      raster_place_group_after_choice);
+    raster_place_group_choice := choice(raster_place_next_frame, 15, 0);
+    if transform_filtering_valid(2) then
+      raster_place_column <= choice(transform_filtering_start_of_frame(2), 0, raster_place_column_after);
+      raster_place_group <= choice(transform_filtering_start_of_frame(2), raster_place_group_choice * 32,
+        raster_place_group_after);
+    end if;
+    -- delay
+    delay_row_inside_1_is_not_less := raster_place_group >= 1;
+    delay_row_inside_1_is_less := raster_place_group < 481;
+    delay_tag_map_column_is_not_less := raster_place_column >= 1;
+    delay_tag_map_column_is_less := raster_place_column < 639;
+    delay_tag_first_column_is_equal := raster_place_column = 1;
+    delay_ahead_0 <= raster_features_reference_0;
+    delay_delayed_0 <= raster_features_search_0;
+    delay_column <= raster_place_column;
+    delay_row_inside(0) <= (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2)) < 480;
+    delay_row_inside(1) <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
+    delay_row_inside(2) <= raster_place_group /= 481;
+    delay_tag.valid <= raster_features_valid;
+    delay_tag.map_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
+    delay_tag.output_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less and
+      delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
+    delay_tag.first_column <= delay_tag_first_column_is_equal;
+    delay_tag.start_of_frame <= delay_tag_first_column_is_equal and (raster_place_group = 1);
+    delay_tag.end_of_line <= raster_place_column = 638;
+    -- rows
+    rows_search_rows_read_newest_0 <= delay_delayed_0;
+    rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
+    rows_search_rows_ready_newest_0 <= rows_search_rows_read_newest_0;
+    rows_reference_rows_read_newest_0 <= delay_ahead_0;
+    rows_reference_rows_ready_words_0 <= to_integer(rows_reference_rows_read_words_0);
+    rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
+    rows_read_column <= delay_column;
+    rows_read_inside(0 to 1) <= delay_row_inside(0 to 1);
+    rows_read_inside(2) <= raster_place_counts;
+    rows_read_tag <= delay_tag;
+    rows_ready_column <= rows_read_column;
+    rows_ready_inside <= rows_read_inside;
+    rows_ready_tag <= rows_read_tag;
+    rows_tag <= rows_ready_tag;
+    rows_search(0) <= choice(rows_ready_inside(0), rows_search_rows_ready_words_0 mod 16384, 0);
+    rows_reference(0) <= choice(rows_ready_inside(0), rows_reference_rows_ready_words_0 mod 16384, 0);
+    rows_search(1) <= choice(rows_ready_inside(1), rows_search_rows_ready_words_0 / 16384, 0);
+    rows_reference(1) <= choice(rows_ready_inside(1), rows_reference_rows_ready_words_0 / 16384, 0);
+    rows_search(2) <= choice(rows_ready_inside(2), rows_search_rows_ready_newest_0, 0);
+    rows_reference(2) <= choice(rows_ready_inside(2), rows_reference_rows_ready_newest_0, 0);
+    if rows_ready_tag.valid then
+      rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 16384) + (rows_search_rows_ready_newest_0 *
         16384);
-      pathsturn_sum_memory_write_words_0_sum(1) := pathsleft_cost(4) + pathsabove_cost(4);
-      pathsturn_sum_memory_write_words_0_sum_2(1) := (((pathsleft_cost(3) + pathsabove_cost(3)) mod 128) * 32) +
-        ((pathsturn_sum_memory_write_words_0_sum(0) mod 128) / 4) + ((pathsturn_sum_memory_write_words_0_sum(1) mod 16)
-        * 4096);
-      pathsturn_sum_memory_write_words_0_sum(2) := pathsleft_cost(6) + pathsabove_cost(6);
-      pathsturn_sum_memory_write_words_0_sum_2(2) := (((pathsleft_cost(5) + pathsabove_cost(5)) mod 128) * 8) +
-        ((pathsturn_sum_memory_write_words_0_sum(1) mod 128) / 16) + ((pathsturn_sum_memory_write_words_0_sum(2) mod
-        64) * 1024);
-      pathsturn_sum_memory_write_words_0_3_sum := ((pathsturn_sum_memory_write_words_0_sum(2) mod 128) / 64) +
-        (((pathsleft_cost(7) + pathsabove_cost(7)) mod 128) * 2);
-      pathsturn_sum_memory_write_words_0_all(0) := (pathsturn_sum_write_address(1) < 4096) and pathsturn_writes_sums(1);
-      if pathsturn_sum_memory_write_words_0_all(0) then
-        pathsturn_sum_memory_write_words(0, 0) <= pathsturn_sum_memory_write_words_0_sum_2(0);
-        pathsturn_sum_memory_write_words(0, 1) <= pathsturn_sum_memory_write_words_0_sum_2(1);
-        pathsturn_sum_memory_write_words(0, 2) <= pathsturn_sum_memory_write_words_0_sum_2(2);
-        pathsturn_sum_memory_write_words_3(0) <= pathsturn_sum_memory_write_words_0_3_sum;
-        pathsturn_sum_memory_write_address_0 <= pathsturn_sum_write_address(1) mod 4096;
+      rows_reference_rows_write_words_0 <= (rows_reference_rows_ready_words_0 / 16384) +
+        (rows_reference_rows_ready_newest_0 * 16384);
+      rows_write_column <= rows_ready_column;
+    end if;
+    -- line
+    if rows_tag.valid then
+      line_centre_map_column_0 <= rows_tag.map_column;
+      line_centre_output_column_0 <= rows_tag.output_column;
+      line_centre_first_column_0 <= rows_tag.first_column;
+      line_centre_start_of_frame_0 <= rows_tag.start_of_frame;
+      line_centre_end_of_line_0 <= rows_tag.end_of_line;
+      line_order_inside <= line_centre_map_column_0;
+      line_newest_first_column <= line_centre_first_column_0;
+      line_newest_top <= line_centre_start_of_frame_0;
+    end if;
+    line_order_address_any := (not line_centre_map_column_0) or line_order_inside or (not rows_tag.valid);
+    line_order_address_choice := choice(line_order_falls, 1023, 1);
+    line_order_address_choice_2 := choice(line_order_falls, 0, 637);
+    if not ((not line_centre_map_column_0) or (not rows_tag.valid)) then
+      line_order_address <= choice(line_order_address_any, (line_order_address_choice + line_order_address) mod 1024,
+        line_order_address_choice_2);
+    end if;
+    line_order_falls_all := line_centre_map_column_0 and (not line_order_inside) and rows_tag.valid;
+    line_order_turned_output_column_choice := choice(line_order_falls_all, line_order_output and line_order_complete,
+      line_order_held_output);
+    line_order_turned_valid <= rows_tag.valid;
+    line_order_turned_map_column <= line_centre_map_column_0;
+    line_order_turned_output_column <= line_order_turned_output_column_choice and line_centre_map_column_0;
+    line_order_turned_first_column <= line_order_falls_all;
+    line_order_turned_start_of_frame <= line_centre_map_column_0 and (not line_order_inside) and rows_tag.valid and
+      line_order_first and line_order_output and line_order_complete;
+    line_order_turned_end_of_line <= line_centre_end_of_line_0;
+    line_comes(1) <= line_order_turned_valid;
+    line_comes(2 to 33) <= line_comes(1 to 32);
+    line_starts_phases(1) <= line_order_inside and line_order_turned_valid;
+    line_starts_phases(2 to 33) <= line_starts_phases(1 to 32);
+    line_order_falls <= choice(line_order_falls, line_order_address_any, line_order_falls_all);
+    line_order_complete <= choice(line_order_complete, line_centre_end_of_line_0 or (not line_centre_map_column_0) or
+      (not rows_tag.valid), line_centre_end_of_line_0 and line_centre_map_column_0 and rows_tag.valid);
+    if line_order_falls_all then
+      line_order_output <= line_centre_output_column_0;
+      line_order_first <= line_centre_start_of_frame_0;
+      line_order_held_output <= line_order_output and line_order_complete;
+    end if;
+    if line_order_turned_valid then
+      line_places_map_column(0) <= line_order_turned_map_column;
+      line_places_first_column(0) <= line_order_turned_first_column;
+      line_places_0_top <= line_newest_top;
+      line_places_address(0) <= line_order_address;
+      line_places_shown_output_column(0) <= line_order_turned_output_column;
+      line_places_shown_first_column(0) <= line_newest_first_column;
+      line_places_shown_start_of_frame(0) <= line_order_turned_start_of_frame;
+      line_places_shown_end_of_line(0) <= line_order_turned_end_of_line;
+    end if;
+    for i in 1 to 2 loop
+      if line_comes(8 * i) then
+        line_places_map_column(i) <= line_places_map_column(i - 1);
+        line_places_first_column(i) <= line_places_first_column(i - 1);
+        line_places_address(i) <= line_places_address(i - 1);
+        line_places_shown_output_column(i) <= line_places_shown_output_column(i - 1);
+        line_places_shown_first_column(i) <= line_places_shown_first_column(i - 1);
+        line_places_shown_start_of_frame(i) <= line_places_shown_start_of_frame(i - 1);
+        line_places_shown_end_of_line(i) <= line_places_shown_end_of_line(i - 1);
       end if;
-      pathsturn_sum_memory_write_words_0_all(1) := is_set(pathsturn_sum_write_address(1), 12) and
-        pathsturn_writes_sums(1);
-      if pathsturn_sum_memory_write_words_0_all(1) then
-        pathsturn_sum_memory_write_words(1, 0) <= pathsturn_sum_memory_write_words_0_sum_2(0);
-        pathsturn_sum_memory_write_words(1, 1) <= pathsturn_sum_memory_write_words_0_sum_2(1);
-        pathsturn_sum_memory_write_words(1, 2) <= pathsturn_sum_memory_write_words_0_sum_2(2);
-        pathsturn_sum_memory_write_words_3(1) <= pathsturn_sum_memory_write_words_0_3_sum;
-        pathsturn_sum_memory_write_address_1 <= pathsturn_sum_write_address(1) mod 1024;
+    end loop;
+    for i in 3 to 4 loop
+      if line_comes(8 * i) then
+        line_places_map_column(i) <= line_places_map_column(i - 1);
+        line_places_shown_output_column(i) <= line_places_shown_output_column(i - 1);
+        line_places_shown_start_of_frame(i) <= line_places_shown_start_of_frame(i - 1);
+        line_places_shown_end_of_line(i) <= line_places_shown_end_of_line(i - 1);
       end if;
-      pathsturn_cost_memory_write_words_0_0_sum := (to_integer(paths_cost_delay_held_0(15 downto 15)) * 32768) +
-        to_integer(paths_cost_delay_held_0(14 downto 0));
-      pathsturn_cost_memory_write_words_0_1_sum := (pathsleft_stay_change_value(5) / 2) +
-        (to_integer(paths_cost_delay_held_0(23 downto 18)) * 4);
-      pathsturn_cost_memory_write_words_0_all(0) := pathsturn_write_address_is_here and
-        (pathsturn_write_address_address < 4096);
-      if pathsturn_cost_memory_write_words_0_all(0) then
-        pathsturn_cost_memory_write_words_0(0) <= pathsturn_cost_memory_write_words_0_0_sum;
-        pathsturn_cost_memory_write_words_1(0) <= pathsturn_cost_memory_write_words_0_1_sum;
-        pathsturn_cost_memory_write_address_0 <= pathsturn_write_address_address mod 4096;
-      end if;
-      pathsturn_cost_memory_write_words_0_all(1) := (4095 < pathsturn_write_address_address) and
-        pathsturn_write_address_is_here;
-      if pathsturn_cost_memory_write_words_0_all(1) then
-        pathsturn_cost_memory_write_words_0(1) <= pathsturn_cost_memory_write_words_0_0_sum;
-        pathsturn_cost_memory_write_words_1(1) <= pathsturn_cost_memory_write_words_0_1_sum;
-        pathsturn_cost_memory_write_address_1 <= pathsturn_write_address_address mod 1024;
-      end if;
-      if line_starts_phases(16) then
-        pathsturn_smallest_address <= line_places_address(1);
-      end if;
-      -- pathsright
-      for i in 2 to 3 loop
-        pathsright_stay_choice(4 * i - 8) := choice((to_integer(pathsright_read_words(i)(6 downto 0)) -
-          to_integer(pathsright_read_words(i - 2)(6 downto 0))) < 0, to_integer(pathsright_read_words(i)(6 downto 0)),
-          to_integer(pathsright_read_words(i - 2)(6 downto 0)));
-        pathsright_stay_value(4 * i - 7, 1) := to_integer(pathsright_read_words(i)(13 downto 7));
-        pathsright_stay_value(4 * i - 7, 2) := to_integer(pathsright_read_words(i - 2)(13 downto 7));
-        pathsright_stay_choice(4 * i - 7) := choice((pathsright_stay_value(4 * i - 7, 1) - pathsright_stay_value(4 * i
-          - 7, 2)) < 0, pathsright_stay_value(4 * i - 7, 1), pathsright_stay_value(4 * i - 7, 2));
-        pathsright_stay_value(4 * i - 6, 1) := to_integer(pathsright_read_words(i)(20 downto 14));
-        pathsright_stay_value(4 * i - 6, 2) := to_integer(pathsright_read_words(i - 2)(20 downto 14));
-        pathsright_stay_choice(4 * i - 6) := choice((pathsright_stay_value(4 * i - 6, 1) - pathsright_stay_value(4 * i
-          - 6, 2)) < 0, pathsright_stay_value(4 * i - 6, 1), pathsright_stay_value(4 * i - 6, 2));
-        pathsright_stay_choice(4 * i - 5) := choice((to_integer(pathsright_read_words(i)(27 downto 21)) -
-          to_integer(pathsright_read_words(i - 2)(27 downto 21))) < 0, to_integer(pathsright_read_words(i)(27 downto
-          21)), to_integer(pathsright_read_words(i - 2)(27 downto 21)));
-      end loop;
-      pathsright_step_choice(0, 1) := choice(pathsleft_is_first, pathsright_stay_value(1, 2),
-        pathsright_lower_neighbour);
-      pathsright_step_choice(0, 2) := choice((pathsright_stay_value(1, 2) - pathsright_step_choice(0, 1)) < 0,
-        pathsright_stay_value(1, 2), pathsright_step_choice(0, 1));
-      pathsright_step_choice(1, 1) := choice((pathsright_stay_value(2, 2) - to_integer(pathsright_read_words(0)(6
-        downto 0))) < 0, pathsright_stay_value(2, 2), to_integer(pathsright_read_words(0)(6 downto 0)));
-      pathsright_step_choice(2, 1) := choice((to_integer(pathsright_read_words(0)(27 downto 21)) -
-        pathsright_stay_value(1, 2)) < 0, to_integer(pathsright_read_words(0)(27 downto 21)), pathsright_stay_value(1,
-        2));
-      pathsright_step_choice(3, 1) := choice((to_integer(pathsright_read_words(1)(6 downto 0)) -
-        pathsright_stay_value(2, 2)) < 0, to_integer(pathsright_read_words(1)(6 downto 0)), pathsright_stay_value(2,
-        2));
-      pathsright_step_choice(4, 1) := choice((pathsright_stay_value(5, 2) - to_integer(pathsright_read_words(0)(27
-        downto 21))) < 0, pathsright_stay_value(5, 2), to_integer(pathsright_read_words(0)(27 downto 21)));
-      pathsright_step_choice(5, 1) := choice((pathsright_stay_value(6, 2) - to_integer(pathsright_read_words(1)(6
-        downto 0))) < 0, pathsright_stay_value(6, 2), to_integer(pathsright_read_words(1)(6 downto 0)));
-      pathsright_step_choice(6, 1) := choice((to_integer(pathsright_read_words(1)(27 downto 21)) -
-        pathsright_stay_value(5, 2)) < 0, to_integer(pathsright_read_words(1)(27 downto 21)), pathsright_stay_value(5,
-        2));
-      pathsright_step_choice(7, 1) := choice(pathsleft_is_last, pathsright_stay_value(6, 2),
-        to_integer(pathsright_read_neighbour_0));
-      pathsright_step_choice(7, 2) := choice((pathsright_step_choice(7, 1) - pathsright_stay_value(6, 2)) < 0,
-        pathsright_step_choice(7, 1), pathsright_stay_value(6, 2));
-      pathsright_stay_change_value(1) := (pathsturn_cost_memory_ready_words(0) mod 64) / 8;
-      pathsright_stay_change_value(2) := (pathsturn_cost_memory_ready_words(0) / 64) mod 8;
-      pathsright_stay_change_value(3) := (pathsturn_cost_memory_ready_words(0) / 512) mod 8;
-      pathsright_stay_change_value(4) := (pathsturn_cost_memory_ready_words(0) / 4096) mod 8;
-      pathsright_stay_change_5_sum := ((pathsturn_cost_memory_ready_words(1) mod 4) * 2) +
-        (pathsturn_cost_memory_ready_words(0) / 32768);
-      pathsright_stay_change_value(6) := (pathsturn_cost_memory_ready_words(1) / 4) mod 8;
-      pathsright_low_0_choice := choice(line_comes(25), 127, pathsright_low_0);
-      pathsright_lost <= pathsright_lowest_0(6) = '1';
-      pathsright_short_of <= ((to_integer(pathsleft_lowest_0(5 downto 0)) + pathsleft_room) / 64) = 1;
-      pathsright_missing <= (to_integer(pathsright_lowest_0) + pathsright_room) mod 64;
-      pathsright_below <= (0 - to_integer(pathsright_lowest_0)) mod 64;
-      pathsright_lower_neighbour <= to_integer(pathsright_read_words(1)(27 downto 21));
-      pathsright_stay_change(0) <= ((pathsturn_cost_memory_ready_words(0) mod 8) - pathsright_g) mod 128;
-      pathsright_stay_change(1) <= (pathsright_stay_change_value(1) - pathsright_g) mod 128;
-      pathsright_stay_change(2) <= (pathsright_stay_change_value(2) - pathsright_g) mod 128;
-      pathsright_stay_change(3) <= (pathsright_stay_change_value(3) - pathsright_g) mod 128;
-      pathsright_stay_change(4) <= (pathsright_stay_change_value(4) - pathsright_g) mod 128;
-      pathsright_stay_change(5) <= (pathsright_stay_change_5_sum - pathsright_g) mod 128;
-      pathsright_stay_change(6) <= (pathsright_stay_change_value(6) - pathsright_g) mod 128;
-      pathsright_stay_change(7) <= ((pathsturn_cost_memory_ready_words(1) / 32) - pathsright_g) mod 128;
-      pathsright_step_change(0) <= ((pathsturn_cost_memory_ready_words(0) mod 8) - pathsright_g_less) mod 128;
-      pathsright_step_change(1) <= (pathsright_stay_change_value(1) - pathsright_g_less) mod 128;
-      pathsright_step_change(2) <= (pathsright_stay_change_value(2) - pathsright_g_less) mod 128;
-      pathsright_step_change(3) <= (pathsright_stay_change_value(3) - pathsright_g_less) mod 128;
-      pathsright_step_change(4) <= (pathsright_stay_change_value(4) - pathsright_g_less) mod 128;
-      pathsright_step_change(5) <= (pathsright_stay_change_5_sum - pathsright_g_less) mod 128;
-      pathsright_step_change(6) <= (pathsright_stay_change_value(6) - pathsright_g_less) mod 128;
-      pathsright_step_change(7) <= ((pathsturn_cost_memory_ready_words(1) / 32) - pathsright_g_less) mod 128;
-      pathsright_stay(0) <= choice((not pathsleft_first) and (not is_set(pathsright_stay_choice(0), 6)),
-        pathsright_stay_choice(0), 64);
-      for i in 1 to 7 loop
-        pathsright_stay(i) <= choice((not is_set(pathsright_stay_choice(i), 6)) and (not pathsleft_first),
-          pathsright_stay_choice(i), 64);
-      end loop;
-      pathsright_step(0) <= choice(pathsleft_first, 64, pathsright_step_choice(0, 2));
-      for i in 1 to 6 loop
-        pathsright_step(i) <= choice(pathsleft_first, 64, pathsright_step_choice(i, 1));
-      end loop;
-      pathsright_step(7) <= choice(pathsleft_first, 64, pathsright_step_choice(7, 2));
-      for i in 0 to 3 loop
-        pathsright_tree_smallest(i) <= choice((pathsright_cost(2 * i + 1) - pathsright_cost(2 * i)) < 0,
-          pathsright_cost(2 * i + 1), pathsright_cost(2 * i));
-      end loop;
-      pathsright_tree_next_smallest(0) <= choice((pathsright_tree_smallest(1) - pathsright_tree_smallest(0)) < 0,
-        pathsright_tree_smallest(1), pathsright_tree_smallest(0));
-      pathsright_tree_next_smallest(1) <= choice((pathsright_tree_smallest(3) - pathsright_tree_smallest(2)) < 0,
-        pathsright_tree_smallest(3), pathsright_tree_smallest(2));
-      pathsright_tree_next_next_smallest_0 <= choice((pathsright_tree_next_smallest(1) -
-        pathsright_tree_next_smallest(0)) < 0, pathsright_tree_next_smallest(1), pathsright_tree_next_smallest(0));
-      pathsright_low_0 <= choice((pathsright_tree_next_next_smallest_0 - pathsright_low_0_choice) < 0,
-        pathsright_tree_next_next_smallest_0, pathsright_low_0_choice);
-      pathsright_q_choices(1) := choice(pathsleft_short_of, pathsright_missing, 0);
-      pathsright_q_choices(2) := choice(pathsright_lost, pathsright_room, pathsright_q_choices(1));
-      pathsright_room_left_choice := choice(pathsleft_short_of, pathsright_below, pathsright_room);
-      if line_starts_phases(17) then
-        pathsright_q <= choice(line_places_shown_first_column(2), 60, pathsright_q_choices(2));
-        pathsright_room_left <= choice(pathsright_lost, 0, pathsright_room_left_choice);
-      end if;
-      if line_starts_phases(18) then
-        pathsright_q_now <= pathsright_q;
-        pathsright_q_less <= (pathsright_q + 121) mod 128;
-        pathsright_room <= choice(line_places_shown_first_column(2), 0, (pathsright_room_left +
-          pathsright_start_cost(8)) mod 64);
-        pathsright_start_cost(1) <= choice(line_places_shown_first_column(2), 0, pathsright_q_now);
-        for i in 2 to 8 loop
-          pathsright_start_cost(i) <= choice(line_places_shown_first_column(2), 0, pathsright_start_cost(i - 1));
+    end loop;
+    -- costsshift
+    if rows_tag.valid then
+      costsshift_newest <= rows_search;
+      costsshift_new_reference <= rows_reference;
+    end if;
+    costsshift_count_phase_choice := choice(costsshift_count_phase = 7, 7, (costsshift_count_phase + 1) mod 8);
+    costsshift_new_tag_valid <= rows_tag.valid or (not is_set(costsshift_count_phase, 2)) or (not
+      is_set(costsshift_count_phase, 1)) or (not is_set(costsshift_count_phase, 0));
+    costsshift_handed_on(0) <= to_integer(costsshift_read_words(3)(27 downto 14));
+    costsshift_handed_on(1) <= to_integer(costsshift_read_words(7)(27 downto 14));
+    costsshift_handed_on(2) <= to_integer(costsshift_read_words(11)(27 downto 14));
+    costsshift_read_reference <= costsshift_new_reference;
+    costsshift_read_tag_valid <= costsshift_new_tag_valid;
+    costsshift_read_count_phase <= costsshift_count_phase;
+    costsshift_reference <= costsshift_read_reference;
+    costsshift_write_phase <= costsshift_read_count_phase;
+    costsshift_count_phase <= choice(rows_tag.valid, 0, costsshift_count_phase_choice);
+    costsshift_search_0_0_is_equal := costsshift_read_count_phase = 0;
+    if costsshift_read_tag_valid then
+      for i in 0 to 2 loop
+        for j in 0 to 2 loop
+          costsshift_search(i, 2 * j + 1) <= to_integer(costsshift_read_words(4 * i + j)(13 downto 0));
+          costsshift_search(i, 2 * j + 2) <= to_integer(costsshift_read_words(4 * i + j)(27 downto 14));
         end loop;
-      end if;
-      if line_starts_phases(19) then
-        pathsright_g <= pathsturn_ready_smallest_0 + pathsright_q_now;
-        pathsright_g_less <= (pathsturn_ready_smallest_0 + pathsright_q_less) mod 128;
-      end if;
-      if pathsleft_cost_0_any then
-        for i in 0 to 7 loop
-          pathsright_cost(i) <= (pathsright_stay(i) + pathsright_stay_change(i)) mod 128;
-        end loop;
-        for i in 0 to 7 loop
-          pathsright_arrived(i) <= (pathsright_step(i) + pathsright_step_change(i)) mod 128;
-        end loop;
-      end if;
-      -- winnersmask
-      winnersmask_column_sum := winnersmask_column + 1;
-      winnersmask_column_choice := choice(line_places_first_column(2), 0, winnersmask_column_sum mod 1024);
-      if line_comes(21) then
-        winnersmask_column <= winnersmask_column_choice;
-      end if;
-      winnersmask_partner_choice := choice(line_places_first_column(2), 0, winnersmask_column_sum);
-      winnersmask_inside(0) <= (((((winnersmask_partner / 1024) + 63) mod 64) * 1024) + (winnersmask_partner mod 1024))
-        < 638;
-      winnersmask_inside(1) <= (winnersmask_partner >= 1023) and (winnersmask_partner < 1661);
-      winnersmask_inside(2) <= (((((winnersmask_partner / 2) + 32257) mod 32768) * 2) + (winnersmask_partner mod 2)) <
-        638;
-      winnersmask_inside(3) <= (winnersmask_partner >= 1021) and (winnersmask_partner < 1659);
-      winnersmask_inside(4) <= (((((winnersmask_partner / 4) + 16129) mod 16384) * 4) + (winnersmask_partner mod 4)) <
-        638;
-      winnersmask_inside(5) <= (winnersmask_partner >= 1019) and (winnersmask_partner < 1657);
-      winnersmask_inside(6) <= (((((winnersmask_partner / 2) + 32259) mod 32768) * 2) + (winnersmask_partner mod 2)) <
-        638;
-      winnersmask_inside(7) <= (winnersmask_partner >= 1017) and (winnersmask_partner < 1655);
-      winnersmask_partner <= choice(line_comes(21), (((winnersmask_partner_choice / 1024) + 1) * 1024) +
-        winnersmask_column_choice, ((((winnersmask_partner / 8) + 1) mod 512) * 8) + (winnersmask_partner mod 8));
-      -- winnerswinner1
-      for i in 0 to 3 loop
-        winnerswinner1_best_cost_0_sum(i, 1) := as_number(winnersmask_inside(2 * i + 1)) + 255;
-        winnerswinner1_best_cost_0_any(i, 1) := to_integer(((to_unsigned(paths_sum(2 * i + 1), 8)) or
-          (to_unsigned((winnerswinner1_best_cost_0_sum(i, 1) mod 256), 8))));
-        winnerswinner1_best_cost_0_sum(i, 2) := as_number(winnersmask_inside(2 * i)) + 255;
-        winnerswinner1_best_cost_0_any(i, 2) := to_integer(((to_unsigned(paths_sum(2 * i), 8)) or
-          (to_unsigned((winnerswinner1_best_cost_0_sum(i, 2) mod 256), 8))));
+        costsshift_search(i, 7) <= to_integer(costsshift_read_words(4 * i + 3)(13 downto 0));
       end loop;
-      for i in 0 to 3 loop
-        winnerswinner1_best_index_0_value(i, 1) := is_set(paths_sum(2 * i + 1), 1);
-        winnerswinner1_best_index_0_choice(i, 1) := choice(is_set(winnerswinner1_best_cost_0_sum(i, 2), 0), (not
-          is_set(winnerswinner1_best_cost_0_sum(i, 1), 0)) and (not is_set(paths_sum(2 * i + 1), 0)), (not
-          is_set(winnerswinner1_best_cost_0_sum(i, 1), 0)) and (not is_set(paths_sum(2 * i + 1), 0)) and
-          is_set(paths_sum(2 * i), 0));
-        winnerswinner1_best_index_0_value(i, 2) := (((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 2) mod 2) = 1;
-        winnerswinner1_best_index_0_value(i, 3) := is_set(paths_sum(2 * i), 1);
-        winnerswinner1_best_index_0_choice(i, 2) := choice((not ((((winnerswinner1_best_cost_0_sum(i, 1) mod 256) / 2)
-          mod 2) = 1)) and (not winnerswinner1_best_index_0_value(i, 1)), winnerswinner1_best_index_0_choice(i, 1) or
-          winnerswinner1_best_index_0_value(i, 2) or winnerswinner1_best_index_0_value(i, 3),
-          winnerswinner1_best_index_0_choice(i, 1) and (winnerswinner1_best_index_0_value(i, 2) or
-          winnerswinner1_best_index_0_value(i, 3)));
-        winnerswinner1_best_index_0_value(i, 4) := (((winnerswinner1_best_cost_0_sum(i, 1) mod 256) / 4) mod 2) = 1;
-        winnerswinner1_best_index_0_value(i, 5) := is_set(paths_sum(2 * i + 1), 2);
-        winnerswinner1_best_index_0_choice(i, 3) := choice(winnerswinner1_best_index_0_choice(i, 2), (not
-          ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 4) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 2)) and
-          (winnerswinner1_best_index_0_value(i, 4) or winnerswinner1_best_index_0_value(i, 5)), ((not
-          ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 4) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 2))) or
-          winnerswinner1_best_index_0_value(i, 4) or winnerswinner1_best_index_0_value(i, 5));
-        winnerswinner1_best_index_0_value(i, 6) := (((winnerswinner1_best_cost_0_sum(i, 1) mod 256) / 8) mod 2) = 1;
-        winnerswinner1_best_index_0_value(i, 7) := is_set(paths_sum(2 * i + 1), 3);
-        winnerswinner1_best_index_0_choice(i, 4) := choice(winnerswinner1_best_index_0_choice(i, 3), ((not
-          ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 8) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 3))) or
-          winnerswinner1_best_index_0_value(i, 6) or winnerswinner1_best_index_0_value(i, 7), (not
-          ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 8) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 3)) and
-          (winnerswinner1_best_index_0_value(i, 6) or winnerswinner1_best_index_0_value(i, 7)));
-        winnerswinner1_best_index_0_value(i, 8) := (((winnerswinner1_best_cost_0_sum(i, 1) mod 256) / 16) mod 2) = 1;
-        winnerswinner1_best_index_0_value(i, 9) := is_set(paths_sum(2 * i + 1), 4);
-        winnerswinner1_best_index_0_choice(i, 5) := choice(winnerswinner1_best_index_0_choice(i, 4), ((not
-          ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 16) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 4)))
-          or winnerswinner1_best_index_0_value(i, 8) or winnerswinner1_best_index_0_value(i, 9), (not
-          ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 16) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 4))
-          and (winnerswinner1_best_index_0_value(i, 8) or winnerswinner1_best_index_0_value(i, 9)));
-        winnerswinner1_best_index_0_value(i, 10) := (((winnerswinner1_best_cost_0_sum(i, 1) mod 256) / 32) mod 2) = 1;
-        winnerswinner1_best_index_0_value(i, 11) := is_set(paths_sum(2 * i + 1), 5);
-        winnerswinner1_best_index_0_choice(i, 6) := choice(winnerswinner1_best_index_0_choice(i, 5), ((not
-          ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 32) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 5)))
-          or winnerswinner1_best_index_0_value(i, 10) or winnerswinner1_best_index_0_value(i, 11), (not
-          ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 32) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 5))
-          and (winnerswinner1_best_index_0_value(i, 10) or winnerswinner1_best_index_0_value(i, 11)));
-        winnerswinner1_best_index_0_value(i, 12) := (((winnerswinner1_best_cost_0_sum(i, 1) mod 256) / 64) mod 2) = 1;
-        winnerswinner1_best_index_0_value(i, 13) := is_set(paths_sum(2 * i + 1), 6);
-        winnerswinner1_best_index_0_choice(i, 7) := choice(winnerswinner1_best_index_0_choice(i, 6), ((not
-          ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 64) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 6)))
-          or winnerswinner1_best_index_0_value(i, 12) or winnerswinner1_best_index_0_value(i, 13), (not
-          ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 64) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 6))
-          and (winnerswinner1_best_index_0_value(i, 12) or winnerswinner1_best_index_0_value(i, 13)));
-        winnerswinner1_best_index_0_choice(i, 8) := choice(winnerswinner1_best_index_0_choice(i, 7), (not ((not
-          (((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 128) = 1)) and (not is_set(paths_sum(2 * i), 7)))) and
-          (not (((winnerswinner1_best_cost_0_sum(i, 1) mod 256) / 128) = 1)) and (not is_set(paths_sum(2 * i + 1), 7)),
-          (not ((not (((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 128) = 1)) and (not is_set(paths_sum(2 * i),
-          7)))) or ((not (((winnerswinner1_best_cost_0_sum(i, 1) mod 256) / 128) = 1)) and (not is_set(paths_sum(2 * i
-          + 1), 7))));
+      for i in 0 to 2 loop
+        costsshift_search(i, 0) <= choice(costsshift_search_0_0_is_equal, costsshift_newest(i),
+          costsshift_handed_on(i));
       end loop;
-      winnerswinner1_best_index_0_0 <= winnerswinner1_best_index_0_choice(0, 8);
-      winnerswinner1_best_first_0(0) <= winnerswinner1_best_cost_0_any(0, 2);
-      winnerswinner1_best_first_0(1) <= winnerswinner1_best_cost_0_any(1, 2);
-      winnerswinner1_best_first_0(2) <= winnerswinner1_best_cost_0_any(2, 2);
-      winnerswinner1_best_first_0(3) <= winnerswinner1_best_cost_0_any(3, 2);
-      winnerswinner1_best_last_0(0) <= winnerswinner1_best_cost_0_any(0, 1);
-      winnerswinner1_best_last_0(1) <= winnerswinner1_best_cost_0_any(1, 1);
-      winnerswinner1_best_last_0(2) <= winnerswinner1_best_cost_0_any(2, 1);
-      winnerswinner1_best_last_0(3) <= winnerswinner1_best_cost_0_any(3, 1);
-      for i in 0 to 3 loop
-        winnerswinner1_best_cost_0(i) <= choice((winnerswinner1_best_cost_0_any(i, 1) -
-          winnerswinner1_best_cost_0_any(i, 2)) < 0, winnerswinner1_best_cost_0_any(i, 1),
-          winnerswinner1_best_cost_0_any(i, 2));
+    end if;
+    -- costscolumn
+    for i in 0 to 2 loop
+      costscolumn_pixels_first_count(i, 0, 0) <= differing(costsshift_search(i, 0), costsshift_reference(i), 0) +
+        differing(costsshift_reference(i), costsshift_search(i, 0), 2) + differing(costsshift_reference(i),
+        costsshift_search(i, 0), 1);
+      costscolumn_pixels_first_count(i, 0, 1) <= differing(costsshift_reference(i), costsshift_search(i, 0), 3, 5, 4);
+      costscolumn_pixels_first_count(i, 0, 2) <= (to_integer(((to_unsigned((costsshift_search(i, 0) mod 256), 8)) xor
+        (to_unsigned((costsshift_reference(i) mod 256), 8)))) / 128) + differing(costsshift_reference(i),
+        costsshift_search(i, 0), 8) + differing(costsshift_reference(i), costsshift_search(i, 0), 6);
+      costscolumn_pixels_first_count(i, 0, 3) <= differing(costsshift_reference(i), costsshift_search(i, 0), 9, 11, 10);
+      costscolumn_pixels_first_count_4(i, 0) <= differing(costsshift_reference(i), costsshift_search(i, 0), 13) +
+        differing(costsshift_reference(i), costsshift_search(i, 0), 12);
+      for j in 1 to 7 loop
+        costscolumn_pixels_first_count(i, j, 0) <= differing(costsshift_search(i, j), costsshift_reference(i), 0, 2, 1);
+        costscolumn_pixels_first_count(i, j, 1) <= differing(costsshift_search(i, j), costsshift_reference(i), 3, 5, 4);
+        costscolumn_pixels_first_count(i, j, 2) <= (to_integer(((to_unsigned((costsshift_search(i, j) mod 256), 8)) xor
+          (to_unsigned((costsshift_reference(i) mod 256), 8)))) / 128) + differing(costsshift_search(i, j),
+          costsshift_reference(i), 8) + differing(costsshift_search(i, j), costsshift_reference(i), 6);
+        costscolumn_pixels_first_count(i, j, 3) <= differing(costsshift_search(i, j), costsshift_reference(i), 9, 11,
+          10);
+        costscolumn_pixels_first_count_4(i, j) <= differing(costsshift_search(i, j), costsshift_reference(i), 13) +
+          differing(costsshift_search(i, j), costsshift_reference(i), 12);
       end loop;
-      for i in 1 to 3 loop
-        winnerswinner1_best_index_0(i) <= choice(winnerswinner1_best_index_0_choice(i, 8), 2 * i + 1, 2 * i);
-        winnerswinner1_best_below_0(i) <= choice(winnerswinner1_best_index_0_choice(i, 8),
-          winnerswinner1_best_cost_0_any(i, 2), 0);
-        winnerswinner1_best_above_0(i) <= choice(winnerswinner1_best_index_0_choice(i, 8), 0,
-          winnerswinner1_best_cost_0_any(i, 1));
+    end loop;
+    for i in 0 to 2 loop
+      for j in 0 to 7 loop
+        costscolumn_pixels_cost(i, j) <= costscolumn_pixels_first_count(i, j, 3) + costscolumn_pixels_first_count(i, j,
+          0) + costscolumn_pixels_first_count(i, j, 1) + costscolumn_pixels_first_count_4(i, j) +
+          costscolumn_pixels_first_count(i, j, 2);
       end loop;
-      winnerswinner1_best_below_0(0) <= choice(winnerswinner1_best_index_0_choice(0, 8),
-        winnerswinner1_best_cost_0_any(0, 2), 0);
-      winnerswinner1_best_above_0(0) <= choice(winnerswinner1_best_index_0_choice(0, 8), 0,
-        winnerswinner1_best_cost_0_any(0, 1));
-      if in_valid then
-        winnerswinner1_best_place_0 <= choice(in_start_of_frame, transform_counter_next_frame,
-          transform_counter_frame_joins);
-      end if;
-      -- winnerswinner2
+    end loop;
+    for i in 0 to 7 loop
+      costscolumn_pair_0(i) <= costscolumn_pixels_cost(1, i) + costscolumn_pixels_cost(2, i);
+    end loop;
+    for i in 0 to 7 loop costscolumn_single_0(i) <= costscolumn_pixels_cost(0, i); end loop;
+    for i in 0 to 7 loop costscolumn_column_0(i) <= costscolumn_pair_0(i) + costscolumn_single_0(i); end loop;
+    -- costswindow
+    costswindow_read_count_phase_choice := choice(costswindow_read_count_phase = 7, 7, (costswindow_read_count_phase +
+      1) mod 8);
+    costswindow_write_count_phase_choice := choice(costswindow_write_count_phase = 7, 7, (costswindow_write_count_phase
+      + 1) mod 8);
+    for i in 2 to 3 loop
+      for j in 0 to 3 loop
+        costswindow_sum_0(4 * i + j - 8) <= costscolumn_column_0(4 * i + j - 8) +
+          to_integer(costswindow_read_wordss(i)(7 * j + 6 downto 7 * j));
+      end loop;
+    end loop;
+    costswindow_read_count_phase <= choice(line_comes(4), 0, costswindow_read_count_phase_choice);
+    costswindow_write_count_phase <= choice(line_comes(6), 0, costswindow_write_count_phase_choice);
+    costswindow_partial_0_any := (not is_set(costswindow_write_count_phase, 2)) or (not
+      is_set(costswindow_write_count_phase, 1)) or (not is_set(costswindow_write_count_phase, 0)) or line_comes(6);
+    if costswindow_partial_0_any then
+      costswindow_partial <= costscolumn_column_0;
       for i in 0 to 1 loop
-        for j in 1 to 5 loop
-          winnerswinner2_best_index_0_value(i, j) := is_set(winnerswinner1_best_cost_0(2 * i + 1), j + 1);
+        for j in 8 to 11 loop
+          costswindow_partials(4 * i + j) <= costscolumn_column_0(4 * i + j - 8) +
+            to_integer(costswindow_read_words(i)(7 * j - 51 downto 7 * j - 56));
         end loop;
-        winnerswinner2_best_index_0_choice_8(i) := is_larger(winnerswinner1_best_cost_0(2 * i),
-          winnerswinner1_best_cost_0(2 * i + 1), 0, 7, false);
       end loop;
-      winnerswinner2_best_below_0_choice(0) := choice(winnerswinner1_best_index_0(1) = 2,
-        winnerswinner1_best_last_0(0), winnerswinner1_best_below_0(1));
-      winnerswinner2_best_below_0_choice(1) := choice(winnerswinner1_best_index_0(3) = 6,
-        winnerswinner1_best_last_0(2), winnerswinner1_best_below_0(3));
-      winnerswinner2_best_above_0_choice(0) := choice(winnerswinner1_best_index_0_0, winnerswinner1_best_first_0(1),
-        winnerswinner1_best_above_0(0));
-      winnerswinner2_best_above_0_choice(1) := choice(other_0, winnerswinner1_best_first_0(3),
-        winnerswinner1_best_above_0(2));
-      winnerswinner2_best_first_0(0) <= winnerswinner1_best_first_0(0);
-      winnerswinner2_best_first_0(1) <= winnerswinner1_best_first_0(2);
-      winnerswinner2_best_last_0(0) <= winnerswinner1_best_last_0(1);
-      winnerswinner2_best_last_0(1) <= winnerswinner1_best_last_0(3);
-      winnerswinner2_best_cost_0(0) <= choice((winnerswinner1_best_cost_0(1) - winnerswinner1_best_cost_0(0)) < 0,
-        winnerswinner1_best_cost_0(1), winnerswinner1_best_cost_0(0));
-      winnerswinner2_best_cost_0(1) <= choice((winnerswinner1_best_cost_0(3) - winnerswinner1_best_cost_0(2)) < 0,
-        winnerswinner1_best_cost_0(3), winnerswinner1_best_cost_0(2));
-      winnerswinner2_best_index_0(0) <= choice(winnerswinner2_best_index_0_choice_8(0), winnerswinner1_best_index_0(1),
-        as_number(winnerswinner1_best_index_0_0));
-      winnerswinner2_best_below_0(0) <= choice(winnerswinner2_best_index_0_choice_8(0),
-        winnerswinner2_best_below_0_choice(0), winnerswinner1_best_below_0(0));
-      winnerswinner2_best_above_0(0) <= choice(winnerswinner2_best_index_0_choice_8(0), winnerswinner1_best_above_0(1),
-        winnerswinner2_best_above_0_choice(0));
-      winnerswinner2_best_index_0(1) <= choice(winnerswinner2_best_index_0_choice_8(1), winnerswinner1_best_index_0(3),
-        winnerswinner1_best_index_0(2));
-      winnerswinner2_best_below_0(1) <= choice(winnerswinner2_best_index_0_choice_8(1),
-        winnerswinner2_best_below_0_choice(1), winnerswinner1_best_below_0(2));
-      winnerswinner2_best_above_0(1) <= choice(winnerswinner2_best_index_0_choice_8(1), winnerswinner1_best_above_0(3),
-        winnerswinner2_best_above_0_choice(1));
-      -- winnerswinner3
-      for i in 1 to 5 loop
-        winnerswinner3_best_index_0_0_values(i) := is_set(winnerswinner2_best_cost_0(1), i + 1);
+    end if;
+    -- costsmask
+    costsmask_column_sum := costsmask_column + 1;
+    costsmask_column_choice := choice(line_places_shown_first_column(0), 0, costsmask_column_sum mod 1024);
+    if line_comes(5) then costsmask_column <= costsmask_column_choice; end if;
+    costsmask_partner_choice := choice(line_places_shown_first_column(0), 0, costsmask_column_sum);
+    costsmask_inside(0) <= (((((costsmask_partner / 1024) + 63) mod 64) * 1024) + (costsmask_partner mod 1024)) < 638;
+    costsmask_inside(1) <= (costsmask_partner >= 1025) and (costsmask_partner < 1663);
+    costsmask_inside(2) <= (((((costsmask_partner / 2) + 32255) mod 32768) * 2) + (costsmask_partner mod 2)) < 638;
+    costsmask_inside(3) <= (costsmask_partner >= 1027) and (costsmask_partner < 1665);
+    costsmask_inside(4) <= (((((costsmask_partner / 4) + 16127) mod 16384) * 4) + (costsmask_partner mod 4)) < 638;
+    costsmask_inside(5) <= (costsmask_partner >= 1029) and (costsmask_partner < 1667);
+    costsmask_inside(6) <= (((((costsmask_partner / 2) + 32253) mod 32768) * 2) + (costsmask_partner mod 2)) < 638;
+    costsmask_inside(7) <= (costsmask_partner >= 1031) and (costsmask_partner < 1669);
+    costsmask_partner <= choice(line_comes(5), (((costsmask_partner_choice / 1024) + 1) * 1024) +
+      costsmask_column_choice, ((((costsmask_partner / 8) + 511) mod 512) * 8) + (costsmask_partner mod 8));
+    -- costs
+    for i in 0 to 7 loop
+      costs_cost(i) <= choice((not (((not is_set(costswindow_sum_0(i), 5)) or (not is_set(costswindow_sum_0(i), 4)))
+        and ((costswindow_sum_0(i) / 64) = 0))) or (not costsmask_inside(i)), 5, costswindow_sum_0(i) / 8);
+    end loop;
+    -- paths
+    paths_smallest_cost_choice := choice(line_comes(11), 7, paths_smallest_cost);
+    paths_cost_delay_ring_write_address <= paths_cost_delay_ring_read_address;
+    paths_sum(0) <= (pathsturn_sum_memory_ready_words(0) mod 128) + pathsright_cost(0);
+    paths_sum(1) <= ((pathsturn_sum_memory_ready_words(0) / 128) mod 128) + pathsright_cost(1);
+    paths_sum(2) <= ((pathsturn_sum_memory_ready_words(1) mod 32) * 4) + (pathsturn_sum_memory_ready_words(0) / 16384)
+      + pathsright_cost(2);
+    paths_sum(3) <= ((pathsturn_sum_memory_ready_words(1) / 32) mod 128) + pathsright_cost(3);
+    paths_sum(4) <= ((pathsturn_sum_memory_ready_words(2) mod 8) * 16) + (pathsturn_sum_memory_ready_words(1) / 4096) +
+      pathsright_cost(4);
+    paths_sum(5) <= ((pathsturn_sum_memory_ready_words(2) / 8) mod 128) + pathsright_cost(5);
+    paths_sum(6) <= ((pathsturn_sum_memory_ready_words(3) mod 2) * 64) + (pathsturn_sum_memory_ready_words(2) / 1024) +
+      pathsright_cost(6);
+    paths_sum(7) <= (pathsturn_sum_memory_ready_words(3) / 2) + pathsright_cost(7);
+    paths_tree_smallest(0) <= smaller(costs_cost(1), costs_cost(0));
+    paths_tree_smallest(1) <= smaller(costs_cost(3), costs_cost(2));
+    paths_tree_smallest(2) <= smaller(costs_cost(5), costs_cost(4));
+    paths_tree_smallest(3) <= smaller(costs_cost(7), costs_cost(6));
+    paths_tree_next_smallest(0) <= smaller(paths_tree_smallest(1), paths_tree_smallest(0));
+    paths_tree_next_smallest(1) <= smaller(paths_tree_smallest(3), paths_tree_smallest(2));
+    paths_tree_next_next_smallest_0 <= smaller(paths_tree_next_smallest(1), paths_tree_next_smallest(0));
+    paths_smallest_cost <= smaller(paths_tree_next_next_smallest_0, paths_smallest_cost_choice);
+    paths_cost_delay_ring_read_address <= choice(paths_cost_delay_ring_read_address = 11, 0,
+      (paths_cost_delay_ring_read_address + 1) mod 16);
+    -- pathsleft
+    if line_starts_phases(14) then pathsleft_low_address <= (pathsleft_low_address + 1) mod 16; end if;
+    pathsleft_read_count_phase_is_equal := pathsleft_read_count_phase = 7;
+    pathsleft_read_count_phase_choice := choice(pathsleft_read_count_phase_is_equal, 7, (pathsleft_read_count_phase +
+      1) mod 8);
+    pathsleft_ahead_count_phase_choice := choice(pathsleft_ahead_count_phase = 7, 7, (pathsleft_ahead_count_phase + 1)
+      mod 8);
+    for i in 2 to 3 loop
+      pathsleft_stay_choice(4 * i - 8) := smaller(to_integer(pathsleft_read_words(i)(6 downto 0)),
+        to_integer(pathsleft_read_words(i - 2)(6 downto 0)));
+      pathsleft_stay_value(4 * i - 7, 1) := to_integer(pathsleft_read_words(i)(13 downto 7));
+      pathsleft_stay_value(4 * i - 7, 2) := to_integer(pathsleft_read_words(i - 2)(13 downto 7));
+      pathsleft_stay_choice(4 * i - 7) := smaller(pathsleft_stay_value(4 * i - 7, 1), pathsleft_stay_value(4 * i - 7,
+        2));
+      pathsleft_stay_value(4 * i - 6, 1) := to_integer(pathsleft_read_words(i)(20 downto 14));
+      pathsleft_stay_value(4 * i - 6, 2) := to_integer(pathsleft_read_words(i - 2)(20 downto 14));
+      pathsleft_stay_choice(4 * i - 6) := smaller(pathsleft_stay_value(4 * i - 6, 1), pathsleft_stay_value(4 * i - 6,
+        2));
+      pathsleft_stay_choice(4 * i - 5) := smaller(to_integer(pathsleft_read_words(i)(27 downto 21)),
+        to_integer(pathsleft_read_words(i - 2)(27 downto 21)));
+    end loop;
+    pathsleft_step_choice(0, 1) := choice(pathsleft_is_first, pathsleft_stay_value(1, 2), pathsleft_lower_neighbour);
+    pathsleft_step_choice(0, 2) := smaller(pathsleft_stay_value(1, 2), pathsleft_step_choice(0, 1));
+    pathsleft_step_choice(1, 1) := smaller(pathsleft_stay_value(2, 2), to_integer(pathsleft_read_words(0)(6 downto 0)));
+    pathsleft_step_choice(2, 1) := smaller(to_integer(pathsleft_read_words(0)(27 downto 21)), pathsleft_stay_value(1,
+      2));
+    pathsleft_step_choice(3, 1) := smaller(to_integer(pathsleft_read_words(1)(6 downto 0)), pathsleft_stay_value(2, 2));
+    pathsleft_step_choice(4, 1) := smaller(pathsleft_stay_value(5, 2), to_integer(pathsleft_read_words(0)(27 downto
+      21)));
+    pathsleft_step_choice(5, 1) := smaller(pathsleft_stay_value(6, 2), to_integer(pathsleft_read_words(1)(6 downto 0)));
+    pathsleft_step_choice(6, 1) := smaller(to_integer(pathsleft_read_words(1)(27 downto 21)), pathsleft_stay_value(5,
+      2));
+    pathsleft_step_choice(7, 1) := choice(pathsleft_is_last, pathsleft_stay_value(6, 2),
+      to_integer(pathsleft_read_neighbour_0));
+    pathsleft_step_choice(7, 2) := smaller(pathsleft_step_choice(7, 1), pathsleft_stay_value(6, 2));
+    pathsleft_stay_change_value(1) := to_integer(paths_cost_delay_held_0(5 downto 0)) / 8;
+    for i in 2 to 6 loop
+      pathsleft_stay_change_value(i) := to_integer(paths_cost_delay_held_0(3 * i + 2 downto 3 * i));
+    end loop;
+    pathsleft_write_count_phase_choice := choice(pathsleft_write_count_phase = 7, 7, (pathsleft_write_count_phase + 1)
+      mod 8);
+    pathsleft_low_0_choice := choice(line_comes(25), 127, pathsleft_low_0);
+    pathsleft_lost <= pathsleft_lowest_0(6) = '1';
+    pathsleft_short_of <= ((to_integer(pathsright_lowest_0(5 downto 0)) + pathsright_room) / 64) = 1;
+    pathsleft_missing <= (to_integer(pathsleft_lowest_0) + pathsleft_room) mod 64;
+    pathsleft_below <= (0 - to_integer(pathsleft_lowest_0)) mod 64;
+    pathsleft_is_first <= pathsleft_read_count_phase = 0;
+    pathsleft_is_last <= pathsleft_read_count_phase_is_equal;
+    pathsleft_lower_neighbour <= to_integer(pathsleft_read_words(1)(27 downto 21));
+    pathsleft_stay_change(0) <= (to_integer(paths_cost_delay_held_0(2 downto 0)) - pathsleft_g) mod 128;
+    for i in 1 to 6 loop pathsleft_stay_change(i) <= (pathsleft_stay_change_value(i) - pathsleft_g) mod 128; end loop;
+    pathsleft_stay_change(7) <= (to_integer(paths_cost_delay_held_0(23 downto 21)) - pathsleft_g) mod 128;
+    pathsleft_step_change(0) <= (to_integer(paths_cost_delay_held_0(2 downto 0)) - pathsleft_g_less) mod 128;
+    for i in 1 to 6 loop
+      pathsleft_step_change(i) <= (pathsleft_stay_change_value(i) - pathsleft_g_less) mod 128;
+    end loop;
+    pathsleft_step_change(7) <= (to_integer(paths_cost_delay_held_0(23 downto 21)) - pathsleft_g_less) mod 128;
+    pathsleft_read_count_phase <= choice(line_starts_phases(18), 0, pathsleft_read_count_phase_choice);
+    pathsleft_ahead_count_phase <= choice(line_starts_phases(17), 0, pathsleft_ahead_count_phase_choice);
+    for i in 0 to 7 loop
+      pathsleft_stay(i) <= choice((not is_set(pathsleft_stay_choice(i), 6)) and (not pathsleft_first),
+        pathsleft_stay_choice(i), 64);
+    end loop;
+    pathsleft_step(0) <= choice(pathsleft_first, 64, pathsleft_step_choice(0, 2));
+    for i in 1 to 6 loop pathsleft_step(i) <= choice(pathsleft_first, 64, pathsleft_step_choice(i, 1)); end loop;
+    pathsleft_step(7) <= choice(pathsleft_first, 64, pathsleft_step_choice(7, 2));
+    pathsleft_write_count_phase <= choice(line_starts_phases(21), 0, pathsleft_write_count_phase_choice);
+    pathsleft_tree_smallest(0) <= smaller(pathsleft_cost(1), pathsleft_cost(0));
+    pathsleft_tree_smallest(1) <= smaller(pathsleft_cost(3), pathsleft_cost(2));
+    pathsleft_tree_smallest(2) <= smaller(pathsleft_cost(5), pathsleft_cost(4));
+    pathsleft_tree_smallest(3) <= smaller(pathsleft_cost(7), pathsleft_cost(6));
+    pathsleft_tree_next_smallest(0) <= smaller(pathsleft_tree_smallest(1), pathsleft_tree_smallest(0));
+    pathsleft_tree_next_smallest(1) <= smaller(pathsleft_tree_smallest(3), pathsleft_tree_smallest(2));
+    pathsleft_tree_next_next_smallest_0 <= smaller(pathsleft_tree_next_smallest(1), pathsleft_tree_next_smallest(0));
+    pathsleft_low_0 <= smaller(pathsleft_tree_next_next_smallest_0, pathsleft_low_0_choice);
+    pathsleft_q_choices(1) := choice(pathsright_short_of, pathsleft_missing, 0);
+    pathsleft_q_choices(2) := choice(pathsleft_lost, pathsleft_room, pathsleft_q_choices(1));
+    pathsleft_room_left_choice := choice(pathsright_short_of, pathsleft_below, pathsleft_room);
+    if line_starts_phases(17) then
+      pathsleft_q <= choice(line_places_shown_first_column(2), 60, pathsleft_q_choices(2));
+      pathsleft_room_left <= choice(pathsleft_lost, 0, pathsleft_room_left_choice);
+    end if;
+    if line_starts_phases(18) then
+      pathsleft_q_now <= pathsleft_q;
+      pathsleft_q_less <= (pathsleft_q + 121) mod 128;
+      pathsleft_room <= choice(line_places_shown_first_column(2), 0, (pathsleft_room_left + pathsleft_start_cost(8))
+        mod 64);
+      pathsleft_start_cost(1) <= choice(line_places_shown_first_column(2), 0, pathsleft_q_now);
+      for i in 2 to 8 loop
+        pathsleft_start_cost(i) <= choice(line_places_shown_first_column(2), 0, pathsleft_start_cost(i - 1));
       end loop;
-      winnerswinner3_best_index_0_0_choice_8 := is_larger(winnerswinner2_best_cost_0(0), winnerswinner2_best_cost_0(1),
-        0, 7, false);
-      winnerswinner3_best_below_0_0_choice := choice(winnerswinner2_best_index_0(1) = 4, winnerswinner2_best_last_0(0),
-        winnerswinner2_best_below_0(1));
-      winnerswinner3_best_above_0_0_choice := choice(winnerswinner2_best_index_0(0) = 3,
-        winnerswinner2_best_first_0(1), winnerswinner2_best_above_0(0));
-      winnerswinner3_best_first_0_0 <= winnerswinner2_best_first_0(0);
-      winnerswinner3_best_last_0_0 <= winnerswinner2_best_last_0(1);
-      winnerswinner3_best_cost_0_0 <= choice((winnerswinner2_best_cost_0(1) - winnerswinner2_best_cost_0(0)) < 0,
-        winnerswinner2_best_cost_0(1), winnerswinner2_best_cost_0(0));
-      winnerswinner3_best_index_0_0 <= choice(winnerswinner3_best_index_0_0_choice_8, winnerswinner2_best_index_0(1),
-        winnerswinner2_best_index_0(0));
-      winnerswinner3_best_below_0_0 <= choice(winnerswinner3_best_index_0_0_choice_8,
-        winnerswinner3_best_below_0_0_choice, winnerswinner2_best_below_0(0));
-      winnerswinner3_best_above_0_0 <= choice(winnerswinner3_best_index_0_0_choice_8, winnerswinner2_best_above_0(1),
-        winnerswinner3_best_above_0_0_choice);
-      -- winners
-      winners_best_cost_0_0_choice := choice(line_comes(26), 511, winners_best_cost_0_0);
-      winners_best_cost_0_0_choice_2 := choice(line_comes(26), 255, winners_best_cost_0_0);
-      winners_best_index_0_0_is_less := (winnerswinner3_best_cost_0_0 - winners_best_cost_0_0_choice) < 0;
-      winners_best_below_0_0_choices(1) := choice((not line_comes(26)) and (winnerswinner3_best_index_0_0 = 0),
-        winners_best_last_0_0, winnerswinner3_best_below_0_0);
-      winners_best_below_0_0_choices(2) := choice(line_comes(26), 0, winners_best_below_0_0);
-      winners_best_above_0_0_is_equal := winners_best_index_0_0 = 63;
-      winners_best_above_0_0_choices(1) := choice(line_comes(26), 0, winners_best_above_0_0);
-      winners_best_above_0_0_choices(2) := choice(winners_best_above_0_0_is_equal, winnerswinner3_best_first_0_0,
-        winners_best_above_0_0_choices(1));
-      winners_best_last_0_0 <= winnerswinner3_best_last_0_0;
-      winners_best_tag.valid <= line_comes(33);
-      winners_best_tag.map_column <= line_places_map_column(4);
-      winners_best_tag.output_column <= line_places_shown_output_column(4);
-      winners_best_tag.start_of_frame <= line_places_shown_start_of_frame(4);
-      winners_best_tag.end_of_line <= line_places_shown_end_of_line(4);
-      winners_best_cost_0_0 <= choice((winners_best_cost_0_0_choice - winnerswinner3_best_cost_0_0) < 0,
-        winners_best_cost_0_0_choice_2, winnerswinner3_best_cost_0_0);
-      winners_best_index_0_0 <= choice(winners_best_index_0_0_is_less, winnerswinner3_best_index_0_0 + 56,
-        ((((winners_best_index_0_0 / 8) + 31) mod 32) * 8) + (winners_best_index_0_0 mod 8));
-      winners_best_below_0_0 <= choice(winners_best_index_0_0_is_less, winners_best_below_0_0_choices(1),
-        winners_best_below_0_0_choices(2));
-      winners_best_above_0_0 <= choice(winners_best_index_0_0_is_less, winnerswinner3_best_above_0_0,
-        winners_best_above_0_0_choices(2));
-      -- other
-      other_read_count_phase_choice := choice(other_read_count_phase = 7, 7, (other_read_count_phase + 1) mod 8);
-      other_count_phase_choice := choice(other_count_phase = 7, 7, (other_count_phase + 1) mod 8);
-      other_base_choice := choice(line_comes(22), 0, ((other_base / 8) + 1) mod 32);
-      other_write_count_phase_choice := choice(other_write_count_phase = 7, 7, (other_write_count_phase + 1) mod 8);
-      other_3_is_equal := map_counter_group = 480;
-      other_6_difference := 0 - (refinement_quotient_8_0 / 16);
-      other_6_value := (refinement_quotient_8_0 + 15) / 16;
-      other_choices(6) := choice(refinement_negative_0(8), other_6_difference mod 256, other_6_value);
-      other_6_choice_2 := choice(refinement_negative_0(8), other_6_difference mod 8, other_6_value mod 8);
-      for i in 7 to 12 loop
-        other_difference(i) := ((refinement_remainder_0(13 - i) * 2) + 512) - refinement_divisor_0(13 - i);
+    end if;
+    if line_starts_phases(19) then
+      pathsleft_first <= line_places_shown_first_column(2);
+      pathsleft_g <= paths_smallest_cost + pathsleft_q_now;
+      pathsleft_g_less <= (paths_smallest_cost + pathsleft_q_less) mod 128;
+    end if;
+    pathsleft_cost_0_any := (not is_set(pathsleft_write_count_phase, 2)) or (not is_set(pathsleft_write_count_phase,
+      1)) or (not is_set(pathsleft_write_count_phase, 0)) or line_starts_phases(21);
+    if pathsleft_cost_0_any then
+      for i in 0 to 7 loop pathsleft_cost(i) <= (pathsleft_stay(i) + pathsleft_stay_change(i)) mod 128; end loop;
+      for i in 0 to 7 loop pathsleft_arrived(i) <= (pathsleft_step(i) + pathsleft_step_change(i)) mod 128; end loop;
+    end if;
+    if line_starts_phases(33) then pathsleft_low_write_address <= (pathsleft_low_write_address + 1) mod 16; end if;
+    -- pathsabove
+    pathsabove_memory_read_address_0_sum := pathsabove_read_address_address + 1;
+    pathsabove_memory_read_address_0_choice := choice(line_places_shown_first_column(0), 0,
+      pathsabove_memory_read_address_0_sum mod 4096);
+    pathsabove_memory_read_address_0_sum_2 := pathsabove_read_address_address + as_number(((not
+      is_set(pathsabove_read_address_count_phase, 2)) or (not is_set(pathsabove_read_address_count_phase, 1)) or (not
+      is_set(pathsabove_read_address_count_phase, 0))));
+    pathsabove_memory_read_address_1_choice := choice(line_places_shown_first_column(0), 0,
+      pathsabove_memory_read_address_0_sum mod 1024);
+    pathsabove_memory_bank_choices(1) := choice(line_places_shown_first_column(0), 0,
+      pathsabove_memory_read_address_0_sum mod 8192);
+    pathsabove_memory_bank_choices(2) := choice(line_starts_phases(4), pathsabove_memory_bank_choices(1),
+      pathsabove_memory_read_address_0_sum_2 mod 8192);
+    pathsabove_read_address_count_phase_choice := choice(pathsabove_read_address_count_phase = 7, 7,
+      (pathsabove_read_address_count_phase + 1) mod 8);
+    pathsabove_ready_top_choices(1) := choice(line_starts_phases(7), line_places_shown_first_column(0) or
+      pathsabove_ready_top, pathsabove_ready_top);
+    pathsabove_ready_top_choices(2) := choice(line_starts_phases(7), (not line_places_shown_first_column(0)) and
+      pathsabove_ready_top, pathsabove_ready_top);
+    pathsabove_total_choice(0) := choice(pathsabove_ready_top, 31, pathsabove_memory_ready_words(0) mod 32);
+    pathsabove_total_choice(1) := choice(pathsabove_ready_top, 31, (pathsabove_memory_ready_words(0) / 32) mod 32);
+    pathsabove_total_choice(2) := choice(pathsabove_ready_top, 31, (pathsabove_memory_ready_words(0) / 1024) mod 32);
+    pathsabove_total_choice(3) := choice(pathsabove_ready_top, 31, ((pathsabove_memory_ready_words(1) mod 16) * 2) +
+      (pathsabove_memory_ready_words(0) / 32768));
+    pathsabove_total_choice(4) := choice(pathsabove_ready_top, 31, (pathsabove_memory_ready_words(1) / 16) mod 32);
+    pathsabove_total_choice(5) := choice(pathsabove_ready_top, 31, (pathsabove_memory_ready_words(1) / 512) mod 32);
+    pathsabove_total_choice(6) := choice(pathsabove_ready_top, 31, ((pathsabove_memory_ready_words(2) mod 8) * 4) +
+      (pathsabove_memory_ready_words(1) / 16384));
+    pathsabove_total_choice(7) := choice(pathsabove_ready_top, 31, pathsabove_memory_ready_words(2) / 8);
+    pathsabove_smallest_total_choice := choice(line_comes(12), 63, pathsabove_smallest_total);
+    pathsabove_count_phase_is_equal := pathsabove_count_phase = 7;
+    pathsabove_count_phase_choice := choice(pathsabove_count_phase_is_equal, 7, (pathsabove_count_phase + 1) mod 8);
+    pathsabove_beside_choice(0) := choice(pathsabove_count_phase = 0, pathsabove_held(1), pathsabove_lower_neighbour);
+    pathsabove_beside_choice(7) := choice(pathsabove_count_phase_is_equal, pathsabove_held(6), pathsabove_cost(0));
+    pathsabove_write_address_address_choice := choice(line_places_shown_first_column(2), 0,
+      (pathsabove_write_address_address + 1) mod 8192);
+    pathsabove_write_address_count_phase_choice := choice(pathsabove_write_address_count_phase = 7, 7,
+      (pathsabove_write_address_count_phase + 1) mod 8);
+    pathsabove_memory_bank <= is_set(pathsabove_memory_bank_choices(2), 12);
+    pathsabove_memory_read_bank <= pathsabove_memory_bank;
+    pathsabove_memory_held_words(0, 0) <= to_integer(pathsabove_memory_read_words(0, 0));
+    pathsabove_memory_held_words(0, 1) <= to_integer(pathsabove_memory_read_words(0, 1));
+    pathsabove_memory_held_words_2(0) <= to_integer(pathsabove_memory_read_words_2(0));
+    pathsabove_memory_held_words(1, 0) <= to_integer(pathsabove_memory_read_words(1, 0));
+    pathsabove_memory_held_words(1, 1) <= to_integer(pathsabove_memory_read_words(1, 1));
+    pathsabove_memory_held_words_2(1) <= to_integer(pathsabove_memory_read_words_2(1));
+    pathsabove_memory_held_bank <= pathsabove_memory_read_bank;
+    pathsabove_read_address_address <= pathsabove_memory_bank_choices(2);
+    for i in 0 to 7 loop pathsabove_total(i) <= costs_cost(i) + pathsabove_total_choice(i); end loop;
+    pathsabove_cost(0) <= (to_integer(pathsabove_delay_held_0) - pathsabove_smallest) mod 64;
+    pathsabove_cost(1) <= (to_integer(pathsabove_delay_held_0(29 downto 6)) - pathsabove_smallest) mod 64;
+    pathsabove_cost(2) <= (to_integer(pathsabove_delay_held_0(29 downto 12)) - pathsabove_smallest) mod 64;
+    pathsabove_cost(3) <= (to_integer(pathsabove_delay_held_0(29 downto 18)) - pathsabove_smallest) mod 64;
+    pathsabove_cost(4) <= (to_integer(pathsabove_delay_held_0(29 downto 24)) - pathsabove_smallest) mod 64;
+    pathsabove_cost(5) <= (to_integer(pathsabove_delay_held_1) - pathsabove_smallest) mod 64;
+    pathsabove_cost(6) <= (to_integer(pathsabove_delay_held_1(17 downto 6)) - pathsabove_smallest) mod 64;
+    pathsabove_cost(7) <= (to_integer(pathsabove_delay_held_1(17 downto 12)) - pathsabove_smallest) mod 64;
+    pathsabove_held <= pathsabove_cost;
+    pathsabove_lower_neighbour <= pathsabove_held(7);
+    pathsabove_own <= pathsabove_held(0 to 6);
+    for i in 0 to 7 loop pathsabove_step(i) <= pathsabove_beside(i) + 5; end loop;
+    pathsabove_write_address_is_here <= line_starts_phases(24) or (not is_set(pathsabove_write_address_count_phase, 2))
+      or (not is_set(pathsabove_write_address_count_phase, 1)) or (not is_set(pathsabove_write_address_count_phase, 0));
+    pathsabove_memory_read_address_0 <= choice(line_starts_phases(4), pathsabove_memory_read_address_0_choice,
+      pathsabove_memory_read_address_0_sum_2 mod 4096);
+    pathsabove_memory_read_address_1 <= choice(line_starts_phases(4), pathsabove_memory_read_address_1_choice,
+      pathsabove_memory_read_address_0_sum_2 mod 1024);
+    pathsabove_read_address_count_phase <= choice(line_starts_phases(4), 0, pathsabove_read_address_count_phase_choice);
+    pathsabove_memory_ready_words(0) <= choice(pathsabove_memory_held_bank, pathsabove_memory_held_words(1, 0),
+      pathsabove_memory_held_words(0, 0));
+    pathsabove_memory_ready_words(1) <= choice(pathsabove_memory_held_bank, pathsabove_memory_held_words(1, 1),
+      pathsabove_memory_held_words(0, 1));
+    pathsabove_memory_ready_words(2) <= choice(pathsabove_memory_held_bank, pathsabove_memory_held_words_2(1),
+      pathsabove_memory_held_words_2(0));
+    pathsabove_ready_top <= choice(line_places_0_top, pathsabove_ready_top_choices(1), pathsabove_ready_top_choices(2));
+    pathsabove_tree_smallest(0) <= smaller(pathsabove_total(1), pathsabove_total(0));
+    pathsabove_tree_smallest(1) <= smaller(pathsabove_total(3), pathsabove_total(2));
+    pathsabove_tree_smallest(2) <= smaller(pathsabove_total(5), pathsabove_total(4));
+    pathsabove_tree_smallest(3) <= smaller(pathsabove_total(7), pathsabove_total(6));
+    pathsabove_tree_next_smallest(0) <= smaller(pathsabove_tree_smallest(1), pathsabove_tree_smallest(0));
+    pathsabove_tree_next_smallest(1) <= smaller(pathsabove_tree_smallest(3), pathsabove_tree_smallest(2));
+    pathsabove_tree_next_next_smallest_0 <= smaller(pathsabove_tree_next_smallest(1), pathsabove_tree_next_smallest(0));
+    pathsabove_smallest_total <= smaller(pathsabove_tree_next_next_smallest_0, pathsabove_smallest_total_choice);
+    pathsabove_count_phase <= choice(line_starts_phases(22), 0, pathsabove_count_phase_choice);
+    pathsabove_beside(0) <= smaller(pathsabove_held(1), pathsabove_beside_choice(0));
+    for i in 1 to 6 loop pathsabove_beside(i) <= smaller(pathsabove_held(i + 1), pathsabove_held(i - 1)); end loop;
+    pathsabove_beside(7) <= smaller(pathsabove_beside_choice(7), pathsabove_held(6));
+    for i in 0 to 6 loop pathsabove_stay(i) <= choice(pathsabove_own(i) < 31, pathsabove_own(i) mod 32, 31); end loop;
+    pathsabove_stay(7) <= choice(pathsabove_lower_neighbour < 31, pathsabove_lower_neighbour mod 32, 31);
+    pathsabove_write_address_address <= choice(line_starts_phases(24), pathsabove_write_address_address_choice,
+      (pathsabove_write_address_address + as_number(((not is_set(pathsabove_write_address_count_phase, 2)) or (not
+      is_set(pathsabove_write_address_count_phase, 1)) or (not is_set(pathsabove_write_address_count_phase, 0))))) mod
+      8192);
+    pathsabove_write_address_count_phase <= choice(line_starts_phases(24), 0,
+      pathsabove_write_address_count_phase_choice);
+    pathsabove_memory_write_words_0_choice(0, 1) := choice((pathsabove_step(1) - pathsabove_stay(1)) < 0,
+      pathsabove_step(1) mod 32, pathsabove_stay(1));
+    pathsabove_memory_write_words_0_choice(0, 2) := choice((pathsabove_step(0) - pathsabove_stay(0)) < 0,
+      pathsabove_step(0) mod 32, pathsabove_stay(0));
+    pathsabove_memory_write_words_0_choice(0, 3) := choice((pathsabove_step(2) - pathsabove_stay(2)) < 0,
+      pathsabove_step(2) mod 32, pathsabove_stay(2));
+    pathsabove_memory_write_words_0_is_less(0) := (pathsabove_step(3) - pathsabove_stay(3)) < 0;
+    pathsabove_memory_write_words_0_0_choice_4 := choice(pathsabove_memory_write_words_0_is_less(0),
+      is_set(pathsabove_step(3), 0), is_set(pathsabove_stay(3), 0));
+    pathsabove_memory_write_words_0_sum(0) := (pathsabove_memory_write_words_0_choice(0, 1) * 32) +
+      pathsabove_memory_write_words_0_choice(0, 2) + (pathsabove_memory_write_words_0_choice(0, 3) * 1024) +
+      (as_number(pathsabove_memory_write_words_0_0_choice_4) * 32768);
+    pathsabove_memory_write_words_0_choice(1, 1) := choice((pathsabove_step(4) - pathsabove_stay(4)) < 0,
+      pathsabove_step(4) mod 32, pathsabove_stay(4));
+    pathsabove_memory_write_words_0_choice(1, 2) := choice(pathsabove_memory_write_words_0_is_less(0),
+      pathsabove_step(3) mod 32, pathsabove_stay(3));
+    pathsabove_memory_write_words_0_choice(1, 3) := choice((pathsabove_step(5) - pathsabove_stay(5)) < 0,
+      pathsabove_step(5) mod 32, pathsabove_stay(5));
+    pathsabove_memory_write_words_0_is_less(1) := (pathsabove_step(6) - pathsabove_stay(6)) < 0;
+    pathsabove_memory_write_words_0_1_choice_4 := choice(pathsabove_memory_write_words_0_is_less(1), pathsabove_step(6)
+      mod 4, pathsabove_stay(6) mod 4);
+    pathsabove_memory_write_words_0_sum(1) := (pathsabove_memory_write_words_0_choice(1, 1) * 16) +
+      (pathsabove_memory_write_words_0_choice(1, 2) / 2) + (pathsabove_memory_write_words_0_choice(1, 3) * 512) +
+      (pathsabove_memory_write_words_0_1_choice_4 * 16384);
+    pathsabove_memory_write_words_0_choice(2, 1) := choice(pathsabove_memory_write_words_0_is_less(1),
+      pathsabove_step(6) mod 32, pathsabove_stay(6));
+    pathsabove_memory_write_words_0_choice(2, 2) := choice((pathsabove_step(7) - pathsabove_stay(7)) < 0,
+      pathsabove_step(7) mod 32, pathsabove_stay(7));
+    pathsabove_memory_write_words_0_2_sum := (pathsabove_memory_write_words_0_choice(2, 1) / 4) +
+      (pathsabove_memory_write_words_0_choice(2, 2) * 8);
+    pathsabove_memory_write_words_0_all(0) := pathsabove_write_address_is_here and (pathsabove_write_address_address <
+      4096);
+    if pathsabove_memory_write_words_0_all(0) then
+      pathsabove_memory_write_words(0, 0) <= pathsabove_memory_write_words_0_sum(0);
+      pathsabove_memory_write_words(0, 1) <= pathsabove_memory_write_words_0_sum(1);
+      pathsabove_memory_write_words_2(0) <= pathsabove_memory_write_words_0_2_sum;
+      pathsabove_memory_write_address_0 <= pathsabove_write_address_address mod 4096;
+    end if;
+    pathsabove_memory_write_words_0_all(1) := (4095 < pathsabove_write_address_address) and
+      pathsabove_write_address_is_here;
+    if pathsabove_memory_write_words_0_all(1) then
+      pathsabove_memory_write_words(1, 0) <= pathsabove_memory_write_words_0_sum(0);
+      pathsabove_memory_write_words(1, 1) <= pathsabove_memory_write_words_0_sum(1);
+      pathsabove_memory_write_words_2(1) <= pathsabove_memory_write_words_0_2_sum;
+      pathsabove_memory_write_address_1 <= pathsabove_write_address_address mod 1024;
+    end if;
+    if line_comes(20) then pathsabove_smallest <= pathsabove_smallest_total; end if;
+    -- pathsturn
+    pathsturn_cost_memory_read_address_0_sum := pathsturn_read_address_address + as_number(((not
+      is_set(pathsturn_read_address_count_phase, 2)) or (not is_set(pathsturn_read_address_count_phase, 1)) or (not
+      is_set(pathsturn_read_address_count_phase, 0))));
+    pathsturn_cost_memory_bank_choice := choice(line_starts_phases(16), line_places_address(1) * 8,
+      pathsturn_cost_memory_read_address_0_sum mod 8192);
+    pathsturn_read_address_count_phase_choice := choice(pathsturn_read_address_count_phase = 7, 7,
+      (pathsturn_read_address_count_phase + 1) mod 8);
+    pathsturn_write_address_count_phase_choice := choice(pathsturn_write_address_count_phase = 7, 7,
+      (pathsturn_write_address_count_phase + 1) mod 8);
+    pathsturn_sum_memory_read_address_0 <= pathsturn_sum_read_address mod 4096;
+    pathsturn_sum_memory_read_address_1 <= pathsturn_sum_read_address mod 1024;
+    pathsturn_sum_memory_bank <= pathsturn_cost_memory_read_bank;
+    pathsturn_sum_memory_read_bank <= pathsturn_cost_memory_held_bank;
+    for i in 0 to 1 loop
+      pathsturn_sum_memory_held_words(i, 0) <= to_integer(pathsturn_sum_memory_read_words(i, 0));
+      pathsturn_sum_memory_held_words(i, 1) <= to_integer(pathsturn_sum_memory_read_words(i, 1));
+      pathsturn_sum_memory_held_words(i, 2) <= to_integer(pathsturn_sum_memory_read_words(i, 2));
+      pathsturn_sum_memory_held_words_3(i) <= to_integer(pathsturn_sum_memory_read_words_3(i));
+    end loop;
+    pathsturn_sum_memory_held_bank <= pathsturn_sum_memory_read_bank;
+    pathsturn_cost_memory_bank <= is_set(pathsturn_cost_memory_bank_choice, 12);
+    pathsturn_cost_memory_read_bank <= pathsturn_cost_memory_bank;
+    pathsturn_cost_memory_held_words_0(0) <= to_integer(pathsturn_cost_memory_read_words_0(0));
+    pathsturn_cost_memory_held_words_1(0) <= to_integer(pathsturn_cost_memory_read_words_1(0));
+    pathsturn_cost_memory_held_words_0(1) <= to_integer(pathsturn_cost_memory_read_words_0(1));
+    pathsturn_cost_memory_held_words_1(1) <= to_integer(pathsturn_cost_memory_read_words_1(1));
+    pathsturn_cost_memory_held_bank <= is_set(pathsturn_sum_read_address, 12);
+    pathsturn_ready_smallest_0 <= to_integer(pathsturn_read_smallest_0);
+    pathsturn_read_address_address <= pathsturn_cost_memory_bank_choice;
+    pathsturn_sum_read_address <= pathsturn_read_address_address;
+    pathsturn_write_smallest_0 <= paths_smallest_cost;
+    pathsturn_write_address_is_here <= line_starts_phases(19) or (not is_set(pathsturn_write_address_count_phase, 2))
+      or (not is_set(pathsturn_write_address_count_phase, 1)) or (not is_set(pathsturn_write_address_count_phase, 0));
+    pathsturn_sum_write_address(0) <= pathsturn_write_address_address;
+    pathsturn_sum_write_address(1) <= pathsturn_sum_write_address(0);
+    pathsturn_writes_sums(0) <= pathsturn_write_address_is_here;
+    pathsturn_writes_sums(1) <= pathsturn_writes_sums(0);
+    for i in 0 to 2 loop
+      pathsturn_sum_memory_ready_words(i) <= choice(pathsturn_sum_memory_held_bank, pathsturn_sum_memory_held_words(1,
+        i), pathsturn_sum_memory_held_words(0, i));
+    end loop;
+    pathsturn_sum_memory_ready_words(3) <= choice(pathsturn_sum_memory_held_bank, pathsturn_sum_memory_held_words_3(1),
+      pathsturn_sum_memory_held_words_3(0));
+    pathsturn_cost_memory_read_address_0 <= choice(line_starts_phases(16), (line_places_address(1) mod 512) * 8,
+      pathsturn_cost_memory_read_address_0_sum mod 4096);
+    pathsturn_cost_memory_read_address_1 <= choice(line_starts_phases(16), (line_places_address(1) mod 128) * 8,
+      pathsturn_cost_memory_read_address_0_sum mod 1024);
+    pathsturn_read_address_count_phase <= choice(line_starts_phases(16), 0, pathsturn_read_address_count_phase_choice);
+    pathsturn_cost_memory_ready_words(0) <= choice(pathsturn_sum_memory_bank, pathsturn_cost_memory_held_words_0(1),
+      pathsturn_cost_memory_held_words_0(0));
+    pathsturn_cost_memory_ready_words(1) <= choice(pathsturn_sum_memory_bank, pathsturn_cost_memory_held_words_1(1),
+      pathsturn_cost_memory_held_words_1(0));
+    pathsturn_write_smallest_address <= choice(line_starts_phases(19), line_places_address(2), 638);
+    pathsturn_write_address_address <= choice(line_starts_phases(19), line_places_address(2) * 8,
+      (pathsturn_write_address_address + as_number(((not is_set(pathsturn_write_address_count_phase, 2)) or (not
+      is_set(pathsturn_write_address_count_phase, 1)) or (not is_set(pathsturn_write_address_count_phase, 0))))) mod
+      8192);
+    pathsturn_write_address_count_phase <= choice(line_starts_phases(19), 0,
+      pathsturn_write_address_count_phase_choice);
+    pathsturn_sum_memory_write_words_0_sum(0) := pathsleft_cost(2) + pathsabove_cost(2);
+    pathsturn_sum_memory_write_words_0_sum_2(0) := (((pathsleft_cost(1) + pathsabove_cost(1)) mod 128) * 128) +
+      ((pathsleft_cost(0) + pathsabove_cost(0)) mod 128) + ((pathsturn_sum_memory_write_words_0_sum(0) mod 4) * 16384);
+    pathsturn_sum_memory_write_words_0_sum(1) := pathsleft_cost(4) + pathsabove_cost(4);
+    pathsturn_sum_memory_write_words_0_sum_2(1) := (((pathsleft_cost(3) + pathsabove_cost(3)) mod 128) * 32) +
+      ((pathsturn_sum_memory_write_words_0_sum(0) mod 128) / 4) + ((pathsturn_sum_memory_write_words_0_sum(1) mod 16) *
+      4096);
+    pathsturn_sum_memory_write_words_0_sum(2) := pathsleft_cost(6) + pathsabove_cost(6);
+    pathsturn_sum_memory_write_words_0_sum_2(2) := (((pathsleft_cost(5) + pathsabove_cost(5)) mod 128) * 8) +
+      ((pathsturn_sum_memory_write_words_0_sum(1) mod 128) / 16) + ((pathsturn_sum_memory_write_words_0_sum(2) mod 64)
+      * 1024);
+    pathsturn_sum_memory_write_words_0_3_sum := ((pathsturn_sum_memory_write_words_0_sum(2) mod 128) / 64) +
+      (((pathsleft_cost(7) + pathsabove_cost(7)) mod 128) * 2);
+    pathsturn_sum_memory_write_words_0_all(0) := (pathsturn_sum_write_address(1) < 4096) and pathsturn_writes_sums(1);
+    if pathsturn_sum_memory_write_words_0_all(0) then
+      pathsturn_sum_memory_write_words(0, 0) <= pathsturn_sum_memory_write_words_0_sum_2(0);
+      pathsturn_sum_memory_write_words(0, 1) <= pathsturn_sum_memory_write_words_0_sum_2(1);
+      pathsturn_sum_memory_write_words(0, 2) <= pathsturn_sum_memory_write_words_0_sum_2(2);
+      pathsturn_sum_memory_write_words_3(0) <= pathsturn_sum_memory_write_words_0_3_sum;
+      pathsturn_sum_memory_write_address_0 <= pathsturn_sum_write_address(1) mod 4096;
+    end if;
+    pathsturn_sum_memory_write_words_0_all(1) := is_set(pathsturn_sum_write_address(1), 12) and
+      pathsturn_writes_sums(1);
+    if pathsturn_sum_memory_write_words_0_all(1) then
+      pathsturn_sum_memory_write_words(1, 0) <= pathsturn_sum_memory_write_words_0_sum_2(0);
+      pathsturn_sum_memory_write_words(1, 1) <= pathsturn_sum_memory_write_words_0_sum_2(1);
+      pathsturn_sum_memory_write_words(1, 2) <= pathsturn_sum_memory_write_words_0_sum_2(2);
+      pathsturn_sum_memory_write_words_3(1) <= pathsturn_sum_memory_write_words_0_3_sum;
+      pathsturn_sum_memory_write_address_1 <= pathsturn_sum_write_address(1) mod 1024;
+    end if;
+    pathsturn_cost_memory_write_words_0_0_sum := (to_integer(paths_cost_delay_held_0(15 downto 15)) * 32768) +
+      to_integer(paths_cost_delay_held_0(14 downto 0));
+    pathsturn_cost_memory_write_words_0_1_sum := (pathsleft_stay_change_value(5) / 2) +
+      (to_integer(paths_cost_delay_held_0(23 downto 18)) * 4);
+    pathsturn_cost_memory_write_words_0_all(0) := pathsturn_write_address_is_here and (pathsturn_write_address_address
+      < 4096);
+    if pathsturn_cost_memory_write_words_0_all(0) then
+      pathsturn_cost_memory_write_words_0(0) <= pathsturn_cost_memory_write_words_0_0_sum;
+      pathsturn_cost_memory_write_words_1(0) <= pathsturn_cost_memory_write_words_0_1_sum;
+      pathsturn_cost_memory_write_address_0 <= pathsturn_write_address_address mod 4096;
+    end if;
+    pathsturn_cost_memory_write_words_0_all(1) := (4095 < pathsturn_write_address_address) and
+      pathsturn_write_address_is_here;
+    if pathsturn_cost_memory_write_words_0_all(1) then
+      pathsturn_cost_memory_write_words_0(1) <= pathsturn_cost_memory_write_words_0_0_sum;
+      pathsturn_cost_memory_write_words_1(1) <= pathsturn_cost_memory_write_words_0_1_sum;
+      pathsturn_cost_memory_write_address_1 <= pathsturn_write_address_address mod 1024;
+    end if;
+    if line_starts_phases(16) then pathsturn_smallest_address <= line_places_address(1); end if;
+    -- pathsright
+    for i in 2 to 3 loop
+      pathsright_stay_choice(4 * i - 8) := smaller(to_integer(pathsright_read_words(i)(6 downto 0)),
+        to_integer(pathsright_read_words(i - 2)(6 downto 0)));
+      pathsright_stay_value(4 * i - 7, 1) := to_integer(pathsright_read_words(i)(13 downto 7));
+      pathsright_stay_value(4 * i - 7, 2) := to_integer(pathsright_read_words(i - 2)(13 downto 7));
+      pathsright_stay_choice(4 * i - 7) := smaller(pathsright_stay_value(4 * i - 7, 1), pathsright_stay_value(4 * i -
+        7, 2));
+      pathsright_stay_value(4 * i - 6, 1) := to_integer(pathsright_read_words(i)(20 downto 14));
+      pathsright_stay_value(4 * i - 6, 2) := to_integer(pathsright_read_words(i - 2)(20 downto 14));
+      pathsright_stay_choice(4 * i - 6) := smaller(pathsright_stay_value(4 * i - 6, 1), pathsright_stay_value(4 * i -
+        6, 2));
+      pathsright_stay_choice(4 * i - 5) := smaller(to_integer(pathsright_read_words(i)(27 downto 21)),
+        to_integer(pathsright_read_words(i - 2)(27 downto 21)));
+    end loop;
+    pathsright_step_choice(0, 1) := choice(pathsleft_is_first, pathsright_stay_value(1, 2), pathsright_lower_neighbour);
+    pathsright_step_choice(0, 2) := smaller(pathsright_stay_value(1, 2), pathsright_step_choice(0, 1));
+    pathsright_step_choice(1, 1) := smaller(pathsright_stay_value(2, 2), to_integer(pathsright_read_words(0)(6 downto
+      0)));
+    pathsright_step_choice(2, 1) := smaller(to_integer(pathsright_read_words(0)(27 downto 21)),
+      pathsright_stay_value(1, 2));
+    pathsright_step_choice(3, 1) := smaller(to_integer(pathsright_read_words(1)(6 downto 0)), pathsright_stay_value(2,
+      2));
+    pathsright_step_choice(4, 1) := smaller(pathsright_stay_value(5, 2), to_integer(pathsright_read_words(0)(27 downto
+      21)));
+    pathsright_step_choice(5, 1) := smaller(pathsright_stay_value(6, 2), to_integer(pathsright_read_words(1)(6 downto
+      0)));
+    pathsright_step_choice(6, 1) := smaller(to_integer(pathsright_read_words(1)(27 downto 21)),
+      pathsright_stay_value(5, 2));
+    pathsright_step_choice(7, 1) := choice(pathsleft_is_last, pathsright_stay_value(6, 2),
+      to_integer(pathsright_read_neighbour_0));
+    pathsright_step_choice(7, 2) := smaller(pathsright_step_choice(7, 1), pathsright_stay_value(6, 2));
+    pathsright_stay_change_value(1) := (pathsturn_cost_memory_ready_words(0) mod 64) / 8;
+    pathsright_stay_change_value(2) := (pathsturn_cost_memory_ready_words(0) / 64) mod 8;
+    pathsright_stay_change_value(3) := (pathsturn_cost_memory_ready_words(0) / 512) mod 8;
+    pathsright_stay_change_value(4) := (pathsturn_cost_memory_ready_words(0) / 4096) mod 8;
+    pathsright_stay_change_5_sum := ((pathsturn_cost_memory_ready_words(1) mod 4) * 2) +
+      (pathsturn_cost_memory_ready_words(0) / 32768);
+    pathsright_stay_change_value(6) := (pathsturn_cost_memory_ready_words(1) / 4) mod 8;
+    pathsright_low_0_choice := choice(line_comes(25), 127, pathsright_low_0);
+    pathsright_lost <= pathsright_lowest_0(6) = '1';
+    pathsright_short_of <= ((to_integer(pathsleft_lowest_0(5 downto 0)) + pathsleft_room) / 64) = 1;
+    pathsright_missing <= (to_integer(pathsright_lowest_0) + pathsright_room) mod 64;
+    pathsright_below <= (0 - to_integer(pathsright_lowest_0)) mod 64;
+    pathsright_lower_neighbour <= to_integer(pathsright_read_words(1)(27 downto 21));
+    pathsright_stay_change(0) <= ((pathsturn_cost_memory_ready_words(0) mod 8) - pathsright_g) mod 128;
+    pathsright_stay_change(1) <= (pathsright_stay_change_value(1) - pathsright_g) mod 128;
+    pathsright_stay_change(2) <= (pathsright_stay_change_value(2) - pathsright_g) mod 128;
+    pathsright_stay_change(3) <= (pathsright_stay_change_value(3) - pathsright_g) mod 128;
+    pathsright_stay_change(4) <= (pathsright_stay_change_value(4) - pathsright_g) mod 128;
+    pathsright_stay_change(5) <= (pathsright_stay_change_5_sum - pathsright_g) mod 128;
+    pathsright_stay_change(6) <= (pathsright_stay_change_value(6) - pathsright_g) mod 128;
+    pathsright_stay_change(7) <= ((pathsturn_cost_memory_ready_words(1) / 32) - pathsright_g) mod 128;
+    pathsright_step_change(0) <= ((pathsturn_cost_memory_ready_words(0) mod 8) - pathsright_g_less) mod 128;
+    pathsright_step_change(1) <= (pathsright_stay_change_value(1) - pathsright_g_less) mod 128;
+    pathsright_step_change(2) <= (pathsright_stay_change_value(2) - pathsright_g_less) mod 128;
+    pathsright_step_change(3) <= (pathsright_stay_change_value(3) - pathsright_g_less) mod 128;
+    pathsright_step_change(4) <= (pathsright_stay_change_value(4) - pathsright_g_less) mod 128;
+    pathsright_step_change(5) <= (pathsright_stay_change_5_sum - pathsright_g_less) mod 128;
+    pathsright_step_change(6) <= (pathsright_stay_change_value(6) - pathsright_g_less) mod 128;
+    pathsright_step_change(7) <= ((pathsturn_cost_memory_ready_words(1) / 32) - pathsright_g_less) mod 128;
+    pathsright_stay(0) <= choice((not pathsleft_first) and (not is_set(pathsright_stay_choice(0), 6)),
+      pathsright_stay_choice(0), 64);
+    for i in 1 to 7 loop
+      pathsright_stay(i) <= choice((not is_set(pathsright_stay_choice(i), 6)) and (not pathsleft_first),
+        pathsright_stay_choice(i), 64);
+    end loop;
+    pathsright_step(0) <= choice(pathsleft_first, 64, pathsright_step_choice(0, 2));
+    for i in 1 to 6 loop pathsright_step(i) <= choice(pathsleft_first, 64, pathsright_step_choice(i, 1)); end loop;
+    pathsright_step(7) <= choice(pathsleft_first, 64, pathsright_step_choice(7, 2));
+    pathsright_tree_smallest(0) <= smaller(pathsright_cost(1), pathsright_cost(0));
+    pathsright_tree_smallest(1) <= smaller(pathsright_cost(3), pathsright_cost(2));
+    pathsright_tree_smallest(2) <= smaller(pathsright_cost(5), pathsright_cost(4));
+    pathsright_tree_smallest(3) <= smaller(pathsright_cost(7), pathsright_cost(6));
+    pathsright_tree_next_smallest(0) <= smaller(pathsright_tree_smallest(1), pathsright_tree_smallest(0));
+    pathsright_tree_next_smallest(1) <= smaller(pathsright_tree_smallest(3), pathsright_tree_smallest(2));
+    pathsright_tree_next_next_smallest_0 <= smaller(pathsright_tree_next_smallest(1), pathsright_tree_next_smallest(0));
+    pathsright_low_0 <= smaller(pathsright_tree_next_next_smallest_0, pathsright_low_0_choice);
+    pathsright_q_choices(1) := choice(pathsleft_short_of, pathsright_missing, 0);
+    pathsright_q_choices(2) := choice(pathsright_lost, pathsright_room, pathsright_q_choices(1));
+    pathsright_room_left_choice := choice(pathsleft_short_of, pathsright_below, pathsright_room);
+    if line_starts_phases(17) then
+      pathsright_q <= choice(line_places_shown_first_column(2), 60, pathsright_q_choices(2));
+      pathsright_room_left <= choice(pathsright_lost, 0, pathsright_room_left_choice);
+    end if;
+    if line_starts_phases(18) then
+      pathsright_q_now <= pathsright_q;
+      pathsright_q_less <= (pathsright_q + 121) mod 128;
+      pathsright_room <= choice(line_places_shown_first_column(2), 0, (pathsright_room_left + pathsright_start_cost(8))
+        mod 64);
+      pathsright_start_cost(1) <= choice(line_places_shown_first_column(2), 0, pathsright_q_now);
+      for i in 2 to 8 loop
+        pathsright_start_cost(i) <= choice(line_places_shown_first_column(2), 0, pathsright_start_cost(i - 1));
       end loop;
-      other_13_difference := (refinement_remainder_0(0) + 512) - refinement_divisor_0(0);
-      other_14_any := line_comes(23) or (not is_set(other_write_count_phase, 2)) or (not
-        is_set(other_write_count_phase, 1)) or (not is_set(other_write_count_phase, 0));
-      for i in 1 to 5 loop
-        other_value(14, i) := other_words(1)(i + 17) = '1';
+    end if;
+    if line_starts_phases(19) then
+      pathsright_g <= pathsturn_ready_smallest_0 + pathsright_q_now;
+      pathsright_g_less <= (pathsturn_ready_smallest_0 + pathsright_q_less) mod 128;
+    end if;
+    if pathsleft_cost_0_any then
+      for i in 0 to 7 loop pathsright_cost(i) <= (pathsright_stay(i) + pathsright_stay_change(i)) mod 128; end loop;
+      for i in 0 to 7 loop pathsright_arrived(i) <= (pathsright_step(i) + pathsright_step_change(i)) mod 128; end loop;
+    end if;
+    -- winnersmask
+    winnersmask_column_sum := winnersmask_column + 1;
+    winnersmask_column_choice := choice(line_places_first_column(2), 0, winnersmask_column_sum mod 1024);
+    if line_comes(21) then winnersmask_column <= winnersmask_column_choice; end if;
+    winnersmask_partner_choice := choice(line_places_first_column(2), 0, winnersmask_column_sum);
+    winnersmask_inside(0) <= (((((winnersmask_partner / 1024) + 63) mod 64) * 1024) + (winnersmask_partner mod 1024)) <
+      638;
+    winnersmask_inside(1) <= (winnersmask_partner >= 1023) and (winnersmask_partner < 1661);
+    winnersmask_inside(2) <= (((((winnersmask_partner / 2) + 32257) mod 32768) * 2) + (winnersmask_partner mod 2)) <
+      638;
+    winnersmask_inside(3) <= (winnersmask_partner >= 1021) and (winnersmask_partner < 1659);
+    winnersmask_inside(4) <= (((((winnersmask_partner / 4) + 16129) mod 16384) * 4) + (winnersmask_partner mod 4)) <
+      638;
+    winnersmask_inside(5) <= (winnersmask_partner >= 1019) and (winnersmask_partner < 1657);
+    winnersmask_inside(6) <= (((((winnersmask_partner / 2) + 32259) mod 32768) * 2) + (winnersmask_partner mod 2)) <
+      638;
+    winnersmask_inside(7) <= (winnersmask_partner >= 1017) and (winnersmask_partner < 1655);
+    winnersmask_partner <= choice(line_comes(21), (((winnersmask_partner_choice / 1024) + 1) * 1024) +
+      winnersmask_column_choice, ((((winnersmask_partner / 8) + 1) mod 512) * 8) + (winnersmask_partner mod 8));
+    -- winnerswinner1
+    for i in 0 to 3 loop
+      winnerswinner1_best_cost_0_sum(i, 1) := as_number(winnersmask_inside(2 * i + 1)) + 255;
+      winnerswinner1_best_cost_0_any(i, 1) := to_integer(((to_unsigned(paths_sum(2 * i + 1), 8)) or
+        (to_unsigned((winnerswinner1_best_cost_0_sum(i, 1) mod 256), 8))));
+      winnerswinner1_best_cost_0_sum(i, 2) := as_number(winnersmask_inside(2 * i)) + 255;
+      winnerswinner1_best_cost_0_any(i, 2) := to_integer(((to_unsigned(paths_sum(2 * i), 8)) or
+        (to_unsigned((winnerswinner1_best_cost_0_sum(i, 2) mod 256), 8))));
+    end loop;
+    for i in 0 to 3 loop
+      winnerswinner1_best_index_0_value(i, 1) := is_set(paths_sum(2 * i + 1), 1);
+      winnerswinner1_best_index_0_choice(i, 1) := choice(is_set(winnerswinner1_best_cost_0_sum(i, 2), 0), (not
+        is_set(winnerswinner1_best_cost_0_sum(i, 1), 0)) and (not is_set(paths_sum(2 * i + 1), 0)), (not
+        is_set(winnerswinner1_best_cost_0_sum(i, 1), 0)) and (not is_set(paths_sum(2 * i + 1), 0)) and
+        is_set(paths_sum(2 * i), 0));
+      winnerswinner1_best_index_0_value(i, 2) := (((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 2) mod 2) = 1;
+      winnerswinner1_best_index_0_value(i, 3) := is_set(paths_sum(2 * i), 1);
+      winnerswinner1_best_index_0_choice(i, 2) := choice((not ((((winnerswinner1_best_cost_0_sum(i, 1) mod 256) / 2)
+        mod 2) = 1)) and (not winnerswinner1_best_index_0_value(i, 1)), winnerswinner1_best_index_0_choice(i, 1) or
+        winnerswinner1_best_index_0_value(i, 2) or winnerswinner1_best_index_0_value(i, 3),
+        winnerswinner1_best_index_0_choice(i, 1) and (winnerswinner1_best_index_0_value(i, 2) or
+        winnerswinner1_best_index_0_value(i, 3)));
+      winnerswinner1_best_index_0_value(i, 4) := (((winnerswinner1_best_cost_0_sum(i, 1) mod 256) / 4) mod 2) = 1;
+      winnerswinner1_best_index_0_value(i, 5) := is_set(paths_sum(2 * i + 1), 2);
+      winnerswinner1_best_index_0_choice(i, 3) := choice(winnerswinner1_best_index_0_choice(i, 2), (not
+        ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 4) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 2)) and
+        (winnerswinner1_best_index_0_value(i, 4) or winnerswinner1_best_index_0_value(i, 5)), ((not
+        ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 4) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 2))) or
+        winnerswinner1_best_index_0_value(i, 4) or winnerswinner1_best_index_0_value(i, 5));
+      winnerswinner1_best_index_0_value(i, 6) := (((winnerswinner1_best_cost_0_sum(i, 1) mod 256) / 8) mod 2) = 1;
+      winnerswinner1_best_index_0_value(i, 7) := is_set(paths_sum(2 * i + 1), 3);
+      winnerswinner1_best_index_0_choice(i, 4) := choice(winnerswinner1_best_index_0_choice(i, 3), ((not
+        ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 8) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 3))) or
+        winnerswinner1_best_index_0_value(i, 6) or winnerswinner1_best_index_0_value(i, 7), (not
+        ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 8) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 3)) and
+        (winnerswinner1_best_index_0_value(i, 6) or winnerswinner1_best_index_0_value(i, 7)));
+      winnerswinner1_best_index_0_value(i, 8) := (((winnerswinner1_best_cost_0_sum(i, 1) mod 256) / 16) mod 2) = 1;
+      winnerswinner1_best_index_0_value(i, 9) := is_set(paths_sum(2 * i + 1), 4);
+      winnerswinner1_best_index_0_choice(i, 5) := choice(winnerswinner1_best_index_0_choice(i, 4), ((not
+        ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 16) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 4))) or
+        winnerswinner1_best_index_0_value(i, 8) or winnerswinner1_best_index_0_value(i, 9), (not
+        ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 16) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 4)) and
+        (winnerswinner1_best_index_0_value(i, 8) or winnerswinner1_best_index_0_value(i, 9)));
+      winnerswinner1_best_index_0_value(i, 10) := (((winnerswinner1_best_cost_0_sum(i, 1) mod 256) / 32) mod 2) = 1;
+      winnerswinner1_best_index_0_value(i, 11) := is_set(paths_sum(2 * i + 1), 5);
+      winnerswinner1_best_index_0_choice(i, 6) := choice(winnerswinner1_best_index_0_choice(i, 5), ((not
+        ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 32) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 5))) or
+        winnerswinner1_best_index_0_value(i, 10) or winnerswinner1_best_index_0_value(i, 11), (not
+        ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 32) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 5)) and
+        (winnerswinner1_best_index_0_value(i, 10) or winnerswinner1_best_index_0_value(i, 11)));
+      winnerswinner1_best_index_0_value(i, 12) := (((winnerswinner1_best_cost_0_sum(i, 1) mod 256) / 64) mod 2) = 1;
+      winnerswinner1_best_index_0_value(i, 13) := is_set(paths_sum(2 * i + 1), 6);
+      winnerswinner1_best_index_0_choice(i, 7) := choice(winnerswinner1_best_index_0_choice(i, 6), ((not
+        ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 64) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 6))) or
+        winnerswinner1_best_index_0_value(i, 12) or winnerswinner1_best_index_0_value(i, 13), (not
+        ((((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 64) mod 2) = 1)) and (not is_set(paths_sum(2 * i), 6)) and
+        (winnerswinner1_best_index_0_value(i, 12) or winnerswinner1_best_index_0_value(i, 13)));
+      winnerswinner1_best_index_0_choice(i, 8) := choice(winnerswinner1_best_index_0_choice(i, 7), (not ((not
+        (((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 128) = 1)) and (not is_set(paths_sum(2 * i), 7)))) and (not
+        (((winnerswinner1_best_cost_0_sum(i, 1) mod 256) / 128) = 1)) and (not is_set(paths_sum(2 * i + 1), 7)), (not
+        ((not (((winnerswinner1_best_cost_0_sum(i, 2) mod 256) / 128) = 1)) and (not is_set(paths_sum(2 * i), 7)))) or
+        ((not (((winnerswinner1_best_cost_0_sum(i, 1) mod 256) / 128) = 1)) and (not is_set(paths_sum(2 * i + 1), 7))));
+    end loop;
+    winnerswinner1_best_index_0_0 <= winnerswinner1_best_index_0_choice(0, 8);
+    winnerswinner1_best_first_0(0) <= winnerswinner1_best_cost_0_any(0, 2);
+    winnerswinner1_best_first_0(1) <= winnerswinner1_best_cost_0_any(1, 2);
+    winnerswinner1_best_first_0(2) <= winnerswinner1_best_cost_0_any(2, 2);
+    winnerswinner1_best_first_0(3) <= winnerswinner1_best_cost_0_any(3, 2);
+    winnerswinner1_best_last_0(0) <= winnerswinner1_best_cost_0_any(0, 1);
+    winnerswinner1_best_last_0(1) <= winnerswinner1_best_cost_0_any(1, 1);
+    winnerswinner1_best_last_0(2) <= winnerswinner1_best_cost_0_any(2, 1);
+    winnerswinner1_best_last_0(3) <= winnerswinner1_best_cost_0_any(3, 1);
+    for i in 0 to 3 loop
+      winnerswinner1_best_cost_0(i) <= smaller(winnerswinner1_best_cost_0_any(i, 1), winnerswinner1_best_cost_0_any(i,
+        2));
+    end loop;
+    for i in 1 to 3 loop
+      winnerswinner1_best_index_0(i) <= choice(winnerswinner1_best_index_0_choice(i, 8), 2 * i + 1, 2 * i);
+      winnerswinner1_best_below_0(i) <= choice(winnerswinner1_best_index_0_choice(i, 8),
+        winnerswinner1_best_cost_0_any(i, 2), 0);
+      winnerswinner1_best_above_0(i) <= choice(winnerswinner1_best_index_0_choice(i, 8), 0,
+        winnerswinner1_best_cost_0_any(i, 1));
+    end loop;
+    winnerswinner1_best_below_0(0) <= choice(winnerswinner1_best_index_0_choice(0, 8),
+      winnerswinner1_best_cost_0_any(0, 2), 0);
+    winnerswinner1_best_above_0(0) <= choice(winnerswinner1_best_index_0_choice(0, 8), 0,
+      winnerswinner1_best_cost_0_any(0, 1));
+    if in_valid then
+      winnerswinner1_best_place_0 <= choice(in_start_of_frame, transform_counter_next_frame,
+        transform_counter_frame_joins);
+    end if;
+    -- winnerswinner2
+    for i in 0 to 1 loop
+      for j in 1 to 5 loop
+        winnerswinner2_best_index_0_value(i, j) := is_set(winnerswinner1_best_cost_0(2 * i + 1), j + 1);
       end loop;
-      other_choice(14, 7) := not is_larger(paths_sum(5), to_integer(other_words(1)(22 downto 16)), 0, 6, false);
-      other_choice(14, 8) := choice(is_set(paths_sum(5), 7), not other_first_column, (not (other_words(1)(23) = '1'))
-        and (not other_first_column));
-      other_choice(14, 9) := choice(other_choice(14, 7), is_set(paths_sum(5), 7) and (not (other_words(1)(23) = '1'))
-        and (not other_first_column), other_choice(14, 8));
-      other_all(14, 1) := (not other_choice(14, 9)) and winnersmask_inside(5) and other_output_column;
-      other_14_value_6 := (other_base / 8) * 8;
-      for i in 1 to 2 loop
-        other_choices_from_14(14, 11 * i - 1) := choice(other_all(14, i), other_14_value_6 + (6 - i),
-          to_integer(other_words(3)(31 - 8 * i downto 24 - 8 * i)));
-        other_choices_from_14(14, 11 * i) := choice(other_14_any, other_choices_from_14(14, 11 * i - 1),
-          to_integer(other(14)(23 - 8 * i downto 16 - 8 * i)));
-        for j in 2 to 6 loop
-          other_value(14, 5 * i + j) := other_words(1)(16 * i + j - 8) = '1';
-        end loop;
-        other_choice(14, 11 * i + 7) := not is_larger(paths_sum(2 * i + 2), to_integer(other_words(1)(16 * i - 2 downto
-          16 * i - 8)), 0, 6, false);
-        other_choice(14, 11 * i + 8) := choice(is_set(paths_sum(2 * i + 2), 7), not other_first_column, (not
-          (other_words(1)(16 * i - 1) = '1')) and (not other_first_column));
-        other_choice(14, 11 * i + 9) := choice(other_choice(14, 11 * i + 7), is_set(paths_sum(2 * i + 2), 7) and (not
-          (other_words(1)(16 * i - 1) = '1')) and (not other_first_column), other_choice(14, 11 * i + 8));
-        other_all(14, i + 1) := (not other_choice(14, 11 * i + 9)) and winnersmask_inside(2 * i + 2) and
-          other_output_column;
+      winnerswinner2_best_index_0_choice_8(i) := is_larger(winnerswinner1_best_cost_0(2 * i),
+        winnerswinner1_best_cost_0(2 * i + 1), 0, 7, false);
+    end loop;
+    winnerswinner2_best_below_0_choice(0) := choice(winnerswinner1_best_index_0(1) = 2, winnerswinner1_best_last_0(0),
+      winnerswinner1_best_below_0(1));
+    winnerswinner2_best_below_0_choice(1) := choice(winnerswinner1_best_index_0(3) = 6, winnerswinner1_best_last_0(2),
+      winnerswinner1_best_below_0(3));
+    winnerswinner2_best_above_0_choice(0) := choice(winnerswinner1_best_index_0_0, winnerswinner1_best_first_0(1),
+      winnerswinner1_best_above_0(0));
+    winnerswinner2_best_above_0_choice(1) := choice(other_0, winnerswinner1_best_first_0(3),
+      winnerswinner1_best_above_0(2));
+    winnerswinner2_best_first_0(0) <= winnerswinner1_best_first_0(0);
+    winnerswinner2_best_first_0(1) <= winnerswinner1_best_first_0(2);
+    winnerswinner2_best_last_0(0) <= winnerswinner1_best_last_0(1);
+    winnerswinner2_best_last_0(1) <= winnerswinner1_best_last_0(3);
+    winnerswinner2_best_cost_0(0) <= smaller(winnerswinner1_best_cost_0(1), winnerswinner1_best_cost_0(0));
+    winnerswinner2_best_cost_0(1) <= smaller(winnerswinner1_best_cost_0(3), winnerswinner1_best_cost_0(2));
+    winnerswinner2_best_index_0(0) <= choice(winnerswinner2_best_index_0_choice_8(0), winnerswinner1_best_index_0(1),
+      as_number(winnerswinner1_best_index_0_0));
+    winnerswinner2_best_below_0(0) <= choice(winnerswinner2_best_index_0_choice_8(0),
+      winnerswinner2_best_below_0_choice(0), winnerswinner1_best_below_0(0));
+    winnerswinner2_best_above_0(0) <= choice(winnerswinner2_best_index_0_choice_8(0), winnerswinner1_best_above_0(1),
+      winnerswinner2_best_above_0_choice(0));
+    winnerswinner2_best_index_0(1) <= choice(winnerswinner2_best_index_0_choice_8(1), winnerswinner1_best_index_0(3),
+      winnerswinner1_best_index_0(2));
+    winnerswinner2_best_below_0(1) <= choice(winnerswinner2_best_index_0_choice_8(1),
+      winnerswinner2_best_below_0_choice(1), winnerswinner1_best_below_0(2));
+    winnerswinner2_best_above_0(1) <= choice(winnerswinner2_best_index_0_choice_8(1), winnerswinner1_best_above_0(3),
+      winnerswinner2_best_above_0_choice(1));
+    -- winnerswinner3
+    for i in 1 to 5 loop
+      winnerswinner3_best_index_0_0_values(i) := is_set(winnerswinner2_best_cost_0(1), i + 1);
+    end loop;
+    winnerswinner3_best_index_0_0_choice_8 := is_larger(winnerswinner2_best_cost_0(0), winnerswinner2_best_cost_0(1),
+      0, 7, false);
+    winnerswinner3_best_below_0_0_choice := choice(winnerswinner2_best_index_0(1) = 4, winnerswinner2_best_last_0(0),
+      winnerswinner2_best_below_0(1));
+    winnerswinner3_best_above_0_0_choice := choice(winnerswinner2_best_index_0(0) = 3, winnerswinner2_best_first_0(1),
+      winnerswinner2_best_above_0(0));
+    winnerswinner3_best_first_0_0 <= winnerswinner2_best_first_0(0);
+    winnerswinner3_best_last_0_0 <= winnerswinner2_best_last_0(1);
+    winnerswinner3_best_cost_0_0 <= smaller(winnerswinner2_best_cost_0(1), winnerswinner2_best_cost_0(0));
+    winnerswinner3_best_index_0_0 <= choice(winnerswinner3_best_index_0_0_choice_8, winnerswinner2_best_index_0(1),
+      winnerswinner2_best_index_0(0));
+    winnerswinner3_best_below_0_0 <= choice(winnerswinner3_best_index_0_0_choice_8,
+      winnerswinner3_best_below_0_0_choice, winnerswinner2_best_below_0(0));
+    winnerswinner3_best_above_0_0 <= choice(winnerswinner3_best_index_0_0_choice_8, winnerswinner2_best_above_0(1),
+      winnerswinner3_best_above_0_0_choice);
+    -- winners
+    winners_best_cost_0_0_choice := choice(line_comes(26), 511, winners_best_cost_0_0);
+    winners_best_cost_0_0_choice_2 := choice(line_comes(26), 255, winners_best_cost_0_0);
+    winners_best_index_0_0_is_less := (winnerswinner3_best_cost_0_0 - winners_best_cost_0_0_choice) < 0;
+    winners_best_below_0_0_choices(1) := choice((not line_comes(26)) and (winnerswinner3_best_index_0_0 = 0),
+      winners_best_last_0_0, winnerswinner3_best_below_0_0);
+    winners_best_below_0_0_choices(2) := choice(line_comes(26), 0, winners_best_below_0_0);
+    winners_best_above_0_0_is_equal := winners_best_index_0_0 = 63;
+    winners_best_above_0_0_choices(1) := choice(line_comes(26), 0, winners_best_above_0_0);
+    winners_best_above_0_0_choices(2) := choice(winners_best_above_0_0_is_equal, winnerswinner3_best_first_0_0,
+      winners_best_above_0_0_choices(1));
+    winners_best_last_0_0 <= winnerswinner3_best_last_0_0;
+    winners_best_tag.valid <= line_comes(33);
+    winners_best_tag.map_column <= line_places_map_column(4);
+    winners_best_tag.output_column <= line_places_shown_output_column(4);
+    winners_best_tag.start_of_frame <= line_places_shown_start_of_frame(4);
+    winners_best_tag.end_of_line <= line_places_shown_end_of_line(4);
+    winners_best_cost_0_0 <= choice((winners_best_cost_0_0_choice - winnerswinner3_best_cost_0_0) < 0,
+      winners_best_cost_0_0_choice_2, winnerswinner3_best_cost_0_0);
+    winners_best_index_0_0 <= choice(winners_best_index_0_0_is_less, winnerswinner3_best_index_0_0 + 56,
+      ((((winners_best_index_0_0 / 8) + 31) mod 32) * 8) + (winners_best_index_0_0 mod 8));
+    winners_best_below_0_0 <= choice(winners_best_index_0_0_is_less, winners_best_below_0_0_choices(1),
+      winners_best_below_0_0_choices(2));
+    winners_best_above_0_0 <= choice(winners_best_index_0_0_is_less, winnerswinner3_best_above_0_0,
+      winners_best_above_0_0_choices(2));
+    -- other
+    other_read_count_phase_choice := choice(other_read_count_phase = 7, 7, (other_read_count_phase + 1) mod 8);
+    other_count_phase_choice := choice(other_count_phase = 7, 7, (other_count_phase + 1) mod 8);
+    other_base_choice := choice(line_comes(22), 0, ((other_base / 8) + 1) mod 32);
+    other_write_count_phase_choice := choice(other_write_count_phase = 7, 7, (other_write_count_phase + 1) mod 8);
+    other_3_is_equal := map_counter_group = 480;
+    other_6_difference := 0 - (refinement_quotient_8_0 / 16);
+    other_6_value := (refinement_quotient_8_0 + 15) / 16;
+    other_choices(6) := choice(refinement_negative_0(8), other_6_difference mod 256, other_6_value);
+    other_6_choice_2 := choice(refinement_negative_0(8), other_6_difference mod 8, other_6_value mod 8);
+    for i in 7 to 12 loop
+      other_difference(i) := ((refinement_remainder_0(13 - i) * 2) + 512) - refinement_divisor_0(13 - i);
+    end loop;
+    other_13_difference := (refinement_remainder_0(0) + 512) - refinement_divisor_0(0);
+    other_14_any := line_comes(23) or (not is_set(other_write_count_phase, 2)) or (not is_set(other_write_count_phase,
+      1)) or (not is_set(other_write_count_phase, 0));
+    for i in 1 to 5 loop other_value(14, i) := other_words(1)(i + 17) = '1'; end loop;
+    other_choice(14, 7) := not is_larger(paths_sum(5), to_integer(other_words(1)(22 downto 16)), 0, 6, false);
+    other_choice(14, 8) := choice(is_set(paths_sum(5), 7), not other_first_column, (not (other_words(1)(23) = '1')) and
+      (not other_first_column));
+    other_choice(14, 9) := choice(other_choice(14, 7), is_set(paths_sum(5), 7) and (not (other_words(1)(23) = '1')) and
+      (not other_first_column), other_choice(14, 8));
+    other_all(14, 1) := (not other_choice(14, 9)) and winnersmask_inside(5) and other_output_column;
+    other_14_value_6 := (other_base / 8) * 8;
+    for i in 1 to 2 loop
+      other_choices_from_14(14, 11 * i - 1) := choice(other_all(14, i), other_14_value_6 + (6 - i),
+        to_integer(other_words(3)(31 - 8 * i downto 24 - 8 * i)));
+      other_choices_from_14(14, 11 * i) := choice(other_14_any, other_choices_from_14(14, 11 * i - 1),
+        to_integer(other(14)(23 - 8 * i downto 16 - 8 * i)));
+      for j in 2 to 6 loop other_value(14, 5 * i + j) := other_words(1)(16 * i + j - 8) = '1'; end loop;
+      other_choice(14, 11 * i + 7) := not is_larger(paths_sum(2 * i + 2), to_integer(other_words(1)(16 * i - 2 downto
+        16 * i - 8)), 0, 6, false);
+      other_choice(14, 11 * i + 8) := choice(is_set(paths_sum(2 * i + 2), 7), not other_first_column, (not
+        (other_words(1)(16 * i - 1) = '1')) and (not other_first_column));
+      other_choice(14, 11 * i + 9) := choice(other_choice(14, 11 * i + 7), is_set(paths_sum(2 * i + 2), 7) and (not
+        (other_words(1)(16 * i - 1) = '1')) and (not other_first_column), other_choice(14, 11 * i + 8));
+      other_all(14, i + 1) := (not other_choice(14, 11 * i + 9)) and winnersmask_inside(2 * i + 2) and
+        other_output_column;
+    end loop;
+    other_choices_from_14(14, 32) := choice(other_all(14, 3), other_14_value_6 + 6, to_integer(other_words(3)(31 downto
+      24)));
+    other_choices_from_14(14, 33) := choice(other_14_any, other_choices_from_14(14, 32), to_integer(other(14)(23 downto
+      16)));
+    for i in 17 to 21 loop other_value(14, i) := other_next_words(0)(i - 15) = '1'; end loop;
+    other_choice(14, 40) := not is_larger(paths_sum(7), to_integer(other_next_words(0)(6 downto 0)), 0, 6, false);
+    other_14_differs := other_count_phase /= 7;
+    other_choice(14, 41) := choice(other_choice(14, 40), other_14_differs and is_set(paths_sum(7), 7) and (not
+      (other_next_words(0)(7) = '1')), other_14_differs and (is_set(paths_sum(7), 7) or (not (other_next_words(0)(7) =
+      '1'))));
+    other_choice(14, 42) := choice(other_choice(14, 41), winnersmask_inside(7) and other_output_column and
+      other_first_column, winnersmask_inside(7) and other_output_column);
+    other_choices_from_14(14, 43) := choice(other_choice(14, 42), other_14_value_6 + 7,
+      to_integer(other_next_words(2)(7 downto 0)));
+    other_choices_from_14(14, 44) := choice(other_14_any, other_choices_from_14(14, 43), to_integer(other(14)(31 downto
+      24)));
+    for i in 1 to 5 loop other_value(15, i) := other_words(0)(i + 17) = '1'; end loop;
+    other_choice(15, 7) := not is_larger(paths_sum(1), to_integer(other_words(0)(22 downto 16)), 0, 6, false);
+    other_choice(15, 8) := choice(is_set(paths_sum(1), 7), not other_first_column, (not (other_words(0)(23) = '1')) and
+      (not other_first_column));
+    other_choice(15, 9) := choice(other_choice(15, 7), is_set(paths_sum(1), 7) and (not (other_words(0)(23) = '1')) and
+      (not other_first_column), other_choice(15, 8));
+    other_all(15, 1) := (not other_choice(15, 9)) and winnersmask_inside(1) and other_output_column;
+    other_choices_from_14(15, 10) := choice(other_all(15, 1), other_14_value_6 + 1, to_integer(other_words(2)(23 downto
+      16)));
+    other_choices_from_14(15, 11) := choice(other_14_any, other_choices_from_14(15, 10), to_integer(other(15)(15 downto
+      8)));
+    for i in 6 to 10 loop other_value(15, i) := other_words(0)(i + 4) = '1'; end loop;
+    other_choice(15, 18) := not is_larger(paths_sum(0), to_integer(other_words(0)(14 downto 8)), 0, 6, false);
+    other_choice(15, 19) := choice(other_choice(15, 18), (not other_first_column) and is_set(paths_sum(0), 7) and (not
+      (other_words(0)(15) = '1')), (not other_first_column) and (is_set(paths_sum(0), 7) or (not (other_words(0)(15) =
+      '1'))));
+    other_all(15, 2) := (not other_choice(15, 19)) and winnersmask_inside(0) and other_output_column;
+    other_choices_from_14(15, 20) := choice(other_all(15, 2), other_base, to_integer(other_words(2)(15 downto 8)));
+    for i in 0 to 1 loop
+      other_choices_from_14(15, 11 * i + 21) := choice(other_14_any, other_choices_from_14(15, 11 * i + 20),
+        to_integer(other(15)(16 * i + 7 downto 16 * i)));
+      for j in 11 to 15 loop other_value(15, 5 * i + j) := other_words(i)(j + 15 - 24 * i) = '1'; end loop;
+      other_choice(15, 11 * i + 28) := not is_larger(paths_sum(i + 2), to_integer(other_words(i)(30 - 24 * i downto 24
+        - 24 * i)), 0, 6, false);
+      other_choice(15, 11 * i + 29) := choice(is_set(paths_sum(i + 2), 7), not other_first_column, (not
+        (other_words(i)(31 - 24 * i) = '1')) and (not other_first_column));
+      other_choice(15, 11 * i + 30) := choice(other_choice(15, 11 * i + 28), is_set(paths_sum(i + 2), 7) and (not
+        (other_words(i)(31 - 24 * i) = '1')) and (not other_first_column), other_choice(15, 11 * i + 29));
+      other_all(15, i + 3) := (not other_choice(15, 11 * i + 30)) and winnersmask_inside(i + 2) and other_output_column;
+      other_choices_from_14(15, 11 * i + 31) := choice(other_all(15, i + 3), other_14_value_6 + (i + 2),
+        to_integer(other_words(i + 2)(31 - 24 * i downto 24 - 24 * i)));
+    end loop;
+    other_choices_from_14(15, 43) := choice(other_14_any, other_choices_from_14(15, 42), to_integer(other(15)(31 downto
+      24)));
+    other_choices(16) := choice(other_all(14, 1), paths_sum(5), to_integer(other_words(1)(23 downto 16)));
+    other_choices_from_14(16, 2) := choice(other_14_any, other_choices(16), to_integer(other(16)(15 downto 8)));
+    for i in 2 to 3 loop
+      other_choices_from_14(16, 2 * i - 1) := choice(other_all(14, i), paths_sum(2 * i), to_integer(other_words(1)(16 *
+        i - 17 downto 16 * i - 24)));
+      other_choices_from_14(16, 2 * i) := choice(other_14_any, other_choices_from_14(16, 2 * i - 1),
+        to_integer(other(16)(16 * i - 25 downto 16 * i - 32)));
+    end loop;
+    other_choices_from_14(16, 7) := choice(other_choice(14, 42), paths_sum(7), to_integer(other_next_words(0)(7 downto
+      0)));
+    other_choices_from_14(16, 8) := choice(other_14_any, other_choices_from_14(16, 7), to_integer(other(16)(31 downto
+      24)));
+    other_choices(17) := choice(other_all(15, 1), paths_sum(1), to_integer(other_words(0)(23 downto 16)));
+    other_choices_from_14(17, 2) := choice(other_14_any, other_choices(17), to_integer(other(17)(15 downto 8)));
+    for i in 2 to 3 loop
+      other_choices_from_14(17, 2 * i - 1) := choice(other_all(15, i), paths_sum(2 * i - 4),
+        to_integer(other_words(0)(16 * i - 17 downto 16 * i - 24)));
+      other_choices_from_14(17, 2 * i) := choice(other_14_any, other_choices_from_14(17, 2 * i - 1),
+        to_integer(other(17)(16 * i - 25 downto 16 * i - 32)));
+    end loop;
+    other_choices_from_14(17, 7) := choice(other_all(15, 4), paths_sum(3), to_integer(other_words(1)(7 downto 0)));
+    other_choices_from_14(17, 8) := choice(other_14_any, other_choices_from_14(17, 7), to_integer(other(17)(31 downto
+      24)));
+    other_words <= other_next_words;
+    other_base <= other_base_choice * 8;
+    other_0 <= winnerswinner1_best_index_0_choice(2, 8);
+    other_1 <= other_3;
+    other_2 <= ((other_4 mod 8192) / 2) * 2;
+    other_3 <= to_unsigned(as_number(((map_counter_group >= 1) and (map_counter_group < 481))), 1) &
+      to_unsigned(as_number(other_3_is_equal), 8) & to_unsigned(as_number((map_counter_group = 1)), 8) &
+      to_unsigned(as_number(map_behind), 8) & to_unsigned(as_number(map_arrives), 8) & to_unsigned(map_counter_column,
+      16);
+    other_4 <= to_integer(other_5);
+    other_6 <= ((((other_choices(6) / 8) + 1) mod 4) * 8) + other_6_choice_2;
+    other_7 <= ((other_difference(7) / 512) * 2) + ((other_8 / 4) * 4);
+    other_8 <= ((other_difference(8) / 512) * 4) + ((other_9 / 8) * 8);
+    other_9 <= ((other_difference(9) / 512) * 8) + ((other_10 / 16) * 16);
+    other_10 <= ((other_difference(10) / 512) * 16) + ((other_11 / 32) * 32);
+    other_11 <= ((other_difference(11) / 512) * 32) + ((other_12 / 64) * 64);
+    other_12 <= ((other_difference(12) / 512) * 64) + ((other_13 / 128) * 128);
+    other_13 <= (other_13_difference / 512) * 128;
+    for i in 0 to 1 loop
+      other(2 * i + 14) <= to_unsigned(other_choices_from_14(2 * i + 14, 44 - 36 * i), 8) &
+        to_unsigned(other_choices_from_14(2 * i + 14, 33 - 27 * i), 8) & to_unsigned(other_choices_from_14(2 * i + 14,
+        11 - 9 * i), 8) & to_unsigned(other_choices_from_14(2 * i + 14, 22 - 18 * i), 8);
+      other(2 * i + 15) <= to_unsigned(other_choices_from_14(2 * i + 15, 43 - 35 * i), 8) &
+        to_unsigned(other_choices_from_14(2 * i + 15, 32 - 26 * i), 8) & to_unsigned(other_choices_from_14(2 * i + 15,
+        11 - 9 * i), 8) & to_unsigned(other_choices_from_14(2 * i + 15, 21 - 17 * i), 8);
+    end loop;
+    other_read_count_phase <= choice(line_comes(20), 0, other_read_count_phase_choice);
+    other_count_phase <= choice(line_comes(22), 0, other_count_phase_choice);
+    other_write_count_phase <= choice(line_comes(23), 0, other_write_count_phase_choice);
+    if line_comes(22) then
+      other_first_column <= line_places_first_column(2);
+      other_output_column <= line_places_shown_output_column(2);
+    end if;
+    if other_write_count_phase = 0 then other_left <= to_integer(other(15)(7 downto 0)); end if;
+    -- refinement
+    refinement_below_0_differss(1) := winners_best_index_0_0 /= 0;
+    refinement_below_0_differss(2) := winners_best_below_0_0 /= 255;
+    refinement_below_0_all := refinement_below_0_differss(1) and refinement_below_0_differss(2);
+    refinement_above_0_choice := choice(winners_best_above_0_0 = 255, refinement_below_0_all,
+      refinement_below_0_differss(1) and refinement_below_0_differss(2) and winners_best_above_0_0_is_equal);
+    refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
+    refinement_divisor_0_0_choice := choice(refinement_divisor_0_0_is_less, refinement_v_0, refinement_u_0);
+    refinement_disparity_0(0) <= winners_best_index_0_0;
+    refinement_disparity_0(1 to 11) <= refinement_disparity_0(0 to 10);
+    refinement_passed_0(1) <= transform_reached_first(2);
+    refinement_passed_0(2 to 3) <= refinement_passed_0(1 to 2);
+    refinement_passed_0s(6) <= transform_filtering_column_inside_4(2);
+    refinement_passed_0s(7 to 8) <= refinement_passed_0s(6 to 7);
+    refinement_tag_valid(0) <= winners_best_tag.valid;
+    refinement_tag_map_column(0) <= winners_best_tag.map_column;
+    refinement_tag_output_column(0) <= winners_best_tag.output_column;
+    refinement_tag_start_of_frame(0) <= winners_best_tag.start_of_frame;
+    refinement_tag_end_of_line(0) <= winners_best_tag.end_of_line;
+    for i in 1 to 11 loop
+      refinement_tag_valid(i) <= refinement_tag_valid(i - 1);
+      refinement_tag_map_column(i) <= refinement_tag_map_column(i - 1);
+      refinement_tag_output_column(i) <= refinement_tag_output_column(i - 1);
+      refinement_tag_start_of_frame(i) <= refinement_tag_start_of_frame(i - 1);
+      refinement_tag_end_of_line(i) <= refinement_tag_end_of_line(i - 1);
+    end loop;
+    refinement_cost_0 <= winners_best_cost_0_0;
+    refinement_u_0 <= (refinement_below_0 - refinement_cost_0) mod 256;
+    refinement_v_0 <= (refinement_above_0 - refinement_cost_0) mod 256;
+    refinement_difference_0 <= refinement_above_0 - refinement_below_0;
+    refinement_remainder_0(0) <= magnitude(refinement_difference_0);
+    refinement_divisor_0(0) <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 8)) or
+      (to_unsigned(as_number(((refinement_v_0 = 0) and (refinement_u_0 = 0))), 8))));
+    refinement_divisor_0(1 to 7) <= refinement_divisor_0(0 to 6);
+    refinement_quotient_8_0 <= ((((refinement_remainder_0(7) * 2) + 512) - refinement_divisor_0(7)) / 512) + ((other_7
+      / 2) * 2);
+    refinement_negative_0(0) <= refinement_divisor_0_0_is_less;
+    refinement_negative_0(1 to 8) <= refinement_negative_0(0 to 7);
+    refinement_below_0 <= choice(refinement_below_0_all, winners_best_below_0_0, winners_best_above_0_0);
+    refinement_above_0 <= choice(refinement_above_0_choice, winners_best_below_0_0, winners_best_above_0_0);
+    refinement_remainder_0(1) <= choice(is_set(other_13_difference, 9), other_13_difference mod 256,
+      refinement_remainder_0(0));
+    for i in 2 to 7 loop
+      refinement_remainder_0(i) <= choice(is_set(other_difference(14 - i), 9), other_difference(14 - i) mod 256,
+        (refinement_remainder_0(i - 1) mod 128) * 2);
+    end loop;
+    -- leftright
+    leftright_holds_winners_choice := choice((not is_set(leftright_ring_read_address, 5)) and
+      ((leftright_ring_read_address mod 8) = 0), (not leftright_holds_winners) and (is_set(leftright_ring_read_address,
+      4) or is_set(leftright_ring_read_address, 3)), not leftright_holds_winners);
+    leftright_checked_passed_0_difference := (leftright_answered_disparity_0 + 1) - to_integer(leftright_found_0);
+    leftright_other_0(0) <= other_left;
+    leftright_other_0(1 to 14) <= leftright_other_0(0 to 13);
+    leftright_position <= (leftright_position + as_number(refinement_tag_valid(11))) mod 128;
+    leftright_held_position <= leftright_position;
+    leftright_held_valid <= (not leftright_holds_winners_choice) and refinement_tag_valid(11);
+    leftright_address_0 <= (to_integer(leftright_held_0(17 downto 4)) + leftright_held_position + 65) mod 128;
+    leftright_asking_disparity_0 <= to_integer(leftright_held_0(11 downto 4));
+    leftright_asking_fraction_0 <= to_integer(leftright_held_0(17 downto 13));
+    leftright_asking_passed_0 <= leftright_held_0(12) = '1';
+    leftright_asking_tag.valid <= leftright_held_valid;
+    leftright_asking_tag.map_column <= leftright_held_0(0) = '1';
+    leftright_asking_tag.output_column <= leftright_held_0(1) = '1';
+    leftright_asking_tag.start_of_frame <= leftright_held_0(2) = '1';
+    leftright_asking_tag.end_of_line <= leftright_held_0(3) = '1';
+    leftright_answered_disparity_0 <= leftright_asking_disparity_0;
+    leftright_answered_fraction_0 <= leftright_asking_fraction_0;
+    leftright_answered_passed_0 <= leftright_asking_passed_0;
+    leftright_answered_tag <= leftright_asking_tag;
+    leftright_checked_disparity_0 <= leftright_answered_disparity_0;
+    leftright_checked_fraction_0 <= leftright_answered_fraction_0;
+    leftright_checked_passed_0 <= leftright_answered_passed_0 and (leftright_checked_passed_0_difference >= 0) and
+      (leftright_checked_passed_0_difference < 3);
+    leftright_checked_tag <= leftright_answered_tag;
+    leftright_holds_winners <= choice(leftright_holds_winners_choice, (not refinement_tag_valid(11)) and
+      leftright_holds_winners, refinement_tag_valid(11) or leftright_holds_winners);
+    if refinement_tag_valid(11) then
+      leftright_ring_write_address <= leftright_ring_read_address;
+      leftright_ring_read_address <= choice(leftright_ring_read_address = 63, 0, (leftright_ring_read_address + 1) mod
+        64);
+    end if;
+    -- turn
+    turn_order_address_anys(1) := turn_order_inside or (not leftright_checked_tag.map_column) or (not
+      leftright_checked_tag.valid);
+    turn_order_address_choice := choice(turn_order_falls, 1023, 1);
+    turn_order_address_choice_2 := choice(turn_order_falls, 0, 637);
+    turn_order_address_anys(2) := (not leftright_checked_tag.map_column) or (not leftright_checked_tag.valid);
+    if not turn_order_address_anys(2) then
+      turn_order_address <= choice(turn_order_address_anys(1), (turn_order_address_choice + turn_order_address) mod
+        1024, turn_order_address_choice_2);
+    end if;
+    turn_order_falls_all := (not turn_order_inside) and leftright_checked_tag.map_column and
+      leftright_checked_tag.valid;
+    turn_order_complete_all := leftright_checked_tag.map_column and leftright_checked_tag.valid;
+    turn_ready_tag_row_start_differs := map_counter_group /= 481;
+    turn_ready_tag_row_start_is_equals(1) := map_counter_column = 637;
+    turn_ready_tag_row_start_choices(1) := choice(turn_ready_tag_row_start_is_equals(1), turn_ready_tag.row_start and
+      (map_counter_group /= 480), turn_ready_tag.row_start);
+    turn_ready_tag_row_start_choices(2) := choice(turn_ready_tag_row_start_differs,
+      turn_ready_tag_row_start_choices(1), turn_ready_tag.row_start);
+    turn_ready_tag_row_start_is_equals(2) := map_counter_group = 479;
+    turn_ready_tag_row_start_alls(1) := turn_ready_tag_row_start_is_equals(2) and turn_ready_tag_row_start_is_equals(1);
+    turn_ready_tag_row_start_choices(3) := choice(turn_ready_tag_row_start_choices(2), (not
+      turn_ready_tag.start_of_frame) or turn_ready_tag_row_start_alls(1), turn_ready_tag.start_of_frame and
+      turn_ready_tag_row_start_is_equals(2) and turn_ready_tag_row_start_is_equals(1));
+    turn_ready_tag_row_start_alls(2) := turn_ready_tag.valid and turn_ready_tag.map_column;
+    turn_order_turned_valid <= leftright_checked_tag.valid;
+    turn_order_turned_map_column <= leftright_checked_tag.map_column;
+    turn_order_turned_start_of_frame <= (not turn_order_inside) and leftright_checked_tag.map_column and
+      leftright_checked_tag.valid and turn_order_first and turn_order_output and turn_order_complete;
+    turn_order_turned_end_of_line <= leftright_checked_tag.end_of_line;
+    turn_newest <= (leftright_checked_fraction_0 * 512) + leftright_checked_disparity_0 +
+      (as_number(leftright_checked_passed_0) * 256);
+    turn_comes <= turn_order_complete_all;
+    turn_read_tag.valid <= turn_order_turned_valid;
+    turn_read_tag.map_column <= turn_order_turned_map_column;
+    turn_read_tag.start_of_frame <= turn_order_turned_start_of_frame;
+    turn_read_tag.end_of_line <= turn_order_turned_end_of_line;
+    turn_ready <= to_integer(turn_read_words_0);
+    turn_ready_tag.valid <= turn_read_tag.valid;
+    turn_ready_tag.map_column <= turn_read_tag.map_column;
+    turn_ready_tag.start_of_frame <= turn_read_tag.start_of_frame;
+    turn_ready_tag.end_of_line <= turn_read_tag.end_of_line;
+    turn_order_falls <= choice(turn_order_falls, turn_order_address_anys(1), turn_order_falls_all);
+    turn_order_complete <= choice(leftright_checked_tag.end_of_line, turn_order_complete or turn_order_complete_all,
+      turn_order_complete and turn_order_address_anys(2));
+    turn_write_place <= choice(turn_comes, turn_order_address, 638);
+    turn_ready_tag.row_start <= choice(turn_ready_tag_row_start_choices(3), turn_ready_tag.row_start or
+      turn_ready_tag_row_start_alls(2), turn_ready_tag.row_start and ((not turn_ready_tag.valid) or (not
+      turn_ready_tag.map_column)));
+    if leftright_checked_tag.valid then turn_order_inside <= leftright_checked_tag.map_column; end if;
+    if turn_order_falls_all then
+      turn_order_output <= leftright_checked_tag.output_column;
+      turn_order_first <= leftright_checked_tag.start_of_frame;
+    end if;
+    if turn_comes then turn_write_words_0 <= turn_newest; end if;
+    -- map
+    if turn_ready_tag_row_start_alls(2) then
+      map_counter_column <= choice(turn_ready_tag.start_of_frame or turn_ready_tag_row_start_is_equals(1), 0,
+        (map_counter_column + 1) mod 1024);
+    end if;
+    map_counter_group_choice := choice(turn_ready_tag_row_start_alls(1), 15, 0);
+    map_counter_group_choices(2) := choice(turn_ready_tag.row_start and other_3_is_equal, 1, (map_counter_group + 1)
+      mod 512);
+    map_counter_group_choices(3) := choice(turn_ready_tag_row_start_differs and turn_ready_tag_row_start_is_equals(1)
+      and turn_ready_tag.valid and turn_ready_tag.map_column, map_counter_group_choices(2), map_counter_group);
+    map_line_ended_choice := choice(turn_ready_tag.valid, turn_ready_tag.map_column, map_line_ended);
+    map_at_arrives_value := other_1(16) = '1';
+    map_of_column_0_a_choice := choice(map_at_top, map_column_1 / 2, other_2 / 2);
+    map_of_column_0_c_choice := choice(map_counter_next_frame, map_column_1 / 2, map_column_2 / 2);
+    map_sorted_low_0_choices(1) := choice(map_of_column_0_c_below_b, map_of_column_0_c, map_of_column_0_b);
+    map_sorted_low_0_choices(2) := choice(map_of_column_0_c_below_a, map_of_column_0_c, map_of_column_0_a);
+    map_sorted_middle_0_choices(1) := choice(map_of_column_0_c_below_b, map_of_column_0_b, map_sorted_low_0_choices(2));
+    map_sorted_middle_0_choices(2) := choice(map_of_column_0_c_below_a, map_of_column_0_a, map_sorted_low_0_choices(1));
+    map_sorted_high_0_choices(1) := choice(map_of_column_0_c_below_a, map_of_column_0_a, map_of_column_0_c);
+    map_sorted_high_0_choices(2) := choice(map_of_column_0_c_below_b, map_of_column_0_b, map_of_column_0_c);
+    map_window_complete_is_equal := map_sorted_column = 0;
+    map_window_complete_choice := choice(map_window_complete_is_equal, map_sorted_behind, map_sorted_arrives or
+      map_sorted_behind);
+    map_largest_low_0_choices(1) := choice(map_of_low_0_c_below_a, map_of_low_0_a, map_of_low_0_c);
+    map_largest_low_0_choices(2) := choice(map_of_low_0_c_below_b, map_of_low_0_b, map_of_low_0_c);
+    map_median_middle_0_choices(1) := choice(map_of_middle_0_c_below_a, map_of_middle_0_c, map_of_middle_0_a);
+    map_median_middle_0_choices(2) := choice(map_of_middle_0_c_below_b, map_of_middle_0_b,
+      map_median_middle_0_choices(1));
+    map_median_middle_0_choices(3) := choice(map_of_middle_0_c_below_b, map_of_middle_0_c, map_of_middle_0_b);
+    map_median_middle_0_choices(4) := choice(map_of_middle_0_c_below_a, map_of_middle_0_a,
+      map_median_middle_0_choices(3));
+    map_smallest_high_0_choices(1) := choice(map_of_high_0_c_below_b, map_of_high_0_c, map_of_high_0_b);
+    map_smallest_high_0_choices(2) := choice(map_of_high_0_c_below_a, map_of_high_0_c, map_of_high_0_a);
+    map_out_disparity_0_choices(1) := choice(map_of_all_0_c_below_a, map_of_all_0_c, map_of_all_0_a);
+    map_out_disparity_0_choices(2) := choice(map_of_all_0_c_below_b, map_of_all_0_b, map_out_disparity_0_choices(1));
+    map_out_disparity_0_choices(3) := choice(map_of_all_0_c_below_b, map_of_all_0_c, map_of_all_0_b);
+    map_out_disparity_0_choices(4) := choice(map_of_all_0_c_below_a, map_of_all_0_a, map_out_disparity_0_choices(3));
+    map_counter_next_frame <= other_1(40) = '1';
+    map_newest_0 <= ((((((((turn_ready mod 256) + (turn_ready / 8192)) * 2) + (((turn_ready / 512) mod 16) / 8) + 8191)
+      mod 4096) * 8) + ((turn_ready / 512) mod 8)) * 2) + ((turn_ready / 256) mod 2);
+    map_arrives <= turn_ready_tag_row_start_alls(2);
+    map_behind <= map_line_ended and turn_ready_tag.valid;
+    map_rows_read_newest_0 <= map_newest_0;
+    map_rows_ready_newest_0 <= map_rows_read_newest_0;
+    map_write_column <= to_integer(other_1(9 downto 0));
+    map_column_1 <= other_4 / 8192;
+    map_column_2 <= map_rows_ready_newest_0;
+    map_at_arrives <= map_at_arrives_value;
+    map_at_behind <= other_1(24) = '1';
+    map_at_top <= other_1(32) = '1';
+    map_at_output <= other_1(48) = '1';
+    map_of_column_0_a <= map_of_column_0_a_choice;
+    map_of_column_0_b <= map_column_1 / 2;
+    map_of_column_0_c <= map_of_column_0_c_choice;
+    map_of_column_0_b_below_a <= ((map_column_1 / 2) - map_of_column_0_a_choice) < 0;
+    map_of_column_0_c_below_a <= (map_of_column_0_c_choice - map_of_column_0_a_choice) < 0;
+    map_of_column_0_c_below_b <= (map_of_column_0_c_choice - (map_column_1 / 2)) < 0;
+    map_column_passed_0(0) <= is_set(map_column_1, 0);
+    map_column_passed_0(1) <= map_column_passed_0(0);
+    map_comparing_column <= map_write_column;
+    map_comparing_arrives <= map_at_arrives;
+    map_comparing_behind <= map_at_behind;
+    map_comparing_top <= map_at_top;
+    map_comparing_output <= map_at_output;
+    map_sorted_column <= map_comparing_column;
+    map_sorted_arrives <= map_comparing_arrives;
+    map_sorted_behind <= map_comparing_behind;
+    map_sorted_top <= map_comparing_top;
+    map_sorted_output <= map_comparing_output;
+    map_window_complete <= map_sorted_output and map_window_complete_choice;
+    map_window_first <= map_sorted_top and (map_sorted_column = 1) and map_sorted_arrives;
+    map_window_last <= map_sorted_behind;
+    map_of_low_0_a <= map_low_0(0);
+    map_of_low_0_b <= map_low_0(1);
+    map_of_low_0_c <= map_low_0(2);
+    map_of_low_0_b_below_a <= (map_low_0(1) - map_low_0(0)) < 0;
+    map_of_low_0_c_below_a <= (map_low_0(2) - map_low_0(0)) < 0;
+    map_of_low_0_c_below_b <= (map_low_0(2) - map_low_0(1)) < 0;
+    map_of_middle_0_a <= map_middle_0(0);
+    map_of_middle_0_b <= map_middle_0(1);
+    map_of_middle_0_c <= map_middle_0(2);
+    map_of_middle_0_b_below_a <= (map_middle_0(1) - map_middle_0(0)) < 0;
+    map_of_middle_0_c_below_a <= (map_middle_0(2) - map_middle_0(0)) < 0;
+    map_of_middle_0_c_below_b <= (map_middle_0(2) - map_middle_0(1)) < 0;
+    map_of_high_0_a <= map_high_0(0);
+    map_of_high_0_b <= map_high_0(1);
+    map_of_high_0_c <= map_high_0(2);
+    map_of_high_0_b_below_a <= (map_high_0(1) - map_high_0(0)) < 0;
+    map_of_high_0_c_below_a <= (map_high_0(2) - map_high_0(0)) < 0;
+    map_of_high_0_c_below_b <= (map_high_0(2) - map_high_0(1)) < 0;
+    map_of_all_0_a <= map_largest_low_0;
+    map_of_all_0_b <= map_median_middle_0;
+    map_of_all_0_c <= map_smallest_high_0;
+    map_of_all_0_b_below_a <= (map_median_middle_0 - map_largest_low_0) < 0;
+    map_of_all_0_c_below_a <= (map_smallest_high_0 - map_largest_low_0) < 0;
+    map_of_all_0_c_below_b <= (map_smallest_high_0 - map_median_middle_0) < 0;
+    map_waiting_complete(0) <= map_window_complete;
+    map_waiting_first(0) <= map_window_first;
+    map_waiting_last(0) <= map_window_last;
+    map_waiting_complete(1) <= map_waiting_complete(0);
+    map_waiting_first(1) <= map_waiting_first(0);
+    map_waiting_last(1) <= map_waiting_last(0);
+    map_waiting_complete(2) <= map_waiting_complete(1);
+    map_waiting_first(2) <= map_waiting_first(1);
+    map_waiting_last(2) <= map_waiting_last(1);
+    map_waiting_passed_0(0) <= map_passed_0(1);
+    map_waiting_passed_0(1 to 2) <= map_waiting_passed_0(0 to 1);
+    map_out_passed_0 <= map_waiting_passed_0(2);
+    map_out_valid <= map_waiting_complete(2);
+    map_out_start_of_frame <= map_waiting_first(2) and map_waiting_complete(2);
+    map_out_end_of_line <= map_waiting_last(2) and map_waiting_complete(2);
+    map_counter_group <= choice(turn_ready_tag.start_of_frame and turn_ready_tag.valid and turn_ready_tag.map_column,
+      map_counter_group_choice * 32, map_counter_group_choices(3));
+    map_line_ended <= choice(turn_ready_tag.end_of_line, map_line_ended_choice, map_line_ended and (not
+      turn_ready_tag.valid));
+    map_sorted_low_0 <= choice(map_of_column_0_b_below_a, map_sorted_low_0_choices(1), map_sorted_low_0_choices(2));
+    map_sorted_middle_0 <= choice(map_of_column_0_b_below_a, map_sorted_middle_0_choices(1),
+      map_sorted_middle_0_choices(2));
+    map_sorted_high_0 <= choice(map_of_column_0_b_below_a, map_sorted_high_0_choices(1), map_sorted_high_0_choices(2));
+    map_passed_0(1) <= choice(map_passed_0(0), map_passed_0(1) or map_sorted_arrives or map_sorted_behind,
+      map_passed_0(1) and (not map_sorted_arrives) and (not map_sorted_behind));
+    map_largest_low_0 <= choice(map_of_low_0_b_below_a, map_largest_low_0_choices(1), map_largest_low_0_choices(2));
+    map_median_middle_0 <= choice(map_of_middle_0_b_below_a, map_median_middle_0_choices(2),
+      map_median_middle_0_choices(4));
+    map_smallest_high_0 <= choice(map_of_high_0_b_below_a, map_smallest_high_0_choices(1),
+      map_smallest_high_0_choices(2));
+    map_out_disparity_0 <= choice(map_of_all_0_b_below_a, map_out_disparity_0_choices(2),
+      map_out_disparity_0_choices(4));
+    if map_at_arrives_value then
+      map_rows_write_words_0 <= (other_4 / 8192) + (map_rows_ready_newest_0 * 8192);
+      map_at_column <= to_integer(other_1(9 downto 0));
+    end if;
+    map_low_0_0_choice := choice(map_sorted_behind, map_low_0(0), map_sorted_low_0);
+    map_low_0_all(1) := map_window_complete_is_equal and map_sorted_arrives;
+    map_middle_0_0_choice := choice(map_sorted_behind, map_middle_0(0), map_sorted_middle_0);
+    map_high_0_0_choice := choice(map_sorted_behind, map_high_0(0), map_sorted_high_0);
+    map_low_0_all(0) := (not map_sorted_arrives) and (not map_sorted_behind);
+    if not map_low_0_all(0) then
+      map_low_0(0) <= map_low_0_0_choice;
+      map_low_0(2) <= map_low_0(1);
+      map_middle_0(0) <= map_middle_0_0_choice;
+      map_middle_0(2) <= map_middle_0(1);
+      map_high_0(0) <= map_high_0_0_choice;
+      map_high_0(2) <= map_high_0(1);
+      map_low_0(1) <= choice(map_low_0_all(1), map_low_0_0_choice, map_low_0(0));
+      map_middle_0(1) <= choice(map_low_0_all(1), map_middle_0_0_choice, map_middle_0(0));
+      map_high_0(1) <= choice(map_low_0_all(1), map_high_0_0_choice, map_high_0(0));
+    end if;
+    if map_sorted_arrives then map_passed_0(0) <= map_column_passed_0(1); end if;
+    if reset = '1' then
+      transform_valid <= false; transform_counter_column <= 0; transform_counter_group <= 482;
+      transform_counter_next_frame <= false; transform_counter_last_column <= false; transform_counter_counts <= false;
+      transform_counter_frame_joins <= false; transform_counter_back_to_back <= false;
+      transform_counter_column_after <= 1; transform_counter_group_after <= 482; transform_read_column <= 0;
+      transform_read_row_inside_0 <= false; transform_read_start_of_frame <= false; transform_read_valid <= false;
+      transform_ready_column <= 0; transform_ready_start_of_frame <= false; transform_ready_valid <= false;
+      transform_write_column <= 0; transform_columns_start_of_frame <= false; transform_columns_valid <= false;
+      for i in 0 to 2 loop
+        transform_filtering_start_of_frame(i) <= false; transform_filtering_valid(i) <= false;
       end loop;
-      other_choices_from_14(14, 32) := choice(other_all(14, 3), other_14_value_6 + 6, to_integer(other_words(3)(31
-        downto 24)));
-      other_choices_from_14(14, 33) := choice(other_14_any, other_choices_from_14(14, 32), to_integer(other(14)(23
-        downto 16)));
-      for i in 17 to 21 loop
-        other_value(14, i) := other_next_words(0)(i - 15) = '1';
+      raster_features_valid <= false; raster_place_column <= 0; raster_place_group <= 481;
+      raster_place_next_frame <= false; raster_place_last_column <= false; raster_place_frame_joins <= false;
+      raster_place_back_to_back <= false; raster_place_column_after <= 1; raster_place_group_after <= 481;
+      delay_column <= 0; delay_row_inside(2) <= false; delay_tag <= (others => false); rows_read_column <= 0;
+      rows_read_tag <= (others => false); rows_ready_column <= 0; rows_ready_tag <= (others => false);
+      rows_write_column <= 0; rows_tag <= (others => false); line_centre_map_column_0 <= false;
+      line_centre_output_column_0 <= false; line_centre_first_column_0 <= false; line_centre_start_of_frame_0 <= false;
+      line_centre_end_of_line_0 <= false; line_order_address <= 0; line_order_falls <= false;
+      line_order_inside <= false; line_order_complete <= false; line_order_output <= false; line_order_first <= false;
+      line_order_held_output <= false; line_order_turned_valid <= false; line_order_turned_map_column <= false;
+      line_order_turned_output_column <= false; line_order_turned_start_of_frame <= false;
+      line_order_turned_end_of_line <= false; line_newest_first_column <= false; line_comes <= (others => false);
+      line_starts_phases <= (others => false);
+      for i in 0 to 2 loop
+        line_places_map_column(i) <= false; line_places_address(i) <= 0; line_places_shown_output_column(i) <= false;
+        line_places_shown_first_column(i) <= false; line_places_shown_start_of_frame(i) <= false;
+        line_places_shown_end_of_line(i) <= false;
       end loop;
-      other_choice(14, 40) := not is_larger(paths_sum(7), to_integer(other_next_words(0)(6 downto 0)), 0, 6, false);
-      other_14_differs := other_count_phase /= 7;
-      other_choice(14, 41) := choice(other_choice(14, 40), other_14_differs and is_set(paths_sum(7), 7) and (not
-        (other_next_words(0)(7) = '1')), other_14_differs and (is_set(paths_sum(7), 7) or (not (other_next_words(0)(7)
-        = '1'))));
-      other_choice(14, 42) := choice(other_choice(14, 41), winnersmask_inside(7) and other_output_column and
-        other_first_column, winnersmask_inside(7) and other_output_column);
-      other_choices_from_14(14, 43) := choice(other_choice(14, 42), other_14_value_6 + 7,
-        to_integer(other_next_words(2)(7 downto 0)));
-      other_choices_from_14(14, 44) := choice(other_14_any, other_choices_from_14(14, 43), to_integer(other(14)(31
-        downto 24)));
-      for i in 1 to 5 loop
-        other_value(15, i) := other_words(0)(i + 17) = '1';
+      for i in 3 to 4 loop
+        line_places_map_column(i) <= false; line_places_shown_output_column(i) <= false;
+        line_places_shown_start_of_frame(i) <= false; line_places_shown_end_of_line(i) <= false;
       end loop;
-      other_choice(15, 7) := not is_larger(paths_sum(1), to_integer(other_words(0)(22 downto 16)), 0, 6, false);
-      other_choice(15, 8) := choice(is_set(paths_sum(1), 7), not other_first_column, (not (other_words(0)(23) = '1'))
-        and (not other_first_column));
-      other_choice(15, 9) := choice(other_choice(15, 7), is_set(paths_sum(1), 7) and (not (other_words(0)(23) = '1'))
-        and (not other_first_column), other_choice(15, 8));
-      other_all(15, 1) := (not other_choice(15, 9)) and winnersmask_inside(1) and other_output_column;
-      other_choices_from_14(15, 10) := choice(other_all(15, 1), other_14_value_6 + 1, to_integer(other_words(2)(23
-        downto 16)));
-      other_choices_from_14(15, 11) := choice(other_14_any, other_choices_from_14(15, 10), to_integer(other(15)(15
-        downto 8)));
-      for i in 6 to 10 loop
-        other_value(15, i) := other_words(0)(i + 4) = '1';
+      costsshift_new_tag_valid <= false; costsshift_count_phase <= 7; costsshift_read_tag_valid <= false;
+      costsshift_read_count_phase <= 7; costsshift_write_phase <= 7; costswindow_read_count_phase <= 7;
+      costswindow_write_count_phase <= 7; paths_cost_delay_ring_read_address <= 1;
+      paths_cost_delay_ring_write_address <= 0; pathsleft_low_address <= 5; pathsleft_read_count_phase <= 7;
+      pathsleft_ahead_count_phase <= 7; pathsleft_write_count_phase <= 7; pathsleft_low_write_address <= 0;
+      pathsabove_memory_read_address_0 <= 0; pathsabove_memory_read_address_1 <= 0;
+      pathsabove_memory_write_address_0 <= 0; pathsabove_memory_write_address_1 <= 0;
+      pathsabove_read_address_address <= 0; pathsabove_read_address_count_phase <= 7;
+      pathsabove_write_address_address <= 0; pathsabove_write_address_is_here <= false;
+      pathsabove_write_address_count_phase <= 7; pathsturn_sum_memory_read_address_0 <= 0;
+      pathsturn_sum_memory_read_address_1 <= 0; pathsturn_sum_memory_write_address_0 <= 0;
+      pathsturn_sum_memory_write_address_1 <= 0; pathsturn_cost_memory_read_address_0 <= 0;
+      pathsturn_cost_memory_read_address_1 <= 0; pathsturn_cost_memory_write_address_0 <= 0;
+      pathsturn_cost_memory_write_address_1 <= 0; pathsturn_smallest_address <= 0; pathsturn_read_address_address <= 0;
+      pathsturn_read_address_count_phase <= 7; pathsturn_sum_read_address <= 0; pathsturn_write_smallest_address <= 0;
+      pathsturn_write_address_address <= 0; pathsturn_write_address_is_here <= false;
+      pathsturn_write_address_count_phase <= 7; pathsturn_sum_write_address <= (others => 0);
+      pathsturn_writes_sums <= (others => false); winnerswinner1_best_place_0 <= false;
+      winners_best_tag <= (others => false); other_read_count_phase <= 7; other_write_count_phase <= 7;
+      for i in 0 to 11 loop
+        refinement_tag_valid(i) <= false; refinement_tag_map_column(i) <= false;
+        refinement_tag_output_column(i) <= false; refinement_tag_start_of_frame(i) <= false;
+        refinement_tag_end_of_line(i) <= false;
       end loop;
-      other_choice(15, 18) := not is_larger(paths_sum(0), to_integer(other_words(0)(14 downto 8)), 0, 6, false);
-      other_choice(15, 19) := choice(other_choice(15, 18), (not other_first_column) and is_set(paths_sum(0), 7) and
-        (not (other_words(0)(15) = '1')), (not other_first_column) and (is_set(paths_sum(0), 7) or (not
-        (other_words(0)(15) = '1'))));
-      other_all(15, 2) := (not other_choice(15, 19)) and winnersmask_inside(0) and other_output_column;
-      other_choices_from_14(15, 20) := choice(other_all(15, 2), other_base, to_integer(other_words(2)(15 downto 8)));
-      for i in 0 to 1 loop
-        other_choices_from_14(15, 11 * i + 21) := choice(other_14_any, other_choices_from_14(15, 11 * i + 20),
-          to_integer(other(15)(16 * i + 7 downto 16 * i)));
-        for j in 11 to 15 loop
-          other_value(15, 5 * i + j) := other_words(i)(j + 15 - 24 * i) = '1';
-        end loop;
-        other_choice(15, 11 * i + 28) := not is_larger(paths_sum(i + 2), to_integer(other_words(i)(30 - 24 * i downto
-          24 - 24 * i)), 0, 6, false);
-        other_choice(15, 11 * i + 29) := choice(is_set(paths_sum(i + 2), 7), not other_first_column, (not
-          (other_words(i)(31 - 24 * i) = '1')) and (not other_first_column));
-        other_choice(15, 11 * i + 30) := choice(other_choice(15, 11 * i + 28), is_set(paths_sum(i + 2), 7) and (not
-          (other_words(i)(31 - 24 * i) = '1')) and (not other_first_column), other_choice(15, 11 * i + 29));
-        other_all(15, i + 3) := (not other_choice(15, 11 * i + 30)) and winnersmask_inside(i + 2) and
-          other_output_column;
-        other_choices_from_14(15, 11 * i + 31) := choice(other_all(15, i + 3), other_14_value_6 + (i + 2),
-          to_integer(other_words(i + 2)(31 - 24 * i downto 24 - 24 * i)));
+      leftright_ring_read_address <= 1; leftright_ring_write_address <= 0; leftright_holds_winners <= false;
+      leftright_position <= 0; leftright_held_valid <= false; leftright_asking_tag <= (others => false);
+      leftright_answered_tag <= (others => false); leftright_checked_tag <= (others => false);
+      turn_order_inside <= false; turn_order_complete <= false; turn_order_output <= false; turn_order_first <= false;
+      turn_order_turned_valid <= false; turn_order_turned_map_column <= false;
+      turn_order_turned_start_of_frame <= false; turn_order_turned_end_of_line <= false; turn_comes <= false;
+      turn_read_tag <= (others => false); turn_ready_tag <= (others => false); map_counter_column <= 0;
+      map_counter_group <= 481; map_arrives <= false; map_behind <= false; map_line_ended <= false;
+      map_write_column <= 0; map_at_arrives <= false; map_at_behind <= false; map_at_top <= false;
+      map_at_output <= false; map_comparing_column <= 0; map_comparing_arrives <= false; map_comparing_behind <= false;
+      map_comparing_top <= false; map_comparing_output <= false; map_sorted_column <= 0; map_sorted_arrives <= false;
+      map_sorted_behind <= false; map_sorted_top <= false; map_sorted_output <= false; map_window_complete <= false;
+      map_window_first <= false; map_window_last <= false;
+      for i in 0 to 2 loop
+        map_waiting_complete(i) <= false; map_waiting_first(i) <= false; map_waiting_last(i) <= false;
       end loop;
-      other_choices_from_14(15, 43) := choice(other_14_any, other_choices_from_14(15, 42), to_integer(other(15)(31
-        downto 24)));
-      other_choices(16) := choice(other_all(14, 1), paths_sum(5), to_integer(other_words(1)(23 downto 16)));
-      other_choices_from_14(16, 2) := choice(other_14_any, other_choices(16), to_integer(other(16)(15 downto 8)));
-      for i in 2 to 3 loop
-        other_choices_from_14(16, 2 * i - 1) := choice(other_all(14, i), paths_sum(2 * i), to_integer(other_words(1)(16
-          * i - 17 downto 16 * i - 24)));
-        other_choices_from_14(16, 2 * i) := choice(other_14_any, other_choices_from_14(16, 2 * i - 1),
-          to_integer(other(16)(16 * i - 25 downto 16 * i - 32)));
-      end loop;
-      other_choices_from_14(16, 7) := choice(other_choice(14, 42), paths_sum(7), to_integer(other_next_words(0)(7
-        downto 0)));
-      other_choices_from_14(16, 8) := choice(other_14_any, other_choices_from_14(16, 7), to_integer(other(16)(31 downto
-        24)));
-      other_choices(17) := choice(other_all(15, 1), paths_sum(1), to_integer(other_words(0)(23 downto 16)));
-      other_choices_from_14(17, 2) := choice(other_14_any, other_choices(17), to_integer(other(17)(15 downto 8)));
-      for i in 2 to 3 loop
-        other_choices_from_14(17, 2 * i - 1) := choice(other_all(15, i), paths_sum(2 * i - 4),
-          to_integer(other_words(0)(16 * i - 17 downto 16 * i - 24)));
-        other_choices_from_14(17, 2 * i) := choice(other_14_any, other_choices_from_14(17, 2 * i - 1),
-          to_integer(other(17)(16 * i - 25 downto 16 * i - 32)));
-      end loop;
-      other_choices_from_14(17, 7) := choice(other_all(15, 4), paths_sum(3), to_integer(other_words(1)(7 downto 0)));
-      other_choices_from_14(17, 8) := choice(other_14_any, other_choices_from_14(17, 7), to_integer(other(17)(31 downto
-        24)));
-      other_words <= other_next_words;
-      other_base <= other_base_choice * 8;
-      other_0 <= winnerswinner1_best_index_0_choice(2, 8);
-      other_1 <= other_3;
-      other_2 <= ((other_4 mod 8192) / 2) * 2;
-      other_3 <= to_unsigned(as_number(((map_counter_group >= 1) and (map_counter_group < 481))), 1) &
-        to_unsigned(as_number(other_3_is_equal), 8) & to_unsigned(as_number((map_counter_group = 1)), 8) &
-        to_unsigned(as_number(map_behind), 8) & to_unsigned(as_number(map_arrives), 8) &
-        to_unsigned(map_counter_column, 16);
-      other_4 <= to_integer(other_5);
-      other_6 <= ((((other_choices(6) / 8) + 1) mod 4) * 8) + other_6_choice_2;
-      other_7 <= ((other_difference(7) / 512) * 2) + ((other_8 / 4) * 4);
-      other_8 <= ((other_difference(8) / 512) * 4) + ((other_9 / 8) * 8);
-      other_9 <= ((other_difference(9) / 512) * 8) + ((other_10 / 16) * 16);
-      other_10 <= ((other_difference(10) / 512) * 16) + ((other_11 / 32) * 32);
-      other_11 <= ((other_difference(11) / 512) * 32) + ((other_12 / 64) * 64);
-      other_12 <= ((other_difference(12) / 512) * 64) + ((other_13 / 128) * 128);
-      other_13 <= (other_13_difference / 512) * 128;
-      for i in 0 to 1 loop
-        other(2 * i + 14) <= to_unsigned(other_choices_from_14(2 * i + 14, 44 - 36 * i), 8) &
-          to_unsigned(other_choices_from_14(2 * i + 14, 33 - 27 * i), 8) & to_unsigned(other_choices_from_14(2 * i +
-          14, 11 - 9 * i), 8) & to_unsigned(other_choices_from_14(2 * i + 14, 22 - 18 * i), 8);
-        other(2 * i + 15) <= to_unsigned(other_choices_from_14(2 * i + 15, 43 - 35 * i), 8) &
-          to_unsigned(other_choices_from_14(2 * i + 15, 32 - 26 * i), 8) & to_unsigned(other_choices_from_14(2 * i +
-          15, 11 - 9 * i), 8) & to_unsigned(other_choices_from_14(2 * i + 15, 21 - 17 * i), 8);
-      end loop;
-      other_read_count_phase <= choice(line_comes(20), 0, other_read_count_phase_choice);
-      other_count_phase <= choice(line_comes(22), 0, other_count_phase_choice);
-      other_write_count_phase <= choice(line_comes(23), 0, other_write_count_phase_choice);
-      if line_comes(22) then
-        other_first_column <= line_places_first_column(2);
-        other_output_column <= line_places_shown_output_column(2);
-      end if;
-      if other_write_count_phase = 0 then
-        other_left <= to_integer(other(15)(7 downto 0));
-      end if;
-      -- refinement
-      refinement_below_0_differss(1) := winners_best_index_0_0 /= 0;
-      refinement_below_0_differss(2) := winners_best_below_0_0 /= 255;
-      refinement_below_0_all := refinement_below_0_differss(1) and refinement_below_0_differss(2);
-      refinement_above_0_choice := choice(winners_best_above_0_0 = 255, refinement_below_0_all,
-        refinement_below_0_differss(1) and refinement_below_0_differss(2) and winners_best_above_0_0_is_equal);
-      refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
-      refinement_divisor_0_0_choice := choice(refinement_divisor_0_0_is_less, refinement_v_0, refinement_u_0);
-      refinement_disparity_0(0) <= winners_best_index_0_0;
-      refinement_disparity_0(1 to 11) <= refinement_disparity_0(0 to 10);
-      refinement_passed_0(1) <= transform_reached_first(2);
-      refinement_passed_0(2 to 3) <= refinement_passed_0(1 to 2);
-      refinement_passed_0s(6) <= transform_filtering_column_inside_4(2);
-      refinement_passed_0s(7 to 8) <= refinement_passed_0s(6 to 7);
-      refinement_tag_valid(0) <= winners_best_tag.valid;
-      refinement_tag_map_column(0) <= winners_best_tag.map_column;
-      refinement_tag_output_column(0) <= winners_best_tag.output_column;
-      refinement_tag_start_of_frame(0) <= winners_best_tag.start_of_frame;
-      refinement_tag_end_of_line(0) <= winners_best_tag.end_of_line;
-      for i in 1 to 11 loop
-        refinement_tag_valid(i) <= refinement_tag_valid(i - 1);
-        refinement_tag_map_column(i) <= refinement_tag_map_column(i - 1);
-        refinement_tag_output_column(i) <= refinement_tag_output_column(i - 1);
-        refinement_tag_start_of_frame(i) <= refinement_tag_start_of_frame(i - 1);
-        refinement_tag_end_of_line(i) <= refinement_tag_end_of_line(i - 1);
-      end loop;
-      refinement_cost_0 <= winners_best_cost_0_0;
-      refinement_u_0 <= (refinement_below_0 - refinement_cost_0) mod 256;
-      refinement_v_0 <= (refinement_above_0 - refinement_cost_0) mod 256;
-      refinement_difference_0 <= refinement_above_0 - refinement_below_0;
-      refinement_remainder_0(0) <= magnitude(refinement_difference_0);
-      refinement_divisor_0(0) <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 8)) or
-        (to_unsigned(as_number(((refinement_v_0 = 0) and (refinement_u_0 = 0))), 8))));
-      refinement_divisor_0(1 to 7) <= refinement_divisor_0(0 to 6);
-      refinement_quotient_8_0 <= ((((refinement_remainder_0(7) * 2) + 512) - refinement_divisor_0(7)) / 512) +
-        ((other_7 / 2) * 2);
-      refinement_negative_0(0) <= refinement_divisor_0_0_is_less;
-      refinement_negative_0(1 to 8) <= refinement_negative_0(0 to 7);
-      refinement_below_0 <= choice(refinement_below_0_all, winners_best_below_0_0, winners_best_above_0_0);
-      refinement_above_0 <= choice(refinement_above_0_choice, winners_best_below_0_0, winners_best_above_0_0);
-      refinement_remainder_0(1) <= choice(is_set(other_13_difference, 9), other_13_difference mod 256,
-        refinement_remainder_0(0));
-      for i in 2 to 7 loop
-        refinement_remainder_0(i) <= choice(is_set(other_difference(14 - i), 9), other_difference(14 - i) mod 256,
-          (refinement_remainder_0(i - 1) mod 128) * 2);
-      end loop;
-      -- leftright
-      leftright_holds_winners_choice := choice((not is_set(leftright_ring_read_address, 5)) and
-        ((leftright_ring_read_address mod 8) = 0), (not leftright_holds_winners) and
-        (is_set(leftright_ring_read_address, 4) or is_set(leftright_ring_read_address, 3)), not
-        leftright_holds_winners);
-      leftright_checked_passed_0_difference := (leftright_answered_disparity_0 + 1) - to_integer(leftright_found_0);
-      leftright_other_0(0) <= other_left;
-      leftright_other_0(1 to 14) <= leftright_other_0(0 to 13);
-      leftright_position <= (leftright_position + as_number(refinement_tag_valid(11))) mod 128;
-      leftright_held_position <= leftright_position;
-      leftright_held_valid <= (not leftright_holds_winners_choice) and refinement_tag_valid(11);
-      leftright_address_0 <= (to_integer(leftright_held_0(17 downto 4)) + leftright_held_position + 65) mod 128;
-      leftright_asking_disparity_0 <= to_integer(leftright_held_0(11 downto 4));
-      leftright_asking_fraction_0 <= to_integer(leftright_held_0(17 downto 13));
-      leftright_asking_passed_0 <= leftright_held_0(12) = '1';
-      leftright_asking_tag.valid <= leftright_held_valid;
-      leftright_asking_tag.map_column <= leftright_held_0(0) = '1';
-      leftright_asking_tag.output_column <= leftright_held_0(1) = '1';
-      leftright_asking_tag.start_of_frame <= leftright_held_0(2) = '1';
-      leftright_asking_tag.end_of_line <= leftright_held_0(3) = '1';
-      leftright_answered_disparity_0 <= leftright_asking_disparity_0;
-      leftright_answered_fraction_0 <= leftright_asking_fraction_0;
-      leftright_answered_passed_0 <= leftright_asking_passed_0;
-      leftright_answered_tag <= leftright_asking_tag;
-      leftright_checked_disparity_0 <= leftright_answered_disparity_0;
-      leftright_checked_fraction_0 <= leftright_answered_fraction_0;
-      leftright_checked_passed_0 <= leftright_answered_passed_0 and (leftright_checked_passed_0_difference >= 0) and
-        (leftright_checked_passed_0_difference < 3);
-      leftright_checked_tag <= leftright_answered_tag;
-      leftright_holds_winners <= choice(leftright_holds_winners_choice, (not refinement_tag_valid(11)) and
-        leftright_holds_winners, refinement_tag_valid(11) or leftright_holds_winners);
-      if refinement_tag_valid(11) then
-        leftright_ring_write_address <= leftright_ring_read_address;
-        leftright_ring_read_address <= choice(leftright_ring_read_address = 63, 0, (leftright_ring_read_address + 1)
-          mod 64);
-      end if;
-      -- turn
-      turn_order_address_anys(1) := turn_order_inside or (not leftright_checked_tag.map_column) or (not
-        leftright_checked_tag.valid);
-      turn_order_address_choice := choice(turn_order_falls, 1023, 1);
-      turn_order_address_choice_2 := choice(turn_order_falls, 0, 637);
-      turn_order_address_anys(2) := (not leftright_checked_tag.map_column) or (not leftright_checked_tag.valid);
-      if not turn_order_address_anys(2) then
-        turn_order_address <= choice(turn_order_address_anys(1), (turn_order_address_choice + turn_order_address) mod
-          1024, turn_order_address_choice_2);
-      end if;
-      turn_order_falls_all := (not turn_order_inside) and leftright_checked_tag.map_column and
-        leftright_checked_tag.valid;
-      turn_order_complete_all := leftright_checked_tag.map_column and leftright_checked_tag.valid;
-      turn_ready_tag_row_start_differs := map_counter_group /= 481;
-      turn_ready_tag_row_start_is_equals(1) := map_counter_column = 637;
-      turn_ready_tag_row_start_choices(1) := choice(turn_ready_tag_row_start_is_equals(1), turn_ready_tag.row_start and
-        (map_counter_group /= 480), turn_ready_tag.row_start);
-      turn_ready_tag_row_start_choices(2) := choice(turn_ready_tag_row_start_differs,
-        turn_ready_tag_row_start_choices(1), turn_ready_tag.row_start);
-      turn_ready_tag_row_start_is_equals(2) := map_counter_group = 479;
-      turn_ready_tag_row_start_alls(1) := turn_ready_tag_row_start_is_equals(2) and
-        turn_ready_tag_row_start_is_equals(1);
-      turn_ready_tag_row_start_choices(3) := choice(turn_ready_tag_row_start_choices(2), (not
-        turn_ready_tag.start_of_frame) or turn_ready_tag_row_start_alls(1), turn_ready_tag.start_of_frame and
-        turn_ready_tag_row_start_is_equals(2) and turn_ready_tag_row_start_is_equals(1));
-      turn_ready_tag_row_start_alls(2) := turn_ready_tag.valid and turn_ready_tag.map_column;
-      turn_order_turned_valid <= leftright_checked_tag.valid;
-      turn_order_turned_map_column <= leftright_checked_tag.map_column;
-      turn_order_turned_start_of_frame <= (not turn_order_inside) and leftright_checked_tag.map_column and
-        leftright_checked_tag.valid and turn_order_first and turn_order_output and turn_order_complete;
-      turn_order_turned_end_of_line <= leftright_checked_tag.end_of_line;
-      turn_newest <= (leftright_checked_fraction_0 * 512) + leftright_checked_disparity_0 +
-        (as_number(leftright_checked_passed_0) * 256);
-      turn_comes <= turn_order_complete_all;
-      turn_read_tag.valid <= turn_order_turned_valid;
-      turn_read_tag.map_column <= turn_order_turned_map_column;
-      turn_read_tag.start_of_frame <= turn_order_turned_start_of_frame;
-      turn_read_tag.end_of_line <= turn_order_turned_end_of_line;
-      turn_ready <= to_integer(turn_read_words_0);
-      turn_ready_tag.valid <= turn_read_tag.valid;
-      turn_ready_tag.map_column <= turn_read_tag.map_column;
-      turn_ready_tag.start_of_frame <= turn_read_tag.start_of_frame;
-      turn_ready_tag.end_of_line <= turn_read_tag.end_of_line;
-      turn_order_falls <= choice(turn_order_falls, turn_order_address_anys(1), turn_order_falls_all);
-      turn_order_complete <= choice(leftright_checked_tag.end_of_line, turn_order_complete or turn_order_complete_all,
-        turn_order_complete and turn_order_address_anys(2));
-      turn_write_place <= choice(turn_comes, turn_order_address, 638);
-      turn_ready_tag.row_start <= choice(turn_ready_tag_row_start_choices(3), turn_ready_tag.row_start or
-        turn_ready_tag_row_start_alls(2), turn_ready_tag.row_start and ((not turn_ready_tag.valid) or (not
-        turn_ready_tag.map_column)));
-      if leftright_checked_tag.valid then
-        turn_order_inside <= leftright_checked_tag.map_column;
-      end if;
-      if turn_order_falls_all then
-        turn_order_output <= leftright_checked_tag.output_column;
-        turn_order_first <= leftright_checked_tag.start_of_frame;
-      end if;
-      if turn_comes then
-        turn_write_words_0 <= turn_newest;
-      end if;
-      -- map
-      if turn_ready_tag_row_start_alls(2) then
-        map_counter_column <= choice(turn_ready_tag.start_of_frame or turn_ready_tag_row_start_is_equals(1), 0,
-          (map_counter_column + 1) mod 1024);
-      end if;
-      map_counter_group_choice := choice(turn_ready_tag_row_start_alls(1), 15, 0);
-      map_counter_group_choices(2) := choice(turn_ready_tag.row_start and other_3_is_equal, 1, (map_counter_group + 1)
-        mod 512);
-      map_counter_group_choices(3) := choice(turn_ready_tag_row_start_differs and turn_ready_tag_row_start_is_equals(1)
-        and turn_ready_tag.valid and turn_ready_tag.map_column, map_counter_group_choices(2), map_counter_group);
-      map_line_ended_choice := choice(turn_ready_tag.valid, turn_ready_tag.map_column, map_line_ended);
-      map_at_arrives_value := other_1(16) = '1';
-      map_of_column_0_a_choice := choice(map_at_top, map_column_1 / 2, other_2 / 2);
-      map_of_column_0_c_choice := choice(map_counter_next_frame, map_column_1 / 2, map_column_2 / 2);
-      map_sorted_low_0_choices(1) := choice(map_of_column_0_c_below_b, map_of_column_0_c, map_of_column_0_b);
-      map_sorted_low_0_choices(2) := choice(map_of_column_0_c_below_a, map_of_column_0_c, map_of_column_0_a);
-      map_sorted_middle_0_choices(1) := choice(map_of_column_0_c_below_b, map_of_column_0_b,
-        map_sorted_low_0_choices(2));
-      map_sorted_middle_0_choices(2) := choice(map_of_column_0_c_below_a, map_of_column_0_a,
-        map_sorted_low_0_choices(1));
-      map_sorted_high_0_choices(1) := choice(map_of_column_0_c_below_a, map_of_column_0_a, map_of_column_0_c);
-      map_sorted_high_0_choices(2) := choice(map_of_column_0_c_below_b, map_of_column_0_b, map_of_column_0_c);
-      map_window_complete_is_equal := map_sorted_column = 0;
-      map_window_complete_choice := choice(map_window_complete_is_equal, map_sorted_behind, map_sorted_arrives or
-        map_sorted_behind);
-      map_largest_low_0_choices(1) := choice(map_of_low_0_c_below_a, map_of_low_0_a, map_of_low_0_c);
-      map_largest_low_0_choices(2) := choice(map_of_low_0_c_below_b, map_of_low_0_b, map_of_low_0_c);
-      map_median_middle_0_choices(1) := choice(map_of_middle_0_c_below_a, map_of_middle_0_c, map_of_middle_0_a);
-      map_median_middle_0_choices(2) := choice(map_of_middle_0_c_below_b, map_of_middle_0_b,
-        map_median_middle_0_choices(1));
-      map_median_middle_0_choices(3) := choice(map_of_middle_0_c_below_b, map_of_middle_0_c, map_of_middle_0_b);
-      map_median_middle_0_choices(4) := choice(map_of_middle_0_c_below_a, map_of_middle_0_a,
-        map_median_middle_0_choices(3));
-      map_smallest_high_0_choices(1) := choice(map_of_high_0_c_below_b, map_of_high_0_c, map_of_high_0_b);
-      map_smallest_high_0_choices(2) := choice(map_of_high_0_c_below_a, map_of_high_0_c, map_of_high_0_a);
-      map_out_disparity_0_choices(1) := choice(map_of_all_0_c_below_a, map_of_all_0_c, map_of_all_0_a);
-      map_out_disparity_0_choices(2) := choice(map_of_all_0_c_below_b, map_of_all_0_b, map_out_disparity_0_choices(1));
-      map_out_disparity_0_choices(3) := choice(map_of_all_0_c_below_b, map_of_all_0_c, map_of_all_0_b);
-      map_out_disparity_0_choices(4) := choice(map_of_all_0_c_below_a, map_of_all_0_a, map_out_disparity_0_choices(3));
-      map_counter_next_frame <= other_1(40) = '1';
-      map_newest_0 <= ((((((((turn_ready mod 256) + (turn_ready / 8192)) * 2) + (((turn_ready / 512) mod 16) / 8) +
-        8191) mod 4096) * 8) + ((turn_ready / 512) mod 8)) * 2) + ((turn_ready / 256) mod 2);
-      map_arrives <= turn_ready_tag_row_start_alls(2);
-      map_behind <= map_line_ended and turn_ready_tag.valid;
-      map_rows_read_newest_0 <= map_newest_0;
-      map_rows_ready_newest_0 <= map_rows_read_newest_0;
-      map_write_column <= to_integer(other_1(9 downto 0));
-      map_column_1 <= other_4 / 8192;
-      map_column_2 <= map_rows_ready_newest_0;
-      map_at_arrives <= map_at_arrives_value;
-      map_at_behind <= other_1(24) = '1';
-      map_at_top <= other_1(32) = '1';
-      map_at_output <= other_1(48) = '1';
-      map_of_column_0_a <= map_of_column_0_a_choice;
-      map_of_column_0_b <= map_column_1 / 2;
-      map_of_column_0_c <= map_of_column_0_c_choice;
-      map_of_column_0_b_below_a <= ((map_column_1 / 2) - map_of_column_0_a_choice) < 0;
-      map_of_column_0_c_below_a <= (map_of_column_0_c_choice - map_of_column_0_a_choice) < 0;
-      map_of_column_0_c_below_b <= (map_of_column_0_c_choice - (map_column_1 / 2)) < 0;
-      map_column_passed_0(0) <= is_set(map_column_1, 0);
-      map_column_passed_0(1) <= map_column_passed_0(0);
-      map_comparing_column <= map_write_column;
-      map_comparing_arrives <= map_at_arrives;
-      map_comparing_behind <= map_at_behind;
-      map_comparing_top <= map_at_top;
-      map_comparing_output <= map_at_output;
-      map_sorted_column <= map_comparing_column;
-      map_sorted_arrives <= map_comparing_arrives;
-      map_sorted_behind <= map_comparing_behind;
-      map_sorted_top <= map_comparing_top;
-      map_sorted_output <= map_comparing_output;
-      map_window_complete <= map_sorted_output and map_window_complete_choice;
-      map_window_first <= map_sorted_top and (map_sorted_column = 1) and map_sorted_arrives;
-      map_window_last <= map_sorted_behind;
-      map_of_low_0_a <= map_low_0(0);
-      map_of_low_0_b <= map_low_0(1);
-      map_of_low_0_c <= map_low_0(2);
-      map_of_low_0_b_below_a <= (map_low_0(1) - map_low_0(0)) < 0;
-      map_of_low_0_c_below_a <= (map_low_0(2) - map_low_0(0)) < 0;
-      map_of_low_0_c_below_b <= (map_low_0(2) - map_low_0(1)) < 0;
-      map_of_middle_0_a <= map_middle_0(0);
-      map_of_middle_0_b <= map_middle_0(1);
-      map_of_middle_0_c <= map_middle_0(2);
-      map_of_middle_0_b_below_a <= (map_middle_0(1) - map_middle_0(0)) < 0;
-      map_of_middle_0_c_below_a <= (map_middle_0(2) - map_middle_0(0)) < 0;
-      map_of_middle_0_c_below_b <= (map_middle_0(2) - map_middle_0(1)) < 0;
-      map_of_high_0_a <= map_high_0(0);
-      map_of_high_0_b <= map_high_0(1);
-      map_of_high_0_c <= map_high_0(2);
-      map_of_high_0_b_below_a <= (map_high_0(1) - map_high_0(0)) < 0;
-      map_of_high_0_c_below_a <= (map_high_0(2) - map_high_0(0)) < 0;
-      map_of_high_0_c_below_b <= (map_high_0(2) - map_high_0(1)) < 0;
-      map_of_all_0_a <= map_largest_low_0;
-      map_of_all_0_b <= map_median_middle_0;
-      map_of_all_0_c <= map_smallest_high_0;
-      map_of_all_0_b_below_a <= (map_median_middle_0 - map_largest_low_0) < 0;
-      map_of_all_0_c_below_a <= (map_smallest_high_0 - map_largest_low_0) < 0;
-      map_of_all_0_c_below_b <= (map_smallest_high_0 - map_median_middle_0) < 0;
-      map_waiting_complete(0) <= map_window_complete;
-      map_waiting_first(0) <= map_window_first;
-      map_waiting_last(0) <= map_window_last;
-      map_waiting_complete(1) <= map_waiting_complete(0);
-      map_waiting_first(1) <= map_waiting_first(0);
-      map_waiting_last(1) <= map_waiting_last(0);
-      map_waiting_complete(2) <= map_waiting_complete(1);
-      map_waiting_first(2) <= map_waiting_first(1);
-      map_waiting_last(2) <= map_waiting_last(1);
-      map_waiting_passed_0(0) <= map_passed_0(1);
-      map_waiting_passed_0(1 to 2) <= map_waiting_passed_0(0 to 1);
-      map_out_passed_0 <= map_waiting_passed_0(2);
-      map_out_valid <= map_waiting_complete(2);
-      map_out_start_of_frame <= map_waiting_first(2) and map_waiting_complete(2);
-      map_out_end_of_line <= map_waiting_last(2) and map_waiting_complete(2);
-      map_counter_group <= choice(turn_ready_tag.start_of_frame and turn_ready_tag.valid and turn_ready_tag.map_column,
-        map_counter_group_choice * 32, map_counter_group_choices(3));
-      map_line_ended <= choice(turn_ready_tag.end_of_line, map_line_ended_choice, map_line_ended and (not
-        turn_ready_tag.valid));
-      map_sorted_low_0 <= choice(map_of_column_0_b_below_a, map_sorted_low_0_choices(1), map_sorted_low_0_choices(2));
-      map_sorted_middle_0 <= choice(map_of_column_0_b_below_a, map_sorted_middle_0_choices(1),
-        map_sorted_middle_0_choices(2));
-      map_sorted_high_0 <= choice(map_of_column_0_b_below_a, map_sorted_high_0_choices(1),
-        map_sorted_high_0_choices(2));
-      map_passed_0(1) <= choice(map_passed_0(0), map_passed_0(1) or map_sorted_arrives or map_sorted_behind,
-        map_passed_0(1) and (not map_sorted_arrives) and (not map_sorted_behind));
-      map_largest_low_0 <= choice(map_of_low_0_b_below_a, map_largest_low_0_choices(1), map_largest_low_0_choices(2));
-      map_median_middle_0 <= choice(map_of_middle_0_b_below_a, map_median_middle_0_choices(2),
-        map_median_middle_0_choices(4));
-      map_smallest_high_0 <= choice(map_of_high_0_b_below_a, map_smallest_high_0_choices(1),
-        map_smallest_high_0_choices(2));
-      map_out_disparity_0 <= choice(map_of_all_0_b_below_a, map_out_disparity_0_choices(2),
-        map_out_disparity_0_choices(4));
-      if map_at_arrives_value then
-        map_rows_write_words_0 <= (other_4 / 8192) + (map_rows_ready_newest_0 * 8192);
-        map_at_column <= to_integer(other_1(9 downto 0));
-      end if;
-      map_low_0_0_choice := choice(map_sorted_behind, map_low_0(0), map_sorted_low_0);
-      map_low_0_all(1) := map_window_complete_is_equal and map_sorted_arrives;
-      map_middle_0_0_choice := choice(map_sorted_behind, map_middle_0(0), map_sorted_middle_0);
-      map_high_0_0_choice := choice(map_sorted_behind, map_high_0(0), map_sorted_high_0);
-      map_low_0_all(0) := (not map_sorted_arrives) and (not map_sorted_behind);
-      if not map_low_0_all(0) then
-        map_low_0(0) <= map_low_0_0_choice;
-        map_low_0(2) <= map_low_0(1);
-        map_middle_0(0) <= map_middle_0_0_choice;
-        map_middle_0(2) <= map_middle_0(1);
-        map_high_0(0) <= map_high_0_0_choice;
-        map_high_0(2) <= map_high_0(1);
-        map_low_0(1) <= choice(map_low_0_all(1), map_low_0_0_choice, map_low_0(0));
-        map_middle_0(1) <= choice(map_low_0_all(1), map_middle_0_0_choice, map_middle_0(0));
-        map_high_0(1) <= choice(map_low_0_all(1), map_high_0_0_choice, map_high_0(0));
-      end if;
-      if map_sorted_arrives then
-        map_passed_0(0) <= map_column_passed_0(1);
-      end if;
-      if reset = '1' then
-        transform_valid <= false;
-        transform_counter_column <= 0;
-        transform_counter_group <= 482;
-        transform_counter_next_frame <= false;
-        transform_counter_last_column <= false;
-        transform_counter_counts <= false;
-        transform_counter_frame_joins <= false;
-        transform_counter_back_to_back <= false;
-        transform_counter_column_after <= 1;
-        transform_counter_group_after <= 482;
-        transform_read_column <= 0;
-        transform_read_row_inside_0 <= false;
-        transform_read_start_of_frame <= false;
-        transform_read_valid <= false;
-        transform_ready_column <= 0;
-        transform_ready_start_of_frame <= false;
-        transform_ready_valid <= false;
-        transform_write_column <= 0;
-        transform_columns_start_of_frame <= false;
-        transform_columns_valid <= false;
-        for i in 0 to 2 loop
-          transform_filtering_start_of_frame(i) <= false;
-          transform_filtering_valid(i) <= false;
-        end loop;
-        raster_features_valid <= false;
-        raster_place_column <= 0;
-        raster_place_group <= 481;
-        raster_place_next_frame <= false;
-        raster_place_last_column <= false;
-        raster_place_frame_joins <= false;
-        raster_place_back_to_back <= false;
-        raster_place_column_after <= 1;
-        raster_place_group_after <= 481;
-        delay_column <= 0;
-        delay_row_inside(2) <= false;
-        delay_tag <= (others => false);
-        rows_read_column <= 0;
-        rows_read_tag <= (others => false);
-        rows_ready_column <= 0;
-        rows_ready_tag <= (others => false);
-        rows_write_column <= 0;
-        rows_tag <= (others => false);
-        line_centre_map_column_0 <= false;
-        line_centre_output_column_0 <= false;
-        line_centre_first_column_0 <= false;
-        line_centre_start_of_frame_0 <= false;
-        line_centre_end_of_line_0 <= false;
-        line_order_address <= 0;
-        line_order_falls <= false;
-        line_order_inside <= false;
-        line_order_complete <= false;
-        line_order_output <= false;
-        line_order_first <= false;
-        line_order_held_output <= false;
-        line_order_turned_valid <= false;
-        line_order_turned_map_column <= false;
-        line_order_turned_output_column <= false;
-        line_order_turned_start_of_frame <= false;
-        line_order_turned_end_of_line <= false;
-        line_newest_first_column <= false;
-        line_comes <= (others => false);
-        line_starts_phases <= (others => false);
-        for i in 0 to 2 loop
-          line_places_map_column(i) <= false;
-          line_places_address(i) <= 0;
-          line_places_shown_output_column(i) <= false;
-          line_places_shown_first_column(i) <= false;
-          line_places_shown_start_of_frame(i) <= false;
-          line_places_shown_end_of_line(i) <= false;
-        end loop;
-        for i in 3 to 4 loop
-          line_places_map_column(i) <= false;
-          line_places_shown_output_column(i) <= false;
-          line_places_shown_start_of_frame(i) <= false;
-          line_places_shown_end_of_line(i) <= false;
-        end loop;
-        costsshift_new_tag_valid <= false;
-        costsshift_count_phase <= 7;
-        costsshift_read_tag_valid <= false;
-        costsshift_read_count_phase <= 7;
-        costsshift_write_phase <= 7;
-        costswindow_read_count_phase <= 7;
-        costswindow_write_count_phase <= 7;
-        paths_cost_delay_ring_read_address <= 1;
-        paths_cost_delay_ring_write_address <= 0;
-        pathsleft_low_address <= 5;
-        pathsleft_read_count_phase <= 7;
-        pathsleft_ahead_count_phase <= 7;
-        pathsleft_write_count_phase <= 7;
-        pathsleft_low_write_address <= 0;
-        pathsabove_memory_read_address_0 <= 0;
-        pathsabove_memory_read_address_1 <= 0;
-        pathsabove_memory_write_address_0 <= 0;
-        pathsabove_memory_write_address_1 <= 0;
-        pathsabove_read_address_address <= 0;
-        pathsabove_read_address_count_phase <= 7;
-        pathsabove_write_address_address <= 0;
-        pathsabove_write_address_is_here <= false;
-        pathsabove_write_address_count_phase <= 7;
-        pathsturn_sum_memory_read_address_0 <= 0;
-        pathsturn_sum_memory_read_address_1 <= 0;
-        pathsturn_sum_memory_write_address_0 <= 0;
-        pathsturn_sum_memory_write_address_1 <= 0;
-        pathsturn_cost_memory_read_address_0 <= 0;
-        pathsturn_cost_memory_read_address_1 <= 0;
-        pathsturn_cost_memory_write_address_0 <= 0;
-        pathsturn_cost_memory_write_address_1 <= 0;
-        pathsturn_smallest_address <= 0;
-        pathsturn_read_address_address <= 0;
-        pathsturn_read_address_count_phase <= 7;
-        pathsturn_sum_read_address <= 0;
-        pathsturn_write_smallest_address <= 0;
-        pathsturn_write_address_address <= 0;
-        pathsturn_write_address_is_here <= false;
-        pathsturn_write_address_count_phase <= 7;
-        pathsturn_sum_write_address <= (others => 0);
-        pathsturn_writes_sums <= (others => false);
-        winnerswinner1_best_place_0 <= false;
-        winners_best_tag <= (others => false);
-        other_read_count_phase <= 7;
-        other_write_count_phase <= 7;
-        for i in 0 to 11 loop
-          refinement_tag_valid(i) <= false;
-          refinement_tag_map_column(i) <= false;
-          refinement_tag_output_column(i) <= false;
-          refinement_tag_start_of_frame(i) <= false;
-          refinement_tag_end_of_line(i) <= false;
-        end loop;
-        leftright_ring_read_address <= 1;
-        leftright_ring_write_address <= 0;
-        leftright_holds_winners <= false;
-        leftright_position <= 0;
-        leftright_held_valid <= false;
-        leftright_asking_tag <= (others => false);
-        leftright_answered_tag <= (others => false);
-        leftright_checked_tag <= (others => false);
-        turn_order_inside <= false;
-        turn_order_complete <= false;
-        turn_order_output <= false;
-        turn_order_first <= false;
-        turn_order_turned_valid <= false;
-        turn_order_turned_map_column <= false;
-        turn_order_turned_start_of_frame <= false;
-        turn_order_turned_end_of_line <= false;
-        turn_comes <= false;
-        turn_read_tag <= (others => false);
-        turn_ready_tag <= (others => false);
-        map_counter_column <= 0;
-        map_counter_group <= 481;
-        map_arrives <= false;
-        map_behind <= false;
-        map_line_ended <= false;
-        map_write_column <= 0;
-        map_at_arrives <= false;
-        map_at_behind <= false;
-        map_at_top <= false;
-        map_at_output <= false;
-        map_comparing_column <= 0;
-        map_comparing_arrives <= false;
-        map_comparing_behind <= false;
-        map_comparing_top <= false;
-        map_comparing_output <= false;
-        map_sorted_column <= 0;
-        map_sorted_arrives <= false;
-        map_sorted_behind <= false;
-        map_sorted_top <= false;
-        map_sorted_output <= false;
-        map_window_complete <= false;
-        map_window_first <= false;
-        map_window_last <= false;
-        for i in 0 to 2 loop
-          map_waiting_complete(i) <= false;
-          map_waiting_first(i) <= false;
-          map_waiting_last(i) <= false;
-        end loop;
-        map_out_valid <= false;
-        map_out_start_of_frame <= false;
-        map_out_end_of_line <= false;
-        other_1 <= to_unsigned(0, 49);
-        other_3 <= to_unsigned(0, 49);
-      end if;
+      map_out_valid <= false; map_out_start_of_frame <= false; map_out_end_of_line <= false;
+      other_1 <= to_unsigned(0, 49); other_3 <= to_unsigned(0, 49);
     end if;
   end process;
 end architecture;
