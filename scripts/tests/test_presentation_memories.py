@@ -36,17 +36,36 @@ def cell(place, address="column", depth=16):
 def test_memories(cells, count):
     shown = memories.presented(cells, "i", {"held"}, {"taken"})
     assert sum(line.endswith((" generate", " : block")) and not line.startswith("  end") for line in shown) == count
-    assert memories.back(shown)[1] == cells
+    assert memories.back(["  ports <= 1;", "", *shown]) == (["  ports <= 1;", ""], cells)
     assert max(map(len, shown)) <= 120
 
 
 def test_labels_of_memories_are_unique():
     cells = [cell(0), cell(1), cell(2, depth=17), cell(3, depth=17)]
     labels = [
-        line.split()[0] for line in memories.presented(cells, "i", {"held"}, ()) if "generate" in line and ":" in line
+        line.split()[0]
+        for line in memories.presented(cells, "i", {"held"}, ())
+        if " generate" in line and " : " in line
     ]
     assert labels == ["held_memory", "held_2_memory"]
-    assert memories.presented(cells[:1], "i", {"held"}, {"held_0_memory"})[0] == "  held_0_memory_2 : block"
+    assert memories.presented(cells[:1], "i", {"held"}, {"held_0_memory"})[2] == "  held_0_memory_2 : block"
+
+
+def test_names_of_generics_and_ports_are_read():
+    """As cores had them before."""
+    shown = "\n".join(memories.presented([cell(0)], "i", {"held"}, ()))
+    names = ["depth", "width", "address_bits"]
+    named = shown.replace("(16, 8, 4)", f"({', '.join(f'{a} => {b}' for a, b in zip(names, ('16', '8', '4')))})")
+    ports = ", ".join(f"{name} => {name}" for name in ("clock", "read_address", "write_address", "write_data"))
+    for named_ports in (ports, ", ".join(reversed(ports.split(", ")))):
+        text = named.replace(
+            "(clock, true, read_address, held(0), write_address, write_data)",
+            f"(read_data => held(0), {named_ports}, read_enable => true)",
+        )
+        assert text.count("=>") == 9 and memories.back(text.splitlines())[1] == [cell(0)]
+        for old, new in (("clock => clock", "clock => other"), ("read_enable => true", "enable => true")):
+            with pytest.raises(ValueError, match="a memory is connected in another way"):
+                memories.back(text.replace(old, new).splitlines())
 
 
 def test_another_form_of_a_memory_stays():

@@ -69,11 +69,12 @@ def test_two_exchanged_registers_count(rng):
 @pytest.mark.parametrize(
     "before, after",
     [
-        ("write_address => write_address", "write_address => read_address"),
-        ("write_data => write_data)", "write_data => write_address)"),
-        ("clock => clock", "clock => reset"),
-        ("(clock => clock, ", "("),
-        ("depth => 32, ", ""),
+        (", write_address, write_data);", ", read_address, write_data);"),
+        (", write_address, write_data);", ", write_address, write_address);"),
+        ("(clock, true", "(reset, true"),
+        ("(clock, true, ", "(true, "),
+        ("(32, 16, 5)", "(16, 5)"),
+        (" map (clock, ", " map (clock => clock, "),
     ],
 )
 def test_a_memory_that_is_connected_in_another_way_is_no_known_form(before, after):

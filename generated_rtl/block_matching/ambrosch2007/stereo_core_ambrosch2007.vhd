@@ -333,7 +333,7 @@ begin
   disparity_start_of_frame <= as_bit(slice3_best_tag.start_of_frame and slice3_best_tag.valid and slice3_best_tag.output_column);
   disparity_end_of_line <= as_bit(slice3_best_tag.end_of_line and slice3_best_tag.valid and slice3_best_tag.output_column);
 
-  -- Memories: (depth, width, address_bits) and (clock, read_enable, read_address, read_data, write_address, write_data).
+  -- Memories: (depth, width, address_bits), (clock, read_enable, read_address, read_data, write_address, write_data)
 
   slice3cost_signs_read_words_memory : for i in 1 downto 0 generate
     signal read_address, write_address : unsigned(8 downto 0);

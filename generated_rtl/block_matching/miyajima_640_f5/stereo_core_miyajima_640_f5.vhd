@@ -305,7 +305,7 @@ begin
   disparity_start_of_frame <= as_bit(winners_winners_tag.start_of_frame and winners_winners_tag.valid and winners_winners_tag.output_column);
   disparity_end_of_line <= as_bit(winners_winners_tag.end_of_line and winners_winners_tag.valid and winners_winners_tag.output_column);
 
-  -- Memories: (depth, width, address_bits) and (clock, read_enable, read_address, read_data, write_address, write_data).
+  -- Memories: (depth, width, address_bits), (clock, read_enable, read_address, read_data, write_address, write_data)
 
   winners_read_word_0_memory : block
     signal read_address, write_address : unsigned(10 downto 0);

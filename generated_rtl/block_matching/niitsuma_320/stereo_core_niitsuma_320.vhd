@@ -407,7 +407,7 @@ begin
   disparity_start_of_frame <= as_bit(slice4_best_tag.start_of_frame and slice4_best_tag.valid and slice4_best_tag.output_column);
   disparity_end_of_line <= as_bit(slice4_best_tag.end_of_line and slice4_best_tag.valid and slice4_best_tag.output_column);
 
-  -- Memories: (depth, width, address_bits) and (clock, read_enable, read_address, read_data, write_address, write_data).
+  -- Memories: (depth, width, address_bits), (clock, read_enable, read_address, read_data, write_address, write_data)
 
   slice4window_leaving_10_memory : block
     signal read_address, write_address : unsigned(2 downto 0);

@@ -766,7 +766,7 @@ begin
   disparity_start_of_frame <= as_bit(map_start_of_frame);
   disparity_end_of_line <= as_bit(map_end_of_line);
 
-  -- Memories: (depth, width, address_bits) and (clock, read_enable, read_address, read_data, write_address, write_data).
+  -- Memories: (depth, width, address_bits), (clock, read_enable, read_address, read_data, write_address, write_data)
 
   lowwindow_leaving_memory : for i in 3 downto 0 generate
     signal read_address, write_address : unsigned(3 downto 0);

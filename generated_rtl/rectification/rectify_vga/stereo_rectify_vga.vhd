@@ -299,7 +299,7 @@ begin
   rectified_start_of_frame <= as_bit(valid_held(9) and starts_held(9));
   rectified_valid <= as_bit(valid_held(9));
 
-  -- Memories: (depth, width, address_bits) and (clock, read_enable, read_address, read_data, write_address, write_data).
+  -- Memories: (depth, width, address_bits), (clock, read_enable, read_address, read_data, write_address, write_data)
 
   leftsampler_rows_even_even_read_word_memory : block
     signal read_address, write_address : unsigned(12 downto 0);

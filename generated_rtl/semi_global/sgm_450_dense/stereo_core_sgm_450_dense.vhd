@@ -695,7 +695,7 @@ begin
   disparity_start_of_frame <= as_bit(median_out_start_of_frame);
   disparity_end_of_line <= as_bit(median_out_end_of_line);
 
-  -- Memories: (depth, width, address_bits) and (clock, read_enable, read_address, read_data, write_address, write_data).
+  -- Memories: (depth, width, address_bits), (clock, read_enable, read_address, read_data, write_address, write_data)
 
   transform_left_rows_read_words_0_memory : block
     signal read_address, write_address : unsigned(8 downto 0);

@@ -406,7 +406,7 @@ begin
   disparity_start_of_frame <= as_bit(turn_ready_tag.start_of_frame and turn_ready_tag.valid and turn_ready_tag.output_column);
   disparity_end_of_line <= as_bit(turn_ready_tag.end_of_line and turn_ready_tag.valid and turn_ready_tag.output_column);
 
-  -- Memories: (depth, width, address_bits) and (clock, read_enable, read_address, read_data, write_address, write_data).
+  -- Memories: (depth, width, address_bits), (clock, read_enable, read_address, read_data, write_address, write_data)
 
   transform_left_rows_read_words_0_memory : block
     signal read_address, write_address : unsigned(5 downto 0);

@@ -361,7 +361,7 @@ begin
   disparity_start_of_frame <= as_bit(((other(1) mod 2) = 1) and lastwinner4_tag.valid and fill_out_tag_output_column);
   disparity_end_of_line <= as_bit(((other(1) / 256) = 1) and lastwinner4_tag.valid and fill_out_tag_output_column);
 
-  -- Memories: (depth, width, address_bits) and (clock, read_enable, read_address, read_data, write_address, write_data).
+  -- Memories: (depth, width, address_bits), (clock, read_enable, read_address, read_data, write_address, write_data)
 
   transform_left_rows_read_words_0_memory : block
     signal read_address, write_address : unsigned(5 downto 0);

@@ -34,7 +34,7 @@ _SUFFIX = "_memory"
 _CLOCK = "clock"
 # In the order of the entity.
 _PORTS = ("read_enable", "read_address", "read_data", "write_address", "write_data")
-_ORDER = f"  -- Memories: ({', '.join(_GENERICS)}) and ({', '.join((_CLOCK, *_PORTS))})."
+_ORDER = f"  -- Memories: ({', '.join(_GENERICS)}), ({', '.join((_CLOCK, *_PORTS))})"
 _TEXT = re.compile(
     r"  (\w+) : (?:block|for (\w+) in (\d+) (to|downto) (\d+) generate)\n(.*?)  end (?:block|generate);\n", re.DOTALL
 )
