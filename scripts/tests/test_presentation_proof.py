@@ -14,7 +14,16 @@ from flow.synthesis.presentation.present import expand, present
 
 FAST = ["tiny"]
 # Arrays with places for more: from the third on; comparisons in steps: of numbers, from false and from true, of words.
-CASES = ["tiny", "tiny_p2", "tiny_f2", "tiny_sgm_f5_forward", "tiny_median", "tiny_sgm_f6_relief_rows"]
+# The last one has counts of differing bits.
+CASES = [
+    "tiny",
+    "tiny_p2",
+    "tiny_f2",
+    "tiny_sgm_f5_forward",
+    "tiny_median",
+    "tiny_sgm_f6_relief_rows",
+    "tiny_census_9x7",
+]
 
 
 @pytest.fixture(scope="module", autouse=True)
