@@ -186,7 +186,7 @@ class Checker {
    /// Of each class as often.
    DeepPair random_pair() { return random_pair(image_); }
    DeepPair random_pair(const Image& size) {
-      const StressClass kind = kStressClasses[std::size_t(random_.below(int(kStressClasses.size())))];
+      const StressClass kind = kAllStressClasses[std::size_t(random_.below(int(kAllStressClasses.size())))];
       const CoreShape& shape = core_.shape;
       return stress_pair(
           kind, {size.width_px, size.height_px, shape.first_disparity, shape.disparities, shape.pixel_bits}, random_);

@@ -28,7 +28,10 @@ class Painter {
    void periodic();
    void constant();
    void opposed();
-   void slopes();
+   int slopes();
+   void rough();
+   void tiles();
+   void enlarged();
    void ramp();
    void patchwork();
 
@@ -164,7 +167,8 @@ void Painter::opposed() {
    }
 }
 
-void Painter::slopes() {
+/// Returns how steep they are, in grey levels from a column to the next.
+int Painter::slopes() {
    // As steep as the grey levels allow without a jump back to the first one, in images that are not too wide.
    const auto step = [&](int levels, int length) { return random_.below(std::clamp(levels / length, 1, 8)) + 1; };
    const int across = step(top_ + 1, shape_.width), left_over = top_ + 1 - across * shape_.width;
@@ -175,6 +179,59 @@ void Painter::slopes() {
       return uint16_t(left_rises ? level : top_ - level);
    });
    fill(pair.right, [&](int x, int y) { return uint16_t(top_ - pair.left.at(x, y)); });
+   return across;
+}
+
+void Painter::rough() {
+   const int noise = 1 + random_.below(3 * slopes());
+   // Of one pixel in so many hundred: with few of them most costs stay the largest.
+   const int some = 5 + random_.below(96);
+   for (DeepImage* image : {&pair.left, &pair.right})
+      fill(*image, [&](int x, int y) {
+         const int level = image->at(x, y);
+         return uint16_t(random_.percent(some) ? std::clamp(level + random_.below(2 * noise + 1) - noise, 0, top_)
+                                               : level);
+      });
+}
+
+void Painter::tiles() {
+   // As small as they may be to have a place where all of a window and of a census match.
+   const int wide = 7 + random_.below(6), high = 6 + random_.below(2), before = random_.below(wide);
+   // Bright and dark columns in turn, most of them: one disparity beside the right one the costs are large.
+   const int flips = random_.below(30);
+   for (DeepImage* image : {&pair.left, &pair.right})
+      fill(*image, [&](int x, int) {
+         const bool is_dark = (x % 2 == 0) != random_.percent(flips);
+         const int level = random_.below(top_ / 2 + 1);
+         return uint16_t(is_dark ? level : top_ - level);
+      });
+   const auto disparity = [&] {
+      if (random_.percent(70)) return any_disparity();
+      return random_.percent(50) ? last_disparity() : shape_.first_disparity;
+   };
+   for (int top = 0; top < shape_.height; top += high)
+      for (int x = -before; x < shape_.width; x += wide) {
+         const int here = disparity();
+         for (int y = top; y < std::min(top + high, shape_.height); ++y)
+            match(y, std::max(x, 0), std::min(x + wide, shape_.width), here, [](uint16_t v) { return v; });
+      }
+}
+
+void Painter::enlarged() {
+   constexpr int kScale = 4;
+   constexpr std::array kKinds{StressClass::steps, StressClass::edges, StressClass::stairs, StressClass::tiles};
+   const StressShape shape{(shape_.width + kScale - 1) / kScale, (shape_.height + kScale - 1) / kScale,
+                           shape_.first_disparity / kScale, std::max(1, shape_.disparities / kScale),
+                           shape_.pixel_bits};
+   const DeepPair small = stress_pair(kKinds[std::size_t(random_.below(int(kKinds.size())))], shape, random_);
+   const int noise = random_.below(top_ / 16 + 1);
+   const auto enlarge = [&](DeepImage& image, const DeepImage& from) {
+      fill(image, [&](int x, int y) {
+         return uint16_t(std::min(top_, from.at(x / kScale, y / kScale) + random_.below(noise + 1)));
+      });
+   };
+   enlarge(pair.left, small.left);
+   enlarge(pair.right, small.right);
 }
 
 void Painter::ramp() {
@@ -246,6 +303,15 @@ DeepPair stress_pair(StressClass kind, const StressShape& shape, Random& random)
          break;
       case StressClass::patchwork:
          painter.patchwork();
+         break;
+      case StressClass::rough:
+         painter.rough();
+         break;
+      case StressClass::tiles:
+         painter.tiles();
+         break;
+      case StressClass::enlarged:
+         painter.enlarged();
          break;
    }
    return std::move(painter.pair);

@@ -25,13 +25,28 @@ enum class StressClass {
    slopes,      ///< one image rises where the other falls: all bits of a census differ, for all costs of all windows
    ramp,        ///< slopes that are matched or not: costs that rise and fall by little, subpixel steps
    patchwork,   ///< rectangles of the other classes
+   rough,       ///< slopes with noise: the largest costs of a census, no two disparities alike
+   tiles,       ///< each matched at a disparity of its own: paths from the left, the right and above that want others
+   enlarged,    ///< another class, four times as large: what a search in coarse images sees
 };
 
+/// Of each stream.
 inline constexpr std::array kStressClasses{
     StressClass::scene,  StressClass::noise,  StressClass::few_levels, StressClass::blocks,   StressClass::steps,
     StressClass::edges,  StressClass::stairs, StressClass::periodic,   StressClass::constant, StressClass::opposed,
     StressClass::slopes, StressClass::ramp,   StressClass::patchwork,
 };
+
+/// Of the last stream only.
+inline constexpr std::array kLastStressClasses{StressClass::rough, StressClass::tiles, StressClass::enlarged};
+
+inline constexpr std::array kAllStressClasses = [] {
+   std::array<StressClass, kStressClasses.size() + kLastStressClasses.size()> all{};
+   std::size_t i = 0;
+   for (const StressClass kind : kStressClasses) all[i++] = kind;
+   for (const StressClass kind : kLastStressClasses) all[i++] = kind;
+   return all;
+}();
 
 /// What the pair must fit.
 struct StressShape {

@@ -51,7 +51,7 @@ TEST(StressPairs, AllClassesOfAllShapesStayInTheirRange) {
         {kShape, StressShape{1, 1, 0, 1}, StressShape{2, 1, 0, 2, 10}, StressShape{1, 9, -3, 5, 12},
          StressShape{311, 3, 40, 256}, StressShape{33, 7, -8, 8, 12}}) {
       Random random(test_seed());
-      for (const StressClass kind : kStressClasses) {
+      for (const StressClass kind : kAllStressClasses) {
          const DeepPair pair = stress_pair(kind, shape, random);
          for (const DeepImage* image : {&pair.left, &pair.right}) {
             ASSERT_EQ(image->width, shape.width);
@@ -112,6 +112,21 @@ TEST(StressPairs, OneImageRisesWhereTheOtherFalls) {
          }
 }
 
+TEST(StressPairs, RoughSlopesHaveLargeCostsThatDiffer) {
+   // Of a census of neighbours: where the left image rises, the right one falls, but for a part of the pixels.
+   Random random(test_seed());
+   for (int i = 0; i < 20; ++i) {
+      const DeepPair pair = stress_pair(StressClass::rough, {40, 12, 0, 16}, random);
+      int opposite = 0, all = 0;
+      for (int y = 0; y < 12; ++y)
+         for (int x = 1; x < 40; ++x, ++all)
+            opposite +=
+                (pair.left.at(x, y) > pair.left.at(x - 1, y)) != (pair.right.at(x, y) > pair.right.at(x - 1, y));
+      EXPECT_GT(opposite, all / 2) << i;
+      EXPECT_LE(opposite, all);
+   }
+}
+
 TEST(StressPairs, FewLevelsAndPeriodsTie) {
    for (const StressClass kind : {StressClass::few_levels, StressClass::periodic, StressClass::constant}) {
       int ties = 0;
@@ -129,7 +144,7 @@ TEST(StressPairs, FewLevelsAndPeriodsTie) {
 }
 
 TEST(StressPairs, ASeedIsASetOfPairs) {
-   for (const StressClass kind : kStressClasses) {
+   for (const StressClass kind : kAllStressClasses) {
       Random one(5), again(5), other(6);
       const DeepPair first = stress_pair(kind, kShape, one), second = stress_pair(kind, kShape, again);
       EXPECT_EQ(first.left, second.left);

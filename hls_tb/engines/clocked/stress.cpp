@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "scene/stress_pairs.hpp"
 
@@ -14,10 +15,11 @@ constexpr int kWantedClocks = 25000;  // of a core with short frames; the first 
 constexpr int kRowsBeyondFirst = 2;   // groups of rows of a long frame beyond those that give the first output
 constexpr int kShortLives = 1000;     // clocks of them all
 constexpr int kLeastShortLives = 3;
-constexpr int kLeastWildFrames = 6;  // so that each event comes
-constexpr int kFlushClocks = 5000;   // for starts within the flush
-constexpr int kResetClocks = 4000;  // for resets within a map
+constexpr int kLeastWildFrames = 6;                             // so that each event comes
+constexpr int kFlushClocks = 5000, kBehindFlushClocks = 10000;  // for starts within the flush
+constexpr int kResetClocks = 4000;                              // for resets within a map
 constexpr int kLeastResets = 3;
+constexpr int kLastShare = 3;              // of the clocks of all other streams, for the last one
 constexpr uint64_t kNextSeed = 1'000'003;  // from a stream to the one behind it: no seed that people try next
 
 /// Gives each of some things once before any comes again, in another order each time.
@@ -55,6 +57,14 @@ class Stress {
       resets_within_a_map();
       frame(StressClass::patchwork);
       if (is_short()) writer_.flush(core_.schedule);
+      writer_.drain(core_.schedule);
+      return std::move(writer_);
+   }
+
+   /// What random streams meet too seldom, in so many clocks or a few more.
+   StimulusWriter make_last(std::size_t clocks) {
+      starts_behind_the_flush();
+      last_frames(clocks);
       writer_.drain(core_.schedule);
       return std::move(writer_);
    }
@@ -155,19 +165,51 @@ class Stress {
       first_records(StressClass::patchwork, width * rows - 1 - random_.below(width - 1));
    }
 
+   /// From 1; some of them, at random, where all would take more than `clocks`. groups: of what is sent for each.
+   std::vector<int> rows_of_the_flush(int groups, int clocks) {
+      const int count = (core_.schedule.flush_groups + size_.width_px - 1) / size_.width_px;
+      const int most = std::max(1, clocks / (groups * core_.schedule.clocks_per_group));
+      std::vector<int> rows(std::size_t(std::min(count, most)));
+      for (int& row : rows) row = count <= most ? int(&row - rows.data()) + 1 : 1 + random_.below(count);
+      return rows;
+   }
+
    /// A whole frame, then some of its flush rows as a frame that is broken off, then the next one: a start in the very
    /// clock in which a block ends the frame before.
    void starts_in_the_flush() {
       if (!is_short()) return;
       const int width = size_.width_px;
-      const int rows = (core_.schedule.flush_groups + width - 1) / width;
-      const int most = std::max(1, kFlushClocks / (frame_groups() * core_.schedule.clocks_per_group));
-      for (int i = 1; i <= std::min(rows, most); ++i) {
-         const int row = rows <= most ? i : 1 + random_.below(rows);
+      for (const int row : rows_of_the_flush(frame_groups(), kFlushClocks)) {
          frame(StressClass::noise);
          first_records(StressClass::noise, std::min(row * width, frame_groups()));
       }
       frame(StressClass::noise);
+   }
+
+   /// A start in the very clock behind each row of the flush. What a counter makes of it shows behind the end of that
+   /// frame.
+   void starts_behind_the_flush() {
+      if (!is_short()) return;
+      const int width = size_.width_px;
+      for (const int row : rows_of_the_flush(2 * frame_groups(), kBehindFlushClocks)) {
+         frame(StressClass::noise);
+         writer_.random_records(row * width);
+         frame(StressClass::noise);
+         writer_.flush(core_.schedule);
+         writer_.random_records(2 * width);
+      }
+   }
+
+   void last_frames(std::size_t end) {
+      using enum StressClass;
+      do {
+         for (const StressClass kind : {rough, tiles, enlarged, tiles, tiles}) {
+            frame(kind);
+            writer_.gap(schedule());
+            if (!is_short() && kind == enlarged) break;
+         }
+      } while (writer_.clocks.size() < end);
+      writer_.flush(core_.schedule);
    }
 
    /// A reset in the first rows of a map, then records without a start: what a block still holds would come out.
@@ -245,8 +287,7 @@ class Stress {
    std::size_t tidy_ = 0;  ///< classes that have come once
 };
 
-Stimulus one_stream(const std::string& config_name, const CoreShape& core, uint64_t seed) {
-   StimulusWriter writer = Stress(core, seed).make();
+Stimulus stream_of(const std::string& config_name, const CoreShape& core, uint64_t seed, StimulusWriter writer) {
    Stimulus stimulus{config_name, core.image.pixels_per_clock, std::move(writer.clocks), std::move(writer.resets)};
    stimulus.pixel_bits = core.pixel_bits;
    set_random_frames(stimulus, core.settings, seed, writer.sizes, Limits::exceeded);
@@ -257,8 +298,14 @@ Stimulus one_stream(const std::string& config_name, const CoreShape& core, uint6
 
 Stimulus make_stress_stimulus(const std::string& config_name, const CoreShape& core, uint64_t seed,
                               std::size_t clocks) {
-   Stimulus stimulus = one_stream(config_name, core, seed);
-   while (stimulus.clocks.size() < clocks) append(stimulus, one_stream(config_name, core, seed += kNextSeed));
+   const auto stream = [&] { return stream_of(config_name, core, seed, Stress(core, seed).make()); };
+   Stimulus stimulus = stream();
+   while (stimulus.clocks.size() < clocks) {
+      seed += kNextSeed;
+      append(stimulus, stream());
+   }
+   seed += kNextSeed;
+   append(stimulus, stream_of(config_name, core, seed, Stress(core, seed).make_last(clocks / kLastShare)));
    return stimulus;
 }
 

@@ -11,7 +11,8 @@ namespace stereo {
 /// least gap and without bubbles, then with bubbles, broken off, behind resets, behind records without a start, each
 /// with settings of its own, and of other sizes, where the core has such ports. Of one whose frames are long, the first
 /// rows of each. That is a stream of some 25,000 clocks for a small core; streams of other seeds follow until there are
-/// `clocks` of them at least: what one misses, another one shows most often.
+/// `clocks` of them at least: what one misses, another one shows most often. The last one has what they meet too
+/// seldom: starts in the clock behind each row of the flush, and the largest costs of a census that differ.
 /// docs/cosimulation.md has its score. Other seeds give other streams.
 Stimulus make_stress_stimulus(const std::string& config_name, const CoreShape& core, uint64_t seed,
                               std::size_t clocks = 1);
