@@ -158,6 +158,20 @@ def test_verdicts_are_remembered(blind, proving):
     assert Blind.count == judged
 
 
+def test_a_proof_holds_with_another_stimulus(blind, proving, monkeypatch):
+    def outcomes():
+        run.Run([1], 20, 0, jobs=1, say=lambda line: None).run().report(blind)
+        report = json.loads((blind / "report.json").read_text())
+        return report["killed"], report["equivalent"]
+
+    first, judged = outcomes(), Blind.count
+    monkeypatch.setattr(Blind, "stimulus", blind / "other")
+    (blind / "other").write_text("of today")
+    killed, equivalent = outcomes()
+    assert first[0] > 0 and killed + equivalent == sum(first)
+    assert Blind.count - judged == first[0], "what was noticed is asked again, and nothing else"
+
+
 def test_a_verdict_that_was_broken_off_is_given_again(blind, proving):
     """By Ctrl-C or a full disk, in the middle of a line."""
     run.Run([1], 5, 5, jobs=1, say=lambda line: None).run()

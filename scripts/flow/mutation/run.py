@@ -48,17 +48,17 @@ class Verdict:
 
 
 class EarlierVerdicts:
-    """Verdicts of earlier runs on the same sources and tests, so that an interrupted run goes on where it was. What has
-    survived or is argued is judged again."""
+    """Verdicts of earlier runs on the same sources and tests, so that an interrupted run goes on where it was. A proof
+    holds with any stimulus. What has survived or is argued is judged again."""
 
     def __init__(self, config: str, stimuli: list[Path]) -> None:
         """`stimuli`: of the core's co-simulation."""
-        sources = [*self._sources(config), *stimuli]
-        digest = hashlib.sha256(b"".join(path.read_bytes() for path in sources)).hexdigest()[:16]
+        self.stimulus = _digest(stimuli)
         WORK.mkdir(parents=True, exist_ok=True)
-        self.path = WORK / f"verdicts_{digest}.jsonl"
+        self.path = WORK / f"verdicts_{_digest(self._sources(config))}.jsonl"
         kept = {entry.get("key", ""): entry for entry in json_lines.read(self.path)}
-        self.known = {key: entry for key, entry in kept.items() if {"outcome", "by", "seconds"} <= entry.keys()}
+        fields = {"outcome", "by", "seconds", "stimulus"}
+        self.known = {key: entry for key, entry in kept.items() if fields <= entry.keys()}
 
     @staticmethod
     def _sources(config: str) -> list[Path]:
@@ -86,10 +86,16 @@ class EarlierVerdicts:
         entry = self.known.get(mutant.key)
         if entry is None or entry["outcome"] not in ("killed", "equivalent", "invalid"):
             return None
+        if entry["outcome"] == "killed" and entry["stimulus"] != self.stimulus:
+            return None
         return Verdict(mutant, entry["outcome"], entry["by"], entry["seconds"])
 
     def keep(self, verdict: Verdict) -> None:
-        json_lines.append(self.path, verdict.entry())
+        json_lines.append(self.path, {**verdict.entry(), "stimulus": self.stimulus})
+
+
+def _digest(paths: list[Path]) -> str:
+    return hashlib.sha256(b"".join(path.read_bytes() for path in paths)).hexdigest()[:16]
 
 
 class Run:
@@ -171,11 +177,11 @@ class Run:
         if mutant in batch.invalid:
             return Verdict(mutant, "invalid")
         by = batch.shown.get(mutant.key, "")
-        objection = by or batch.objection(mutant, folder)
         is_shown = bool(by) or mutant.key in batch.elsewhere
-        if objection and not is_shown and (argument := arguments.of(mutant)):
+        if not is_shown and (argument := arguments.of(mutant)):  # because the prover gives up on it, after minutes
             shutil.rmtree(folder, ignore_errors=True)
             return Verdict(mutant, "argued", f"{argument.reason}; {argument.test}", time.monotonic() - started)
+        objection = by or batch.objection(mutant, folder)
         if objection and not is_shown:
             changed = mutants.write(mutant, folder / "rtl")
             core = [changed if path.name == changed.name else path for path in self.core_files]
